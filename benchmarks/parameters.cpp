@@ -1,0 +1,68 @@
+#include "parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "fmt/format.h"
+
+namespace fde {
+namespace {
+
+// Levenshtein distance.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substitute = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({substitute, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  return std::isfinite(value) && (open_low ? value > low : value >= low) &&
+         (open_high ? value < high : value <= high);
+}
+
+std::string Range::text() const {
+  const bool below = low > any_number.low, above = high < any_number.high;
+  if (!below && !above) return "any finite number";
+  if (!above) return fmt::format("{} {}", open_low ? "above" : "at least", low);
+  return fmt::format("in {}{}, {}{}", open_low ? '(' : '[', low, high, open_high ? ')' : ']');
+}
+
+Parameters::Parameters(std::string_view scene, const std::vector<Parameter>& parameters,
+                       const std::map<std::string, double>& values) {
+  for (const auto& parameter : parameters) values_.emplace(parameter.name, parameter.value);
+  for (const auto& [name, value] : values) {
+    const auto parameter = std::ranges::find(parameters, name, &Parameter::name);
+    if (parameter == parameters.end()) {
+      std::vector<std::string_view> names;
+      for (const auto& known : parameters) names.push_back(known.name);
+      throw std::invalid_argument(fmt::format("{}: scene {} has no such parameter{}; it has {}", name, scene,
+                                              nearest(name, names), fmt::join(names, ", ")));
+    }
+    if (!parameter->range.contains(value)) reject(name, value, parameter->range.text());
+    values_.find(name)->second = value;
+  }
+}
+
+void reject(std::string_view name, double value, std::string_view allowed) {
+  throw std::invalid_argument(fmt::format("{} = {}: must be {}", name, value, allowed));
+}
+
+std::string nearest(std::string_view name, const std::vector<std::string_view>& candidates) {
+  const auto distance = [=](std::string_view candidate) { return edit_distance(name, candidate); };
+  const auto best = std::ranges::min_element(candidates, {}, distance);
+  return best == candidates.end() ? "" : fmt::format(", did you mean '{}'?", *best);
+}
+
+}  // namespace fde

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fde {
+
+// An interval of allowed values. An open end is not allowed itself.
+struct Range {
+  double low = -std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::max();
+  bool open_low = false;
+  bool open_high = false;
+
+  [[nodiscard]] bool contains(double value) const;  // false for nan
+  [[nodiscard]] std::string text() const;           // "(0, 2]", "any finite number"
+};
+
+constexpr Range any_number{};
+constexpr Range positive{.low = 0.0, .open_low = true};
+constexpr Range not_negative{.low = 0.0};
+constexpr Range order_up_to_one{.low = 0.0, .high = 1.0, .open_low = true};
+constexpr Range order_up_to_two{.low = 0.0, .high = 2.0, .open_low = true};
+
+// A named number that a scene is made from.
+struct Parameter {
+  std::string_view name;
+  double value;  // the default
+  Range range;
+  std::string_view meaning;
+};
+
+// Values of all parameters of one scene.
+class Parameters {
+ public:
+  // The defaults with some values replaced. Throws std::invalid_argument naming the parameter, the value and
+  // what is allowed, when a name is unknown or a value out of range.
+  Parameters(std::string_view scene, const std::vector<Parameter>& parameters,
+             const std::map<std::string, double>& values);
+
+  double operator[](std::string_view name) const { return values_.find(name)->second; }
+
+ private:
+  std::map<std::string, double, std::less<>> values_;
+};
+
+// Throws std::invalid_argument: "NAME = VALUE: must be ALLOWED".
+[[noreturn]] void reject(std::string_view name, double value, std::string_view allowed);
+
+// ", did you mean 'x'?" with the candidate of least edit distance to the name.
+std::string nearest(std::string_view name, const std::vector<std::string_view>& candidates);
+
+}  // namespace fde

@@ -1,0 +1,147 @@
+#include "record.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "fmt/format.h"
+#include "nlohmann/json.hpp"
+
+namespace fde {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Session, date, machine, system, compiler, flags, commit, version, cores)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Record, scene, scheme, history, steps, h, quantity, value, unit, status)
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view last_row = "outcome";
+constexpr std::string_view first_words = R"({"session":)";
+
+struct Parsed {
+  Results results;
+  std::size_t valid = 0;  // bytes up to the end of the last complete run
+};
+
+// Adds one line; true when it ends a session line or a run, so that the file is whole up to here.
+bool add_line(const std::string& line, Results& results, std::vector<Record>& open_run) {
+  const Json json = Json::parse(line);
+  if (json.contains("session")) {
+    results.sessions.push_back(json.at("session").get<Session>());
+    return true;
+  }
+  auto record = json.get<Record>();
+  if (results.sessions.empty()) throw std::invalid_argument("a record before the first session");
+  record.session = results.sessions.size() - 1;
+  open_run.push_back(std::move(record));
+  if (open_run.back().quantity != last_row) return false;
+  results.records.insert(results.records.end(), open_run.begin(), open_run.end());
+  open_run.clear();
+  return true;
+}
+
+Parsed parse(const std::string& text, const std::filesystem::path& file) {
+  Parsed parsed;
+  std::vector<Record> open_run;
+  std::size_t begin = 0;
+  for (int number = 1; begin < text.size(); ++number) {
+    const auto end = text.find('\n', begin);
+    const bool ours = parsed.valid > 0 || text.starts_with(first_words);
+    if (end == std::string::npos && ours) break;  // the line a killed sweep was writing
+    try {
+      if (add_line(text.substr(begin, end - begin), parsed.results, open_run)) parsed.valid = end + 1;
+      if (end == std::string::npos) throw std::invalid_argument("no line end");
+    } catch (const std::exception&) {
+      throw std::invalid_argument(
+          fmt::format("{}: line {} is not a row of fdebench results", file.string(), number));
+    }
+    begin = end + 1;
+  }
+  return parsed;
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  const auto cannot = [&](const char* reason) {
+    return std::invalid_argument(fmt::format("{}: cannot be read: {}", file.string(), reason));
+  };
+  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file)) throw cannot("is not a file");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw cannot(std::strerror(errno));
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+bool Results::has(std::string_view scene, std::string_view scheme, int steps) const {
+  return std::ranges::any_of(records, [=](const Record& row) {
+    return row.quantity == last_row && row.steps == steps && row.scene == scene && row.scheme == scheme;
+  });
+}
+
+Results read_results(const std::filesystem::path& file) { return parse(read_text(file), file).results; }
+
+ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
+  std::size_t valid = 0;
+  if (std::filesystem::exists(path_)) {
+    auto parsed = parse(read_text(path_), path_);
+    results_ = std::move(parsed.results);
+    valid = parsed.valid;
+  }
+  descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (descriptor_ < 0) {
+    throw std::invalid_argument(
+        fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+  }
+  if (ftruncate(descriptor_, static_cast<off_t>(valid)) != 0) {
+    close(descriptor_);
+    throw std::invalid_argument(
+        fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+  }
+}
+
+ResultsFile::~ResultsFile() { close(descriptor_); }
+
+void ResultsFile::append(const std::vector<Record>& run) {
+  std::string text;
+  if (!session_written_) {
+    results_.sessions.push_back(this_session());
+    text = Json{{"session", results_.sessions.back()}}.dump() + '\n';
+  }
+  for (const auto& record : run) text += Json(record).dump() + '\n';
+  write(text);
+  session_written_ = true;
+  for (auto record : run) {
+    record.session = results_.sessions.size() - 1;
+    results_.records.push_back(std::move(record));
+  }
+}
+
+void ResultsFile::write(const std::string& text) {
+  const auto before = lseek(descriptor_, 0, SEEK_END);
+  std::size_t written = 0;
+  while (written < text.size()) {
+    const auto count = ::write(descriptor_, text.data() + written, text.size() - written);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) {
+      const int reason = errno;
+      if (ftruncate(descriptor_, before) != 0) {
+        // The next run passes over the incomplete rows.
+      }
+      throw std::system_error(reason, std::generic_category(), path_.string() + ": cannot be written");
+    }
+    written += static_cast<std::size_t>(count);
+  }
+}
+
+}  // namespace fde

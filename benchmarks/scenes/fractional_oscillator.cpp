@@ -1,0 +1,36 @@
+#include "linear_equation.hpp"
+#include "scene.hpp"
+
+namespace fde {
+
+// D^nu q + w2 q = c0 + c1 t, 1 < nu <= 2. Tarasov & Zaslavsky's (49) has such a right-hand side only in its
+// corrected form, see errata 1.1.
+SceneMaker fractional_oscillator() {
+  return {.id = "fractional_oscillator",
+          .title = "Fractional oscillator",
+          .source = "Tarasov & Zaslavsky 2006, eq. 49 (corrected)",
+          .parameters = {{"nu", 1.5, {.low = 1.0, .high = 2.0, .open_low = true}, "order"},
+                         {"w2", 1.0, any_number, "square of the frequency"},
+                         {"q0", 1.0, any_number, "q(0)"},
+                         {"dq0", 0.0, any_number, "q'(0)"},
+                         {"c0", 0.0, any_number, "constant load"},
+                         {"c1", 0.0, any_number, "slope of the load"}},
+          .make = [](const Parameters& p) -> Scene {
+            const double nu = p["nu"], w2 = p["w2"], c0 = p["c0"], c1 = p["c1"];
+            std::vector<double> start;
+            if (c0 != w2 * p["q0"]) start.push_back(nu);
+            if (c1 != w2 * p["dq0"]) start.push_back(nu + 1.0);
+            return {.problem = {.components = {{nu, {p["q0"], p["dq0"]}}},
+                                .rhs = [=](double t, In q, Out f) { f[0] = c0 + c1 * t - w2 * q[0]; },
+                                .linear_part = Matrix::Constant(1, 1, -w2),
+                                .end = 10.0},
+                    .smoothness = {{power_lattice(start, {nu}, nu + 2.0)}},
+                    .outputs = {{"q"}},
+                    .exact = exact_solution({.terms = {{1.0, nu}, {w2, 0.0}},
+                                             .initial = {p["q0"], p["dq0"]},
+                                             .loads = {{c0, 0.0}, {c1, 1.0}}},
+                                            {0.0})};
+          }};
+}
+
+}  // namespace fde

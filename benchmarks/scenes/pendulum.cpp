@@ -1,0 +1,44 @@
+#include <cmath>
+
+#include "chain.hpp"
+#include "damping.hpp"
+#include "scene.hpp"
+
+namespace fde {
+
+// phi'' + g/L sin phi + mu tau^alpha D^alpha phi + lambda tau phi' + nu tau^beta D^beta phi = 0, energy per m
+// L^2.
+SceneMaker pendulum() {
+  auto parameters = damping_parameters();
+  parameters.insert(parameters.end(), {{"mu", 0.06, not_negative, "damping of order alpha"},
+                                       {"lambda", 0.1, not_negative, "damping of order 1"},
+                                       {"nu", 0.1, not_negative, "damping of order beta"},
+                                       {"g_over_L", 1.0, any_number, "gravity over length"},
+                                       {"phi0", 1.0, any_number, "phi(0)"},
+                                       {"dphi0", -0.3, any_number, "phi'(0)"}});
+  return {
+      .id = "pendulum",
+      .title = "Pendulum with fractional damping",
+      .source = "Yin, Liu & Anh 2007, eqs 5.1-5.5, example 1; energy eq. 5.3",
+      .parameters = parameters,
+      .make = [](const Parameters& p) -> Scene {
+        const double g = p["g_over_L"];
+        const auto terms = damping_terms(p, p["mu"], p["lambda"], p["nu"]);
+        const Chain chain({1.0, 2.0}, terms, {p["phi0"], p["dphi0"]});
+        const auto dphi = *chain.node(1.0);
+        return {
+            .problem = {
+                .components = chain.components(),
+                .rhs = [=](double, In y,
+                           Out f) { Chain::links(y, chain.highest(y, -g * std::sin(y[0])), f); },
+                .jacobian = [=](double, In y,
+                                OutMatrix jacobian) { jacobian = chain.linear_part(-g * std::cos(y[0])); },
+                .end = 20.0},
+            .smoothness = chain_smoothness({chain}),
+            .outputs = chain_outputs(chain, terms, "phi"),
+            .energy = {.value = [=](In y) { return 0.5 * y[dphi] * y[dphi] + g * (1.0 - std::cos(y[0])); },
+                       .power = [=](double, In y) { return -y[dphi] * chain.terms(y); }}};
+      }};
+}
+
+}  // namespace fde

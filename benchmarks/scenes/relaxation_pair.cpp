@@ -1,0 +1,32 @@
+#include "linear_equation.hpp"
+#include "scene.hpp"
+
+namespace fde {
+
+// D^g u = (re + i im) u for u = x + i y, as a real 2x2 system. Stable for |arg lambda| > g pi / 2.
+SceneMaker relaxation_pair() {
+  return {.id = "relaxation_pair",
+          .title = "Relaxation with a complex rate",
+          .source = "Matignon, CESA'96 (1996), stability sector",
+          .parameters = {{"gamma", 0.8, order_up_to_one, "order"},
+                         {"re", -1.0, any_number, "real part of the rate"},
+                         {"im", 2.0, any_number, "imaginary part of the rate"},
+                         {"x0", 1.0, any_number, "x(0)"},
+                         {"y0", 0.0, any_number, "y(0)"}},
+          .make = [](const Parameters& p) -> Scene {
+            const double gamma = p["gamma"];
+            const auto powers = power_lattice({gamma}, {gamma}, gamma + 2.0);
+            const Matrix rotation = (Matrix(2, 2) << p["re"], -p["im"], p["im"], p["re"]).finished();
+            const std::complex<double> lambda{p["re"], p["im"]}, start{p["x0"], p["y0"]};
+            return {.problem = {.components = {{gamma, {p["x0"]}}, {gamma, {p["y0"]}}},
+                                .rhs = [=](double, In y, Out f) { f = rotation * y; },
+                                .linear_part = rotation,
+                                .end = 5.0},
+                    .smoothness = {{powers, powers}},
+                    .outputs = {{"x", "y"}},
+                    .exact = exact_solution_complex_pair(
+                        {.terms = {{1.0, gamma}, {-lambda, 0.0}}, .initial = {start}})};
+          }};
+}
+
+}  // namespace fde

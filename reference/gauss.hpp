@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace fde {
+
+// Weights that every panel uses are made once in extended precision and rounded to double afterwards.
+using LongVec = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+
+// int_0^1 (1-x)^power p(x) dx = sum_k weights[k] p(nodes[k]) for polynomials p of degree < 2 count; nodes
+// increase.
+struct GaussRule {
+  LongVec nodes, weights;
+};
+GaussRule gauss_jacobi(int count, long double power);  // power > -1; 0 is Gauss-Legendre
+
+// (i, j): the Lagrange polynomial of nodes[j], which is 1 there and 0 at the other nodes, at points[i].
+LongMatrix lagrange_matrix(const LongVec& nodes, const LongVec& points);
+
+// (k, j): weight of p(nodes[j]) in the coefficient of the Legendre polynomial P_k(2x-1) of p, degree p <
+// count.
+LongMatrix legendre_analysis(const GaussRule& legendre);
+
+// The weights prod_{k != j} 1 / (nodes[j] - nodes[k]) of the barycentric interpolation formula.
+LongVec barycentric_weights(const LongVec& nodes);
+
+}  // namespace fde

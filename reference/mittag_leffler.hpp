@@ -1,0 +1,30 @@
+#pragma once
+
+#include <complex>
+#include <string>
+
+#include "truth.hpp"
+
+namespace fde {
+
+struct MittagLefflerValue {
+  std::complex<double> value;
+  double bound;  // of |error|
+};
+
+// E_{alpha,beta}(z) = sum_k z^k / Gamma(alpha k + beta), alpha in (0, 5], any real beta, complex z, each
+// taken for the double it is. Almost correctly rounded: the bound is at most 1e-15 |value|, unless the value
+// overflows. Throws std::invalid_argument naming the argument when alpha is outside (0, 5] or an argument is
+// not finite.
+MittagLefflerValue mittag_leffler(double alpha, double beta, std::complex<double> z);
+double mittag_leffler(double alpha, double beta, double z);
+
+// The same to a number of decimal digits; the arguments are decimal texts, taken exactly ("0.1" is one
+// tenth). The bound is of |error| and includes the rounding of the texts.
+struct DecimalComplex {
+  std::string re, im, bound;
+};
+DecimalComplex mittag_leffler(const std::string& alpha, const std::string& beta, const std::string& re,
+                              const std::string& im, int digits);
+
+}  // namespace fde

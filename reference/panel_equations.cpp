@@ -1,0 +1,152 @@
+#include "panel_equations.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fde {
+
+namespace {
+
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+
+// The largest correction relative to the size of its component; a component of size 0 has to stay put.
+double relative_size(const Matrix& correction, const Vec& sizes) {
+  const Vec largest = correction.cwiseAbs().colwise().maxCoeff();
+  return (largest.array() / (sizes.array() + std::numeric_limits<double>::min())).maxCoeff();
+}
+
+Sizes sizes_with(const Sizes& before, const Matrix& y, const Matrix& rhs,
+                 const std::vector<Matrix>& jacobians) {
+  Sizes sizes = before;
+  for (Eigen::Index k = 0; k < rhs.rows(); ++k) {
+    const Vec y_size = y.row(k).transpose().cwiseAbs();
+    const Vec terms = jacobians[static_cast<std::size_t>(k)].cwiseAbs() * y_size;
+    sizes.values = sizes.values.cwiseMax(y_size);
+    sizes.rhs = sizes.rhs.cwiseMax(terms).cwiseMax(rhs.row(k).transpose().cwiseAbs());
+  }
+  return sizes;
+}
+
+}  // namespace
+
+PanelEquations::PanelEquations(const Problem& problem, const PanelBasis& basis)
+    : problem_(problem), basis_(basis) {
+  for (const Component& component : problem.components) {
+    integral_.push_back(basis.integral(component.order));
+  }
+}
+
+std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past, double from, double to,
+                                                              In first_rhs, const Sizes& before) const {
+  constexpr int most_iterations = 40;
+  constexpr double nearly_converged = 1e-12;
+  const Eigen::Index points = basis_.points();
+  const double length = to - from;
+  const Vec times = from + length * basis_.nodes.array();
+  Matrix y = past + integrate(first_rhs.transpose().replicate(points, 1), length);
+  Eigen::PartialPivLU<Matrix> newton;
+  Sizes sizes = before;
+  Vec increments;
+  double size = std::numeric_limits<double>::infinity();
+  double last_size = 0.0;
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const Matrix rhs = rhs_at(times, y);
+    const Matrix next = past + integrate(rhs, length);
+    const bool converged = size < 2 * rounding || (size < nearly_converged && size > last_size / 2);
+    if (converged) {
+      return Solution{next, rhs, sizes, increments};
+    }
+    if (!next.allFinite()) {
+      return std::nullopt;
+    }
+    if (size > last_size / 10) {  // an old factorisation serves while it gains a digit each time
+      std::vector<Matrix> jacobians;
+      for (Eigen::Index k = 0; k < points; ++k) {
+        jacobians.push_back(jacobian_at(times[k], y.row(k).transpose()));
+      }
+      newton.compute(newton_matrix(jacobians, length));
+      sizes = sizes_with(before, y, rhs, jacobians);
+      increments = increment(sizes.rhs.cwiseMax(sizes.forcing), length);
+    }
+    const Matrix residual = (next - y).topRows(points);
+    const Matrix correction = newton.solve(residual.reshaped()).reshaped(points, problem_.size());
+    if (!correction.allFinite()) {
+      return std::nullopt;
+    }
+    y.topRows(points) += correction;
+    last_size = size;
+    size = relative_size(correction, sizes.values + increments);
+  }
+  return std::nullopt;
+}
+
+Matrix PanelEquations::rhs_at(const Vec& times, const Matrix& y) const {
+  Matrix rhs(times.size(), problem_.size());
+  Vec f(problem_.size());
+  for (Eigen::Index k = 0; k < times.size(); ++k) {
+    problem_.rhs(times[k], y.row(k).transpose(), f);
+    rhs.row(k) = f;
+  }
+  return rhs;
+}
+
+Matrix PanelEquations::jacobian_at(double t, In y) const {
+  if (problem_.linear_part) {
+    return *problem_.linear_part;
+  }
+  Matrix jacobian(y.size(), y.size());
+  if (problem_.jacobian) {
+    problem_.jacobian(t, y, jacobian);
+    return jacobian;
+  }
+  Vec moved = y, f(y.size()), f_moved(y.size());
+  problem_.rhs(t, y, f);
+  for (Eigen::Index l = 0; l < y.size(); ++l) {
+    moved[l] = y[l] + std::sqrt(rounding) * std::max(1.0, std::abs(y[l]));
+    problem_.rhs(t, moved, f_moved);
+    jacobian.col(l) = (f_moved - f) / (moved[l] - y[l]);
+    moved[l] = y[l];
+  }
+  return jacobian;
+}
+
+Matrix PanelEquations::integrate(const Matrix& rhs, double length) const {
+  Matrix sum(basis_.targets.size(), problem_.size());
+  for (Eigen::Index i = 0; i < problem_.size(); ++i) {
+    const auto component = static_cast<std::size_t>(i);
+    sum.col(i) = std::pow(length, problem_.components[component].order) * (integral_[component] * rhs.col(i));
+  }
+  return sum;
+}
+
+// d(y - past - integral)/dy, unknowns numbered component by component.
+Matrix PanelEquations::newton_matrix(const std::vector<Matrix>& jacobians, double length) const {
+  const Eigen::Index points = basis_.points(), size = problem_.size();
+  Matrix matrix = Matrix::Identity(points * size, points * size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const auto component = static_cast<std::size_t>(i);
+    const Matrix weights =
+        std::pow(length, problem_.components[component].order) * integral_[component].topRows(points);
+    for (Eigen::Index l = 0; l < size; ++l) {
+      for (Eigen::Index j = 0; j < points; ++j) {
+        matrix.block(i * points, l * points + j, points, 1) -=
+            jacobians[static_cast<std::size_t>(j)](i, l) * weights.col(j);
+      }
+    }
+  }
+  return matrix;
+}
+
+// int_0^length (length-s)^(order-1) / Gamma(order) ds times the size of f.
+Vec PanelEquations::increment(const Vec& rhs_size, double length) const {
+  Vec size(problem_.size());
+  for (Eigen::Index i = 0; i < problem_.size(); ++i) {
+    const double order = problem_.components[static_cast<std::size_t>(i)].order;
+    size[i] = std::pow(length, order) / std::tgamma(order + 1.0) * rhs_size[i];
+  }
+  return size;
+}
+
+}  // namespace fde

@@ -1,0 +1,155 @@
+#pragma once
+
+// The two number types of the references: long double, and mpfr/mpc at a precision chosen at run time.
+
+#include <algorithm>
+#include <boost/multiprecision/mpc.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <mutex>
+#include <numbers>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace fde {
+
+using BigReal = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>,
+                                              boost::multiprecision::et_off>;
+using BigComplex = boost::multiprecision::number<boost::multiprecision::mpc_complex_backend<0>,
+                                                 boost::multiprecision::et_off>;
+
+template <class Real>
+using Complex = std::conditional_t<std::is_same_v<Real, BigReal>, BigComplex, std::complex<Real>>;
+
+// Sets the decimal digits of new BigReal and BigComplex while it lives. Boost keeps that number in one place
+// for all threads, so the scope also holds a lock: multiprecision work of several threads takes turns.
+class Precision {
+ public:
+  explicit Precision(int digits);
+  ~Precision();
+  Precision(const Precision&) = delete;
+  Precision& operator=(const Precision&) = delete;
+  Precision(Precision&&) = delete;
+  Precision& operator=(Precision&&) = delete;
+
+ private:
+  std::unique_lock<std::recursive_mutex> lock_;
+  unsigned before_;
+};
+
+// Distance from 1 to the next number.
+template <class Real>
+Real epsilon() {
+  if constexpr (std::is_same_v<Real, BigReal>) {
+    return ldexp(BigReal(1), 1 - static_cast<int>(mpfr_get_prec(BigReal().backend().data())));
+  } else {
+    return std::numeric_limits<Real>::epsilon();
+  }
+}
+
+template <class Real>
+Real pi() {
+  if constexpr (std::is_same_v<Real, BigReal>) {
+    BigReal value;
+    mpfr_const_pi(value.backend().data(), MPFR_RNDN);
+    return value;
+  } else {
+    return std::numbers::pi_v<Real>;
+  }
+}
+
+template <class Real>
+Real gamma(const Real& x) {
+  if constexpr (std::is_same_v<Real, BigReal>) {
+    BigReal value;
+    mpfr_gamma(value.backend().data(), x.backend().data(), MPFR_RNDN);
+    return value;
+  } else {
+    return std::tgamma(x);
+  }
+}
+
+template <class Real>
+bool is_whole(const Real& x) {
+  using std::floor;
+  return floor(x) == x;
+}
+
+// 1/Gamma, entire: 0 at 0, -1, -2, ...
+template <class Real>
+Real reciprocal_gamma(const Real& x) {
+  return x <= 0 && is_whole(x) ? Real(0) : Real(1) / gamma(x);
+}
+
+// |Re| + |Im|: as good as the modulus where only the size of an error is asked for, and much cheaper.
+template <class Real>
+Real size_of(const std::complex<Real>& z) {
+  return std::abs(z.real()) + std::abs(z.imag());
+}
+inline BigReal size_of(const BigComplex& z) { return abs(BigReal(z.real())) + abs(BigReal(z.imag())); }
+
+template <class Real>
+Real real_part(const Complex<Real>& z) {
+  return Real(z.real());
+}
+template <class Real>
+Real imag_part(const Complex<Real>& z) {
+  return Real(z.imag());
+}
+
+// The number that a decimal text names, rounded once; std::invalid_argument where it names no finite number.
+template <class Real>
+Real parse(const std::string& text);
+template <>
+long double parse<long double>(const std::string& text);
+template <>
+BigReal parse<BigReal>(const std::string& text);
+
+// The shortest decimal that names x, read as a Real: 0.1 becomes one tenth.
+template <class Real>
+Real decimal(double x);
+
+// A sum of complex terms, what its terms may have lost to rounding, and the size of what it was put together
+// from (without the factor e^mu, by which the terms on a contour exceed what they stand for).
+template <class Real>
+struct Sum {
+  Complex<Real> value = Complex<Real>(0);
+  Real error = Real(0);
+  Real scale = Real(0);
+  bool infinite = false;  // for certain
+  Real largest_exponent = Real(0);
+
+  // relative_error: of the term, against size, which is its own unless it is what is left of larger ones.
+  void add(const Complex<Real>& term, const Real& relative_error, const Real& share = Real(1)) {
+    add(term, size_of(term), relative_error, share);
+  }
+  void add(const Complex<Real>& term, const Real& size, const Real& relative_error, const Real& share) {
+    value += term;
+    error += size * relative_error;
+    scale += size * share;
+  }
+  // Adds direction * e^exponent, which is beyond all exponents: what is larger still hides what is smaller.
+  void add_infinite(const Complex<Real>& direction, const Real& exponent) {
+    constexpr double same = 1.0 + 1e-9;
+    const auto part = [](const Real& x) {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      return Real(x == 0 ? 0.0 : x < 0 ? -infinity : infinity);
+    };
+    if (infinite && exponent * same < largest_exponent) return;
+    if (!infinite || exponent > same * largest_exponent) value = Complex<Real>(0);
+    value += Complex<Real>(part(real_part<Real>(direction)), part(imag_part<Real>(direction)));
+    infinite = true;
+    largest_exponent = exponent;
+  }
+};
+
+// e^z is beyond the exponents of Real for certain, for a z with that relative error.
+template <class Real>
+bool exp_overflows(const Complex<Real>& z, const Real& relative_error) {
+  return real_part<Real>(z) - size_of(z) * relative_error > (std::is_same_v<Real, BigReal> ? 2e18 : 11000.0);
+}
+
+}  // namespace fde

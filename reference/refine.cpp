@@ -1,0 +1,89 @@
+#include "refine.hpp"
+
+#include <fmt/format.h>
+
+#include "contour.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int guard_digits = 8;
+constexpr int zero_digits = 40;
+
+std::vector<Sum<BigReal>> evaluate_at(const EvaluateAt& evaluate, int digits, int extra) {
+  const Precision precision(contour_precision(digits) + extra);
+  return evaluate(digits);
+}
+
+// How many decimal digits the bound is above the target; not positive where it is met.
+int missing_digits(const Bounded<BigReal>& x, const BigReal& scale, int wanted, int digits) {
+  if (!isfinite(x.bound)) return digits;  // a difference came out as 0 and was divided by
+  if (x.bound == 0) return 0;
+  const BigReal size = std::max(size_of(x.value), BigReal(scale * pow(BigReal(10), -zero_digits)));
+  return static_cast<int>(ceil(log10(BigReal(x.bound / size)))) + wanted;
+}
+
+// mpfr's own conversion: Boost takes "no digit after the point" for "all digits".
+std::string in_decimal(const BigReal& x, int digits) {
+  constexpr std::size_t around = 32;  // sign, point, exponent
+  std::string text(static_cast<std::size_t>(digits) + around, '\0');
+  const int length = mpfr_snprintf(text.data(), text.size(), "%.*Re", digits - 1, x.backend().data());
+  text.resize(static_cast<std::size_t>(length));
+  return text;
+}
+
+// A bound that was rounded to nearest, made one again.
+double upwards(double bound) { return std::nextafter(bound, std::numeric_limits<double>::infinity()); }
+
+}  // namespace
+
+std::vector<Bounded<BigReal>> refine(int wanted_digits, int extra, const EvaluateAt& evaluate) {
+  const int most = 4 * wanted_digits + 1000;  // then the bound says what there is
+  for (int digits = wanted_digits + guard_digits;;) {
+    const auto coarse = evaluate_at(evaluate, digits, extra);
+    const auto fine = evaluate_at(evaluate, digits + std::max(10, digits / 16), extra);
+    std::vector<Bounded<BigReal>> values;
+    int missing = 0;
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+      const BigComplex difference = fine[i].value - coarse[i].value;
+      values.push_back({fine[i].value, BigReal(4 * size_of(difference) + fine[i].error)});
+      if (fine[i].infinite) continue;
+      missing = std::max(missing, missing_digits(values.back(), fine[i].scale, wanted_digits, digits));
+    }
+    if (missing == 0 || digits >= most) return values;
+    digits = std::min(digits + missing + 2, most);
+  }
+}
+
+std::string write_bound(const BigReal& bound) {
+  if (!isfinite(bound)) return "inf";
+  return bound == 0 ? "0"
+                    : in_decimal(BigReal(bound * 1.06), 2);  // two digits are then never below the bound
+}
+
+DecimalText write_decimal(const BigReal& value, const BigReal& bound, int digits) {
+  if (!isfinite(value)) return {value.str(), BigReal(std::numeric_limits<double>::infinity())};
+  if (abs(value) <= bound) return {"0", BigReal(abs(value) + bound)};
+  const auto supported = bound == 0 ? BigReal(digits) : BigReal(1 + log10(BigReal(abs(value) / bound)));
+  const std::string text = in_decimal(value, supported < digits ? static_cast<int>(supported) : digits);
+  return {text, BigReal(abs(BigReal(BigReal(text) - value)) + bound)};
+}
+
+DoubleBounded to_double(const Complex<long double>& value, long double error) {
+  const std::complex<double> rounded(static_cast<double>(value.real()), static_cast<double>(value.imag()));
+  if (!std::isfinite(std::abs(rounded))) return {rounded, std::numeric_limits<double>::infinity()};
+  const Complex<long double> off(value.real() - rounded.real(), value.imag() - rounded.imag());
+  return {rounded, upwards(static_cast<double>(size_of(off) + error))};
+}
+
+DoubleBounded to_double(const Bounded<BigReal>& x) {
+  const BigReal re = real_part<BigReal>(x.value), im = imag_part<BigReal>(x.value);
+  const bool nothing = size_of(x.value) <= x.bound;
+  const std::complex rounded(nothing ? 0.0 : re.convert_to<double>(),
+                             nothing ? 0.0 : im.convert_to<double>());
+  if (!std::isfinite(std::abs(rounded))) return {rounded, std::numeric_limits<double>::infinity()};
+  const BigReal off = abs(BigReal(re - rounded.real())) + abs(BigReal(im - rounded.imag()));
+  return {rounded, upwards(BigReal(off + x.bound).convert_to<double>())};
+}
+
+}  // namespace fde

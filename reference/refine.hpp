@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+
+#include "real.hpp"
+
+namespace fde {
+
+// A value and a bound of the modulus of its error.
+template <class Real>
+struct Bounded {
+  Complex<Real> value;
+  Real bound;
+};
+
+// Values at so many working digits, under a Precision that the caller has set.
+using EvaluateAt = std::function<std::vector<Sum<BigReal>>(int digits)>;
+
+// Raises the working digits until every value has the wanted relative accuracy. The bound is by comparison:
+// the same values from another contour at clearly more digits, plus rounding. A value more than 40 digits
+// smaller than what it was put together from counts as zero: its accuracy is then relative to that size.
+// Extra digits are carried beyond those the contour needs, for the phase of e^s at poles far out. Call under
+// a Precision.
+std::vector<Bounded<BigReal>> refine(int wanted_digits, int extra, const EvaluateAt& evaluate);
+
+// Digits for which refine has to be called so that a double comes out rounded almost correctly.
+inline constexpr int double_digits = 17;
+// The relative error that the long double face may leave to the rounding of its value to double.
+inline constexpr long double double_tolerance = 5e-16L;
+
+// A real number in decimal, with as many digits as its bound supports but at most that many, and the bound
+// with the rounding of the text included. A value within its bound is written as 0.
+struct DecimalText {
+  std::string value;
+  BigReal bound;
+};
+DecimalText write_decimal(const BigReal& value, const BigReal& bound, int digits);
+std::string write_bound(const BigReal& bound);  // rounded up
+
+// The nearest double and a bound that includes the rounding to it. A value within its bound becomes 0.
+struct DoubleBounded {
+  std::complex<double> value;
+  double bound;
+};
+DoubleBounded to_double(const Complex<long double>& value, long double error);
+DoubleBounded to_double(const Bounded<BigReal>& x);
+
+}  // namespace fde

@@ -1,0 +1,96 @@
+#include "arguments.hpp"
+
+#include <charconv>
+#include <stdexcept>
+
+#include "fmt/format.h"
+
+namespace fde {
+namespace {
+
+[[noreturn]] void reject_text(std::string_view name, std::string_view text, std::string_view allowed) {
+  throw std::invalid_argument(fmt::format("{} = {}: must be {}", name, text, allowed));
+}
+
+// The whole text as a number; false when it is not one.
+template <typename Number>
+bool read(std::string_view text, Number& number) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+template <typename Entries>
+const auto& named(const Entries& entries, std::string_view kind, std::string_view id) {
+  std::vector<std::string_view> ids;
+  for (const auto& entry : entries) {
+    if (entry.id == id) return entry;
+    ids.push_back(entry.id);
+  }
+  throw std::invalid_argument(fmt::format("{} {}: no such {}{}; there are {}", kind, id, kind,
+                                          nearest(id, ids), fmt::join(ids, ", ")));
+}
+
+}  // namespace
+
+double parse_number(std::string_view name, std::string_view text, const Range& allowed) {
+  double value = 0.0;
+  if (!read(text, value)) reject_text(name, text, "a number " + allowed.text());
+  if (!allowed.contains(value)) reject(name, value, allowed.text());
+  return value;
+}
+
+int parse_count(std::string_view name, std::string_view text, int lowest, int highest) {
+  int value = 0;
+  if (!read(text, value) || value < lowest || value > highest) {
+    reject_text(name, text, fmt::format("a whole number from {} to {}", lowest, highest));
+  }
+  return value;
+}
+
+std::vector<std::string> split_list(std::string_view text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find(',', begin), text.size());
+    parts.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+std::vector<double> parse_numbers(std::string_view name, std::string_view text, const Range& allowed) {
+  std::vector<double> numbers;
+  for (const auto& part : split_list(text)) numbers.push_back(parse_number(name, part, allowed));
+  return numbers;
+}
+
+std::map<std::string, double> parse_settings(const std::vector<std::string>& settings) {
+  std::map<std::string, double> values;
+  for (const auto& setting : settings) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0) reject_text("--set", setting, "NAME=VALUE");
+    const auto name = setting.substr(0, equals);
+    double value = 0.0;
+    if (!read(std::string_view(setting).substr(equals + 1), value)) {
+      reject_text("--set " + name, setting.substr(equals + 1), "a number");
+    }
+    if (!values.emplace(name, value).second) reject_text("--set", setting, "one value for each name");
+  }
+  return values;
+}
+
+Grid parse_grid(std::string_view text, double end, int steps) {
+  constexpr std::string_view graded = "graded:";
+  Grid grid{.end = end, .steps = steps};
+  if (text.starts_with(graded)) {
+    grid.grading = parse_number("--grid graded", text.substr(graded.size()), {.low = 1.0, .high = 100.0});
+  } else if (text != "uniform") {
+    reject_text("--grid", text, "uniform or graded:R with R in [1, 100]");
+  }
+  return grid;
+}
+
+const SceneMaker& scene_named(std::string_view id) { return named(scenes(), "scene", id); }
+const Scheme& scheme_named(std::string_view id) { return named(schemes(), "scheme", id); }
+
+}  // namespace fde

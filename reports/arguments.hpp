@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parameters.hpp"
+#include "scene.hpp"
+#include "scheme.hpp"
+
+namespace fde {
+
+// Texts of the command line into values. Each throws std::invalid_argument naming the argument, the text and
+// what is allowed.
+
+double parse_number(std::string_view name, std::string_view text, const Range& allowed);
+int parse_count(std::string_view name, std::string_view text, int lowest, int highest);
+
+// "1,2,5" into its numbers.
+std::vector<double> parse_numbers(std::string_view name, std::string_view text, const Range& allowed);
+std::vector<std::string> split_list(std::string_view text);
+
+// NAME=VALUE texts.
+std::map<std::string, double> parse_settings(const std::vector<std::string>& settings);
+
+// "uniform" or "graded:R", R >= 1.
+Grid parse_grid(std::string_view text, double end, int steps);
+
+const SceneMaker& scene_named(std::string_view id);
+const Scheme& scheme_named(std::string_view id);
+
+// The most steps the direct history takes on: beyond, its O(N^2) work is hours.
+inline constexpr int most_steps = 1 << 21;
+
+}  // namespace fde

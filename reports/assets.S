@@ -1,0 +1,69 @@
+// The files of the page as bytes in the program, so that `fdebench report` needs no installed data. Paths are relative to
+// this folder, which the build puts on the include path. Files of one asset follow each other.
+
+#define BEGIN(id) .global fde_asset_##id; fde_asset_##id:
+#define END(id) .global fde_asset_##id##_end; fde_asset_##id##_end:
+#define QUOTED(path) #path
+#define TEXT(path) .incbin QUOTED(path); .ascii "\n"
+#define LICENCE_IN(package, file) .ascii QUOTED(package), "\n\n"; TEXT(node_modules/package/file); .ascii "\n\n"
+#define LICENCE(package) LICENCE_IN(package, LICENSE)
+
+  .section .rodata
+
+BEGIN(page)
+  TEXT(page/page.html)
+END(page)
+
+BEGIN(style)
+  TEXT(page/page.css)
+END(style)
+
+BEGIN(script)
+  TEXT(page/charts.js)
+  TEXT(page/page.js)
+END(script)
+
+BEGIN(vega)
+  TEXT(node_modules/vega/build/vega.min.js)
+  TEXT(node_modules/vega-lite/build/vega-lite.min.js)
+  TEXT(node_modules/vega-embed/build/vega-embed.min.js)
+END(vega)
+
+// Of the three builds, and of what is bundled in them.
+BEGIN(licences)
+  LICENCE(vega)
+  LICENCE(vega-lite)
+  LICENCE(vega-embed)
+  LICENCE(d3-array)
+  LICENCE(d3-color)
+  LICENCE(d3-delaunay)
+  LICENCE(d3-dispatch)
+  LICENCE(d3-dsv)
+  LICENCE(d3-ease)
+  LICENCE(d3-force)
+  LICENCE(d3-format)
+  LICENCE(d3-geo)
+  LICENCE(d3-geo-projection)
+  LICENCE(d3-hierarchy)
+  LICENCE(d3-interpolate)
+  LICENCE(d3-path)
+  LICENCE(d3-quadtree)
+  LICENCE(d3-scale)
+  LICENCE(d3-scale-chromatic)
+  LICENCE(d3-shape)
+  LICENCE(d3-time)
+  LICENCE(d3-time-format)
+  LICENCE(d3-timer)
+  LICENCE(delaunator)
+  LICENCE(internmap)
+  LICENCE(robust-predicates)
+  LICENCE(topojson-client)
+  LICENCE_IN(fast-json-patch, LICENSE.txt)
+  LICENCE(json-stringify-pretty-compact)
+  LICENCE(semver)
+  LICENCE_IN(tslib, LICENSE.txt)
+END(licences)
+
+#if defined(__ELF__)
+  .section .note.GNU-stack, "", %progbits
+#endif

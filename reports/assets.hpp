@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string_view>
+
+// Files that the page is made of, embedded by assets.S.
+namespace fde::assets {
+
+std::string_view page();      // the template with its {{places}}
+std::string_view style();     // css
+std::string_view script();    // charts and tables
+std::string_view vega();      // vega, vega-lite and vega-embed
+std::string_view licences();  // of vega and what it bundles
+
+}  // namespace fde::assets

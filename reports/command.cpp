@@ -1,0 +1,74 @@
+#include "command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <new>
+#include <ostream>
+#include <system_error>
+
+#include "fmt/ostream.h"
+#include "parameters.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int bad_input = 2;
+constexpr int numerical_failure = 3;
+
+int complain(const Streams& streams, int code, std::string message) {
+  std::ranges::replace(message, '\n', ' ');
+  fmt::print(streams.err, "fdebench: {}\n", message);
+  return code;
+}
+
+// CLI11 takes the arguments from the last to the first.
+int dispatch(CLI::App& app, const std::vector<std::string>& arguments, const Streams& streams) {
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::Success& help) {
+    return app.exit(help, streams.out, streams.err);
+  } catch (const CLI::ParseError& error) {
+    return complain(streams, bad_input, error.what());
+  }
+  streams.out.flush();
+  return streams.out.good() ? 0 : complain(streams, bad_input, "standard output: cannot be written");
+}
+
+// CLI11 only says that a subcommand is missing.
+void check_subcommand(const CLI::App& app, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front().starts_with('-')) return;
+  std::vector<std::string> names;
+  for (const auto* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::ranges::find(names, arguments.front()) != names.end()) return;
+  throw std::invalid_argument(fmt::format("command {}: no such command{}; there are {}", arguments.front(),
+                                          nearest(arguments.front(), {names.begin(), names.end()}),
+                                          fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams) {
+  CLI::App app{"Which numerical scheme to use for a fractional differential equation, with proof",
+               "fdebench"};
+  app.require_subcommand(1);
+  add_list_commands(app, streams);
+  add_solve_command(app, streams);
+  add_reference_commands(app, streams);
+  add_sweep_commands(app, streams);
+  try {
+    check_subcommand(app, arguments);
+    return dispatch(app, arguments, streams);
+  } catch (const NumericalFailure& failure) {
+    return complain(streams, numerical_failure, failure.what());
+  } catch (const std::invalid_argument& error) {
+    return complain(streams, bad_input, error.what());
+  } catch (const std::system_error& error) {
+    return complain(streams, bad_input, error.what());
+  } catch (const std::bad_alloc&) {
+    return complain(streams, bad_input, "not enough memory for this number of steps");
+  } catch (const std::runtime_error& failure) {
+    return complain(streams, numerical_failure, failure.what());
+  }
+}
+
+}  // namespace fde

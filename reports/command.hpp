@@ -1,0 +1,36 @@
+#pragma once
+
+#include <iosfwd>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace fde {
+
+// A scheme or a reference that did not come to its end: exit code 3.
+struct NumericalFailure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Where a command writes: results to out, everything else to err.
+struct Streams {
+  std::ostream& out;
+  std::ostream& err;
+  bool terminal = false;  // err is one: progress may be shown
+};
+
+// The command `fdebench` without its process: arguments after the program's name. Returns the exit code: 0
+// done, 2 bad input or output that cannot be written, 3 numerical failure; both with one line on err.
+int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams);
+
+// Each adds its subcommands to the application.
+void add_list_commands(CLI::App& app, const Streams& streams);       // scenes, schemes
+void add_solve_command(CLI::App& app, const Streams& streams);       // solve
+void add_reference_commands(CLI::App& app, const Streams& streams);  // exact, mittag-leffler
+void add_sweep_commands(CLI::App& app, const Streams& streams);      // run, report, choose
+
+}  // namespace fde

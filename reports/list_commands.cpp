@@ -1,0 +1,78 @@
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "experiment.hpp"
+#include "fmt/ostream.h"
+
+namespace fde {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// What a scene declares beyond its problem.
+std::vector<std::string> capabilities(const Scene& scene) {
+  std::vector<std::string> names;
+  if (scene.exact.at) names.emplace_back("exact");
+  if (scene.problem.jacobian || scene.problem.linear_part) names.emplace_back("jacobian");
+  if (scene.problem.linear_part) names.emplace_back("linear");
+  if (scene.energy) names.emplace_back("energy");
+  return names;
+}
+
+Json describe(const SceneMaker& maker) {
+  const Scene scene = make_scene(maker);
+  Json parameters = Json::array();
+  for (const auto& parameter : maker.parameters) {
+    parameters.push_back({{"name", parameter.name},
+                          {"default", parameter.value},
+                          {"allowed", parameter.range.text()},
+                          {"meaning", parameter.meaning}});
+  }
+  return {{"id", maker.id},
+          {"title", maker.title},
+          {"source", maker.source},
+          {"parameters", parameters},
+          {"end", scene.problem.end},
+          {"columns", scene.outputs.names},
+          {"has", capabilities(scene)}};
+}
+
+Json describe(const Scheme& scheme) {
+  return {{"id", scheme.id},
+          {"title", scheme.title},
+          {"source", scheme.source},
+          {"implicit", scheme.needs.implicit},
+          {"uniform_grid", scheme.needs.uniform_grid},
+          {"largest_order", scheme.needs.largest_order}};
+}
+
+template <typename Entries>
+void list(const Entries& entries, bool json, std::ostream& out) {
+  if (json) {
+    Json all = Json::array();
+    for (const auto& entry : entries) all.push_back(describe(entry));
+    fmt::print(out, "{}\n", all.dump(2));
+    return;
+  }
+  for (const auto& entry : entries) fmt::print(out, "{:<24}{}\n", entry.id, entry.title);
+}
+
+void add(CLI::App& app, const std::string& name, const std::string& help,
+         const std::function<void(bool)>& print) {
+  auto* command = app.add_subcommand(name, help);
+  auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "everything about each, as JSON");
+  command->callback([=] { print(*json); });
+}
+
+}  // namespace
+
+void add_list_commands(CLI::App& app, const Streams& streams) {
+  add(app, "scenes", "List the scenes", [&](bool json) { list(scenes(), json, streams.out); });
+  add(app, "schemes", "List the schemes", [&](bool json) { list(schemes(), json, streams.out); });
+}
+
+}  // namespace fde

@@ -1,0 +1,125 @@
+"use strict";
+
+// Charts as Vega-Lite specifications over the points that the report computed.
+
+// Okabe and Ito's colours, told apart by most colour-blind readers; yellow is left out, it is too faint on white.
+const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#333333", "#8c564b"];
+const shapes = ["circle", "square", "triangle-up", "diamond", "cross", "triangle-down", "triangle-right", "triangle-left"];
+
+const colourOf = (lines, line) => colours[lines.indexOf(line) % colours.length];
+const shapeOf = (lines, line) => shapes[lines.indexOf(line) % shapes.length];
+
+const labels = {
+  number: "replace(format(datum.value, '.0e'), '+', '')",
+  time: "format(datum.value, '~s') + 's'",
+};
+
+// Where a logarithmic axis carries labels: powers of ten, with 2 and 5 times them where those are few.
+function ticks(values) {
+  const [low, high] = [Math.min(...values), Math.max(...values)];
+  const decades = Math.log10(high / low);
+  const found = [];
+  for (let power = Math.floor(Math.log10(low)) - 1; power <= Math.log10(high) + 1; power += decades > 10 ? 2 : 1) {
+    for (const digit of decades > 2.5 ? [1] : [1, 2, 5]) found.push(Number(`${digit}e${power}`));
+  }
+  return found.filter((tick) => tick >= 0.8 * low && tick <= 1.25 * high);
+}
+
+function logAxis(points, field, title, labelExpr) {
+  return {
+    field, title, type: "quantitative", scale: { type: "log", nice: false, padding: 14 },
+    axis: { labelExpr, values: ticks(points.map((point) => point[field])), labelOverlap: true, labelFlush: false },
+  };
+}
+
+// Colour and shape of the lines in this chart, the same on the whole page. A click in the legend isolates a line.
+function lineChannels(lines, shown) {
+  const widest = 7 * Math.max(...shown.map((line) => line.length)) + 26;
+  const columns = { expr: `clamp(floor((containerSize()[0] - 60) / ${widest}), 1, 3)` };  // of width it would chase itself
+  const scale = (of) => ({ domain: shown, range: shown.map((line) => of(lines, line)) });
+  const legend = { orient: "bottom", columns, title: null, symbolOpacity: 1, labelLimit: 260 };
+  const opacity = { condition: { param: "picked", value: 1 }, value: 0.08 };
+  return {
+    colour: { color: { field: "line", type: "nominal", scale: scale(colourOf), legend }, opacity },
+    shape: { shape: { field: "line", type: "nominal", scale: scale(shapeOf), legend } },
+  };
+}
+
+const picked = { name: "picked", select: { type: "point", fields: ["line"] }, bind: "legend" };
+
+// Lines through the points of each scheme, in the order of their steps; hovering shows a point's words.
+function lineLayers(encoding, channels) {
+  const all = { ...encoding, ...channels.colour };
+  return [
+    { mark: { type: "line", strokeWidth: 1.5 }, encoding: { ...all, order: { field: "steps", type: "quantitative" } } },
+    {
+      mark: { type: "point", filled: true, size: 45, tooltip: { expr: "datum.words" } },
+      params: [picked],
+      encoding: { ...all, ...channels.shape },
+    },
+  ];
+}
+
+function chart(description, points, rest) {
+  return {
+    $schema: "https://vega.github.io/schema/vega-lite/v6.json",
+    description, width: "container", height: 300, data: { values: points },
+    autosize: { type: "fit-x", contains: "padding" },
+    config: { font: "system-ui, sans-serif", view: { stroke: null }, axis: { gridColor: "#eee", domainColor: "#999",
+      tickColor: "#999", labelColor: "#444", titleColor: "#222", titleFontWeight: 500, labelFontSize: 11, titleFontSize: 12 },
+      legend: { labelFontSize: 11.5, labelColor: "#222" } },
+    ...rest,
+  };
+}
+
+function errorAgainstTime(scene, channels) {
+  const points = scene.points.filter((point) => point.end && point.seconds);
+  const encoding = { x: logAxis(points, "seconds", "run time", labels.time), y: logAxis(points, "end", "error at the end", labels.number) };
+  return {
+    title: "Error against run time", points,
+    spec: chart(`${scene.title}: error at the end against run time, a line for each scheme`, points,
+      { layer: lineLayers(encoding, channels) }),
+  };
+}
+
+// Both norms in one chart, a choice below it decides which; dashed lines have the slope that theory promises.
+function errorAgainstStep(scene, channels) {
+  const points = scene.points.flatMap((point) =>
+    ["end", "maximum"].filter((norm) => point[norm]).map((norm) => ({ ...point, norm, error: point[norm] })));
+  const inNorm = [{ filter: "datum.norm === norm" }];
+  const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "error", "error", labels.number) };
+  const guides = {
+    data: { values: scene.guides }, transform: inNorm,
+    mark: { type: "line", strokeDash: [4, 4], strokeWidth: 1 }, encoding: { ...encoding, ...channels.colour },
+  };
+  const norm = {
+    name: "norm", value: "end",
+    bind: { input: "radio", name: "Error ", options: ["end", "maximum"], labels: ["at the end", "maximum over all steps"] },
+  };
+  return {
+    title: "Error against step; dashed: theoretical rate", points,
+    spec: chart(`${scene.title}: error against step, a line for each scheme and dashed its theoretical rate`, points, {
+      params: [norm],
+      layer: [guides, ...lineLayers(encoding, channels).map((layer) => ({ ...layer, transform: inNorm }))],
+    }),
+  };
+}
+
+function energyAgainstStep(scene, channels) {
+  const points = scene.points.filter((point) => point.energy);
+  const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "energy", "energy residual", labels.number) };
+  return {
+    title: "Residual of the energy balance against step", points,
+    spec: chart(`${scene.title}: largest residual of the energy balance against step, a line for each scheme`, points,
+      { layer: lineLayers(encoding, channels) }),
+  };
+}
+
+// The charts of a scene that have points, as { title, spec }.
+function chartsOf(scene, lines) {
+  const shown = lines.filter((line) => scene.points.some((point) => point.line === line));
+  const channels = lineChannels(lines, shown);
+  const drawn = { ...scene, points: scene.points.map((point) => ({ ...point, words: Object.fromEntries(point.words) })) };
+  return [errorAgainstTime, errorAgainstStep, energyAgainstStep]
+    .map((make) => make(drawn, channels)).filter((made) => made.points.length > 0);
+}

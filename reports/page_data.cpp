@@ -1,0 +1,73 @@
+#include "page_data.hpp"
+
+#include <algorithm>
+
+#include "fmt/format.h"
+#include "nlohmann/json.hpp"
+#include "scene.hpp"
+#include "scheme.hpp"
+
+namespace fde {
+namespace {
+
+using nlohmann::json;
+
+json to_json(const Section& section) {
+  json shown{{"id", section.id}, {"title", section.title}, {"paragraphs", section.paragraphs}};
+  if (!section.table.empty()) shown["table"] = to_json(section.table);
+  return shown;
+}
+
+// The labels of all lines, each once, schemes in the order of their list: the order gives them their colours.
+std::vector<std::string> line_labels(const PageInput& page) {
+  std::vector<std::string> labels;
+  const auto add = [&](const MeasuredRun& run) {
+    const std::string label = page.label(run.scheme, run.history);
+    if (std::ranges::count(labels, label) == 0) labels.push_back(label);
+  };
+  for (const auto& scheme : schemes()) {
+    for (const MeasuredRun& run : page.runs.finished) {
+      if (run.scheme == scheme.id) add(run);
+    }
+  }
+  std::ranges::for_each(page.runs.finished, add);  // those of schemes that this build does not know
+  return labels;
+}
+
+bool has_several_histories(const Runs& runs) {
+  return std::ranges::any_of(
+      runs.finished, [&](const MeasuredRun& run) { return run.history != runs.finished.front().history; });
+}
+
+}  // namespace
+
+std::string PageInput::label(const std::string& scheme, const std::string& history) const {
+  return several_histories ? fmt::format("{}, {}", scheme, history) : scheme;
+}
+
+SceneName name_of_scene(const std::string& id) {
+  const auto found = std::ranges::find(scenes(), id, &SceneMaker::id);
+  if (found == scenes().end()) return {.title = id};
+  return {.title = std::string(found->title), .source = std::string(found->source)};
+}
+
+json page_data(const Results& results) {
+  PageInput page{.results = results, .runs = runs_of(results)};
+  page.rates = rates(page.runs);
+  page.several_histories = has_several_histories(page.runs);
+  json sections = json::array();
+  const auto add = [&](const Section& section) {
+    if (!section.table.empty()) sections.push_back(to_json(section));
+  };
+  add(answers_section(page));
+  for (auto& scene : scene_sections(page)) sections.push_back(std::move(scene));
+  add(rates_section(page));
+  add(cost_section(page));
+  add(expansion_section(page));
+  add(reference_section(page));
+  add(failures_section(page));
+  add(schemes_section(page));
+  return {{"lines", line_labels(page)}, {"sessions", to_json(sessions_table(page))}, {"sections", sections}};
+}
+
+}  // namespace fde

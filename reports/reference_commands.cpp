@@ -1,0 +1,124 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <ostream>
+#include <tuple>
+
+#include "arguments.hpp"
+#include "command.hpp"
+#include "experiment.hpp"
+#include "fmt/ostream.h"
+#include "mittag_leffler.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int most_digits = 100000;
+
+struct ExactArguments {
+  std::string scene, at, digits;
+  std::vector<std::string> settings;
+};
+
+struct FunctionArguments {
+  std::string alpha, beta, z, digits;
+};
+
+// The larger of two bounds written as "1.2e-345": no double may hold their exponents.
+const std::string& larger(const std::string& a, const std::string& b) {
+  const auto split = [](const std::string& text) {
+    const auto e = text.find('e');
+    const double mantissa = std::stod(text.substr(0, e));
+    const long exponent = e == std::string::npos ? 0 : std::stol(text.substr(e + 1));
+    return std::tuple(mantissa != 0.0, exponent, mantissa);
+  };
+  return split(a) < split(b) ? b : a;
+}
+
+void print_doubles(const Scene& scene, const Exact& exact, const std::vector<double>& times,
+                   std::ostream& out) {
+  std::string rows =
+      fmt::format("t,{}{},bound\n", fmt::join(scene.outputs.names, ","), scene.energy ? ",energy" : "");
+  for (const double t : times) {
+    const auto [value, bound] = exact.at(t);
+    const Rows values = shown(scene, value);
+    rows += fmt::format("{:.17g},{:.17g}", t, fmt::join(values.col(0), ","));
+    if (scene.energy) rows += fmt::format(",{:.17g}", scene.energy.value(value));
+    rows += fmt::format(",{:.2g}\n", shown(scene, bound).maxCoeff());
+  }
+  out << rows;
+}
+
+// Energies are doubles, so with digits there is no energy column.
+void print_digits(const Scene& scene, const std::vector<double>& times, int digits, std::ostream& out) {
+  std::string rows = fmt::format("t,{},bound\n", fmt::join(scene.outputs.names, ","));
+  for (const double t : times) {
+    const auto decimals = scene.exact.digits(t, digits);
+    rows += fmt::format("{}", t);
+    std::string bound = "0";
+    for (std::size_t c = 0; c < scene.outputs.names.size(); ++c) {
+      const auto& columns = scene.outputs.components;
+      const auto& decimal = decimals[columns.empty() ? c : static_cast<std::size_t>(columns[c])];
+      rows += "," + decimal.value;
+      bound = larger(bound, decimal.bound);
+    }
+    rows += "," + bound + "\n";
+  }
+  out << rows;
+}
+
+void exact(const ExactArguments& arguments, const Streams& streams) {
+  const auto& maker = scene_named(arguments.scene);
+  Scene scene = make_scene(maker, parse_settings(arguments.settings));
+  const auto times = parse_numbers("--at", arguments.at, not_negative);
+  if (arguments.digits.empty()) {
+    scene.problem.end = std::ranges::max(times) > 0.0 ? std::ranges::max(times) : scene.problem.end;
+    print_doubles(scene, truth_of(scene), times, streams.out);
+    return;
+  }
+  const int digits = parse_count("--digits", arguments.digits, 1, most_digits);
+  if (!scene.exact.digits) {
+    throw std::invalid_argument(fmt::format(
+        "--digits = {}: scene {} has no exact solution, only a reference in double", digits, maker.id));
+  }
+  print_digits(scene, times, digits, streams.out);
+}
+
+void mittag_leffler_command(const FunctionArguments& arguments, const Streams& streams) {
+  const auto comma = arguments.z.find(',');
+  const std::string re = arguments.z.substr(0, comma);
+  const std::string im = comma == std::string::npos ? "0" : arguments.z.substr(comma + 1);
+  const double alpha = parse_number("ALPHA", arguments.alpha, {.low = 0.0, .high = 5.0, .open_low = true});
+  const double beta = parse_number("BETA", arguments.beta, any_number);
+  const std::complex<double> z{parse_number("Z", re, any_number), parse_number("Z", im, any_number)};
+  if (arguments.digits.empty()) {
+    const auto [value, bound] = mittag_leffler(alpha, beta, z);
+    fmt::print(streams.out, "{:.17g} {:.17g} {:.2g}\n", value.real(), value.imag(), bound);
+    return;
+  }
+  const int digits = parse_count("--digits", arguments.digits, 1, most_digits);
+  const auto value = mittag_leffler(arguments.alpha, arguments.beta, re, im, digits);
+  fmt::print(streams.out, "{} {} {}\n", value.re, value.im, value.bound);
+}
+
+}  // namespace
+
+void add_reference_commands(CLI::App& app, const Streams& streams) {
+  auto of_exact = std::make_shared<ExactArguments>();
+  auto* exact_command =
+      app.add_subcommand("exact", "What is known about a scene: its columns and a bound; CSV");
+  exact_command->add_option("scene", of_exact->scene, "id of the scene")->required();
+  exact_command->add_option("--at", of_exact->at, "times T1,T2,...")->required();
+  exact_command->add_option("--set", of_exact->settings, "a parameter of the scene, NAME=VALUE")->take_all();
+  exact_command->add_option("--digits", of_exact->digits, "number of decimal digits; default double");
+  exact_command->callback([=] { exact(*of_exact, streams); });
+
+  auto of_function = std::make_shared<FunctionArguments>();
+  auto* function = app.add_subcommand("mittag-leffler", "E_{ALPHA,BETA}(Z) as: re im bound");
+  function->add_option("ALPHA", of_function->alpha, "in (0, 5]")->required();
+  function->add_option("BETA", of_function->beta, "a real number")->required();
+  function->add_option("Z", of_function->z, "RE or RE,IM")->required();
+  function->add_option("--digits", of_function->digits, "number of decimal digits; default double");
+  function->callback([=] { mittag_leffler_command(*of_function, streams); });
+}
+
+}  // namespace fde

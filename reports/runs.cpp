@@ -1,0 +1,102 @@
+#include "runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <tuple>
+
+#include "scene.hpp"
+#include "scheme.hpp"
+
+namespace fde {
+namespace {
+
+// Where an id stands in a list; ids that this build does not know come last.
+template <typename List>
+std::ptrdiff_t position(const List& list, std::string_view id) {
+  return std::ranges::find_if(list, [=](const auto& entry) { return entry.id == id; }) - list.begin();
+}
+
+using Key = std::tuple<std::ptrdiff_t, std::string, std::ptrdiff_t, std::string, std::string, int>;
+
+Key key_of(const Record& row) {
+  return {position(scenes(), row.scene),
+          row.scene,
+          position(schemes(), row.scheme),
+          row.scheme,
+          row.history,
+          row.steps};
+}
+
+void add(MeasuredRun& run, const Record& row) {
+  if (row.session != run.session || run.scene.empty()) {  // a new run, or a later session's
+    run = {.scene = row.scene,
+           .scheme = row.scheme,
+           .history = row.history,
+           .steps = row.steps,
+           .h = row.h,
+           .session = row.session};
+  }
+  if (row.quantity == "outcome") {
+    run.status = row.status;
+  } else {
+    run.values[row.quantity] = row.value;
+  }
+}
+
+// Infinity and NaN can be neither compared nor drawn: a run that holds one has failed.
+void check(MeasuredRun& run) {
+  if (run.status != "finished") return;
+  for (const auto& [quantity, value] : run.values) {
+    if (!std::isfinite(value)) run.status = quantity + " is not finite";
+  }
+}
+
+template <typename Same>
+std::vector<RunSpan> chunks(RunSpan runs, Same same) {
+  std::vector<RunSpan> found;
+  for (auto first = runs.begin(); first != runs.end();) {
+    const auto last =
+        std::find_if_not(first, runs.end(), [&](const MeasuredRun& run) { return same(*first, run); });
+    found.emplace_back(first, last);
+    first = last;
+  }
+  return found;
+}
+
+bool same_scene(const MeasuredRun& a, const MeasuredRun& b) { return a.scene == b.scene; }
+
+}  // namespace
+
+std::optional<double> MeasuredRun::operator[](std::string_view quantity) const {
+  const auto found = values.find(quantity);
+  return found == values.end() ? std::nullopt : std::optional(found->second);
+}
+
+Runs runs_of(const Results& results) {
+  std::map<Key, MeasuredRun> all;
+  for (const Record& row : results.records) add(all[key_of(row)], row);
+  Runs runs;
+  for (auto& [key, run] : all) {
+    check(run);
+    (run.status == "finished" ? runs.finished : runs.failed).push_back(std::move(run));
+  }
+  return runs;
+}
+
+std::vector<RunSpan> by_scene(RunSpan runs) { return chunks(runs, same_scene); }
+
+std::vector<RunSpan> by_line(RunSpan runs) {
+  return chunks(runs, [](const MeasuredRun& a, const MeasuredRun& b) {
+    return same_scene(a, b) && a.scheme == b.scheme && a.history == b.history;
+  });
+}
+
+RunSpan of_scene(RunSpan runs, std::string_view scene) {
+  for (const RunSpan found : by_scene(runs)) {
+    if (found.front().scene == scene) return found;
+  }
+  return {};
+}
+
+}  // namespace fde

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace fde {
+
+// One cell as the page shows it.
+struct Cell {
+  std::string text;
+  std::string detail{};  // a second, smaller line
+  std::string line{};    // the label of the line whose colour it wears
+  bool marked = false;   // set apart: worth a second look
+};
+
+// Rows under one heading; without a title: no heading.
+struct RowGroup {
+  std::string title{};
+  std::vector<std::vector<Cell>> rows{};  // the first cell of a row is its heading
+};
+
+struct Column {
+  std::string text;
+  std::string over{};  // a heading that neighbouring columns share
+};
+
+struct Table {
+  std::string caption{};
+  std::vector<Column> columns{};
+  std::vector<RowGroup> groups{};
+
+  [[nodiscard]] bool empty() const { return groups.empty(); }
+};
+
+// Without the columns that are empty in every row.
+nlohmann::json to_json(const Table& table);
+
+}  // namespace fde

@@ -1,0 +1,30 @@
+#include "adams_pc.hpp"
+#include "rates.hpp"
+#include "splitting.hpp"
+
+namespace fde {
+
+// adams_pc on the expansion in which every order is the same 1/M. Yin, Liu & Anh argue against it because of
+// its many states (Cost::states); this row measures by how much.
+Scheme commensurate_adams_pc() {
+  return {.id = "commensurate_adams_pc",
+          .title = "Adams predictor-corrector on the commensurate expansion",
+          .source = "Diethelm & Ford, BIT 42 (2002); the alternative of Yin, Liu & Anh 2007, eqs 1.5, 1.6",
+          .needs = {},
+          .expected_rate =
+              [](const Problem& problem, const Smoothness& smoothness, Norm norm) {
+                return split_rate(predictor_corrector_theory, problem, smoothness,
+                                  commensurate_links(problem).value(), norm);
+              },
+          .solve =
+              [](const Problem& problem, const Grid& grid, const Options& options) {
+                return solve_split(problem, grid, options, commensurate_links(problem).value(),
+                                   predict_and_correct);
+              },
+          .refuses = [](const Problem& problem) -> std::optional<std::string> {
+            if (commensurate_links(problem)) return std::nullopt;
+            return "needs orders that are multiples of one 1/M with M at most 64";
+          }};
+}
+
+}  // namespace fde

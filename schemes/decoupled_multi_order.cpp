@@ -1,0 +1,27 @@
+#include "adams_pc.hpp"
+#include "rates.hpp"
+#include "splitting.hpp"
+
+namespace fde {
+
+// Each link of the chain D^(g_i) u_i = u_(i+1) is predicted and corrected with its own weights, from the
+// predictions of all links (eqs 3.8-3.11). Orders above 1 become links first: every order of the paper is at
+// most 1. On a chain whose orders are at most 1 already, the formulas are those of adams_pc with one
+// correction.
+Scheme decoupled_multi_order() {
+  return {.id = "decoupled_multi_order",
+          .title = "Decoupled multi-order chain, predictor-corrector",
+          .source = "Yin, Liu & Anh, J. Algorithms Comput. Technol. 1 (2007), eqs 3.8-3.11",
+          .needs = {},
+          .expected_rate =
+              [](const Problem& problem, const Smoothness& smoothness, Norm norm) {
+                return split_rate(predictor_corrector_theory, problem, smoothness, links_up_to_one(problem),
+                                  norm);
+              },
+          .solve =
+              [](const Problem& problem, const Grid& grid, const Options& options) {
+                return solve_split(problem, grid, options, links_up_to_one(problem), predict_and_correct);
+              }};
+}
+
+}  // namespace fde

@@ -1,0 +1,32 @@
+#include <cmath>
+
+#include "implicit.hpp"
+#include "rates.hpp"
+
+namespace fde {
+
+// h^(-g) sum_{k<=n} (-1)^k binomial(g, k) (y - T)_{n-k} = f(t_n, y_n), inverted:
+//   y_n = T_n + h^g sum_{1<=j<=n} (-1)^(n-j) binomial(-g, n-j) f_j.
+// f_0 has no weight, so order 1 is the backward Euler method.
+Scheme grunwald_letnikov() {
+  return {
+      .id = "grunwald_letnikov",
+      .title = "Implicit Grunwald-Letnikov",
+      .source = "Lubich, SIAM J. Math. Anal. 17 (1986): backward Euler convolution quadrature",
+      .needs = {.implicit = true},
+      .expected_rate = [](const Problem& problem, const Smoothness& smoothness,
+                          Norm norm) { return rate(grunwald_letnikov_theory, problem, smoothness, norm); },
+      .solve =
+          [](const Problem& problem, const Grid& grid, const Options& options) {
+            const Vec kappa = by_order(problem, [&](double g) { return std::pow(grid.step(), g); });
+            return solve_implicit(
+                problem, grid, options,
+                {.kappa = kappa,
+                 .tables = tables(problem, WeightFamily::grunwald_letnikov),
+                 .past = [&](double t, In convolved, In /*previous*/,
+                             Out past) { past = taylor_part(problem, t) + kappa.cwiseProduct(convolved); },
+                 .sample = [](In f, In /*y*/, In /*previous*/, Out sample) { sample = f; }});
+          }};
+}
+
+}  // namespace fde

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+
+#include "newton.hpp"
+#include "run.hpp"
+
+namespace fde {
+
+// An implicit rule in the form all of them share: y_n = past_n + kappa f(t_n, y_n), one kappa a component.
+struct ImplicitRule {
+  Vec kappa;
+  std::vector<WeightTable> tables;  // of the one sum over the past
+  // past_n from that sum and y_{n-1}.
+  std::function<void(double t, In convolved, In previous, Out past)> past;
+  // What joins the past after step n: f or the increment of y.
+  std::function<void(In f, In y, In previous, Out sample)> sample;
+};
+
+// Steps the rule along the grid, each step solved by Newton's method from the previous value.
+Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,
+                          const ImplicitRule& rule);
+
+}  // namespace fde

@@ -1,0 +1,40 @@
+#include <cmath>
+
+#include "implicit.hpp"
+#include "rates.hpp"
+#include "splitting.hpp"
+
+namespace fde {
+namespace {
+
+// h^(-g)/Gamma(2-g) sum_{1<=j<=n} w_{n-j} (y_j - y_{j-1}) = f(t_n, y_n), orders g in (0, 1]; g = 1 is
+// backward Euler.
+Trajectory solve_l1(const Problem& problem, const Grid& grid, const Options& options) {
+  return solve_implicit(
+      problem, grid, options,
+      {.kappa = by_order(problem, [&](double g) { return std::tgamma(2 - g) * std::pow(grid.step(), g); }),
+       .tables = tables(problem, WeightFamily::l1),
+       .past = [](double /*t*/, In convolved, In previous, Out past) { past = previous - convolved; },
+       .sample = [](In /*f*/, In y, In previous, Out sample) { sample = y - previous; }});
+}
+
+}  // namespace
+
+Scheme l1() {
+  return {.id = "l1",
+          .title = "L1",
+          .source =
+              "Oldham & Spanier 1974; Langlands & Henry, J. Comput. Phys. 205 (2005); orders above 1 through "
+              "y' = v",
+          .needs = {.implicit = true},
+          .expected_rate =
+              [](const Problem& problem, const Smoothness& smoothness, Norm norm) {
+                return split_rate(l1_theory, problem, smoothness, links_up_to_one(problem), norm);
+              },
+          .solve =
+              [](const Problem& problem, const Grid& grid, const Options& options) {
+                return solve_split(problem, grid, options, links_up_to_one(problem), solve_l1);
+              }};
+}
+
+}  // namespace fde

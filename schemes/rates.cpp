@@ -1,0 +1,74 @@
+#include "rates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fde {
+namespace {
+
+constexpr double exact = std::numeric_limits<double>::infinity();
+
+bool is_zero_or_one(double power) { return std::abs(power) < 1e-12 || std::abs(power - 1) < 1e-12; }
+
+double trapezoidal_end(double g, double p) { return is_zero_or_one(p - g) ? exact : 1 + p - g; }
+double trapezoidal_first(double g, double p) { return is_zero_or_one(p - g) ? exact : p; }
+
+double smallest_over_powers(double (*contribution)(double g, double p), const Problem& problem,
+                            const Smoothness& smoothness) {
+  double rate = exact;
+  for (std::size_t i = 0; i < problem.components.size(); ++i) {
+    for (const double p : smoothness.powers[i])
+      rate = std::min(rate, contribution(problem.components[i].order, p));
+  }
+  return rate;
+}
+
+// A jump of f inside a step is off by a constant in that step: h^order.
+double smallest_at_jumps(const Problem& problem, const Smoothness& smoothness) {
+  double rate = exact;
+  for (const auto i : smoothness.jumps)
+    rate = std::min(rate, problem.components[static_cast<std::size_t>(i)].order);
+  return rate;
+}
+
+}  // namespace
+
+const RateTheory trapezoidal_theory{[](double) { return 2.0; }, trapezoidal_end, trapezoidal_first};
+
+const RateTheory predictor_corrector_theory{[](double g) { return std::min(2.0, 1 + g); }, trapezoidal_end,
+                                            trapezoidal_first};
+
+const RateTheory l1_theory{[](double g) { return 2 - g; },
+                           [](double g, double p) { return is_zero_or_one(p) ? exact : 1 + p - g; },
+                           [](double, double p) { return is_zero_or_one(p) ? exact : p; }};
+
+const RateTheory grunwald_letnikov_theory{[](double) { return 1.0; }, [](double, double) { return exact; },
+                                          [](double, double p) { return p; }};
+
+double rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness, Norm norm) {
+  if (norm == Norm::first_step) return smallest_over_powers(theory.first_step, problem, smoothness);
+  double end = smallest_over_powers(theory.end, problem, smoothness);
+  for (const auto& component : problem.components) end = std::min(end, theory.smooth(component.order));
+  if (norm == Norm::end) return end;
+  return std::min(
+      {end, rate(theory, problem, smoothness, Norm::first_step), smallest_at_jumps(problem, smoothness)});
+}
+
+double split_rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
+                  const Links& links, Norm norm) {
+  const Problem all = split(problem, links);
+  const Smoothness starts = split(problem, smoothness, links);
+  if (norm == Norm::end) return rate(theory, all, starts, norm);
+  Problem seen;
+  Smoothness seen_starts;
+  for (std::size_t i = 0, first = 0; i < links.size(); first += links[i++].size()) {
+    seen.components.push_back(all.components[first]);
+    seen_starts.powers.push_back(starts.powers[first]);
+  }
+  const double first_step = rate(theory, seen, seen_starts, Norm::first_step);
+  if (norm == Norm::first_step) return first_step;
+  return std::min({rate(theory, all, starts, Norm::end), first_step, smallest_at_jumps(problem, smoothness)});
+}
+
+}  // namespace fde

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "scheme.hpp"
+#include "splitting.hpp"
+
+namespace fde {
+
+// Theory of the rates of one scheme on a uniform grid. A component of order g contributes its smooth rate
+// and, for each power t^p with which it starts (Smoothness), what that power costs; infinity where the scheme
+// is exact for it.
+struct RateTheory {
+  double (*smooth)(double g);
+  double (*end)(double g, double p);         // at a fixed time
+  double (*first_step)(double g, double p);  // at t_1
+};
+
+// Piecewise linear interpolation of f = D^g y, which starts like t^r, r = p - g. Exact for r = 0 and 1; any
+// other r leaves zeta(-r) h^(1+r), spread by the kernel, at a fixed time and h^(g+r) at the first step,
+// beside h^2.
+extern const RateTheory trapezoidal_theory;
+
+// The same with f taken at a prediction by the rectangle rule: off by h, multiplied with h^g by the corrector
+// (Diethelm, Ford & Freed 2004, theorem 3.2).
+extern const RateTheory predictor_corrector_theory;
+
+// Piecewise linear interpolation of y: h^(2-g); a power p other than 0 and 1 leaves h^(1+p-g) and at the
+// first step h^p.
+extern const RateTheory l1_theory;
+
+// Backward Euler convolution quadrature: h; where y leaves its Taylor part like t^p, h^p at the first step.
+extern const RateTheory grunwald_letnikov_theory;
+
+// The rate of a scheme, the smallest of all contributions.
+double rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness, Norm norm);
+
+// The rate of a scheme that solves the split problem: all links count at a fixed time, only the original
+// components are looked at in the first steps.
+double split_rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
+                  const Links& links, Norm norm);
+
+}  // namespace fde

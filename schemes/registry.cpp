@@ -1,0 +1,46 @@
+#include <algorithm>
+#include <array>
+
+#include "fmt/format.h"
+#include "scheme.hpp"
+
+namespace fde {
+
+// Each row of the list is a function Scheme <id>() in the file of that name.
+#define FDE_SCHEME(id) Scheme id();
+#include "list.def"
+#undef FDE_SCHEME
+
+std::span<const Scheme> schemes() {
+  static const std::array all{
+#define FDE_SCHEME(id) id(),
+#include "list.def"
+#undef FDE_SCHEME
+  };
+  return all;
+}
+
+const Scheme* find_scheme(std::string_view id) {
+  const auto found = std::ranges::find(schemes(), id, &Scheme::id);
+  return found == schemes().end() ? nullptr : &*found;
+}
+
+std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem, const Grid& grid) {
+  if (scheme.needs.uniform_grid && !grid.uniform()) {
+    return fmt::format("needs a uniform grid, not one graded with {}", grid.grading);
+  }
+  for (std::size_t i = 0; i < problem.components.size(); ++i) {
+    const auto& [order, initial] = problem.components[i];
+    if (!(order > 0.0 && order <= scheme.needs.largest_order)) {
+      return fmt::format("takes orders in (0, {}], component {} has {}", scheme.needs.largest_order, i,
+                         order);
+    }
+    if (initial.size() != initial_count(order)) {
+      return fmt::format("needs {} initial values for order {}, component {} has {}", initial_count(order),
+                         order, i, initial.size());
+    }
+  }
+  return scheme.refuses ? scheme.refuses(problem) : std::nullopt;
+}
+
+}  // namespace fde

@@ -1,0 +1,59 @@
+#include "run.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace fde {
+
+Run::Run(const Problem& problem, const Grid& grid, const Options& options)
+    : problem_(problem), options_(options), start_(taylor_part(problem, 0.0)), f_(problem.size()) {
+  path_.grid = grid;
+  path_.cost.states = static_cast<int>(problem.size());
+  const std::size_t kept =
+      options.keep.empty() ? static_cast<std::size_t>(grid.steps) + 1 : options.keep.size();
+  path_.steps.reserve(kept);
+  path_.y.resize(problem.size(), static_cast<Eigen::Index>(kept));
+  record(0, start_);
+}
+
+const Vec& Run::rhs(double t, In y) {
+  ++path_.cost.rhs_calls;
+  problem_.rhs(t, y, f_);
+  return f_;
+}
+
+bool Run::accept(int n, In y) {
+  if (!y.allFinite()) {
+    fail(Outcome::not_finite);
+    return false;
+  }
+  path_.reached = n;
+  record(n, y);
+  return true;
+}
+
+void Run::record(int n, In y) {
+  if (!options_.keep.empty()) {
+    if (next_kept_ == options_.keep.size() || options_.keep[next_kept_] != n) return;
+    ++next_kept_;
+  }
+  path_.y.col(static_cast<Eigen::Index>(path_.steps.size())) = y;
+  path_.steps.push_back(n);
+}
+
+Trajectory Run::finish() {
+  path_.y.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(path_.steps.size()));
+  return std::move(path_);
+}
+
+Vec integral_scale(const Problem& problem, double h, double shift) {
+  return by_order(problem, [=](double g) { return std::pow(h, g) / std::tgamma(g + shift); });
+}
+
+std::vector<WeightTable> tables(const Problem& problem, WeightFamily family) {
+  std::vector<WeightTable> result;
+  for (const auto& component : problem.components) result.push_back({family, component.order});
+  return result;
+}
+
+}  // namespace fde

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "scheme.hpp"
+
+namespace fde {
+
+// What every scheme does besides its formulas: counts rhs calls, keeps the steps asked for, stops at the
+// first value that is not finite. One object a run.
+class Run {
+ public:
+  Run(const Problem& problem, const Grid& grid, const Options& options);
+
+  // f(t, y), counted. Valid until the next call.
+  const Vec& rhs(double t, In y);
+
+  // y(0), recorded as step 0.
+  [[nodiscard]] const Vec& start() const { return start_; }
+
+  // Records step n. False, and the run is over, when y is not finite.
+  bool accept(int n, In y);
+
+  // Ends the run before step n has a result.
+  void fail(Outcome outcome) { path_.outcome = outcome; }
+
+  Cost& cost() { return path_.cost; }
+  Trajectory finish();
+
+ private:
+  void record(int n, In y);
+
+  const Problem& problem_;
+  const Options& options_;
+  Vec start_, f_;
+  std::size_t next_kept_ = 0;
+  Trajectory path_;
+};
+
+// One value a component, from its order.
+template <typename Function>
+Vec by_order(const Problem& problem, Function function) {
+  Vec values(problem.size());
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    values[i] = function(problem.components[static_cast<std::size_t>(i)].order);
+  }
+  return values;
+}
+
+// h^g / Gamma(g + shift) of every component: turns a sum of weights into an integral.
+Vec integral_scale(const Problem& problem, double h, double shift);
+
+// The tables of one sum: the same family for every component, each with its own order.
+std::vector<WeightTable> tables(const Problem& problem, WeightFamily family);
+
+}  // namespace fde

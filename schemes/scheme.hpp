@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "history.hpp"
+#include "smoothness.hpp"
+#include "trajectory.hpp"
+
+namespace fde {
+
+// Settings of a run that are not part of the problem.
+struct Options {
+  HistoryKind history = HistoryKind::automatic;
+  int corrections = 1;  // corrector iterations of predictor-corrector schemes, >= 1
+  double tolerance =
+      1e-15;                // inside a step: largest last Newton increment relative to |y|; default: rounding
+  std::vector<int> keep{};  // steps to return, increasing; empty: all
+};
+
+// What a scheme asks of a problem and a grid.
+struct Needs {
+  bool uniform_grid = true;
+  bool implicit = false;  // solves an equation each step: uses jacobian or linear_part where there is one
+  double largest_order = 2.0;
+};
+
+// Where an error is measured: at a fixed time t > 0, at t_1 = h, or as the maximum over all grid times, which
+// is the worse of the two. A solution that starts like t^g shows different rates in them.
+enum class Norm { end, first_step, maximum };
+
+// A scheme is a row of facts and one function; it has no state.
+struct Scheme {
+  std::string_view id, title, source;
+  Needs needs;
+  // The theoretical rate of convergence as steps -> infinity.
+  std::function<double(const Problem&, const Smoothness&, Norm)> expected_rate;
+  // Runs the scheme. Preconditions: refusal(...) is empty. Never throws for numerical failure: see
+  // Trajectory::outcome.
+  std::function<Trajectory(const Problem&, const Grid&, const Options&)> solve;
+  // A reason of its own to refuse, beyond its needs; empty function: none.
+  std::function<std::optional<std::string>(const Problem&)> refuses{};
+};
+
+// Why the scheme does not fit the problem or the grid, as half a sentence; nullopt: it fits.
+std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem, const Grid& grid);
+
+// All schemes, in the order of list.def.
+std::span<const Scheme> schemes();
+
+// The scheme with this id, or nullptr.
+const Scheme* find_scheme(std::string_view id);
+
+}  // namespace fde

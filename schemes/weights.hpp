@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace fde {
+
+// Weights of the past on a uniform grid, good to a few units in the last place at every lag and order in (0,
+// 2). As usually printed they are differences of nearly equal powers and lose up to k^2 units; these are not.
+// Every scheme sums w(n-j) x_j over 1 <= j < n, a lag k = n - j at least 1, and gives x_0 a start weight.
+
+enum class WeightFamily {
+  rectangle,  // k^g - (k-1)^g: product rectangle rule, Adams-Bashforth predictor
+  trapezoid,  // (k+1)^(g+1) - 2 k^(g+1) + (k-1)^(g+1): product trapezoidal rule, Adams-Moulton corrector
+  grunwald_letnikov,  // (-1)^k binomial(-g, k) = Gamma(k+g) / (Gamma(g) k!): backward Euler convolution
+                      // quadrature
+  l1,                 // (k+1)^(1-g) - k^(1-g): L1 rule on the increments of y, g <= 1
+};
+
+// One weight table: a family and the order g of the equation it serves.
+struct WeightTable {
+  WeightFamily family;
+  double order;
+  bool operator==(const WeightTable&) const = default;
+};
+
+// w(lag) of a table, lag >= 1.
+double weight(const WeightTable& table, std::int64_t lag);
+
+// The value that w(k) has for every k, when there is one: order 1 has no memory, a running sum replaces the
+// history.
+std::optional<double> constant_weight(const WeightTable& table);
+
+// Weight of x_0 at step n >= 1, where the rules differ from the plain convolution: the trapezoidal rule has
+// (n-1)^(g+1) - (n-1-g) n^g (Yin, Liu & Anh 2007, eq. 3.7, first line), Grunwald-Letnikov and L1 have none.
+double start_weight(const WeightTable& table, std::int64_t n);
+
+}  // namespace fde

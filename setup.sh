@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Installs what fdebench needs from Debian's packages and npm. Does nothing, in about a second, when nothing is missing.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+packages=(cmake ninja-build g++ ccache libeigen3-dev libgsl-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev
+  libbenchmark-dev libgtest-dev libgmock-dev libcli11-dev libfmt-dev nlohmann-json3-dev clang clang-format clang-tidy)
+command -v node >/dev/null || packages+=(nodejs)
+command -v npm >/dev/null || packages+=(npm)
+
+missing=()
+for package in "${packages[@]}"; do
+  dpkg-query --show --showformat='${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^ii' || missing+=("$package")
+done
+if ((${#missing[@]})); then
+  as_root=()
+  ((EUID == 0)) || as_root=(sudo)
+  "${as_root[@]}" apt-get update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+fi
+
+# npm leaves .package-lock.json in node_modules when it has finished; older than our lock means out of date.
+if [ ! reports/node_modules/.package-lock.json -nt reports/package-lock.json ]; then
+  npm ci --prefix reports --no-audit --no-fund
+  touch reports/node_modules/.package-lock.json
+fi

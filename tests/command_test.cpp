@@ -1,0 +1,219 @@
+// The command line from the outside, in this process: what it prints, where, and its exit code.
+
+#include "command.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "testing.hpp"
+
+namespace fde {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct Answer {
+  int code;
+  std::string out, err;
+};
+
+// The words of a command, separated by single spaces.
+Answer fdebench(const std::string& words) {
+  std::istringstream stream(words);
+  const std::vector<std::string> arguments{std::istream_iterator<std::string>(stream), {}};
+  std::ostringstream out, err;
+  const int code = run_fdebench(arguments, {.out = out, .err = err});
+  return {code, out.str(), err.str()};
+}
+
+std::vector<std::vector<double>> rows(const std::string& csv) {
+  std::vector<std::vector<double>> result;
+  std::istringstream lines(csv);
+  std::string line, cell;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    result.emplace_back();
+    while (std::getline(cells, cell, ',')) result.back().push_back(std::stod(cell));
+  }
+  return result;
+}
+
+TEST(Lists, NameEverySceneAndScheme) {
+  const auto all_scenes = nlohmann::json::parse(fdebench("scenes --json").out);
+  ASSERT_EQ(all_scenes.size(), scenes().size());
+  EXPECT_EQ(all_scenes[0]["id"], "relaxation");
+  EXPECT_EQ(all_scenes[0]["parameters"][0]["default"], 0.5);
+  EXPECT_EQ(all_scenes[0]["columns"], std::vector<std::string>{"y"});
+  const auto all_schemes = nlohmann::json::parse(fdebench("schemes --json").out);
+  ASSERT_EQ(all_schemes.size(), schemes().size());
+  EXPECT_THAT(fdebench("scenes").out, HasSubstr("brusselator"));
+  EXPECT_THAT(fdebench("schemes").out, HasSubstr("decoupled_multi_order"));
+}
+
+TEST(Solve, PrintsAllGridTimesWithSeventeenDigits) {
+  const auto answer = fdebench("solve relaxation --scheme adams_pc --steps 4");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_THAT(answer.out, StartsWith("t,y\n0,1\n0.25,"));
+  EXPECT_EQ(rows(answer.out).size(), 5U);
+  const auto path = solve("adams_pc", scene_of("relaxation").problem, 4);
+  EXPECT_EQ(rows(answer.out)[4][1], path.y(0, 4));
+  EXPECT_EQ(answer.err, "");
+}
+
+TEST(Solve, PrintsTheTimesAskedForAndTheEnergy) {
+  const auto answer = fdebench("solve pendulum --scheme decoupled_multi_order --steps 8192 --until 5 --at 5");
+  EXPECT_THAT(answer.out, StartsWith("t,phi,Dbeta_phi,dphi,Dalpha_phi,energy\n"));
+  const auto row = rows(answer.out).at(0);
+  EXPECT_NEAR(row[1], 0.2609182055, 1e-9);
+  EXPECT_NEAR(row[3], 0.5600178020, 1e-9);
+  EXPECT_NEAR(row[5], 0.5 * row[3] * row[3] + 1.0 - std::cos(row[1]), 1e-15);
+}
+
+TEST(Solve, TellsItsCostAsOneJsonLine) {
+  const auto answer =
+      fdebench("solve brusselator --scheme product_trapezoidal --steps 512 --until 5 --at 5 --cost");
+  const auto cost = nlohmann::json::parse(answer.err);
+  EXPECT_GT(cost["seconds"], 0.0);
+  EXPECT_GT(cost["newton"], 512);
+  EXPECT_EQ(cost["history"], "direct");
+  EXPECT_DOUBLE_EQ(cost["expected_rate"], 1.8);
+  EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1);
+}
+
+TEST(Solve, ReportsNumericalFailureWithSchemeStepAndTime) {
+  const auto answer = fdebench("solve brusselator --scheme adams_pc --steps 256");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_EQ(answer.out, "");
+  EXPECT_THAT(answer.err, StartsWith("fdebench: adams_pc: not finite at step 94, t = "));
+}
+
+TEST(Exact, PrintsTheColumnsAndABound) {
+  const auto answer = fdebench("exact relaxation --at 0,1");
+  EXPECT_THAT(answer.out, StartsWith("t,y,bound\n0,1,"));
+  EXPECT_NEAR(rows(answer.out)[1][1], 0.427583576155807, 1e-15);
+  EXPECT_LT(rows(answer.out)[1][2], 1e-15);
+}
+
+TEST(Exact, OfANonlinearSceneIsTheReferenceWithItsEstimate) {
+  const auto answer = fdebench("exact pendulum --at 5");
+  EXPECT_THAT(answer.out, StartsWith("t,phi,Dbeta_phi,dphi,Dalpha_phi,energy,bound\n"));
+  EXPECT_LT(rows(answer.out)[0][6], 1e-10);
+  EXPECT_NEAR(rows(answer.out)[0][1], 0.26091, 1e-4);
+}
+
+// e erfc(1), the first 50 digits by mpmath.
+TEST(Exact, GivesAnyNumberOfDigits) {
+  EXPECT_THAT(fdebench("exact relaxation --at 1 --digits 50").out,
+              HasSubstr("0.42758357615580700441075034449051518082015950316"));
+}
+
+TEST(MittagLeffler, PrintsValueAndBound) {
+  std::istringstream words(fdebench("mittag-leffler 1 1 -1").out);
+  double re = 0.0, im = 1.0, bound = 1.0;
+  words >> re >> im >> bound;
+  EXPECT_NEAR(re, std::exp(-1.0), 1e-16);
+  EXPECT_EQ(im, 0.0);
+  EXPECT_LT(bound, 1e-15);
+  EXPECT_THAT(fdebench("mittag-leffler 2 1 0,1").out, HasSubstr(" 0.4"));
+  EXPECT_THAT(fdebench("mittag-leffler 0.5 1 -1 --digits 30").out,
+              StartsWith("0.42758357615580700441075034449"));
+}
+
+struct Mistake {
+  const char *words, *message;
+};
+
+class Mistakes : public testing::TestWithParam<Mistake> {};
+
+TEST_P(Mistakes, AreOneLineAndExitCodeTwo) {
+  const auto answer = fdebench(GetParam().words);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(answer.out, "");
+  EXPECT_THAT(answer.err, HasSubstr(GetParam().message));
+  EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , Mistakes,
+    testing::Values(
+        Mistake{"solve pendulm --scheme l1 --steps 8",
+                "scene pendulm: no such scene, did you mean 'pendulum'?"},
+        Mistake{"solve pendulum --scheme adams --steps 8",
+                "scheme adams: no such scheme, did you mean 'adams_pc'?"},
+        Mistake{"solve pendulum --scheme l1 --steps 0",
+                "--steps = 0: must be a whole number from 1 to 2097152"},
+        Mistake{"solve pendulum --scheme l1 --steps -5", "--steps = -5: must be"},
+        Mistake{"solve pendulum --scheme l1 --steps 1e3", "--steps = 1e3: must be"},
+        Mistake{"solve pendulum --scheme l1 --steps 99999999999", "--steps = 99999999999: must be"},
+        Mistake{"solve pendulum --scheme l1", "--steps is required"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --until nan", "--until = nan: must be above 0"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --until -1", "--until = -1: must be above 0"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --at 21",
+                "--at = 21: must be in [0, 20], the times of the run"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --at 3", "its neighbours are 2.5 and 5"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --at 1,,2", "--at = : must be a number"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha", "--set = alpha: must be NAME=VALUE"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha=x", "--set alpha = x: must be a number"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha=2.5", "alpha = 2.5: must be in [1, 2)"},
+        Mistake{"solve relaxation --scheme l1 --steps 8 --set gamma=nan", "gamma = nan: must be in (0, 2]"},
+        Mistake{"solve relaxation --scheme l1 --steps 8 --grid graded:2",
+                "l1 needs a uniform grid, not one graded with 2"},
+        Mistake{"solve relaxation --scheme l1 --steps 8 --grid curved",
+                "--grid = curved: must be uniform or graded:R"},
+        Mistake{"solve relaxation --scheme l1 --steps 8 --history fft",
+                "--history = fft: must be auto or direct"},
+        Mistake{"solve relaxation --scheme l1 --steps 8 --fast", "--fast"},
+        Mistake{"solve relaxation --scheme commensurate_adams_pc --steps 8 --set gamma=0.123456789",
+                "needs orders that are multiples of one 1/M"},
+        Mistake{"exact relaxation --at -1", "--at = -1: must be at least 0"},
+        Mistake{"exact relaxation --at 1 --digits 0", "--digits = 0: must be a whole number from 1"},
+        Mistake{"exact pendulum --at 1 --digits 50", "scene pendulum has no exact solution"},
+        Mistake{"mittag-leffler 0 1 1", "ALPHA = 0: must be in (0, 5]"},
+        Mistake{"mittag-leffler 1 1 nan", "Z = nan: must be any finite number"},
+        Mistake{"run --scene relaxation --out /nonexistent/r.jsonl",
+                "/nonexistent/r.jsonl: cannot be written"},
+        Mistake{"run --scene relaxation --steps 8,0 --out /tmp/never", "--steps = 0: must be"},
+        Mistake{"report /nonexistent.jsonl --out /tmp/never", "/nonexistent.jsonl: cannot be read"},
+        Mistake{"choose relaxation --error 0", "--error = 0: must be above 0"},
+        Mistake{"solv pendulum", "command solv: no such command, did you mean 'solve'?"},
+        Mistake{"", "subcommand"}),
+    [](const auto& test) { return "mistake_" + std::to_string(test.index); });
+
+TEST(Run, ThenReportThenChoose) {
+  const auto folder = std::filesystem::temp_directory_path() / ("fdebench_run_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  const auto file = (folder / "r.jsonl").string(), page = (folder / "page").string();
+  const std::string sweep =
+      "run --scene relaxation --scheme l1 --scheme adams_pc --steps 16,32,64,128 --out " + file;
+  EXPECT_EQ(fdebench(sweep).out, file + "\n");
+  const auto size = std::filesystem::file_size(file);
+  EXPECT_EQ(fdebench(sweep).code, 0);
+  EXPECT_EQ(std::filesystem::file_size(file), size) << "a second run has nothing left to do";
+
+  const auto report = fdebench("report " + file + " --out " + page);
+  EXPECT_EQ(report.code, 0) << report.err;
+  EXPECT_GT(std::filesystem::file_size(page + "/index.html"), 500'000U);
+
+  const auto choice = fdebench("choose relaxation --error 1e-4 --results " + file);
+  EXPECT_THAT(choice.out, StartsWith("adams_pc"));
+  EXPECT_THAT(fdebench("choose relaxation --error 1e-9 --results " + file).out,
+              HasSubstr("no run of relaxation reaches"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Help, IsPrintedOnStandardOutput) {
+  EXPECT_EQ(fdebench("--help").code, 0);
+  EXPECT_THAT(fdebench("solve --help").out, HasSubstr("--steps"));
+}
+
+}  // namespace
+}  // namespace fde

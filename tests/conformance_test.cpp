@@ -1,0 +1,223 @@
+// What every scheme in the list must do, whatever its formulas. A new line in list.def is tested here on
+// arrival.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "testing.hpp"
+
+namespace fde {
+namespace {
+
+class Conformance : public testing::TestWithParam<const Scheme*> {
+ protected:
+  // The scheme's own trajectory. Fails the test when it refuses.
+  static Trajectory run(const Problem& problem, int steps, const Options& options = {}) {
+    const Grid grid{.end = problem.end, .steps = steps};
+    EXPECT_EQ(refusal(*GetParam(), problem, grid), std::nullopt);
+    return GetParam()->solve(problem, grid, options);
+  }
+
+  // Every mix here has a common denominator, so that the commensurate row takes part.
+  static std::vector<double> orders() { return {0.2, 0.5, 0.8, 1.0, 1.3, 1.7, 2.0}; }
+
+  static Component component(double order, double value, double slope = 0.0) {
+    return order > 1.0 ? Component{order, {value, slope}} : Component{order, {value}};
+  }
+};
+
+TEST_P(Conformance, ConstantsAreExact) {
+  for (const double order : orders()) {
+    const auto path =
+        run({.components = {component(order, 3.25)}, .rhs = [](double, In, Out f) { f.setZero(); }}, 50);
+    EXPECT_EQ((path.y.array() - 3.25).abs().maxCoeff(), 0.0) << order;
+  }
+}
+
+// Except where the velocity passes through fractional links to become y: they only approximate its integral.
+TEST_P(Conformance, WithoutRightHandSideOnlyTheTaylorPartIsLeft) {
+  for (const double order : {1.3, 1.7, 2.0}) {
+    const auto path = run(
+        {.components = {component(order, 1.0, -0.75)}, .rhs = [](double, In, Out f) { f.setZero(); }}, 64);
+    if (path.cost.states > 2) continue;
+    const auto taylor = 1.0 - 0.75 * Eigen::ArrayXd::LinSpaced(65, 0.0, 1.0);
+    EXPECT_LT((path.y.row(0).transpose().array() - taylor).abs().maxCoeff(), 1e-14) << order;
+  }
+}
+
+// J^g 1 = t^g / Gamma(g+1): exact for rules that interpolate f, of rate 1 or better for the others.
+TEST_P(Conformance, AConstantRightHandSideGivesItsFractionalIntegral) {
+  for (const double order : orders()) {
+    const Problem problem{.components = {component(order, 0.0)},
+                          .rhs = [](double, In, Out f) { f.setOnes(); }};
+    EXPECT_NEAR(run(problem, 2000).y(0, 2000), 1.0 / std::tgamma(order + 1.0), 2e-3) << order;
+  }
+}
+
+Problem mixed_problem() {
+  return {.components = {{0.5, {1.0}}, {1.0, {-0.5}}, {1.5, {0.25, 0.1}}},
+          .rhs =
+              [](double t, In y, Out f) {
+                f[0] = -y[0] + std::sin(y[1]);
+                f[1] = -y[1] * y[2] + t;
+                f[2] = -2.0 * y[2] + y[0] * y[0];
+              },
+          .end = 2.0};
+}
+
+TEST_P(Conformance, PermutingComponentsPermutesTheAnswer) {
+  const auto straight = mixed_problem();
+  const std::vector<Eigen::Index> order{2, 0, 1};
+  Problem permuted{.components = {straight.components[2], straight.components[0], straight.components[1]},
+                   .rhs =
+                       [=](double t, In y, Out f) {
+                         Vec back(3), g(3);
+                         for (Eigen::Index i = 0; i < 3; ++i) back[order[static_cast<std::size_t>(i)]] = y[i];
+                         straight.rhs(t, back, g);
+                         f = g(order);
+                       },
+                   .end = straight.end};
+  const Rows a = run(straight, 100).y, b = run(permuted, 100).y;
+  EXPECT_LT((Rows(a(order, Eigen::all)) - b).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST_P(Conformance, UncoupledSystemsEqualTheirScalarRuns) {
+  const auto scalar = [](double order, double rate) {
+    return Problem{.components = {component(order, 1.0)}, .rhs = [=](double, In y, Out f) { f = rate * y; }};
+  };
+  const Problem both{.components = {component(0.5, 1.0), component(1.5, 1.0)},
+                     .rhs = [](double, In y, Out f) {
+                       f[0] = -y[0];
+                       f[1] = -3.0 * y[1];
+                     }};
+  const auto together = run(both, 128);
+  const auto first = run(scalar(0.5, -1.0), 128), second = run(scalar(1.5, -3.0), 128);
+  EXPECT_LT((together.y.row(0) - first.y.row(0)).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_LT((together.y.row(1) - second.y.row(0)).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST_P(Conformance, ALinearPartAJacobianAndDifferencesGiveTheSameAnswer) {
+  const Matrix a = (Matrix(2, 2) << -1.0, 2.0, -2.0, -0.5).finished();
+  Problem problem{.components = {component(0.5, 1.0), component(1.5, 0.0)},
+                  .rhs = [=](double t, In y, Out f) { f = a * y + Vec::Constant(2, std::cos(t)); }};
+  const Rows differenced = run(problem, 64).y;
+  problem.jacobian = [=](double, In, OutMatrix jacobian) { jacobian = a; };
+  const Rows newton = run(problem, 64).y;
+  problem.linear_part = a;
+  const Rows linear = run(problem, 64).y;
+  EXPECT_LT((differenced - newton).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT((linear - newton).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+// y' = -y: the classical methods of order 1 as closed formulas for one step's factor.
+TEST_P(Conformance, OrderOneIsAClassicalMethod) {
+  const double h = 0.05;
+  const double backward_euler = 1.0 / (1.0 + h), trapezoidal = (1.0 - h / 2) / (1.0 + h / 2),
+               heun = 1.0 - h + h * h / 2;
+  const double factor = GetParam()->needs.implicit
+                            ? (GetParam()->id == "product_trapezoidal" ? trapezoidal : backward_euler)
+                            : heun;
+  const auto path = run({.components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f = -y; }}, 20);
+  // The predictor-corrector sums f of corrected values, so it is Heun's method only in its first step.
+  const int compared = GetParam()->needs.implicit ? 20 : 1;
+  for (int n = 1; n <= compared; ++n) EXPECT_NEAR(path.y(0, n), std::pow(factor, n), 1e-14) << n;
+}
+
+TEST_P(Conformance, CallsAreCounted) {
+  std::int64_t calls = 0;
+  Problem problem = mixed_problem();
+  problem.rhs = [&calls, rhs = problem.rhs](double t, In y, Out f) {
+    ++calls;
+    rhs(t, y, f);
+  };
+  const auto path = run(problem, 40);
+  EXPECT_EQ(path.cost.rhs_calls, calls);
+  EXPECT_EQ(path.cost.newton_iterations > 0, GetParam()->needs.implicit);
+  if (!GetParam()->needs.implicit) {
+    EXPECT_EQ(calls, 2 * 40);
+  }
+}
+
+TEST_P(Conformance, ALinearProblemTakesOneNewtonIterationAStep) {
+  const auto scene = scene_of("damped_oscillator");
+  const auto path = run(scene.problem, 32);
+  EXPECT_EQ(path.cost.newton_iterations, GetParam()->needs.implicit ? 32 : 0);
+}
+
+TEST_P(Conformance, OnlyTheStepsAskedForAreKept) {
+  const auto all = run(mixed_problem(), 64), some = run(mixed_problem(), 64, {.keep = {0, 7, 64}});
+  EXPECT_EQ(some.steps, (std::vector<int>{0, 7, 64}));
+  EXPECT_EQ(some.y, Rows(all.y(Eigen::all, some.steps)));
+}
+
+TEST_P(Conformance, TheSameInputGivesTheSameBits) {
+  EXPECT_EQ(run(mixed_problem(), 64).y, run(mixed_problem(), 64).y);
+}
+
+TEST_P(Conformance, BlowUpIsAnOutcomeWithItsStep) {
+  const auto path = run({.components = {{0.5, {1.0}}},
+                         .rhs = [](double, In y, Out f) { f = y.array().cube().matrix(); },
+                         .end = 50.0},
+                        100);
+  EXPECT_NE(path.outcome, Outcome::finished);
+  EXPECT_LT(path.reached, 100);
+  EXPECT_EQ(path.y.cols(), path.reached + 1);
+  EXPECT_TRUE(path.y.allFinite());
+}
+
+TEST_P(Conformance, AnImpossibleImplicitStepIsAnOutcome) {
+  if (!GetParam()->needs.implicit) GTEST_SKIP() << "explicit";
+  // y = past + kappa (1e6 + y^2) has no real solution.
+  const auto path =
+      run({.components = {{0.5, {0.0}}}, .rhs = [](double, In y, Out f) { f[0] = 1e6 + y[0] * y[0]; }}, 4);
+  EXPECT_EQ(path.outcome, Outcome::not_converged);
+  EXPECT_EQ(path.reached, 0);
+}
+
+TEST_P(Conformance, RefusalsNameTheReason) {
+  const auto refuses = [](double order, std::vector<double> initial, const Grid& grid) {
+    const Problem problem{.components = {{order, std::move(initial)}},
+                          .rhs = [](double, In, Out f) { f.setZero(); }};
+    return refusal(*GetParam(), problem, grid).value_or("accepted");
+  };
+  const Grid grid{1.0, 10};
+  EXPECT_EQ(refuses(2.5, {1, 0, 0}, grid), "takes orders in (0, 2], component 0 has 2.5");
+  EXPECT_EQ(refuses(0.0, {}, grid), "takes orders in (0, 2], component 0 has 0");
+  EXPECT_EQ(refuses(std::nan(""), {1}, grid), "takes orders in (0, 2], component 0 has nan");
+  EXPECT_EQ(refuses(1.5, {1}, grid), "needs 2 initial values for order 1.5, component 0 has 1");
+  EXPECT_EQ(refuses(0.5, {1}, {1.0, 10, 2.0}), "needs a uniform grid, not one graded with 2");
+}
+
+INSTANTIATE_TEST_SUITE_P(, Conformance, testing::ValuesIn(all_schemes()), scheme_name);
+
+// Beyond single schemes.
+
+TEST(Identities, TheDecoupledChainIsAdamsWhereNoOrderIsAboveOne) {
+  const auto scene = scene_of("pendulum");
+  EXPECT_EQ(solve("decoupled_multi_order", scene.problem, 200).y, solve("adams_pc", scene.problem, 200).y);
+}
+
+TEST(Identities, ManyCorrectionsSolveTheProductTrapezoidalRule) {
+  const auto scene = scene_of("pendulum");
+  const Rows corrected = solve("adams_pc", scene.problem, 400, {.corrections = 60}).y;
+  EXPECT_LT((corrected - solve("product_trapezoidal", scene.problem, 400).y).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Identities, OfOrderOneL1AndGrunwaldLetnikovAreTheSameMethod) {
+  const auto scene = scene_of("brusselator", {{"gamma", 1.0}});
+  const Rows a = solve("l1", scene.problem, 2000).y, b = solve("grunwald_letnikov", scene.problem, 2000).y;
+  EXPECT_LT((a - b).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+TEST(Refusal, OrdersWithoutACommonDenominator) {
+  const auto scene = scene_of("relaxation", {{"gamma", 1.0 / std::numbers::pi}});
+  EXPECT_EQ(refusal(*find_scheme("commensurate_adams_pc"), scene.problem, {1.0, 8}),
+            "needs orders that are multiples of one 1/M with M at most 64");
+}
+
+TEST(Registry, UnknownSchemesAreNotFound) { EXPECT_EQ(find_scheme("adams"), nullptr); }
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,163 @@
+#include "measures.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_odeiv2.h>
+#include <gsl/gsl_spline.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rate.hpp"
+#include "testing.hpp"
+
+namespace fde {
+namespace {
+
+// A trajectory y(t_n) = values.col(n) with a truth beside it.
+struct Made {
+  Scene scene{};
+  Options options{};
+  Trajectory path{};
+  Rows truth{};
+  std::vector<double> seconds{3.0, 1.0, 2.0};
+
+  [[nodiscard]] Observation observe() const {
+    return {scene, *find_scheme("l1"), options, path, path.y, truth, 1e-15, seconds};
+  }
+};
+
+Made made(const Rows& values, const Rows& truth) {
+  Made result{.path = {.grid = {1.0, static_cast<int>(values.cols()) - 1}, .y = values}, .truth = truth};
+  for (int n = 0; n < values.cols(); ++n) result.path.steps.push_back(n);
+  return result;
+}
+
+double measure(std::string_view id, const Observation& run) {
+  return std::ranges::find(measures(), id, &Measure::id)->value(run);
+}
+
+TEST(Measures, OfAHandMadeTrajectory) {
+  const Rows values = (Rows(2, 3) << 1.0, 2.0, 3.0, 0.0, 0.0, 10.0).finished();
+  const Rows truth = (Rows(2, 3) << 1.0, 2.5, 3.25, 0.0, 0.0, 9.0).finished();
+  const auto run = made(values, truth);
+  EXPECT_EQ(error_end(run.observe()), 1.0);
+  EXPECT_EQ(error_maximum(run.observe()), 1.0);
+  EXPECT_NEAR(mescd(run.observe()), -std::log10(0.1), 1e-15);
+  EXPECT_EQ(measure("time_minimum", run.observe()), 1.0);
+  EXPECT_EQ(measure("time_median", run.observe()), 2.0);
+}
+
+TEST(Measures, ANumberWithoutErrorHasSeventeenDigits) {
+  const auto run = made(Rows::Ones(1, 3), Rows::Ones(1, 3));
+  EXPECT_EQ(mescd(run.observe()), 17.0);
+}
+
+TEST(EnergyResidual, VanishesWithTheScheme) {
+  const auto residual = [](int steps) {
+    Made run{.scene = scene_of("pendulum")};
+    run.path = solve("product_trapezoidal", run.scene.problem, steps);
+    return energy_residual(run.observe());
+  };
+  EXPECT_LT(residual(4096), 1e-4);
+  EXPECT_GT(std::log2(residual(1024) / residual(2048)), 1.4);
+}
+
+TEST(EnergyResidual, IsTheDriftOfAConservedEnergy) {
+  Made run{.scene = scene_of("pendulum", {{"mu", 0.0}, {"lambda", 0.0}, {"nu", 0.0}})};
+  run.path = solve("l1", run.scene.problem, 500);
+  const auto& energy = run.scene.energy.value;
+  double drift = 0.0;
+  for (const auto& y : run.path.y.colwise())
+    drift = std::max(drift, std::abs(energy(Vec(y)) - energy(run.path.y.col(0))));
+  EXPECT_DOUBLE_EQ(energy_residual(run.observe()), drift);
+}
+
+TEST(FitRate, RecoversAPowerLaw) {
+  std::vector<ErrorAt> points;
+  for (int k = 0; k < 6; ++k) points.push_back({std::pow(2.0, -k), 3.0 * std::pow(2.0, -1.25 * k)});
+  const Fit fit = fit_rate(points);
+  EXPECT_NEAR(fit.slope, 1.25, 1e-14);
+  EXPECT_NEAR(fit.correlation, 1.0, 1e-14);
+  EXPECT_EQ(fit.points, 6U);
+}
+
+TEST(FitRate, StopsAtRounding) {
+  const std::vector<ErrorAt> points{{1, 1e-6}, {0.1, 1e-8}, {0.01, 1e-10}, {0.001, 3e-13}, {0.0001, 2e-13}};
+  EXPECT_NEAR(fit_rate(points).slope, 2.0, 1e-12);
+  EXPECT_EQ(fit_rate(points).points, 3U);
+  EXPECT_EQ(fit_rate(std::span(points).first(2)).points, 0U);
+}
+
+// GSL as the judge: nothing of ours below.
+
+// A problem of whole orders by GSL's Runge-Kutta-Prince-Dormand (8,9).
+Vec integrate_by_gsl(const Problem& problem) {
+  const auto function = [](double t, const double y[], double f[], void* data) {
+    const auto& of = *static_cast<const Problem*>(data);
+    Eigen::Map<Vec> out(f, of.size());
+    of.rhs(t, Eigen::Map<const Vec>(y, of.size()), out);
+    return static_cast<int>(GSL_SUCCESS);
+  };
+  auto copy = problem;
+  gsl_odeiv2_system system{function, nullptr, copy.components.size(), &copy};
+  auto* driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-4, 1e-13, 1e-13);
+  Vec y = taylor_part(problem, 0.0);
+  double t = 0.0;
+  EXPECT_EQ(gsl_odeiv2_driver_apply(driver, &t, problem.end, y.data()), GSL_SUCCESS);
+  gsl_odeiv2_driver_free(driver);
+  return y;
+}
+
+class WholeOrders : public testing::TestWithParam<std::string> {
+ protected:
+  static Scene scene() {
+    Scene scene = GetParam() == "brusselator" ? scene_of("brusselator", {{"gamma", 1.0}})
+                                              : scene_of(GetParam(), {{"alpha", 1.0}, {"beta", 0.0}});
+    scene.problem.end = 5.0;
+    return scene;
+  }
+};
+
+TEST_P(WholeOrders, TheReferenceIsGslsRungeKuttaSolution) {
+  EXPECT_LT((truth_of(scene()).at(5.0).value - integrate_by_gsl(scene().problem)).cwiseAbs().maxCoeff(),
+            2e-11);
+}
+
+TEST_P(WholeOrders, EverySchemeTendsToGslsSolution) {
+  const Vec exact = integrate_by_gsl(scene().problem);
+  for (const auto& scheme : schemes()) {
+    const auto error = [&](int steps) {
+      return (solve(scheme.id, scene().problem, steps).y.rightCols(1) - exact).cwiseAbs().maxCoeff();
+    };
+    const double expected = scheme.expected_rate(scene().problem, scene().smoothness, Norm::end);
+    EXPECT_NEAR(std::log2(error(4000) / error(8000)), expected, 0.1) << scheme.id;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, WholeOrders, testing::Values("pendulum", "extensible_pendulum", "brusselator"),
+                         [](const auto& test) { return test.param; });
+
+// J^(1-beta) of phi', with GSL's quadrature for algebraic endpoint singularities on a spline of the
+// reference, is the chain's D^beta phi.
+TEST(GslQuadrature, OfThePendulumsVelocityIsItsFractionalDerivative) {
+  const double beta = 0.5, t = 3.0;
+  const auto scene = scene_of("pendulum");
+  const Exact truth = truth_of(scene);
+  struct Data {
+    const Exact& truth;
+  } data{truth};
+  gsl_function velocity{[](double s, void* d) { return static_cast<Data*>(d)->truth.at(s).value[2]; }, &data};
+  auto* table = gsl_integration_qaws_table_alloc(0.0, -beta, 0, 0);
+  auto* workspace = gsl_integration_workspace_alloc(1000);
+  double integral = 0.0, estimate = 0.0;
+  ASSERT_EQ(
+      gsl_integration_qaws(&velocity, 0.0, t, table, 1e-12, 1e-11, 1000, workspace, &integral, &estimate),
+      GSL_SUCCESS);
+  gsl_integration_workspace_free(workspace);
+  gsl_integration_qaws_table_free(table);
+  EXPECT_NEAR(integral / std::tgamma(1.0 - beta), truth.at(t).value[1], 1e-10);
+}
+
+}  // namespace
+}  // namespace fde

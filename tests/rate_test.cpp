@@ -1,0 +1,230 @@
+// Every (scene, scheme) pair that fits shows the rate that theory gives, two-sided, at a fixed time and in
+// the maximum over all steps. Each test speaks of one norm: a solution that starts like t^g has different
+// rates in the two.
+
+#include "rate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "fmt/format.h"
+#include "implicit.hpp"
+#include "testing.hpp"
+
+namespace fde {
+namespace {
+
+// A scene with parameters and an end at which 256 ... 4096 steps are in the asymptotic range.
+struct Variant {
+  std::string name, scene;
+  std::map<std::string, double> values;
+  double end;
+};
+
+std::vector<Variant> variants() {
+  std::vector<Variant> all;
+  for (const double g : {0.2, 0.5, 0.8, 1.0, 1.3, 1.7}) {
+    const auto tag = fmt::format("{:.0f}", 10 * g);
+    all.push_back({"relaxation_" + tag, "relaxation", {{"gamma", g}}, 1.0});
+    all.push_back({"diethelm_" + tag, "diethelm", {{"gamma", g}}, 1.0});
+    all.push_back({"power_" + tag, "power", {{"gamma", g}, {"p", g + 2.0}}, 1.0});
+    if (g <= 1.0) all.push_back({"relaxation_pair_" + tag, "relaxation_pair", {{"gamma", g}}, 1.0});
+    if (g <= 1.0) all.push_back({"brusselator_" + tag, "brusselator", {{"gamma", g}, {"B", 2.0}}, 1.0});
+    if (g > 1.0)
+      all.push_back({"fractional_oscillator_" + tag,
+                     "fractional_oscillator",
+                     {{"nu", g}, {"c0", 0.5}, {"c1", 0.25}},
+                     3.0});
+    if (g > 1.0) all.push_back({"bagley_torvik_" + tag, "bagley_torvik", {{"alpha", g}}, 2.0});
+  }
+  all.push_back({"bagley_torvik_5", "bagley_torvik", {{"alpha", 0.5}}, 2.0});
+  for (const auto& [alpha, beta] : {std::pair{1.5, 0.5}, {1.25, 0.75}, {1.9, 0.1}}) {
+    const auto tag = fmt::format("{:.0f}_{:.0f}", 100 * alpha, 100 * beta);
+    for (const auto* scene : {"damped_oscillator", "pendulum", "extensible_pendulum"}) {
+      all.push_back({fmt::format("{}_{}", scene, tag), scene, {{"alpha", alpha}, {"beta", beta}}, 2.0});
+    }
+  }
+  return all;
+}
+
+struct Case {
+  Variant variant;
+  const Scheme* scheme;
+};
+
+std::string case_name(const Case& c) { return fmt::format("{}__{}", c.variant.name, c.scheme->id); }
+void PrintTo(const Case& c, std::ostream* out) { *out << case_name(c); }
+
+Scene make(const Variant& variant) {
+  Scene scene = scene_of(variant.scene, variant.values);
+  scene.problem.end = variant.end;
+  return scene;
+}
+
+double expected(const Case& c, Norm norm) {
+  const Scene scene = make(c.variant);
+  return c.scheme->expected_rate(scene.problem, scene.smoothness, norm);
+}
+
+// All pairs that fit and, where a condition is given, meet it.
+std::vector<Case> cases(const std::function<bool(const Case&)>& condition = {}) {
+  std::vector<Case> all;
+  for (const auto& variant : variants()) {
+    const Scene scene = make(variant);
+    for (const auto& scheme : schemes()) {
+      const Case pair{variant, &scheme};
+      if (refusal(scheme, scene.problem, {variant.end, 256})) continue;
+      if (!condition || condition(pair)) all.push_back(pair);
+    }
+  }
+  return all;
+}
+
+bool first_step_governs_the_maximum(const Case& c) {
+  return expected(c, Norm::first_step) < expected(c, Norm::end);
+}
+bool end_governs_the_maximum(const Case& c) { return expected(c, Norm::maximum) == expected(c, Norm::end); }
+
+constexpr auto name_of_case = [](const auto& test) { return case_name(test.param); };
+
+// Errors y - truth of the scene's columns at every step of N steps.
+Rows errors(const Scene& scene, TruthTable& truth, const Scheme& scheme, int steps) {
+  const Grid grid{scene.problem.end, steps};
+  const auto path = scheme.solve(scene.problem, grid, {});
+  EXPECT_EQ(path.outcome, Outcome::finished);
+  return shown(scene, path.y) - truth.at(grid, path.steps);
+}
+
+void expect_rate(const std::vector<ErrorAt>& points, double theory) {
+  std::string rows;
+  for (const auto& [h, error] : points) rows += fmt::format("h = {:.3e}: error {:.3e}\n", h, error);
+  const Fit fit = fit_rate(points);
+  ASSERT_GE(fit.points, 4U) << rows;
+  EXPECT_NEAR(fit.slope, theory, 0.1) << rows;
+  EXPECT_GT(fit.correlation, 0.999) << rows;
+}
+
+// Predictor-corrector errors have the powers 1 + g, 1 + 2g, ..., 2 of h. Where the first are close to each
+// other, or the first has a small factor, no affordable step shows it alone. The later powers are known from
+// theory, so they are taken out: e(h) - 2^q e(h/2) has no h^q.
+std::vector<double> later_powers(const Case& c) {
+  struct Close {
+    std::string_view variant;
+    std::vector<std::string_view> schemes;
+    std::vector<double> powers;
+  };
+  static const std::vector<Close> table{
+      {"relaxation_2", {"adams_pc", "decoupled_multi_order", "commensurate_adams_pc"}, {1.4, 1.6, 1.8}},
+      {"relaxation_pair_2", {"adams_pc", "decoupled_multi_order", "commensurate_adams_pc"}, {1.4, 1.6, 1.8}},
+      {"diethelm_2", {"adams_pc", "decoupled_multi_order", "commensurate_adams_pc"}, {1.4, 1.6, 1.8}},
+      {"diethelm_5", {"adams_pc", "decoupled_multi_order", "commensurate_adams_pc"}, {2.0}},
+      {"diethelm_8", {"adams_pc", "decoupled_multi_order"}, {2.0}},
+      {"diethelm_8", {"l1"}, {1.2}},
+      {"power_17", {"decoupled_multi_order"}, {2.0, 2.7}},
+      {"fractional_oscillator_13", {"adams_pc"}, {2.3}},
+  };
+  for (const auto& [variant, concerned, powers] : table) {
+    if (variant == c.variant.name && std::ranges::find(concerned, c.scheme->id) != concerned.end())
+      return powers;
+  }
+  return {};
+}
+
+// The largest error at the end, or over all steps, of 256 ... 4096 steps; finer by a level for each power
+// taken out.
+std::vector<ErrorAt> error_points(const Case& c, Norm norm) {
+  const Scene scene = make(c.variant);
+  TruthTable truth(scene);
+  const auto powers = later_powers(c);
+  constexpr int coarsest = 256, levels = 5;
+  std::vector<Rows> by_level;
+  for (int level = 0; level < levels + static_cast<int>(powers.size()); ++level) {
+    const int steps = coarsest << level;
+    const Rows all = errors(scene, truth, *c.scheme, steps);
+    if (norm == Norm::end) {
+      by_level.emplace_back(all.rightCols(1));
+    } else {
+      // Errors of several levels are combined at the times they share.
+      by_level.push_back(powers.empty() ? all
+                                        : Rows(all(Eigen::all, Eigen::seq(0, steps, steps / coarsest))));
+    }
+  }
+  for (const double q : powers) {
+    for (std::size_t level = 0; level + 1 < by_level.size(); ++level) {
+      by_level[level] -= std::pow(2.0, q) * by_level[level + 1];
+    }
+    by_level.pop_back();
+  }
+  std::vector<ErrorAt> points;
+  for (int level = 0; level < levels; ++level) {
+    points.push_back({scene.problem.end / (coarsest << level),
+                      by_level[static_cast<std::size_t>(level)].cwiseAbs().maxCoeff()});
+  }
+  return points;
+}
+
+class EndRate : public testing::TestWithParam<Case> {};
+
+TEST_P(EndRate, MatchesTheory) {
+  expect_rate(error_points(GetParam(), Norm::end), expected(GetParam(), Norm::end));
+}
+
+INSTANTIATE_TEST_SUITE_P(, EndRate, testing::ValuesIn(cases()), name_of_case);
+
+// Where the solution starts like t^g, the first step is the worst of all: one step of length h, h -> 0.
+class FirstStepRate : public testing::TestWithParam<Case> {};
+
+TEST_P(FirstStepRate, MatchesTheory) {
+  const double theory = expected(GetParam(), Norm::first_step);
+  const Scene scene = make(GetParam().variant);
+  TruthTable truth(scene);
+  std::vector<ErrorAt> points;
+  const double shortest = std::min(9.0 / theory, 16.0), longest = std::min(5.0 / theory, 10.0);  // -log10 h
+  for (int k = 0; k < 5; ++k) {
+    Scene first = scene;
+    first.problem.end = std::pow(10.0, -(longest + k * (shortest - longest) / 4));
+    const Grid grid{first.problem.end, 1};
+    const auto path = GetParam().scheme->solve(first.problem, grid, {});
+    points.push_back({grid.end, (shown(scene, path.y) - truth.at(grid, path.steps)).cwiseAbs().maxCoeff()});
+  }
+  expect_rate(points, theory);
+}
+
+INSTANTIATE_TEST_SUITE_P(, FirstStepRate, testing::ValuesIn(cases(first_step_governs_the_maximum)),
+                         name_of_case);
+
+// Elsewhere the maximum over all steps falls like the error at the end.
+class MaximumRate : public testing::TestWithParam<Case> {};
+
+TEST_P(MaximumRate, IsTheRateAtTheEnd) {
+  expect_rate(error_points(GetParam(), Norm::maximum), expected(GetParam(), Norm::maximum));
+}
+
+INSTANTIATE_TEST_SUITE_P(, MaximumRate, testing::ValuesIn(cases(end_governs_the_maximum)), name_of_case);
+
+// The trapezoidal weight of the last value off by one percent: the method still converges, but like h^g.
+TEST(AWrongWeight, IsCaughtByTheRate) {
+  Scheme wrong = *find_scheme("product_trapezoidal");
+  wrong.solve = [](const Problem& problem, const Grid& grid, const Options& options) {
+    const Vec kappa = integral_scale(problem, grid.step(), 2.0);
+    Vec last = Vec::Zero(problem.size());
+    return solve_implicit(problem, grid, options,
+                          {.kappa = kappa,
+                           .tables = tables(problem, WeightFamily::trapezoid),
+                           .past =
+                               [&](double t, In convolved, In, Out past) {
+                                 past = taylor_part(problem, t) + kappa.cwiseProduct(convolved + 0.01 * last);
+                               },
+                           .sample = [&](In f, In, In, Out sample) { last = sample = f; }});
+  };
+  const Variant smooth{"power_5", "power", {{"gamma", 0.5}, {"p", 2.5}}, 1.0};
+  const Fit right = fit_rate(error_points({smooth, find_scheme("product_trapezoidal")}, Norm::end));
+  const Fit caught = fit_rate(error_points({smooth, &wrong}, Norm::end));
+  EXPECT_NEAR(right.slope, 2.0, 0.1);
+  EXPECT_NEAR(caught.slope, 0.5, 0.1);
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,173 @@
+// What every scene in the list must be, and what single ones promise.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+#include <stdexcept>
+
+#include "testing.hpp"
+
+namespace fde {
+namespace {
+
+std::vector<const SceneMaker*> all_scenes() {
+  std::vector<const SceneMaker*> all;
+  for (const auto& maker : scenes()) all.push_back(&maker);
+  return all;
+}
+
+class EveryScene : public testing::TestWithParam<const SceneMaker*> {
+ protected:
+  const Scene scene_ = make_scene(*GetParam());
+
+  // Points near the initial values.
+  [[nodiscard]] std::vector<Vec> points() const {
+    std::mt19937 generator(11);
+    std::uniform_real_distribution<double> uniform(-0.4, 0.4);
+    std::vector<Vec> result;
+    for (int i = 0; i < 5; ++i) {
+      result.push_back(taylor_part(scene_.problem, 0.0) +
+                       Vec::NullaryExpr(scene_.problem.size(), [&] { return uniform(generator); }));
+    }
+    return result;
+  }
+
+  [[nodiscard]] Vec rhs(double t, In y) const {
+    Vec f(y.size());
+    scene_.problem.rhs(t, y, f);
+    return f;
+  }
+};
+
+TEST_P(EveryScene, FitsEverySchemeOrIsRefusedWithAReason) {
+  for (const auto& scheme : schemes()) {
+    const auto reason = refusal(scheme, scene_.problem, {scene_.problem.end, 16});
+    if (reason) {
+      EXPECT_GT(reason->size(), 10U);
+    } else {
+      EXPECT_GT(scheme.expected_rate(scene_.problem, scene_.smoothness, Norm::end), 0.0) << scheme.id;
+    }
+  }
+}
+
+TEST_P(EveryScene, HasConsistentShapes) {
+  const auto size = static_cast<std::size_t>(scene_.problem.size());
+  EXPECT_EQ(scene_.smoothness.powers.size(), size);
+  const auto& columns = scene_.outputs.components;
+  EXPECT_EQ(scene_.outputs.names.size(), columns.empty() ? size : columns.size());
+  for (const auto& component : scene_.problem.components) {
+    EXPECT_EQ(component.initial.size(), initial_count(component.order));
+  }
+}
+
+TEST_P(EveryScene, DerivativesAreThoseOfTheRightHandSide) {
+  const auto& problem = scene_.problem;
+  if (!problem.jacobian && !problem.linear_part) GTEST_SKIP() << "declares none";
+  for (const Vec& y : points()) {
+    Matrix declared(y.size(), y.size());
+    if (problem.jacobian) problem.jacobian(0.3, y, declared);
+    if (problem.linear_part) declared = *problem.linear_part;
+    for (Eigen::Index i = 0; i < y.size(); ++i) {
+      Vec above = y, below = y;
+      above[i] += 1e-5;
+      below[i] -= 1e-5;
+      const Vec differenced = (rhs(0.3, above) - rhs(0.3, below)) / (above[i] - below[i]);
+      EXPECT_LT((declared.col(i) - differenced).cwiseAbs().maxCoeff(), 1e-8) << "column " << i;
+    }
+  }
+}
+
+TEST_P(EveryScene, StartsAtItsExactSolution) {
+  if (!scene_.exact.at) GTEST_SKIP() << "no exact solution";
+  EXPECT_LT((scene_.exact.at(0.0).value - taylor_part(scene_.problem, 0.0)).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+TEST_P(EveryScene, IsApproachedByTheMostAccurateScheme) {
+  Scene scene = scene_;
+  scene.problem.end = std::min(scene.problem.end, 8.0);
+  const auto path = solve("product_trapezoidal", scene.problem, 4096);
+  ASSERT_EQ(path.outcome, Outcome::finished);
+  const Truth truth = truth_of(scene).at(scene.problem.end);
+  EXPECT_LT((path.y.rightCols(1) - truth.value).cwiseAbs().maxCoeff(), 2e-4);
+  EXPECT_LT(truth.bound.maxCoeff(), 1e-9);
+}
+
+// dE/dt = power along solutions: the chain rule with y' taken from the reference solution.
+TEST_P(EveryScene, PowerIsTheRateOfEnergy) {
+  if (!scene_.energy) GTEST_SKIP() << "declares no energy";
+  const Exact truth = truth_of(scene_);
+  for (const double t : {0.7, 3.0, 9.0}) {
+    constexpr double h = 1e-3;
+    const auto energy = [&](double at) { return scene_.energy.value(truth.at(at).value); };
+    const double slope =
+        (8.0 * (energy(t + h) - energy(t - h)) - (energy(t + 2 * h) - energy(t - 2 * h))) / (12.0 * h);
+    EXPECT_NEAR(slope, scene_.energy.power(t, truth.at(t).value), 1e-9) << "t = " << t;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, EveryScene, testing::ValuesIn(all_scenes()), scheme_name);
+
+TEST(Scenes, HaveTheColumnsOfTheContract) {
+  const std::vector<std::string> chain{"phi", "Dbeta_phi", "dphi", "Dalpha_phi"};
+  EXPECT_EQ(scene_of("pendulum").outputs.names, chain);
+  EXPECT_EQ(scene_of("bagley_torvik").outputs.names, (std::vector<std::string>{"y", "dy", "Dalpha_y"}));
+  EXPECT_EQ(scene_of("extensible_pendulum").outputs.names,
+            (std::vector<std::string>{"phi", "Dbeta_phi", "dphi", "Dalpha_phi", "xi", "Dbeta_xi", "dxi",
+                                      "Dalpha_xi"}));
+}
+
+TEST(Scenes, LeaveOutTheColumnsOfDroppedTerms) {
+  EXPECT_EQ(scene_of("pendulum", {{"mu", 0.0}}).outputs.names,
+            (std::vector<std::string>{"phi", "Dbeta_phi", "dphi"}));
+  EXPECT_EQ(scene_of("pendulum", {{"mu", 0.0}, {"nu", 0.0}}).problem.components.size(), 2U);
+}
+
+// With alpha = 1 and beta = 0 the pendulum is u'' + (lambda + mu) tau u' + nu u + sin u = 0: no memory is
+// left.
+TEST(Scenes, AtWholeOrdersThePendulumIsAnOrdinaryEquation) {
+  const auto scene = scene_of("pendulum", {{"alpha", 1.0}, {"beta", 0.0}});
+  ASSERT_EQ(scene.problem.components.size(), 2U);
+  for (const auto& component : scene.problem.components) EXPECT_EQ(component.order, 1.0);
+}
+
+struct Bad {
+  const char *scene, *name;
+  double value;
+  const char* message;
+};
+
+class BadParameter : public testing::TestWithParam<Bad> {};
+
+TEST_P(BadParameter, IsNamedWithWhatIsAllowed) {
+  const auto& [scene, name, value, message] = GetParam();
+  try {
+    scene_of(scene, {{name, value}});
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), message);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , BadParameter,
+    testing::Values(Bad{"relaxation", "gamma", 0.0, "gamma = 0: must be in (0, 2]"},
+                    Bad{"relaxation", "gamma", 2.5, "gamma = 2.5: must be in (0, 2]"},
+                    Bad{"relaxation", "gamma", std::nan(""), "gamma = nan: must be in (0, 2]"},
+                    Bad{"relaxation", "dy0", 1.0, "dy0 = 1: must be 0 when gamma is at most 1"},
+                    Bad{"relaxation", "lambda", INFINITY, "lambda = inf: must be any finite number"},
+                    Bad{"relaxation", "gama", 0.5,
+                        "gama: scene relaxation has no such parameter, did you mean 'gamma'?; it has gamma, "
+                        "lambda, y0, dy0"},
+                    Bad{"pendulum", "tau", -1.0, "tau = -1: must be above 0"},
+                    Bad{"pendulum", "alpha", 2.0, "alpha = 2: must be in [1, 2)"},
+                    Bad{"power", "p", 0.25,
+                        "p = 0.25: must be at least gamma: the right-hand side is infinite at 0 otherwise"},
+                    Bad{"extensible_pendulum", "xi0", -1.0, "xi0 = -1: must be above -1"}),
+    [](const auto& test) {
+      return std::string(test.param.scene) + "__" + test.param.name + "__" + std::to_string(test.index);
+    });
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+
+#include "experiment.hpp"
+
+namespace fde {
+
+inline const SceneMaker& scene_maker(std::string_view id) {
+  return *std::ranges::find(scenes(), id, &SceneMaker::id);
+}
+
+inline Scene scene_of(std::string_view id, const std::map<std::string, double>& values = {}) {
+  return make_scene(scene_maker(id), values);
+}
+
+inline Trajectory solve(std::string_view scheme, const Problem& problem, int steps,
+                        const Options& options = {}) {
+  return find_scheme(scheme)->solve(problem, {problem.end, steps}, options);
+}
+
+// Names of parameterised tests: the scheme's id.
+inline constexpr auto scheme_name = [](const auto& test) { return std::string(test.param->id); };
+
+inline std::vector<const Scheme*> all_schemes() {
+  std::vector<const Scheme*> all;
+  for (const auto& scheme : schemes()) all.push_back(&scheme);
+  return all;
+}
+
+}  // namespace fde

@@ -1,0 +1,136 @@
+#include "weights.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/multiprecision/mpfr.hpp>
+#include <cmath>
+#include <limits>
+
+#include "fmt/format.h"
+
+namespace fde {
+namespace {
+
+// 50 digits are left after the 1e18-fold cancellation at k = 1e9.
+using Exact = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<70>>;
+
+Exact power(const Exact& base, const Exact& exponent) { return base == 0 ? Exact(0) : pow(base, exponent); }
+
+// The families as they are printed.
+Exact printed(const WeightTable& table, std::int64_t lag) {
+  const Exact g = table.order, k = lag;
+  switch (table.family) {
+    case WeightFamily::rectangle:
+      return power(k, g) - power(k - 1, g);
+    case WeightFamily::trapezoid:
+      return power(k + 1, g + 1) - 2 * power(k, g + 1) + power(k - 1, g + 1);
+    case WeightFamily::grunwald_letnikov:
+      return exp(lgamma(k + g) - lgamma(g) - lgamma(k + 1));
+    case WeightFamily::l1:
+      return pow(k + 1, 1 - g) - pow(k, 1 - g);
+  }
+  return 0;
+}
+
+Exact printed_start(double order, std::int64_t n) {
+  const Exact g = order, k = n;
+  return power(k - 1, g + 1) - (k - 1 - g) * power(k, g);
+}
+
+// |value - exact| in units of the last place of exact.
+double ulps(double value, const Exact& exact) {
+  const auto rounded = std::abs(static_cast<double>(exact));
+  const double ulp = std::nextafter(rounded, std::numeric_limits<double>::infinity()) - rounded;
+  return static_cast<double>(abs(Exact(value) - exact) / ulp);
+}
+
+std::vector<std::int64_t> lags() {
+  std::vector<std::int64_t> result;
+  for (std::int64_t k = 1; k <= 40; ++k) result.push_back(k);
+  for (double k = 50; k < 1e9; k *= 1.7) result.push_back(static_cast<std::int64_t>(k));
+  result.insert(result.end(), {1000, 1'000'000, 999'999'999, 1'000'000'000});
+  return result;
+}
+
+const std::vector<double> orders{0.01, 0.05, 0.1, 0.2, 0.3, 0.4,  0.5, 0.6, 0.7, 0.8,  0.9, 0.95, 0.99,
+                                 1.0,  1.01, 1.1, 1.2, 1.3, 1.35, 1.5, 1.6, 1.7, 1.85, 1.9, 1.95, 1.99};
+
+struct Worst {
+  double ulps = 0.0;
+  double order = 0.0;
+  std::int64_t lag = 0;
+  void see(double error, double at_order, std::int64_t at_lag) {
+    if (error > ulps) *this = {error, at_order, at_lag};
+  }
+  void print(const char* what) const {
+    fmt::print("{}: worst error {:.2f} ulp, at order {}, k = {}\n", what, ulps, order, lag);
+  }
+};
+
+class WeightFamilies : public testing::TestWithParam<std::pair<const char*, WeightFamily>> {};
+
+TEST_P(WeightFamilies, AreGoodToFourUlpUpToABillion) {
+  const auto [name, family] = GetParam();
+  Worst worst;
+  for (const double order : orders) {
+    if (family == WeightFamily::l1 && order >= 1.0) continue;
+    for (const auto lag : lags())
+      worst.see(ulps(weight({family, order}, lag), printed({family, order}, lag)), order, lag);
+  }
+  worst.print(name);
+  EXPECT_LE(worst.ulps, 4.0) << "order " << worst.order << ", k = " << worst.lag;
+}
+
+INSTANTIATE_TEST_SUITE_P(, WeightFamilies,
+                         testing::Values(std::pair{"rectangle", WeightFamily::rectangle},
+                                         std::pair{"trapezoid", WeightFamily::trapezoid},
+                                         std::pair{"grunwald_letnikov", WeightFamily::grunwald_letnikov},
+                                         std::pair{"l1", WeightFamily::l1}),
+                         [](const auto& test) { return test.param.first; });
+
+TEST(StartWeight, IsGoodToFourUlpUpToABillion) {
+  Worst worst;
+  for (const double order : orders) {
+    for (const auto n : lags()) {
+      worst.see(ulps(start_weight({WeightFamily::trapezoid, order}, n), printed_start(order, n)), order, n);
+    }
+  }
+  worst.print("trapezoid start");
+  EXPECT_LE(worst.ulps, 4.0) << "order " << worst.order << ", n = " << worst.lag;
+}
+
+TEST(StartWeight, IsTheFirstWeightOfTheRectangleRuleAndNoneOfTheOthers) {
+  for (const double order : {0.3, 1.0, 1.6}) {
+    for (const std::int64_t n : {1, 2, 77}) {
+      const WeightTable rectangle{WeightFamily::rectangle, order};
+      EXPECT_EQ(start_weight(rectangle, n), weight(rectangle, n));
+      EXPECT_EQ(start_weight({WeightFamily::grunwald_letnikov, order}, n), 0.0);
+    }
+  }
+  EXPECT_EQ(start_weight({WeightFamily::l1, 0.4}, 5), 0.0);
+}
+
+TEST(ConstantWeight, OrderOneHasNoMemory) {
+  EXPECT_EQ(constant_weight({WeightFamily::rectangle, 1.0}), 1.0);
+  EXPECT_EQ(constant_weight({WeightFamily::trapezoid, 1.0}), 2.0);
+  EXPECT_EQ(constant_weight({WeightFamily::grunwald_letnikov, 1.0}), 1.0);
+  EXPECT_EQ(constant_weight({WeightFamily::l1, 1.0}), 0.0);
+  EXPECT_EQ(constant_weight({WeightFamily::trapezoid, 0.999}), std::nullopt);
+  for (const auto lag : lags()) EXPECT_EQ(weight({WeightFamily::trapezoid, 1.0}, lag), 2.0) << lag;
+}
+
+// sum of all weights over n steps of f = 1 is the integral of the kernel: n^g, (g+1) n^g, Gamma ratio.
+TEST(Weights, OfTheProductRulesIntegrateConstantsExactly) {
+  for (const double g : orders) {
+    constexpr std::int64_t n = 200;
+    double rectangle = 0.0, trapezoid = 1.0 + start_weight({WeightFamily::trapezoid, g}, n);
+    for (std::int64_t k = 1; k <= n; ++k) rectangle += weight({WeightFamily::rectangle, g}, k);
+    for (std::int64_t k = 1; k < n; ++k) trapezoid += weight({WeightFamily::trapezoid, g}, k);
+    EXPECT_NEAR(rectangle / std::pow(n, g), 1.0, 1e-14) << g;
+    EXPECT_NEAR(trapezoid / ((g + 1) * std::pow(n, g)), 1.0, 1e-14) << g;
+  }
+}
+
+}  // namespace
+}  // namespace fde
