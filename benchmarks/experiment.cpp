@@ -37,11 +37,11 @@ std::string describe(const Trajectory& path) {
                      path.reached + 1, path.grid.time(path.reached + 1));
 }
 
-std::vector<Record> run_experiment(const SceneMaker& maker, const Scene& scene, TruthTable& truth,
+std::vector<Record> run_experiment(const std::string& label, const Scene& scene, TruthTable& truth,
                                    const Scheme& scheme, int steps, int repeats) {
   const Grid grid{.end = scene.problem.end, .steps = steps};
   const Options options{};
-  const Record row{.scene = std::string(maker.id),
+  const Record row{.scene = label,
                    .scheme = std::string(scheme.id),
                    .history = std::string(name(resolve(options.history, steps))),
                    .steps = steps,

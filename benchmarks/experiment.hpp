@@ -35,9 +35,9 @@ Scene make_scene(const SceneMaker& maker, const std::map<std::string, double>& v
 // Why a run ended early, with step and time: "not finite at step 94, t = 18.4"; "finished" when it did not.
 std::string describe(const Trajectory& path);
 
-// Solves `repeats` times and takes every measure that applies. The last row is the outcome; a scheme that
-// refuses or fails has this row only.
-std::vector<Record> run_experiment(const SceneMaker& maker, const Scene& scene, TruthTable& truth,
+// Solves `repeats` times and takes every measure that applies; the rows carry the label as their scene. The
+// last row is the outcome; a scheme that refuses or fails has this row only.
+std::vector<Record> run_experiment(const std::string& label, const Scene& scene, TruthTable& truth,
                                    const Scheme& scheme, int steps, int repeats);
 
 }  // namespace fde

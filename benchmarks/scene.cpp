@@ -1,5 +1,7 @@
 #include "scene.hpp"
 
+#include <algorithm>
+
 #include "collocation.hpp"
 
 namespace fde {
@@ -15,6 +17,11 @@ std::span<const SceneMaker> scenes() {
 #undef FDE_SCENE
   };
   return all;
+}
+
+const SceneMaker* scene_of_label(std::string_view label) {
+  const auto found = std::ranges::find(scenes(), label.substr(0, label.find(':')), &SceneMaker::id);
+  return found == scenes().end() ? nullptr : &*found;
 }
 
 Rows shown(const Scene& scene, const Rows& components) {

@@ -46,6 +46,9 @@ struct SceneMaker {
 // All scenes, in the order of the list.
 std::span<const SceneMaker> scenes();
 
+// The scene that a label of results names: "pendulum:alpha=1.9" is a pendulum. nullptr: none does.
+const SceneMaker* scene_of_label(std::string_view label);
+
 // The scene's columns of a vector or of rows of components.
 Rows shown(const Scene& scene, const Rows& components);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,17 @@
 
 namespace fde {
 
+// A scene with some parameters replaced. In results and on the command line: "pendulum:alpha=1.9,beta=0.1".
+struct SceneVariant {
+  const SceneMaker* maker;
+  std::map<std::string, double> values{};
+
+  [[nodiscard]] std::string label() const;
+};
+
 // Which runs: every scheme on every scene with every number of steps.
 struct Sweep {
-  std::vector<const SceneMaker*> scenes;
+  std::vector<SceneVariant> scenes;
   std::vector<const Scheme*> schemes;
   std::vector<int> steps;
   int repeats = 3;

@@ -31,7 +31,7 @@ typename Characteristic<Real>::Step Characteristic<Real>::newton_step(const Comp
     slope += terms[i].order * scaled[i];
     size += size_of(scaled[i]);
   }
-  return {value / slope, size_of(value) / size};
+  return {value / slope, size_of(value) / size, size_of(slope) / size};
 }
 
 template <class Real>
@@ -130,10 +130,18 @@ std::optional<int> count_zeros(const Polynomial& polynomial, const Rectangle& bo
   return static_cast<int>(std::lround(total / (2.0L * pi_long)));
 }
 
-// Newton's method with the zeros found so far divided out, so that it cannot find one of them again.
+// Zeros closer than this are treated together.
+constexpr long double too_close = 1e-6L;
+
+// Newton's method with the zeros found so far divided out, so that it leads elsewhere. Right at one of them
+// what is left after the division is noise: a second zero there is believed only where P is as flat as two
+// zeros make it.
 std::optional<Point> newton(const Polynomial& polynomial, const std::vector<Point>& found, Point w) {
+  const auto found_before = [&](const Point& zero) { return std::abs(w - zero) < too_close; };
   for (int i = 0; i < 80; ++i) {
-    const auto [step, residual] = polynomial.newton_step(w);
+    const auto [step, residual, steepness] = polynomial.newton_step(w);
+    const bool flat = steepness < 10.0L * too_close;
+    if (!flat && std::ranges::any_of(found, found_before)) return std::nullopt;
     Point inverse = 1.0L / step;
     for (const auto& zero : found) inverse -= 1.0L / (w - zero);
     const Point deflated = residual == 0.0L ? Point(0.0L) : 1.0L / inverse;
@@ -145,18 +153,23 @@ std::optional<Point> newton(const Polynomial& polynomial, const std::vector<Poin
   return std::nullopt;
 }
 
-std::vector<Point> starting_points(const Polynomial& polynomial, int angles) {
-  std::vector<Point> points;
+// Points of the rectangle: first near the radii where two terms are of one size, and if that does not do,
+// everywhere.
+std::vector<Point> starting_points(const Polynomial& polynomial, const Rectangle& box, int refinement) {
+  std::vector<long double> columns;
   for (std::size_t j = 1; j < polynomial.terms.size(); ++j) {
     for (std::size_t i = 0; i < j; ++i) {
-      for (const long double offset : {0.0L, -0.5L, 0.5L, -1.5L, 1.5L}) {
-        for (int k = 0; k < angles; ++k) {
-          const long double angle =
-              (2.0L * static_cast<long double>(k) + 1.0L) / static_cast<long double>(angles) - 1.0L;
-          points.emplace_back(balance(polynomial, i, j) + offset, angle * pi_long);
-        }
-      }
+      for (const long double offset : {0.0L, -0.5L, 0.5L, -1.5L, 1.5L})
+        columns.push_back(balance(polynomial, i, j) + offset);
     }
+  }
+  const int extra = refinement == 0 ? 0 : 8 << (2 * refinement), rows = 8 << refinement;
+  for (int k = 0; k < extra; ++k)
+    columns.push_back(std::lerp(box.left, box.right, (static_cast<long double>(k) + 0.5L) / extra));
+  std::vector<Point> points;
+  for (const long double column : columns) {
+    for (int k = 0; k < rows; ++k)
+      points.emplace_back(column, box.height * ((2.0L * static_cast<long double>(k) + 1.0L) / rows - 1.0L));
   }
   return points;
 }
@@ -167,8 +180,8 @@ std::vector<Point> all_zeros(const Polynomial& polynomial) {
     const std::optional<int> count = count_zeros(polynomial, box);
     if (!count) continue;
     std::vector<Point> found;
-    for (const int angles : {8, 32, 128}) {
-      for (const Point& start : starting_points(polynomial, angles)) {
+    for (const int refinement : {0, 1, 2, 3}) {
+      for (const Point& start : starting_points(polynomial, box, refinement)) {
         if (std::ranges::count_if(found, [&](const Point& w) { return box.contains(w); }) >= *count) {
           std::erase_if(found, [&](const Point& w) { return !box.contains(w); });
           return found;
@@ -183,7 +196,6 @@ std::vector<Point> all_zeros(const Polynomial& polynomial) {
 }  // namespace
 
 std::vector<Zero<long double>> find_zeros(const Characteristic<long double>& characteristic) {
-  constexpr long double too_close = 1e-6L;
   std::vector<Zero<long double>> zeros;
   if (characteristic.terms.size() < 2) return zeros;
   const std::vector<Point> points = all_zeros(characteristic);

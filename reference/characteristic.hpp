@@ -14,10 +14,11 @@ struct Characteristic {
   };
   std::vector<Term> terms;  // increasing orders, no zero coefficient
 
-  // One Newton step for the zeros: P / (dP/dw); and how exactly P is known, |P| / sum |terms|.
+  // One Newton step for the zeros, P / (dP/dw), with the moduli of P and dP/dw relative to those of the
+  // terms.
   struct Step {
     Complex<Real> value;
-    Real residual;
+    Real residual, steepness;
   };
   [[nodiscard]] Step newton_step(const Complex<Real>& w) const;
   // P scaled by a positive number.

@@ -127,7 +127,7 @@ struct Sum {
     add(term, size_of(term), relative_error, share);
   }
   void add(const Complex<Real>& term, const Real& size, const Real& relative_error, const Real& share) {
-    value += term;
+    if (!infinite) value += term;
     error += size * relative_error;
     scale += size * share;
   }
@@ -146,10 +146,13 @@ struct Sum {
   }
 };
 
-// e^z is beyond the exponents of Real for certain, for a z with that relative error.
+// e^z is for certain beyond the exponents of Real, and its direction is known, for a z with that relative
+// error.
 template <class Real>
 bool exp_overflows(const Complex<Real>& z, const Real& relative_error) {
-  return real_part<Real>(z) - size_of(z) * relative_error > (std::is_same_v<Real, BigReal> ? 2e18 : 11000.0);
+  const Real error = size_of(z) * relative_error;
+  return real_part<Real>(z) - error > (std::is_same_v<Real, BigReal> ? 2e18 : 11000.0) &&
+         (imag_part<Real>(z) == 0 || error < 0.1);
 }
 
 }  // namespace fde

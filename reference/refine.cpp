@@ -24,12 +24,22 @@ int missing_digits(const Bounded<BigReal>& x, const BigReal& scale, int wanted, 
 }
 
 // mpfr's own conversion: Boost takes "no digit after the point" for "all digits".
-std::string in_decimal(const BigReal& x, int digits) {
-  constexpr std::size_t around = 32;  // sign, point, exponent
-  std::string text(static_cast<std::size_t>(digits) + around, '\0');
-  const int length = mpfr_snprintf(text.data(), text.size(), "%.*Re", digits - 1, x.backend().data());
+std::string print(const char* format, int decimals, const BigReal& x) {
+  constexpr std::size_t around = 64;  // sign, point, exponent, zeros in front
+  std::string text(static_cast<std::size_t>(decimals) + around, '\0');
+  const int length = mpfr_snprintf(text.data(), text.size(), format, decimals, x.backend().data());
   text.resize(static_cast<std::size_t>(length));
   return text;
+}
+
+std::string scientific(const BigReal& x, int digits) { return print("%.*Re", digits - 1, x); }
+
+// A number of significant digits, with an exponent only where the number would be hard to read without.
+std::string in_decimal(const BigReal& x, int digits) {
+  constexpr int most_zeros = 5;
+  const std::string text = scientific(x, digits);
+  const int exponent = std::stoi(text.substr(text.find('e') + 1));
+  return exponent < -most_zeros || exponent >= digits ? text : print("%.*Rf", digits - 1 - exponent, x);
 }
 
 // A bound that was rounded to nearest, made one again.
@@ -58,7 +68,7 @@ std::vector<Bounded<BigReal>> refine(int wanted_digits, int extra, const Evaluat
 std::string write_bound(const BigReal& bound) {
   if (!isfinite(bound)) return "inf";
   return bound == 0 ? "0"
-                    : in_decimal(BigReal(bound * 1.06), 2);  // two digits are then never below the bound
+                    : scientific(BigReal(bound * 1.06), 2);  // two digits are then never below the bound
 }
 
 DecimalText write_decimal(const BigReal& value, const BigReal& bound, int digits) {
@@ -77,10 +87,10 @@ DoubleBounded to_double(const Complex<long double>& value, long double error) {
 }
 
 DoubleBounded to_double(const Bounded<BigReal>& x) {
-  const BigReal re = real_part<BigReal>(x.value), im = imag_part<BigReal>(x.value);
+  const auto re = real_part<BigReal>(x.value), im = imag_part<BigReal>(x.value);
   const bool nothing = size_of(x.value) <= x.bound;
-  const std::complex rounded(nothing ? 0.0 : re.convert_to<double>(),
-                             nothing ? 0.0 : im.convert_to<double>());
+  std::complex<double> rounded = 0.0;
+  if (!nothing) rounded = {re.convert_to<double>(), im.convert_to<double>()};
   if (!std::isfinite(std::abs(rounded))) return {rounded, std::numeric_limits<double>::infinity()};
   const BigReal off = abs(BigReal(re - rounded.real())) + abs(BigReal(im - rounded.imag()));
   return {rounded, upwards(BigReal(off + x.bound).convert_to<double>())};

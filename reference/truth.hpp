@@ -8,8 +8,8 @@
 
 namespace fde {
 
-// What is known about a solution at one time: one value a component, and a bound (or, where it says so, an estimate)
-// of the absolute error of each.
+// What is known about a solution at one time: one value a component, and a bound (or, where it says so, an
+// estimate) of the absolute error of each.
 struct Truth {
   Vec value;
   Vec bound;

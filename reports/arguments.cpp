@@ -91,6 +91,14 @@ Grid parse_grid(std::string_view text, double end, int steps) {
 }
 
 const SceneMaker& scene_named(std::string_view id) { return named(scenes(), "scene", id); }
+SceneVariant parse_variant(const std::string& text) {
+  const auto colon = text.find(':');
+  SceneVariant variant{.maker = &scene_named(text.substr(0, colon))};
+  if (colon != std::string::npos) variant.values = parse_settings(split_list(text.substr(colon + 1)));
+  const Parameters checked(variant.maker->id, variant.maker->parameters, variant.values);
+  return variant;
+}
+
 const Scheme& scheme_named(std::string_view id) { return named(schemes(), "scheme", id); }
 
 }  // namespace fde

@@ -8,6 +8,7 @@
 #include "parameters.hpp"
 #include "scene.hpp"
 #include "scheme.hpp"
+#include "sweep.hpp"
 
 namespace fde {
 
@@ -28,6 +29,9 @@ std::map<std::string, double> parse_settings(const std::vector<std::string>& set
 Grid parse_grid(std::string_view text, double end, int steps);
 
 const SceneMaker& scene_named(std::string_view id);
+
+// "pendulum" or "pendulum:alpha=1.9,beta=0.1".
+SceneVariant parse_variant(const std::string& text);
 const Scheme& scheme_named(std::string_view id);
 
 // The most steps the direct history takes on: beyond, its O(N^2) work is hours.

@@ -46,8 +46,8 @@ std::string PageInput::label(const std::string& scheme, const std::string& histo
 }
 
 SceneName name_of_scene(const std::string& id) {
-  const auto found = std::ranges::find(scenes(), id, &SceneMaker::id);
-  if (found == scenes().end()) return {.title = id};
+  const auto* found = scene_of_label(id);
+  if (found == nullptr) return {.title = id};
   return {.title = std::string(found->title), .source = std::string(found->source)};
 }
 

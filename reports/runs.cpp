@@ -20,7 +20,7 @@ std::ptrdiff_t position(const List& list, std::string_view id) {
 using Key = std::tuple<std::ptrdiff_t, std::string, std::ptrdiff_t, std::string, std::string, int>;
 
 Key key_of(const Record& row) {
-  return {position(scenes(), row.scene),
+  return {position(scenes(), row.scene.substr(0, row.scene.find(':'))),
           row.scene,
           position(schemes(), row.scheme),
           row.scheme,

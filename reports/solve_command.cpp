@@ -39,8 +39,7 @@ std::vector<int> steps_at(const Grid& grid, const std::string& times) {
   std::vector<int> steps;
   for (const double t : parse_numbers("--at", times, not_negative)) steps.push_back(step_at(grid, t));
   std::ranges::sort(steps);
-  const auto repeated = std::ranges::unique(steps);
-  steps.erase(repeated.begin(), repeated.end());
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
   return steps;
 }
 

@@ -26,13 +26,24 @@ struct ChooseArguments {
   std::string scene, error, results;
 };
 
-template <typename Entry, typename Find>
-std::vector<const Entry*> chosen(const std::vector<std::string>& ids, std::span<const Entry> all, Find find) {
-  std::vector<const Entry*> entries;
-  for (const auto& id : ids) entries.push_back(&find(id));
-  if (ids.empty()) {
-    for (const auto& entry : all) entries.push_back(&entry);
+// All scenes, and the pendulum with orders whose commensurate expansion has many states.
+std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts) {
+  std::vector<SceneVariant> variants;
+  if (texts.empty()) {
+    for (const auto& maker : scenes()) variants.push_back({.maker = &maker});
+    variants.push_back(parse_variant("pendulum:alpha=1.25,beta=0.75"));
+    variants.push_back(parse_variant("pendulum:alpha=1.9,beta=0.1"));
   }
+  for (const auto& text : texts) variants.push_back(parse_variant(text));
+  return variants;
+}
+
+std::vector<const Scheme*> chosen_schemes(const std::vector<std::string>& ids) {
+  std::vector<const Scheme*> entries;
+  if (ids.empty()) {
+    for (const auto& scheme : schemes()) entries.push_back(&scheme);
+  }
+  for (const auto& id : ids) entries.push_back(&scheme_named(id));
   return entries;
 }
 
@@ -46,8 +57,8 @@ auto progress_line(const Streams& streams) {
 }
 
 void run(const RunArguments& arguments, const Streams& streams) {
-  Sweep sweep{.scenes = chosen(arguments.scenes, scenes(), scene_named),
-              .schemes = chosen(arguments.schemes, schemes(), scheme_named),
+  Sweep sweep{.scenes = chosen_scenes(arguments.scenes),
+              .schemes = chosen_schemes(arguments.schemes),
               .steps = default_steps,
               .repeats = parse_count("--repeat", arguments.repeats, 1, most_repeats)};
   if (!arguments.steps.empty()) {
@@ -65,10 +76,10 @@ void run(const RunArguments& arguments, const Streams& streams) {
 }
 
 // The results of the default sweep of one scene, measured now.
-Results measure(const SceneMaker& scene, const Streams& streams) {
+Results measure(const SceneVariant& scene, const Streams& streams) {
   Results results;
   results.sessions.push_back(this_session());
-  Sweep sweep{.scenes = {&scene}, .schemes = chosen({}, schemes(), scheme_named), .steps = default_steps};
+  Sweep sweep{.scenes = {scene}, .schemes = chosen_schemes({}), .steps = default_steps};
   run_sweep(
       sweep,
       {.has = [](const auto&, const auto&, int) { return false; },
@@ -78,11 +89,11 @@ Results measure(const SceneMaker& scene, const Streams& streams) {
 }
 
 void choose(const ChooseArguments& arguments, const Streams& streams) {
-  const auto& scene = scene_named(arguments.scene);
+  const auto scene = parse_variant(arguments.scene);
   const double error = parse_number("--error", arguments.error, positive);
   const Results results =
       arguments.results.empty() ? measure(scene, streams) : read_results(arguments.results);
-  streams.out << advice(results, scene.id, error);
+  streams.out << advice(results, scene.label(), error);
 }
 
 }  // namespace
@@ -90,7 +101,8 @@ void choose(const ChooseArguments& arguments, const Streams& streams) {
 void add_sweep_commands(CLI::App& app, const Streams& streams) {
   auto of_run = std::make_shared<RunArguments>();
   auto* run_command = app.add_subcommand("run", "Measure schemes on scenes; a file that exists is continued");
-  run_command->add_option("--scene", of_run->scenes, "ids of scenes; default all")->take_all();
+  run_command->add_option("--scene", of_run->scenes, "ids of scenes, or ID:NAME=VALUE,...; default all")
+      ->take_all();
   run_command->add_option("--scheme", of_run->schemes, "ids of schemes; default all")->take_all();
   run_command->add_option("--steps", of_run->steps, "numbers of steps N1,N2,...");
   run_command->add_option("--repeat", of_run->repeats, "timed repeats of each run");
@@ -106,7 +118,7 @@ void add_sweep_commands(CLI::App& app, const Streams& streams) {
 
   auto of_choose = std::make_shared<ChooseArguments>();
   auto* choose_command = app.add_subcommand("choose", "The cheapest scheme for a scene and an accuracy");
-  choose_command->add_option("scene", of_choose->scene, "id of the scene")->required();
+  choose_command->add_option("scene", of_choose->scene, "id of the scene, or ID:NAME=VALUE,...")->required();
   choose_command->add_option("--error", of_choose->error, "largest error wanted at the end")->required();
   choose_command->add_option("--results", of_choose->results, "results file; default: measure now");
   choose_command->callback([=] { choose(*of_choose, streams); });

@@ -21,7 +21,7 @@ class DirectHistory final : public History {
     double start, constant;  // of x_0, of all other samples
     Eigen::Index column;     // of weights_ and starts_; -1: constant
   };
-  Part part(const WeightTable& table, std::vector<WeightTable>& distinct);
+  static Part part(const WeightTable& table, std::vector<WeightTable>& distinct);
 
   Eigen::Index steps_;
   Eigen::Index pushed_ = 0;

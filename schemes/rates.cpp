@@ -9,10 +9,18 @@ namespace {
 
 constexpr double exact = std::numeric_limits<double>::infinity();
 
-bool is_zero_or_one(double power) { return std::abs(power) < 1e-12 || std::abs(power - 1) < 1e-12; }
+bool is_zero_or_one(double power) { return std::abs(power) < 1e-12 || std::abs(power - 1.0) < 1e-12; }
 
 double trapezoidal_end(double g, double p) { return is_zero_or_one(p - g) ? exact : 1 + p - g; }
-double trapezoidal_first(double g, double p) { return is_zero_or_one(p - g) ? exact : p; }
+double trapezoidal_first(double g, double p) {
+  if (is_zero_or_one(p - g)) return exact;
+  return p;
+}
+
+double l1_first(double /*g*/, double p) {
+  if (is_zero_or_one(p)) return exact;
+  return p;
+}
 
 double smallest_over_powers(double (*contribution)(double g, double p), const Problem& problem,
                             const Smoothness& smoothness) {
@@ -41,7 +49,7 @@ const RateTheory predictor_corrector_theory{[](double g) { return std::min(2.0, 
 
 const RateTheory l1_theory{[](double g) { return 2 - g; },
                            [](double g, double p) { return is_zero_or_one(p) ? exact : 1 + p - g; },
-                           [](double, double p) { return is_zero_or_one(p) ? exact : p; }};
+                           l1_first};
 
 const RateTheory grunwald_letnikov_theory{[](double) { return 1.0; }, [](double, double) { return exact; },
                                           [](double, double p) { return p; }};

@@ -1,5 +1,6 @@
 #include "weights.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -44,11 +45,11 @@ Real trapezoid_start(Real g, Real n) {
 // Stirling's correction sum_j B_2j / (2j (2j-1) x^(2j-1)) to ln Gamma(x), for x >= 16 (Abramowitz &
 // Stegun 6.1.40).
 Real stirling(Real x) {
-  constexpr Real coefficients[] = {1.0L / 12,   -1.0L / 360,      1.0L / 1260, -1.0L / 1680,
-                                   1.0L / 1188, -691.0L / 360360, 1.0L / 156,  -3617.0L / 122400};
+  constexpr std::array<Real, 8> coefficients{1.0L / 12,   -1.0L / 360,      1.0L / 1260, -1.0L / 1680,
+                                             1.0L / 1188, -691.0L / 360360, 1.0L / 156,  -3617.0L / 122400};
   const Real y = 1 / (x * x);
   Real sum = 0;
-  for (int j = 7; j >= 0; --j) sum = sum * y + coefficients[j];
+  for (std::size_t j = coefficients.size(); j-- > 0;) sum = sum * y + coefficients[j];
   return sum / x;
 }
 

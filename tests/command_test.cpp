@@ -183,6 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "/nonexistent/r.jsonl: cannot be written"},
         Mistake{"run --scene relaxation --steps 8,0 --out /tmp/never", "--steps = 0: must be"},
         Mistake{"report /nonexistent.jsonl --out /tmp/never", "/nonexistent.jsonl: cannot be read"},
+        Mistake{"run --scene pendulum:alpha=2 --out /tmp/never", "alpha = 2: must be in [1, 2)"},
         Mistake{"choose relaxation --error 0", "--error = 0: must be above 0"},
         Mistake{"solv pendulum", "command solv: no such command, did you mean 'solve'?"},
         Mistake{"", "subcommand"}),
@@ -208,6 +209,18 @@ TEST(Run, ThenReportThenChoose) {
   EXPECT_THAT(fdebench("choose relaxation --error 1e-9 --results " + file).out,
               HasSubstr("no run of relaxation reaches"));
   std::filesystem::remove_all(folder);
+}
+
+TEST(Run, TakesVariantsOfScenes) {
+  const auto file =
+      (std::filesystem::temp_directory_path() / ("fdebench_variant_" + std::to_string(getpid()))).string();
+  const auto answer = fdebench(
+      "run --scene pendulum:beta=0.1,alpha=1.9 --scheme commensurate_adams_pc --steps 16 --out " + file);
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  EXPECT_THAT(text.str(), HasSubstr(R"("scene":"pendulum:alpha=1.9,beta=0.1")"));
+  std::filesystem::remove(file);
 }
 
 TEST(Help, IsPrintedOnStandardOutput) {

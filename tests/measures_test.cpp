@@ -93,7 +93,7 @@ TEST(FitRate, StopsAtRounding) {
 
 // A problem of whole orders by GSL's Runge-Kutta-Prince-Dormand (8,9).
 Vec integrate_by_gsl(const Problem& problem) {
-  const auto function = [](double t, const double y[], double f[], void* data) {
+  const auto function = [](double t, const double* y, double* f, void* data) {
     const auto& of = *static_cast<const Problem*>(data);
     Eigen::Map<Vec> out(f, of.size());
     of.rhs(t, Eigen::Map<const Vec>(y, of.size()), out);

@@ -135,7 +135,7 @@ TEST_F(ResultsFiles, OnAFullDiskSaySoAndKeepTheirWholeRuns) {
 }
 
 TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
-  const Sweep sweep{.scenes = {&scene_maker("relaxation")},
+  const Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
                     .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
                     .steps = {16, 32},
                     .repeats = 2};
@@ -162,7 +162,7 @@ TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
 TEST(Sweeps, RecordRefusalsAndFailuresWithTheirReason) {
   const auto outcome = [](const Scene& scene, std::string_view scheme) {
     TruthTable truth(scene);
-    return run_experiment(scene_maker("brusselator"), scene, truth, *find_scheme(scheme), 256, 1);
+    return run_experiment("brusselator", scene, truth, *find_scheme(scheme), 256, 1);
   };
   const auto failed = outcome(scene_of("brusselator"), "adams_pc");
   ASSERT_EQ(failed.size(), 1U);

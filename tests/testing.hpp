@@ -20,8 +20,8 @@ inline Trajectory solve(std::string_view scheme, const Problem& problem, int ste
   return find_scheme(scheme)->solve(problem, {problem.end, steps}, options);
 }
 
-// Names of parameterised tests: the scheme's id.
-inline constexpr auto scheme_name = [](const auto& test) { return std::string(test.param->id); };
+// Names of parameterised tests: the id of the scheme or scene.
+inline constexpr auto id_of_param = [](const auto& test) { return std::string(test.param->id); };
 
 inline std::vector<const Scheme*> all_schemes() {
   std::vector<const Scheme*> all;
