@@ -24,14 +24,14 @@ DirectHistory::DirectHistory(const WeightTables& tables, int steps)
     const auto& table = distinct[static_cast<std::size_t>(c)];
     for (Eigen::Index k = 1; k <= steps_; ++k) {
       weights_(steps_ - k, c) = weight(table, k);
-      starts_(k - 1, c) = start_weight(table, k);
+      starts_(k - 1, c) = start_weight(table, k).value_or(weights_(steps_ - k, c));
     }
   }
 }
 
 DirectHistory::Part DirectHistory::part(const WeightTable& table, std::vector<WeightTable>& distinct) {
   if (const auto constant = constant_weight(table)) {
-    return {.start = start_weight(table, 1), .constant = *constant, .column = -1};
+    return {.start = start_weight(table, 1).value_or(*constant), .constant = *constant, .column = -1};
   }
   auto found = std::ranges::find(distinct, table);
   if (found == distinct.end()) found = distinct.insert(found, table);

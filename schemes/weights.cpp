@@ -89,10 +89,10 @@ std::optional<double> constant_weight(const WeightTable& table) {
   return weight(table, 1);
 }
 
-double start_weight(const WeightTable& table, std::int64_t n) {
+std::optional<double> start_weight(const WeightTable& table, std::int64_t n) {
   switch (table.family) {
     case WeightFamily::rectangle:
-      return weight(table, n);
+      return std::nullopt;
     case WeightFamily::trapezoid:
       return static_cast<double>(trapezoid_start(table.order, static_cast<Real>(n)));
     case WeightFamily::grunwald_letnikov:

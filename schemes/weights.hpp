@@ -31,8 +31,9 @@ double weight(const WeightTable& table, std::int64_t lag);
 // history.
 std::optional<double> constant_weight(const WeightTable& table);
 
-// Weight of x_0 at step n >= 1, where the rules differ from the plain convolution: the trapezoidal rule has
-// (n-1)^(g+1) - (n-1-g) n^g (Yin, Liu & Anh 2007, eq. 3.7, first line), Grunwald-Letnikov and L1 have none.
-double start_weight(const WeightTable& table, std::int64_t n);
+// Weight of x_0 at step n >= 1 where it is not w(n): the trapezoidal rule has (n-1)^(g+1) - (n-1-g) n^g (Yin,
+// Liu & Anh 2007, eq. 3.7, first line), Grunwald-Letnikov and L1 have 0. nullopt: the rule is the plain
+// convolution.
+std::optional<double> start_weight(const WeightTable& table, std::int64_t n);
 
 }  // namespace fde

@@ -12,7 +12,8 @@ namespace {
 // The definition, term by term in extended precision.
 double by_definition(const WeightTable& table, const Rows& samples, Eigen::Index component) {
   const auto n = samples.cols();
-  long double sum = static_cast<long double>(start_weight(table, n)) * samples(component, 0);
+  long double sum =
+      static_cast<long double>(start_weight(table, n).value_or(weight(table, n))) * samples(component, 0);
   for (Eigen::Index j = 1; j < n; ++j) {
     sum += static_cast<long double>(weight(table, n - j)) * samples(component, j);
   }
