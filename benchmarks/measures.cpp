@@ -80,6 +80,7 @@ double energy_residual(const Observation& run) {
     work += gsl_spline_eval_integ(spline.get(), t[n - 1], t[n], nullptr);
     const double gained =
         energy.value(run.path.y.col(static_cast<Eigen::Index>(n))) - energy.value(run.path.y.col(0));
+    if (!std::isfinite(gained - work)) return gained - work;  // std::max would pass over it
     largest = std::max(largest, std::abs(gained - work));
   }
   return largest;

@@ -1,11 +1,11 @@
 #include "parameters.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
-
-#include "fmt/format.h"
 
 namespace fde {
 namespace {

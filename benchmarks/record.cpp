@@ -1,19 +1,19 @@
 #include "record.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <tuple>
 #include <utility>
-
-#include "fmt/format.h"
-#include "nlohmann/json.hpp"
 
 namespace fde {
 
@@ -26,6 +26,13 @@ using Json = nlohmann::json;
 
 constexpr std::string_view last_row = "outcome";
 constexpr std::string_view first_words = R"({"session":)";
+
+bool same_build(const Session& a, const Session& b) {
+  const auto facts = [](const Session& s) {
+    return std::tie(s.machine, s.compiler, s.flags, s.commit, s.version);
+  };
+  return facts(a) == facts(b);
+}
 
 struct Parsed {
   Results results;
@@ -83,12 +90,6 @@ std::string read_text(const std::filesystem::path& file) {
 
 }  // namespace
 
-bool Results::has(std::string_view scene, std::string_view scheme, int steps) const {
-  return std::ranges::any_of(records, [=](const Record& row) {
-    return row.quantity == last_row && row.steps == steps && row.scene == scene && row.scheme == scheme;
-  });
-}
-
 Results read_results(const std::filesystem::path& file) { return parse(read_text(file), file).results; }
 
 ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
@@ -112,14 +113,19 @@ ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
 
 ResultsFile::~ResultsFile() { close(descriptor_); }
 
+bool ResultsFile::has(std::string_view scene, std::string_view scheme, int steps) const {
+  return std::ranges::any_of(results_.records, [=, this](const Record& row) {
+    return row.quantity == last_row && row.steps == steps && row.scene == scene && row.scheme == scheme &&
+           same_build(results_.sessions[row.session], session_);
+  });
+}
+
 void ResultsFile::append(const std::vector<Record>& run) {
   std::string text;
-  if (!session_written_) {
-    results_.sessions.push_back(this_session());
-    text = Json{{"session", results_.sessions.back()}}.dump() + '\n';
-  }
+  if (!session_written_) text = Json{{"session", session_}}.dump() + '\n';
   for (const auto& record : run) text += Json(record).dump() + '\n';
   write(text);
+  if (!session_written_) results_.sessions.push_back(session_);
   session_written_ = true;
   for (auto record : run) {
     record.session = results_.sessions.size() - 1;
@@ -135,9 +141,8 @@ void ResultsFile::write(const std::string& text) {
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) {
       const int reason = errno;
-      if (ftruncate(descriptor_, before) != 0) {
-        // The next run passes over the incomplete rows.
-      }
+      [[maybe_unused]] const int ignored =
+          ftruncate(descriptor_, before);  // incomplete rows are passed over anyway
       throw std::system_error(reason, std::generic_category(), path_.string() + ": cannot be written");
     }
     written += static_cast<std::size_t>(count);

@@ -33,9 +33,6 @@ Session this_session();
 struct Results {
   std::vector<Session> sessions;
   std::vector<Record> records;
-
-  // Whether the run has its outcome row.
-  [[nodiscard]] bool has(std::string_view scene, std::string_view scheme, int steps) const;
 };
 
 // Reads a results file: JSON lines, a session or a record each. An incomplete last run, left by a killed
@@ -53,7 +50,8 @@ class ResultsFile {
   ResultsFile& operator=(const ResultsFile&) = delete;
   ~ResultsFile();
 
-  [[nodiscard]] const Results& results() const { return results_; }
+  // Whether the file holds the outcome of this run, made by the same build on the same machine.
+  [[nodiscard]] bool has(std::string_view scene, std::string_view scheme, int steps) const;
 
   // Appends the rows of one run, the outcome last. Throws std::system_error naming the file when the disk is
   // full.
@@ -64,6 +62,7 @@ class ResultsFile {
 
   std::filesystem::path path_;
   int descriptor_ = -1;
+  Session session_ = this_session();
   bool session_written_ = false;
   Results results_;
 };

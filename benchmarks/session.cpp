@@ -1,3 +1,5 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
 #include <sys/utsname.h>
 
 #include <chrono>
@@ -6,8 +8,6 @@
 #include <thread>
 
 #include "build_facts.hpp"
-#include "fmt/chrono.h"
-#include "fmt/format.h"
 #include "record.hpp"
 
 namespace fde {

@@ -1,7 +1,8 @@
 #include "sweep.hpp"
 
+#include <fmt/format.h>
+
 #include "experiment.hpp"
-#include "fmt/format.h"
 
 namespace fde {
 

@@ -1,5 +1,6 @@
+#include <fmt/format.h>
+
 #include "answer.hpp"
-#include "fmt/format.h"
 #include "text.hpp"
 
 namespace fde {
@@ -10,8 +11,8 @@ std::string describe(const Choice& choice) {
 }
 
 std::string describe(const Extrapolation& needed) {
-  return fmt::format("{} would need about {} steps: extrapolated at its observed rate {:.2f}, not measured",
-                     needed.scheme, rough_count_text(needed.steps), needed.rate);
+  return fmt::format("{} would need about {} steps: extrapolated at rate {:.2f}, not measured", needed.scheme,
+                     rough_count_text(needed.steps), needed.rate);
 }
 
 std::string advice(const Results& results, std::string_view scene, double error) {

@@ -44,13 +44,14 @@ NormRate norm_rate(RunSpan runs, std::string_view error, std::string_view expect
 
 std::optional<Extrapolation> extrapolate(RunSpan line, double error) {
   const MeasuredRun& finest = line.back();
-  const Fit fit = rate_of(line).end.fit;
+  const NormRate end = rate_of(line).end;
   const auto reached = finest["error_end"];
-  if (fit.points == 0 || fit.slope <= 0.0 || !reached) return std::nullopt;
+  if (end.fit.points == 0 || end.fit.slope <= 0.0 || !reached) return std::nullopt;
+  const double rate = std::min(end.fit.slope, end.expected.value_or(end.fit.slope));
   return Extrapolation{.scheme = finest.scheme,
                        .history = finest.history,
-                       .rate = fit.slope,
-                       .steps = std::ceil(finest.steps * std::pow(*reached / error, 1.0 / fit.slope))};
+                       .rate = rate,
+                       .steps = std::ceil(finest.steps * std::pow(*reached / error, 1.0 / rate))};
 }
 
 }  // namespace
@@ -75,7 +76,7 @@ std::optional<Shortfall> shortfall(const Runs& runs, std::string_view scene, dou
   Shortfall found{.best = *best};
   for (const RunSpan line : by_line(of_this)) {
     const auto needed = extrapolate(line, error);
-    if (needed && (!found.needed || needed->rate > found.needed->rate)) found.needed = needed;
+    if (needed && (!found.needed || needed->steps < found.needed->steps)) found.needed = needed;
   }
   return found;
 }

@@ -23,7 +23,8 @@ struct Choice {
 // equal times: the more accurate first. Measured runs only, nothing is interpolated. Empty: none reaches it.
 std::vector<Choice> cheapest(const Runs& runs, std::string_view scene, double error);
 
-// How many steps a scheme would need if its error went on falling at its observed rate.
+// How many steps a scheme would need if its error went on falling at its observed rate, or at its theoretical
+// one where that is less.
 struct Extrapolation {
   std::string scheme, history;
   double rate = 0.0;
@@ -32,8 +33,9 @@ struct Extrapolation {
 
 // What there is to say where no run reaches an error.
 struct Shortfall {
-  Choice best;                            // the smallest error measured
-  std::optional<Extrapolation> needed{};  // of the line with the best observed rate; nullopt: no line has one
+  Choice best;  // the smallest error measured
+  std::optional<Extrapolation>
+      needed{};  // of the line that needs the fewest steps; nullopt: no line has a rate
 };
 
 // nullopt: the scene has no finished run.

@@ -1,9 +1,9 @@
 #include "arguments.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <stdexcept>
-
-#include "fmt/format.h"
 
 namespace fde {
 namespace {

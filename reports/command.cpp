@@ -1,12 +1,13 @@
 #include "command.hpp"
 
+#include <fmt/ostream.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <new>
 #include <ostream>
 #include <system_error>
 
-#include "fmt/ostream.h"
 #include "parameters.hpp"
 
 namespace fde {

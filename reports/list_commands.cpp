@@ -1,3 +1,5 @@
+#include <fmt/ostream.h>
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -5,7 +7,6 @@
 #include "arguments.hpp"
 #include "command.hpp"
 #include "experiment.hpp"
-#include "fmt/ostream.h"
 
 namespace fde {
 namespace {

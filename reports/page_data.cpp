@@ -1,8 +1,9 @@
 #include "page_data.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
-#include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "scene.hpp"
 #include "scheme.hpp"
@@ -48,7 +49,10 @@ std::string PageInput::label(const std::string& scheme, const std::string& histo
 SceneName name_of_scene(const std::string& id) {
   const auto* found = scene_of_label(id);
   if (found == nullptr) return {.title = id};
-  return {.title = std::string(found->title), .source = std::string(found->source)};
+  const auto values = id.substr(found->id.size());  // of a variant: ":alpha=1.9,beta=0.1"
+  return {.title = values.empty() ? std::string(found->title)
+                                  : fmt::format("{} ({})", found->title, values.substr(1)),
+          .source = std::string(found->source)};
 }
 
 json page_data(const Results& results) {

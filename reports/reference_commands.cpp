@@ -1,3 +1,5 @@
+#include <fmt/ostream.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <ostream>
@@ -6,7 +8,6 @@
 #include "arguments.hpp"
 #include "command.hpp"
 #include "experiment.hpp"
-#include "fmt/ostream.h"
 #include "mittag_leffler.hpp"
 
 namespace fde {

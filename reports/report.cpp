@@ -1,5 +1,6 @@
 #include "report.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,7 +12,6 @@
 #include <system_error>
 
 #include "assets.hpp"
-#include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "page_data.hpp"
 

@@ -44,14 +44,6 @@ void add(MeasuredRun& run, const Record& row) {
   }
 }
 
-// Infinity and NaN can be neither compared nor drawn: a run that holds one has failed.
-void check(MeasuredRun& run) {
-  if (run.status != "finished") return;
-  for (const auto& [quantity, value] : run.values) {
-    if (!std::isfinite(value)) run.status = quantity + " is not finite";
-  }
-}
-
 template <typename Same>
 std::vector<RunSpan> chunks(RunSpan runs, Same same) {
   std::vector<RunSpan> found;
@@ -78,7 +70,6 @@ Runs runs_of(const Results& results) {
   for (const Record& row : results.records) add(all[key_of(row)], row);
   Runs runs;
   for (auto& [key, run] : all) {
-    check(run);
     (run.status == "finished" ? runs.finished : runs.failed).push_back(std::move(run));
   }
   return runs;

@@ -1,3 +1,5 @@
+#include <fmt/ostream.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -8,7 +10,6 @@
 #include "arguments.hpp"
 #include "command.hpp"
 #include "experiment.hpp"
-#include "fmt/ostream.h"
 
 namespace fde {
 namespace {

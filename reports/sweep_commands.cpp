@@ -1,12 +1,14 @@
+#include <fmt/ostream.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <ostream>
 
 #include "answer.hpp"
 #include "arguments.hpp"
 #include "command.hpp"
-#include "fmt/ostream.h"
 #include "record.hpp"
 #include "report.hpp"
 #include "sweep.hpp"
@@ -26,13 +28,16 @@ struct ChooseArguments {
   std::string scene, error, results;
 };
 
-// All scenes, and the pendulum with orders whose commensurate expansion has many states.
+// All scenes, and some with orders that change the answer: a small one, one above 1, a solution that starts
+// like a root, and pendulums whose commensurate expansion has many states.
+constexpr std::array default_variants{"relaxation:gamma=0.2", "relaxation:gamma=1.5", "power:p=0.7",
+                                      "pendulum:alpha=1.25,beta=0.75", "pendulum:alpha=1.9,beta=0.1"};
+
 std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts) {
   std::vector<SceneVariant> variants;
   if (texts.empty()) {
     for (const auto& maker : scenes()) variants.push_back({.maker = &maker});
-    variants.push_back(parse_variant("pendulum:alpha=1.25,beta=0.75"));
-    variants.push_back(parse_variant("pendulum:alpha=1.9,beta=0.1"));
+    for (const auto* text : default_variants) variants.push_back(parse_variant(text));
   }
   for (const auto& text : texts) variants.push_back(parse_variant(text));
   return variants;
@@ -69,7 +74,7 @@ void run(const RunArguments& arguments, const Streams& streams) {
   }
   ResultsFile file(arguments.out);
   run_sweep(sweep, {.has = [&](const auto& scene, const auto& scheme,
-                               int steps) { return file.results().has(scene, scheme, steps); },
+                               int steps) { return file.has(scene, scheme, steps); },
                     .append = [&](const auto& rows) { file.append(rows); },
                     .progress = progress_line(streams)});
   fmt::print(streams.out, "{}\n", std::filesystem::absolute(arguments.out).string());

@@ -1,21 +1,13 @@
 #include "chain.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include "fmt/format.h"
-
 namespace fde {
-namespace {
-
-constexpr double same_order = 1e-12;
-
-bool same(double a, double b) { return std::abs(a - b) < same_order; }
-
-}  // namespace
-
 Chain::Chain(Term leading, const std::vector<Term>& terms, std::vector<double> initial)
     : leading_(leading), initial_(std::move(initial)) {
   if (leading_.coefficient == 0.0)
@@ -38,15 +30,14 @@ std::vector<Component> Chain::components() const {
   std::vector<Component> components;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const double next = i + 1 < nodes_.size() ? nodes_[i + 1] : leading_.order;
-    const double start =
-        nodes_[i] == std::floor(nodes_[i]) ? initial_[static_cast<std::size_t>(nodes_[i])] : 0.0;
+    const double start = whole(nodes_[i]) ? initial_[static_cast<std::size_t>(std::lround(nodes_[i]))] : 0.0;
     components.push_back({next - nodes_[i], {start}});
   }
   return components;
 }
 
 std::optional<Eigen::Index> Chain::node(double order) const {
-  const auto found = std::ranges::find_if(nodes_, [=](double node) { return same(node, order); });
+  const auto found = std::ranges::find_if(nodes_, [=](double node) { return same_order(node, order); });
   if (found == nodes_.end()) return std::nullopt;
   return found - nodes_.begin();
 }
@@ -78,41 +69,35 @@ void Chain::highest_gradient(double force_by_u, double factor, Out gradient) con
 }
 
 Smoothness chain_smoothness(const std::vector<Chain>& chains) {
-  std::vector<double> orders, open;
-  double last = 0.0;
+  const double leading = chains.front().leading_.order;
+  std::vector<double> orders, start{leading};
   for (const auto& chain : chains) {
     for (std::size_t i = 0; i < chain.nodes_.size(); ++i) {
       if (i == 0 || chain.coefficients_[static_cast<Eigen::Index>(i)] != 0.0)
         orders.push_back(chain.nodes_[i]);
     }
     for (std::size_t k = 1; k < chain.initial_.size(); ++k) {
-      if (chain.initial_[k] != 0.0) open.push_back(static_cast<double>(k));
+      if (chain.initial_[k] != 0.0) start.push_back(static_cast<double>(k));
     }
-    open.push_back(chain.leading_.order);
-    last = std::max(last, chain.leading_.order + 2.0);
   }
 
   // A power p of u drives D^leading u with p - order for every term (order 0: the force), so u has p - order
   // + leading.
-  std::vector<double> powers;
-  while (!open.empty()) {
-    const double p = open.back();
-    open.pop_back();
-    if (p > last || std::ranges::any_of(powers, [=](double q) { return same(p, q); })) continue;
-    powers.push_back(p);
+  const auto powers = power_closure(start, leading + 2.0, [&](double p) {
+    std::vector<double> following;
     for (const double order : orders) {
-      const bool annihilated = p == std::floor(p) && p < std::ceil(order);
-      if (!annihilated) open.push_back(p - order + chains.front().leading_.order);
+      const bool annihilated = whole(p) && p < std::ceil(order);
+      if (!annihilated) following.push_back(p - order + leading);
     }
-  }
-  std::ranges::sort(powers);
+    return following;
+  });
 
   Smoothness smoothness;
   for (const auto& chain : chains) {
     for (const double node : chain.nodes_) {
       auto& of_node = smoothness.powers.emplace_back();
       for (const double p : powers) {
-        if (p > node + same_order) of_node.push_back(p - node);
+        if (p > node && !same_order(p, node)) of_node.push_back(p - node);
       }
     }
   }

@@ -60,6 +60,7 @@ class Chain {
 };
 
 // How the components of chains start that drive each other through smooth forces, one chain after the other.
+// All chains have the same leading order.
 Smoothness chain_smoothness(const std::vector<Chain>& chains);
 
 }  // namespace fde

@@ -25,7 +25,7 @@ Scheme grunwald_letnikov() {
                  .tables = tables(problem, WeightFamily::grunwald_letnikov),
                  .past = [&](double t, In convolved, In /*previous*/,
                              Out past) { past = taylor_part(problem, t) + kappa.cwiseProduct(convolved); },
-                 .sample = [](In f, In /*y*/, In /*previous*/, Out sample) { sample = f; }});
+                 .sample = sample_rhs});
           }};
 }
 

@@ -2,6 +2,8 @@
 
 namespace fde {
 
+void sample_rhs(Run& run, double t, In y, In /*previous*/, Out sample) { sample = run.rhs(t, y); }
+
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,
                           const ImplicitRule& rule) {
   Run run(problem, grid, options);
@@ -10,7 +12,7 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
   run.cost().history_bytes = history->bytes();
 
   Vec previous = run.start(), y = previous, sample(y.size()), convolved(y.size()), past(y.size());
-  rule.sample(run.rhs(0.0, y), y, previous, sample);
+  rule.sample(run, 0.0, y, previous, sample);
   for (int n = 1; n <= grid.steps; ++n) {
     const double t = grid.time(n);
     history->push(sample);
@@ -21,7 +23,7 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
       break;
     }
     if (!run.accept(n, y)) break;
-    if (n < grid.steps) rule.sample(run.rhs(t, y), y, previous, sample);
+    if (n < grid.steps) rule.sample(run, t, y, previous, sample);
     previous = y;
   }
   return run.finish();

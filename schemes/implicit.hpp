@@ -13,9 +13,12 @@ struct ImplicitRule {
   std::vector<WeightTable> tables;  // of the one sum over the past
   // past_n from that sum and y_{n-1}.
   std::function<void(double t, In convolved, In previous, Out past)> past;
-  // What joins the past after step n: f or the increment of y.
-  std::function<void(In f, In y, In previous, Out sample)> sample;
+  // What joins the past after a step: f(t, y) or the increment of y.
+  std::function<void(Run& run, double t, In y, In previous, Out sample)> sample;
 };
+
+// The sample f(t, y) of the rules that integrate f.
+void sample_rhs(Run& run, double t, In y, In previous, Out sample);
 
 // Steps the rule along the grid, each step solved by Newton's method from the previous value.
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,

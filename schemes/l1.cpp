@@ -15,7 +15,7 @@ Trajectory solve_l1(const Problem& problem, const Grid& grid, const Options& opt
       {.kappa = by_order(problem, [&](double g) { return std::tgamma(2 - g) * std::pow(grid.step(), g); }),
        .tables = tables(problem, WeightFamily::l1),
        .past = [](double /*t*/, In convolved, In previous, Out past) { past = previous - convolved; },
-       .sample = [](In /*f*/, In y, In previous, Out sample) { sample = y - previous; }});
+       .sample = [](Run& /*run*/, double /*t*/, In y, In previous, Out sample) { sample = y - previous; }});
 }
 
 }  // namespace

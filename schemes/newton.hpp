@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/LU>
-#include <functional>
 
 #include "run.hpp"
 

@@ -9,11 +9,22 @@ namespace {
 
 constexpr double exact = std::numeric_limits<double>::infinity();
 
-bool is_zero_or_one(double power) { return std::abs(power) < 1e-12 || std::abs(power - 1.0) < 1e-12; }
+bool is_zero_or_one(double power) { return same_order(power, 0.0) || same_order(power, 1.0); }
 
 double trapezoidal_end(double g, double p) { return is_zero_or_one(p - g) ? exact : 1 + p - g; }
 double trapezoidal_first(double g, double p) {
   if (is_zero_or_one(p - g)) return exact;
+  return p;
+}
+
+// The prediction takes f to be constant: off by h^(1+g) where f starts like t, and y by h^g of that.
+double predictor_corrector_first(double g, double p) {
+  return same_order(p - g, 1.0) ? 2 * g + 1 : trapezoidal_first(g, p);
+}
+
+// Backward Euler is exact for t.
+double grunwald_letnikov_first(double g, double p) {
+  if (g == 1.0 && same_order(p, 1.0)) return exact;
   return p;
 }
 
@@ -32,7 +43,8 @@ double smallest_over_powers(double (*contribution)(double g, double p), const Pr
   return rate;
 }
 
-// A jump of f inside a step is off by a constant in that step: h^order.
+// Where f jumps at t_m, the steps beside it take its mean value for both sides: off by a constant, h^order at
+// t_(m+1).
 double smallest_at_jumps(const Problem& problem, const Smoothness& smoothness) {
   double rate = exact;
   for (const auto i : smoothness.jumps)
@@ -45,14 +57,14 @@ double smallest_at_jumps(const Problem& problem, const Smoothness& smoothness) {
 const RateTheory trapezoidal_theory{[](double) { return 2.0; }, trapezoidal_end, trapezoidal_first};
 
 const RateTheory predictor_corrector_theory{[](double g) { return std::min(2.0, 1 + g); }, trapezoidal_end,
-                                            trapezoidal_first};
+                                            predictor_corrector_first};
 
 const RateTheory l1_theory{[](double g) { return 2 - g; },
                            [](double g, double p) { return is_zero_or_one(p) ? exact : 1 + p - g; },
                            l1_first};
 
 const RateTheory grunwald_letnikov_theory{[](double) { return 1.0; }, [](double, double) { return exact; },
-                                          [](double, double p) { return p; }};
+                                          grunwald_letnikov_first};
 
 double rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness, Norm norm) {
   if (norm == Norm::first_step) return smallest_over_powers(theory.first_step, problem, smoothness);

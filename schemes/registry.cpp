@@ -1,7 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
-#include "fmt/format.h"
 #include "scheme.hpp"
 
 namespace fde {

@@ -28,15 +28,15 @@ struct Needs {
   double largest_order = 2.0;
 };
 
-// Where an error is measured: at a fixed time t > 0, at t_1 = h, or as the maximum over all grid times, which
-// is the worse of the two. A solution that starts like t^g shows different rates in them.
+// Where an error is measured: at a fixed time t > 0, at t_1 = h, or as the maximum over all grid times. A
+// solution that starts like t^g shows different rates in them.
 enum class Norm { end, first_step, maximum };
 
 // A scheme is a row of facts and one function; it has no state.
 struct Scheme {
   std::string_view id, title, source;
   Needs needs;
-  // The theoretical rate of convergence as steps -> infinity.
+  // The theoretical rate of convergence on uniform grids as steps -> infinity, for the default options.
   std::function<double(const Problem&, const Smoothness&, Norm)> expected_rate;
   // Runs the scheme. Preconditions: refusal(...) is empty. Never throws for numerical failure: see
   // Trajectory::outcome.

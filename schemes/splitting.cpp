@@ -6,10 +6,7 @@
 namespace fde {
 namespace {
 
-constexpr double same_order = 1e-9;
 constexpr int largest_denominator = 64;
-
-bool whole(double x) { return std::abs(x - std::round(x)) < same_order; }
 
 // position[i]: where component i itself stands among the links.
 std::vector<Eigen::Index> positions(const Links& links) {
@@ -119,7 +116,7 @@ Smoothness split(const Problem& problem, const Smoothness& smoothness, const Lin
     for (const double link : links[i]) {
       auto& node_powers = result.powers.emplace_back();
       for (const double p : powers) {
-        if (p > node + same_order) node_powers.push_back(p - node);
+        if (p > node && !same_order(p, node)) node_powers.push_back(p - node);
       }
       node += link;
     }

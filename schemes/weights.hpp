@@ -6,7 +6,7 @@
 namespace fde {
 
 // Weights of the past on a uniform grid, good to a few units in the last place at every lag and order in (0,
-// 2). As usually printed they are differences of nearly equal powers and lose up to k^2 units; these are not.
+// 2]. As usually printed they are differences of nearly equal powers and lose up to k^2 units; these are not.
 // Every scheme sums w(n-j) x_j over 1 <= j < n, a lag k = n - j at least 1, and gives x_0 a start weight.
 
 enum class WeightFamily {

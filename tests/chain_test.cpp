@@ -63,7 +63,7 @@ TEST(Chain, RefusesTermsThatAreNotBelowTheLeadingOrder) {
   EXPECT_THROW(Chain({0.0, 2.0}, {}, {0.0, 0.0}), std::invalid_argument);
 }
 
-// errata.md, section 2: u'' = c + t^(1/2) + ... for (1.5, 0.5): D^beta u starts like t^(1-beta), D^alpha u
+// u'' = c + t^(1/2) + ... for (1.5, 0.5): D^beta u starts like t^(1-beta), D^alpha u
 // like t^(2-alpha).
 TEST(ChainSmoothness, OfThePendulum) {
   const auto smoothness = chain_smoothness({Chain({1.0, 2.0}, damping, {1.0, -0.3})});

@@ -39,13 +39,16 @@ double measure(std::string_view id, const Observation& run) {
 
 TEST(Measures, OfAHandMadeTrajectory) {
   const Rows values = (Rows(2, 3) << 1.0, 2.0, 3.0, 0.0, 0.0, 10.0).finished();
-  const Rows truth = (Rows(2, 3) << 1.0, 2.5, 3.25, 0.0, 0.0, 9.0).finished();
-  const auto run = made(values, truth);
+  const Rows truth = (Rows(2, 3) << 1.0, 4.5, 3.25, 0.0, 0.0, 9.0).finished();
+  const Made run = made(values, truth);
   EXPECT_EQ(error_end(run.observe()), 1.0);
-  EXPECT_EQ(error_maximum(run.observe()), 1.0);
+  EXPECT_EQ(error_maximum(run.observe()), 2.5);
   EXPECT_NEAR(mescd(run.observe()), -std::log10(0.1), 1e-15);
   EXPECT_EQ(measure("time_minimum", run.observe()), 1.0);
   EXPECT_EQ(measure("time_median", run.observe()), 2.0);
+  auto even = run;
+  even.seconds.push_back(10.0);
+  EXPECT_EQ(measure("time_median", even.observe()), 2.5);
 }
 
 TEST(Measures, ANumberWithoutErrorHasSeventeenDigits) {
@@ -71,6 +74,13 @@ TEST(EnergyResidual, IsTheDriftOfAConservedEnergy) {
   for (const auto& y : run.path.y.colwise())
     drift = std::max(drift, std::abs(energy(Vec(y)) - energy(run.path.y.col(0))));
   EXPECT_DOUBLE_EQ(energy_residual(run.observe()), drift);
+}
+
+TEST(EnergyResidual, OfAnInfiniteEnergyIsNotZero) {
+  Made run{.scene = scene_of("pendulum")};
+  run.path = solve("l1", run.scene.problem, 8);
+  run.path.y(2, 4) = 1e200;
+  EXPECT_FALSE(std::isfinite(energy_residual(run.observe())));
 }
 
 TEST(FitRate, RecoversAPowerLaw) {

@@ -4,12 +4,12 @@
 
 #include "rate.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "fmt/format.h"
 #include "implicit.hpp"
 #include "testing.hpp"
 
@@ -90,7 +90,9 @@ std::vector<Case> cases(const std::function<bool(const Case&)>& condition = {}) 
 bool first_step_governs_the_maximum(const Case& c) {
   return expected(c, Norm::first_step) < expected(c, Norm::end);
 }
-bool end_governs_the_maximum(const Case& c) { return expected(c, Norm::maximum) == expected(c, Norm::end); }
+bool the_rest(const Case& c) {
+  return !first_step_governs_the_maximum(c) || expected(c, Norm::maximum) < expected(c, Norm::first_step);
+}
 
 constexpr auto name_of_case = [](const auto& test) { return case_name(test.param); };
 
@@ -200,14 +202,27 @@ TEST_P(FirstStepRate, MatchesTheory) {
 INSTANTIATE_TEST_SUITE_P(, FirstStepRate, testing::ValuesIn(cases(first_step_governs_the_maximum)),
                          name_of_case);
 
-// Elsewhere the maximum over all steps falls like the error at the end.
+// Elsewhere the maximum over all steps falls like the error at the end, or like that beside a jump.
 class MaximumRate : public testing::TestWithParam<Case> {};
 
-TEST_P(MaximumRate, IsTheRateAtTheEnd) {
+TEST_P(MaximumRate, MatchesTheory) {
   expect_rate(error_points(GetParam(), Norm::maximum), expected(GetParam(), Norm::maximum));
 }
 
-INSTANTIATE_TEST_SUITE_P(, MaximumRate, testing::ValuesIn(cases(end_governs_the_maximum)), name_of_case);
+INSTANTIATE_TEST_SUITE_P(, MaximumRate, testing::ValuesIn(cases(the_rest)), name_of_case);
+
+// f = 1.5 sqrt(pi)/2 t + t^1.5 - y starts like t: the corrector is exact for it, the prediction is off by
+// h^(1+g).
+TEST(FirstStep, OfThePredictorCorrectorForALinearStart) {
+  const Case pair{{"power_linear", "power", {{"gamma", 0.5}, {"p", 1.5}}, 1.0}, find_scheme("adams_pc")};
+  std::vector<ErrorAt> points;
+  for (double h = 1e-2; h > 1e-5; h /= 4) {
+    const auto path = pair.scheme->solve(make(pair.variant).problem, {h, 1}, {});
+    points.push_back({h, std::abs(path.y(0, 1) - std::pow(h, 1.5))});
+  }
+  EXPECT_EQ(expected(pair, Norm::first_step), 2.0);
+  expect_rate(points, 2.0);
+}
 
 // The trapezoidal weight of the last value off by one percent: the method still converges, but like h^g.
 TEST(AWrongWeight, IsCaughtByTheRate) {
@@ -215,14 +230,15 @@ TEST(AWrongWeight, IsCaughtByTheRate) {
   wrong.solve = [](const Problem& problem, const Grid& grid, const Options& options) {
     const Vec kappa = integral_scale(problem, grid.step(), 2.0);
     Vec last = Vec::Zero(problem.size());
-    return solve_implicit(problem, grid, options,
-                          {.kappa = kappa,
-                           .tables = tables(problem, WeightFamily::trapezoid),
-                           .past =
-                               [&](double t, In convolved, In, Out past) {
-                                 past = taylor_part(problem, t) + kappa.cwiseProduct(convolved + 0.01 * last);
-                               },
-                           .sample = [&](In f, In, In, Out sample) { last = sample = f; }});
+    return solve_implicit(
+        problem, grid, options,
+        {.kappa = kappa,
+         .tables = tables(problem, WeightFamily::trapezoid),
+         .past =
+             [&](double t, In convolved, In, Out past) {
+               past = taylor_part(problem, t) + kappa.cwiseProduct(convolved + 0.01 * last);
+             },
+         .sample = [&](fde::Run& run, double t, In y, In, Out sample) { last = sample = run.rhs(t, y); }});
   };
   const Variant smooth{"power_5", "power", {{"gamma", 0.5}, {"p", 2.5}}, 1.0};
   const Fit right = fit_rate(error_points({smooth, find_scheme("product_trapezoidal")}, Norm::end));

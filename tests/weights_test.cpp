@@ -1,13 +1,12 @@
 #include "weights.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <limits>
-
-#include "fmt/format.h"
 
 namespace fde {
 namespace {
@@ -53,8 +52,11 @@ std::vector<std::int64_t> lags() {
   return result;
 }
 
-const std::vector<double> orders{0.01, 0.05, 0.1, 0.2, 0.3, 0.4,  0.5, 0.6, 0.7, 0.8,  0.9, 0.95, 0.99,
-                                 1.0,  1.01, 1.1, 1.2, 1.3, 1.35, 1.5, 1.6, 1.7, 1.85, 1.9, 1.95, 1.99};
+const std::vector<double> orders{0.01, 0.05, 0.1, 0.2, 0.3,  0.4, 0.5, 0.6, 0.7,  0.8, 0.9,  0.95, 0.99, 1.0,
+                                 1.01, 1.1,  1.2, 1.3, 1.35, 1.5, 1.6, 1.7, 1.85, 1.9, 1.95, 1.99, 2.0};
+
+// Where long double has no more digits than double, the rounding of each operation is left.
+constexpr double allowed_ulps = std::numeric_limits<long double>::digits > 60 ? 1.0 : 4.0;
 
 struct Worst {
   double ulps = 0.0;
@@ -70,7 +72,7 @@ struct Worst {
 
 class WeightFamilies : public testing::TestWithParam<std::pair<const char*, WeightFamily>> {};
 
-TEST_P(WeightFamilies, AreGoodToFourUlpUpToABillion) {
+TEST_P(WeightFamilies, AreGoodToOneUlpUpToABillion) {
   const auto [name, family] = GetParam();
   Worst worst;
   for (const double order : orders) {
@@ -79,7 +81,7 @@ TEST_P(WeightFamilies, AreGoodToFourUlpUpToABillion) {
       worst.see(ulps(weight({family, order}, lag), printed({family, order}, lag)), order, lag);
   }
   worst.print(name);
-  EXPECT_LE(worst.ulps, 4.0) << "order " << worst.order << ", k = " << worst.lag;
+  EXPECT_LE(worst.ulps, allowed_ulps) << "order " << worst.order << ", k = " << worst.lag;
 }
 
 INSTANTIATE_TEST_SUITE_P(, WeightFamilies,
@@ -89,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(, WeightFamilies,
                                          std::pair{"l1", WeightFamily::l1}),
                          [](const auto& test) { return test.param.first; });
 
-TEST(StartWeight, IsGoodToFourUlpUpToABillion) {
+TEST(StartWeight, IsGoodToOneUlpUpToABillion) {
   Worst worst;
   for (const double order : orders) {
     for (const auto n : lags()) {
@@ -97,7 +99,7 @@ TEST(StartWeight, IsGoodToFourUlpUpToABillion) {
     }
   }
   worst.print("trapezoid start");
-  EXPECT_LE(worst.ulps, 4.0) << "order " << worst.order << ", n = " << worst.lag;
+  EXPECT_LE(worst.ulps, allowed_ulps) << "order " << worst.order << ", n = " << worst.lag;
 }
 
 TEST(StartWeight, IsNoneForGrunwaldLetnikovAndL1AndThePlainOneForTheRectangleRule) {

@@ -2,11 +2,11 @@
 // each time.
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <list>
 
 #include "experiment.hpp"
-#include "fmt/format.h"
 
 namespace {
 

@@ -21,7 +21,7 @@ SceneMaker bagley_torvik() {
                          {"y0", 0.0, any_number, "y(0)"},
                          {"dy0", 0.0, any_number, "y'(0)"},
                          {"load", 8.0, any_number, "load"},
-                         {"load_until", 1.0, not_negative, "time at which the load ends"}},
+                         {"load_until", 1.0, positive, "time at which the load ends"}},
           .make = [](const Parameters& p) -> Scene {
             const double stiffness = p["C"], load = p["load"], until = p["load_until"];
             const Chain chain({p["A"], 2.0}, {{p["B"], p["alpha"]}}, {p["y0"], p["dy0"]});

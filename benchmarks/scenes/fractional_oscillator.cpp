@@ -3,8 +3,8 @@
 
 namespace fde {
 
-// D^nu q + w2 q = c0 + c1 t, 1 < nu <= 2. Tarasov & Zaslavsky's (49) has such a right-hand side only in its
-// corrected form, see errata 1.1.
+// D^nu q + w2 q = c0 + c1 t, 1 < nu <= 2. The load of Tarasov & Zaslavsky's (49), nu = alpha - 1, is
+// q''(0) t^(3-alpha)/Gamma(4-alpha) + w2 (q(0) + q'(0) t): the printed one has q(0) where q''(0) belongs.
 SceneMaker fractional_oscillator() {
   return {.id = "fractional_oscillator",
           .title = "Fractional oscillator",

@@ -15,10 +15,11 @@ SceneMaker relaxation() {
                          {"dy0", 0.0, any_number, "y'(0), for gamma > 1"}},
           .make = [](const Parameters& p) -> Scene {
             const double gamma = p["gamma"], lambda = p["lambda"];
-            std::vector<double> initial{p["y0"]}, start{gamma};
+            std::vector<double> initial{p["y0"]}, start;
+            if (lambda * p["y0"] != 0.0) start.push_back(gamma);
             if (gamma > 1.0) {
               initial.push_back(p["dy0"]);
-              if (p["dy0"] != 0.0) start.push_back(gamma + 1.0);
+              if (lambda * p["dy0"] != 0.0) start.push_back(gamma + 1.0);
             } else if (p["dy0"] != 0.0) {
               reject("dy0", p["dy0"], "0 when gamma is at most 1");
             }

@@ -1,8 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "fmt/format.h"
 #include "page_data.hpp"
 #include "text.hpp"
 

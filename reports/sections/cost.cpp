@@ -1,4 +1,5 @@
-#include "fmt/format.h"
+#include <fmt/format.h>
+
 #include "page_data.hpp"
 #include "text.hpp"
 

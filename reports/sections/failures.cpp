@@ -1,7 +1,8 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
-#include "fmt/format.h"
-#include "fmt/ranges.h"
 #include "page_data.hpp"
 #include "scheme.hpp"
 #include "text.hpp"

@@ -1,8 +1,9 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "fmt/format.h"
-#include "fmt/ranges.h"
 #include "page_data.hpp"
 #include "text.hpp"
 

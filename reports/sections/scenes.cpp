@@ -1,8 +1,9 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
 #include <cmath>
 
-#include "fmt/format.h"
-#include "fmt/ranges.h"
 #include "nlohmann/json.hpp"
 #include "page_data.hpp"
 #include "text.hpp"

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <functional>
 #include <vector>
 
 namespace fde {
@@ -13,8 +15,16 @@ struct Smoothness {
   std::vector<Eigen::Index> jumps{};  // components whose right-hand side jumps later, at a time of the grid
 };
 
-// The powers start + (sums of the steps), up to last, in increasing order: {start + k1 steps[0] + k2 steps[1]
-// + ...}.
+// Orders and powers closer than this are the same: sums of increments such as 0.1 do not meet exactly.
+inline bool same_order(double a, double b) { return std::abs(a - b) < 1e-9; }
+inline bool whole(double order) { return same_order(order, std::round(order)); }
+
+// All powers up to last that start with the given ones and lead to others: next(p) are those that p leads to.
+// In increasing order, each once.
+std::vector<double> power_closure(std::vector<double> start, double last,
+                                  const std::function<std::vector<double>(double p)>& next);
+
+// The powers start + (sums of the steps), up to last: {start + k1 steps[0] + k2 steps[1] + ...}.
 std::vector<double> power_lattice(const std::vector<double>& start, const std::vector<double>& steps,
                                   double last);
 
