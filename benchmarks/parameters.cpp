@@ -34,9 +34,9 @@ bool Range::contains(double value) const {
 
 std::string Range::text() const {
   const bool below = low > any_number.low, above = high < any_number.high;
-  if (!below && !above) return "any finite number";
-  if (!above) return fmt::format("{} {}", open_low ? "above" : "at least", low);
-  return fmt::format("in {}{}, {}{}", open_low ? '(' : '[', low, high, open_high ? ')' : ']');
+  if (!below && !above) return "a finite number";
+  if (!above) return fmt::format("a finite number {} {}", open_low ? "above" : "of at least", low);
+  return fmt::format("a number in {}{}, {}{}", open_low ? '(' : '[', low, high, open_high ? ')' : ']');
 }
 
 Parameters::Parameters(std::string_view scene, const std::vector<Parameter>& parameters,

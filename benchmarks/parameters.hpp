@@ -16,7 +16,7 @@ struct Range {
   bool open_high = false;
 
   [[nodiscard]] bool contains(double value) const;  // false for nan
-  [[nodiscard]] std::string text() const;           // "(0, 2]", "any finite number"
+  [[nodiscard]] std::string text() const;           // "a number in (0, 2]"
 };
 
 constexpr Range any_number{};

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -47,6 +48,8 @@ bool add_line(const std::string& line, Results& results, std::vector<Record>& op
     return true;
   }
   auto record = json.get<Record>();
+  if (json.at("steps") != record.steps || record.steps < 1)
+    throw std::invalid_argument("an impossible number of steps");
   if (results.sessions.empty()) throw std::invalid_argument("a record before the first session");
   record.session = results.sessions.size() - 1;
   open_run.push_back(std::move(record));
@@ -88,26 +91,30 @@ std::string read_text(const std::filesystem::path& file) {
   return text.str();
 }
 
+std::invalid_argument cannot_be_written(const std::filesystem::path& file, const char* reason) {
+  return std::invalid_argument(fmt::format("{}: cannot be written: {}", file.string(), reason));
+}
+
 }  // namespace
 
 Results read_results(const std::filesystem::path& file) { return parse(read_text(file), file).results; }
 
 ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
-  std::size_t valid = 0;
-  if (std::filesystem::exists(path_)) {
+  if (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_))
+    read_text(path_);  // says why not
+  descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (descriptor_ < 0) throw cannot_be_written(path_, std::strerror(errno));
+  try {
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
+      throw cannot_be_written(path_, "another run is writing to it");
     auto parsed = parse(read_text(path_), path_);
     results_ = std::move(parsed.results);
-    valid = parsed.valid;
-  }
-  descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (descriptor_ < 0) {
-    throw std::invalid_argument(
-        fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
-  }
-  if (ftruncate(descriptor_, static_cast<off_t>(valid)) != 0) {
+    if (ftruncate(descriptor_, static_cast<off_t>(parsed.valid)) != 0) {
+      throw cannot_be_written(path_, std::strerror(errno));
+    }
+  } catch (...) {
     close(descriptor_);
-    throw std::invalid_argument(
-        fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+    throw;
   }
 }
 

@@ -43,8 +43,9 @@ Results read_results(const std::filesystem::path& file);
 // A results file open for more runs. All rows of a run go out in one write, so a kill leaves a valid file.
 class ResultsFile {
  public:
-  // Opens or creates the file, drops an incomplete last run and starts a session. Throws
-  // std::invalid_argument naming the file when it cannot be written or holds something else.
+  // Opens or creates the file for this process alone, drops an incomplete last run and starts a session.
+  // Throws std::invalid_argument naming the file when it cannot be written, holds something else or is open
+  // in another run.
   explicit ResultsFile(std::filesystem::path file);
   ResultsFile(const ResultsFile&) = delete;
   ResultsFile& operator=(const ResultsFile&) = delete;

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 
 #include "linear_response.hpp"
@@ -18,10 +21,11 @@ void require(bool holds, const char* message) {
 // The equation without its zero terms, which would otherwise count as unknown orders.
 LinearEquation checked(LinearEquation equation, const std::vector<double>& orders) {
   double top = -1.0;
-  for (const auto& [coefficient, order] : equation.terms) {
+  for (const auto& [coefficient, order, time_scale] : equation.terms) {
     require(std::isfinite(coefficient.real()) && std::isfinite(coefficient.imag()),
             "coefficients have to be finite");
     require(order >= 0.0 && order <= 2.0, "orders have to be in [0, 2]");
+    require(time_scale > 0.0 && std::isfinite(time_scale), "time scales have to be positive");
     if (coefficient != 0.0) top = std::max(top, order);
   }
   require(top > 0.0, "a derivative with a coefficient other than zero is needed");
@@ -155,16 +159,39 @@ Truth in_double(const std::vector<DoubleBounded>& values, bool pair) {
   return truth;
 }
 
+// Made when first asked for: a scene that is only solved needs no zeros of its characteristic function.
+class LazySolution {
+ public:
+  LazySolution(LinearEquation equation, std::vector<double> orders)
+      : equation_(checked(std::move(equation), orders)), orders_(std::move(orders)) {}
+  const LinearSolution& get() {
+    std::call_once(once_, [this] { solution_.emplace(equation_, orders_); });
+    return *solution_;
+  }
+
+ private:
+  LinearEquation equation_;
+  std::vector<double> orders_;
+  std::once_flag once_;
+  std::optional<LinearSolution> solution_;
+};
+
+bool is_real(const LinearEquation& equation) {
+  return std::ranges::all_of(equation.terms,
+                             [](const auto& term) { return term.coefficient.imag() == 0.0; }) &&
+         std::ranges::all_of(equation.initial, [](const auto& value) { return value.imag() == 0.0; });
+}
+
 Exact exact(const LinearEquation& equation, const std::vector<double>& orders, bool pair) {
-  const auto solution = std::make_shared<const LinearSolution>(equation, orders);
-  require(pair || solution->real(), "a complex solution has to be asked for as a pair");
+  require(pair || is_real(equation), "a complex solution has to be asked for as a pair");
+  const auto solution = std::make_shared<LazySolution>(equation, orders);
   const auto digits = [solution, pair](double t, int wanted) {
     require(t >= 0.0 && std::isfinite(t), "times have to be finite and not negative");
     require(wanted >= 1, "the number of digits has to be positive");
     const Precision precision(contour_precision(wanted));
-    return in_decimal(solution->at(t, wanted), wanted, pair);
+    return in_decimal(solution->get().at(t, wanted), wanted, pair);
   };
-  return {[solution, pair](double t) { return in_double(solution->at(t), pair); }, digits};
+  return {[solution, pair](double t) { return in_double(solution->get().at(t), pair); }, digits};
 }
 
 }  // namespace

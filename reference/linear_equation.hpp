@@ -7,10 +7,12 @@
 
 namespace fde {
 
-// One term coefficient * D^order u of a linear equation; order 0 is u itself.
+// One term coefficient * time_scale^order * D^order u of a linear equation; order 0 is u itself. The power is
+// taken at the precision asked for, where a product in double would be off after 16 digits.
 struct LinearTerm {
   std::complex<double> coefficient;
   double order;
+  double time_scale = 1.0;
 };
 
 // A load coefficient * t^power (power > -1) that acts from t = from on, as coefficient * (t - from)^power.
@@ -39,10 +41,12 @@ struct LinearEquation {
 Exact exact_solution(const LinearEquation& equation, const std::vector<double>& orders);
 Exact exact_solution_complex_pair(const LinearEquation& equation);
 
-// sum_k coefficient_k t^power_k with its digits: for problems made from a known solution.
+// One term coefficient * t^(power + multiple * order), the exponent put together at the precision asked for.
 struct Power {
-  double coefficient, power;
+  double coefficient, power, multiple = 0.0;
 };
-Exact exact_power_sum(const std::vector<Power>& terms);
+
+// Their sum, with its digits: for problems made from a known solution.
+Exact exact_power_sum(const std::vector<Power>& terms, double order = 0.0);
 
 }  // namespace fde

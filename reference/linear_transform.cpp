@@ -76,8 +76,10 @@ LinearTransform<Real>::LinearTransform(const LinearEquation& equation, const std
 template <class Real>
 void LinearTransform<Real>::read_terms(const LinearEquation& equation) {
   std::map<double, Complex<Real>> sums;
-  for (const auto& [coefficient, order] : equation.terms) {
-    sums.try_emplace(order, Complex<Real>(0)).first->second += decimal_complex<Real>(coefficient);
+  for (const auto& [coefficient, order, time_scale] : equation.terms) {
+    using std::pow;
+    const Real scale = pow(decimal<Real>(time_scale), decimal<Real>(order));
+    sums.try_emplace(order, Complex<Real>(0)).first->second += decimal_complex<Real>(coefficient) * scale;
     real = real && coefficient.imag() == 0.0;
   }
   for (const auto& [order, coefficient] : sums) {

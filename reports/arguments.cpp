@@ -35,7 +35,7 @@ const auto& named(const Entries& entries, std::string_view kind, std::string_vie
 
 double parse_number(std::string_view name, std::string_view text, const Range& allowed) {
   double value = 0.0;
-  if (!read(text, value)) reject_text(name, text, "a number " + allowed.text());
+  if (!read(text, value)) reject_text(name, text, allowed.text());
   if (!allowed.contains(value)) reject(name, value, allowed.text());
   return value;
 }

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "parameters.hpp"
+#include "record.hpp"
 
 namespace fde {
 namespace {
@@ -52,6 +53,7 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& strea
   CLI::App app{"Which numerical scheme to use for a fractional differential equation, with proof",
                "fdebench"};
   app.require_subcommand(1);
+  app.set_version_flag("--version", this_session().version);
   add_list_commands(app, streams);
   add_solve_command(app, streams);
   add_reference_commands(app, streams);

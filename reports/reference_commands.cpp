@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
 #include <ostream>
 #include <tuple>
 
@@ -16,12 +17,14 @@ namespace {
 constexpr int most_digits = 100000;
 
 struct ExactArguments {
-  std::string scene, at, digits;
+  std::string scene, at;
+  std::optional<std::string> digits;
   std::vector<std::string> settings;
 };
 
 struct FunctionArguments {
-  std::string alpha, beta, z, digits;
+  std::string alpha, beta, z;
+  std::optional<std::string> digits;
 };
 
 // The larger of two bounds written as "1.2e-345": no double may hold their exponents.
@@ -35,16 +38,21 @@ const std::string& larger(const std::string& a, const std::string& b) {
   return split(a) < split(b) ? b : a;
 }
 
+// Two digits of a bound, rounded up: rounding to nearest moves a number by at most five percent.
+std::string bound_text(double bound) { return fmt::format("{:.2g}", 1.06 * bound); }
+
 void print_doubles(const Scene& scene, const Exact& exact, const std::vector<double>& times,
                    std::ostream& out) {
   std::string rows =
       fmt::format("t,{}{},bound\n", fmt::join(scene.outputs.names, ","), scene.energy ? ",energy" : "");
   for (const double t : times) {
     const auto [value, bound] = exact.at(t);
+    if (!value.allFinite())
+      throw NumericalFailure(fmt::format("the exact solution is beyond double at t = {}", t));
     const Rows values = shown(scene, value);
     rows += fmt::format("{:.17g},{:.17g}", t, fmt::join(values.col(0), ","));
     if (scene.energy) rows += fmt::format(",{:.17g}", scene.energy.value(value));
-    rows += fmt::format(",{:.2g}\n", shown(scene, bound).maxCoeff());
+    rows += "," + bound_text(shown(scene, bound).maxCoeff()) + "\n";
   }
   out << rows;
 }
@@ -71,12 +79,12 @@ void exact(const ExactArguments& arguments, const Streams& streams) {
   const auto& maker = scene_named(arguments.scene);
   Scene scene = make_scene(maker, parse_settings(arguments.settings));
   const auto times = parse_numbers("--at", arguments.at, not_negative);
-  if (arguments.digits.empty()) {
+  if (!arguments.digits) {
     scene.problem.end = std::ranges::max(times) > 0.0 ? std::ranges::max(times) : scene.problem.end;
     print_doubles(scene, truth_of(scene), times, streams.out);
     return;
   }
-  const int digits = parse_count("--digits", arguments.digits, 1, most_digits);
+  const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);
   if (!scene.exact.digits) {
     throw std::invalid_argument(fmt::format(
         "--digits = {}: scene {} has no exact solution, only a reference in double", digits, maker.id));
@@ -91,12 +99,12 @@ void mittag_leffler_command(const FunctionArguments& arguments, const Streams& s
   const double alpha = parse_number("ALPHA", arguments.alpha, {.low = 0.0, .high = 5.0, .open_low = true});
   const double beta = parse_number("BETA", arguments.beta, any_number);
   const std::complex<double> z{parse_number("Z", re, any_number), parse_number("Z", im, any_number)};
-  if (arguments.digits.empty()) {
+  if (!arguments.digits) {
     const auto [value, bound] = mittag_leffler(alpha, beta, z);
-    fmt::print(streams.out, "{:.17g} {:.17g} {:.2g}\n", value.real(), value.imag(), bound);
+    fmt::print(streams.out, "{:.17g} {:.17g} {}\n", value.real(), value.imag(), bound_text(bound));
     return;
   }
-  const int digits = parse_count("--digits", arguments.digits, 1, most_digits);
+  const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);
   const auto value = mittag_leffler(arguments.alpha, arguments.beta, re, im, digits);
   fmt::print(streams.out, "{} {} {}\n", value.re, value.im, value.bound);
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 
 #include "arguments.hpp"
@@ -15,7 +16,8 @@ namespace fde {
 namespace {
 
 struct SolveArguments {
-  std::string scene, scheme, steps, until, at, grid = "uniform", history = "auto", tolerance;
+  std::string scene, scheme, steps, grid = "uniform", history = "auto";
+  std::optional<std::string> until, at, tolerance;
   std::vector<std::string> settings;
   bool cost = false;
 };
@@ -78,13 +80,13 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
   const auto& maker = scene_named(arguments.scene);
   const auto& scheme = scheme_named(arguments.scheme);
   Scene scene = make_scene(maker, parse_settings(arguments.settings));
-  if (!arguments.until.empty()) scene.problem.end = parse_number("--until", arguments.until, positive);
+  if (arguments.until) scene.problem.end = parse_number("--until", *arguments.until, positive);
   const Grid grid =
       parse_grid(arguments.grid, scene.problem.end, parse_count("--steps", arguments.steps, 1, most_steps));
   Options options{.history = parse_history(arguments.history)};
-  if (!arguments.at.empty()) options.keep = steps_at(grid, arguments.at);
-  if (!arguments.tolerance.empty()) {
-    options.tolerance = parse_number("--tolerance", arguments.tolerance, {.low = 0.0, .high = 1.0});
+  if (arguments.at) options.keep = steps_at(grid, *arguments.at);
+  if (arguments.tolerance) {
+    options.tolerance = parse_number("--tolerance", *arguments.tolerance, {.low = 0.0, .high = 1.0});
   }
   if (const auto reason = refusal(scheme, scene.problem, grid)) {
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 
 #include "answer.hpp"
@@ -21,11 +22,13 @@ const std::vector<int> default_steps{64, 128, 256, 512, 1024, 2048, 4096, 8192};
 
 struct RunArguments {
   std::vector<std::string> scenes, schemes;
-  std::string steps, repeats = "3", out;
+  std::optional<std::string> steps;
+  std::string repeats = "3", out;
 };
 
 struct ChooseArguments {
-  std::string scene, error, results;
+  std::string scene, error;
+  std::optional<std::string> results;
 };
 
 // All scenes, and some with orders that change the answer: a small one, one above 1, a solution that starts
@@ -66,9 +69,9 @@ void run(const RunArguments& arguments, const Streams& streams) {
               .schemes = chosen_schemes(arguments.schemes),
               .steps = default_steps,
               .repeats = parse_count("--repeat", arguments.repeats, 1, most_repeats)};
-  if (!arguments.steps.empty()) {
+  if (arguments.steps) {
     sweep.steps.clear();
-    for (const auto& text : split_list(arguments.steps)) {
+    for (const auto& text : split_list(*arguments.steps)) {
       sweep.steps.push_back(parse_count("--steps", text, 1, most_steps));
     }
   }
@@ -96,8 +99,7 @@ Results measure(const SceneVariant& scene, const Streams& streams) {
 void choose(const ChooseArguments& arguments, const Streams& streams) {
   const auto scene = parse_variant(arguments.scene);
   const double error = parse_number("--error", arguments.error, positive);
-  const Results results =
-      arguments.results.empty() ? measure(scene, streams) : read_results(arguments.results);
+  const Results results = arguments.results ? read_results(*arguments.results) : measure(scene, streams);
   streams.out << advice(results, scene.label(), error);
 }
 

@@ -116,6 +116,29 @@ TEST(Exact, GivesAnyNumberOfDigits) {
               HasSubstr("0.42758357615580700441075034449051518082015950316"));
 }
 
+// nu tau^beta and its like are put together at the precision asked for. By mpmath's Talbot inversion at 60
+// digits.
+TEST(Exact, TakesDecimalsAtTheirWord) {
+  EXPECT_THAT(fdebench("exact damped_oscillator --at 1 --digits 40").out,
+              HasSubstr("0.33194262273616016761353451367782687069"));
+  EXPECT_THAT(fdebench("exact diethelm --at 3 --set gamma=0.123456789012345 --digits 19").out,
+              HasSubstr("6303.526028522351357"));
+}
+
+TEST(Exact, BeyondDoubleIsANumericalFailure) {
+  const auto answer = fdebench("exact relaxation --set lambda=10 --at 50");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_EQ(answer.err, "fdebench: the exact solution is beyond double at t = 50\n");
+}
+
+TEST(Values, ThatAreEmptyAreNotTheDefault) {
+  std::ostringstream out, err;
+  const std::vector<std::string> solve{"solve",   "relaxation", "--scheme", "l1",
+                                       "--steps", "8",          "--until",  ""};
+  EXPECT_EQ(run_fdebench(solve, {.out = out, .err = err}), 2);
+  EXPECT_EQ(err.str(), "fdebench: --until = : must be a finite number above 0\n");
+}
+
 TEST(MittagLeffler, PrintsValueAndBound) {
   std::istringstream words(fdebench("mittag-leffler 1 1 -1").out);
   double re = 0.0, im = 1.0, bound = 1.0;
@@ -155,16 +178,21 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"solve pendulum --scheme l1 --steps 1e3", "--steps = 1e3: must be"},
         Mistake{"solve pendulum --scheme l1 --steps 99999999999", "--steps = 99999999999: must be"},
         Mistake{"solve pendulum --scheme l1", "--steps is required"},
-        Mistake{"solve pendulum --scheme l1 --steps 8 --until nan", "--until = nan: must be above 0"},
-        Mistake{"solve pendulum --scheme l1 --steps 8 --until -1", "--until = -1: must be above 0"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --until nan",
+                "--until = nan: must be a finite number above 0"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --until -1",
+                "--until = -1: must be a finite number above 0"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --at 21",
                 "--at = 21: must be in [0, 20], the times of the run"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --at 3", "its neighbours are 2.5 and 5"},
-        Mistake{"solve pendulum --scheme l1 --steps 8 --at 1,,2", "--at = : must be a number"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --at 1,,2",
+                "--at = : must be a finite number of at least 0"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha", "--set = alpha: must be NAME=VALUE"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha=x", "--set alpha = x: must be a number"},
-        Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha=2.5", "alpha = 2.5: must be in [1, 2)"},
-        Mistake{"solve relaxation --scheme l1 --steps 8 --set gamma=nan", "gamma = nan: must be in (0, 2]"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha=2.5",
+                "alpha = 2.5: must be a number in [1, 2)"},
+        Mistake{"solve relaxation --scheme l1 --steps 8 --set gamma=nan",
+                "gamma = nan: must be a number in (0, 2]"},
         Mistake{"solve relaxation --scheme l1 --steps 8 --grid graded:2",
                 "l1 needs a uniform grid, not one graded with 2"},
         Mistake{"solve relaxation --scheme l1 --steps 8 --grid curved",
@@ -174,17 +202,18 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"solve relaxation --scheme l1 --steps 8 --fast", "--fast"},
         Mistake{"solve relaxation --scheme commensurate_adams_pc --steps 8 --set gamma=0.123456789",
                 "needs orders that are multiples of one 1/M"},
-        Mistake{"exact relaxation --at -1", "--at = -1: must be at least 0"},
+        Mistake{"exact relaxation --at 1,", "--at = : must be"},
+        Mistake{"exact relaxation --at -1", "--at = -1: must be a finite number of at least 0"},
         Mistake{"exact relaxation --at 1 --digits 0", "--digits = 0: must be a whole number from 1"},
         Mistake{"exact pendulum --at 1 --digits 50", "scene pendulum has no exact solution"},
-        Mistake{"mittag-leffler 0 1 1", "ALPHA = 0: must be in (0, 5]"},
-        Mistake{"mittag-leffler 1 1 nan", "Z = nan: must be any finite number"},
+        Mistake{"mittag-leffler 0 1 1", "ALPHA = 0: must be a number in (0, 5]"},
+        Mistake{"mittag-leffler 1 1 nan", "Z = nan: must be a finite number"},
         Mistake{"run --scene relaxation --out /nonexistent/r.jsonl",
                 "/nonexistent/r.jsonl: cannot be written"},
         Mistake{"run --scene relaxation --steps 8,0 --out /tmp/never", "--steps = 0: must be"},
         Mistake{"report /nonexistent.jsonl --out /tmp/never", "/nonexistent.jsonl: cannot be read"},
-        Mistake{"run --scene pendulum:alpha=2 --out /tmp/never", "alpha = 2: must be in [1, 2)"},
-        Mistake{"choose relaxation --error 0", "--error = 0: must be above 0"},
+        Mistake{"run --scene pendulum:alpha=2 --out /tmp/never", "alpha = 2: must be a number in [1, 2)"},
+        Mistake{"choose relaxation --error 0", "--error = 0: must be a finite number above 0"},
         Mistake{"solv pendulum", "command solv: no such command, did you mean 'solve'?"},
         Mistake{"", "subcommand"}),
     [](const auto& test) { return "mistake_" + std::to_string(test.index); });

@@ -211,14 +211,6 @@ TEST(Report, LeavesOutWhatHasNoData) {
   EXPECT_THAT(data.dump(), Not(HasSubstr("n/a")));
 }
 
-TEST(Report, ShowsANumberThatIsNoneAsAFailure) {
-  Results results = two_lines();
-  add_run(results, {"pendulum", "l1", 1024}, std::numeric_limits<double>::quiet_NaN(), 1.0);
-  const std::string shown = data_of(written(results)).dump();
-  EXPECT_THAT(shown, HasSubstr("error_end is not finite"));
-  EXPECT_THAT(shown, Not(testing::AnyOf(HasSubstr("null"), HasSubstr("nan"), HasSubstr("NaN"))));
-}
-
 TEST(Report, LoadsNothingFromANetwork) {
   const std::string page = written(two_lines());
   EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)\s*=\s*["']?(https?:)?//)")));

@@ -119,6 +119,22 @@ TEST_F(ResultsFiles, OfSomethingElseAreRefusedAndLeftAlone) {
   EXPECT_EQ(text(), "no line end");
 }
 
+TEST_F(ResultsFiles, BelongToOneRunAtATime) {
+  const ResultsFile first(file_);
+  EXPECT_EQ(message(file_), file_.string() + ": cannot be written: another run is writing to it");
+}
+
+TEST_F(ResultsFiles, WithImpossibleStepsAreRefused) {
+  ResultsFile(file_).append(rows("l1", 64));
+  for (const auto* steps : {"0", "-5", "64.5", "1000000000000"}) {
+    auto changed = text();
+    changed.replace(changed.find(R"("steps":64)"), 10, std::string(R"("steps":)") + steps);
+    const auto other = folder_ / "changed.jsonl";
+    std::ofstream(other) << changed;
+    EXPECT_EQ(message(other), other.string() + ": line 2 is not a row of fdebench results") << steps;
+  }
+}
+
 TEST_F(ResultsFiles, ThatCannotBeWrittenAreNamed) {
   EXPECT_EQ(message(folder_ / "missing" / "r.jsonl"),
             (folder_ / "missing" / "r.jsonl").string() + ": cannot be written: No such file or directory");

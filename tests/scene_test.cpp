@@ -165,19 +165,19 @@ TEST_P(BadParameter, IsNamedWithWhatIsAllowed) {
 
 INSTANTIATE_TEST_SUITE_P(
     , BadParameter,
-    testing::Values(Bad{"relaxation", "gamma", 0.0, "gamma = 0: must be in (0, 2]"},
-                    Bad{"relaxation", "gamma", 2.5, "gamma = 2.5: must be in (0, 2]"},
-                    Bad{"relaxation", "gamma", std::nan(""), "gamma = nan: must be in (0, 2]"},
+    testing::Values(Bad{"relaxation", "gamma", 0.0, "gamma = 0: must be a number in (0, 2]"},
+                    Bad{"relaxation", "gamma", 2.5, "gamma = 2.5: must be a number in (0, 2]"},
+                    Bad{"relaxation", "gamma", std::nan(""), "gamma = nan: must be a number in (0, 2]"},
                     Bad{"relaxation", "dy0", 1.0, "dy0 = 1: must be 0 when gamma is at most 1"},
-                    Bad{"relaxation", "lambda", INFINITY, "lambda = inf: must be any finite number"},
+                    Bad{"relaxation", "lambda", INFINITY, "lambda = inf: must be a finite number"},
                     Bad{"relaxation", "gama", 0.5,
                         "gama: scene relaxation has no such parameter, did you mean 'gamma'?; it has gamma, "
                         "lambda, y0, dy0"},
-                    Bad{"pendulum", "tau", -1.0, "tau = -1: must be above 0"},
-                    Bad{"pendulum", "alpha", 2.0, "alpha = 2: must be in [1, 2)"},
+                    Bad{"pendulum", "tau", -1.0, "tau = -1: must be a finite number above 0"},
+                    Bad{"pendulum", "alpha", 2.0, "alpha = 2: must be a number in [1, 2)"},
                     Bad{"power", "p", 0.25,
                         "p = 0.25: must be at least gamma: the right-hand side is infinite at 0 otherwise"},
-                    Bad{"extensible_pendulum", "xi0", -1.0, "xi0 = -1: must be above -1"}),
+                    Bad{"extensible_pendulum", "xi0", -1.0, "xi0 = -1: must be a finite number above -1"}),
     [](const auto& test) {
       return std::string(test.param.scene) + "__" + test.param.name + "__" + std::to_string(test.index);
     });

@@ -15,28 +15,31 @@ SceneMaker damped_oscillator() {
                                        {"w2", 1.0, any_number, "square of the frequency"},
                                        {"u0", 1.0, any_number, "u(0)"},
                                        {"du0", -0.3, any_number, "u'(0)"}});
-  return {.id = "damped_oscillator",
-          .title = "Oscillator with fractional damping",
-          .source = "Yin, Liu & Anh 2007, eq. 5.1 linearised",
-          .parameters = parameters,
-          .make = [](const Parameters& p) -> Scene {
-            const double w2 = p["w2"];
-            const auto terms = damping_terms(p, p["mu"], p["lambda"], p["nu"]);
-            const Chain chain({1.0, 2.0}, terms, {p["u0"], p["du0"]});
-            const auto du = *chain.node(1.0);
-            LinearEquation equation{.terms = {{1.0, 2.0}, {w2, 0.0}}, .initial = {p["u0"], p["du0"]}};
-            for (const auto& term : terms) equation.terms.push_back({term.coefficient, term.order});
-            return {.problem = {.components = chain.components(),
-                                .rhs = [=](double, In y,
-                                           Out f) { Chain::links(y, chain.highest(y, -w2 * y[0]), f); },
-                                .linear_part = chain.linear_part(-w2),
-                                .end = 20.0},
-                    .smoothness = chain_smoothness({chain}),
-                    .outputs = chain_outputs(chain, terms, "u"),
-                    .exact = exact_solution(equation, chain.nodes()),
-                    .energy = {.value = [=](In y) { return 0.5 * (y[du] * y[du] + w2 * y[0] * y[0]); },
-                               .power = [=](double, In y) { return -y[du] * chain.terms(y); }}};
-          }};
+  return {
+      .id = "damped_oscillator",
+      .title = "Oscillator with fractional damping",
+      .source = "Yin, Liu & Anh 2007, eq. 5.1 linearised",
+      .parameters = parameters,
+      .make = [](const Parameters& p) -> Scene {
+        const double w2 = p["w2"];
+        const auto terms = damping_terms(p, p["mu"], p["lambda"], p["nu"]);
+        const Chain chain({1.0, 2.0}, terms, {p["u0"], p["du0"]});
+        const auto du = *chain.node(1.0);
+        LinearEquation equation{.terms = {{1.0, 2.0}, {w2, 0.0}}, .initial = {p["u0"], p["du0"]}};
+        for (const auto& [name, order] : {std::pair{"nu", p["beta"]}, {"lambda", 1.0}, {"mu", p["alpha"]}}) {
+          equation.terms.push_back({p[name], order, p["tau"]});
+        }
+        return {
+            .problem = {.components = chain.components(),
+                        .rhs = [=](double, In y, Out f) { Chain::links(y, chain.highest(y, -w2 * y[0]), f); },
+                        .linear_part = chain.linear_part(-w2),
+                        .end = 20.0},
+            .smoothness = chain_smoothness({chain}),
+            .outputs = chain_outputs(chain, terms, "u"),
+            .exact = exact_solution(equation, chain.nodes()),
+            .energy = {.value = [=](In y) { return 0.5 * (y[du] * y[du] + w2 * y[0] * y[0]); },
+                       .power = [=](double, In y) { return -y[du] * chain.terms(y); }}};
+      }};
 }
 
 }  // namespace fde

@@ -31,7 +31,7 @@ SceneMaker diethelm() {
                                     }},
                     .smoothness = {{{g, 4.0 + g / 2, 8.0}}},
                     .outputs = {{"y"}},
-                    .exact = exact_power_sum({{1.0, 8.0}, {-3.0, 4.0 + g / 2}, {2.25, g}})};
+                    .exact = exact_power_sum({{1.0, 8.0}, {-3.0, 4.0, 0.5}, {2.25, 0.0, 1.0}}, g)};
           }};
 }
 
