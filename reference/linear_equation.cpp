@@ -42,11 +42,12 @@ LinearEquation checked(LinearEquation equation, const std::vector<double>& order
   return equation;
 }
 
+// Of a checked equation.
 class LinearSolution {
  public:
-  LinearSolution(const LinearEquation& equation, const std::vector<double>& orders)
-      : equation_(checked(equation, orders)),
-        orders_(orders),
+  LinearSolution(LinearEquation equation, std::vector<double> orders)
+      : equation_(std::move(equation)),
+        orders_(std::move(orders)),
         quick_(equation_, orders_),
         zeros_(find_zeros(quick_.characteristic)) {}
 

@@ -1,8 +1,7 @@
 #include "runs.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
+#include <iterator>
 #include <tuple>
 
 #include "scene.hpp"
@@ -11,18 +10,23 @@
 namespace fde {
 namespace {
 
-// Where an id stands in a list; ids that this build does not know come last.
-template <typename List>
-std::ptrdiff_t position(const List& list, std::string_view id) {
-  return std::ranges::find_if(list, [=](const auto& entry) { return entry.id == id; }) - list.begin();
+// Where a scheme stands in the list; ids that this build does not know come last, as do scenes.
+std::ptrdiff_t position_of_scheme(std::string_view id) {
+  const Scheme* scheme = find_scheme(id);
+  return scheme == nullptr ? std::ssize(schemes()) : scheme - schemes().data();
+}
+
+std::ptrdiff_t position_of_scene(std::string_view label) {
+  const SceneMaker* scene = scene_of_label(label);
+  return scene == nullptr ? std::ssize(scenes()) : scene - scenes().data();
 }
 
 using Key = std::tuple<std::ptrdiff_t, std::string, std::ptrdiff_t, std::string, std::string, int>;
 
 Key key_of(const Record& row) {
-  return {position(scenes(), row.scene.substr(0, row.scene.find(':'))),
+  return {position_of_scene(row.scene),
           row.scene,
-          position(schemes(), row.scheme),
+          position_of_scheme(row.scheme),
           row.scheme,
           row.history,
           row.steps};

@@ -19,13 +19,8 @@ Scheme grunwald_letnikov() {
       .solve =
           [](const Problem& problem, const Grid& grid, const Options& options) {
             const Vec kappa = by_order(problem, [&](double g) { return std::pow(grid.step(), g); });
-            return solve_implicit(
-                problem, grid, options,
-                {.kappa = kappa,
-                 .tables = tables(problem, WeightFamily::grunwald_letnikov),
-                 .past = [&](double t, In convolved, In /*previous*/,
-                             Out past) { past = taylor_part(problem, t) + kappa.cwiseProduct(convolved); },
-                 .sample = sample_rhs});
+            return solve_implicit(problem, grid, options,
+                                  integral_rule(problem, kappa, WeightFamily::grunwald_letnikov));
           }};
 }
 

@@ -2,7 +2,14 @@
 
 namespace fde {
 
-void sample_rhs(Run& run, double t, In y, In /*previous*/, Out sample) { sample = run.rhs(t, y); }
+ImplicitRule integral_rule(const Problem& problem, const Vec& kappa, WeightFamily family) {
+  return {
+      .kappa = kappa,
+      .tables = tables(problem, family),
+      .past = [&problem, kappa](double t, In convolved, In /*previous*/,
+                                Out past) { past = taylor_part(problem, t) + kappa.cwiseProduct(convolved); },
+      .sample = [](Run& run, double t, In y, In /*previous*/, Out sample) { sample = run.rhs(t, y); }};
+}
 
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,
                           const ImplicitRule& rule) {

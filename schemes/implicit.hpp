@@ -17,8 +17,9 @@ struct ImplicitRule {
   std::function<void(Run& run, double t, In y, In previous, Out sample)> sample;
 };
 
-// The sample f(t, y) of the rules that integrate f.
-void sample_rhs(Run& run, double t, In y, In previous, Out sample);
+// The rule of the schemes that integrate f: past_n = Taylor part + kappa * (weighted sum of f_j). The problem
+// must live as long.
+ImplicitRule integral_rule(const Problem& problem, const Vec& kappa, WeightFamily family);
 
 // Steps the rule along the grid, each step solved by Newton's method from the previous value.
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,

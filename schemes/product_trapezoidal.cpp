@@ -16,13 +16,7 @@ Scheme product_trapezoidal() {
               [](const Problem& problem, const Grid& grid, const Options& options) {
                 const Vec kappa = integral_scale(problem, grid.step(), 2.0);
                 return solve_implicit(problem, grid, options,
-                                      {.kappa = kappa,
-                                       .tables = tables(problem, WeightFamily::trapezoid),
-                                       .past =
-                                           [&](double t, In convolved, In /*previous*/, Out past) {
-                                             past = taylor_part(problem, t) + kappa.cwiseProduct(convolved);
-                                           },
-                                       .sample = sample_rhs});
+                                      integral_rule(problem, kappa, WeightFamily::trapezoid));
               }};
 }
 
