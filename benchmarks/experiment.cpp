@@ -93,7 +93,7 @@ std::vector<Record> run_experiment(const std::string& label, const Scene& scene,
   const Options options{};
   const Record row{.scene = label,
                    .scheme = std::string(scheme.id),
-                   .history = std::string(name(resolve(options.history, steps))),
+                   .history = std::string(name(resolve(options.history, grid))),
                    .steps = steps,
                    .h = grid.step()};
   const auto outcome = [&](double reached, const std::string& status) {

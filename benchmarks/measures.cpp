@@ -17,7 +17,8 @@ bool has_energy(const Observation& run) { return run.scene.energy && run.path.y.
 
 template <Norm norm>
 double expected_rate(const Observation& run) {
-  return run.scheme.expected_rate(run.scene.problem, run.scene.smoothness, norm);
+  return run.scheme.expected_rate(run.scene.problem, run.scene.smoothness,
+                                  run.path.grid.grading, norm);
 }
 
 double median(std::vector<double> values) {

@@ -34,7 +34,6 @@ const SceneMaker& scene_named(std::string_view id);
 SceneVariant parse_variant(const std::string& text);
 const Scheme& scheme_named(std::string_view id);
 
-// The most steps the direct history takes on: beyond, its O(N^2) work is hours.
-inline constexpr int most_steps = 1 << 21;
+inline constexpr int most_steps = 1'000'000'000;  // weights are checked up to this lag
 
 }  // namespace fde

@@ -15,6 +15,9 @@
 namespace fde {
 namespace {
 
+constexpr int most_direct_steps = 1 << 21;  // beyond, hours
+constexpr int most_rows = 10'000'000;
+
 struct SolveArguments {
   std::string scene, scheme, steps, grid = "uniform", history = "auto";
   std::optional<std::string> until, at, tolerance;
@@ -49,7 +52,8 @@ std::vector<int> steps_at(const Grid& grid, const std::string& times) {
 HistoryKind parse_history(const std::string& text) {
   if (text == "auto") return HistoryKind::automatic;
   if (text == "direct") return HistoryKind::direct;
-  throw std::invalid_argument(fmt::format("--history = {}: must be auto or direct", text));
+  if (text == "exponentials") return HistoryKind::exponentials;
+  throw std::invalid_argument(fmt::format("--history = {}: must be auto, direct or exponentials", text));
 }
 
 void print_rows(const Scene& scene, const Trajectory& path, std::ostream& out) {
@@ -69,10 +73,10 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Trajectory& path
       {"seconds", seconds},
       {"rhs", path.cost.rhs_calls},
       {"newton", path.cost.newton_iterations},
-      {"history", name(resolve(history, path.grid.steps))},
+      {"history", name(resolve(history, path.grid))},
       {"history_bytes", path.cost.history_bytes},
       {"states", path.cost.states},
-      {"expected_rate", scheme.expected_rate(scene.problem, scene.smoothness, Norm::end)}};
+      {"expected_rate", scheme.expected_rate(scene.problem, scene.smoothness, path.grid.grading, Norm::end)}};
   fmt::print(err, "{}\n", cost.dump());
 }
 
@@ -84,6 +88,15 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
   const Grid grid =
       parse_grid(arguments.grid, scene.problem.end, parse_count("--steps", arguments.steps, 1, most_steps));
   Options options{.history = parse_history(arguments.history)};
+  if (resolve(options.history, grid) == HistoryKind::direct && grid.steps > most_direct_steps) {
+    throw std::invalid_argument(
+        fmt::format("--history = direct: takes up to {} steps, its work grows with their square, not {}",
+                    most_direct_steps, grid.steps));
+  }
+  if (!arguments.at && grid.steps > most_rows) {
+    throw std::invalid_argument(fmt::format("--at is needed beyond {} steps, not all {} are printed",
+                                            most_rows, grid.steps));
+  }
   if (arguments.at) options.keep = steps_at(grid, *arguments.at);
   if (arguments.tolerance) {
     options.tolerance = parse_number("--tolerance", *arguments.tolerance, {.low = 0.0, .high = 1.0});
@@ -113,7 +126,7 @@ void add_solve_command(CLI::App& app, const Streams& streams) {
   command->add_option("--set", arguments->settings, "a parameter of the scene, NAME=VALUE")->take_all();
   command->add_option("--at", arguments->at, "grid times to print, T1,T2,...; default all");
   command->add_option("--grid", arguments->grid, "uniform or graded:R");
-  command->add_option("--history", arguments->history, "auto or direct");
+  command->add_option("--history", arguments->history, "auto, direct or exponentials");
   command->add_option("--tolerance", arguments->tolerance, "of Newton's method, relative; default rounding");
   command->add_flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");
   command->callback([=] { solve(*arguments, streams); });

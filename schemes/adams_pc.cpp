@@ -7,23 +7,24 @@ namespace fde {
 
 Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const Options& options) {
   Run run(problem, grid, options);
-  const Vec predictor_scale = integral_scale(problem, grid.step(), 1.0);
-  const Vec corrector_scale = integral_scale(problem, grid.step(), 2.0);
-  const auto history = make_history(
-      options.history, {tables(problem, WeightFamily::rectangle), tables(problem, WeightFamily::trapezoid)},
-      grid.steps);
+  const auto predictor = tables(problem, WeightFamily::rectangle);
+  const auto corrector = tables(problem, WeightFamily::trapezoid);
+  const auto history = make_history(options.history, {predictor, corrector}, grid, options.tolerance);
   run.cost().history_bytes = history->bytes();
+  const TaylorPart taylor_part(problem);
+  StepFactors predictor_factors(predictor, grid), corrector_factors(corrector, grid);
 
-  Vec y = run.start(), predicted(y.size()), corrected(y.size());
+  Vec y = run.start(), predicted(y.size()), corrected(y.size()), taylor(y.size());
   for (int n = 1; n <= grid.steps; ++n) {
     history->push(run.rhs(grid.time(n - 1), y));
     history->convolve(0, predicted);
     history->convolve(1, corrected);
     const double t = grid.time(n);
-    const Vec taylor = taylor_part(problem, t);
-    y = taylor + predictor_scale.cwiseProduct(predicted);
+    taylor_part.at(t, taylor);
+    y = taylor + predictor_factors.at(n).cwiseProduct(predicted);
+    const Vec& kappa = corrector_factors.at(n);
     for (int correction = 0; correction < options.corrections; ++correction) {
-      y = taylor + corrector_scale.cwiseProduct(corrected + run.rhs(t, y));
+      y = taylor + kappa.cwiseProduct(corrected + run.rhs(t, y));
     }
     if (!run.accept(n, y)) break;
   }
@@ -31,14 +32,15 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
 }
 
 Scheme adams_pc() {
-  return {
-      .id = "adams_pc",
-      .title = "Fractional Adams predictor-corrector",
-      .source = "Diethelm, Ford & Freed, Nonlinear Dynamics 29 (2002); Numerical Algorithms 36 (2004)",
-      .needs = {},
-      .expected_rate = [](const Problem& problem, const Smoothness& smoothness,
-                          Norm norm) { return rate(predictor_corrector_theory, problem, smoothness, norm); },
-      .solve = predict_and_correct};
+  return {.id = "adams_pc",
+          .title = "Fractional Adams predictor-corrector",
+          .source = "Diethelm, Ford & Freed, Nonlinear Dynamics 29 (2002); Numerical Algorithms 36 (2004)",
+          .needs = {},
+          .expected_rate =
+              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
+                return rate(predictor_corrector_theory, problem, smoothness, grading, norm);
+              },
+          .solve = predict_and_correct};
 }
 
 }  // namespace fde

@@ -12,9 +12,9 @@ Scheme commensurate_adams_pc() {
           .source = "Diethelm & Ford, BIT 42 (2002); the alternative of Yin, Liu & Anh 2007, eqs 1.5, 1.6",
           .needs = {},
           .expected_rate =
-              [](const Problem& problem, const Smoothness& smoothness, Norm norm) {
+              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return split_rate(predictor_corrector_theory, problem, smoothness,
-                                  commensurate_links(problem).value(), norm);
+                                  commensurate_links(problem).value(), grading, norm);
               },
           .solve =
               [](const Problem& problem, const Grid& grid, const Options& options) {

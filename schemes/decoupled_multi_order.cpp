@@ -14,9 +14,9 @@ Scheme decoupled_multi_order() {
           .source = "Yin, Liu & Anh, J. Algorithms Comput. Technol. 1 (2007), eqs 3.8-3.11",
           .needs = {},
           .expected_rate =
-              [](const Problem& problem, const Smoothness& smoothness, Norm norm) {
+              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return split_rate(predictor_corrector_theory, problem, smoothness, links_up_to_one(problem),
-                                  norm);
+                                  grading, norm);
               },
           .solve =
               [](const Problem& problem, const Grid& grid, const Options& options) {

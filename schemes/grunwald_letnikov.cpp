@@ -9,19 +9,19 @@ namespace fde {
 //   y_n = T_n + h^g sum_{1<=j<=n} (-1)^(n-j) binomial(-g, n-j) f_j.
 // f_0 has no weight, so order 1 is the backward Euler method.
 Scheme grunwald_letnikov() {
-  return {
-      .id = "grunwald_letnikov",
-      .title = "Implicit Grunwald-Letnikov",
-      .source = "Lubich, SIAM J. Math. Anal. 17 (1986): backward Euler convolution quadrature",
-      .needs = {.implicit = true},
-      .expected_rate = [](const Problem& problem, const Smoothness& smoothness,
-                          Norm norm) { return rate(grunwald_letnikov_theory, problem, smoothness, norm); },
-      .solve =
-          [](const Problem& problem, const Grid& grid, const Options& options) {
-            const Vec kappa = by_order(problem, [&](double g) { return std::pow(grid.step(), g); });
-            return solve_implicit(problem, grid, options,
-                                  integral_rule(problem, kappa, WeightFamily::grunwald_letnikov));
-          }};
+  return {.id = "grunwald_letnikov",
+          .title = "Implicit Grunwald-Letnikov",
+          .source = "Lubich, SIAM J. Math. Anal. 17 (1986): backward Euler convolution quadrature",
+          .needs = {.uniform_grid = true, .implicit = true},
+          .expected_rate =
+              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
+                return rate(grunwald_letnikov_theory, problem, smoothness, grading, norm);
+              },
+          .solve =
+              [](const Problem& problem, const Grid& grid, const Options& options) {
+                return solve_implicit(problem, grid, options,
+                                      integral_rule(problem, WeightFamily::grunwald_letnikov));
+              }};
 }
 
 }  // namespace fde

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "grid.hpp"
 #include "problem.hpp"
 #include "weights.hpp"
 
@@ -22,8 +23,10 @@ class History {
   // Appends x_n after n earlier ones.
   virtual void push(In sample) = 0;
 
-  // start_weight_i(n) x_{0,i} + sum_{1<=j<n} w_i(n-j) x_{j,i} for every component i, where n >= 1 samples
-  // have been pushed and the weights are those of tables[sum][i] of make_history.
+  // On a uniform grid start_weight_i(n) x_{0,i} + sum_{1<=j<n} w_i(n-j) x_{j,i} for every component i, where
+  // n >= 1 samples have been pushed and the weights are those of tables[sum][i] of make_history. On other
+  // grids the weights depend on both times: they are integrals over the intervals of the grid, in units in
+  // which the newest sample has weight 1.
   virtual void convolve(std::size_t sum, Out result) const = 0;
 
   // Memory for samples and weights.
@@ -33,12 +36,14 @@ class History {
 // tables[sum][i] is the weight table of component i in that sum.
 using WeightTables = std::vector<std::vector<WeightTable>>;
 
-enum class HistoryKind { automatic, direct };
+enum class HistoryKind { automatic, direct, exponentials };
 
-// The engine a run of this many steps uses: what `automatic` stands for, otherwise the kind itself.
-HistoryKind resolve(HistoryKind kind, int steps);
+// The engine that a run on this grid uses: what `automatic` stands for, otherwise the kind itself.
+HistoryKind resolve(HistoryKind kind, const Grid& grid);
 std::string_view name(HistoryKind kind);
 
-std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, int steps);
+// The tolerance is the relative error allowed to each weight; `direct` is always exact.
+std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const Grid& grid,
+                                      double tolerance);
 
 }  // namespace fde

@@ -1,12 +1,13 @@
 #include "history_direct.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "block_kernels.hpp"
 
 namespace fde {
 
 DirectHistory::DirectHistory(const WeightTables& tables, int steps)
-    : steps_(steps), total_(Vec::Zero(static_cast<Eigen::Index>(tables.front().size()))), carry_(total_) {
+    : steps_(steps), totals_(static_cast<Eigen::Index>(tables.front().size())) {
   std::vector<WeightTable> distinct;
   for (const auto& sum : tables) {
     auto& parts = parts_.emplace_back();
@@ -46,29 +47,25 @@ void DirectHistory::push(In sample) {
     first_ = sample;
     return;
   }
-  for (Eigen::Index i = 0; i < sample.size(); ++i) {  // Neumaier's compensated sum
-    const double old = total_[i], x = sample[i];
-    total_[i] = old + x;
-    carry_[i] += std::abs(old) >= std::abs(x) ? (old - total_[i]) + x : (x - total_[i]) + old;
-  }
+  totals_.add(sample);
 }
 
 void DirectHistory::convolve(std::size_t sum, Out result) const {
   for (Eigen::Index i = 0; i < result.size(); ++i) {
     const auto& part = parts_[sum][static_cast<std::size_t>(i)];
     if (part.column < 0) {
-      result[i] = part.start * first_[i] + part.constant * (total_[i] + carry_[i]);
+      result[i] = part.start * first_[i] + part.constant * totals_[i];
     } else {
-      const auto past = samples_.col(row_[static_cast<std::size_t>(i)]).head(pushed_);
-      result[i] = starts_(pushed_ - 1, part.column) * first_[i] +
-                  weights_.col(part.column).tail(pushed_ - 1).dot(past.tail(pushed_ - 1));
+      const double* const past = samples_.col(row_[static_cast<std::size_t>(i)]).data() + 1;
+      const double* const weights = weights_.col(part.column).data() + steps_ - (pushed_ - 1);
+      result[i] = starts_(pushed_ - 1, part.column) * first_[i] + dot_product(weights, past, pushed_ - 1);
     }
   }
 }
 
 std::size_t DirectHistory::bytes() const {
   return sizeof(double) *
-         static_cast<std::size_t>(weights_.size() + starts_.size() + samples_.size() + 3 * total_.size());
+         static_cast<std::size_t>(weights_.size() + starts_.size() + samples_.size() + 3 * totals_.size());
 }
 
 }  // namespace fde

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "history.hpp"
+#include "running_sum.hpp"
 
 namespace fde {
 
@@ -31,7 +32,7 @@ class DirectHistory final : public History {
   Matrix starts_;                  // the same tables: start_weight(1), ..., start_weight(steps)
   Matrix samples_;                 // one column a component with memory
   Vec first_;                      // x_0
-  Vec total_, carry_;              // running sums of x_1, x_2, ... with their compensation
+  RunningSums totals_;             // of x_1, x_2, ...
 };
 
 }  // namespace fde

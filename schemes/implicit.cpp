@@ -2,20 +2,22 @@
 
 namespace fde {
 
-ImplicitRule integral_rule(const Problem& problem, const Vec& kappa, WeightFamily family) {
-  return {
-      .kappa = kappa,
-      .tables = tables(problem, family),
-      .past = [&problem, kappa](double t, In convolved, In /*previous*/,
-                                Out past) { past = taylor_part(problem, t) + kappa.cwiseProduct(convolved); },
-      .sample = [](Run& run, double t, In y, In /*previous*/, Out sample) { sample = run.rhs(t, y); }};
+ImplicitRule integral_rule(const Problem& problem, WeightFamily family) {
+  return {.tables = tables(problem, family),
+          .past =
+              [taylor = TaylorPart(problem)](double t, In convolved, In /*previous*/, In kappa, Out past) {
+                taylor.at(t, past);
+                past += kappa.cwiseProduct(convolved);
+              },
+          .sample = [](Run& run, double t, In y, In /*previous*/, Out sample) { sample = run.rhs(t, y); }};
 }
 
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,
                           const ImplicitRule& rule) {
   Run run(problem, grid, options);
-  NewtonSolver newton(problem, rule.kappa, options.tolerance);
-  const auto history = make_history(options.history, {rule.tables}, grid.steps);
+  NewtonSolver newton(problem, options.tolerance);
+  StepFactors factors(rule.tables, grid);
+  const auto history = make_history(options.history, {rule.tables}, grid, options.tolerance);
   run.cost().history_bytes = history->bytes();
 
   Vec previous = run.start(), y = previous, sample(y.size()), convolved(y.size()), past(y.size());
@@ -24,8 +26,9 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
     const double t = grid.time(n);
     history->push(sample);
     history->convolve(0, convolved);
-    rule.past(t, convolved, previous, past);
-    if (!newton.solve(run, t, past, y)) {
+    const Vec& kappa = factors.at(n);
+    rule.past(t, convolved, previous, kappa, past);
+    if (!newton.solve(run, t, kappa, past, y)) {
       run.fail(y.allFinite() ? Outcome::not_converged : Outcome::not_finite);
       break;
     }

@@ -7,19 +7,18 @@
 
 namespace fde {
 
-// An implicit rule in the form all of them share: y_n = past_n + kappa f(t_n, y_n), one kappa a component.
+// An implicit rule in the form all of them share: y_n = past_n + kappa f(t_n, y_n), kappa the step_factor of
+// each component's table.
 struct ImplicitRule {
-  Vec kappa;
   std::vector<WeightTable> tables;  // of the one sum over the past
-  // past_n from that sum and y_{n-1}.
-  std::function<void(double t, In convolved, In previous, Out past)> past;
+  // past_n from that sum, y_{n-1} and kappa.
+  std::function<void(double t, In convolved, In previous, In kappa, Out past)> past;
   // What joins the past after a step: f(t, y) or the increment of y.
   std::function<void(Run& run, double t, In y, In previous, Out sample)> sample;
 };
 
-// The rule of the schemes that integrate f: past_n = Taylor part + kappa * (weighted sum of f_j). The problem
-// must live as long.
-ImplicitRule integral_rule(const Problem& problem, const Vec& kappa, WeightFamily family);
+// The rule of the schemes that integrate f: past_n = Taylor part + kappa * (weighted sum of f_j).
+ImplicitRule integral_rule(const Problem& problem, WeightFamily family);
 
 // Steps the rule along the grid, each step solved by Newton's method from the previous value.
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,

@@ -12,9 +12,9 @@ namespace {
 Trajectory solve_l1(const Problem& problem, const Grid& grid, const Options& options) {
   return solve_implicit(
       problem, grid, options,
-      {.kappa = by_order(problem, [&](double g) { return std::tgamma(2 - g) * std::pow(grid.step(), g); }),
-       .tables = tables(problem, WeightFamily::l1),
-       .past = [](double /*t*/, In convolved, In previous, Out past) { past = previous - convolved; },
+      {.tables = tables(problem, WeightFamily::l1),
+       .past = [](double /*t*/, In convolved, In previous, In /*kappa*/,
+                  Out past) { past = previous - convolved; },
        .sample = [](Run& /*run*/, double /*t*/, In y, In previous, Out sample) { sample = y - previous; }});
 }
 
@@ -28,8 +28,8 @@ Scheme l1() {
               "y' = v",
           .needs = {.implicit = true},
           .expected_rate =
-              [](const Problem& problem, const Smoothness& smoothness, Norm norm) {
-                return split_rate(l1_theory, problem, smoothness, links_up_to_one(problem), norm);
+              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
+                return split_rate(l1_theory, problem, smoothness, links_up_to_one(problem), grading, norm);
               },
           .solve =
               [](const Problem& problem, const Grid& grid, const Options& options) {

@@ -22,28 +22,52 @@ void difference(Run& run, double t, In y, In f, OutMatrix jacobian) {
   }
 }
 
-}  // namespace
-
-NewtonSolver::NewtonSolver(const Problem& problem, Vec kappa, double tolerance)
-    : problem_(problem),
-      kappa_(std::move(kappa)),
-      tolerance_(tolerance),
-      jacobian_(problem.size(), problem.size()),
-      f_(problem.size()),
-      increment_(problem.size()) {
-  if (problem.linear_part) {
-    jacobian_ = *problem.linear_part;
-    factors_.compute(Matrix::Identity(problem.size(), problem.size()) - kappa_.asDiagonal() * jacobian_);
+// x with A x = b in place of b. Most problems have a few components, where a size known to the compiler saves
+// most of the time.
+template <int size>
+void solve_fixed(const Matrix& a, Vec& b) {
+  const Eigen::Map<const Eigen::Matrix<double, size, size>> fixed(a.data());
+  Eigen::Map<Eigen::Matrix<double, size, 1>> x(b.data());
+  x = fixed.partialPivLu().solve(x).eval();
+}
+void solve_in_place(const Matrix& a, Vec& b) {
+  switch (b.size()) {
+    case 1:
+      b /= a(0, 0);
+      return;
+    case 2:
+      return solve_fixed<2>(a, b);
+    case 3:
+      return solve_fixed<3>(a, b);
+    case 4:
+      return solve_fixed<4>(a, b);
+    default:
+      b = a.partialPivLu().solve(b).eval();
   }
 }
 
-bool NewtonSolver::solve(Run& run, double t, In past, Out y) {
+}  // namespace
+
+NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
+    : problem_(problem),
+      kappa_(Vec::Zero(problem.size())),
+      tolerance_(tolerance),
+      jacobian_(problem.size(), problem.size()),
+      f_(problem.size()),
+      increment_(problem.size()) {}
+
+bool NewtonSolver::solve(Run& run, double t, const Vec& kappa, In past, Out y) {
+  if (kappa_ != kappa) {
+    kappa_ = kappa;
+    if (problem_.linear_part) factors_.compute(system(*problem_.linear_part));
+  }
   if (problem_.linear_part) return solve_linear(run, t, past, y);
   double last = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     f_ = run.rhs(t, y);
-    factorise(run, t, y, f_);
-    increment_ = factors_.solve(past + kappa_.cwiseProduct(f_) - y);
+    differentiate(run, t, y, f_);
+    increment_ = past + kappa_.cwiseProduct(f_) - y;
+    solve_in_place(jacobian_, increment_);
     y += increment_;
     ++run.cost().newton_iterations;
     const double size = y.lpNorm<Eigen::Infinity>(), now = increment_.lpNorm<Eigen::Infinity>();
@@ -61,13 +85,17 @@ bool NewtonSolver::solve_linear(Run& run, double t, In past, Out y) {
   return y.allFinite();
 }
 
-void NewtonSolver::factorise(Run& run, double t, In y, In f) {
+void NewtonSolver::differentiate(Run& run, double t, In y, In f) {
   if (problem_.jacobian) {
     problem_.jacobian(t, y, jacobian_);
   } else {
     difference(run, t, y, f, jacobian_);
   }
-  factors_.compute(Matrix::Identity(y.size(), y.size()) - kappa_.asDiagonal() * jacobian_);
+  jacobian_ = system(jacobian_);
+}
+
+Matrix NewtonSolver::system(const Matrix& jacobian) const {
+  return Matrix::Identity(jacobian.rows(), jacobian.cols()) - kappa_.asDiagonal() * jacobian;
 }
 
 }  // namespace fde

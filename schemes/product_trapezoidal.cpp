@@ -6,18 +6,17 @@ namespace fde {
 // y_n = T_n + h^g/Gamma(g+2) (a_{0,n} f_0 + sum_{1<=j<n} a_{n-j} f_j + f(t_n, y_n)): the corrector of
 // adams_pc, solved.
 Scheme product_trapezoidal() {
-  return {.id = "product_trapezoidal",
-          .title = "Product trapezoidal rule",
-          .source = "Young, Proc. R. Soc. A 224 (1954); weights as in Yin, Liu & Anh 2007, eq. 3.7",
-          .needs = {.implicit = true},
-          .expected_rate = [](const Problem& problem, const Smoothness& smoothness,
-                              Norm norm) { return rate(trapezoidal_theory, problem, smoothness, norm); },
-          .solve =
-              [](const Problem& problem, const Grid& grid, const Options& options) {
-                const Vec kappa = integral_scale(problem, grid.step(), 2.0);
-                return solve_implicit(problem, grid, options,
-                                      integral_rule(problem, kappa, WeightFamily::trapezoid));
-              }};
+  return {
+      .id = "product_trapezoidal",
+      .title = "Product trapezoidal rule",
+      .source = "Young, Proc. R. Soc. A 224 (1954); weights as in Yin, Liu & Anh 2007, eq. 3.7",
+      .needs = {.implicit = true},
+      .expected_rate = [](const Problem& problem, const Smoothness& smoothness, double grading,
+                          Norm norm) { return rate(trapezoidal_theory, problem, smoothness, grading, norm); },
+      .solve =
+          [](const Problem& problem, const Grid& grid, const Options& options) {
+            return solve_implicit(problem, grid, options, integral_rule(problem, WeightFamily::trapezoid));
+          }};
 }
 
 }  // namespace fde

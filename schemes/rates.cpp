@@ -66,29 +66,33 @@ const RateTheory l1_theory{[](double g) { return 2 - g; },
 const RateTheory grunwald_letnikov_theory{[](double) { return 1.0; }, [](double, double) { return exact; },
                                           grunwald_letnikov_first};
 
-double rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness, Norm norm) {
-  if (norm == Norm::first_step) return smallest_over_powers(theory.first_step, problem, smoothness);
-  double end = smallest_over_powers(theory.end, problem, smoothness);
+double rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness, double grading,
+            Norm norm) {
+  const double first_step = grading * smallest_over_powers(theory.first_step, problem, smoothness);
+  if (norm == Norm::first_step) return first_step;
+  double end = grading * smallest_over_powers(theory.end, problem, smoothness);
   for (const auto& component : problem.components) end = std::min(end, theory.smooth(component.order));
+  // Jumps are at times of the uniform grid; inside a step they cost a whole h.
+  if (grading != 1.0 && !smoothness.jumps.empty()) end = std::min(end, 1.0);
   if (norm == Norm::end) return end;
-  return std::min(
-      {end, rate(theory, problem, smoothness, Norm::first_step), smallest_at_jumps(problem, smoothness)});
+  return std::min({end, first_step, smallest_at_jumps(problem, smoothness)});
 }
 
 double split_rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
-                  const Links& links, Norm norm) {
+                  const Links& links, double grading, Norm norm) {
   const Problem all = split(problem, links);
   const Smoothness starts = split(problem, smoothness, links);
-  if (norm == Norm::end) return rate(theory, all, starts, norm);
+  if (norm == Norm::end) return rate(theory, all, starts, grading, norm);
   Problem seen;
   Smoothness seen_starts;
   for (std::size_t i = 0, first = 0; i < links.size(); first += links[i++].size()) {
     seen.components.push_back(all.components[first]);
     seen_starts.powers.push_back(starts.powers[first]);
   }
-  const double first_step = rate(theory, seen, seen_starts, Norm::first_step);
+  const double first_step = rate(theory, seen, seen_starts, grading, Norm::first_step);
   if (norm == Norm::first_step) return first_step;
-  return std::min({rate(theory, all, starts, Norm::end), first_step, smallest_at_jumps(problem, smoothness)});
+  return std::min(
+      {rate(theory, all, starts, grading, Norm::end), first_step, smallest_at_jumps(problem, smoothness)});
 }
 
 }  // namespace fde

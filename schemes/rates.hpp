@@ -5,9 +5,11 @@
 
 namespace fde {
 
-// Theory of the rates of one scheme on a uniform grid. A component of order g contributes its smooth rate
-// and, for each power t^p with which it starts (Smoothness), what that power costs; infinity where the scheme
-// is exact for it.
+// Theory of the rates of one scheme. A component of order g contributes its smooth rate and, for each power
+// t^p with which it starts (Smoothness), what that power costs on a uniform grid; infinity where the scheme
+// is exact for it. On a graded grid the first step is t_1 = end / N^grading, and all that a power costs,
+// which comes from the first steps, is multiplied with the grading, up to the smooth rate: so the optimal
+// grading is the smooth rate over the cost (Brunner 1985; for L1 Stynes, O'Riordan & Gracia 2017).
 struct RateTheory {
   double (*smooth)(double g);
   double (*end)(double g, double p);         // at a fixed time
@@ -31,11 +33,12 @@ extern const RateTheory l1_theory;
 extern const RateTheory grunwald_letnikov_theory;
 
 // The rate of a scheme, the smallest of all contributions.
-double rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness, Norm norm);
+double rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness, double grading,
+            Norm norm);
 
 // The rate of a scheme that solves the split problem: all links count at a fixed time, only the original
 // components are looked at in the first steps.
 double split_rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
-                  const Links& links, Norm norm);
+                  const Links& links, double grading, Norm norm);
 
 }  // namespace fde

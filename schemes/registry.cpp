@@ -30,6 +30,10 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
   if (scheme.needs.uniform_grid && !grid.uniform()) {
     return fmt::format("needs a uniform grid, not one graded with {}", grid.grading);
   }
+  constexpr double shortest = 1e-290;  // its inverse and powers are doubles
+  if (!(grid.step(1) > shortest)) {
+    return fmt::format("needs a first step above {}, not {}", shortest, grid.step(1));
+  }
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
     const auto& [order, initial] = problem.components[i];
     if (!(order > 0.0 && order <= scheme.needs.largest_order)) {

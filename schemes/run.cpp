@@ -1,7 +1,8 @@
 #include "run.hpp"
 
-#include <cmath>
 #include <utility>
+
+#include "interval_weights.hpp"
 
 namespace fde {
 
@@ -46,14 +47,21 @@ Trajectory Run::finish() {
   return std::move(path_);
 }
 
-Vec integral_scale(const Problem& problem, double h, double shift) {
-  return by_order(problem, [=](double g) { return std::pow(h, g) / std::tgamma(g + shift); });
-}
-
 std::vector<WeightTable> tables(const Problem& problem, WeightFamily family) {
   std::vector<WeightTable> result;
   for (const auto& component : problem.components) result.push_back({family, component.order});
   return result;
+}
+
+StepFactors::StepFactors(std::vector<WeightTable> tables, const Grid& grid)
+    : tables_(std::move(tables)), grid_(grid), factors_(static_cast<Eigen::Index>(tables_.size())) {}
+
+const Vec& StepFactors::at(int n) {
+  if (n > 1 && grid_.uniform()) return factors_;
+  for (std::size_t i = 0; i < tables_.size(); ++i) {
+    factors_[static_cast<Eigen::Index>(i)] = step_factor(tables_[i], grid_.step(n));
+  }
+  return factors_;
 }
 
 }  // namespace fde

@@ -35,20 +35,19 @@ class Run {
   Trajectory path_;
 };
 
-// One value a component, from its order.
-template <typename Function>
-Vec by_order(const Problem& problem, Function function) {
-  Vec values(problem.size());
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    values[i] = function(problem.components[static_cast<std::size_t>(i)].order);
-  }
-  return values;
-}
-
-// h^g / Gamma(g + shift) of every component: turns a sum of weights into an integral.
-Vec integral_scale(const Problem& problem, double h, double shift);
-
 // The tables of one sum: the same family for every component, each with its own order.
 std::vector<WeightTable> tables(const Problem& problem, WeightFamily family);
+
+// step_factor of every table, step after step: computed once where all steps are equal.
+class StepFactors {
+ public:
+  StepFactors(std::vector<WeightTable> tables, const Grid& grid);
+  const Vec& at(int n);
+
+ private:
+  std::vector<WeightTable> tables_;
+  Grid grid_;
+  Vec factors_;
+};
 
 }  // namespace fde

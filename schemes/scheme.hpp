@@ -23,7 +23,7 @@ struct Options {
 
 // What a scheme asks of a problem and a grid.
 struct Needs {
-  bool uniform_grid = true;
+  bool uniform_grid = false;
   bool implicit = false;  // solves an equation each step: uses jacobian or linear_part where there is one
   double largest_order = 2.0;
 };
@@ -36,8 +36,9 @@ enum class Norm { end, first_step, maximum };
 struct Scheme {
   std::string_view id, title, source;
   Needs needs;
-  // The theoretical rate of convergence on uniform grids as steps -> infinity, for the default options.
-  std::function<double(const Problem&, const Smoothness&, Norm)> expected_rate;
+  // The theoretical rate of convergence as steps -> infinity on grids with this grading, for the default
+  // options.
+  std::function<double(const Problem&, const Smoothness&, double grading, Norm)> expected_rate;
   // Runs the scheme. Preconditions: refusal(...) is empty. Never throws for numerical failure: see
   // Trajectory::outcome.
   std::function<Trajectory(const Problem&, const Grid&, const Options&)> solve;

@@ -67,21 +67,29 @@ Real grunwald_letnikov(Real g, Real k) {
   return product;
 }
 
-}  // namespace
-
-double weight(const WeightTable& table, std::int64_t lag) {
+Real extended_weight(const WeightTable& table, std::int64_t lag) {
   const Real g = table.order, k = static_cast<Real>(lag);
   switch (table.family) {
     case WeightFamily::rectangle:
-      return static_cast<double>(rectangle(g, k));
+      return rectangle(g, k);
     case WeightFamily::trapezoid:
-      return static_cast<double>(trapezoid(g, k));
+      return trapezoid(g, k);
     case WeightFamily::grunwald_letnikov:
-      return static_cast<double>(grunwald_letnikov(g, k));
+      return grunwald_letnikov(g, k);
     case WeightFamily::l1:
-      return static_cast<double>(rectangle(1 - g, k + 1));
+      return rectangle(1 - g, k + 1);
   }
   std::abort();
+}
+
+}  // namespace
+
+double weight(const WeightTable& table, std::int64_t lag) {
+  return static_cast<double>(extended_weight(table, lag));
+}
+
+double weight_increment(const WeightTable& table, std::int64_t lag) {
+  return static_cast<double>(extended_weight(table, lag) - (lag == 1 ? 0 : extended_weight(table, lag - 1)));
 }
 
 std::optional<double> constant_weight(const WeightTable& table) {

@@ -84,7 +84,7 @@ TEST(Solve, TellsItsCostAsOneJsonLine) {
   const auto cost = nlohmann::json::parse(answer.err);
   EXPECT_GT(cost["seconds"], 0.0);
   EXPECT_GT(cost["newton"], 512);
-  EXPECT_EQ(cost["history"], "direct");
+  EXPECT_EQ(cost["history"], "exponentials");
   EXPECT_DOUBLE_EQ(cost["expected_rate"], 1.8);
   EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1);
 }
@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"solve pendulum --scheme adams --steps 8",
                 "scheme adams: no such scheme, did you mean 'adams_pc'?"},
         Mistake{"solve pendulum --scheme l1 --steps 0",
-                "--steps = 0: must be a whole number from 1 to 2097152"},
+                "--steps = 0: must be a whole number from 1 to 1000000000"},
         Mistake{"solve pendulum --scheme l1 --steps -5", "--steps = -5: must be"},
         Mistake{"solve pendulum --scheme l1 --steps 1e3", "--steps = 1e3: must be"},
         Mistake{"solve pendulum --scheme l1 --steps 99999999999", "--steps = 99999999999: must be"},
@@ -193,12 +193,18 @@ INSTANTIATE_TEST_SUITE_P(
                 "alpha = 2.5: must be a number in [1, 2)"},
         Mistake{"solve relaxation --scheme l1 --steps 8 --set gamma=nan",
                 "gamma = nan: must be a number in (0, 2]"},
-        Mistake{"solve relaxation --scheme l1 --steps 8 --grid graded:2",
-                "l1 needs a uniform grid, not one graded with 2"},
+        Mistake{"solve relaxation --scheme grunwald_letnikov --steps 8 --grid graded:2",
+                "grunwald_letnikov needs a uniform grid, not one graded with 2"},
+        Mistake{"solve relaxation --scheme l1 --steps 100000 --grid graded:80",
+                "l1 needs a first step above 1e-290, not 0"},
+        Mistake{"solve relaxation --scheme l1 --steps 3000000 --at 1 --history direct",
+                "--history = direct: takes up to 2097152 steps"},
+        Mistake{"solve relaxation --scheme l1 --steps 20000000",
+                "--at is needed beyond 10000000 steps"},
         Mistake{"solve relaxation --scheme l1 --steps 8 --grid curved",
                 "--grid = curved: must be uniform or graded:R"},
         Mistake{"solve relaxation --scheme l1 --steps 8 --history fft",
-                "--history = fft: must be auto or direct"},
+                "--history = fft: must be auto, direct or exponentials"},
         Mistake{"solve relaxation --scheme l1 --steps 8 --fast", "--fast"},
         Mistake{"solve relaxation --scheme commensurate_adams_pc --steps 8 --set gamma=0.123456789",
                 "needs orders that are multiples of one 1/M"},

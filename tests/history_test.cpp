@@ -38,7 +38,7 @@ TEST_P(Histories, ConvolveAsDefinedAtEveryStep) {
        {WeightFamily::l1, 0.4}},
       {{WeightFamily::l1, 0.3}, {WeightFamily::l1, 1.0}, {WeightFamily::trapezoid, 0.01}}};
   const Rows samples = random_samples(3, steps);
-  const auto history = make_history(GetParam(), tables, steps);
+  const auto history = make_history(GetParam(), tables, {1.0, steps}, 1e-15);
   Vec result(3);
   for (Eigen::Index n = 1; n <= steps; ++n) {
     history->push(samples.col(n - 1));
@@ -57,17 +57,19 @@ TEST_P(Histories, ConvolveAsDefinedAtEveryStep) {
 TEST_P(Histories, OrderOneNeedsNoMemoryForItsPast) {
   const WeightTables order_one{{{WeightFamily::trapezoid, 1.0}}},
       order_half{{{WeightFamily::trapezoid, 0.5}}};
-  EXPECT_LT(make_history(GetParam(), order_one, 1000)->bytes(), 100U);
-  EXPECT_GT(make_history(GetParam(), order_half, 1000)->bytes(), 1000U);
+  EXPECT_LT(make_history(GetParam(), order_one, {1.0, 1000}, 1e-15)->bytes(), 100U);
+  EXPECT_GT(make_history(GetParam(), order_half, {1.0, 1000}, 1e-15)->bytes(), 1000U);
 }
 
 TEST_P(Histories, EqualOrdersShareTheirWeights) {
   const WeightTable half{WeightFamily::trapezoid, 0.5}, third{WeightFamily::trapezoid, 0.3};
-  EXPECT_LT(make_history(GetParam(), {{half, half}}, 1000)->bytes(),
-            make_history(GetParam(), {{half, third}}, 1000)->bytes());
+  EXPECT_LT(make_history(GetParam(), {{half, half}}, {1.0, 1000}, 1e-15)->bytes(),
+            make_history(GetParam(), {{half, third}}, {1.0, 1000}, 1e-15)->bytes());
 }
 
-INSTANTIATE_TEST_SUITE_P(, Histories, testing::Values(HistoryKind::automatic, HistoryKind::direct),
+INSTANTIATE_TEST_SUITE_P(, Histories,
+                         testing::Values(HistoryKind::automatic, HistoryKind::direct,
+                                         HistoryKind::exponentials),
                          [](const auto& test) { return std::string(name(test.param)); });
 
 }  // namespace

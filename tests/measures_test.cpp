@@ -140,7 +140,7 @@ TEST_P(WholeOrders, EverySchemeTendsToGslsSolution) {
     const auto error = [&](int steps) {
       return (solve(scheme.id, scene().problem, steps).y.rightCols(1) - exact).cwiseAbs().maxCoeff();
     };
-    const double expected = scheme.expected_rate(scene().problem, scene().smoothness, Norm::end);
+    const double expected = scheme.expected_rate(scene().problem, scene().smoothness, 1.0, Norm::end);
     EXPECT_NEAR(std::log2(error(4000) / error(8000)), expected, 0.1) << scheme.id;
   }
 }

@@ -58,7 +58,7 @@ TEST_P(EveryScene, FitsEverySchemeOrIsRefusedWithAReason) {
     if (reason) {
       EXPECT_GT(reason->size(), 10U);
     } else {
-      EXPECT_GT(scheme.expected_rate(scene_.problem, scene_.smoothness, Norm::end), 0.0) << scheme.id;
+      EXPECT_GT(scheme.expected_rate(scene_.problem, scene_.smoothness, 1.0, Norm::end), 0.0) << scheme.id;
     }
   }
 }

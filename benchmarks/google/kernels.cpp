@@ -29,7 +29,7 @@ BENCHMARK_CAPTURE(weights, l1, WeightFamily::l1);
 void history_sum(benchmark::State& state, HistoryKind kind) {
   const auto steps = static_cast<int>(state.range(0));
   const std::vector<WeightTable> tables(4, {WeightFamily::trapezoid, 0.5});
-  const auto history = make_history(kind, {tables}, steps);
+  const auto history = make_history(kind, {tables}, {1.0, steps}, 1e-15);
   Vec sample = Vec::LinSpaced(4, 0.5, 1.5), sum(4);
   for (int n = 0; n < steps; ++n) history->push(sample);
   for (auto _ : state) {

@@ -13,10 +13,11 @@ struct Grid {
   double grading = 1.0;
 
   [[nodiscard]] bool uniform() const { return grading == 1.0; }
-  [[nodiscard]] double step() const { return end / steps; }  // h of the uniform grid
   [[nodiscard]] double time(int n) const {
     return uniform() ? end * n / steps : end * std::pow(static_cast<double>(n) / steps, grading);
   }
+  // t_n - t_(n-1), n >= 1; on a uniform grid the same number for all n. Never shrinks with n.
+  [[nodiscard]] double step(int n = 1) const { return uniform() ? end / steps : time(n) - time(n - 1); }
 };
 
 }  // namespace fde

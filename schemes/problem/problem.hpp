@@ -34,7 +34,17 @@ struct Problem {
 // Number of initial values that a Caputo derivative of this order needs: ceil(order).
 std::size_t initial_count(double order);
 
-// Taylor part sum_k y^(k)(0) t^k / k! of every component.
+// Taylor part sum_k y^(k)(0) t^k / k! of every component, up to k < ceil(order).
+class TaylorPart {
+ public:
+  explicit TaylorPart(const Problem& problem);
+  void at(double t, Out value) const;
+
+ private:
+  Matrix coefficients_;  // y^(k)(0) / k!, one column a power
+};
+
+// The same once.
 Vec taylor_part(const Problem& problem, double t);
 
 }  // namespace fde
