@@ -139,19 +139,19 @@ HWY_EXPORT(DotProduct);
 
 namespace {
 
-// The functions of the widest target this machine has, looked up once.
+// The functions of the chosen target, looked up once.
 struct Kernels {
   decltype(&multiply_add) multiplying;
   decltype(&scatter) scattering;
   decltype(&advance) advancing;
   decltype(&dot_product) multiplying_arrays;
 };
-Kernels widest() {
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+Kernels kernels_of(std::int64_t targets) {
+  hwy::GetChosenTarget().Update(targets);
   return {HWY_DYNAMIC_DISPATCH(MultiplyAdd), HWY_DYNAMIC_DISPATCH(Scatter), HWY_DYNAMIC_DISPATCH(Advance),
           HWY_DYNAMIC_DISPATCH(DotProduct)};
 }
-const Kernels kernels = widest();
+Kernels kernels = kernels_of(hwy::SupportedTargets());
 
 }  // namespace
 
@@ -171,6 +171,19 @@ void advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_
 
 double dot_product(const double* a, const double* b, Eigen::Index length) {
   return kernels.multiplying_arrays(a, b, length);
+}
+
+std::vector<std::string_view> vector_targets() {
+  std::vector<std::string_view> names;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+    names.emplace_back(hwy::TargetName(target));
+  return names;
+}
+
+void use_vector_target(std::string_view name) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    if (hwy::TargetName(target) == name) kernels = kernels_of(target);
+  }
 }
 
 }  // namespace fde

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string_view>
+#include <vector>
 
 namespace fde {
 
@@ -38,5 +40,12 @@ void advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_
 
 // The dot product of two arrays of any length and alignment.
 double dot_product(const double* a, const double* b, Eigen::Index length);
+
+// The instruction sets that this build has code for and this machine runs, the widest first: that one is
+// used.
+std::vector<std::string_view> vector_targets();
+
+// Uses another one of them from now on, for tests and benchmarks. Not while another thread computes.
+void use_vector_target(std::string_view name);
 
 }  // namespace fde

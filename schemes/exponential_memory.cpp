@@ -19,11 +19,9 @@ Block writing(Matrix& matrix) { return {matrix.data(), matrix.rows()}; }
 
 // w(1), w(2), ..., or their differences.
 Vec exact_weights(const WeightTable& table, Eigen::Index count) {
-  Vec weights(count);
-  for (Eigen::Index k = 1; k <= count; ++k) {
-    weights[k - 1] = weighs_running_sums(table) ? weight_increment(table, k) : weight(table, k);
-  }
-  return weights;
+  return Vec::NullaryExpr(count, [&](Eigen::Index k) {
+    return weighs_running_sums(table) ? weight_increment(table, k + 1) : weight(table, k + 1);
+  });
 }
 
 // The weights of x_0 at the steps first, first + 1, ...
