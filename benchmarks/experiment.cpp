@@ -6,7 +6,9 @@
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
+#include "energy_balance.hpp"
 #include "measures.hpp"
 
 namespace fde {
@@ -51,69 +53,80 @@ namespace {
 // At least `repeats` solves, and so many that short ones add up to something a clock can tell.
 constexpr double least_seconds = 0.02;
 
-struct TimedSolve {
-  Trajectory path;
+std::vector<double> solve_repeatedly(const Scheme& scheme, const Problem& problem, const Grid& grid,
+                                     int repeats) {
+  const Options options{.keep = {grid.steps}};
   std::vector<double> seconds;
-};
-
-TimedSolve solve_repeatedly(const Scheme& scheme, const Problem& problem, const Grid& grid,
-                            const Options& options, int repeats) {
-  TimedSolve result;
   double total = 0.0;
-  while (std::ssize(result.seconds) < repeats || total < least_seconds) {
+  while (std::ssize(seconds) < repeats || total < least_seconds) {
     const auto start = std::chrono::steady_clock::now();
-    result.path = scheme.solve(problem, grid, options);
-    result.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    total += result.seconds.back();
-    if (result.path.outcome != Outcome::finished) break;
+    const auto path = scheme.solve(problem, grid, options);
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    total += seconds.back();
   }
-  return result;
+  return seconds;
+}
+
+Record with_value(Record row, std::string_view quantity, double value, std::string_view unit) {
+  if (!std::isfinite(value)) throw std::range_error(fmt::format("{} is not finite", quantity));
+  row.quantity = quantity;
+  row.value = value;
+  row.unit = unit;
+  return row;
 }
 
 // A row for every measure that applies; throws std::range_error where one is not finite.
 std::vector<Record> measure(const Observation& run, const Record& row) {
   std::vector<Record> rows;
   for (const auto& measure : measures()) {
-    if (!measure.applies(run)) continue;
-    rows.push_back(row);
-    rows.back().quantity = measure.id;
-    rows.back().value = measure.value(run);
-    rows.back().unit = measure.unit;
-    if (!std::isfinite(rows.back().value))
-      throw std::range_error(fmt::format("{} is not finite", measure.id));
+    if (measure.applies(run)) rows.push_back(with_value(row, measure.id, measure.value(run), measure.unit));
   }
   return rows;
 }
 
 }  // namespace
 
-std::vector<Record> run_experiment(const std::string& label, const Scene& scene, TruthTable& truth,
-                                   const Scheme& scheme, int steps, int repeats) {
+Examination examine(const std::string& label, const Scene& scene, TruthTable& truth, const Scheme& scheme,
+                    int steps) {
   const Grid grid{.end = scene.problem.end, .steps = steps};
-  const Options options{};
+  Options options{.keep = watched_steps(steps)};
   const Record row{.scene = label,
                    .scheme = std::string(scheme.id),
-                   .history = std::string(name(resolve(options.history, grid))),
+                   .history = std::string(name(options.history)),
                    .steps = steps,
-                   .h = grid.step()};
+                   .h = grid.step(),
+                   .tolerance = options.tolerance};
   const auto outcome = [&](double reached, const std::string& status) {
-    Record last = row;
-    last.quantity = "outcome";
-    last.value = reached;
-    last.unit = "t";
+    Record last = with_value(row, "outcome", reached, "t");
     last.status = status;
     return last;
   };
-  if (const auto reason = refusal(scheme, scene.problem, grid)) return {outcome(0.0, "refused: " + *reason)};
-  const auto [path, seconds] = solve_repeatedly(scheme, scene.problem, grid, options, repeats);
-  if (path.outcome != Outcome::finished) return {outcome(grid.time(path.reached), describe(path))};
+  if (const auto reason = refusal(scheme, scene.problem, grid))
+    return {{outcome(0.0, "refused: " + *reason)}};
+  EnergyBalance balance(scene.energy);
+  if (scene.energy) options.watch = [&](int n, In y) { balance.see(grid.time(n), y); };
+  const auto path = scheme.solve(scene.problem, grid, options);
+  if (path.outcome != Outcome::finished) return {{outcome(grid.time(path.reached), describe(path))}};
   try {
     const Rows values = shown(scene, path.y), exact = truth.at(grid, path.steps);
-    auto rows = measure({scene, scheme, options, path, values, exact, truth.bound(grid), seconds}, row);
+    auto rows =
+        measure({scene, scheme, options, path, values, exact, truth.bound(grid), balance.residual()}, row);
     rows.push_back(outcome(grid.end, "finished"));
-    return rows;
+    return {std::move(rows), true};
   } catch (const std::runtime_error& failure) {  // of a measure, or of the reference
-    return {outcome(grid.end, failure.what())};
+    return {{outcome(grid.end, failure.what())}};
+  }
+}
+
+void time_solves(Examination& examination, const Scene& scene, const Scheme& scheme, int repeats) {
+  if (!examination.finished) return;
+  auto& rows = examination.rows;
+  Record row = rows.back();
+  row.status.clear();
+  const auto seconds =
+      solve_repeatedly(scheme, scene.problem, {.end = scene.problem.end, .steps = row.steps}, repeats);
+  for (const auto& measure : time_measures()) {
+    rows.insert(rows.end() - 1, with_value(row, measure.id, measure.value(seconds), "s"));
   }
 }
 

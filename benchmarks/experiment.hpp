@@ -37,10 +37,19 @@ Scene make_scene(const SceneMaker& maker, const std::map<std::string, double>& v
 // Why a run ended early, with step and time: "not finite at step 94, t = 18.4"; "finished" when it did not.
 std::string describe(const Trajectory& path);
 
-// Solves `repeats` times, more where that takes less than 20 ms, and takes every measure that applies; the
-// rows carry the label as their scene. The last row is the outcome; a scheme that refuses or fails has this
-// row only.
-std::vector<Record> run_experiment(const std::string& label, const Scene& scene, TruthTable& truth,
-                                   const Scheme& scheme, int steps, int repeats);
+// One (scene, scheme, steps) of a sweep: everything but its time, and how to repeat it.
+struct Examination {
+  std::vector<Record> rows;  // the last is the outcome; a scheme that refuses or fails has this one only
+  bool finished = false;     // worth timing
+};
+
+// Solves once, compares with the truth at watched_steps and takes every measure that applies; the rows carry
+// the label as their scene. Examinations may go on side by side, each scene with a TruthTable of its own.
+Examination examine(const std::string& label, const Scene& scene, TruthTable& truth, const Scheme& scheme,
+                    int steps);
+
+// Puts the time rows before the outcome of a finished examination: solves `repeats` times, more where that
+// takes less than 20 ms, storing the last step only. To be called while nothing else runs.
+void time_solves(Examination& examination, const Scene& scene, const Scheme& scheme, int repeats);
 
 }  // namespace fde

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -10,7 +11,7 @@
 namespace fde {
 
 // One finished run with all that a measure may look at. Rows hold the scene's columns as rows, one column a
-// step.
+// step of watched_steps.
 struct Observation {
   const Scene& scene;
   const Scheme& scheme;
@@ -19,7 +20,7 @@ struct Observation {
   const Rows& values;
   const Rows& truth;
   double truth_bound;  // of the truth at the end: a bound, or an estimate where that is all there is
-  const std::vector<double>& seconds;  // of the solve alone, one a repeat
+  std::optional<double> energy_residual{};  // EnergyBalance, which saw every step
 };
 
 // One number taken from a run. Where it does not apply it is not computed and has no row.
@@ -31,15 +32,23 @@ struct Measure {
 
 std::span<const Measure> measures();
 
-// max_i |y_i - truth_i| at the last step; over all steps.
+// The same for the times of repeated solves, in seconds.
+struct TimeMeasure {
+  std::string_view id;
+  double (*value)(const std::vector<double>& seconds);
+};
+std::span<const TimeMeasure> time_measures();
+
+// The steps at which a run of this many is compared with the truth: all of them up to 8192, beyond that the
+// first 16 and 8192 spread evenly.
+std::vector<int> watched_steps(int steps);
+
+// max_i |y_i - truth_i| at the last step; over all watched steps.
 double error_end(const Observation& run);
 double error_maximum(const Observation& run);
 
 // -log10 max_i |y_i - truth_i| / (1 + |truth_i|) at the last step: the significant digits of the IVP test set
 // (Bari) and FDE-Testset (Brugnano et al. 2025). At most 17, where the two are equal.
 double mescd(const Observation& run);
-
-// max_n |E(t_n) - E(0) - int_0^(t_n) power dt|, the integral by GSL's cubic spline through all steps.
-double energy_residual(const Observation& run);
 
 }  // namespace fde

@@ -19,7 +19,8 @@
 namespace fde {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Session, date, machine, system, compiler, flags, commit, version, cores)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Record, scene, scheme, history, steps, h, quantity, value, unit, status)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Record, scene, scheme, history, steps, h, tolerance, quantity, value, unit,
+                                   status)
 
 namespace {
 

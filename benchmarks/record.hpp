@@ -10,9 +10,10 @@ namespace fde {
 
 // One number of one run: a row of tidy results.
 struct Record {
-  std::string scene{}, scheme{}, history{};
+  std::string scene{}, scheme{}, history{};  // history as asked for
   int steps = 0;
   double h = 0.0;
+  double tolerance = 0.0;  // Options::tolerance
   std::string quantity{};  // a Measure's id, or "outcome", the last row of each run
   double value = 0.0;
   std::string unit{};

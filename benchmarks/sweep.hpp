@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "record.hpp"
@@ -25,10 +26,13 @@ struct Sweep {
   std::vector<const Scheme*> schemes;
   std::vector<int> steps;
   int repeats = 3;
+  unsigned threads = std::thread::hardware_concurrency();  // of the part that is not timed
 };
 
-// Runs what `has` does not know yet, one run after the other (a timed run has the machine to itself). Rows go
-// to `append`, one call a run; `progress` hears (done, total, what comes next) before each.
+// Runs what `has` does not know yet: first the references and measures, scenes side by side, then the timed
+// solves, each alone on the machine. Rows go to `append`, one call a run, in the order of the lists whatever
+// the number of threads, which changes no bit of them but the times. `progress` hears (done, total, what
+// comes next), from one thread at a time.
 struct SweepHooks {
   std::function<bool(const std::string& scene, const std::string& scheme, int steps)> has;
   std::function<void(const std::vector<Record>&)> append;

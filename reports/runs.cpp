@@ -39,6 +39,7 @@ void add(MeasuredRun& run, const Record& row) {
            .history = row.history,
            .steps = row.steps,
            .h = row.h,
+           .tolerance = row.tolerance,
            .session = row.session};
   }
   if (row.quantity == "outcome") {

@@ -15,7 +15,7 @@ namespace fde {
 struct MeasuredRun {
   std::string scene, scheme, history;
   int steps = 0;
-  double h = 0.0;
+  double h = 0.0, tolerance = 0.0;
   std::size_t session = 0;                              // index into Results::sessions
   std::string status{};                                 // of its outcome row
   std::map<std::string, double, std::less<>> values{};  // by quantity

@@ -1,5 +1,8 @@
 #include "block_kernels.hpp"
 
+#include <algorithm>
+#include <array>
+
 // The tiles are arrays of vectors, which vectors of unknown length cannot be.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
@@ -24,12 +27,12 @@ constexpr Eigen::Index tile_vectors = hn::MaxLanes(tag) == lanes ? 4 : 2;
 template <Eigen::Index Vectors, Eigen::Index Columns>
 HWY_INLINE void tile(Eigen::Index inner, ConstBlock a, ConstBlock b, Block c) {
   constexpr Eigen::Index width = hn::MaxLanes(tag);
-  Vector sum[Vectors][Columns];
+  std::array<std::array<Vector, Columns>, Vectors> sum;
   for (Eigen::Index j = 0; j < Columns; ++j) {
     for (Eigen::Index v = 0; v < Vectors; ++v) sum[v][j] = hn::Load(tag, c.data + j * c.stride + v * width);
   }
   for (Eigen::Index k = 0; k < inner; ++k) {
-    Vector left[Vectors];
+    std::array<Vector, Vectors> left;
     for (Eigen::Index v = 0; v < Vectors; ++v) left[v] = hn::Load(tag, a.data + k * a.stride + v * width);
     for (Eigen::Index j = 0; j < Columns; ++j) {
       const Vector right = hn::Set(tag, b.data[j * b.stride + k]);
@@ -54,8 +57,8 @@ HWY_INLINE void panel(Eigen::Index rows, Eigen::Index inner, ConstBlock a, Const
   for (; row < rows; row += width) tile<1, Columns>(inner, below(a, row), b, below(c, row));
 }
 
-void MultiplyAdd(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, ConstBlock a, ConstBlock b,
-                 Block c) {
+void multiply_add_kernel(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, ConstBlock a,
+                         ConstBlock b, Block c) {
   constexpr Eigen::Index together = 4;
   while (columns > 0) {
     switch (std::min(columns, together)) {
@@ -77,7 +80,7 @@ void MultiplyAdd(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, Co
   }
 }
 
-void Scatter(const double* a, const double* b, Eigen::Index columns, Block c) {
+void scatter_kernel(const double* a, const double* b, Eigen::Index columns, Block c) {
   constexpr Eigen::Index width = hn::MaxLanes(tag);
   for (Eigen::Index j = 0; j < columns; ++j) {
     const Vector factor = hn::Set(tag, b[j]);
@@ -89,8 +92,8 @@ void Scatter(const double* a, const double* b, Eigen::Index columns, Block c) {
 }
 
 // The sum with its rounding error is Knuth's.
-void Advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
-             Block state, Block carry) {
+void advance_kernel(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
+                    Block state, Block carry) {
   constexpr Eigen::Index width = hn::MaxLanes(tag);
   for (Eigen::Index j = 0; j < columns; ++j) {
     for (Eigen::Index row = 0; row < rows; row += width) {
@@ -108,9 +111,9 @@ void Advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_
 }
 
 // Thirty-two running sums, whatever the width.
-double DotProduct(const double* a, const double* b, Eigen::Index length) {
+double dot_product_kernel(const double* a, const double* b, Eigen::Index length) {
   constexpr Eigen::Index together = 4 * lanes, width = hn::MaxLanes(tag), vectors = together / width;
-  Vector sum[vectors];
+  std::array<Vector, vectors> sum;
   for (auto& part : sum) part = hn::Zero(tag);
   Eigen::Index k = 0;
   for (; k + together <= length; k += together) {
@@ -118,8 +121,8 @@ double DotProduct(const double* a, const double* b, Eigen::Index length) {
       sum[v] = hn::MulAdd(hn::LoadU(tag, a + k + v * width), hn::LoadU(tag, b + k + v * width), sum[v]);
     }
   }
-  HWY_ALIGN double parts[together];
-  for (Eigen::Index v = 0; v < vectors; ++v) hn::Store(sum[v], tag, parts + v * width);
+  HWY_ALIGN std::array<double, together> parts;
+  for (Eigen::Index v = 0; v < vectors; ++v) hn::Store(sum[v], tag, parts.data() + v * width);
   double total = 0.0;
   for (const double part : parts) total += part;
   for (; k < length; ++k) total += a[k] * b[k];
@@ -132,10 +135,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace fde {
 
-HWY_EXPORT(MultiplyAdd);
-HWY_EXPORT(Scatter);
-HWY_EXPORT(Advance);
-HWY_EXPORT(DotProduct);
+HWY_EXPORT(multiply_add_kernel);
+HWY_EXPORT(scatter_kernel);
+HWY_EXPORT(advance_kernel);
+HWY_EXPORT(dot_product_kernel);
 
 namespace {
 
@@ -148,8 +151,8 @@ struct Kernels {
 };
 Kernels kernels_of(std::int64_t targets) {
   hwy::GetChosenTarget().Update(targets);
-  return {HWY_DYNAMIC_DISPATCH(MultiplyAdd), HWY_DYNAMIC_DISPATCH(Scatter), HWY_DYNAMIC_DISPATCH(Advance),
-          HWY_DYNAMIC_DISPATCH(DotProduct)};
+  return {HWY_DYNAMIC_DISPATCH(multiply_add_kernel), HWY_DYNAMIC_DISPATCH(scatter_kernel),
+          HWY_DYNAMIC_DISPATCH(advance_kernel), HWY_DYNAMIC_DISPATCH(dot_product_kernel)};
 }
 Kernels kernels = kernels_of(hwy::SupportedTargets());
 

@@ -5,8 +5,6 @@
 namespace fde {
 namespace {
 
-constexpr Eigen::Index block = ExponentialMemory::block, recent = ExponentialMemory::recent;
-
 // Padded with zeros to a whole number of vectors.
 Vec padded(const Vec& values) {
   Vec result = Vec::Zero((values.size() + lanes - 1) / lanes * lanes);
@@ -128,9 +126,9 @@ void ExponentialMemory::advance_block() {
 }
 
 void ExponentialMemory::advance_start() {
-  const auto rows = start_states_.size();
-  advance(rows, 1, decay_minus_one_.data(), {start_input_.data(), rows}, {start_states_.data(), rows},
-          {start_carries_.data(), rows});
+  const auto count = start_states_.size();
+  advance(count, 1, decay_minus_one_.data(), {start_input_.data(), count}, {start_states_.data(), count},
+          {start_carries_.data(), count});
   if (running_sums_) {
     start_input_ = gather_.rowwise().sum();
   } else {
@@ -139,7 +137,8 @@ void ExponentialMemory::advance_start() {
   start_ = start_near_;
   for (std::size_t table = 0; table < start_far_.size(); ++table) {
     if (start_far_[table].size() == 0) continue;
-    multiply_add(block, rows, 1, reading(start_far_[table]), {start_states_.data(), rows},
+    const auto& far = start_far_[table];
+    multiply_add(far.rows(), count, 1, reading(far), {start_states_.data(), count},
                  {&start_(0, static_cast<Eigen::Index>(table)), block});
   }
 }

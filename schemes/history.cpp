@@ -1,13 +1,23 @@
 #include "history.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "history_direct.hpp"
 #include "history_exponentials.hpp"
 #include "history_graded.hpp"
 
 namespace fde {
+namespace {
+
+// Rounding, and where a sum of exponentials still deserves the name.
+constexpr double finest_tolerance = 1e-16, coarsest_tolerance = 0.1;
+
+}  // namespace
 
 HistoryKind resolve(HistoryKind kind, const Grid& grid) {
-  constexpr int break_even = 256;
+  // Measured by fde_histories; on other grids every weight of the direct engine costs a power.
+  const int break_even = grid.uniform() ? 128 : 16;
   if (kind != HistoryKind::automatic) return kind;
   return grid.steps < break_even ? HistoryKind::direct : HistoryKind::exponentials;
 }
@@ -27,12 +37,13 @@ std::string_view name(HistoryKind kind) {
 std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const Grid& grid,
                                       double tolerance) {
   const bool direct = resolve(kind, grid) == HistoryKind::direct;
+  const double achievable = std::clamp(tolerance, finest_tolerance, coarsest_tolerance);
   if (grid.uniform()) {
     if (direct) return std::make_unique<DirectHistory>(tables, grid.steps);
-    return std::make_unique<ExponentialHistory>(tables, grid.steps, tolerance);
+    return std::make_unique<ExponentialHistory>(tables, grid.steps, achievable);
   }
   if (direct) return std::make_unique<GradedDirectHistory>(tables, grid);
-  return std::make_unique<GradedExponentialHistory>(tables, grid, tolerance);
+  return std::make_unique<GradedExponentialHistory>(tables, grid, achievable);
 }
 
 }  // namespace fde

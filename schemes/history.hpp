@@ -42,7 +42,8 @@ enum class HistoryKind { automatic, direct, exponentials };
 HistoryKind resolve(HistoryKind kind, const Grid& grid);
 std::string_view name(HistoryKind kind);
 
-// The tolerance is the relative error allowed to each weight; `direct` is always exact.
+// The tolerance is the relative error allowed to each weight, at least rounding and at most a tenth; `direct`
+// is always exact.
 std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const Grid& grid,
                                       double tolerance);
 

@@ -117,7 +117,7 @@ void GradedExponentialHistory::prepare(double length) {
 }
 
 GradedExponentialHistory::Polynomial GradedExponentialHistory::integrand(const Track& track, double before,
-                                                                         double after, double length) const {
+                                                                         double after, double length) {
   const auto [begin, end] = ends(track.table.family, before, after, length);
   if (!weighs_running_sums(track.table)) return {begin, end - begin, 0.0};
   return {track.integral[0], length * begin, length * (end - begin)};

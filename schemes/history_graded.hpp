@@ -56,7 +56,7 @@ class GradedExponentialHistory final : public History {
   };
   // A polynomial on one interval, in powers of w = (t - start) / length: p0 + p1 w + p2 w^2 / 2.
   using Polynomial = Eigen::Vector3d;
-  [[nodiscard]] Polynomial integrand(const Track& track, double before, double after, double length) const;
+  static Polynomial integrand(const Track& track, double before, double after, double length);
   void advance(Track& track, double before, double after, double length) const;
   void prepare(double length);
 

@@ -34,6 +34,7 @@ bool Run::accept(int n, In y) {
 }
 
 void Run::record(int n, In y) {
+  if (options_.watch) options_.watch(n, y);
   if (!options_.keep.empty()) {
     if (next_kept_ == options_.keep.size() || options_.keep[next_kept_] != n) return;
     ++next_kept_;

@@ -16,9 +16,11 @@ namespace fde {
 struct Options {
   HistoryKind history = HistoryKind::automatic;
   int corrections = 1;  // corrector iterations of predictor-corrector schemes, >= 1
-  double tolerance =
-      1e-15;                // inside a step: largest last Newton increment relative to |y|; default: rounding
-  std::vector<int> keep{};  // steps to return, increasing; empty: all
+  // What a step may be off by besides the rule's own error, relative; default: rounding. It bounds the last
+  // Newton increment against |y|, and the error of every weight of the past.
+  double tolerance = 1e-15;
+  std::vector<int> keep{};                   // steps to return, increasing; empty: all
+  std::function<void(int n, In y)> watch{};  // hears every step from 0 on, kept or not
 };
 
 // What a scheme asks of a problem and a grid.

@@ -129,8 +129,13 @@ Trajectory solve_split(const Problem& problem, const Grid& grid, const Options& 
   if (std::ranges::all_of(links, [](const auto& link) { return link.size() == 1; })) {
     return solve(problem, grid, options);
   }
-  Trajectory path = solve(split(problem, links), grid, options);
-  path.y = Rows(path.y(positions(links), Eigen::all));
+  const auto position = positions(links);
+  Options inner = options;
+  if (options.watch) {
+    inner.watch = [&](int n, In y) { options.watch(n, Vec(y(position))); };
+  }
+  Trajectory path = solve(split(problem, links), grid, inner);
+  path.y = Rows(path.y(position, Eigen::all));
   return path;
 }
 

@@ -3,11 +3,11 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_odeiv2.h>
-#include <gsl/gsl_spline.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "energy_balance.hpp"
 #include "rate.hpp"
 #include "testing.hpp"
 
@@ -20,10 +20,9 @@ struct Made {
   Options options{};
   Trajectory path{};
   Rows truth{};
-  std::vector<double> seconds{3.0, 1.0, 2.0};
 
   [[nodiscard]] Observation observe() const {
-    return {scene, *find_scheme("l1"), options, path, path.y, truth, 1e-15, seconds};
+    return {scene, *find_scheme("l1"), options, path, path.y, truth, 1e-15};
   }
 };
 
@@ -33,8 +32,8 @@ Made made(const Rows& values, const Rows& truth) {
   return result;
 }
 
-double measure(std::string_view id, const Observation& run) {
-  return std::ranges::find(measures(), id, &Measure::id)->value(run);
+double time_measure(std::string_view id, const std::vector<double>& seconds) {
+  return std::ranges::find(time_measures(), id, &TimeMeasure::id)->value(seconds);
 }
 
 TEST(Measures, OfAHandMadeTrajectory) {
@@ -44,11 +43,22 @@ TEST(Measures, OfAHandMadeTrajectory) {
   EXPECT_EQ(error_end(run.observe()), 1.0);
   EXPECT_EQ(error_maximum(run.observe()), 2.5);
   EXPECT_NEAR(mescd(run.observe()), -std::log10(0.1), 1e-15);
-  EXPECT_EQ(measure("time_minimum", run.observe()), 1.0);
-  EXPECT_EQ(measure("time_median", run.observe()), 2.0);
-  auto even = run;
-  even.seconds.push_back(10.0);
-  EXPECT_EQ(measure("time_median", even.observe()), 2.5);
+}
+
+TEST(Measures, OfTimes) {
+  EXPECT_EQ(time_measure("time_minimum", {3.0, 1.0, 2.0}), 1.0);
+  EXPECT_EQ(time_measure("time_median", {3.0, 1.0, 2.0}), 2.0);
+  EXPECT_EQ(time_measure("time_median", {3.0, 1.0, 10.0, 2.0}), 2.5);
+}
+
+TEST(WatchedSteps, AreAllUpToALimitAndThenSpread) {
+  EXPECT_EQ(watched_steps(3), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(watched_steps(8192).size(), 8193U);
+  const auto some = watched_steps(1'000'000'000);
+  EXPECT_EQ(some.front(), 0);
+  EXPECT_EQ(some[16], 16);
+  EXPECT_EQ(some[17], 1'000'000'000 / 8192);
+  EXPECT_EQ(some.back(), 1'000'000'000);
 }
 
 TEST(Measures, ANumberWithoutErrorHasSeventeenDigits) {
@@ -56,31 +66,57 @@ TEST(Measures, ANumberWithoutErrorHasSeventeenDigits) {
   EXPECT_EQ(mescd(run.observe()), 17.0);
 }
 
+// What the balance makes of a path given as rows.
+std::optional<double> residual(const Energy& energy, const Trajectory& path) {
+  EnergyBalance balance(energy);
+  for (Eigen::Index n = 0; n < path.y.cols(); ++n) {
+    balance.see(path.grid.time(path.steps[static_cast<std::size_t>(n)]), path.y.col(n));
+  }
+  return balance.residual();
+}
+
 TEST(EnergyResidual, VanishesWithTheScheme) {
-  const auto residual = [](int steps) {
-    Made run{.scene = scene_of("pendulum")};
-    run.path = solve("product_trapezoidal", run.scene.problem, steps);
-    return energy_residual(run.observe());
+  const auto scene = scene_of("pendulum");
+  const auto of = [&](int steps) {
+    return residual(scene.energy, solve("product_trapezoidal", scene.problem, steps)).value();
   };
-  EXPECT_LT(residual(4096), 1e-4);
-  EXPECT_GT(std::log2(residual(1024) / residual(2048)), 1.4);
+  EXPECT_LT(of(4096), 1e-4);
+  EXPECT_GT(std::log2(of(1024) / of(2048)), 1.4);
 }
 
 TEST(EnergyResidual, IsTheDriftOfAConservedEnergy) {
-  Made run{.scene = scene_of("pendulum", {{"mu", 0.0}, {"lambda", 0.0}, {"nu", 0.0}})};
-  run.path = solve("l1", run.scene.problem, 500);
-  const auto& energy = run.scene.energy.value;
+  const auto scene = scene_of("pendulum", {{"mu", 0.0}, {"lambda", 0.0}, {"nu", 0.0}});
+  const auto path = solve("l1", scene.problem, 500);
   double drift = 0.0;
-  for (const auto& y : run.path.y.colwise())
-    drift = std::max(drift, std::abs(energy(Vec(y)) - energy(run.path.y.col(0))));
-  EXPECT_DOUBLE_EQ(energy_residual(run.observe()), drift);
+  for (const auto& y : path.y.colwise())
+    drift = std::max(drift, std::abs(scene.energy.value(Vec(y)) - scene.energy.value(path.y.col(0))));
+  EXPECT_DOUBLE_EQ(residual(scene.energy, path).value(), drift);
+}
+
+// E = t^3 has the power 3 t^2, a parabola, on uneven times too.
+TEST(EnergyResidual, IsExactForAParabolicPower) {
+  const Energy cubic{.value = [](In y) { return y[0] * y[0] * y[0]; },
+                     .power = [](double t, In) { return 3.0 * t * t; }};
+  Trajectory path{.grid = {2.0, 40, 1.7}};
+  path.y.resize(1, 41);
+  for (int n = 0; n <= 40; ++n) {
+    path.steps.push_back(n);
+    path.y(0, n) = path.grid.time(n);
+  }
+  EXPECT_LT(residual(cubic, path).value(), 1e-14);
+}
+
+TEST(EnergyResidual, NeedsThreeSteps) {
+  const auto scene = scene_of("pendulum");
+  EXPECT_FALSE(residual(scene.energy, solve("l1", scene.problem, 1)).has_value());
+  EXPECT_TRUE(residual(scene.energy, solve("l1", scene.problem, 2)).has_value());
 }
 
 TEST(EnergyResidual, OfAnInfiniteEnergyIsNotZero) {
-  Made run{.scene = scene_of("pendulum")};
-  run.path = solve("l1", run.scene.problem, 8);
-  run.path.y(2, 4) = 1e200;
-  EXPECT_FALSE(std::isfinite(energy_residual(run.observe())));
+  const auto scene = scene_of("pendulum");
+  auto path = solve("l1", scene.problem, 8);
+  path.y(2, 4) = 1e200;
+  EXPECT_FALSE(std::isfinite(residual(scene.energy, path).value()));
 }
 
 TEST(FitRate, RecoversAPowerLaw) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -187,6 +188,35 @@ TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
   EXPECT_EQ(count("energy_residual"), 0);
 }
 
+// All but the times.
+std::vector<std::string> rows_with_threads(unsigned threads) {
+  const Sweep sweep{
+      .scenes = {{&scene_maker("relaxation")}, {&scene_maker("brusselator")}, {&scene_maker("pendulum")}},
+      .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
+      .steps = {16, 600},
+      .repeats = 1,
+      .threads = threads};
+  std::vector<std::string> rows;
+  run_sweep(sweep, {.has = [](const auto&, const auto&, int) { return false; },
+                    .append =
+                        [&](const auto& run) {
+                          for (const auto& row : run) {
+                            if (row.unit == "s") continue;
+                            rows.push_back(fmt::format("{} {} {} {} {} {}", row.scene, row.scheme, row.steps,
+                                                       row.quantity, row.value, row.status));
+                          }
+                        },
+                    .progress = [](std::size_t, std::size_t, const auto&) {}});
+  return rows;
+}
+
+TEST(Sweeps, GiveTheSameBitsWithAnyNumberOfThreads) {
+  const auto alone = rows_with_threads(1);
+  EXPECT_GT(alone.size(), 100U);
+  EXPECT_EQ(rows_with_threads(2), alone);
+  EXPECT_EQ(rows_with_threads(7), alone);
+}
+
 TEST(Sweeps, RecordAMissingReferenceAndGoOn) {
   Scene scene = scene_of("brusselator");
   scene.problem.rhs = [rhs = scene.problem.rhs](double t, In y, Out f) {
@@ -195,7 +225,7 @@ TEST(Sweeps, RecordAMissingReferenceAndGoOn) {
   };
   TruthTable truth(scene);
   for (int repeat = 0; repeat < 2; ++repeat) {
-    const auto rows = run_experiment("brusselator", scene, truth, *find_scheme("l1"), 64, 1);
+    const auto rows = examine("brusselator", scene, truth, *find_scheme("l1"), 64).rows;
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_EQ(rows[0].status.substr(0, 14), "no reference: ");
   }
@@ -204,7 +234,7 @@ TEST(Sweeps, RecordAMissingReferenceAndGoOn) {
 TEST(Sweeps, RecordRefusalsAndFailuresWithTheirReason) {
   const auto outcome = [](const Scene& scene, std::string_view scheme) {
     TruthTable truth(scene);
-    return run_experiment("brusselator", scene, truth, *find_scheme(scheme), 256, 1);
+    return examine("brusselator", scene, truth, *find_scheme(scheme), 256).rows;
   };
   const auto failed = outcome(scene_of("brusselator"), "adams_pc");
   ASSERT_EQ(failed.size(), 1U);

@@ -1,11 +1,10 @@
-// The kernels under everything: one weight, one step of the history, one value of the Mittag-Leffler
-// function.
+// The kernels under everything: one weight, one value of the Mittag-Leffler function. Histories have a
+// program of their own.
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 
-#include "history.hpp"
 #include "mittag_leffler.hpp"
 #include "weights.hpp"
 
@@ -24,31 +23,6 @@ BENCHMARK_CAPTURE(weights, rectangle, WeightFamily::rectangle);
 BENCHMARK_CAPTURE(weights, trapezoid, WeightFamily::trapezoid);
 BENCHMARK_CAPTURE(weights, grunwald_letnikov, WeightFamily::grunwald_letnikov);
 BENCHMARK_CAPTURE(weights, l1, WeightFamily::l1);
-
-// The sum after N samples of a four-component chain with equal orders.
-void history_sum(benchmark::State& state, HistoryKind kind) {
-  const auto steps = static_cast<int>(state.range(0));
-  const std::vector<WeightTable> tables(4, {WeightFamily::trapezoid, 0.5});
-  const auto history = make_history(kind, {tables}, {1.0, steps}, 1e-15);
-  Vec sample = Vec::LinSpaced(4, 0.5, 1.5), sum(4);
-  for (int n = 0; n < steps; ++n) history->push(sample);
-  for (auto _ : state) {
-    history->convolve(0, sum);
-    benchmark::DoNotOptimize(sum.data());
-  }
-  state.counters["multiply_adds_per_second"] =
-      benchmark::Counter(4.0 * steps, benchmark::Counter::kIsIterationInvariantRate);
-}
-BENCHMARK_CAPTURE(history_sum, direct, HistoryKind::direct)->RangeMultiplier(4)->Range(1 << 8, 1 << 16);
-
-// The same number of multiply-adds as one plain Eigen dot product: what the history could reach at best.
-void bare_dot_product(benchmark::State& state) {
-  const Vec a = Vec::Random(4 * state.range(0)), b = Vec::Random(4 * state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(a.dot(b));
-  state.counters["multiply_adds_per_second"] =
-      benchmark::Counter(static_cast<double>(a.size()), benchmark::Counter::kIsIterationInvariantRate);
-}
-BENCHMARK(bare_dot_product)->RangeMultiplier(4)->Range(1 << 8, 1 << 16);
 
 // E_{a,1}(-x), x from 0 to 100. The argument is a in tenths.
 void mittag_leffler_double(benchmark::State& state) {

@@ -1,5 +1,5 @@
 // solve/<scene>/<scheme>/<N> for every pair of the lists that fits, with the error of the solution beside
-// each time.
+// each time; history/<scene>/<scheme>/<engine>/<N> compares the engines on whole solves.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -14,21 +14,26 @@ using namespace fde;
 
 // A scene with its truth, which is made once, when the first benchmark of the scene needs it.
 struct Subject {
-  explicit Subject(const SceneMaker& maker) : scene(make_scene(maker)) {}
+  explicit Subject(const SceneMaker& maker) : id(maker.id), scene(make_scene(maker)) {}
+  std::string_view id;
   Scene scene;
   TruthTable truth{scene};
 };
 
-void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int steps) {
+void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int steps,
+           HistoryKind history = HistoryKind::automatic) {
   const Grid grid{.end = subject.scene.problem.end, .steps = steps};
+  const Options options{.history = history, .keep = {steps}};
   Trajectory path;
-  for (auto _ : state) path = scheme.solve(subject.scene.problem, grid, {.keep = {steps}});
+  for (auto _ : state) path = scheme.solve(subject.scene.problem, grid, options);
   if (path.outcome != Outcome::finished) {
     state.SkipWithError(describe(path).c_str());
     return;
   }
   const Rows error = shown(subject.scene, path.y) - subject.truth.at(grid, path.steps);
   state.counters["error"] = error.cwiseAbs().maxCoeff();
+  state.counters["per_step"] =
+      benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 }  // namespace
@@ -44,6 +49,22 @@ int main(int count, char** arguments) {
             fmt::format("solve/{}/{}/{}", maker.id, scheme.id, steps).c_str(),
             [&subject, &scheme, steps](benchmark::State& state) { solve(state, subject, scheme, steps); })
             ->Unit(benchmark::kMillisecond);
+      }
+    }
+  }
+  for (auto& subject : subjects) {
+    if (subject.id != "pendulum" && subject.id != "brusselator") continue;
+    for (const auto* id : {"adams_pc", "product_trapezoidal"}) {
+      for (const auto kind : {HistoryKind::direct, HistoryKind::exponentials}) {
+        for (const int steps : {1 << 10, 1 << 12, 1 << 15, 1 << 20}) {
+          if (kind == HistoryKind::direct && steps > 1 << 15) continue;  // minutes
+          benchmark::RegisterBenchmark(
+              fmt::format("history/{}/{}/{}/{}", subject.id, id, name(kind), steps).c_str(),
+              [&subject, id, kind, steps](benchmark::State& state) {
+                solve(state, subject, *find_scheme(id), steps, kind);
+              })
+              ->Unit(benchmark::kMillisecond);
+        }
       }
     }
   }

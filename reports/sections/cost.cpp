@@ -13,10 +13,9 @@ Cell cell(const std::optional<double>& value, std::string (*text)(double)) {
 std::string digits_text(double digits) { return fmt::format("{:.1f}", digits); }
 
 Cell newton(const MeasuredRun& run) {
-  const auto iterations = run["newton_iterations"], tolerance = run["newton_tolerance"];
+  const auto iterations = run["newton_iterations"];
   if (!iterations) return {.text = "explicit"};
-  const std::string count = count_text(*iterations);
-  return {.text = tolerance ? fmt::format("{} (to {})", count, error_text(*tolerance)) : count};
+  return {.text = fmt::format("{} (to {})", count_text(*iterations), error_text(run.tolerance))};
 }
 
 std::vector<Cell> row(const PageInput& page, const MeasuredRun& run) {
