@@ -24,11 +24,10 @@ Vec exact_weights(const WeightTable& table, Eigen::Index count) {
 
 // The weights of x_0 at the steps first, first + 1, ...
 Vec exact_start(const WeightTable& table, Eigen::Index first, Eigen::Index count) {
-  Vec weights(count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    weights[k] = start_weight(table, first + k).value_or(weight(table, first + k));
-  }
-  return weights;
+  return Vec::NullaryExpr(count, [&](Eigen::Index k) {
+    const auto own = start_weight(table, first + k);
+    return own ? *own : weight(table, first + k);
+  });
 }
 
 }  // namespace
