@@ -18,7 +18,7 @@ namespace fde {
 namespace {
 
 constexpr int most_repeats = 1000;
-const std::vector<int> default_steps{64, 128, 256, 512, 1024, 2048, 4096, 8192};
+const std::vector<int> default_steps{64, 128, 256, 512, 1024, 2048, 4096, 8192, 32768, 131072, 524288};
 
 struct RunArguments {
   std::vector<std::string> scenes, schemes;
