@@ -100,26 +100,28 @@ GaussRule gauss_rule(int n, Real sigma, Real a, Real h) {
   return {sigma * solver.eigenvalues(), mass * solver.eigenvectors().row(0).array().square().matrix()};
 }
 
-void check(double exponent, double low, double high, double tolerance) {
-  if (exponent > 0.0 && exponent <= 1.0 && low > 0.0 && high > low && tolerance > 0.0 && tolerance < 1.0) {
+void check(long double exponent, double low, double high, double tolerance) {
+  if (exponent > 0 && exponent <= 1 && low > 0.0 && high > low && std::isfinite(high) && tolerance > 0.0 &&
+      tolerance < 1.0) {
     return;
   }
   throw std::invalid_argument(
-      fmt::format("exponential_sum({}, {}, {}, {}): needs an exponent in (0, 1], 0 < low < high and a "
+      fmt::format("exponential_sum({}, {}, {}, {}): needs an exponent in (0, 1], 0 < low < high < inf and a "
                   "tolerance in (0, 1)",
                   exponent, low, high, tolerance));
 }
 
 }  // namespace
 
-ExponentialSum exponential_sum(double exponent, double low, double high, double tolerance) {
+ExponentialSum exponential_sum(long double exponent, double low, double high, double tolerance) {
   check(exponent, low, high, tolerance);
-  if (exponent == 1.0) return {Vec::Zero(1), Vec::Ones(1), 0.0};
+  if (exponent == 1) return {Vec::Zero(1), Vec::Ones(1), 0.0};
   const double share = tolerance / 3, h = step_of(share);
-  const Tail tail = best_tail(share, exponent, h);
+  const auto rough = static_cast<double>(exponent);
+  const Tail tail = best_tail(share, rough, h);
   const auto first = static_cast<int>(std::floor(std::log(tail.theta / high) / h));
   int last = first;
-  const auto cut = [&] { return cut_error(std::exp((last + 1) * h), low, exponent, h); };
+  const auto cut = [&] { return cut_error(std::exp((last + 1) * h), low, rough, h); };
   while (cut() > share) ++last;
 
   const Real a = exponent, step = h, scale = std::sin(pi * std::min(a, 1 - a)) / pi;

@@ -19,7 +19,8 @@ struct ExponentialSum {
 // q-Jacobi ones. docs/the_past.md derives the three parts of the bound. Exponent 1 is the constant 1: one
 // node at 0.
 //
-// Throws std::invalid_argument unless 0 < a <= 1, 0 < low < high and 0 < tolerance < 1.
-ExponentialSum exponential_sum(double exponent, double low, double high, double tolerance);
+// The exponent is extended because 1 - order of L1 may not be a double, which would count at long times.
+// Throws std::invalid_argument unless 0 < a <= 1, 0 < low < high < infinity and 0 < tolerance < 1.
+ExponentialSum exponential_sum(long double exponent, double low, double high, double tolerance);
 
 }  // namespace fde

@@ -38,7 +38,7 @@ void ExponentialHistory::add(Sum& sum, const WeightTable& table, Eigen::Index co
     sum.constants.push_back({component, start_weight(table, 1).value_or(*constant), *constant});
     return;
   }
-  const double exponent = kernel_exponent(table);
+  const long double exponent = kernel_exponent(table);
   const bool running_sums = weighs_running_sums(table);
   needs_totals_ = needs_totals_ || running_sums;
   auto found = std::ranges::find_if(groups_, [&](const auto& group) {

@@ -18,7 +18,7 @@ class ExponentialHistory final : public History {
  private:
   // Components with one kernel exponent, that weigh running sums or not.
   struct Group {
-    double exponent;
+    long double exponent;
     bool running_sums;
     std::vector<WeightTable> tables{};
     std::vector<Eigen::Index> components{};

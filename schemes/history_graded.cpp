@@ -79,7 +79,7 @@ GradedExponentialHistory::GradedExponentialHistory(const WeightTables& tables, c
         tracks.push_back({table, 0});
         continue;
       }
-      const double exponent = kernel_exponent(table);
+      const long double exponent = kernel_exponent(table);
       auto kernel = std::ranges::find(kernels_, exponent, &Kernel::exponent);
       if (kernel == kernels_.end()) {
         kernel = kernels_.insert(
@@ -109,8 +109,10 @@ void GradedExponentialHistory::push(In sample) {
 void GradedExponentialHistory::prepare(double length) {
   for (auto& kernel : kernels_) {
     const auto& nodes = kernel.sum.nodes;
+    // exponential_sum may leave out the nodes from the one after its last on: one more than up to `fastest`.
     const double fastest = nodes[nodes.size() - 1] * grid_.step(1) / length;
-    kernel.active = std::upper_bound(nodes.begin(), nodes.end(), fastest) - nodes.begin();
+    const auto slower = std::upper_bound(nodes.begin(), nodes.end(), fastest) - nodes.begin();
+    kernel.active = std::min<Eigen::Index>(slower + 1, nodes.size());
     kernel.step.resize(nodes.size(), 4);
     for (Eigen::Index m = 0; m < kernel.active; ++m) kernel.step.row(m) = phi_functions(nodes[m] * length);
   }
@@ -148,10 +150,11 @@ void GradedExponentialHistory::convolve(std::size_t sum, Out result) const {
     const auto& [exponent, exponentials, active, step] = kernels_[track.kernel];
     const auto decayed = track.states.head(active).array() * (1.0 + step.col(0).head(active).array());
     const double far = (exponentials.coefficients.head(active).array() * decayed).sum();
+    const auto power = static_cast<double>(exponent);
     const Polynomial newest = integrand(track, newest_[i], 0.0, length);
     double near = 0.0;
-    for (int k = 2; k >= 0; --k) near += newest[k] / std::tgamma(exponent + k + 1.0);
-    result[i] = (far + near * std::pow(length, exponent)) * integrals_to_sums(track.table, length);
+    for (int k = 2; k >= 0; --k) near += newest[k] / std::tgamma(power + k + 1.0);
+    result[i] = (far + near * std::pow(length, power)) * integrals_to_sums(track.table, length);
   }
 }
 

@@ -49,7 +49,7 @@ class GradedExponentialHistory final : public History {
   // The exponentials of one kernel exponent, and what the newest step does to those that still count at
   // distances from that step on: with x = nodes * length, the columns exp(-x) - 1, phi_1, phi_2, phi_3.
   struct Kernel {
-    double exponent;
+    long double exponent;
     ExponentialSum sum{};
     Eigen::Index active = 0;
     Matrix step{};

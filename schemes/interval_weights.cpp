@@ -18,19 +18,19 @@ IntervalWeights by_series(double g, double x) {
   return {left, right};
 }
 
-// The same in closed form, for x in (1/2, 1].
-IntervalWeights by_powers(double g, double x) {
-  const double constant = -std::expm1(g * std::log1p(-x)) / (g * x);
-  const double next = -std::expm1((g + 1.0) * std::log1p(-x)) / ((g + 1.0) * x);
-  return {(next - (1.0 - x) * constant) / x, (constant - next) / x};
+// The same in closed form, for x in (1/2, 1]; rest = 1 - x, without its cancellation.
+IntervalWeights by_powers(double g, double x, double rest) {
+  const double constant = -std::expm1(g * std::log(rest)) / (g * x);
+  const double next = -std::expm1((g + 1.0) * std::log(rest)) / ((g + 1.0) * x);
+  return {(next - rest * constant) / x, (constant - next) / x};
 }
 
 }  // namespace
 
 IntervalWeights interval_weights(double order, double distance, double length) {
   const double far = distance + length, x = length / far;
-  const double scale = length * std::pow(far, order - 1.0) / std::tgamma(order);
-  const auto [left, right] = x <= 0.5 ? by_series(order, x) : by_powers(order, x);
+  const double scale = x * std::pow(far, order) / std::tgamma(order);
+  const auto [left, right] = x <= 0.5 ? by_series(order, x) : by_powers(order, x, distance / far);
   return {scale * left, scale * right};
 }
 

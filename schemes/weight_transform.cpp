@@ -27,7 +27,7 @@ double factor(const WeightTable& table, double s) {
     case WeightFamily::trapezoid:
       return std::tgamma(g + 2) * d * d * std::exp(-s) * summed;
     case WeightFamily::grunwald_letnikov:
-      return std::pow(d, -kernel_exponent(table));
+      return std::pow(d, -static_cast<double>(kernel_exponent(table)));
     case WeightFamily::l1:
       return std::tgamma(2 - g) * d * std::exp(-s);
   }
@@ -36,8 +36,8 @@ double factor(const WeightTable& table, double s) {
 
 }  // namespace
 
-double kernel_exponent(const WeightTable& table) {
-  if (table.family == WeightFamily::l1) return 1.0 - table.order;
+long double kernel_exponent(const WeightTable& table) {
+  if (table.family == WeightFamily::l1) return 1.0L - table.order;
   return weighs_running_sums(table) ? table.order - 1.0 : table.order;
 }
 

@@ -20,7 +20,7 @@ namespace fde {
 // and one more factor D where the rule interpolates; they weigh the running sums of the samples.
 
 // a, in (0, 1]. 1 stands for weights, or differences of weights, that are constant.
-double kernel_exponent(const WeightTable& table);
+long double kernel_exponent(const WeightTable& table);
 
 // Whether the exponentials give differences of weights, for running sums.
 bool weighs_running_sums(const WeightTable& table);

@@ -76,6 +76,21 @@ Problem mixed_problem() {
           .end = 2.0};
 }
 
+// Only rounding and the tolerance of the exponentials tell them apart, on every grid that the scheme takes.
+TEST_P(Conformance, HistoriesAgree) {
+  const auto problem = mixed_problem();
+  for (const auto& grid :
+       {Grid{.end = problem.end, .steps = 700}, Grid{.end = problem.end, .steps = 200, .grading = 2.0}}) {
+    if (GetParam()->needs.uniform_grid && !grid.uniform()) continue;
+    const auto path = [&](HistoryKind kind) { return GetParam()->solve(problem, grid, {.history = kind}); };
+    const auto direct = path(HistoryKind::direct), exponentials = path(HistoryKind::exponentials);
+    ASSERT_EQ(direct.outcome, Outcome::finished);
+    ASSERT_EQ(exponentials.outcome, Outcome::finished);
+    EXPECT_LE((direct.y - exponentials.y).cwiseAbs().maxCoeff(), 1e-13 * direct.y.cwiseAbs().maxCoeff())
+        << "grading " << grid.grading;
+  }
+}
+
 TEST_P(Conformance, PermutingComponentsPermutesTheAnswer) {
   const auto straight = mixed_problem();
   const std::vector<Eigen::Index> order{2, 0, 1};
