@@ -94,8 +94,8 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
                     most_direct_steps, grid.steps));
   }
   if (!arguments.at && grid.steps > most_rows) {
-    throw std::invalid_argument(fmt::format("--at is needed beyond {} steps, not all {} are printed",
-                                            most_rows, grid.steps));
+    throw std::invalid_argument(
+        fmt::format("--at is needed beyond {} steps, not all {} are printed", most_rows, grid.steps));
   }
   if (arguments.at) options.keep = steps_at(grid, *arguments.at);
   if (arguments.tolerance) {
