@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -19,14 +20,14 @@ namespace {
 // Half a unit in the last place of a double, relative to it.
 constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
 
-constexpr double tolerances[]{1e-4, 1e-8, 1e-12, 1e-15};
+constexpr std::array tolerances{1e-4, 1e-8, 1e-12, 1e-15};
 
 struct Range {
   double low, high;
 };
 constexpr Range long_lags{7.0, 1e8};
 // Of histories on uniform grids of few, many and very many steps, and on a strongly graded grid.
-constexpr Range ranges[]{{7.0, 64.0}, {7.0, 32768.0}, long_lags, {1e-12, 1.0}};
+constexpr std::array ranges{Range{7.0, 64.0}, Range{7.0, 32768.0}, long_lags, Range{1e-12, 1.0}};
 
 // From low to high, both included.
 std::vector<double> geometric(double low, double high, double ratio) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "exact_weights.hpp"
@@ -33,7 +34,7 @@ Exact exact_integral(double order, double distance, double length) {
   return moments(order, distance, length).constant / tgamma(Exact(order));
 }
 
-constexpr double orders[]{0.01, 0.3, 0.5, 0.9, 1.0, 1.3, 1.9, 2.0};
+constexpr std::array orders{0.01, 0.3, 0.5, 0.9, 1.0, 1.3, 1.9, 2.0};
 
 // An ulp each for length / far, for the power, for Gamma and for their product; four more in the closed form,
 // which subtracts numbers up to 4.5 times the difference (order 2), each off by about half an ulp.
