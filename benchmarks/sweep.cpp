@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <span>
 
 #include "experiment.hpp"
 
@@ -37,29 +38,34 @@ SceneRuns missing_runs(const SceneVariant& variant, const Sweep& sweep, const Sw
   SceneRuns missing{variant.label(), make_scene(*variant.maker, variant.values)};
   for (const auto* scheme : sweep.schemes) {
     for (const int steps : sweep.steps) {
-      if (!hooks.has(missing.label, std::string(scheme->id), steps)) missing.runs.push_back({scheme, steps});
+      const bool listed = std::ranges::any_of(
+          missing.runs, [&](const auto& run) { return run.scheme == scheme && run.steps == steps; });
+      if (listed || hooks.has(missing.label, std::string(scheme->id), steps)) continue;
+      missing.runs.push_back({scheme, steps});
     }
   }
   return missing;
 }
 
-// Calls task(0), ..., task(count - 1), each once, on that many threads. Rethrows what a task throws, after
-// all threads have ended.
+// Calls task(0), ..., task(count - 1), each once, on that many threads. After a failure no new task starts;
+// the first one is thrown again when all threads have ended.
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
   std::mutex mutex;
+  const auto work = [&] {
+    try {
+      for (auto i = next++; i < count; i = next++) task(i);
+    } catch (...) {
+      const std::scoped_lock lock(mutex);
+      if (!failure) failure = std::current_exception();
+      next = count;
+    }
+  };
   {
     std::vector<std::jthread> workers;
-    for (unsigned worker = 0; worker < std::max(1U, threads); ++worker) {
-      workers.emplace_back([&] {
-        try {
-          for (auto i = next++; i < count; i = next++) task(i);
-        } catch (...) {
-          const std::scoped_lock lock(mutex);
-          failure = std::current_exception();
-        }
-      });
+    for (std::size_t worker = 0; worker < std::min<std::size_t>(count, threads); ++worker) {
+      workers.emplace_back(work);
     }
   }
   if (failure) std::rethrow_exception(failure);
@@ -71,6 +77,7 @@ void run_sweep(const Sweep& sweep, const SweepHooks& hooks) {
   std::vector<SceneRuns> scenes;
   std::size_t total = 0, done = 0;
   for (const auto& variant : sweep.scenes) {
+    if (std::ranges::find(scenes, variant.label(), &SceneRuns::label) != scenes.end()) continue;
     scenes.push_back(missing_runs(variant, sweep, hooks));
     total += 2 * scenes.back().runs.size();
   }
@@ -79,19 +86,23 @@ void run_sweep(const Sweep& sweep, const SweepHooks& hooks) {
     const std::scoped_lock lock(mutex);
     hooks.progress(done++, total, fmt::format("{} {} N = {}{}", of.label, run.scheme->id, run.steps, what));
   };
-  in_parallel(scenes.size(), sweep.threads, [&](std::size_t i) {
-    auto& of = scenes[i];
-    TruthTable truth(of.scene);
-    for (auto& run : of.runs) {
-      tell(of, run, "");
-      run.examination = examine(of.label, of.scene, truth, *run.scheme, run.steps);
-    }
-  });
-  for (auto& of : scenes) {
-    for (auto& run : of.runs) {
-      tell(of, run, ", time");
-      time_solves(run.examination, of.scene, *run.scheme, sweep.repeats);
-      hooks.append(run.examination.rows);
+  const std::size_t batch = std::max(1U, sweep.threads);
+  for (std::size_t first = 0; first < scenes.size(); first += batch) {
+    const auto some = std::span(scenes).subspan(first, std::min(batch, scenes.size() - first));
+    in_parallel(some.size(), sweep.threads, [&](std::size_t i) {
+      auto& of = some[i];
+      TruthTable truth(of.scene);
+      for (auto& run : of.runs) {
+        tell(of, run, "");
+        run.examination = examine(of.label, of.scene, truth, *run.scheme, run.steps);
+      }
+    });
+    for (auto& of : some) {
+      for (auto& run : of.runs) {
+        tell(of, run, ", time");
+        time_solves(run.examination, of.scene, *run.scheme, sweep.repeats);
+        hooks.append(run.examination.rows);
+      }
     }
   }
   hooks.progress(total, total, "done");

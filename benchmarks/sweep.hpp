@@ -29,8 +29,8 @@ struct Sweep {
   unsigned threads = std::thread::hardware_concurrency();  // of the part that is not timed
 };
 
-// Runs what `has` does not know yet: first the references and measures, scenes side by side, then the timed
-// solves, each alone on the machine. Rows go to `append`, one call a run, in the order of the lists whatever
+// Runs what `has` does not know yet, each once. As many scenes as there are threads at a time: first their
+// references and measures, side by side, then their timed solves, each alone on the machine. Rows go to `append`, one call a run, in the order of the lists whatever
 // the number of threads, which changes no bit of them but the times. `progress` hears (done, total, what
 // comes next), from one thread at a time.
 struct SweepHooks {

@@ -33,7 +33,7 @@ int step_at(const Grid& grid, double t) {
     reject("--at", t, fmt::format("in [0, {}], the times of the run", grid.end));
   const double guess = grid.steps * std::pow(t / grid.end, 1.0 / grid.grading);
   const int nearest_step = std::clamp(static_cast<int>(std::lround(guess)), 0, grid.steps);
-  if (std::abs(grid.time(nearest_step) - t) <= rounding * grid.end) return nearest_step;
+  if (std::abs(grid.time(nearest_step) - t) <= rounding * t) return nearest_step;
   const int below =
       std::clamp(grid.time(nearest_step) < t ? nearest_step : nearest_step - 1, 0, grid.steps - 1);
   reject("--at", t,
@@ -56,13 +56,29 @@ HistoryKind parse_history(const std::string& text) {
   throw std::invalid_argument(fmt::format("--history = {}: must be auto, direct or exponentials", text));
 }
 
-void print_rows(const Scene& scene, const Trajectory& path, std::ostream& out) {
+// The columns to print, one row a column, one column a step. A state may be finite and its energy not: throws
+// NumericalFailure then.
+Rows printed(const Scene& scene, const Scheme& scheme, const Trajectory& path) {
+  Rows values = shown(scene, path.y);
+  if (!scene.energy) return values;
+  values.conservativeResize(values.rows() + 1, Eigen::NoChange);
+  for (Eigen::Index c = 0; c < values.cols(); ++c) {
+    const double energy = scene.energy.value(path.y.col(c));
+    const int n = path.steps[static_cast<std::size_t>(c)];
+    if (!std::isfinite(energy)) {
+      throw NumericalFailure(
+          fmt::format("{}: energy not finite at step {}, t = {:.6g}", scheme.id, n, path.grid.time(n)));
+    }
+    values(values.rows() - 1, c) = energy;
+  }
+  return values;
+}
+
+void print_rows(const Scene& scene, const Rows& values, const Trajectory& path, std::ostream& out) {
   fmt::print(out, "t,{}{}\n", fmt::join(scene.outputs.names, ","), scene.energy ? ",energy" : "");
-  const Rows values = shown(scene, path.y);
   for (Eigen::Index c = 0; c < values.cols(); ++c) {
     fmt::print(out, "{:.17g}", path.grid.time(path.steps[static_cast<std::size_t>(c)]));
     for (const double value : values.col(c)) fmt::print(out, ",{:.17g}", value);
-    if (scene.energy) fmt::print(out, ",{:.17g}", scene.energy.value(path.y.col(c)));
     fmt::print(out, "\n");
   }
 }
@@ -110,7 +126,7 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (path.outcome != Outcome::finished)
     throw NumericalFailure(fmt::format("{}: {}", scheme.id, describe(path)));
-  print_rows(scene, path, streams.out);
+  print_rows(scene, printed(scene, scheme, path), path, streams.out);
   if (arguments.cost) print_cost(scene, scheme, path, options.history, elapsed.count(), streams.err);
 }
 
@@ -127,7 +143,8 @@ void add_solve_command(CLI::App& app, const Streams& streams) {
   command->add_option("--at", arguments->at, "grid times to print, T1,T2,...; default all");
   command->add_option("--grid", arguments->grid, "uniform or graded:R");
   command->add_option("--history", arguments->history, "auto, direct or exponentials");
-  command->add_option("--tolerance", arguments->tolerance, "of Newton's method, relative; default rounding");
+  command->add_option("--tolerance", arguments->tolerance,
+                      "relative, of Newton's method and of the weights of the past; default rounding");
   command->add_flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");
   command->callback([=] { solve(*arguments, streams); });
 }

@@ -96,6 +96,14 @@ TEST(Solve, ReportsNumericalFailureWithSchemeStepAndTime) {
   EXPECT_THAT(answer.err, StartsWith("fdebench: adams_pc: not finite at step 94, t = "));
 }
 
+TEST(Solve, DoesNotPrintAnInfiniteEnergy) {
+  const auto answer =
+      fdebench("solve damped_oscillator --scheme adams_pc --steps 60 --until 60 --set w2=1000000");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_EQ(answer.out, "");
+  EXPECT_THAT(answer.err, StartsWith("fdebench: adams_pc: energy not finite at step "));
+}
+
 TEST(Exact, PrintsTheColumnsAndABound) {
   const auto answer = fdebench("exact relaxation --at 0,1");
   EXPECT_THAT(answer.out, StartsWith("t,y,bound\n0,1,"));
@@ -199,6 +207,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "l1 needs a first step above 1e-290, not 0"},
         Mistake{"solve relaxation --scheme l1 --steps 3000000 --at 1 --history direct",
                 "--history = direct: takes up to 2097152 steps"},
+        Mistake{
+            "solve relaxation --scheme l1 --steps 1000 --grid graded:5 --at 3e-14",
+            "--at = 3e-14: must be a time of the grid: its neighbours are 1.0000000000000001e-15 and 3.2"},
         Mistake{"solve relaxation --scheme l1 --steps 20000000", "--at is needed beyond 10000000 steps"},
         Mistake{"solve relaxation --scheme l1 --steps 8 --grid curved",
                 "--grid = curved: must be uniform or graded:R"},

@@ -188,6 +188,32 @@ TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
   EXPECT_EQ(count("energy_residual"), 0);
 }
 
+TEST(Sweeps, MeasureOnceWhatIsAskedForTwice) {
+  const SceneVariant power{&scene_maker("power")};
+  const auto* l1 = find_scheme("l1");
+  int calls = 0;
+  run_sweep({.scenes = {power, power}, .schemes = {l1, l1}, .steps = {16, 16}, .repeats = 1},
+            {.has = [](const auto&, const auto&, int) { return false; },
+             .append = [&](const auto&) { ++calls; },
+             .progress = [](std::size_t, std::size_t, const auto&) {}});
+  EXPECT_EQ(calls, 1);
+}
+
+TEST(Sweeps, StopAtTheFirstFailureToWrite) {
+  int calls = 0;
+  const auto write = [&](const auto&) {
+    ++calls;
+    throw std::runtime_error("disk full");
+  };
+  EXPECT_THROW(
+      run_sweep({.scenes = {{&scene_maker("power")}}, .schemes = {find_scheme("l1")}, .steps = {16, 32}},
+                {.has = [](const auto&, const auto&, int) { return false; },
+                 .append = write,
+                 .progress = [](std::size_t, std::size_t, const auto&) {}}),
+      std::runtime_error);
+  EXPECT_EQ(calls, 1);
+}
+
 // All but the times.
 std::vector<std::string> rows_with_threads(unsigned threads) {
   const Sweep sweep{
