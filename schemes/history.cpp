@@ -5,7 +5,8 @@
 
 #include "history_direct.hpp"
 #include "history_exponentials.hpp"
-#include "history_graded.hpp"
+#include "history_graded_direct.hpp"
+#include "history_graded_exponentials.hpp"
 
 namespace fde {
 namespace {

@@ -10,7 +10,8 @@
 #include "block_kernels.hpp"
 #include "history_direct.hpp"
 #include "history_exponentials.hpp"
-#include "history_graded.hpp"
+#include "history_graded_direct.hpp"
+#include "history_graded_exponentials.hpp"
 #include "trajectory.hpp"
 
 namespace fde {
