@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+#include <string>
 
 // The tiles are arrays of vectors, which vectors of unknown length cannot be.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
@@ -185,8 +187,11 @@ std::vector<std::string_view> vector_targets() {
 
 void use_vector_target(std::string_view name) {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    if (hwy::TargetName(target) == name) kernels = kernels_of(target);
+    if (hwy::TargetName(target) != name) continue;
+    kernels = kernels_of(target);
+    return;
   }
+  throw std::invalid_argument("no vector target " + std::string(name));
 }
 
 }  // namespace fde

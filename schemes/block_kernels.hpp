@@ -45,7 +45,8 @@ double dot_product(const double* a, const double* b, Eigen::Index length);
 // used.
 std::vector<std::string_view> vector_targets();
 
-// Uses another one of them from now on, for tests and benchmarks. Not while another thread computes.
+// Uses another one of them from now on, for tests and benchmarks. Not while another thread computes. Throws
+// std::invalid_argument naming it when there is none of this name.
 void use_vector_target(std::string_view name);
 
 }  // namespace fde

@@ -16,6 +16,8 @@ using RealVec = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
 constexpr Real pi = std::numbers::pi_v<Real>;
 
+constexpr double largest_step = 0.7;
+
 // Relative error of the trapezoidal rule with step h on the whole line. Poisson's formula gives the terms
 // exp(2 pi i l x / h); turning the path of each to arg s = theta costs 1/cos(theta) and gains
 // exp(-2 pi l theta / h). theta = pi/2 - h/(2 pi) is near the best.
@@ -27,7 +29,7 @@ double step_error(double h) {
 
 // The largest step with that error.
 double step_of(double error) {
-  double low = 0.01, high = 0.7;
+  double low = 0.01, high = largest_step;
   while (high - low > 1e-9) {
     const double middle = (low + high) / 2;
     (step_error(middle) > error ? high : low) = middle;
@@ -45,7 +47,8 @@ struct Tail {
 // errs by at most twice the mass times the distance of exp(-s t) to them; that distance is bounded on the
 // ellipse with foci at the ends of the interval and half axes adding up to rho half intervals.
 double tail_error(int n, double theta, double rho, double a) {
-  constexpr double mass = 1.6;  // at most h (1-a) / (1 - q^(1-a)) / Gamma(2-a), for any step up to 0.7
+  constexpr double mass =
+      1.6;  // at most h (1-a) / (1 - q^(1-a)) / Gamma(2-a), for any step up to largest_step
   const double largest = theta / 2 * ((rho + 1 / rho) / 2 - 1);
   return 4 * mass * std::pow(theta, 1 - a) * std::exp(largest - (2 * n - 1) * std::log(rho)) / (rho - 1);
 }

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "implicit.hpp"
 #include "rates.hpp"
 

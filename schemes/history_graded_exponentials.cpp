@@ -10,7 +10,7 @@
 namespace fde {
 namespace {
 
-// As many as make a whole number of vectors, the added ones copies of the last value or of `fill`.
+// With `fill` added to make a whole number of vectors.
 Vec padded(const Vec& values, double fill) {
   Vec result = Vec::Constant((values.size() + lanes - 1) / lanes * lanes, fill);
   result.head(values.size()) = values;
@@ -20,11 +20,10 @@ Vec padded(const Vec& values, double fill) {
 // phi_k(x) = sum_i (-x)^i / (i + k)!, k = 1, 2, 3: the integrals of exp(-x (1 - w)) w^(k-1) / (k-1)! over w
 // in [0, 1]. They follow from each other by phi_k = 1/k! - x phi_(k+1), upwards without loss for small x,
 // downwards for large. x increases.
-void phi_functions(const Vec& x, Eigen::Index count, Matrix& phi, Vec& decay_minus_one) {
+void phi_functions(const Vec& x, Matrix& phi, Vec& decay_minus_one) {
   constexpr int last = 18;  // 1/22! is rounding
-  const Eigen::Index few = std::lower_bound(x.begin(), x.begin() + count, 1.0) - x.begin(),
-                     many = count - few;
-  const auto small = x.head(few).array(), large = x.segment(few, many).array();
+  const Eigen::Index few = std::lower_bound(x.begin(), x.end(), 1.0) - x.begin(), many = x.size() - few;
+  const auto small = x.head(few).array(), large = x.tail(many).array();
   auto low = phi.topRows(few).array(), high = phi.middleRows(few, many).array();
   low.col(2).setOnes();
   for (int i = last; i >= 0; --i) low.col(2) = 1.0 - small * low.col(2) * (1.0 / (i + 4));
@@ -126,7 +125,7 @@ void GradedExponentialHistory::prepare(double length) {
         std::upper_bound(kernel.nodes.begin(), end, kernel.fastest / length) - kernel.nodes.begin();
     kernel.active = std::min((slower + 1 + lanes - 1) / lanes * lanes, kernel.active);
     const Vec x = length * kernel.nodes.head(kernel.active);
-    phi_functions(x, kernel.active, kernel.phi, kernel.decay_minus_one);
+    phi_functions(x, kernel.phi, kernel.decay_minus_one);
     kernel.weights.head(kernel.active) = kernel.coefficients.head(kernel.active).array() *
                                          (1.0 + kernel.decay_minus_one.head(kernel.active).array());
     const auto a = static_cast<double>(kernel.exponent);

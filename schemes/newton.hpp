@@ -9,10 +9,9 @@ namespace fde {
 // Solves y = past + kappa f(t, y) for y, step after step of one run.
 //
 // A problem with a linear part A is solved with one factorisation of I - kappa A as long as kappa stays the
-// same. Otherwise
-// Newton's method takes the Jacobian of the problem, or differences of rhs where it has none, anew in each
-// iteration, until the last increment is below tolerance * |y|, or has stopped to shrink below 1e-10 * |y|:
-// there it is rounding.
+// same. Otherwise Newton's method takes the Jacobian of the problem, or differences of rhs where it has none,
+// anew in each iteration, until the last increment is below tolerance * |y|, or has stopped to shrink below
+// 1e-10 * |y|: there it is rounding.
 class NewtonSolver {
  public:
   NewtonSolver(const Problem& problem, double tolerance);

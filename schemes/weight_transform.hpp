@@ -13,8 +13,7 @@ namespace fde {
 //   trapezoid            Gamma(g+2) D^2 exp(-s)     (hat function on [k-1, k+1])
 //   its start weight     Gamma(g+2) (D - 1)/s       (half a hat)
 //   L1                   Gamma(2-g) D exp(-s)       (with a = 1 - g)
-//   Grunwald-Letnikov    D^(-a)                     (Gamma(k+g)/k! = int_0^inf (e^s - 1)^(-g) e^(-k s) ds /
-//   Gamma(1-g))
+//   Grunwald-Letnikov    D^(-a)                     (B(k+g, 1-g) = int_0^inf (e^s - 1)^(-g) e^(-k s) ds)
 //
 // Orders in (1, 2] have growing weights. Their differences w(k) - w(k-1) are the integrals, with a = g - 1
 // and one more factor D where the rule interpolates; they weigh the running sums of the samples.

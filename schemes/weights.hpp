@@ -27,8 +27,8 @@ struct WeightTable {
 // w(lag) of a table, lag >= 1.
 double weight(const WeightTable& table, std::int64_t lag);
 
-// w(lag) - w(lag - 1), with 0 in place of w(0). Taken from weights in extended precision, so that it loses
-// nothing for the short lags it is made for.
+// w(lag) - w(lag - 1), with 0 in place of w(0). Taken from weights in extended precision: good to a unit in
+// the last place for the lags up to 39 at which the history asks for it, and off by lag / 2000 units beyond.
 double weight_increment(const WeightTable& table, std::int64_t lag);
 
 // The value that w(k) has for every k, when there is one: order 1 has no memory, a running sum replaces the

@@ -81,6 +81,10 @@ int main(int argument_count, char** arguments) {
     add(fmt::format("steps/exponentials/{}", count), steps, HistoryKind::exponentials, Grid{1.0, count},
         full);
   }
+  benchmark::RegisterBenchmark("steps/exponentials/100000000", steps, HistoryKind::exponentials,
+                               Grid{1.0, 100'000'000}, full)
+      ->Unit(benchmark::kMillisecond)
+      ->Iterations(1);
   constexpr int usual = 100'000;
   for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12, full}) {
     add(fmt::format("exponentials/{}", nodes(usual, tolerance)), steps, HistoryKind::exponentials,

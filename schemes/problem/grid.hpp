@@ -5,8 +5,8 @@
 namespace fde {
 
 // The times t_n = end (n / steps)^grading, n = 0 ... steps. Grading 1 is the uniform grid; larger values
-// gather the times near 0. Always computed from n, and not as n h:
-// a time that is a double, such as that of a jump, is met exactly.
+// gather the times near 0. Always computed from n, and not as n h: a time that is a double, such as that of a
+// jump, is met exactly.
 struct Grid {
   double end = 1.0;
   int steps = 1;
@@ -16,7 +16,7 @@ struct Grid {
   [[nodiscard]] double time(int n) const {
     return uniform() ? end * n / steps : end * std::pow(static_cast<double>(n) / steps, grading);
   }
-  // t_n - t_(n-1), n >= 1; on a uniform grid the same number for all n. Never shrinks with n.
+  // t_n - t_(n-1), n >= 1; on a uniform grid the same number for all n. Does not shrink with n, up to rounding.
   [[nodiscard]] double step(int n = 1) const { return uniform() ? end / steps : time(n) - time(n - 1); }
 };
 
