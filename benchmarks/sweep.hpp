@@ -30,9 +30,9 @@ struct Sweep {
 };
 
 // Runs what `has` does not know yet, each once. As many scenes as there are threads at a time: first their
-// references and measures, side by side, then their timed solves, each alone on the machine. Rows go to `append`, one call a run, in the order of the lists whatever
-// the number of threads, which changes no bit of them but the times. `progress` hears (done, total, what
-// comes next), from one thread at a time.
+// references and measures, side by side, then their timed solves, each alone on the machine. Rows go to
+// `append`, one call a run, in the order of the lists whatever the number of threads, which changes no bit of
+// them but the times. `progress` hears (done, total, what comes next), from one thread at a time.
 struct SweepHooks {
   std::function<bool(const std::string& scene, const std::string& scheme, int steps)> has;
   std::function<void(const std::vector<Record>&)> append;

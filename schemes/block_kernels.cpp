@@ -160,6 +160,12 @@ Kernels kernels = kernels_of(hwy::SupportedTargets());
 
 }  // namespace
 
+Vec padded(const Vec& values, double fill) {
+  Vec result = Vec::Constant((values.size() + lanes - 1) / lanes * lanes, fill);
+  result.head(values.size()) = values;
+  return result;
+}
+
 void multiply_add(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, ConstBlock a, ConstBlock b,
                   Block c) {
   kernels.multiplying(rows, inner, columns, a, b, c);

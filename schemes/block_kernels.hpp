@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string_view>
 #include <vector>
+
+#include "problem.hpp"
 
 namespace fde {
 
@@ -11,19 +12,29 @@ namespace fde {
 // in the same order whatever the width: all widths with a fused multiply-add give the same bits; without one
 // the results differ by rounding.
 //
-// Matrices are stored by columns, with `rows` contiguous; rows are a multiple of lanes and start on a
-// multiple of 64 bytes. Columns lie `stride` apart.
+// Matrices are stored by columns; their rows are a multiple of lanes and start on a multiple of 64 bytes.
 
 inline constexpr Eigen::Index lanes = 8;
 
+// A matrix, or a part of one: where it starts, and how far its columns lie apart. Whole matrices and vectors
+// convert.
 struct Block {
+  Block(double* first, Eigen::Index column_stride) : data(first), stride(column_stride) {}
+  Block(Matrix& whole) : Block(whole.data(), whole.rows()) {}
+  Block(Vec& whole) : Block(whole.data(), whole.size()) {}
   double* data;
   Eigen::Index stride;
 };
 struct ConstBlock {
+  ConstBlock(const double* first, Eigen::Index column_stride) : data(first), stride(column_stride) {}
+  ConstBlock(const Matrix& whole) : ConstBlock(whole.data(), whole.rows()) {}
+  ConstBlock(const Vec& whole) : ConstBlock(whole.data(), whole.size()) {}
   const double* data;
   Eigen::Index stride;
 };
+
+// The values, with `fill` added to make a whole number of vectors.
+Vec padded(const Vec& values, double fill);
 
 // c += a b for a of rows x inner, b of inner x columns.
 void multiply_add(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, ConstBlock a, ConstBlock b,

@@ -5,16 +5,6 @@
 namespace fde {
 namespace {
 
-// Padded with zeros to a whole number of vectors.
-Vec padded(const Vec& values) {
-  Vec result = Vec::Zero((values.size() + lanes - 1) / lanes * lanes);
-  result.head(values.size()) = values;
-  return result;
-}
-
-ConstBlock reading(const Matrix& matrix) { return {matrix.data(), matrix.rows()}; }
-Block writing(Matrix& matrix) { return {matrix.data(), matrix.rows()}; }
-
 // w(1), w(2), ..., or their differences.
 Vec exact_weights(const WeightTable& table, Eigen::Index count) {
   return Vec::NullaryExpr(count, [&](Eigen::Index k) {
@@ -36,7 +26,7 @@ ExponentialMemory::ExponentialMemory(const std::vector<WeightTable>& tables, Eig
                                      const ExponentialSum& sum)
     : running_sums_(weighs_running_sums(tables.front())) {
   const auto count = static_cast<Eigen::Index>(tables.size());
-  const Vec nodes = padded(sum.nodes);
+  const Vec nodes = padded(sum.nodes, 0.0);
   decay_minus_one_ = (-double{block} * nodes).array().expm1();
   gather_.setZero(nodes.size(), block);
   for (Eigen::Index k = 0; k < block; ++k) {
@@ -60,9 +50,10 @@ ExponentialMemory::ExponentialMemory(const std::vector<WeightTable>& tables, Eig
   start_near_.setZero(block, count);
   start_far_.resize(tables.size());
   start_states_ = start_carries_ = Vec::Zero(nodes.size());
-  // x_0 is the newest sample before the first block; its running sum is 1 from then on.
-  start_input_ = running_sums_ ? Vec(gather_.rightCols(block - recent + 1).rowwise().sum())
-                               : Vec(gather_.col(recent - 1));
+  // x_0 is the newest sample before the first block. Alone it adds nothing later; its running sum stays 1.
+  start_later_ = running_sums_ ? Vec(gather_.rowwise().sum()) : Vec(Vec::Zero(nodes.size()));
+  start_input_ = gather_.col(recent - 1);
+  if (running_sums_) start_input_ += gather_.rightCols(block - recent).rowwise().sum();
   for (Eigen::Index table = 0; table < count; ++table) {
     fill_table(tables[static_cast<std::size_t>(table)], table, sum);
   }
@@ -81,10 +72,10 @@ void ExponentialMemory::fill_table(const WeightTable& weights, Eigen::Index tabl
   const auto start = start_weight(weights, 1);
   if (!start || *start != 0.0) {
     const Vec coefficients = start ? start_coefficients(weights, sum) : weight_coefficients(weights, sum);
-    start_far_[static_cast<std::size_t>(table)] = far * padded(coefficients).asDiagonal();
+    start_far_[static_cast<std::size_t>(table)] = far * padded(coefficients, 0.0).asDiagonal();
     if (running_sums_) start_near_.col(table) = exact_start(weights, recent, block);
   }
-  far *= padded(weight_coefficients(weights, sum)).asDiagonal();
+  far *= padded(weight_coefficients(weights, sum), 0.0).asDiagonal();
 }
 
 void ExponentialMemory::push(In sample) {
@@ -115,29 +106,22 @@ void ExponentialMemory::pass_on() {
 
 void ExponentialMemory::advance_block() {
   input_.setZero();
-  multiply_add(gather_.rows(), block, input_.cols(), reading(gather_), reading(samples_), writing(input_));
-  advance(states_.rows(), states_.cols(), decay_minus_one_.data(), reading(input_), writing(states_),
-          writing(carries_));
+  multiply_add(gather_.rows(), block, input_.cols(), gather_, samples_, input_);
+  advance(states_.rows(), states_.cols(), decay_minus_one_.data(), input_, states_, carries_);
   samples_.topRows(recent) = samples_.bottomRows(recent);
   sums_.setZero();
-  multiply_add(far_.rows(), far_.cols(), sums_.cols(), reading(far_), reading(states_), writing(sums_));
+  multiply_add(far_.rows(), far_.cols(), sums_.cols(), far_, states_, sums_);
   pass_on();
 }
 
 void ExponentialMemory::advance_start() {
   const auto count = start_states_.size();
-  advance(count, 1, decay_minus_one_.data(), {start_input_.data(), count}, {start_states_.data(), count},
-          {start_carries_.data(), count});
-  if (running_sums_) {
-    start_input_ = gather_.rowwise().sum();
-  } else {
-    start_input_.setZero();
-  }
+  advance(count, 1, decay_minus_one_.data(), start_input_, start_states_, start_carries_);
+  start_input_ = start_later_;
   start_ = start_near_;
   for (std::size_t table = 0; table < start_far_.size(); ++table) {
     if (start_far_[table].size() == 0) continue;
-    const auto& far = start_far_[table];
-    multiply_add(far.rows(), count, 1, reading(far), {start_states_.data(), count},
+    multiply_add(block, count, 1, start_far_[table], start_states_,
                  {&start_(0, static_cast<Eigen::Index>(table)), block});
   }
 }
@@ -145,7 +129,7 @@ void ExponentialMemory::advance_start() {
 std::size_t ExponentialMemory::bytes() const {
   Eigen::Index doubles = decay_minus_one_.size() + gather_.size() + samples_.size() + 3 * states_.size() +
                          inner_.size() + near_.size() + far_.size() + sums_.size() + 2 * start_.size() +
-                         3 * start_states_.size();
+                         4 * start_states_.size();
   for (const auto& far : start_far_) doubles += far.size();
   return sizeof(double) * static_cast<std::size_t>(doubles);
 }

@@ -56,7 +56,7 @@ class ExponentialMemory {
   // which x_0 = 1 is a sample as any other.
   Matrix start_, start_near_;
   std::vector<Matrix> start_far_;  // block x nodes; empty where the weights are 0
-  Vec start_states_, start_carries_, start_input_;
+  Vec start_states_, start_carries_, start_input_, start_later_;
 };
 
 }  // namespace fde

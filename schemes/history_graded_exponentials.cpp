@@ -10,13 +10,6 @@
 namespace fde {
 namespace {
 
-// With `fill` added to make a whole number of vectors.
-Vec padded(const Vec& values, double fill) {
-  Vec result = Vec::Constant((values.size() + lanes - 1) / lanes * lanes, fill);
-  result.head(values.size()) = values;
-  return result;
-}
-
 // phi_k(x) = sum_i (-x)^i / (i + k)!, k = 1, 2, 3: the integrals of exp(-x (1 - w)) w^(k-1) / (k-1)! over w
 // in [0, 1]. They follow from each other by phi_k = 1/k! - x phi_(k+1), upwards without loss for small x,
 // downwards for large. x increases.
@@ -37,9 +30,6 @@ void phi_functions(const Vec& x, Matrix& phi, Vec& decay_minus_one) {
   high.col(1) = (1.0 - high.col(0)) / large;
   high.col(2) = (0.5 - high.col(1)) / large;
 }
-
-ConstBlock reading(const Matrix& matrix) { return {matrix.data(), matrix.rows()}; }
-Block writing(Matrix& matrix) { return {matrix.data(), matrix.rows()}; }
 
 }  // namespace
 
@@ -110,10 +100,10 @@ void GradedExponentialHistory::advance(double length, In sample) {
   }
   for (auto& kernel : kernels_) {
     kernel.input.topRows(kernel.active).setZero();
-    multiply_add(kernel.active, kernel.phi.cols(), kernel.states.cols(), reading(kernel.phi),
-                 reading(kernel.polynomials), writing(kernel.input));
-    fde::advance(kernel.active, kernel.states.cols(), kernel.decay_minus_one.data(), reading(kernel.input),
-                 writing(kernel.states), writing(kernel.carries));
+    multiply_add(kernel.active, kernel.phi.cols(), kernel.states.cols(), kernel.phi, kernel.polynomials,
+                 kernel.input);
+    fde::advance(kernel.active, kernel.states.cols(), kernel.decay_minus_one.data(), kernel.input,
+                 kernel.states, kernel.carries);
   }
 }
 

@@ -16,7 +16,8 @@ struct Grid {
   [[nodiscard]] double time(int n) const {
     return uniform() ? end * n / steps : end * std::pow(static_cast<double>(n) / steps, grading);
   }
-  // t_n - t_(n-1), n >= 1; on a uniform grid the same number for all n. Does not shrink with n, up to rounding.
+  // t_n - t_(n-1), n >= 1; on a uniform grid the same number for all n. Does not shrink with n, up to
+  // rounding.
   [[nodiscard]] double step(int n = 1) const { return uniform() ? end / steps : time(n) - time(n - 1); }
 };
 
