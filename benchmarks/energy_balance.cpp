@@ -1,6 +1,7 @@
 #include "energy_balance.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fde {
 

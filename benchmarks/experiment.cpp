@@ -109,8 +109,7 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
   if (path.outcome != Outcome::finished) return {{outcome(grid.time(path.reached), describe(path))}};
   try {
     const Rows values = shown(scene, path.y), exact = truth.at(grid, path.steps);
-    auto rows =
-        measure({scene, scheme, options, path, values, exact, truth.bound(grid), balance.residual()}, row);
+    auto rows = measure({scene, scheme, path, values, exact, truth.bound(grid), balance.residual()}, row);
     rows.push_back(outcome(grid.end, "finished"));
     return {std::move(rows), true};
   } catch (const std::runtime_error& failure) {  // of a measure, or of the reference

@@ -15,7 +15,6 @@ namespace fde {
 struct Observation {
   const Scene& scene;
   const Scheme& scheme;
-  const Options& options;
   const Trajectory& path;
   const Rows& values;
   const Rows& truth;

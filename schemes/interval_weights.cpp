@@ -52,21 +52,6 @@ double integral_order(const WeightTable& table) {
   return table.family == WeightFamily::l1 ? 1.0 - table.order : table.order;
 }
 
-double step_factor(const WeightTable& table, double length) {
-  const double g = table.order, power = std::pow(length, g);
-  switch (table.family) {
-    case WeightFamily::rectangle:
-      return power / std::tgamma(g + 1.0);
-    case WeightFamily::trapezoid:
-      return power / std::tgamma(g + 2.0);
-    case WeightFamily::grunwald_letnikov:
-      return power;
-    case WeightFamily::l1:
-      return power * std::tgamma(2.0 - g);
-  }
-  std::abort();
-}
-
 double integrals_to_sums(const WeightTable& table, double length) {
   const double kappa = step_factor(table, length);
   return table.family == WeightFamily::l1 ? kappa : 1.0 / kappa;

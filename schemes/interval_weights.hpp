@@ -26,12 +26,8 @@ Ends ends(WeightFamily family, double before, double after, double length);
 // integrates the slopes of y.
 double integral_order(const WeightTable& table);
 
-// kappa in y_n = past + kappa f(t_n, y_n) for a step of this length: h^g/Gamma(g+1) for the rectangle,
-// h^g/Gamma(g+2) for the trapezoid, h^g for Grunwald-Letnikov, Gamma(2-g) h^g for L1.
-double step_factor(const WeightTable& table, double length);
-
 // What turns integrals up to the end of a step of this length into weighted sums, in which the newest sample
-// has weight 1: 1/kappa for the rules that integrate f, kappa for L1.
+// has weight 1: 1/step_factor for the rules that integrate f, step_factor for L1.
 double integrals_to_sums(const WeightTable& table, double length);
 
 }  // namespace fde

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "interval_weights.hpp"
-
 namespace fde {
 
 Run::Run(const Problem& problem, const Grid& grid, const Options& options)

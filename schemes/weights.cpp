@@ -110,4 +110,19 @@ std::optional<double> start_weight(const WeightTable& table, std::int64_t n) {
   std::abort();
 }
 
+double step_factor(const WeightTable& table, double length) {
+  const double g = table.order, power = std::pow(length, g);
+  switch (table.family) {
+    case WeightFamily::rectangle:
+      return power / std::tgamma(g + 1.0);
+    case WeightFamily::trapezoid:
+      return power / std::tgamma(g + 2.0);
+    case WeightFamily::grunwald_letnikov:
+      return power;
+    case WeightFamily::l1:
+      return power * std::tgamma(2.0 - g);
+  }
+  std::abort();
+}
+
 }  // namespace fde

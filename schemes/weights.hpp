@@ -27,8 +27,8 @@ struct WeightTable {
 // w(lag) of a table, lag >= 1.
 double weight(const WeightTable& table, std::int64_t lag);
 
-// w(lag) - w(lag - 1), with 0 in place of w(0). Taken from weights in extended precision: good to a unit in
-// the last place for the lags up to 39 at which the history asks for it, and off by lag / 2000 units beyond.
+// w(lag) - w(lag - 1), with 0 in place of w(0). Taken from weights in extended precision, so it is off by
+// rounding of w(lag) there, about 1/2000 unit of a double: small in every sum in which it stands for w.
 double weight_increment(const WeightTable& table, std::int64_t lag);
 
 // The value that w(k) has for every k, when there is one: order 1 has no memory, a running sum replaces the
@@ -39,5 +39,9 @@ std::optional<double> constant_weight(const WeightTable& table);
 // Liu & Anh 2007, eq. 3.7, first line), Grunwald-Letnikov and L1 have 0. nullopt: the rule is the plain
 // convolution.
 std::optional<double> start_weight(const WeightTable& table, std::int64_t n);
+
+// kappa in y_n = past + kappa f(t_n, y_n) for a step of this length: h^g/Gamma(g+1) for the rectangle,
+// h^g/Gamma(g+2) for the trapezoid, h^g for Grunwald-Letnikov, Gamma(2-g) h^g for L1.
+double step_factor(const WeightTable& table, double length);
 
 }  // namespace fde

@@ -221,5 +221,17 @@ TEST_P(HistoriesOnGradedGrids, AreSmallerForALooserToleranceAndWithinIt) {
 
 INSTANTIATE_TEST_SUITE_P(, HistoriesOnGradedGrids, testing::Values(1.5, 3.0, 6.0));
 
+// Below, the tables of the exponentials cost more than the whole direct sum (fde_histories measures it).
+TEST(AutomaticHistory, IsDirectForShortRunsOnly) {
+  const auto resolved = [](int steps, double grading) {
+    return resolve(HistoryKind::automatic, {1.0, steps, grading});
+  };
+  EXPECT_EQ(resolved(16, 1.0), HistoryKind::direct);
+  EXPECT_EQ(resolved(512, 1.0), HistoryKind::exponentials);
+  EXPECT_EQ(resolved(4, 2.0), HistoryKind::direct);
+  EXPECT_EQ(resolved(64, 2.0), HistoryKind::exponentials);
+  EXPECT_EQ(resolve(HistoryKind::direct, {1.0, 512}), HistoryKind::direct);
+}
+
 }  // namespace
 }  // namespace fde

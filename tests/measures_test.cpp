@@ -17,12 +17,11 @@ namespace {
 // A trajectory y(t_n) = values.col(n) with a truth beside it.
 struct Made {
   Scene scene{};
-  Options options{};
   Trajectory path{};
   Rows truth{};
 
   [[nodiscard]] Observation observe() const {
-    return {scene, *find_scheme("l1"), options, path, path.y, truth, 1e-15};
+    return {scene, *find_scheme("l1"), path, path.y, truth, 1e-15};
   }
 };
 
