@@ -37,10 +37,12 @@ Complex<Real> Contour<Real>::step_of(const Complex<Real>& log_pole) const {
 
 template <class Real>
 Complex<Real> Contour<Real>::pole_factor(const Complex<Real>& log_pole) const {
-  using std::exp;
+  using std::exp, std::log;
   const Complex<Real> position = step_of(log_pole);
   const Real turn = 2 * pi<Real>();
   const Complex<Real> exponent(turn * imag_part<Real>(position), -turn * real_part<Real>(position));
+  // 1 to the last digit, where mpc would work for the digits of an imaginary part of next to nothing.
+  if (real_part<Real>(exponent) < 2 * log(epsilon<Real>())) return Complex<Real>(1);
   return Real(1) / (Real(1) - exp(exponent));
 }
 

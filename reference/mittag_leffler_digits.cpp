@@ -118,9 +118,26 @@ struct Poles {
   }
 };
 
+// The residues that are beyond all exponents; then nothing else matters.
+Sum<BigReal> overflowing_residues(const Arguments& x, const Poles& poles) {
+  constexpr double least_log = 40.0;  // of |s*|: to overflow
+  Sum<BigReal> sum;
+  for (const BigComplex& log_pole : poles.logs) {
+    if (real_part<BigReal>(log_pole) < least_log ||
+        abs(BigReal(imag_part<BigReal>(log_pole))) > pi<BigReal>())
+      continue;
+    Sum<BigReal> residue;
+    add_residue(residue, x, log_pole, BigComplex(1), BigReal(0));
+    if (residue.infinite) sum.add_infinite(residue.value, residue.largest_exponent);
+  }
+  return sum;
+}
+
 Sum<BigReal> on_contour(const Arguments& x, int digits) {
-  const BoundedContour& at = bounded_contour_for(digits);
   const BigComplex log_z = log(x.z);
+  Sum<BigReal> overflow = overflowing_residues(x, Poles(x, log_z, 1.0));
+  if (overflow.infinite) return overflow;
+  const BoundedContour& at = bounded_contour_for(digits);
   const Poles poles(x, log_z, at.contour.shape().mu);
   const auto [log_bound, distance] = at.bound.at({.exponent = BigReal(x.alpha - x.beta).convert_to<double>(),
                                                   .alpha = x.alpha.convert_to<double>(),
@@ -133,7 +150,6 @@ Sum<BigReal> on_contour(const Arguments& x, int digits) {
     const BigComplex factor = at.contour.pole_factor(poles.logs[i]);
     add_residue(sum, x, poles.logs[i], factor, BigReal(at.contour.omega() * size_of(BigComplex(factor - 1))));
   }
-  if (sum.infinite) return sum;
   add_nodes(sum, x, at.contour);
   sum.error += exp(BigReal(log_bound));
   return sum;

@@ -27,6 +27,8 @@ void set_default_precision(unsigned digits) {
 
 Precision::Precision(int digits) : lock_(precision_mutex()), before_(BigReal::default_precision()) {
   set_default_precision(static_cast<unsigned>(digits));
+  mpfr_set_emax(mpfr_get_emax_max());  // of this thread: by default e^(7e8) is infinite
+  mpfr_set_emin(mpfr_get_emin_min());
 }
 
 Precision::~Precision() { set_default_precision(before_); }

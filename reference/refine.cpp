@@ -42,8 +42,10 @@ std::string scientific(const BigReal& x, int digits) { return print("%.*Re", dig
 std::string in_decimal(const BigReal& x, int digits) {
   constexpr int most_zeros = 5;
   const std::string text = scientific(x, digits);
-  const int exponent = std::stoi(text.substr(text.find('e') + 1));
-  return exponent < -most_zeros || exponent >= digits ? text : print("%.*Rf", digits - 1 - exponent, x);
+  const auto exponent = std::stoll(text.substr(text.find('e') + 1));
+  return exponent < -most_zeros || exponent >= digits
+             ? text
+             : print("%.*Rf", digits - 1 - static_cast<int>(exponent), x);
 }
 
 // A bound that was rounded to nearest, made one again.
