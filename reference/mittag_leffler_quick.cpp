@@ -195,9 +195,9 @@ QuickValue residue_sum(const Arguments& x, const PoleArguments& arguments, const
     const auto below = static_cast<int>(std::max(residues[i].exponent - largest, -20000.0));
     const long double scale = std::ldexp(poles[i].paired ? 2.0L : 1.0L, below);
     Value value = scale * to_long(residues[i].value);
+    const long double error = size_of(value) * residues[i].relative_error;
     if (x.real()) value = value.real();
-    sum = sum + QuickValue{value, scale * size_of(to_long(residues[i].value)) *
-                                      (residues[i].relative_error + few_ulps)};
+    sum = sum + QuickValue{value, error + few_ulps * size_of(value)};
   }
   const auto exponent = static_cast<int>(std::clamp(largest, -20000.0, 16000.0));
   return {{std::ldexp(sum.value.real(), exponent), std::ldexp(sum.value.imag(), exponent)},
