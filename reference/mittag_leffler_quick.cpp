@@ -280,12 +280,13 @@ std::optional<QuickValue> on_contours(const Arguments& x) {
     if (value && (!best || value->error < best->error)) best = value;
     return best && is_good(*best);
   };
-  for (const auto fits : {all.begin(), all.end() - 1}) {
+  for (const auto* const first : {all.begin(), all.end() - 1}) {
     for (const int peeled : {0, 2}) {
       if (peeled == 0 ? x.scaled.exponent >= large : x.scaled.exponent < moderate) continue;
       const double exponent = exponent_after(x, peeled).hi;
-      const auto* const contours = std::find_if(
-          fits, all.end(), [&](const QuickContours& some) { return some.fit(exponent - x.alpha, exponent); });
+      const auto* const contours = std::find_if(first, all.end(), [&](const QuickContours& some) {
+        return some.fit(exponent - x.alpha, exponent);
+      });
       if (contours != all.end() && try_with(*contours, peeled)) return best;
     }
   }

@@ -77,7 +77,7 @@ Bounded<BigReal> raise_digits(int wanted_digits, int extra,
   for (int digits = wanted_digits + guard_digits;;) {
     const Precision precision(contour_precision(digits) + extra);
     const Sum<BigReal> sum = evaluate(digits);
-    const Bounded<BigReal> value{sum.value, sum.error};
+    Bounded<BigReal> value{sum.value, sum.error};
     const int missing = sum.infinite ? 0 : missing_digits(value, BigReal(0), wanted_digits, digits);
     if (missing <= 0 || digits >= most) return value;
     digits = std::min(digits + missing + 2, most);
