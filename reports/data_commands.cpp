@@ -28,14 +28,17 @@ void write_tables(const std::string& folder, const Streams& streams) {
   fmt::print(streams.out, "{}\n", std::filesystem::absolute(folder).string());
 }
 
+std::string describe(const RowVerdict& row) {
+  if (!row.failure.empty()) return fmt::format("no value: {}", row.failure);
+  return fmt::format("{}: error {}, allowed {}, ratio {:.3g}", row.column, row.error, row.allowed, row.ratio);
+}
+
 void print(const TableVerdict& verdict, std::ostream& out) {
   fmt::print(out, "{}: {} rows, {} recomputed, {} wrong{}\n", verdict.table, verdict.rows, verdict.recomputed,
              verdict.wrong, verdict.checksum_holds ? "" : ", CHECKSUM DIFFERS");
   if (verdict.recomputed > 0) {
-    const auto& [column, error, allowed, ratio] = verdict.worst;
-    fmt::print(out, "  worst: line {}, {}: error {}, allowed {}, ratio {:.3g}{}\n    {}\n",
-               verdict.worst_line, column, error, allowed, ratio, ratio > 1.0 ? " WRONG" : "",
-               verdict.worst_row);
+    fmt::print(out, "  worst: line {}, {}{}\n    {}\n", verdict.worst_line, describe(verdict.worst),
+               verdict.worst.holds() ? "" : " WRONG", verdict.worst_row);
   }
   for (const auto& what : verdict.absent) fmt::print(out, "  absent: {}\n", what);
 }
@@ -46,9 +49,9 @@ void check_tables(const std::string& folder, std::size_t every, const Streams& s
   for (const auto& verdict : verdicts) print(verdict, streams.out);
   for (const auto& verdict : verdicts) {
     if (verdict.wrong == 0) continue;
-    throw NumericalFailure(fmt::format("{}: {} of {} rows wrong, the worst in line {}, column {}",
-                                       verdict.table, verdict.wrong, verdict.recomputed, verdict.worst_line,
-                                       verdict.worst.column));
+    throw NumericalFailure(fmt::format("{}: {} of {} rows wrong, the worst in line {}, {}", verdict.table,
+                                       verdict.wrong, verdict.recomputed, verdict.worst_line,
+                                       describe(verdict.worst)));
   }
   const auto worst =
       std::ranges::max_element(verdicts, {}, [](const TableVerdict& verdict) { return verdict.worst.ratio; });

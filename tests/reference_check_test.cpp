@@ -87,10 +87,14 @@ TEST(ReferenceCheck, ABoundDecidesWhereThereIsOne) {
               testing::Not(Contains(HasSubstr("bound"))));
 }
 
-// A correctly rounded double printed with 17 digits, and two doubles further.
+// The double nearest to e, as %.17g and as the shortest text that names it, in a column of 17 digits; and its
+// neighbours.
 TEST(ReferenceCheck, SeventeenDigitsAreADouble) {
-  EXPECT_EQ(verdict_of("e.csv", "alpha,beta,re_z,re\n1,1,1,2.7182818284590451\n").wrong, 0U);
-  EXPECT_EQ(verdict_of("e.csv", "alpha,beta,re_z,re\n1,1,1,2.7182818284590460\n").wrong, 1U);
+  const std::string rows = "alpha,beta,re_z,re\n1,1,2,7.3890560989306504\n1,1,1,";
+  for (const auto* text : {"2.7182818284590451", "2.718281828459045"})
+    EXPECT_EQ(verdict_of("e.csv", rows + text + "\n").wrong, 0U) << text;
+  for (const auto* text : {"2.7182818284590446", "2.7182818284590455"})
+    EXPECT_EQ(verdict_of("e.csv", rows + text + "\n").wrong, 1U) << text;
 }
 
 // t^2 at t = 3 is 9; with p = 3 it is 27.
@@ -124,7 +128,15 @@ TEST(ReferenceCheck, AConvergenceTableIsRecomputed) {
 TEST(ReferenceCheck, AnErrorOfARunThatFailsDoesNotHold) {
   const auto verdict = verdict_of("brusselator.csv", "scheme,steps,error_end\nadams_pc,64,0.1\n");
   EXPECT_EQ(verdict.wrong, 1U);
-  EXPECT_THAT(verdict.worst.error, HasSubstr("not finite"));
+  EXPECT_THAT(verdict.worst.failure, HasSubstr("not finite"));
+}
+
+TEST(ReferenceCheck, ARowWithoutAValueIsWrongAndTheOthersAreChecked) {
+  const auto verdict = verdict_of("e.csv", "alpha,beta,re_z,re\n5,1,1e300,1\n1,1,0,1\n");
+  EXPECT_EQ(verdict.wrong, 1U);
+  EXPECT_EQ(verdict.recomputed, 2U);
+  EXPECT_EQ(verdict.worst_line, 2U);
+  EXPECT_THAT(verdict.worst.failure, HasSubstr("beyond all exponents"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
 #include <stdexcept>
 
@@ -27,19 +28,35 @@ BigReal power_of_ten(int exponent) { return pow(BigReal(10), exponent); }
 
 std::string shown(const BigReal& x) { return x == 0 ? "0" : x.str(2, std::ios::scientific); }
 
+// A value as it is meant, and what it may be off by.
+struct Meant {
+  BigReal value, allowed;
+};
+
 // Half a unit of the last place of the double nearest to x.
 BigReal rounding_to_double(const BigReal& x) {
-  int exponent = 0;
-  frexp(x, &exponent);
-  return ldexp(BigReal(1), exponent - std::numeric_limits<double>::digits - 1);
+  constexpr int digits = std::numeric_limits<double>::digits;
+  int exponent = std::numeric_limits<double>::min_exponent;
+  if (x != 0) frexp(x, &exponent);
+  return ldexp(BigReal(1), std::max(exponent, std::numeric_limits<double>::min_exponent) - digits - 1);
 }
 
-// Half a unit of the last place that a value has.
-BigReal rounding(const WrittenNumber& written, const BigReal& value, int digits, int last_place) {
-  constexpr int least = 16, most = 17;  // digits of a double
+std::optional<double> double_of(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0.0;
+  if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc{}) return std::nullopt;
+  return value;
+}
+
+// Without a bound: half a unit of the last place that a value has, and what a double adds.
+Meant meant_by(const std::string& text, const WrittenNumber& written, int digits, int last_place) {
   const int place = written.digits == 0 ? last_place : std::max(written.first_place - digits + 1, last_place);
-  const BigReal half = power_of_ten(place) / 2;
-  return digits < least || digits > most || value == 0 ? half : BigReal(half + rounding_to_double(value));
+  const BigReal value = parse<BigReal>(text), half = power_of_ten(place) / 2;
+  const auto number = double_of(text);
+  if (!number || (digits != 16 && digits != 17)) return {value, half};
+  const BigReal of_double = rounding_to_double(value);
+  if (digits == 17 && half < of_double) return {BigReal(*number), of_double};
+  return {value, BigReal(std::max(half, of_double) + of_double)};
 }
 
 }  // namespace
@@ -79,12 +96,10 @@ RowVerdict Comparison::operator()(std::size_t row, const std::vector<Decimal>& r
   for (const auto& column : columns_) {
     const auto& text = given_.rows[row][column.at];
     const auto& [value, bound] = recomputed[column.value];
-    const auto given = parse<BigReal>(text);
-    const BigReal error = abs(BigReal(given - parse<BigReal>(value)));
-    const BigReal own =
-        bound_ ? parse<BigReal>(given_.rows[row][*bound_])
-               : rounding(number_at(given_, row, column.at), given, column.digits, column.last_place);
-    const BigReal allowed = own + parse<BigReal>(bound);
+    const auto [given, own] =
+        bound_ ? Meant{parse<BigReal>(text), parse<BigReal>(given_.rows[row][*bound_])}
+               : meant_by(text, number_at(given_, row, column.at), column.digits, column.last_place);
+    const BigReal error = abs(BigReal(given - parse<BigReal>(value))), allowed = own + parse<BigReal>(bound);
     // A ratio just above 1 must not become 1 in double.
     double ratio = error == 0 ? 0.0 : BigReal(error / allowed).convert_to<double>();
     if (error > allowed) ratio = std::max(ratio, 1.0 + std::numeric_limits<double>::epsilon());

@@ -15,14 +15,16 @@ struct RowVerdict {
   std::string column{};
   std::string error{}, allowed{};  // decimals of three digits
   double ratio = 0.0;              // error / allowed
-  [[nodiscard]] bool holds() const { return ratio <= 1.0; }
+  std::string failure{};           // why there is nothing to compare with; empty: there is
+  [[nodiscard]] bool holds() const { return failure.empty() && ratio <= 1.0; }
 };
 
 // Compares the values of a table with recomputed ones. A written value may be off by the bound in its row and
 // the bound of the recomputed value together. Without a column `bound` the writing decides: half a unit of
 // the last place, which is that of the most significant digits that any value of the column has, or of the
-// most decimals, whichever is coarser (so 0.5 among values of twelve digits counts as 0.500000000000). 16 or
-// 17 digits are taken for a double, whose rounding is allowed besides.
+// most decimals, whichever is coarser (so 0.5 among values of twelve digits counts as 0.500000000000). 17
+// digits mean the nearest double, which may be off by half a unit of its own last place; 16 are off by that
+// besides.
 class Comparison {
  public:
   // Of those value columns that the table has; the table must live as long. Throws std::invalid_argument

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <limits>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -118,18 +118,32 @@ std::string cells_of(const DataTable& table, std::size_t row) {
   return fmt::format("{}", fmt::join(cells, " "));
 }
 
+// A row without a value to compare with is wrong: it claims one.
+RowVerdict verdict_of(const DataTable& table, const RowCheck& check, std::size_t row) {
+  try {
+    return check(row);
+  } catch (const std::invalid_argument& error) {
+    if (std::string_view(error.what()).starts_with(table.name)) throw;
+    reject(table.name, fmt::format("line {}: {}", row + 2, error.what()));
+  } catch (const std::runtime_error& failure) {
+    return {.ratio = std::numeric_limits<double>::infinity(), .failure = failure.what()};
+  }
+}
+
+RowCheck check_of(const GivenTable& given) {
+  try {
+    return given.kind->check(given.of, given.table);
+  } catch (const std::runtime_error& failure) {
+    throw std::runtime_error(fmt::format("{}: {}", given.table.name, failure.what()));
+  }
+}
+
 void recompute(GivenTable& given, std::size_t every) {
   const auto& table = given.table;
   auto& verdict = given.verdict;
-  const auto check = given.kind->check(given.of, table);
+  const auto check = check_of(given);
   for (std::size_t row = 0; row < table.rows.size(); row += every) {
-    RowVerdict found;
-    try {
-      found = check(row);
-    } catch (const std::invalid_argument& error) {
-      if (std::string_view(error.what()).starts_with(table.name)) throw;
-      reject(table.name, fmt::format("line {}: {}", row + 2, error.what()));
-    }
+    const RowVerdict found = verdict_of(table, check, row);
     ++verdict.recomputed;
     if (!found.holds()) ++verdict.wrong;
     if (verdict.recomputed > 1 && found.ratio <= verdict.worst.ratio) continue;

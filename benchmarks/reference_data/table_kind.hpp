@@ -38,7 +38,8 @@ struct MadeTable {
   std::vector<LeftOut> left_out{};
 };
 
-// Recomputes one row. Throws std::invalid_argument for arguments outside what is allowed.
+// Recomputes one row. Throws std::invalid_argument for arguments outside what is allowed, and
+// std::runtime_error where there is no value.
 using RowCheck = std::function<RowVerdict(std::size_t row)>;
 
 // One kind of table of the reference data: what its columns mean, how its rows are made and how a row is
@@ -49,7 +50,9 @@ struct TableKind {
   std::string_view known_by;  // a column that no other kind has
   TableFacts (*facts)(const SceneVariant& of);
   MadeTable (*make)(const SceneVariant& of);
-  RowCheck (*check)(const SceneVariant& of, const DataTable& given);  // the table must live as long
+  // The table must live as long. Throws std::invalid_argument for malformed cells, std::runtime_error where
+  // the scene has no reference.
+  RowCheck (*check)(const SceneVariant& of, const DataTable& given);
 
   [[nodiscard]] bool of_scenes() const { return !folder.empty(); }
 };
