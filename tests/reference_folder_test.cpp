@@ -1,6 +1,7 @@
 // The folder of reference data: written whole or not at all. It passes its own check, which finds what is
 // changed in it.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -60,24 +61,39 @@ TEST_F(Written, PassesItsOwnCheck) {
   EXPECT_EQ(answer.code, 0) << answer.err;
   EXPECT_EQ(answer.err, "");
   EXPECT_THAT(answer.out, AllOf(HasSubstr("trajectories/power.csv: 27 rows, 27 recomputed, 0 wrong\n"),
-                                HasSubstr("all 4 tables hold"), testing::Not(HasSubstr("absent"))));
+                                HasSubstr("\n4 tables, 138 rows recomputed: all hold; worst ratio "),
+                                testing::Not(HasSubstr("absent"))));
 }
 
 TEST_F(Written, AWrongDigitIsFoundAndItsRowNamed) {
   change(data_ / "trajectories/power.csv", "\n12,144.", "\n12,145.");
   const auto answer = check(data_);
   EXPECT_EQ(answer.code, 3);
-  EXPECT_THAT(answer.out, AllOf(HasSubstr("1 wrong, CHECKSUM DIFFERS"), HasSubstr("t=12 y=145.00000")));
+  EXPECT_THAT(answer.out,
+              AllOf(HasSubstr("27 recomputed, 1 wrong\n"),
+                    HasSubstr("trajectories/power.csv: CHECKSUM DIFFERS\n"), HasSubstr("t=12 y=145.00000")));
   EXPECT_THAT(answer.err,
               StartsWith("fdebench: trajectories/power.csv: 1 of 27 rows wrong, the worst in line 20, y: "
                          "error 1.00e+00, allowed "));
 }
 
 TEST_F(Written, AChangeThatLeavesTheNumbersRightIsToldByItsChecksum) {
-  change(data_ / "convergence/power.json", "errors of every scheme", "Errors of every scheme");
+  for (const auto* name : {"convergence/power.json", "index.json"}) {
+    replace_folder(data_, some_files());
+    change(data_ / name, "\"commit\": \"", "\"commit\": \"my");
+    const auto answer = check(data_);
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_EQ(answer.err, fmt::format("fdebench: {}: all rows hold, but its checksum differs\n", name));
+  }
+}
+
+// As when only a CSV and its JSON are passed on.
+TEST_F(Written, TheChecksumOfADescriptionCountsToo) {
+  fs::remove(data_ / "SHA256SUMS");
+  change(data_ / "trajectories/power.csv", "\n12,144.", "\n12,+144.");
   const auto answer = check(data_);
   EXPECT_EQ(answer.code, 2);
-  EXPECT_EQ(answer.err, "fdebench: convergence/power.csv: its rows hold, but its checksum differs\n");
+  EXPECT_EQ(answer.err, "fdebench: trajectories/power.csv: all rows hold, but its checksum differs\n");
 }
 
 TEST_F(Written, AMissingFileIsNamed) {

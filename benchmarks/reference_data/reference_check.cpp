@@ -24,6 +24,7 @@ struct GivenTable {
   Description description{};
   const TableKind* kind = nullptr;
   SceneVariant of{.maker = nullptr};
+  std::string checksum{};
   TableVerdict verdict{};
 };
 
@@ -66,7 +67,7 @@ SceneVariant scene_of(const GivenTable& given, const fs::path& file) {
 }
 
 void require_columns(const GivenTable& given) {
-  const auto& [table, description, kind, of, verdict] = given;
+  const auto& [table, description, kind, of, checksum, verdict] = given;
   for (const auto& column : kind->facts(of).columns) {
     if (column.required && !table.find(column.name))
       reject(table.name, fmt::format("line 1: column {} is missing", column.name));
@@ -100,8 +101,7 @@ GivenTable read_table(const fs::path& file) {
   }
   auto& verdict = given.verdict;
   verdict.rows = given.table.rows.size();
-  const auto& checksum = given.description.checksum;
-  verdict.checksum_holds = checksum.empty() || checksum == sha256(text);
+  given.checksum = sha256(text);
   if (!described)
     verdict.absent.emplace_back(given.kind->of_scenes() ? "description: default parameters" : "description");
   return given;
@@ -154,27 +154,27 @@ void recompute(GivenTable& given, std::size_t every) {
   if (!table.find("bound")) verdict.absent.emplace_back("bound: half a unit of the last digit is allowed");
 }
 
-// The files that SHA256SUMS names are there; which of them are others.
-std::vector<fs::path> changed_files(const fs::path& folder, const Checksums& checksums) {
-  std::vector<fs::path> changed;
+// The files that SHA256SUMS names have to be there; those whose checksum is another.
+std::set<std::string> changed_files(const fs::path& folder, const Checksums& checksums) {
+  std::set<std::string> changed;
   for (const auto& [name, digest] : checksums) {
-    if (sha256(read_file(folder / name)) != digest) changed.push_back(folder / name);
+    if (sha256(read_file(folder / name)) != digest) changed.insert(name);
   }
   return changed;
 }
 
 }  // namespace
 
-std::vector<TableVerdict> check_folder(const fs::path& folder, std::size_t every, const TellProgress& tell) {
+FolderVerdict check_folder(const fs::path& folder, std::size_t every, const TellProgress& tell) {
   const fs::path sums = folder / "SHA256SUMS", index = folder / "index.json";
   std::vector<GivenTable> given;
   for (const auto& file : tables_in(folder)) given.push_back(read_table(file));
   if (fs::exists(index)) {
     for (const auto& name : parse_index(index.string(), read_file(index))) read_file(folder / name);
   }
+  FolderVerdict verdict;
   const bool summed = fs::exists(sums);
-  const auto changed = summed ? changed_files(folder, parse_checksums(sums.string(), read_file(sums)))
-                              : std::vector<fs::path>{};
+  if (summed) verdict.changed = changed_files(folder, parse_checksums(sums.string(), read_file(sums)));
   std::mutex mutex;
   std::size_t done = 0;
   in_parallel(given.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
@@ -182,17 +182,14 @@ std::vector<TableVerdict> check_folder(const fs::path& folder, std::size_t every
     const std::scoped_lock lock(mutex);
     tell(++done, given.size(), given[i].table.name);
   });
-  std::vector<TableVerdict> verdicts;
-  for (auto& [table, description, kind, of, verdict] : given) {
-    const fs::path file = table.name, beside = fs::path(file).replace_extension(".json");
-    for (const auto& other : changed) {
-      if (other == file || other == beside) verdict.checksum_holds = false;
-    }
-    if (!summed && description.checksum.empty()) verdict.absent.emplace_back("checksum");
-    verdict.table = file.lexically_relative(folder).generic_string();
-    verdicts.push_back(std::move(verdict));
+  for (auto& table : given) {
+    const auto& described = table.description.checksum;
+    table.verdict.table = fs::path(table.table.name).lexically_relative(folder).generic_string();
+    if (!described.empty() && described != table.checksum) verdict.changed.insert(table.verdict.table);
+    if (!summed && described.empty()) table.verdict.absent.emplace_back("checksum");
+    verdict.tables.push_back(std::move(table.verdict));
   }
-  return verdicts;
+  return verdict;
 }
 
 }  // namespace fde

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,17 @@ struct TableVerdict {
   std::string worst_row{};     // its cells
   RowVerdict worst{};
   std::vector<std::string> absent{};  // what the folder does not say, and what was taken for it
-  bool checksum_holds = true;         // of those that are there
+};
+
+struct FolderVerdict {
+  std::vector<TableVerdict> tables{};
+  std::set<std::string> changed{};  // files whose checksum, of those that are there, is another
 };
 
 // Recomputes each `every`-th row of every table in a folder, from the first one on. The folder may come from
 // another program: tables are known by their columns and named after their scene; descriptions, index and
 // checksums may be absent. Throws std::invalid_argument naming the file, and line and column where there is
 // one, for whatever is not well-formed.
-std::vector<TableVerdict> check_folder(const std::filesystem::path& folder, std::size_t every,
-                                       const TellProgress& tell);
+FolderVerdict check_folder(const std::filesystem::path& folder, std::size_t every, const TellProgress& tell);
 
 }  // namespace fde
