@@ -80,7 +80,7 @@ TEST_F(Written, AWrongDigitIsFoundAndItsRowNamed) {
 TEST_F(Written, AChangeThatLeavesTheNumbersRightIsToldByItsChecksum) {
   for (const auto* name : {"convergence/power.json", "index.json"}) {
     replace_folder(data_, some_files());
-    change(data_ / name, "\"commit\": \"", "\"commit\": \"my");
+    change(data_ / name, R"("commit": ")", R"("commit": "my)");
     const auto answer = check(data_);
     EXPECT_EQ(answer.code, 2);
     EXPECT_EQ(answer.err, fmt::format("fdebench: {}: all rows hold, but its checksum differs\n", name));
