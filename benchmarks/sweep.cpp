@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <mutex>
 #include <span>
 
 #include "experiment.hpp"
+#include "in_parallel.hpp"
 
 namespace fde {
 
@@ -45,30 +44,6 @@ SceneRuns missing_runs(const SceneVariant& variant, const Sweep& sweep, const Sw
     }
   }
   return missing;
-}
-
-// Calls task(0), ..., task(count - 1), each once, on that many threads. After a failure no new task starts;
-// the first one is thrown again when all threads have ended.
-void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto work = [&] {
-    try {
-      for (auto i = next++; i < count; i = next++) task(i);
-    } catch (...) {
-      const std::scoped_lock lock(mutex);
-      if (!failure) failure = std::current_exception();
-      next = count;
-    }
-  };
-  {
-    std::vector<std::jthread> workers;
-    for (std::size_t worker = 0; worker < std::min<std::size_t>(count, threads); ++worker) {
-      workers.emplace_back(work);
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace

@@ -32,6 +32,11 @@ const SceneMaker& scene_named(std::string_view id);
 
 // "pendulum" or "pendulum:alpha=1.9,beta=0.1".
 SceneVariant parse_variant(const std::string& text);
+
+// All scenes, and some with orders that change the answer: a small one, one above 1, a solution that starts
+// like a root, and pendulums whose commensurate expansion has many states.
+std::vector<SceneVariant> default_scenes();
+
 const Scheme& scheme_named(std::string_view id);
 
 inline constexpr int most_steps = 1'000'000'000;  // weights are checked up to this lag

@@ -49,6 +49,14 @@ void check_subcommand(const CLI::App& app, const std::vector<std::string>& argum
 
 }  // namespace
 
+std::function<void(std::size_t, std::size_t, const std::string&)> progress_line(const Streams& streams) {
+  return [&streams](std::size_t done, std::size_t total, const std::string& what) {
+    if (!streams.terminal) return;
+    fmt::print(streams.err, "\r[{:>4}/{}] {:<60}{}", done, total, what, done == total ? "\n" : "");
+    streams.err.flush();
+  };
+}
+
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams) {
   CLI::App app{"Which numerical scheme to use for a fractional differential equation, with proof",
                "fdebench"};
@@ -58,6 +66,7 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& strea
   add_solve_command(app, streams);
   add_reference_commands(app, streams);
   add_sweep_commands(app, streams);
+  add_data_commands(app, streams);
   try {
     check_subcommand(app, arguments);
     return dispatch(app, arguments, streams);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <stdexcept>
 #include <string>
@@ -27,10 +29,15 @@ struct Streams {
 // done, 2 bad input or output that cannot be written, 3 numerical failure; both with one line on err.
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams);
 
+// Overwrites one line of err with what has been done, on a terminal only.
+std::function<void(std::size_t done, std::size_t total, const std::string& what)> progress_line(
+    const Streams& streams);
+
 // Each adds its subcommands to the application.
 void add_list_commands(CLI::App& app, const Streams& streams);       // scenes, schemes
 void add_solve_command(CLI::App& app, const Streams& streams);       // solve
 void add_reference_commands(CLI::App& app, const Streams& streams);  // exact, mittag-leffler
 void add_sweep_commands(CLI::App& app, const Streams& streams);      // run, report, choose
+void add_data_commands(CLI::App& app, const Streams& streams);       // reference
 
 }  // namespace fde

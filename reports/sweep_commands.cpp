@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -31,17 +30,9 @@ struct ChooseArguments {
   std::optional<std::string> results;
 };
 
-// All scenes, and some with orders that change the answer: a small one, one above 1, a solution that starts
-// like a root, and pendulums whose commensurate expansion has many states.
-constexpr std::array default_variants{"relaxation:gamma=0.2", "relaxation:gamma=1.5", "power:p=0.7",
-                                      "pendulum:alpha=1.25,beta=0.75", "pendulum:alpha=1.9,beta=0.1"};
-
 std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts) {
+  if (texts.empty()) return default_scenes();
   std::vector<SceneVariant> variants;
-  if (texts.empty()) {
-    for (const auto& maker : scenes()) variants.push_back({.maker = &maker});
-    for (const auto* text : default_variants) variants.push_back(parse_variant(text));
-  }
   for (const auto& text : texts) variants.push_back(parse_variant(text));
   return variants;
 }
@@ -53,15 +44,6 @@ std::vector<const Scheme*> chosen_schemes(const std::vector<std::string>& ids) {
   }
   for (const auto& id : ids) entries.push_back(&scheme_named(id));
   return entries;
-}
-
-// One line that is overwritten, on a terminal only.
-auto progress_line(const Streams& streams) {
-  return [&streams](std::size_t done, std::size_t total, const std::string& next) {
-    if (!streams.terminal) return;
-    fmt::print(streams.err, "\r[{:>4}/{}] {:<60}{}", done, total, next, done == total ? "\n" : "");
-    streams.err.flush();
-  };
 }
 
 void run(const RunArguments& arguments, const Streams& streams) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace fde {
+
+// SHA-256 of the bytes, as 64 hexadecimal digits.
+std::string sha256(std::string_view bytes);
+
+// The lines of a SHA256SUMS file as `sha256sum` writes them: digests by file name.
+using Checksums = std::map<std::string, std::string>;
+std::string write_checksums(const Checksums& checksums);
+
+// Throws std::invalid_argument naming the file and line that is something else.
+Checksums parse_checksums(const std::string& name, std::string_view text);
+
+}  // namespace fde

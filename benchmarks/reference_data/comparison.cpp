@@ -1,0 +1,112 @@
+#include "comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <stdexcept>
+
+#include "real.hpp"
+#include "written_number.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int most_digits = 1000;
+constexpr int guard_digits = 20;
+
+WrittenNumber number_at(const DataTable& table, std::size_t row, std::size_t column) {
+  const auto& text = table.rows[row][column];
+  const auto number = read_written(text);
+  if (number && number->digits <= most_digits) return *number;
+  throw std::invalid_argument(fmt::format("{}: '{}' must be a decimal number of at most {} digits",
+                                          table.place(row, table.columns[column]), text, most_digits));
+}
+
+BigReal power_of_ten(int exponent) { return pow(BigReal(10), exponent); }
+
+std::string shown(const BigReal& x) { return x == 0 ? "0" : x.str(2, std::ios::scientific); }
+
+// A value as it is meant, and what it may be off by.
+struct Meant {
+  BigReal value, allowed;
+};
+
+// Half a unit of the last place of the double nearest to x.
+BigReal rounding_to_double(const BigReal& x) {
+  constexpr int digits = std::numeric_limits<double>::digits;
+  int exponent = std::numeric_limits<double>::min_exponent;
+  if (x != 0) frexp(x, &exponent);
+  return ldexp(BigReal(1), std::max(exponent, std::numeric_limits<double>::min_exponent) - digits - 1);
+}
+
+std::optional<double> double_of(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0.0;
+  if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc{}) return std::nullopt;
+  return value;
+}
+
+// Without a bound: half a unit of the last place that a value has, and what a double adds.
+Meant meant_by(const std::string& text, const WrittenNumber& written, int digits, int last_place) {
+  const int place = written.digits == 0 ? last_place : std::max(written.first_place - digits + 1, last_place);
+  const BigReal value = parse<BigReal>(text), half = power_of_ten(place) / 2;
+  const auto number = double_of(text);
+  if (!number || (digits != 16 && digits != 17)) return {value, half};
+  const BigReal of_double = rounding_to_double(value);
+  if (digits == 17 && half < of_double) return {BigReal(*number), of_double};
+  return {value, BigReal(std::max(half, of_double) + of_double)};
+}
+
+}  // namespace
+
+Comparison::Comparison(const DataTable& given, const std::vector<std::string>& value_columns)
+    : given_(given), bound_(given.find("bound")) {
+  for (std::size_t value = 0; value < value_columns.size(); ++value) {
+    const auto at = given.find(value_columns[value]);
+    if (!at) continue;
+    columns_.push_back({*at, value, 0, std::numeric_limits<int>::max()});
+    read(columns_.back());
+    digits_ = std::max(digits_, columns_.back().digits);
+  }
+  if (columns_.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: has none of the columns {}", given.name, fmt::join(value_columns, ", ")));
+  }
+  for (std::size_t row = 0; bound_ && row < given.rows.size(); ++row) {
+    number_at(given, row, *bound_);
+    const auto& text = given.rows[row][*bound_];
+    if (!text.starts_with('-')) continue;
+    throw std::invalid_argument(fmt::format("{}: {} must not be negative", given.place(row, "bound"), text));
+  }
+}
+
+void Comparison::read(Column& column) const {
+  for (std::size_t row = 0; row < given_.rows.size(); ++row) {
+    const auto number = number_at(given_, row, column.at);
+    column.digits = std::max(column.digits, number.digits);
+    column.last_place = std::min(column.last_place, number.last_place);
+  }
+}
+
+RowVerdict Comparison::operator()(std::size_t row, const std::vector<Decimal>& recomputed) const {
+  const Precision precision(digits_ + guard_digits);
+  RowVerdict worst;
+  for (const auto& column : columns_) {
+    const auto& text = given_.rows[row][column.at];
+    const auto& [value, bound] = recomputed[column.value];
+    const auto [given, own] =
+        bound_ ? Meant{parse<BigReal>(text), parse<BigReal>(given_.rows[row][*bound_])}
+               : meant_by(text, number_at(given_, row, column.at), column.digits, column.last_place);
+    const BigReal error = abs(BigReal(given - parse<BigReal>(value))), allowed = own + parse<BigReal>(bound);
+    // A ratio just above 1 must not become 1 in double.
+    double ratio = error == 0 ? 0.0 : BigReal(error / allowed).convert_to<double>();
+    if (error > allowed) ratio = std::max(ratio, 1.0 + std::numeric_limits<double>::epsilon());
+    if (worst.column.empty() || ratio > worst.ratio)
+      worst = {given_.columns[column.at], shown(error), shown(allowed), ratio};
+  }
+  return worst;
+}
+
+}  // namespace fde

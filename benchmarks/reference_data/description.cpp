@@ -1,0 +1,143 @@
+#include "description.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "experiment.hpp"
+#include "record.hpp"
+
+namespace fde {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int schema_version = 1;
+constexpr auto index_id = "fdebench.index";
+
+constexpr std::string_view name_of(ColumnType type) {
+  switch (type) {
+    case ColumnType::integer:
+      return "integer";
+    case ColumnType::text:
+      return "string";
+    case ColumnType::number:
+      break;
+  }
+  return "number";
+}
+
+Json generator() {
+  const Session session = this_session();
+  return {{"name", "fdebench"}, {"version", session.version}, {"commit", session.commit}};
+}
+
+Json schema_of(const TableKind& kind, const TableFacts& facts) {
+  Json columns = Json::array();
+  for (const auto& [name, meaning, unit, type, required] : facts.columns) {
+    columns.push_back({{"name", name},
+                       {"meaning", meaning},
+                       {"unit", type == ColumnType::text ? "" : unit},
+                       {"type", name_of(type)}});
+  }
+  return {{"id", schema_id(kind)}, {"version", schema_version}, {"columns", columns}};
+}
+
+// All parameters of the scene, the defaults too.
+Json parameters_of(const SceneVariant& of) {
+  Json parameters = Json::object();
+  for (const auto& parameter : of.maker->parameters) {
+    const auto given = of.values.find(std::string(parameter.name));
+    parameters[std::string(parameter.name)] = given == of.values.end() ? parameter.value : given->second;
+  }
+  return parameters;
+}
+
+std::string text_of(const Json& json) { return json.dump(2) + "\n"; }
+
+// A parsed file; the answer of `read`, with its complaints put in our words.
+template <typename Read>
+auto with_json(const std::string& name, std::string_view text, const Read& read) {
+  try {
+    return read(Json::parse(text));
+  } catch (const Json::parse_error& error) {
+    throw std::invalid_argument(fmt::format("{}: is not JSON, at byte {}", name, error.byte));
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(
+        fmt::format("{}: is not as docs/reference_data.md says: {}", name, error.what()));
+  }
+}
+
+void require_version(const std::string& name, const Json& schema) {
+  const int version = schema.value("version", schema_version);
+  if (version == schema_version) return;
+  throw std::invalid_argument(
+      fmt::format("{}: schema version = {}: must be {}", name, version, schema_version));
+}
+
+}  // namespace
+
+std::string schema_id(const TableKind& kind) { return fmt::format("fdebench.{}", kind.id); }
+
+std::string write_description(const TableKind& kind, const SceneVariant& of, const MadeTable& made,
+                              std::string_view checksum) {
+  const TableFacts facts = kind.facts(of);
+  Json json{{"schema", schema_of(kind, facts)}, {"title", facts.title}};
+  if (of.maker != nullptr) {
+    json["scene"] = of.maker->id;
+    json["parameters"] = parameters_of(of);
+  } else {
+    json["parameters"] = Json::object();
+  }
+  json["digits"] = facts.digits;
+  json["bound"] = facts.bound;
+  json["method"] = facts.method;
+  json["source"] = facts.source;
+  json["generator"] = generator();
+  json["rows"] = made.table.rows.size();
+  if (!made.left_out.empty()) {
+    json["left_out"] = Json::array();
+    for (const auto& [run, reason] : made.left_out)
+      json["left_out"].push_back({{"run", run}, {"reason", reason}});
+  }
+  json["sha256"] = checksum;
+  return text_of(json);
+}
+
+Description parse_description(const std::string& name, std::string_view text) {
+  return with_json(name, text, [&](const Json& json) {
+    const Json schema = json.value("schema", Json::object());
+    require_version(name, schema);
+    Description description{.schema = schema.value("id", ""),
+                            .scene = json.value("scene", ""),
+                            .checksum = json.value("sha256", "")};
+    for (const auto& column : schema.value("columns", Json::array()))
+      description.columns.push_back(column.at("name"));
+    const Json parameters = json.value("parameters", Json::object());
+    for (const auto& [parameter, value] : parameters.items())
+      description.parameters[parameter] = value.get<double>();
+    if (json.contains("rows")) description.rows = json.at("rows").get<std::size_t>();
+    return description;
+  });
+}
+
+std::string write_index(const std::vector<IndexEntry>& tables) {
+  Json list = Json::array();
+  for (const auto& [table, description, checksum, rows] : tables)
+    list.push_back({{"file", table}, {"description", description}, {"rows", rows}, {"sha256", checksum}});
+  return text_of({{"schema", {{"id", index_id}, {"version", schema_version}}},
+                  {"generator", generator()},
+                  {"tables", list}});
+}
+
+std::vector<std::string> parse_index(const std::string& name, std::string_view text) {
+  return with_json(name, text, [&](const Json& json) {
+    require_version(name, json.value("schema", Json::object()));
+    std::vector<std::string> tables;
+    for (const auto& entry : json.at("tables")) tables.push_back(entry.at("file"));
+    return tables;
+  });
+}
+
+}  // namespace fde

@@ -1,0 +1,155 @@
+#include "reference_folder.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+#include "checksum.hpp"
+#include "description.hpp"
+#include "in_parallel.hpp"
+
+namespace fde {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto index_name = "index.json";
+constexpr auto checksums_name = "SHA256SUMS";
+
+[[noreturn]] void reject(const fs::path& folder, const std::string& reason) {
+  throw std::invalid_argument(fmt::format("{}: cannot be written: {}", folder.string(), reason));
+}
+
+// "data/" and "data" are the same folder, but only one of them has a name; a link is followed.
+fs::path normal(const fs::path& folder) {
+  const fs::path path = fs::weakly_canonical(fs::absolute(folder));
+  return path.has_filename() ? path : path.parent_path();
+}
+
+std::set<std::string> names_of(const std::vector<PlannedTable>& tables) {
+  std::set<std::string> names{index_name, checksums_name};
+  for (const auto& table : tables) names.insert({table.stem() + ".csv", table.stem() + ".json"});
+  return names;
+}
+
+// The closest folder above that exists already.
+fs::path existing_parent(fs::path path) {
+  do path = path.parent_path();
+  while (!fs::exists(path) && path.has_relative_path());
+  return path;
+}
+
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw std::system_error(errno, std::generic_category());
+}
+
+// Ctrl-C waits while this lives.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
+    pthread_sigmask(SIG_BLOCK, &held, &before_);
+  }
+  ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+}  // namespace
+
+std::string PlannedTable::stem() const {
+  if (!kind->of_scenes()) return std::string(kind->id);
+  std::string name = of.label();
+  std::ranges::replace(name, ':', ',');  // no file name everywhere
+  return fmt::format("{}/{}", kind->folder, name);
+}
+
+std::vector<PlannedTable> planned_tables(const std::vector<SceneVariant>& scenes) {
+  std::vector<PlannedTable> tables;
+  for (const auto& kind : table_kinds()) {
+    if (!kind.of_scenes()) tables.push_back({.kind = &kind});
+    for (const auto& scene : scenes) {
+      if (kind.of_scenes()) tables.push_back({.kind = &kind, .of = scene});
+    }
+  }
+  return tables;
+}
+
+FolderFiles make_files(const std::vector<PlannedTable>& tables, const TellProgress& tell) {
+  std::vector<MadeTable> made(tables.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  in_parallel(tables.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
+    made[i] = tables[i].kind->make(tables[i].of);
+    const std::scoped_lock lock(mutex);
+    tell(++done, tables.size(), tables[i].stem());
+  });
+  FolderFiles files;
+  std::vector<IndexEntry> index;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const std::string stem = tables[i].stem(), csv = to_csv(made[i].table);
+    index.push_back({stem + ".csv", stem + ".json", sha256(csv), made[i].table.rows.size()});
+    files[stem + ".csv"] = csv;
+    files[stem + ".json"] = write_description(*tables[i].kind, tables[i].of, made[i], index.back().checksum);
+  }
+  files[index_name] = write_index(index);
+  Checksums checksums;
+  for (const auto& [name, text] : files) checksums[name] = sha256(text);
+  files[checksums_name] = write_checksums(checksums);
+  return files;
+}
+
+void require_replaceable(const fs::path& folder, const std::vector<PlannedTable>& tables) {
+  const fs::path target = normal(folder);
+  std::error_code problem;
+  const auto status = fs::status(target, problem);
+  if (fs::exists(status) && !fs::is_directory(status)) reject(folder, "is not a folder");
+  const fs::path parent = existing_parent(target);
+  if (!fs::is_directory(parent)) reject(folder, fmt::format("{} is not a folder", parent.string()));
+  if (access(parent.c_str(), W_OK) != 0) reject(folder, std::generic_category().message(errno));
+  if (!fs::exists(status)) return;
+  const auto ours = names_of(tables);
+  for (const auto& entry : fs::recursive_directory_iterator(target, problem)) {
+    const auto name = entry.path().lexically_relative(target).generic_string();
+    if (entry.is_directory() || ours.contains(name)) continue;
+    reject(folder,
+           fmt::format("holds {}, which is not of the reference data; name a new or an empty folder", name));
+  }
+  if (problem) reject(folder, problem.message());
+}
+
+void replace_folder(const fs::path& folder, const FolderFiles& files) {
+  const fs::path target = normal(folder);
+  const SignalsHeld held;
+  fs::path partial = target;
+  partial += fmt::format(".{}.partial", getpid());
+  try {
+    for (const auto& [name, text] : files) write(partial / name, text);
+    fs::remove_all(target);
+    fs::rename(partial, target);
+  } catch (const std::system_error& error) {
+    std::error_code ignored;
+    fs::remove_all(partial, ignored);
+    reject(folder, error.code().message());
+  }
+}
+
+}  // namespace fde

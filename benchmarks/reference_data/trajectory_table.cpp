@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "experiment.hpp"
+#include "table_kind.hpp"
+#include "written_number.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int table_digits = 50;   // where there is an exact solution
+constexpr int double_digits = 17;  // where there is a reference in double only
+constexpr int more_digits = 3;     // of a recomputed value than of the written one
+constexpr double latest_time = 1000.0;
+
+constexpr std::array stated_times{0.0,  0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1,  0.2,
+                                  0.5,  1.0,   1.5,   2.0,   3.0,  4.0,  5.0,  7.0,  10.0,
+                                  12.0, 15.0,  20.0,  25.0,  30.0, 35.0, 40.0, 45.0, 50.0};
+
+TableFacts facts(const SceneVariant& of) {
+  const Scene scene = make_scene(*of.maker, of.values);
+  const bool exact = static_cast<bool>(scene.exact.digits);
+  TableFacts facts{
+      .title = fmt::format("{}: the solution at stated times", of.maker->title),
+      .method = exact ? "closed form or inverse Laplace transform with residues and a contour, in multiple "
+                        "precision; parameters and times are taken as the decimals they are"
+                      : "piecewise collocation on a graded mesh, in double; the error is estimated from a "
+                        "second solution of other degree and panels",
+      .source = std::string(of.maker->source),
+      .bound = exact
+                   ? "the largest over the columns, of the absolute error, the rounding of the texts included"
+                   : "an estimate, the largest over the columns, of the absolute error",
+      .digits = exact ? table_digits : double_digits,
+      .columns = {{.name = "t", .meaning = "time"}}};
+  for (const auto& name : scene.outputs.names) {
+    facts.columns.push_back(
+        {.name = name, .meaning = fmt::format("{} of the scene at t", name), .required = false});
+  }
+  facts.columns.push_back({.name = "bound", .meaning = "bound of the absolute error", .required = false});
+  return facts;
+}
+
+// The columns of a scene at one time, with so many digits where they are to be had.
+class TrueColumns {
+ public:
+  TrueColumns(const SceneVariant& of, double end) : scene_(make_scene(*of.maker, of.values)) {
+    scene_.problem.end = end;
+    if (!scene_.exact.digits) truth_ = truth_of(scene_);
+  }
+
+  [[nodiscard]] std::vector<Decimal> at(double t, int digits) const {
+    const auto components = scene_.exact.digits ? scene_.exact.digits(t, digits) : in_double(t);
+    std::vector<Decimal> columns;
+    for (std::size_t c = 0; c < scene_.outputs.names.size(); ++c) {
+      const auto& chosen = scene_.outputs.components;
+      columns.push_back(components[chosen.empty() ? c : static_cast<std::size_t>(chosen[c])]);
+      if (columns.back().bound == "inf" || columns.back().bound == "nan")
+        throw std::runtime_error(fmt::format("{} is not finite at t = {}", scene_.outputs.names[c], t));
+    }
+    return columns;
+  }
+
+  [[nodiscard]] const std::vector<std::string>& names() const { return scene_.outputs.names; }
+
+ private:
+  // The shortest text that names the double; two digits of the bound, rounded up.
+  [[nodiscard]] std::vector<Decimal> in_double(double t) const {
+    constexpr double half_ulp = 0x1p-53, upwards = 1.06;
+    const auto [value, bound] = truth_.at(t);
+    std::vector<Decimal> decimals;
+    for (Eigen::Index i = 0; i < value.size(); ++i) {
+      const double whole = t == 0.0 ? bound[i] : bound[i] + half_ulp * std::abs(value[i]);
+      decimals.push_back({fmt::format("{}", value[i]), fmt::format("{:.2g}", upwards * whole)});
+    }
+    return decimals;
+  }
+
+  Scene scene_;
+  Exact truth_{};
+};
+
+// Bounds are written with two digits and may be too small for a double.
+const std::string& largest_bound(const std::vector<Decimal>& columns) {
+  const auto size = [](const Decimal& decimal) {
+    long double value = 0.0L;
+    std::from_chars(decimal.bound.data(), decimal.bound.data() + decimal.bound.size(), value);
+    return value;
+  };
+  return std::ranges::max_element(columns, {}, size)->bound;
+}
+
+MadeTable make(const SceneVariant& of) {
+  const TrueColumns truth(of, stated_times.back());
+  MadeTable made;
+  for (const auto& column : facts(of).columns) made.table.columns.push_back(column.name);
+  for (const double t : stated_times) {
+    const auto columns = truth.at(t, table_digits);
+    std::vector<std::string> row{fmt::format("{}", t)};
+    for (const auto& column : columns) row.push_back(column.value);
+    row.push_back(largest_bound(columns));
+    made.table.rows.push_back(std::move(row));
+  }
+  return made;
+}
+
+std::vector<double> times_of(const DataTable& given) {
+  std::vector<double> times;
+  const auto column = *given.find("t");
+  for (std::size_t row = 0; row < given.rows.size(); ++row) {
+    const auto& text = given.rows[row][column];
+    double t = -1.0;
+    if (read_written(text)) std::from_chars(text.data(), text.data() + text.size(), t);
+    if (!(t >= 0.0 && t <= latest_time)) {
+      throw std::invalid_argument(
+          fmt::format("{}: {} must be a time in [0, {}]", given.place(row, "t"), text, latest_time));
+    }
+    times.push_back(t);
+  }
+  return times;
+}
+
+RowCheck check(const SceneVariant& of, const DataTable& given) {
+  const auto times = times_of(given);
+  const double end = times.empty() ? 0.0 : std::ranges::max(times);
+  const auto truth = std::make_shared<TrueColumns>(of, end > 0.0 ? end : 1.0);
+  const auto comparison = std::make_shared<Comparison>(given, truth->names());
+  return [=](std::size_t row) {
+    return (*comparison)(row, truth->at(times[row], comparison->digits() + more_digits));
+  };
+}
+
+}  // namespace
+
+const TableKind trajectory_table{.id = "trajectory",
+                                 .folder = "trajectories",
+                                 .known_by = "t",
+                                 .facts = facts,
+                                 .make = make,
+                                 .check = check};
+
+}  // namespace fde
