@@ -1,0 +1,35 @@
+#pragma once
+
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "points.hpp"
+
+namespace fde::certificate {
+
+// What the library says at one point against the enclosure. Of the errors, upper bounds.
+struct Judgement {
+  Point point;
+  std::string re, im, radius;     // certified: the value is within radius of (re, im)
+  std::complex<double> computed;  // by the double face
+  double bound = 0.0;             // that it states
+  double ulps = 0.0;              // |error| in units of the last place of |E|
+  double conditioned_ulps = 0.0;  // the same near a zero in those of |z E'|; else ulps
+  std::vector<std::string> faults;
+  double ball_seconds = 0.0, double_seconds = 0.0, digits_seconds = 0.0;  // digits: with waiting for its lock
+};
+
+constexpr double allowed_ulps = 8.0;
+
+// Judges the double face: error inside the stated bound; at most 8 ulp of |E|, or near a zero 8 ulp of |z
+// E'|; infinite only where the value overflows. And, for digits > 0, the face with that many digits: error
+// inside the stated bound, and the bound at most 10^(1-digits) |E|. Near a zero means that Newton's method
+// from z converges to one close by: with h = |E E''| / |E'|^2, h <= 1/4 and |E| <= |z E'| / 4. An exponential
+// has h = 1 however steep it is.
+Judgement judge(const Point& point, int digits);
+
+// All digits of a double as a decimal text.
+std::string exact_text(double x);
+
+}  // namespace fde::certificate
