@@ -1,5 +1,6 @@
 #include <flint/flint.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,8 +10,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
-#include <map>
-#include <mutex>
+#include <stdexcept>
 #include <thread>
 
 #include "judge.hpp"
@@ -24,14 +24,16 @@ struct Options {
   std::string region, out;
 };
 
-std::vector<Point> chosen_points(const Options& options) {
-  std::vector<Point> chosen;
-  int index = 0;
-  for (const Point& point : points()) {
-    if (index++ % options.every == 0 && (options.region.empty() || options.region == point.region)) {
-      chosen.push_back(point);
-    }
+std::vector<int> chosen_points(const Options& options) {
+  const auto names = region_names();
+  std::vector<int> chosen;
+  for (int i = 0; i < point_count; i += options.every) {
+    const auto region = names.at(static_cast<std::size_t>(i / points_in_a_region));
+    if (options.region.empty() || options.region == region) chosen.push_back(i);
   }
+  if (chosen.empty())
+    throw std::invalid_argument(
+        fmt::format("--region {}: not one of {}", options.region, fmt::join(names, ", ")));
   return chosen;
 }
 
@@ -46,13 +48,14 @@ Judgement judge_or_fault(const Point& point, int digits) {
   }
 }
 
-std::vector<Judgement> judge_all(const std::vector<Point>& chosen, const Options& options) {
+std::vector<Judgement> judge_all(const std::vector<int>& chosen, const Options& options) {
   std::vector<Judgement> rows(chosen.size());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
-    for (std::size_t i = next++; i < rows.size(); i = next++)
-      rows[i] = judge_or_fault(chosen[i], options.digits);
-    flint_cleanup();
+    for (std::size_t i = next++; i < rows.size(); i = next++) {
+      rows[i] = judge_or_fault(point(chosen[i]), options.digits);
+    }
+    flint_cleanup();  // each thread has tables of its own
   };
   std::vector<std::jthread> threads;
   for (unsigned i = 0; i < options.threads; ++i) threads.emplace_back(work);
@@ -156,6 +159,9 @@ int main(int argc, char** argv) try {
   app.add_option("--out", options.out, "write the certified values to that CSV file");
   CLI11_PARSE(app, argc, argv);
   return fde::certificate::run(options);
+} catch (const std::invalid_argument& error) {
+  std::cerr << error.what() << '\n';
+  return 2;
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 3;

@@ -4,10 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <random>
 
-#include "mittag_leffler.hpp"
+#include "enclosure.hpp"
 
 namespace fde::certificate {
 namespace {
@@ -134,23 +135,38 @@ Point order_near_two(Random& random) {
   return {{}, alpha, beta, -random.power_of_ten(-1, 8)};
 }
 
-// A zero of E_{alpha,beta}(-x) found in double, and a relative distance from it down to 1e-12.
+// A zero of E_{alpha,beta}(-x^alpha) between two x of different sign, to about 14 digits (Illinois method).
+double zero_between(const std::function<double(double, int)>& f, double low, double high) {
+  constexpr int digits = 18;
+  double at_low = f(low, digits), at_high = f(high, digits);
+  for (int i = 0; i < 40 && std::abs(high - low) > 1e-15 * high; ++i) {
+    const double next = high - at_high * (high - low) / (at_high - at_low), at_next = f(next, digits);
+    if (at_next * at_high < 0.0) {
+      low = high;
+      at_low = at_high;
+    } else {
+      at_low *= 0.5;
+    }
+    high = next;
+    at_high = at_next;
+  }
+  return high;
+}
+
+// A relative distance down to 1e-12 from a zero: the first one from a random place on.
 Point near_zero(Random& random) {
   const double alpha = random.between(1.05, 2.0), beta = random.one_of(std::array{1.0, 1.0, alpha, 2.0, 0.5});
-  const auto at = [&](double x) { return mittag_leffler(alpha, beta, -x); };
-  double low = 0.0, high = random.between(0.0, 4.0);
-  for (int i = 0; i < 60; ++i) {  // the first change of sign from there on, walking with the oscillation
+  const auto at = [&](double root, int digits) {
+    return enclose(alpha, beta, -std::pow(root, alpha), digits).mid().real();
+  };
+  double low = random.between(0.1, 30.0), high = low;
+  for (int i = 0; i < 10 && at(low, 3) * at(high, 3) > 0.0; ++i) {
     low = high;
-    high = std::pow(std::pow(high, 1.0 / alpha) + 0.4, alpha);
-    if (at(low) * at(high) < 0.0) break;
+    high += 0.4;
   }
-  if (at(low) * at(high) >= 0.0) return near_zero(random);
-  const bool rising = at(high) > 0.0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    ((at(middle) > 0.0) == rising ? high : low) = middle;
-  }
-  return {{}, alpha, beta, -0.5 * (low + high) * (1.0 + random.either(random.power_of_ten(-12, -3)))};
+  if (at(low, 3) * at(high, 3) > 0.0) return near_zero(random);  // too few zeros at this alpha
+  const double zero = std::pow(zero_between(at, low, high), alpha);
+  return {{}, alpha, beta, -zero * (1.0 + random.either(random.power_of_ten(-12, -3)))};
 }
 
 Point beta_at_gamma_pole(Random& random) {
@@ -232,21 +248,13 @@ std::vector<std::string_view> region_names() {
   return names;
 }
 
-std::vector<Point> points() {
-  constexpr int in_a_region = 500;
-  std::vector<Point> all;
-  std::uint64_t seed = 20261121;
-  for (const Region& region : regions) {
-    Random random(seed++);
-    for (int i = 0; i < in_a_region;) {
-      Point point = region.draw(random);
-      if (!is_moderate(point)) continue;
-      point.region = region.name;
-      all.push_back(point);
-      ++i;
-    }
-  }
-  return all;
+Point point(int index) {
+  const Region& region = regions.at(static_cast<std::size_t>(index / points_in_a_region));
+  Random random(20261121 + static_cast<std::uint64_t>(index));
+  Point point = region.draw(random);
+  while (!is_moderate(point)) point = region.draw(random);
+  point.region = region.name;
+  return point;
 }
 
 }  // namespace fde::certificate

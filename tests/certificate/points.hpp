@@ -16,7 +16,9 @@ struct Point {
 // The names of the regions, in the order of the points.
 std::vector<std::string_view> region_names();
 
-// 10,000 points, 500 in each region, the same ones each time. |E| does not overflow a double.
-std::vector<Point> points();
+constexpr int points_in_a_region = 500, point_count = 20 * points_in_a_region;
+
+// Point 0 to point_count - 1, region after region; the same ones each time. |E| does not overflow a double.
+Point point(int index);
 
 }  // namespace fde::certificate
