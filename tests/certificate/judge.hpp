@@ -17,7 +17,7 @@ struct Judgement {
   double ulps = 0.0;              // |error| in units of the last place of |E|
   double conditioned_ulps = 0.0;  // the same near a zero in those of |z E'|; else ulps
   std::vector<std::string> faults;
-  double ball_seconds = 0.0, double_seconds = 0.0, digits_seconds = 0.0;  // digits: with waiting for its lock
+  double ball_seconds = 0.0, double_seconds = 0.0, digits_seconds = 0.0;
 };
 
 constexpr double allowed_ulps = 8.0;

@@ -19,7 +19,7 @@ namespace fde::certificate {
 namespace {
 
 struct Options {
-  int every = 1, worst = 10, digits = 50;
+  int every = 1, worst = 10, slowest = 0, digits = 50;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string region, out;
 };
@@ -107,17 +107,17 @@ void print_row(const Judgement& row) {
       row.point.region, row.point.alpha, row.point.beta, row.point.z.real(), row.point.z.imag(), row.re,
       row.im, row.radius, row.computed.real(), row.computed.imag(), row.bound, row.ulps);
   if (row.conditioned_ulps < row.ulps) fmt::print(" of |E|, {:.3f} ulp of |z E'|", row.conditioned_ulps);
+  fmt::print("; ball {:.1f} ms, double {:.4f} ms, digits {:.1f} ms", 1e3 * row.ball_seconds,
+             1e3 * row.double_seconds, 1e3 * row.digits_seconds);
   for (const std::string& fault : row.faults) fmt::print("\n  FAULT {}", fault);
   fmt::print("\n");
 }
 
-void print_worst(std::vector<Judgement> rows, int count) {
-  const auto badness = [](const Judgement& row) {
-    return std::pair(row.faults.size(), row.conditioned_ulps);
-  };
-  std::ranges::stable_sort(rows, std::greater{}, badness);
+template <class Measure>
+void print_top(std::string_view title, std::vector<Judgement> rows, int count, Measure measure) {
+  std::ranges::stable_sort(rows, std::greater{}, measure);
   rows.resize(std::min(rows.size(), static_cast<std::size_t>(std::max(count, 0))));
-  if (!rows.empty()) fmt::print("\nworst points\n");
+  if (!rows.empty()) fmt::print("\n{}\n", title);
   for (const Judgement& row : rows) print_row(row);
 }
 
@@ -137,7 +137,10 @@ int run(const Options& options) {
   const std::vector<Judgement> rows = judge_all(chosen_points(options), options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   print_regions(rows);
-  print_worst(rows, options.worst);
+  print_top("worst points", rows, options.worst,
+            [](const Judgement& row) { return std::pair(row.faults.size(), row.conditioned_ulps); });
+  print_top("slowest points", rows, options.slowest,
+            [](const Judgement& row) { return row.double_seconds + row.digits_seconds; });
   const auto faulty = std::ranges::count_if(rows, [](const Judgement& row) { return !row.faults.empty(); });
   fmt::print("\n{} points, {} faulty, {:.1f} s on {} threads\n", rows.size(), faulty, seconds.count(),
              options.threads);
@@ -154,6 +157,7 @@ int main(int argc, char** argv) try {
   app.add_option("--every", options.every, "judge each K-th point")->check(CLI::PositiveNumber);
   app.add_option("--region", options.region, "only that region");
   app.add_option("--worst", options.worst, "print that many of the worst points");
+  app.add_option("--slowest", options.slowest, "print that many of the slowest points of the library");
   app.add_option("--digits", options.digits, "digits of the second face; 0 leaves it out");
   app.add_option("--threads", options.threads, "threads")->check(CLI::PositiveNumber);
   app.add_option("--out", options.out, "write the certified values to that CSV file");

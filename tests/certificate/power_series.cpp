@@ -11,6 +11,7 @@ namespace fde::certificate {
 // falls with k once x > 0, because log Gamma is convex. So what follows a term t of ratio r < 1 is at most
 // |t| r/(1 - r).
 Ball power_series(const Arguments& x) {
+  if (acb_is_zero(x.z.get()) != 0) return reciprocal_gamma(x.beta);
   constexpr int most_terms = 1'000'000;
   Ball sum, power(1.0), last_head;
   double largest = -INFINITY;
