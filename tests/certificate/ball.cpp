@@ -119,6 +119,9 @@ Ball erfc(const Ball& x) {
 Ball reciprocal_gamma(const Ball& x) {
   return made_by([&](acb_ptr y) { acb_rgamma(y, x.get(), WorkingBits::get()); });
 }
+Ball power(const Ball& x, unsigned long exponent) {
+  return made_by([&](acb_ptr y) { acb_pow_ui(y, x.get(), exponent, WorkingBits::get()); });
+}
 Ball abs(const Ball& x) {
   return made_by([&](acb_ptr y) { acb_abs(acb_realref(y), x.get(), WorkingBits::get()); });
 }

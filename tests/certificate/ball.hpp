@@ -81,6 +81,7 @@ Ball sin(const Ball& x);
 Ball cos(const Ball& x);
 Ball erfc(const Ball& x);
 Ball reciprocal_gamma(const Ball& x);
+Ball power(const Ball& x, unsigned long exponent);
 Ball abs(const Ball& x);
 Ball arg(const Ball& x);  // in (-pi, pi]
 Ball conj(const Ball& x);
