@@ -2,10 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <complex>
-#include <stdexcept>
 
 #include "enclosure.hpp"
 #include "judge.hpp"
@@ -14,114 +12,84 @@
 namespace fde::certificate {
 namespace {
 
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
 using Value = std::complex<double>;
-constexpr int digits = 55;
-constexpr long bits = 400;
 
-std::string name_of(double alpha, double beta, Value z) {
-  return fmt::format("E_{{{},{}}}({}{:+}i)", alpha, beta, z.real(), z.imag());
+TEST(Points, AreTheSameEachTime) {
+  EXPECT_EQ(point(7).z, point(7).z);
+  EXPECT_NE(point(7).z, point(8).z);
 }
 
-struct Elementary {
-  const char* name;
-  double alpha, beta;
-  Ball (*value)(const Ball& root);  // of a root s with z = s^alpha
-  Ball (*argument)(const Ball& root);
-};
-
-class EnclosureOf : public testing::TestWithParam<Elementary> {};
-
-// All three methods, each where it applies, against Arb's own functions.
-TEST_P(EnclosureOf, MeetsTheElementaryFunction) {
-  const auto& [name, alpha, beta, value, argument] = GetParam();
-  const WorkingBits scope(bits);
-  for (const Value root :
-       {Value(0.5), Value(3.0), Value(20.0), Value(-2.5), Value(1.5, -4.0), Value(0.25, 12.0)}) {
-    const Ball z = argument(Ball(root)), exact = value(Ball(root));
-    for (const Method method : {Method::automatic, Method::power_series, Method::hankel}) {
-      const Ball found = enclose({Ball(alpha), Ball(beta), z}, digits, method);
-      EXPECT_TRUE(found.overlaps(exact)) << name_of(alpha, beta, z.mid());
-      EXPECT_GE(found.accuracy(), 182) << name_of(alpha, beta, z.mid());
-    }
-  }
-}
-
-Ball same(const Ball& s) { return s; }
-Ball negative(const Ball& s) { return -s; }
-Ball minus_square(const Ball& s) { return -(s * s); }
-Ball fourth_power(const Ball& s) { return s * s * s * s; }
-
-INSTANTIATE_TEST_SUITE_P(
-    Certificate, EnclosureOf,
-    testing::Values(
-        Elementary{"Exponential", 1, 1, [](const Ball& s) { return exp(s); }, same},
-        Elementary{"ExponentialIntegral", 1, 2, [](const Ball& s) { return (exp(s) - Ball(1.0)) / s; }, same},
-        Elementary{"ExponentialTwiceDerived", 1, -1, [](const Ball& s) { return s * s * exp(s); }, same},
-        Elementary{"Cosine", 2, 1, [](const Ball& s) { return cos(s); }, minus_square},
-        Elementary{"Sine", 2, 2, [](const Ball& s) { return sin(s) / s; }, minus_square},
-        Elementary{"FourthOrder", 4, 1,
-                   [](const Ball& s) { return (exp(s) + exp(-s) + Ball(2.0) * cos(s)) / Ball(4.0); },
-                   fourth_power},
-        Elementary{"ErrorFunction", 0.5, 1, [](const Ball& s) { return exp(s * s) * erfc(s); }, negative}),
-    [](const auto& test) { return std::string(test.param.name); });
-
-struct Sample {
-  double alpha, beta;
-  Value z;
-};
-
-// The formulas share nothing but arithmetic, so a common member of small balls is no accident.
-TEST(Enclosure, OfTheSeriesAndOfTheIntegralOverlap) {
-  for (const auto& [alpha, beta, z] :
-       {Sample{0.3, 0.3, {1.5, -0.5}}, Sample{0.01, 1.0, -0.875}, Sample{0.7, -10.0, -3.0},
-        Sample{0.9, 20.0, -30.0}, Sample{1.0 - 0x1p-40, 1.0, -60.0}, Sample{1.999, 1.0, -1e4},
-        Sample{1.5, 1.5, {-40.0, 60.0}}, Sample{0.8, -2.0, 7.5}, Sample{2.5, -5.0, -1e4},
-        Sample{3.5, 0.0, {1e5, 1e5}}, Sample{5.0, 0.25, -1e9}}) {
-    const Ball series = enclose(alpha, beta, z, digits, Method::power_series);
-    const Ball integral = enclose(alpha, beta, z, digits, Method::hankel);
-    EXPECT_TRUE(series.overlaps(integral)) << name_of(alpha, beta, z);
-    EXPECT_GE(series.accuracy(), 182) << name_of(alpha, beta, z);
-    EXPECT_GE(integral.accuracy(), 182) << name_of(alpha, beta, z);
-  }
-}
-
-// E_{alpha,beta}(z) = 1/Gamma(beta) + z E_{alpha,alpha+beta}(z), where no series can be summed.
-TEST(Enclosure, SatisfiesTheRecurrenceFarOut) {
-  const WorkingBits scope(bits);
-  for (const auto& [alpha, beta, z] :
-       {Sample{0.01, 1.0, -1e10}, Sample{0.02, 0.5, {3.0, 4.0}}, Sample{0.5, 0.5, {0.0, 1e6}},
-        Sample{1.0 + 0x1p-40, 1.0, -1e10}, Sample{1.999, 1.999, -1e10}, Sample{0.25, -1.0, {-1e7, 1e-3}}}) {
-    const Ball next = enclose({Ball(alpha), Ball(alpha) + Ball(beta), Ball(z)}, digits);
-    const Ball sum = reciprocal_gamma(Ball(beta)) + Ball(z) * next;
-    EXPECT_TRUE(sum.overlaps(enclose(alpha, beta, z, digits))) << name_of(alpha, beta, z);
-  }
-}
-
-TEST(Enclosure, KeepsItsRelativeAccuracyNextToAZero) {
-  const Ball value = enclose(2.0, 1.0, -2.4674011002723395, digits);  // cos of about pi/2
-  EXPECT_LT(std::abs(value.mid()), 1e-15);
-  EXPECT_GE(value.accuracy(), 182);
-}
-
-TEST(Enclosure, IsExactAtTheOrigin) {
-  EXPECT_EQ(enclose(0.7, -3.0, 0.0, digits).mid(), 0.0);
-  EXPECT_EQ(enclose(0.7, 4.0, 0.0, digits).mid(), 1.0 / 6.0);
-}
-
-TEST(Points, AreDoublesInNamedRegions) {
+TEST(Points, FillTheRegionsOneAfterTheOther) {
   EXPECT_EQ(static_cast<int>(region_names().size()) * points_in_a_region, point_count);
   EXPECT_EQ(point(0).region, region_names().front());
   EXPECT_EQ(point(point_count - 1).region, region_names().back());
-  EXPECT_EQ(point(7).z, point(7).z);
-  EXPECT_NE(point(7).z, point(8).z);
 }
 
 // One point of each region; the command fde_certificate goes through all of them.
 TEST(Judge, FindsNoFault) {
   for (int i = 3; i < point_count; i += points_in_a_region) {
-    const Judgement row = judge(point(i), 0);
-    EXPECT_THAT(row.faults, testing::IsEmpty()) << name_of(row.point.alpha, row.point.beta, row.point.z);
+    const Judgement row = judge(point(i), 50);
+    EXPECT_THAT(row.faults, IsEmpty()) << row.point.region;
   }
+}
+
+// The double nearest to the value, off by some ulp, and a bound that covers it.
+Faces off_by(double ulps, double stated_ulps) {
+  Faces faces = library_faces();
+  faces.in_double = [=](const Point& x) {
+    const double value = enclose(x.alpha, x.beta, x.z, 30).mid().real();
+    const double ulp = std::ldexp(1.0, std::ilogb(value) - 52);
+    return MittagLefflerValue{value + ulps * ulp, stated_ulps * ulp};
+  };
+  return faces;
+}
+
+constexpr Point steep{"", 1.0, 1.0, 600.0};  // e^600: |z E'| = 600 |E|, and no zero
+
+TEST(Judge, SeesAnErrorAboveTheStatedBound) {
+  EXPECT_THAT(judge(steep, 0, off_by(3, 4)).faults, IsEmpty());
+  EXPECT_THAT(judge(steep, 0, off_by(3, 2)).faults, ElementsAre("error above the stated bound"));
+  EXPECT_THAT(judge(steep, 0, off_by(NAN, 4)).faults, ElementsAre(HasSubstr("not finite")));
+  EXPECT_THAT(judge(steep, 0, off_by(0, NAN)).faults, ElementsAre("error above the stated bound"));
+}
+
+TEST(Judge, SeesEightUlp) {
+  EXPECT_NEAR(judge(steep, 0, off_by(7, 20)).ulps, 7.0, 0.5);
+  EXPECT_THAT(judge(steep, 0, off_by(7, 20)).faults, IsEmpty());
+  EXPECT_THAT(judge(steep, 0, off_by(9, 20)).faults, ElementsAre("error above 8 ulp"));
+}
+
+// E_2(z) = cos sqrt(-z) has a zero at -(pi/2)^2, where |z E'| = pi/4.
+TEST(Judge, MeasuresAgainstTheSlopeNextToAZero) {
+  const double zero = -0.25 * M_PI * M_PI;
+  const Point close{"", 2.0, 1.0, zero * (1.0 + 1e-9)}, far{"", 2.0, 1.0, 0.25 * zero};
+  const Judgement row = judge(close, 0, off_by(1e6, 2e6));
+  EXPECT_THAT(row.faults, IsEmpty());
+  EXPECT_NEAR(row.ulps, 1e6, 1.0);
+  EXPECT_LT(row.conditioned_ulps, 0.01);
+  EXPECT_THAT(judge(close, 0, off_by(1e11, 2e11)).faults, ElementsAre("error above 8 ulp"));
+  EXPECT_THAT(judge(far, 0, off_by(9, 20)).faults, ElementsAre("error above 8 ulp"));
+}
+
+TEST(Judge, AllowsInfinityOnlyWhereTheValueOverflows) {
+  Faces infinite = library_faces();
+  infinite.in_double = [](const Point&) { return MittagLefflerValue{INFINITY, INFINITY}; };
+  EXPECT_THAT(judge({"", 1.0, 1.0, 710.0}, 0, infinite).faults, IsEmpty());
+  EXPECT_THAT(judge({"", 1.0, 1.0, 709.5}, 0, infinite).faults, ElementsAre(HasSubstr("not finite")));
+  EXPECT_THAT(judge({"", 1.0, 0.0, -710.0}, 0, infinite).faults, ElementsAre(HasSubstr("not finite")));
+}
+
+TEST(Judge, SeesDigitsThatAreWrongOrFew) {
+  Faces faces = library_faces();
+  faces.in_digits = [](const Point&, int) { return DecimalComplex{"2.71828182845904523536", "0", "1e-20"}; };
+  const Point one{"", 1.0, 1.0, 1.0};
+  EXPECT_THAT(judge(one, 20, faces).faults, IsEmpty());
+  EXPECT_THAT(judge(one, 30, faces).faults, ElementsAre(HasSubstr("not as small as promised")));
+  faces.in_digits = [](const Point&, int) { return DecimalComplex{"2.71828182845904523537", "0", "1e-21"}; };
+  EXPECT_THAT(judge(one, 20, faces).faults, ElementsAre(HasSubstr("above the stated bound")));
 }
 
 TEST(ExactText, NamesTheDoubleAndNotTheDecimal) {

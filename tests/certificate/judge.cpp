@@ -73,9 +73,8 @@ bool overflows(const Ball& value, std::complex<double> computed) {
   return holds(real(value), computed.real()) && holds(imag(value), computed.imag());
 }
 
-void judge_double(Judgement& row, const Arguments& x, const Ball& value) {
-  const auto [computed, bound] = timed_face(
-      row.double_seconds, [&] { return mittag_leffler(row.point.alpha, row.point.beta, row.point.z); });
+void judge_double(Judgement& row, const Arguments& x, const Ball& value, const Faces& faces) {
+  const auto [computed, bound] = timed_face(row.double_seconds, [&] { return faces.in_double(row.point); });
   row.computed = computed;
   row.bound = bound;
   if (!std::isfinite(computed.real()) || !std::isfinite(computed.imag())) {
@@ -92,12 +91,9 @@ void judge_double(Judgement& row, const Arguments& x, const Ball& value) {
     row.faults.emplace_back(fmt::format("error above {} ulp", allowed_ulps));
 }
 
-void judge_digits(Judgement& row, const Ball& value, int digits) {
-  const auto [alpha, beta, z] = std::tuple(row.point.alpha, row.point.beta, row.point.z);
-  const DecimalComplex text = timed_face(row.digits_seconds, [&] {
-    return mittag_leffler(exact_text(alpha), exact_text(beta), exact_text(z.real()), exact_text(z.imag()),
-                          digits);
-  });
+void judge_digits(Judgement& row, const Ball& value, int digits, const Faces& faces) {
+  const DecimalComplex text =
+      timed_face(row.digits_seconds, [&] { return faces.in_digits(row.point, digits); });
   const Ball bound = Ball::parse(text.bound, "0"), error = abs(Ball::parse(text.re, text.im) - value);
   if (!may_be_within(error, bound))
     row.faults.push_back(fmt::format("{} digits: error above the stated bound", digits));
@@ -115,7 +111,16 @@ std::string exact_text(double x) {
   return {text.data(), end};
 }
 
-Judgement judge(const Point& point, int digits) {
+Faces library_faces() {
+  return {.in_double = [](const Point& x) { return mittag_leffler(x.alpha, x.beta, x.z); },
+          .in_digits =
+              [](const Point& x, int digits) {
+                return mittag_leffler(exact_text(x.alpha), exact_text(x.beta), exact_text(x.z.real()),
+                                      exact_text(x.z.imag()), digits);
+              }};
+}
+
+Judgement judge(const Point& point, int digits, const Faces& faces) {
   constexpr int least_digits = 30, guard = 6;
   Judgement row;
   row.point = point;
@@ -126,8 +131,8 @@ Judgement judge(const Point& point, int digits) {
   std::tie(row.re, row.im) = value.text(certified);
   const Ball distance = abs(value - Ball::parse(row.re, row.im));
   row.radius = distance.upper_bound_text();
-  judge_double(row, x, value);
-  if (digits > 0) judge_digits(row, value, digits);
+  judge_double(row, x, value, faces);
+  if (digits > 0) judge_digits(row, value, digits, faces);
   return row;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <complex>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "mittag_leffler.hpp"
 #include "points.hpp"
 
 namespace fde::certificate {
@@ -22,12 +24,19 @@ struct Judgement {
 
 constexpr double allowed_ulps = 8.0;
 
+// The two faces under judgement; those of the library unless a test puts wrong ones here.
+struct Faces {
+  std::function<MittagLefflerValue(const Point&)> in_double;
+  std::function<DecimalComplex(const Point&, int digits)> in_digits;
+};
+Faces library_faces();
+
 // Judges the double face: error inside the stated bound; at most 8 ulp of |E|, or near a zero 8 ulp of |z
 // E'|; infinite only where the value overflows. And, for digits > 0, the face with that many digits: error
 // inside the stated bound, and the bound at most 10^(1-digits) |E|. Near a zero means that Newton's method
 // from z converges to one close by: with h = |E E''| / |E'|^2, h <= 1/4 and |E| <= |z E'| / 4. An exponential
 // has h = 1 however steep it is.
-Judgement judge(const Point& point, int digits);
+Judgement judge(const Point& point, int digits, const Faces& faces = library_faces());
 
 // All digits of a double as a decimal text.
 std::string exact_text(double x);
