@@ -22,6 +22,11 @@ Contour<Real>::Contour(const Real& mu, const Real& omega, const Real& depth, boo
 }
 
 template <class Real>
+ContourShape Contour<Real>::shape() const {
+  return {static_cast<double>(mu_), static_cast<double>(omega_), static_cast<double>(depth_), shift_ != 0};
+}
+
+template <class Real>
 Complex<Real> Contour<Real>::step_of(const Complex<Real>& log_pole) const {
   using std::exp, std::sqrt;
   // theta = -i (sqrt(s/mu) - 1)

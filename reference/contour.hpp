@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contour_bound.hpp"
 #include "real.hpp"
 
 namespace fde {
@@ -29,6 +30,7 @@ class Contour {
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   [[nodiscard]] const Real& omega() const { return omega_; }
   [[nodiscard]] const Real& share() const { return share_; }  // e^-mu
+  [[nodiscard]] ContourShape shape() const;
 
   // Factor m of a pole, and how large it is against the loss of digits next to a node. The logarithm names
   // the sheet.

@@ -10,6 +10,9 @@ namespace {
 constexpr int guard_digits = 8;
 constexpr int zero_digits = 40;
 
+// At so many digits the bound says what there is.
+int most_digits(int wanted_digits) { return 4 * wanted_digits + 1000; }
+
 std::vector<Sum<BigReal>> evaluate_at(const EvaluateAt& evaluate, int digits, int extra) {
   const Precision precision(contour_precision(digits) + extra);
   return evaluate(digits);
@@ -20,6 +23,7 @@ int missing_digits(const Bounded<BigReal>& x, const BigReal& scale, int wanted, 
   if (!isfinite(x.bound)) return digits;  // a difference came out as 0 and was divided by
   if (x.bound == 0) return 0;
   const BigReal size = std::max(size_of(x.value), BigReal(scale * pow(BigReal(10), -zero_digits)));
+  if (size == 0) return digits;
   return static_cast<int>(ceil(log10(BigReal(x.bound / size)))) + wanted;
 }
 
@@ -48,7 +52,7 @@ double upwards(double bound) { return std::nextafter(bound, std::numeric_limits<
 }  // namespace
 
 std::vector<Bounded<BigReal>> refine(int wanted_digits, int extra, const EvaluateAt& evaluate) {
-  const int most = 4 * wanted_digits + 1000;  // then the bound says what there is
+  const int most = most_digits(wanted_digits);
   for (int digits = wanted_digits + guard_digits;;) {
     const auto coarse = evaluate_at(evaluate, digits, extra);
     const auto fine = evaluate_at(evaluate, digits + std::max(10, digits / 16), extra);
@@ -61,6 +65,19 @@ std::vector<Bounded<BigReal>> refine(int wanted_digits, int extra, const Evaluat
       missing = std::max(missing, missing_digits(values.back(), fine[i].scale, wanted_digits, digits));
     }
     if (missing == 0 || digits >= most) return values;
+    digits = std::min(digits + missing + 2, most);
+  }
+}
+
+Bounded<BigReal> raise_digits(int wanted_digits, int extra,
+                              const std::function<Sum<BigReal>(int digits)>& evaluate) {
+  const int most = most_digits(wanted_digits);
+  for (int digits = wanted_digits + guard_digits;;) {
+    const Precision precision(contour_precision(digits) + extra);
+    const Sum<BigReal> sum = evaluate(digits);
+    const Bounded<BigReal> value{sum.value, sum.error};
+    const int missing = sum.infinite ? 0 : missing_digits(value, BigReal(0), wanted_digits, digits);
+    if (missing <= 0 || digits >= most) return value;
     digits = std::min(digits + missing + 2, most);
   }
 }

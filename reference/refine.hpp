@@ -13,6 +13,12 @@ struct Bounded {
   Real bound;
 };
 
+// Raises the working digits until a value, whose error is a bound that needs no comparison, has the wanted
+// relative accuracy; at 4 times the wanted digits and 1000 the bound says what there is. Extra digits are
+// carried beyond those the contour needs, for the phase of e^s at poles far out. Call under a Precision.
+Bounded<BigReal> raise_digits(int wanted_digits, int extra,
+                              const std::function<Sum<BigReal>(int digits)>& evaluate);
+
 // Values at so many working digits, under a Precision that the caller has set.
 using EvaluateAt = std::function<std::vector<Sum<BigReal>>(int digits)>;
 

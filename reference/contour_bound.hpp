@@ -1,0 +1,77 @@
+#pragma once
+
+#include <complex>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace fde {
+
+// The parabola of contour.hpp in double, for bounds.
+struct ContourShape {
+  double mu, omega, depth;
+  bool half_step_shift;
+
+  [[nodiscard]] double step() const;
+  // Distance of the point theta of a pole, root = 1 + i theta, from the nearest node, in steps: the larger of
+  // the two coordinates.
+  [[nodiscard]] double steps_to_node(std::complex<double> root) const;
+};
+
+// log of an upper bound of (1/2 pi) int |e^s s^exponent ds| along s = mu (distance + i x)^2, for every real
+// x.
+double log_line_integral(double mu, double distance, double exponent);
+
+// The same for every exponent from a table of whole ones: the integral is log-convex in the exponent, so that
+// interpolating its logarithm bounds it from above.
+class LineIntegrals {
+ public:
+  LineIntegrals(double mu, double distance);
+  [[nodiscard]] double log_at(double exponent) const;
+
+ private:
+  double mu_, distance_;
+  std::vector<double> logs_;
+};
+
+// A bound, by theory, of what the trapezoidal rule on a contour neglects for F = s^exponent / (s^alpha - z).
+//
+// Between the lines Im theta = 1 - d and Im theta = 1 - b, b = omega / (2 mu), the sum with the residues of
+// the poles in between differs from f by at most (Trefethen & Weideman, SIAM Review 56, 2014, theorem 5.1)
+//   I(d) / (e^(omega (1-d)) - 1) + I(b) / (e^(omega (b-1)) - 1),  I = (1/2 pi) int |e^s F ds| on the line,
+// plus the nodes that are left out. With u = alpha (log s - log s*) the denominator is bounded from below by
+//   |s^alpha - z| = |z| |e^u - 1| >= max(|s|^alpha, |z|) min(1, |u mod 2 pi i|) / 10,
+// and |log s - log s*| >= 2 log(1 + |r - r*| / |r*|), r = sqrt(s / mu) = 1 + i theta, as |e^x - 1| <= e^|x|
+// - 1.
+class ContourBound {
+ public:
+  explicit ContourBound(const ContourShape& shape);
+
+  struct Quotient {
+    double exponent, alpha, log_size;             // log_size: of z
+    double nearest_sheet;                         // least |arg z + 2 pi k| of the poles that are not in roots
+    std::span<const std::complex<double>> roots;  // of all poles with |arg s*| < 2 pi
+  };
+  struct Result {
+    double log_bound;
+    double distance;  // d: the poles with Re root > d are those between the lines
+  };
+  [[nodiscard]] Result at(const Quotient& quotient) const;
+
+  // Is on the far side of the second line, or between the lines.
+  [[nodiscard]] static bool counts(std::complex<double> root, double distance) {
+    return root.real() > distance;
+  }
+
+ private:
+  [[nodiscard]] double log_line(const LineIntegrals& line, double distance, const Quotient& quotient) const;
+  [[nodiscard]] double log_left_out(const Quotient& quotient) const;
+
+  ContourShape shape_;
+  std::vector<double> distances_;
+  std::vector<LineIntegrals> lines_;
+  double far_;
+  LineIntegrals far_line_;
+};
+
+}  // namespace fde
