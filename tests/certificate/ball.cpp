@@ -25,8 +25,8 @@ std::string text_of(arb_srcptr x, int digits) {
 // log2 of an arf that is positive or zero.
 double log2_of(arf_srcptr x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (arf_is_zero(x)) return -infinity;
-  if (!arf_is_finite(x)) return infinity;
+  if (arf_is_zero(x) != 0) return -infinity;
+  if (arf_is_finite(x) == 0) return infinity;
   fmpz_t exponent;
   fmpz_init(exponent);
   arf_abs_bound_lt_2exp_fmpz(exponent, x);

@@ -47,20 +47,20 @@ class Ball {
   static Ball i();
 
   acb_ptr get() { return &x_; }
-  acb_srcptr get() const { return &x_; }
-  arb_srcptr real_part() const { return acb_realref(&x_); }
-  arb_srcptr imag_part() const { return acb_imagref(&x_); }
+  [[nodiscard]] acb_srcptr get() const { return &x_; }
+  [[nodiscard]] arb_srcptr real_part() const { return acb_realref(&x_); }
+  [[nodiscard]] arb_srcptr imag_part() const { return acb_imagref(&x_); }
 
-  bool is_real() const { return acb_is_real(&x_) != 0; }
-  bool contains(const Ball& other) const { return acb_contains(&x_, &other.x_) != 0; }
-  bool overlaps(const Ball& other) const { return acb_overlaps(&x_, &other.x_) != 0; }
+  [[nodiscard]] bool is_real() const { return acb_is_real(&x_) != 0; }
+  [[nodiscard]] bool contains(const Ball& other) const { return acb_contains(&x_, &other.x_) != 0; }
+  [[nodiscard]] bool overlaps(const Ball& other) const { return acb_overlaps(&x_, &other.x_) != 0; }
   // Correct binary digits of the mid point, relative to the modulus.
-  long accuracy() const { return acb_rel_accuracy_bits(&x_); }
-  std::complex<double> mid() const;
+  [[nodiscard]] long accuracy() const { return acb_rel_accuracy_bits(&x_); }
+  [[nodiscard]] std::complex<double> mid() const;
   // The parts as decimal texts, of at most that many digits: as many as are certain.
-  std::pair<std::string, std::string> text(int digits) const;
+  [[nodiscard]] std::pair<std::string, std::string> text(int digits) const;
   // A number of 3 digits that no real part exceeds.
-  std::string upper_bound_text() const;
+  [[nodiscard]] std::string upper_bound_text() const;
 
   // Enlarges the rectangle, in both directions, by the upper bound of |error|.
   void widen(const Ball& error);

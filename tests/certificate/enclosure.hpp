@@ -9,7 +9,7 @@ namespace fde::certificate {
 // E_{alpha,beta}(z), each argument exact or itself a ball.
 struct Arguments {
   Ball alpha, beta, z;
-  bool real() const { return beta.is_real() && z.is_real(); }
+  [[nodiscard]] bool real() const { return beta.is_real() && z.is_real(); }
 };
 
 enum class Method { automatic, power_series, residues, hankel };

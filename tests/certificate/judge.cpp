@@ -33,8 +33,8 @@ auto timed_face(double& seconds, Function function) {
 }
 
 // False only for certain: the enclosure and the statement contradict each other, or one is not finite.
-bool may_be_within(const Ball& error, const Ball& bound) {
-  return acb_is_finite(error.get()) != 0 && acb_is_finite(bound.get()) != 0 && !(error > bound);
+bool may_be_within(const Ball& size, const Ball& allowed) {
+  return acb_is_finite(size.get()) != 0 && acb_is_finite(allowed.get()) != 0 && !(size > allowed);
 }
 
 double ulp(double x) {

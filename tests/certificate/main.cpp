@@ -26,14 +26,15 @@ struct Options {
 
 std::vector<int> chosen_points(const Options& options) {
   const auto names = region_names();
+  if (std::ranges::find(names, options.region) == names.end() && !options.region.empty()) {
+    throw std::invalid_argument(
+        fmt::format("--region {}: not one of {}", options.region, fmt::join(names, ", ")));
+  }
   std::vector<int> chosen;
   for (int i = 0; i < point_count; i += options.every) {
     const auto region = names.at(static_cast<std::size_t>(i / points_in_a_region));
     if (options.region.empty() || options.region == region) chosen.push_back(i);
   }
-  if (chosen.empty())
-    throw std::invalid_argument(
-        fmt::format("--region {}: not one of {}", options.region, fmt::join(names, ", ")));
   return chosen;
 }
 
@@ -88,7 +89,6 @@ void print_line(std::string_view name, const Total& total) {
 void print_regions(const std::vector<Judgement>& rows) {
   fmt::print("{:24} {:>6} {:>7} {:>10} {:>9} {:>9} {:>8} {:>11} {:>11}\n", "region", "points", "faulty",
              "worst ulp", "rms ulp", "near zero", "ball s", "double us", "digits ms");
-  Total all;
   for (const std::string_view name : region_names()) {
     Total total;
     for (const Judgement& row : rows) {
@@ -96,6 +96,7 @@ void print_regions(const std::vector<Judgement>& rows) {
     }
     if (total.count > 0) print_line(name, total);
   }
+  Total all;
   for (const Judgement& row : rows) all.add(row);
   print_line("all", all);
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -14,7 +15,7 @@ Ball power_series(const Arguments& x) {
   if (acb_is_zero(x.z.get()) != 0) return reciprocal_gamma(x.beta);
   constexpr int most_terms = 100'000;
   Ball sum, last_head;
-  double largest = -INFINITY;
+  double largest = -std::numeric_limits<double>::infinity();
   for (int k = 0; k < most_terms; ++k) {
     const Ball argument = x.alpha * Ball(k) + x.beta, head = reciprocal_gamma(argument);
     // Squarings: a product with z for each k turns the rectangle each time, and wraps it in a larger one.
