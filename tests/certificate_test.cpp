@@ -74,6 +74,13 @@ TEST(Judge, MeasuresAgainstTheSlopeNextToAZero) {
   EXPECT_THAT(judge(far, 0, off_by(9, 20)).faults, ElementsAre("error above 8 ulp"));
 }
 
+// E_{2,3}(-x) = (1 - cos sqrt x)/x is 0 twice at (2 pi)^2.
+TEST(Judge, MeasuresAgainstTheSlopeNextToADoubleZero) {
+  const Point close{"", 2.0, 3.0, -4.0 * M_PI * M_PI * (1.0 + 1e-4)};
+  EXPECT_THAT(judge(close, 0, off_by(1e3, 2e3)).faults, IsEmpty());
+  EXPECT_THAT(judge(close, 0, off_by(1e7, 2e7)).faults, ElementsAre("error above 8 ulp"));
+}
+
 TEST(Judge, AllowsInfinityOnlyWhereTheValueOverflows) {
   Faces infinite = library_faces();
   infinite.in_double = [](const Point&) { return MittagLefflerValue{INFINITY, INFINITY}; };

@@ -60,8 +60,8 @@ Slope slope_at(const Arguments& x, const Ball& value) {
   const Ball slope = (first - (x.beta - one) * value) / x.alpha;
   const Ball slope_of_first = (second - (x.beta - two) * first) / x.alpha;
   const Ball bend = (slope_of_first - (x.beta - one) * slope) / x.alpha - slope;
-  const bool converges = Ball(4.0) * abs(value * bend) < abs(slope) * abs(slope);
-  return {abs(slope), converges && Ball(4.0) * abs(value) < abs(slope)};
+  const bool like_a_zero = abs(value * bend) < Ball(0.625) * abs(slope) * abs(slope);
+  return {abs(slope), like_a_zero && Ball(4.0) * abs(value) < abs(slope)};
 }
 
 // A component that is said to be infinite has to be beyond all doubles, on that side.

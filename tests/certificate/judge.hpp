@@ -33,9 +33,11 @@ Faces library_faces();
 
 // Judges the double face: error inside the stated bound; at most 8 ulp of |E|, or near a zero 8 ulp of |z
 // E'|; infinite only where the value overflows. And, for digits > 0, the face with that many digits: error
-// inside the stated bound, and the bound at most 10^(1-digits) |E|. Near a zero means that Newton's method
-// from z converges to one close by: with h = |E E''| / |E'|^2, h <= 1/4 and |E| <= |z E'| / 4. An exponential
-// has h = 1 however steep it is.
+// inside the stated bound, and the bound at most 10^(1-digits) |E|.
+//
+// Near a zero means |E| <= |z E'| / 4 and h <= 5/8, where h = |E E''| / |E'|^2 tends to 1 - 1/m at a zero of
+// multiplicity m: E_{2,3}(-x) = (1 - cos sqrt x)/x has double zeros, and for alpha close to 2 they are almost
+// double. An exponential has h = 1 however steep it is.
 Judgement judge(const Point& point, int digits, const Faces& faces = library_faces());
 
 // All digits of a double as a decimal text.
