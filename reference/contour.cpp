@@ -41,8 +41,10 @@ Complex<Real> Contour<Real>::pole_factor(const Complex<Real>& log_pole) const {
   const Complex<Real> position = step_of(log_pole);
   const Real turn = 2 * pi<Real>();
   const Complex<Real> exponent(turn * imag_part<Real>(position), -turn * real_part<Real>(position));
-  // 1 to the last digit, where mpc would work for the digits of an imaginary part of next to nothing.
-  if (real_part<Real>(exponent) < 2 * log(epsilon<Real>())) return Complex<Real>(1);
+  // To the last digit: mpc would work for the digits of an imaginary part of next to nothing.
+  const Real nothing = 2 * log(epsilon<Real>());
+  if (real_part<Real>(exponent) < nothing) return Complex<Real>(1);
+  if (real_part<Real>(exponent) > -nothing) return -exp(-exponent);
   return Real(1) / (Real(1) - exp(exponent));
 }
 

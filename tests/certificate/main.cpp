@@ -1,0 +1,173 @@
+#include <flint/flint.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <thread>
+
+#include "judge.hpp"
+
+namespace fde::certificate {
+namespace {
+
+struct Options {
+  int every = 1, worst = 10, slowest = 0, digits = 50;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::string region, out;
+};
+
+std::vector<int> chosen_points(const Options& options) {
+  const auto names = region_names();
+  if (std::ranges::find(names, options.region) == names.end() && !options.region.empty()) {
+    throw std::invalid_argument(
+        fmt::format("--region {}: not one of {}", options.region, fmt::join(names, ", ")));
+  }
+  std::vector<int> chosen;
+  for (int i = 0; i < point_count; i += options.every) {
+    const auto region = names.at(static_cast<std::size_t>(i / points_in_a_region));
+    if (options.region.empty() || options.region == region) chosen.push_back(i);
+  }
+  return chosen;
+}
+
+Judgement judge_or_fault(const Point& point, int digits) {
+  try {
+    return judge(point, digits);
+  } catch (const std::exception& error) {
+    Judgement row;
+    row.point = point;
+    row.faults.emplace_back(error.what());
+    return row;
+  }
+}
+
+std::vector<Judgement> judge_all(const std::vector<int>& chosen, const Options& options) {
+  std::vector<Judgement> rows(chosen.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < rows.size(); i = next++) {
+      rows[i] = judge_or_fault(point(chosen[i]), options.digits);
+    }
+    flint_cleanup();  // each thread has tables of its own
+  };
+  std::vector<std::jthread> threads;
+  for (unsigned i = 0; i < options.threads; ++i) threads.emplace_back(work);
+  threads.clear();
+  return rows;
+}
+
+struct Total {
+  int count = 0, near_zero = 0, faulty = 0;
+  double worst = 0.0, squares = 0.0, ball = 0.0, face = 0.0, digits = 0.0;
+
+  void add(const Judgement& row) {
+    ++count;
+    near_zero += row.conditioned_ulps < row.ulps ? 1 : 0;
+    faulty += row.faults.empty() ? 0 : 1;
+    worst = std::max(worst, row.conditioned_ulps);
+    squares += row.conditioned_ulps * row.conditioned_ulps;
+    ball += row.ball_seconds;
+    face += row.double_seconds;
+    digits += row.digits_seconds;
+  }
+};
+
+void print_line(std::string_view name, const Total& total) {
+  fmt::print("{:24} {:6} {:7} {:10.3f} {:9.3f} {:9} {:8.2f} {:11.2f} {:11.2f}\n", name, total.count,
+             total.faulty, total.worst, std::sqrt(total.squares / total.count), total.near_zero, total.ball,
+             1e6 * total.face / total.count, 1e3 * total.digits / total.count);
+}
+
+void print_regions(const std::vector<Judgement>& rows) {
+  fmt::print("{:24} {:>6} {:>7} {:>10} {:>9} {:>9} {:>8} {:>11} {:>11}\n", "region", "points", "faulty",
+             "worst ulp", "rms ulp", "near zero", "ball s", "double us", "digits ms");
+  for (const std::string_view name : region_names()) {
+    Total total;
+    for (const Judgement& row : rows) {
+      if (row.point.region == name) total.add(row);
+    }
+    if (total.count > 0) print_line(name, total);
+  }
+  Total all;
+  for (const Judgement& row : rows) all.add(row);
+  print_line("all", all);
+}
+
+void print_row(const Judgement& row) {
+  fmt::print(
+      "{}: E_{{{:.17g},{:.17g}}}({:.17g}{:+.17g}i)\n  certified {} {} +- {}\n  computed  {:.17g} {:.17g} +- "
+      "{:.3g}: {:.3f} ulp",
+      row.point.region, row.point.alpha, row.point.beta, row.point.z.real(), row.point.z.imag(), row.re,
+      row.im, row.radius, row.computed.real(), row.computed.imag(), row.bound, row.ulps);
+  if (row.conditioned_ulps < row.ulps) fmt::print(" of |E|, {:.3f} ulp of |z E'|", row.conditioned_ulps);
+  fmt::print("; ball {:.1f} ms, double {:.4f} ms, digits {:.1f} ms", 1e3 * row.ball_seconds,
+             1e3 * row.double_seconds, 1e3 * row.digits_seconds);
+  for (const std::string& fault : row.faults) fmt::print("\n  FAULT {}", fault);
+  fmt::print("\n");
+}
+
+template <class Measure>
+void print_top(std::string_view title, std::vector<Judgement> rows, int count, Measure measure) {
+  std::ranges::stable_sort(rows, std::greater{}, measure);
+  rows.resize(std::min(rows.size(), static_cast<std::size_t>(std::max(count, 0))));
+  if (!rows.empty()) fmt::print("\n{}\n", title);
+  for (const Judgement& row : rows) print_row(row);
+}
+
+void write_table(const std::vector<Judgement>& rows, const std::string& path) {
+  std::ofstream file(path);
+  file << "region,alpha,beta,re,im,value_re,value_im,radius\n";
+  for (const auto& row : rows) {
+    file << fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g},{},{},{}\n", row.point.region, row.point.alpha,
+                        row.point.beta, row.point.z.real(), row.point.z.imag(), row.re, row.im, row.radius);
+  }
+  file.close();
+  if (!file) throw std::runtime_error(fmt::format("--out {}: cannot be written", path));
+}
+
+int run(const Options& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<Judgement> rows = judge_all(chosen_points(options), options);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  print_regions(rows);
+  print_top("worst points", rows, options.worst,
+            [](const Judgement& row) { return std::pair(row.faults.size(), row.conditioned_ulps); });
+  print_top("slowest points", rows, options.slowest,
+            [](const Judgement& row) { return row.double_seconds + row.digits_seconds; });
+  const auto faulty = std::ranges::count_if(rows, [](const Judgement& row) { return !row.faults.empty(); });
+  fmt::print("\n{} points, {} faulty, {:.1f} s on {} threads\n", rows.size(), faulty, seconds.count(),
+             options.threads);
+  if (!options.out.empty()) write_table(rows, options.out);
+  return faulty == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace fde::certificate
+
+int main(int argc, char** argv) try {
+  fde::certificate::Options options;
+  CLI::App app{"Judges mittag_leffler by rigorous enclosures at 10,000 points; exit code 1 on any fault"};
+  app.add_option("--every", options.every, "judge each K-th point")->check(CLI::PositiveNumber);
+  app.add_option("--region", options.region, "only that region");
+  app.add_option("--worst", options.worst, "print that many of the worst points");
+  app.add_option("--slowest", options.slowest, "print that many of the slowest points of the library");
+  app.add_option("--digits", options.digits, "digits of the second face; 0 leaves it out");
+  app.add_option("--threads", options.threads, "threads")->check(CLI::PositiveNumber);
+  app.add_option("--out", options.out, "write the certified values to that CSV file");
+  CLI11_PARSE(app, argc, argv);
+  return fde::certificate::run(options);
+} catch (const std::invalid_argument& error) {
+  std::cerr << error.what() << '\n';
+  return 2;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 3;
+}
