@@ -54,7 +54,11 @@ MemoryStep::MemoryStep(const DiffusiveKernels& kernels, const RadauRule& rule, d
 DiffusiveMemory::DiffusiveMemory(const Problem& problem, const RadauRule& rule, double shortest)
     : rule_(rule), kernels_(memory_orders(problem), problem.end, shortest) {
   for (const Component& component : problem.components) {
-    State state{.kernel = -1, .twice = twice(component), .initial = component.initial.back(), .memory = {}, .integral = {}};
+    State state{.kernel = -1,
+                .twice = twice(component),
+                .initial = component.initial.back(),
+                .memory = {},
+                .integral = {}};
     const auto& kernels = kernels_.kernels;
     const auto kernel = std::ranges::find(kernels, part(component), &DiffusiveKernels::Kernel::order);
     const bool plain = kernel == kernels.end();

@@ -48,7 +48,7 @@ class DiffusiveMemory {
     bool twice;           // y' = v
     double initial;       // of v
     Sum memory;
-    Sum integral;         // y, where y' = v
+    Sum integral;  // y, where y' = v
   };
 
   const MemoryStep& step(double length);

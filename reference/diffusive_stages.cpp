@@ -44,8 +44,8 @@ Matrix with_signs(const Matrix& sizes) {
   return sizes.unaryExpr([&](double size) { return bits() < std::minstd_rand::max() / 2 ? size : -size; });
 }
 
-// Rounding as it arrives in y: each f_i is off by its last digit, and by that of the terms that it is made of,
-// and each y_i by its own. Newton's matrix passes it on from component to component.
+// Rounding as it arrives in y: each f_i is off by its last digit, and by that of the terms that it is made
+// of, and each y_i by its own. Newton's matrix passes it on from component to component.
 void find_noise(const Eigen::PartialPivLU<Matrix>& newton, const std::vector<Matrix>& weights,
                 const std::vector<Matrix>& jacobians, StageSolution& solution) {
   Matrix rhs_size = solution.rhs.cwiseAbs();
@@ -78,27 +78,28 @@ std::optional<StageSolution> StageEquations::solve(const Matrix& past, const std
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     solution.rhs = rhs_at(times, solution.y);
     const Matrix next = past + weighted(weights, solution.rhs);
-    if (correction_size < rounding || (correction_size < nearly_converged && correction_size > last_size / 2)) {
+    if (correction_size < rounding ||
+        (correction_size < nearly_converged && correction_size > last_size / 2)) {
       solution.y = next;
       return solution;
     }
     if (!next.allFinite()) {
       return std::nullopt;
     }
-    if (correction_size > last_size / 100) {  // an old factorisation serves while it gains two digits each time
+    if (correction_size >
+        last_size / 100) {  // an old factorisation serves while it gains two digits each time
       const auto jacobians = jacobians_at(times, solution.y);
       newton.compute(newton_matrix(weights, jacobians));
       find_noise(newton, weights, jacobians, solution);
     }
-    const Matrix correction =
-        newton.solve((next - solution.y).reshaped()).reshaped(past.rows(), past.cols());
+    const Matrix correction = newton.solve((next - solution.y).reshaped()).reshaped(past.rows(), past.cols());
     if (!correction.allFinite()) {
       return std::nullopt;
     }
     solution.y += correction;
     const Vec largest = correction.cwiseAbs().colwise().maxCoeff();
-    const Vec sizes = size.cwiseMax(solution.y.cwiseAbs().colwise().maxCoeff().transpose()) +
-                      solution.y_noise / rounding;
+    const Vec sizes =
+        size.cwiseMax(solution.y.cwiseAbs().colwise().maxCoeff().transpose()) + solution.y_noise / rounding;
     last_size = correction_size;
     correction_size = (largest.array() / (sizes.array() + std::numeric_limits<double>::min())).maxCoeff();
   }

@@ -21,7 +21,8 @@ double relative_size(const Matrix& correction, const Vec& sizes) {
 // Rounding errors as large as they can be, of random signs that are the same each time.
 Matrix rounding_errors(const Matrix& sizes) {
   std::minstd_rand generator(3);
-  return sizes.unaryExpr([&](double size) { return generator() % 2 == 0 ? rounding * size : -rounding * size; });
+  return sizes.unaryExpr(
+      [&](double size) { return generator() % 2 == 0 ? rounding * size : -rounding * size; });
 }
 
 Sizes sizes_with(const Sizes& before, const Matrix& y, const Matrix& rhs,
@@ -158,8 +159,8 @@ Vec PanelEquations::increment(const Vec& rhs_size, double length) const {
   return size;
 }
 
-// What Newton's matrix makes of an error in the last digit of y and of each term of f at every node. Larger than
-// the last digit of y_i where y_i is small and driven, through other components, by f of large terms.
+// What Newton's matrix makes of an error in the last digit of y and of each term of f at every node. Larger
+// than the last digit of y_i where y_i is small and driven, through other components, by f of large terms.
 PanelEquations::Noise PanelEquations::noise(const Eigen::PartialPivLU<Matrix>& newton,
                                             const std::vector<Matrix>& jacobians, const Matrix& y,
                                             const Matrix& rhs, double length) const {

@@ -27,7 +27,8 @@ Stages radau_nodes(int count) {
   constexpr int iterations = 12;
   Stages nodes(count);
   for (int k = 0; k < count; ++k) {
-    const long double angle = std::numbers::pi_v<long double> * static_cast<long double>(2 * (count - k) - 2) /
+    const long double angle = std::numbers::pi_v<long double> *
+                              static_cast<long double>(2 * (count - k) - 2) /
                               static_cast<long double>(2 * count - 1);
     long double x = std::cos(angle);
     for (int i = 0; i < iterations && k + 1 < count; ++i) {
