@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 packages=(git pkg-config cmake ninja-build g++ ccache libeigen3-dev libgsl-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev libhwy-dev
-  libbenchmark-dev libgtest-dev libgmock-dev libcli11-dev libfmt-dev nlohmann-json3-dev clang clang-format clang-tidy)
+  libbenchmark-dev libgtest-dev libgmock-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev clang clang-format clang-tidy)
 command -v node >/dev/null || packages+=(nodejs)
 command -v npm >/dev/null || packages+=(npm)
 

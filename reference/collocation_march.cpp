@@ -130,7 +130,10 @@ class March {
     last_value_ = values.bottomRows<1>().transpose();
     last_rhs_ = rhs_at(problem_, to, last_value_);
     sizes_ = solution.sizes;
-    panels_.push_back({from, to, solution.rhs, values, solution.sizes.values + solution.increment});
+    noise_ = noise_.cwiseMax(solution.noise.values);
+    const Vec size =
+        solution.sizes.values + solution.increment + noise_ / std::numeric_limits<double>::epsilon();
+    panels_.push_back({from, to, solution.rhs, values, size});
   }
 
   const Problem& problem_;
@@ -143,6 +146,7 @@ class March {
   Vec last_value_ = taylor_part(problem_, 0.0);
   Vec last_rhs_ = rhs_at(problem_, 0.0, last_value_);
   Sizes sizes_ = sizes_at_start(problem_);
+  Vec noise_ = Vec::Zero(problem_.size());  // of y, the largest so far
 };
 
 }  // namespace

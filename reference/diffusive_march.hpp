@@ -7,10 +7,10 @@
 namespace fde {
 
 struct DiffusiveOptions {
-  int stages = 8;            // of the Radau IIA method, 2 ... 16
-  double tolerance = 1e-10;  // of the last Legendre coefficients of y and f on a step, relative to the size
-                             // of y so far; the end of a step is as accurate as rounding allows then
-  double first_step = 1e-24;  // relative to the end
+  int stages = 8;             // of the Radau IIA method, 2 ... 16
+  double tolerance = 1e-10;   // of the last Legendre coefficients of y and f on a step, relative to the size
+                              // of y so far; the end of a step is as accurate as rounding allows then
+  double first_step = 1e-20;  // relative to the end
 };
 
 // A solution at the ends of the steps.

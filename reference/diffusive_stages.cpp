@@ -47,8 +47,8 @@ Matrix with_signs(const Matrix& sizes) {
 // Rounding as it arrives in y: each f_i is off by its last digit, and by that of the terms that it is made
 // of, and each y_i by its own. Newton's matrix passes it on from component to component.
 void find_noise(const Eigen::PartialPivLU<Matrix>& newton, const std::vector<Matrix>& weights,
-                const std::vector<Matrix>& jacobians, StageSolution& solution) {
-  Matrix rhs_size = solution.rhs.cwiseAbs();
+                const std::vector<Matrix>& jacobians, In forcing, StageSolution& solution) {
+  Matrix rhs_size = solution.rhs.cwiseAbs().rowwise() + forcing.transpose();
   const Matrix y_size = solution.y.cwiseAbs();
   for (Eigen::Index k = 0; k < y_size.rows(); ++k) {
     rhs_size.row(k) += y_size.row(k) * jacobians[static_cast<std::size_t>(k)].cwiseAbs().transpose();
@@ -64,7 +64,21 @@ void find_noise(const Eigen::PartialPivLU<Matrix>& newton, const std::vector<Mat
   solution.rhs_noise = rhs_noise.colwise().maxCoeff();
 }
 
+Vec largest_forcing(const Problem& problem) {
+  constexpr int samples = 50;
+  const Vec initial = taylor_part(problem, 0.0);
+  Vec largest = Vec::Zero(problem.size()), f(problem.size());
+  for (int k = 0; k <= samples; ++k) {
+    problem.rhs(problem.end * k / samples, initial, f);
+    largest = largest.cwiseMax(f.allFinite() ? Vec(f.cwiseAbs()) : largest);
+  }
+  return largest;
+}
+
 }  // namespace
+
+StageEquations::StageEquations(const Problem& problem, Vec nodes)
+    : problem_(problem), nodes_(std::move(nodes)), forcing_(largest_forcing(problem)) {}
 
 std::optional<StageSolution> StageEquations::solve(const Matrix& past, const std::vector<Matrix>& weights,
                                                    double from, double length, In first_rhs, In size) const {
@@ -90,7 +104,7 @@ std::optional<StageSolution> StageEquations::solve(const Matrix& past, const std
         last_size / 100) {  // an old factorisation serves while it gains two digits each time
       const auto jacobians = jacobians_at(times, solution.y);
       newton.compute(newton_matrix(weights, jacobians));
-      find_noise(newton, weights, jacobians, solution);
+      find_noise(newton, weights, jacobians, forcing_, solution);
     }
     const Matrix correction = newton.solve((next - solution.y).reshaped()).reshaped(past.rows(), past.cols());
     if (!correction.allFinite()) {

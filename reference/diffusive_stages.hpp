@@ -16,7 +16,7 @@ struct StageSolution {
 // The equations y_i = past_i + weights_i f_i(t, y) at the stages of a Runge-Kutta step.
 class StageEquations {
  public:
-  StageEquations(const Problem& problem, Vec nodes) : problem_(problem), nodes_(std::move(nodes)) {}
+  StageEquations(const Problem& problem, Vec nodes);
 
   // Newton's method down to rounding, from f = first_rhs at all stages; size: how large y has been so far.
   // Empty where it does not converge.
@@ -30,6 +30,7 @@ class StageEquations {
 
   const Problem& problem_;
   Vec nodes_;
+  Vec forcing_;  // the largest f at the initial values at any time: 1 - cos t is all rounding near 0
 };
 
 }  // namespace fde
