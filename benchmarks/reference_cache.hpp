@@ -21,6 +21,7 @@ class ReferenceCache {
   // A folder that cannot be written keeps nothing, silently: the reference is at hand all the same.
   void store(const std::string& key, const ReferenceTable& table) const;
 
+  // Needs a folder.
   [[nodiscard]] std::filesystem::path file_of(const std::string& key) const;
 
  private:

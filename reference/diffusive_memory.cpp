@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 
 namespace fde {
 
@@ -51,8 +52,8 @@ MemoryStep::MemoryStep(const DiffusiveKernels& kernels, const RadauRule& rule, d
   plain = step.cast<double>();
 }
 
-DiffusiveMemory::DiffusiveMemory(const Problem& problem, const RadauRule& rule, double shortest)
-    : rule_(rule), kernels_(memory_orders(problem), problem.end, shortest) {
+DiffusiveMemory::DiffusiveMemory(const Problem& problem, RadauRule rule, double shortest)
+    : rule_(std::move(rule)), kernels_(memory_orders(problem), problem.end, shortest) {
   for (const Component& component : problem.components) {
     State state{.kernel = -1,
                 .twice = twice(component),

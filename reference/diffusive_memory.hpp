@@ -28,7 +28,7 @@ struct MemoryStep {
 class DiffusiveMemory {
  public:
   // Good for times from shortest * end on.
-  DiffusiveMemory(const Problem& problem, const RadauRule& rule, double shortest);
+  DiffusiveMemory(const Problem& problem, RadauRule rule, double shortest);
 
   // The values of y at the stages of a step are past + weights F, a column a component.
   [[nodiscard]] Matrix past(double length);

@@ -41,7 +41,7 @@ struct Counted {
 
 class Cache : public testing::Test {
  protected:
-  ~Cache() override { fs::remove_all(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
 
   [[nodiscard]] auto files() const { return std::distance(fs::directory_iterator(folder_), {}); }
 
@@ -125,7 +125,7 @@ TEST_F(Cache, TakesNoFileOfAnotherProblem) {
 TEST_F(Cache, TakesNoTableOfAnotherShape) {
   const Counted counted;
   const ReferenceTable good = reference_table(counted.problem);
-  const auto loads = [&](ReferenceTable table) {
+  const auto loads = [&](const ReferenceTable& table) {
     cache_.store("key", table);
     return cache_.load("key", counted.problem).has_value();
   };
@@ -146,6 +146,14 @@ TEST_F(Cache, DoesWithoutAFolderThatCannotBeWritten) {
   write(folder_ / "file", "no folder");
   for (const auto& folder : {std::optional(folder_ / "file" / "cache"), std::optional<fs::path>()})
     EXPECT_EQ(cached_reference("cubic", counted.problem, ReferenceCache(folder)).at(1.0).value, expected);
+}
+
+TEST_F(Cache, DoesWithoutAFileThatCannotBeReadOrReplaced) {
+  const Counted counted;
+  fs::create_directories(cache_.file_of(reference_key("cubic", counted.problem)) / "a folder");
+  EXPECT_FALSE(hit(counted));
+  EXPECT_FALSE(hit(counted));
+  EXPECT_EQ(files(), 1);
 }
 
 TEST_F(Cache, IsWhereTheEnvironmentSays) {
