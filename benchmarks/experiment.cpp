@@ -38,7 +38,10 @@ Truth TruthTable::truth(double t) {
 double TruthTable::bound(const Grid& grid) { return shown(scene_, truth(grid.end).bound).maxCoeff(); }
 
 Scene make_scene(const SceneMaker& maker, const std::map<std::string, double>& values) {
-  return maker.make(Parameters(maker.id, maker.parameters, values));
+  const Parameters parameters(maker.id, maker.parameters, values);
+  Scene scene = maker.make(parameters);
+  scene.name = fmt::format("{} {}", maker.id, parameters.text());
+  return scene;
 }
 
 std::string describe(const Trajectory& path) {

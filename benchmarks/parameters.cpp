@@ -55,6 +55,13 @@ Parameters::Parameters(std::string_view scene, const std::vector<Parameter>& par
   }
 }
 
+std::string Parameters::text() const {
+  std::string text;
+  for (const auto& [name, value] : values_)
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, value);
+  return text;
+}
+
 void reject(std::string_view name, double value, std::string_view allowed) {
   throw std::invalid_argument(fmt::format("{} = {}: must be {}", name, value, allowed));
 }

@@ -43,6 +43,8 @@ class Parameters {
 
   double operator[](std::string_view name) const { return values_.find(name)->second; }
 
+  [[nodiscard]] std::string text() const;  // "a=1 b=0.5", in the order of the alphabet
+
  private:
   std::map<std::string, double, std::less<>> values_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "collocation.hpp"
+#include "reference_cache.hpp"
 
 namespace fde {
 
@@ -30,7 +31,9 @@ Rows shown(const Scene& scene, const Rows& components) {
 }
 
 Exact truth_of(const Scene& scene) {
-  return scene.exact.at ? scene.exact : reference_solution(scene.problem);
+  if (scene.exact.at) return scene.exact;
+  if (scene.name.empty()) return reference_solution(scene.problem);
+  return cached_reference(scene.name, scene.problem, ReferenceCache(cache_folder()));
 }
 
 }  // namespace fde

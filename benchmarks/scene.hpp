@@ -29,6 +29,7 @@ struct Energy {
 
 // A problem with what is known about it. What is absent is not computed, stored or shown.
 struct Scene {
+  std::string name{};  // its id and all parameters, under which its reference is kept; empty: it is not
   Problem problem{};
   Smoothness smoothness{};
   Outputs outputs{};
@@ -53,7 +54,7 @@ const SceneMaker* scene_of_label(std::string_view label);
 Rows shown(const Scene& scene, const Rows& components);
 
 // What is known about the components: scene.exact, or for a scene without one the collocation reference,
-// whose bound is an estimate. Computing that takes seconds; call once and keep it.
+// whose bound is an estimate. Computing that takes up to a second, unless it is in the cache_folder().
 Exact truth_of(const Scene& scene);
 
 }  // namespace fde

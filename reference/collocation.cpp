@@ -1,13 +1,12 @@
 #include "collocation.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "collocation_march.hpp"
+#include "diffusive_march.hpp"
+#include "reference_bound.hpp"
 
 namespace fde {
 
@@ -29,60 +28,23 @@ void check(const Problem& problem) {
   }
 }
 
-class Reference {
- public:
-  Reference(const Problem& problem, double tolerance)
-      : end_(problem.end), fine_(problem, {.points = 20, .first_panel = 1e-32, .tolerance = tolerance}) {
-    const PiecewiseSolution other(problem, {.points = 16, .first_panel = 3e-32, .tolerance = tolerance});
-    for (const Panel& panel : fine_.panels()) {
-      differences_.push_back(largest_difference(panel, other));
-    }
-  }
-
-  [[nodiscard]] Truth at(double t) const {
-    if (!(t >= 0.0 && t <= end_)) {
-      throw std::invalid_argument("reference solution: t = " + std::to_string(t) + " is outside [0, " +
-                                  std::to_string(end_) + "]");
-    }
-    return {fine_.at(t), t > 0.0 ? bound_at(t) : Vec::Zero(differences_.front().size())};
-  }
-
- private:
-  [[nodiscard]] Vec largest_difference(const Panel& panel, const PiecewiseSolution& other) const {
-    constexpr int samples = 40;
-    Vec largest = Vec::Zero(panel.values.cols());
-    for (int k = 1; k <= samples; ++k) {
-      const double t = k == samples ? panel.to : panel.from + panel.length() * k / samples;
-      largest = largest.cwiseMax((fine_.at(t) - other.at(t)).cwiseAbs());
-    }
-    return largest;
-  }
-
-  // An error may change sign, so the estimate is the largest difference over the last decade of time. Earlier
-  // ones are left out: the first panels are the worst and their error dies out. Rounding of f is the same in
-  // both solutions.
-  [[nodiscard]] Vec bound_at(double t) const {
-    constexpr double safety = 2.0, window = 10.0;
-    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-    const std::size_t last = fine_.panel_of(t);
-    Vec difference = differences_[last];
-    for (std::size_t k = fine_.panel_of(t / window); k < last; ++k) {
-      difference = difference.cwiseMax(differences_[k]);
-    }
-    return safety * difference + rounding * fine_.panels()[last].size;
-  }
-
-  double end_;
-  PiecewiseSolution fine_;
-  std::vector<Vec> differences_;  // to the other solution, a panel each
-};
-
 }  // namespace
 
-Exact reference_solution(const Problem& problem, const CollocationOptions& options) {
+ReferenceTable reference_table(const Problem& problem, const CollocationOptions& options) {
   check(problem);
-  const auto reference = std::make_shared<const Reference>(problem, options.tolerance);
-  return {.at = [reference](double t) { return reference->at(t); }};
+  const double tolerance = options.tolerance;
+  const PiecewiseSolution solution(problem, {.points = 20, .first_panel = 1e-32, .tolerance = tolerance});
+  const PiecewiseSolution other(problem, {.points = 16, .first_panel = 3e-32, .tolerance = tolerance});
+  const auto estimates = error_estimates(solution, other, diffusive_solution(problem));
+  ReferenceTable table;
+  for (const Panel& panel : solution.panels()) {
+    table.panels.push_back({panel.from, panel.to, panel.values, estimates[table.panels.size()]});
+  }
+  return table;
+}
+
+Exact reference_solution(const Problem& problem, const CollocationOptions& options) {
+  return exact_of(reference_table(problem, options));
 }
 
 }  // namespace fde

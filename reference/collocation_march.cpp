@@ -110,13 +110,16 @@ class March {
   [[nodiscard]] double growth_after(const PanelEquations::Solution& solution, double to) const {
     constexpr double weightless = 1e-18;  // of the end: an error of f before it is lost in rounding later on
     constexpr double noise = 16 * std::numeric_limits<double>::epsilon();
+    constexpr double noises = 4.0;  // the sum of some rounding errors
     if (to <= weightless * problem_.end) {
       return panels_.empty() ? 1.0 : 2.0;
     }
     const double tolerance = options_.tolerance;
     const Matrix values = solution.values.topRows(basis_.points());
-    const Vec negligible_rhs = tolerance * solution.sizes.rhs + noise * solution.sizes.forcing;
-    const Vec negligible_value = tolerance * solution.sizes.values + noise * solution.increment;
+    const Vec negligible_rhs =
+        tolerance * solution.sizes.rhs + noise * solution.sizes.forcing + noises * solution.noise.rhs;
+    const Vec negligible_value =
+        tolerance * solution.sizes.values + noise * solution.increment + noises * solution.noise.values;
     return std::min({possible_growth(basis_.legendre * solution.rhs, negligible_rhs, tolerance),
                      possible_growth(basis_.legendre * values, negligible_value, tolerance), 2.0});
   }
@@ -127,7 +130,10 @@ class March {
     last_value_ = values.bottomRows<1>().transpose();
     last_rhs_ = rhs_at(problem_, to, last_value_);
     sizes_ = solution.sizes;
-    panels_.push_back({from, to, solution.rhs, values, solution.sizes.values + solution.increment});
+    noise_ = noise_.cwiseMax(solution.noise.values);
+    const Vec size =
+        solution.sizes.values + solution.increment + noise_ / std::numeric_limits<double>::epsilon();
+    panels_.push_back({from, to, solution.rhs, values, size});
   }
 
   const Problem& problem_;
@@ -140,6 +146,7 @@ class March {
   Vec last_value_ = taylor_part(problem_, 0.0);
   Vec last_rhs_ = rhs_at(problem_, 0.0, last_value_);
   Sizes sizes_ = sizes_at_start(problem_);
+  Vec noise_ = Vec::Zero(problem_.size());  // of y, the largest so far
 };
 
 }  // namespace

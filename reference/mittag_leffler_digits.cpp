@@ -119,10 +119,10 @@ struct Poles {
 };
 
 // The residues that are beyond all exponents; then nothing else matters.
-Sum<BigReal> overflowing_residues(const Arguments& x, const Poles& poles) {
+Sum<BigReal> overflowing_residues(const Arguments& x) {
   constexpr double least_log = 40.0;  // of |s*|: to overflow
   Sum<BigReal> sum;
-  for (const BigComplex& log_pole : poles.logs) {
+  for (const BigComplex& log_pole : Poles(x, log(x.z), 1.0).logs) {
     if (real_part<BigReal>(log_pole) < least_log ||
         abs(BigReal(imag_part<BigReal>(log_pole))) > pi<BigReal>())
       continue;
@@ -135,8 +135,6 @@ Sum<BigReal> overflowing_residues(const Arguments& x, const Poles& poles) {
 
 Sum<BigReal> on_contour(const Arguments& x, int digits) {
   const BigComplex log_z = log(x.z);
-  Sum<BigReal> overflow = overflowing_residues(x, Poles(x, log_z, 1.0));
-  if (overflow.infinite) return overflow;
   const BoundedContour& at = bounded_contour_for(digits);
   const Poles poles(x, log_z, at.contour.shape().mu);
   const auto [log_bound, distance] = at.bound.at({.exponent = BigReal(x.alpha - x.beta).convert_to<double>(),
@@ -162,6 +160,8 @@ Sum<BigReal> evaluate(const Arguments& x, int digits) {
     return sum;
   }
   if (cut_free(x)) return sum_of_residues(x);
+  Sum<BigReal> overflow = overflowing_residues(x);
+  if (overflow.infinite) return overflow;
   if (!is_pole_of_gamma(x.beta)) return on_contour(x, digits);
   // The first term of the series is 0: E_{alpha,beta}(z) = z E_{alpha,alpha+beta}(z), where less cancels.
   Sum<BigReal> sum = evaluate({x.alpha, BigReal(x.alpha + x.beta), x.z}, digits);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace fde {
 
@@ -15,6 +16,13 @@ constexpr double rounding = std::numeric_limits<double>::epsilon();
 double relative_size(const Matrix& correction, const Vec& sizes) {
   const Vec largest = correction.cwiseAbs().colwise().maxCoeff();
   return (largest.array() / (sizes.array() + std::numeric_limits<double>::min())).maxCoeff();
+}
+
+// Rounding errors as large as they can be, of random signs that are the same each time.
+Matrix rounding_errors(const Matrix& sizes) {
+  std::minstd_rand generator(3);
+  return sizes.unaryExpr(
+      [&](double size) { return generator() % 2 == 0 ? rounding * size : -rounding * size; });
 }
 
 Sizes sizes_with(const Sizes& before, const Matrix& y, const Matrix& rhs,
@@ -49,6 +57,7 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past
   Eigen::PartialPivLU<Matrix> newton;
   Sizes sizes = before;
   Vec increments;
+  Noise rounded;
   double size = std::numeric_limits<double>::infinity();
   double last_size = 0.0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
@@ -56,7 +65,7 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past
     const Matrix next = past + integrate(rhs, length);
     const bool converged = size < 2 * rounding || (size < nearly_converged && size > last_size / 2);
     if (converged) {
-      return Solution{next, rhs, sizes, increments};
+      return Solution{next, rhs, sizes, increments, rounded};
     }
     if (!next.allFinite()) {
       return std::nullopt;
@@ -69,6 +78,7 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past
       newton.compute(newton_matrix(jacobians, length));
       sizes = sizes_with(before, y, rhs, jacobians);
       increments = increment(sizes.rhs.cwiseMax(sizes.forcing), length);
+      rounded = noise(newton, jacobians, y.topRows(points), rhs, length);
     }
     const Matrix residual = (next - y).topRows(points);
     const Matrix correction = newton.solve(residual.reshaped()).reshaped(points, problem_.size());
@@ -77,7 +87,7 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past
     }
     y.topRows(points) += correction;
     last_size = size;
-    size = relative_size(correction, sizes.values + increments);
+    size = relative_size(correction, sizes.values + increments + rounded.values / rounding);
   }
   return std::nullopt;
 }
@@ -147,6 +157,25 @@ Vec PanelEquations::increment(const Vec& rhs_size, double length) const {
     size[i] = std::pow(length, order) / std::tgamma(order + 1.0) * rhs_size[i];
   }
   return size;
+}
+
+// What Newton's matrix makes of an error in the last digit of y and of each term of f at every node. Larger
+// than the last digit of y_i where y_i is small and driven, through other components, by f of large terms.
+PanelEquations::Noise PanelEquations::noise(const Eigen::PartialPivLU<Matrix>& newton,
+                                            const std::vector<Matrix>& jacobians, const Matrix& y,
+                                            const Matrix& rhs, double length) const {
+  const Matrix y_size = y.cwiseAbs();
+  const auto passed_on = [&](const Matrix& of_y) {
+    Matrix of_rhs(rhs.rows(), rhs.cols());
+    for (Eigen::Index k = 0; k < rhs.rows(); ++k) {
+      of_rhs.row(k) = of_y.row(k) * jacobians[static_cast<std::size_t>(k)].cwiseAbs().transpose();
+    }
+    return of_rhs;
+  };
+  const Matrix of_rhs = rounding_errors(rhs.cwiseAbs() + passed_on(y_size));
+  const Matrix residual = rounding_errors(y_size) + integrate(of_rhs, length).topRows(y.rows());
+  const Matrix of_y = newton.solve(residual.reshaped()).reshaped(y.rows(), y.cols()).cwiseAbs();
+  return {of_y.colwise().maxCoeff(), (of_rhs.cwiseAbs() + passed_on(of_y)).colwise().maxCoeff()};
 }
 
 }  // namespace fde

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/LU>
 #include <optional>
 #include <vector>
 
@@ -19,11 +20,17 @@ class PanelEquations {
  public:
   PanelEquations(const Problem& problem, const PanelBasis& basis);
 
+  // How much of y and f on the panel is rounding, as it passes from component to component.
+  struct Noise {
+    Vec values, rhs;
+  };
+
   struct Solution {
     Matrix values;  // y at the targets
     Matrix rhs;     // f at the nodes
     Sizes sizes;    // up to the end of this panel
     Vec increment;  // size of y_i if nothing cancelled in f_i over this panel; its last digit is noise in y_i
+    Noise noise;
   };
 
   // Newton's method down to rounding, from f = first_rhs on the whole panel [from, to]; past is given at the
@@ -37,6 +44,8 @@ class PanelEquations {
   [[nodiscard]] Matrix integrate(const Matrix& rhs, double length) const;  // from the start to the targets
   [[nodiscard]] Matrix newton_matrix(const std::vector<Matrix>& jacobians, double length) const;
   [[nodiscard]] Vec increment(const Vec& rhs_size, double length) const;
+  [[nodiscard]] Noise noise(const Eigen::PartialPivLU<Matrix>& newton, const std::vector<Matrix>& jacobians,
+                            const Matrix& y, const Matrix& rhs, double length) const;
 
   const Problem& problem_;
   const PanelBasis& basis_;

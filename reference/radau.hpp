@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace fde {
+
+// Small tables in extended precision that live on the stack.
+constexpr int most_stages = 16;
+using Stages = Eigen::Matrix<long double, Eigen::Dynamic, 1, 0, most_stages, 1>;
+using StageMatrix =
+    Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic, 0, most_stages + 1, most_stages + 1>;
+
+// The Radau IIA method with s stages on the step [0, 1]: collocation at the zeros of P_s(2x-1) -
+// P_(s-1)(2x-1), the last of which is 1. L-stable, of order 2s-1 at the end of a step and s+1 at its stages.
+// Hairer & Wanner, Solving Ordinary Differential Equations II, section IV.5.
+struct RadauRule {
+  explicit RadauRule(int stages);  // 1 ... most_stages
+
+  Stages nodes;
+  StageMatrix
+      integral;  // (i, j): the Runge-Kutta matrix, int_0^nodes[i] of the Lagrange polynomial of nodes[j]
+  Eigen::MatrixXd at_nodes;    // Legendre coefficients of a polynomial from its values at the nodes
+  Eigen::MatrixXd with_start;  // the same from its values at 0 and at the nodes
+};
+
+}  // namespace fde
