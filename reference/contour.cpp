@@ -78,8 +78,8 @@ int contour_precision(int digits) {
 
 const Contour<long double>& contour_away_from(const std::vector<Complex<long double>>& log_poles) {
   // A smaller mu than the balanced one: e^mu costs digits, of which there are few, and nodes are cheap.
-  static const std::array<Contour<long double>, 2> contours{Contour<long double>(4.0L, 54.0L, 50.0L, false),
-                                                            Contour<long double>(4.0L, 54.0L, 50.0L, true)};
+  static const std::array<Contour<long double>, 2> contours{Contour<long double>(1.5L, 54.0L, 50.0L, false),
+                                                            Contour<long double>(1.5L, 54.0L, 50.0L, true)};
   const auto clearance = [&](const Contour<long double>& contour) {
     long double least = 1.0L;
     for (const auto& pole : log_poles) least = std::min(least, contour.steps_to_node(pole));

@@ -131,6 +131,15 @@ struct Sum {
     error += size * relative_error;
     scale += size * share;
   }
+  void add(const Sum& other) {
+    error += other.error;
+    scale += other.scale;
+    if (other.infinite) {
+      add_infinite(other.value, other.largest_exponent);
+    } else if (!infinite) {
+      value += other.value;
+    }
+  }
   // Adds direction * e^exponent, which is beyond all exponents: what is larger still hides what is smaller.
   void add_infinite(const Complex<Real>& direction, const Real& exponent) {
     constexpr double same = 1.0 + 1e-9;
