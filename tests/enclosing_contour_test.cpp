@@ -99,10 +99,10 @@ INSTANTIATE_TEST_SUITE_P(
              [] { return BigComplex(BigReal(-expm1(BigReal(-1000)) / 1000)); },
              true},
         Case{"LargeGrowth",
-             {1e9L, 0.0L},
+             {1e8L, 0.0L},
              {1.0, 2.0},
              [] {
-               const BigReal pole(1e9);
+               const BigReal pole(1e8);
                return BigComplex((exp(pole) - 1 - pole) / (pole * pole));
              },
              true}),
