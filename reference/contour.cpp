@@ -1,6 +1,7 @@
 #include "contour.hpp"
 
 #include <array>
+#include <map>
 
 namespace fde {
 template <class Real>
@@ -67,9 +68,15 @@ double omega_for(int digits) { return std::numbers::ln10 * digits + 10.0; }
 
 }  // namespace
 
-Contour<BigReal> contour_for(int digits) {
+const Contour<BigReal>& contour_for(int digits) {
+  constexpr std::size_t most = 32;
+  static std::map<std::pair<int, unsigned>, Contour<BigReal>> known;  // guarded by the lock of Precision
+  const std::pair key{digits, BigReal::default_precision()};
+  const auto found = known.find(key);
+  if (found != known.end()) return found->second;
+  if (known.size() == most) known.clear();
   const BigReal omega(omega_for(digits));
-  return {omega / growth, omega, omega, false};
+  return known.try_emplace(key, BigReal(omega / growth), omega, omega, false).first->second;
 }
 
 int contour_precision(int digits) {

@@ -87,7 +87,7 @@ void LinearResponse<Real>::add_nodes(LinearValues<Real>& values, const Contour<R
 // Simple pole: Res(e^p N/P) = e^p N / P', times the factor of the contour.
 template <class Real>
 void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex<Real>& log_pole,
-                                       const Contour<Real>& contour) {
+                                       const Contour<Real>& contour, const Real& count) {
   using std::exp;
   const Complex<Real> pole = exp(log_pole);
   if (contour.at_branch_point(log_pole) || real_part<Real>(pole) < -8 / epsilon<Real>()) return;
@@ -103,7 +103,7 @@ void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex
   const Complex<Real> factor = contour.pole_factor(log_pole);
   const Real ulps =
       3 + (1 + size_of(pole) + contour.omega() * size_of(Complex<Real>(factor - Real(1)))) * pole_ulps;
-  add_terms(values, exp(pole) * factor * pole / slope, ulps, Real(1));
+  add_terms(values, count * exp(pole) * factor * pole / slope, ulps, Real(1));
 }
 
 // Poles that cannot be told apart: the sum of their residues, by the trapezoidal rule on a circle round them
@@ -111,7 +111,7 @@ void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex
 // has poles.
 template <class Real>
 void LinearResponse<Real>::add_circle(LinearValues<Real>& values, const Zero<Real>& zero,
-                                      const Contour<Real>& contour) {
+                                      const Contour<Real>& contour, const Real& count) {
   using std::abs, std::conj, std::exp, std::log, std::min;
   const Complex<Real> center = zero.log + log_time_;
   if (contour.at_branch_point(center)) return;
@@ -133,7 +133,7 @@ void LinearResponse<Real>::add_circle(LinearValues<Real>& values, const Zero<Rea
     const Complex<Real> log_p = center + offset, p = exp(log_p);
     evaluate(log_p, p);
     const Real ulps = 6 + 2 * size_of(p) + characteristic_.error / size_of(characteristic_.value);
-    const Complex<Real> weight = exp(p) * p * contour.pole_factor(log_p) * offset / Real(points);
+    const Complex<Real> weight = exp(p) * p * contour.pole_factor(log_p) * offset * Real(count / points);
     add_terms(values, weight / characteristic_.value, ulps, Real(1));
   }
 }
@@ -141,12 +141,16 @@ void LinearResponse<Real>::add_circle(LinearValues<Real>& values, const Zero<Rea
 template <class Real>
 void LinearResponse<Real>::add_to(LinearValues<Real>& values, const std::vector<Zero<Real>>& zeros,
                                   const Contour<Real>& contour) {
+  constexpr double on_the_axis = 1e-7;  // closer pairs are one zero of multiplicity two
   add_nodes(values, contour);
   for (const auto& zero : zeros) {
+    const Real height = imag_part<Real>(zero.log);
+    if (height < -on_the_axis) continue;  // the real part of twice its conjugate is the sum of both
+    const Real count(height > on_the_axis ? 2 : 1);
     if (zero.multiplicity > 1) {
-      add_circle(values, zero, contour);
+      add_circle(values, zero, contour, count);
     } else {
-      add_residue(values, zero.log + log_time_, contour);
+      add_residue(values, zero.log + log_time_, contour, count);
     }
   }
 }

@@ -39,8 +39,10 @@ class LinearResponse {
   [[nodiscard]] Value sum_of(const Polynomial& polynomial) const;
   [[nodiscard]] Complex<Real> slope() const;  // p P'
   void add_nodes(LinearValues<Real>& values, const Contour<Real>& contour);
-  void add_residue(LinearValues<Real>& values, const Complex<Real>& log_pole, const Contour<Real>& contour);
-  void add_circle(LinearValues<Real>& values, const Zero<Real>& zero, const Contour<Real>& contour);
+  void add_residue(LinearValues<Real>& values, const Complex<Real>& log_pole, const Contour<Real>& contour,
+                   const Real& count);
+  void add_circle(LinearValues<Real>& values, const Zero<Real>& zero, const Contour<Real>& contour,
+                  const Real& count);
   void add_terms(LinearValues<Real>& values, const Complex<Real>& factor, const Real& ulps,
                  const Real& share) const;
 

@@ -73,7 +73,7 @@ LinearValues<long double> LinearSolution::in_long_double(double t) const {
 std::vector<Sum<BigReal>> LinearSolution::in_digits(double t, int digits) const {
   const RoundedTransform<BigReal> transform(exact_);
   const auto zeros = polished(transform.characteristic, zeros_);
-  const Contour<BigReal> contour = contour_for(digits);
+  const Contour<BigReal>& contour = contour_for(digits);
   auto values = nothing<BigReal>(size());
   for (const auto& group : transform.groups) {
     const BigReal time = decimal<BigReal>(t) - group.from;
