@@ -96,8 +96,14 @@ void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex
   const Real pole_ulps = 1 + size_of(log_pole) + characteristic_.error / size_of(slope);
   if (exp_overflows(pole, Real(pole_ulps * epsilon<Real>()))) {
     const Complex<Real> direction = exp(Complex<Real>(Real(0), imag_part<Real>(pole))) * pole / slope;
-    for (std::size_t j = 0; j < numerators_.size(); ++j)
-      values.sums[j].add_infinite(direction * sum_of(numerators_[j]).value, real_part<Real>(pole));
+    for (std::size_t j = 0; j < numerators_.size(); ++j) {
+      const auto [value, error] = sum_of(numerators_[j]);
+      if (size_of(value) > 16 * epsilon<Real>() * error) {
+        values.sums[j].add_infinite(direction * value, real_part<Real>(pole));
+      } else {  // whether this pole has a part in it is lost in rounding
+        values.sums[j].error = std::numeric_limits<double>::infinity();
+      }
+    }
     return;
   }
   const Complex<Real> factor = contour.pole_factor(log_pole);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "linear_solution.hpp"
+#include "linear_system_transform.hpp"
 
 namespace fde {
 namespace {
@@ -40,113 +41,86 @@ LinearSystem checked(LinearSystem system) {
   return system;
 }
 
-using RationalMatrix = std::vector<std::vector<Rational>>;
-
-// Of the rows and columns of the mask, by elimination.
-Rational principal_minor(const RationalMatrix& matrix, unsigned mask) {
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < matrix.size(); ++i)
-    if ((mask >> i & 1U) != 0U) kept.push_back(i);
-  RationalMatrix part;
-  for (const std::size_t i : kept) {
-    part.emplace_back();
-    for (const std::size_t j : kept) part.back().push_back(matrix[i][j]);
+// For each component the set of those that it depends on, itself among them, as bits.
+std::vector<unsigned> dependences(const Matrix& matrix) {
+  const auto size = static_cast<std::size_t>(matrix.rows());
+  std::vector<unsigned> on(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    on[i] = 1U << i;
+    for (std::size_t j = 0; j < size; ++j)
+      if (matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) != 0.0) on[i] |= 1U << j;
   }
-  Rational product(1);
-  for (std::size_t k = 0; k < part.size(); ++k) {
-    std::size_t pivot = k;
-    while (pivot < part.size() && part[pivot][k] == 0) ++pivot;
-    if (pivot == part.size()) return {0};
-    if (pivot != k) {
-      std::swap(part[pivot], part[k]);
-      product = -product;
-    }
-    product *= part[k][k];
-    for (std::size_t i = k + 1; i < part.size(); ++i) {
-      if (part[i][k] == 0) continue;
-      const Rational factor = part[i][k] / part[k][k];
-      for (std::size_t j = k + 1; j < part.size(); ++j) part[i][j] -= factor * part[k][j];
-    }
+  for (std::size_t through = 0; through < size; ++through) {
+    for (auto& set : on)
+      if ((set >> through & 1U) != 0U) set |= on[through];
   }
-  return product;
+  return on;
 }
 
-// det(diag(s^orders) + matrix), where the components outside the mask have no s on the diagonal:
-//   sum over subsets S of the mask of s^(sum of orders in S) times the principal minor of what is not in S.
-GeneralizedPolynomial determinant(const std::vector<Rational>& orders, const RationalMatrix& matrix,
-                                  unsigned mask) {
-  GeneralizedPolynomial sum;
-  const unsigned all = (1U << orders.size()) - 1U;
-  for (unsigned subset = 0; subset <= all; ++subset) {
-    if ((subset & ~mask) != 0U) continue;
-    Rational exponent(0);
-    for (std::size_t i = 0; i < orders.size(); ++i)
-      if ((subset >> i & 1U) != 0U) exponent += orders[i];
-    add_term(sum, exponent, principal_minor(matrix, all & ~subset));
-  }
-  return sum;
-}
-
-// (diag(s^g) - A) X = R with R_j = sum_k s^(g_j-1-k) x_j^(k)(0) + sum of loads c Gamma(power+1)
-// s^(-power-1) by Cramer's rule: X_i = sum_j R_j C_ij / P, where P is the determinant and C_ij is that with
-// the j-th unit vector in column i.
-class Expansion {
- public:
-  explicit Expansion(const LinearSystem& system) : system_(system), size_(system.orders.size()) {
-    for (std::size_t i = 0; i < size_; ++i) {
-      orders_.push_back(exact_decimal(system.orders[i]));
-      negative_.emplace_back();
-      for (std::size_t j = 0; j < size_; ++j)
-        negative_.back().push_back(
-            -exact_decimal(system.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j))));
-    }
-  }
-
-  [[nodiscard]] LinearTransform transform() {
-    transform_.generators = orders_;
-    const unsigned all = (1U << size_) - 1U;
-    transform_.characteristic = determinant(orders_, negative_, all);
-    transform_.group_from(0, size_);
-    for (std::size_t i = 0; i < size_; ++i) {
-      for (std::size_t j = 0; j < size_; ++j) {
-        RationalMatrix replaced = negative_;
-        for (std::size_t row = 0; row < size_; ++row) replaced[row][i] = row == j ? 1 : 0;
-        add_numerators(i, j, determinant(orders_, replaced, all & ~(1U << i)));
-      }
-    }
-    return transform_;
-  }
-
- private:
-  void add_numerators(std::size_t i, std::size_t j, const GeneralizedPolynomial& cofactor) {
-    const auto add = [&](const Rational& from, const Rational& exponent, const Coefficient& factor,
-                         const Rational& value) {
-      auto& numerator = transform_.group_from(from, size_).numerators[i];
-      for (const auto& [order, coefficient] : cofactor)
-        add_term(numerator, Rational(exponent + order), factor, Rational(value * fraction(coefficient)));
-    };
-    const Coefficient one{{Factor{}, Rational(1)}};
-    for (std::size_t k = 0; k < system_.initial[j].size(); ++k)
-      add(0, orders_[j] - 1 - k, one, exact_decimal(system_.initial[j][k]));
-    for (const auto& [coefficient, power, from] : system_.loads[j]) {
-      const Rational next = exact_decimal(power) + 1;
-      add(exact_decimal(from), -next, coefficient_of_gamma(next), exact_decimal(coefficient));
-    }
-  }
-  // A coefficient of a determinant is a single fraction.
-  static const Rational& fraction(const Coefficient& coefficient) { return coefficient.begin()->second; }
-
-  const LinearSystem& system_;
-  std::size_t size_;
-  std::vector<Rational> orders_;
-  RationalMatrix negative_;
-  LinearTransform transform_;
+// Components that depend on the same ones, and what is known about them.
+struct Part {
+  std::vector<std::size_t> components;
+  Exact exact;
 };
+
+// Of the components that depend on those of the set, all of which it contains.
+Part part_of(const LinearSystem& system, unsigned set, const std::vector<unsigned>& on) {
+  std::vector<std::size_t> kept, components, outputs;
+  for (std::size_t i = 0; i < on.size(); ++i) {
+    if ((set >> i & 1U) == 0U) continue;
+    if (on[i] == set) {
+      components.push_back(i);
+      outputs.push_back(kept.size());
+    }
+    kept.push_back(i);
+  }
+  LinearSystem part{.orders = {}, .initial = {}, .matrix = system.matrix(kept, kept)};
+  for (const std::size_t i : kept) {
+    part.orders.push_back(system.orders[i]);
+    part.initial.push_back(system.initial[i]);
+    part.loads.push_back(system.loads[i]);
+  }
+  return {components,
+          exact_solution(name, [part = std::move(part), outputs] { return transform_of(part, outputs); })};
+}
+
+// Components that do not depend on others are solved without them: a mode that grows elsewhere would have to
+// cancel.
+std::vector<Part> parts_of(const LinearSystem& system) {
+  std::vector<Part> parts;
+  const auto on = dependences(system.matrix);
+  for (std::size_t i = 0; i < on.size(); ++i) {
+    if (std::ranges::find(on.begin(), on.begin() + static_cast<std::ptrdiff_t>(i), on[i]) ==
+        on.begin() + static_cast<std::ptrdiff_t>(i))
+      parts.push_back(part_of(system, on[i], on));
+  }
+  return parts;
+}
 
 }  // namespace
 
 Exact exact_solution(const LinearSystem& system) {
-  return exact_solution(name, [system = checked(system)] { return Expansion(system).transform(); });
+  auto parts = parts_of(checked(system));
+  if (parts.size() == 1) return parts.front().exact;
+  const auto size = static_cast<Eigen::Index>(system.orders.size());
+  const auto at = [parts, size](double t) {
+    Truth truth{Vec(size), Vec(size)};
+    for (const auto& [components, exact] : parts) {
+      const Truth some = exact.at(t);
+      truth.value(components) = some.value;
+      truth.bound(components) = some.bound;
+    }
+    return truth;
+  };
+  const auto digits = [parts, size](double t, int wanted) {
+    std::vector<Decimal> texts(static_cast<std::size_t>(size));
+    for (const auto& [components, exact] : parts) {
+      const auto some = exact.digits(t, wanted);
+      for (std::size_t k = 0; k < components.size(); ++k) texts[components[k]] = some[k];
+    }
+    return texts;
+  };
+  return {at, digits};
 }
 
 }  // namespace fde

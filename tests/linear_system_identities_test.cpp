@@ -26,6 +26,17 @@ TEST(LinearSystem, DiagonalSystemIsItsScalars) {
   }
 }
 
+// A component that does not feel a growing one keeps its value and its digits.
+TEST(LinearSystem, ComponentsAreSolvedWithoutWhatTheyDoNotDependOn) {
+  const auto precision = test_precision();
+  const Exact both = exact_solution({.orders = {0.5, 0.5},
+                                     .initial = {{1.0}, {1.0}},
+                                     .matrix = (Matrix(2, 2) << 100.0, 3.0, 0.0, -1.0).finished()});
+  EXPECT_EQ(both.at(10.0).value[0], std::numeric_limits<double>::infinity());
+  EXPECT_NEAR(both.at(4.0).value[1], mittag_leffler(0.5, 1.0, -2.0), 1e-16);
+  expect_equal(digits_at(both, 4.0)[1], real_part<BigReal>(mittag_leffler_digits("0.5", "1", "-2")), "y");
+}
+
 // y'' + B D^1.5 y + C y = 8 until 1 through y, y', D^1.5 y.
 TEST(LinearSystem, BagleyTorvikAsAChain) {
   const auto precision = test_precision();
