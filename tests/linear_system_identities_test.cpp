@@ -139,6 +139,38 @@ TEST(LinearSystem, IsItsPowerSeries) {
   expect_equal(values[1], sum_y, "y");
 }
 
+// Long double or not, stiff, growing or both: the bound holds, and is small against max(|x|, |t x'|).
+TEST(LinearSystem, DoublesAreWithinTheirBounds) {
+  const auto precision = test_precision();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  double worst = 0.0;
+  for (int i = 0; i < 30; ++i) {
+    LinearSystem system;
+    for (int j = 0; j < 2; ++j) {
+      system.orders.push_back(std::ceil(40.0 * unit(random)) / 20.0);
+      system.initial.emplace_back(initial_count(system.orders.back()), unit(random));
+    }
+    const double size = std::pow(10.0, 6.0 * unit(random) - 2.0);
+    system.matrix = Matrix::NullaryExpr(2, 2, [&] { return size * (unit(random) - 0.8); });
+    const Exact solution = exact_solution(system);
+    for (const double t : {0.01, 0.5, 3.0}) {
+      const Truth truth = solution.at(t);
+      if (!truth.value.allFinite()) continue;
+      const auto exact = digits_at(solution, t), later = digits_at(solution, t * (1.0 + 0x1p-20));
+      for (std::size_t j = 0; j < 2; ++j) {
+        const auto k = static_cast<Eigen::Index>(j);
+        const BigReal error = abs(BigReal(exact[j] - truth.value[k])),
+                      rate = abs(BigReal((later[j] - exact[j]) * 0x1p20));
+        EXPECT_LE(error, truth.bound[k]) << i << " " << t;
+        const BigReal scale = std::max(BigReal(abs(exact[j])), rate);
+        worst = std::max(worst, BigReal(truth.bound[k] / scale).convert_to<double>());
+      }
+    }
+  }
+  EXPECT_LE(worst, 7e-16);  // 5e-16 and the rounding of the value
+}
+
 using BigMatrix = std::vector<std::vector<BigComplex>>;
 
 // Gaussian elimination without a pivot search: fine for the matrices below on a contour away from their
