@@ -9,7 +9,7 @@
 namespace fde {
 
 // D^(orders[i]) x_i = sum_j matrix(i, j) x_j + sum_k loads[i][k](t): Caputo derivatives from 0, orders above
-// 0, x_i^(k)(0) = initial[i][k] for k < ceil(orders[i]). Up to 8 components. No loads at all may be left out.
+// 0, x_i^(k)(0) = initial[i][k] for k < ceil(orders[i]). Up to 8 components; loads may be empty.
 struct LinearSystem {
   std::vector<double> orders;
   std::vector<std::vector<double>> initial;
