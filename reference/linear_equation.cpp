@@ -70,9 +70,10 @@ LinearTransform transform_of(const LinearEquation& equation, const std::vector<d
   for (const auto& [coefficient, power, from] : equation.loads) {
     auto& numerators = transform.group_from(exact_decimal(from), orders.size()).numerators;
     const Rational next = exact_decimal(power) + 1;
-    for (std::size_t j = 0; j < orders.size(); ++j)
+    for (std::size_t j = 0; j < orders.size(); ++j) {
       add_term(numerators[j], Rational(exact_decimal(orders[j]) - next), coefficient_of_gamma(next),
                exact_decimal(coefficient));
+    }
   }
   return transform;
 }

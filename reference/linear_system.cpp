@@ -20,9 +20,10 @@ void require(bool holds, const char* message) {
 
 LinearSystem checked(LinearSystem system) {
   const std::size_t size = system.orders.size();
-  if (size < 1 || size > most_components)
+  if (size < 1 || size > most_components) {
     throw std::invalid_argument(
         fmt::format("{}: {} components: must be 1 to {}", name, size, most_components));
+  }
   const auto rows = static_cast<Eigen::Index>(size);
   require(system.matrix.rows() == rows && system.matrix.cols() == rows,
           "the matrix has to have a row and a column for each order");

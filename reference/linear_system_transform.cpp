@@ -60,9 +60,10 @@ class Expansion {
     for (std::size_t i = 0; i < size_; ++i) {
       orders_.push_back(exact_decimal(system.orders[i]));
       negative_.emplace_back();
-      for (std::size_t j = 0; j < size_; ++j)
+      for (std::size_t j = 0; j < size_; ++j) {
         negative_.back().push_back(
             -exact_decimal(system.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j))));
+      }
     }
   }
 
