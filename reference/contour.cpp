@@ -1,6 +1,7 @@
 #include "contour.hpp"
 
 #include <array>
+#include <map>
 
 namespace fde {
 template <class Real>
@@ -76,9 +77,15 @@ double omega_for(int digits) { return std::numbers::ln10 * digits + 10.0; }
 
 }  // namespace
 
-Contour<BigReal> contour_for(int digits) {
+const Contour<BigReal>& contour_for(int digits) {
+  constexpr std::size_t most = 32;
+  static std::map<std::pair<int, unsigned>, Contour<BigReal>> known;  // guarded by the lock of Precision
+  const std::pair key{digits, BigReal::default_precision()};
+  const auto found = known.find(key);
+  if (found != known.end()) return found->second;
+  if (known.size() == most) known.clear();
   const BigReal omega(omega_for(digits));
-  return {omega / growth, omega, omega, false};
+  return known.try_emplace(key, BigReal(omega / growth), omega, omega, false).first->second;
 }
 
 int contour_precision(int digits) {
@@ -87,8 +94,8 @@ int contour_precision(int digits) {
 
 const Contour<long double>& contour_away_from(const std::vector<Complex<long double>>& log_poles) {
   // A smaller mu than the balanced one: e^mu costs digits, of which there are few, and nodes are cheap.
-  static const std::array<Contour<long double>, 2> contours{Contour<long double>(4.0L, 54.0L, 50.0L, false),
-                                                            Contour<long double>(4.0L, 54.0L, 50.0L, true)};
+  static const std::array<Contour<long double>, 2> contours{Contour<long double>(1.5L, 54.0L, 50.0L, false),
+                                                            Contour<long double>(1.5L, 54.0L, 50.0L, true)};
   const auto clearance = [&](const Contour<long double>& contour) {
     long double least = 1.0L;
     for (const auto& pole : log_poles) least = std::min(least, contour.steps_to_node(pole));

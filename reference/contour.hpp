@@ -57,7 +57,8 @@ class Contour {
 };
 
 // Good to about that many decimal digits against the size of f. Work with contour_precision(digits) digits.
-Contour<BigReal> contour_for(int digits);
+// Call under a Precision; the reference is good until the next call.
+const Contour<BigReal>& contour_for(int digits);
 int contour_precision(int digits);
 
 // Of the two long double contours, with nodes half a step apart, the one that stays farther away from the

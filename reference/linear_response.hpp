@@ -5,44 +5,58 @@
 
 namespace fde {
 
-// The response of one group of loads, and of the initial values if they act with it, a time > 0 after it
-// started. With time measured in that unit it is a response at time 1, where the contours are: with p = s
-// time the transform is
-//   time^-delta p^delta [G + sum_k u_k N_k] / P,  c_i -> c_i time^(-o_i), u_k -> u_k time^k, load -> load
-//   time^power.
+// Values of the outputs, and t dx/dt of each: what a relative error of t does to it.
+template <class Real>
+struct LinearValues {
+  std::vector<Sum<Real>> sums;
+  std::vector<Complex<Real>> rates;
+};
+
+// The response of one group, a time > 0 after it started. With time measured in that unit it is a response at
+// time 1, where the contours are: with p = s time a term c s^e of a numerator becomes c time^(-e-1) p^e, one
+// of the denominator c time^-e p^e.
 template <class Real>
 class LinearResponse {
  public:
-  LinearResponse(const LinearTransform<Real>& transform, const typename LinearTransform<Real>::Group& group,
-                 const Real& time);
+  using Group = typename RoundedTransform<Real>::Group;
+  LinearResponse(const RoundedTransform<Real>& transform, const Group& group, const Real& time);
 
-  // Adds the value of every output; the zeros are those of P as it was before scaling.
-  void add_to(std::vector<Sum<Real>>& sums, const std::vector<Zero<Real>>& zeros,
-              const Contour<Real>& contour);
+  // Adds the value of every output; the zeros are those of the denominator as it was before scaling.
+  void add_to(LinearValues<Real>& values, const std::vector<Zero<Real>>& zeros, const Contour<Real>& contour);
   // Adds to the errors what the contour neglects.
-  void add_discretisation(std::vector<Sum<Real>>& sums, const Contour<Real>& contour);
+  void add_discretisation(LinearValues<Real>& values, const Contour<Real>& contour);
 
  private:
+  using Polynomial = typename RoundedTransform<Real>::Polynomial;
+  // Of a sum of powers: its value, and a bound of its error in units of epsilon.
+  struct Value {
+    Complex<Real> value;
+    Real error;
+  };
+
+  [[nodiscard]] Polynomial scaled(const Polynomial& polynomial, const Real& factor) const;
   void evaluate(const Complex<Real>& log_p, const Complex<Real>& p);
-  void combine(const Complex<Real>& p);
-  void add_nodes(std::vector<Sum<Real>>& sums, const Contour<Real>& contour);
-  void add_residue(std::vector<Sum<Real>>& sums, const Complex<Real>& log_pole, const Contour<Real>& contour);
-  void add_circle(std::vector<Sum<Real>>& sums, const Zero<Real>& zero, const Contour<Real>& contour);
-  void add_terms(std::vector<Sum<Real>>& sums, const Complex<Real>& factor, const Real& ulps,
+  [[nodiscard]] Value sum_of(const Polynomial& polynomial) const;
+  [[nodiscard]] Complex<Real> slope() const;  // p P'
+  void add_nodes(LinearValues<Real>& values, const Contour<Real>& contour);
+  void add_residue(LinearValues<Real>& values, const Complex<Real>& log_pole, const Contour<Real>& contour,
+                   const Real& count);
+  void add_circle(LinearValues<Real>& values, const Zero<Real>& zero, const Contour<Real>& contour,
+                  const Real& count);
+  void add_terms(LinearValues<Real>& values, const Complex<Real>& factor, const Real& ulps,
                  const Real& share) const;
 
-  const LinearTransform<Real>& transform_;
-  Real log_time_;
-  std::vector<Complex<Real>> coefficients_, initial_;
-  std::vector<std::pair<Real, std::size_t>> loads_;
-  std::vector<Real> output_scales_;  // time^-delta
+  const RoundedTransform<Real>& transform_;
+  Real log_time_, log_time_size_;
+  std::vector<Real> time_powers_;
+  Polynomial denominator_;
+  std::vector<Polynomial> numerators_;
 
-  // At the last p: its powers; P, p P' and the numerators; sums of moduli where terms may cancel.
+  // At the last p: its powers, with their moduli times their error in ulps.
+  Complex<Real> p_;
   std::vector<Complex<Real>> powers_;
-  Complex<Real> characteristic_, slope_;
-  Real characteristic_size_, largest_term_;
-  std::vector<Complex<Real>> numerators_;
-  std::vector<Real> numerator_sizes_;
+  std::vector<Real> errors_;
+  Value characteristic_;
 };
 
 extern template class LinearResponse<long double>;

@@ -1,7 +1,5 @@
 #include "mittag_leffler_digits.hpp"
 
-#include <optional>
-
 #include "contour.hpp"
 #include "contour_bound.hpp"
 
@@ -9,24 +7,6 @@ namespace fde {
 namespace {
 
 using Arguments = MittagLefflerArguments;
-
-// A contour and its bound, for the working digits that were last asked for.
-struct BoundedContour {
-  int digits, precision;
-  Contour<BigReal> contour;
-  ContourBound bound;
-};
-
-const BoundedContour& bounded_contour_for(int digits) {
-  static std::optional<BoundedContour> last;  // guarded by the lock of Precision
-  const auto precision = static_cast<int>(BigReal::default_precision());
-  if (!last || last->digits != digits || last->precision != precision) {
-    Contour<BigReal> contour = contour_for(digits);
-    const ContourBound bound(contour.shape());
-    last.emplace(BoundedContour{digits, precision, std::move(contour), bound});
-  }
-  return *last;
-}
 
 bool is_pole_of_gamma(const BigReal& x) { return x <= 0 && is_whole(x); }
 
@@ -135,20 +115,22 @@ Sum<BigReal> overflowing_residues(const Arguments& x) {
 
 Sum<BigReal> on_contour(const Arguments& x, int digits) {
   const BigComplex log_z = log(x.z);
-  const BoundedContour& at = bounded_contour_for(digits);
-  const Poles poles(x, log_z, at.contour.shape().mu);
-  const auto [log_bound, distance] = at.bound.at({.exponent = BigReal(x.alpha - x.beta).convert_to<double>(),
-                                                  .alpha = x.alpha.convert_to<double>(),
-                                                  .log_size = real_part<BigReal>(log_z).convert_to<double>(),
-                                                  .nearest_sheet = poles.nearest_sheet,
-                                                  .roots = poles.roots});
+  const Contour<BigReal>& contour = contour_for(digits);
+  const ContourShape shape = contour.shape();
+  const Poles poles(x, log_z, shape.mu);
+  const auto [log_bound, distance] =
+      ContourBound(shape).at({.exponent = BigReal(x.alpha - x.beta).convert_to<double>(),
+                              .alpha = x.alpha.convert_to<double>(),
+                              .log_size = real_part<BigReal>(log_z).convert_to<double>(),
+                              .nearest_sheet = poles.nearest_sheet,
+                              .roots = poles.roots});
   Sum<BigReal> sum;
   for (std::size_t i = 0; i < poles.logs.size(); ++i) {
     if (!ContourBound::counts(poles.roots[i], distance)) continue;
-    const BigComplex factor = at.contour.pole_factor(poles.logs[i]);
-    add_residue(sum, x, poles.logs[i], factor, BigReal(at.contour.omega() * size_of(BigComplex(factor - 1))));
+    const BigComplex factor = contour.pole_factor(poles.logs[i]);
+    add_residue(sum, x, poles.logs[i], factor, BigReal(contour.omega() * size_of(BigComplex(factor - 1))));
   }
-  add_nodes(sum, x, at.contour);
+  add_nodes(sum, x, contour);
   sum.error += exp(BigReal(log_bound));
   return sum;
 }

@@ -131,6 +131,15 @@ struct Sum {
     error += size * relative_error;
     scale += size * share;
   }
+  void add(const Sum& other) {
+    error += other.error;
+    scale += other.scale;
+    if (other.infinite) {
+      add_infinite(other.value, other.largest_exponent);
+    } else if (!infinite) {
+      value += other.value;
+    }
+  }
   // Adds direction * e^exponent, which is beyond all exponents: what is larger still hides what is smaller.
   void add_infinite(const Complex<Real>& direction, const Real& exponent) {
     constexpr double same = 1.0 + 1e-9;
@@ -151,8 +160,9 @@ struct Sum {
 template <class Real>
 bool exp_overflows(const Complex<Real>& z, const Real& relative_error) {
   const Real error = size_of(z) * relative_error;
-  return real_part<Real>(z) - error > (std::is_same_v<Real, BigReal> ? 2e18 : 11000.0) &&
-         (imag_part<Real>(z) == 0 || error < 0.1);
+  // Not quite the largest exponents: factors come to it.
+  const double most = std::is_same_v<Real, BigReal> ? 0.6 * static_cast<double>(mpfr_get_emax()) : 11000.0;
+  return real_part<Real>(z) - error > most && (imag_part<Real>(z) == 0 || error < 0.1);
 }
 
 }  // namespace fde

@@ -40,6 +40,11 @@ std::vector<Variant> variants() {
     if (g > 1.0) all.push_back({"bagley_torvik_" + tag, "bagley_torvik", {{"alpha", g}}, 2.0});
   }
   all.push_back({"bagley_torvik_5", "bagley_torvik", {{"alpha", 0.5}}, 2.0});
+  for (const auto& [first, second] : {std::pair{0.6, 1.5}, {0.5, 0.9}}) {
+    const std::map<std::string, double> orders{{"gamma1", first}, {"gamma2", second}};
+    all.push_back(
+        {fmt::format("linear_system_{:.0f}_{:.0f}", 10 * first, 10 * second), "linear_system", orders, 1.0});
+  }
   for (const auto& [alpha, beta] : {std::pair{1.5, 0.5}, {1.25, 0.75}, {1.9, 0.1}}) {
     const auto tag = fmt::format("{:.0f}_{:.0f}", 100 * alpha, 100 * beta);
     for (const auto* scene : {"damped_oscillator", "pendulum", "extensible_pendulum"}) {

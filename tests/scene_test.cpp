@@ -131,6 +131,19 @@ TEST(Scenes, HaveTheColumnsOfTheContract) {
                                       "Dalpha_xi"}));
 }
 
+// D^0.5 x = -x + y, D^1.5 y = -4 x - 4: from x(0) = 1 and y(0) = 0 x has the powers 1/2, 1, 3/2, but y has
+// none of its own before 3/2, which leads x to 2; at (-1, -1) the system is at rest.
+TEST(Scenes, ALinearSystemStartsWithThePowersOfItsSeries) {
+  const std::map<std::string, double> values{{"gamma1", 0.5}, {"gamma2", 1.5}, {"a21", -4.0},
+                                             {"a22", 0.0},    {"c2", -4.0},    {"y0", 0.0}};
+  const auto powers = scene_of("linear_system", values).smoothness.powers;
+  EXPECT_EQ(powers[0], (std::vector{0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5}));
+  EXPECT_EQ(powers[1], (std::vector{1.5, 2.0, 2.5, 3.0, 3.5}));
+  auto rest = values;
+  rest["x0"] = rest["y0"] = -1.0;
+  for (const auto& none : scene_of("linear_system", rest).smoothness.powers) EXPECT_TRUE(none.empty());
+}
+
 TEST(Scenes, LeaveOutTheColumnsOfDroppedTerms) {
   EXPECT_EQ(scene_of("pendulum", {{"mu", 0.0}}).outputs.names,
             (std::vector<std::string>{"phi", "Dbeta_phi", "dphi"}));
@@ -169,6 +182,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"relaxation", "gamma", 2.5, "gamma = 2.5: must be a number in (0, 2]"},
                     Bad{"relaxation", "gamma", std::nan(""), "gamma = nan: must be a number in (0, 2]"},
                     Bad{"relaxation", "dy0", 1.0, "dy0 = 1: must be 0 when gamma is at most 1"},
+                    Bad{"linear_system", "dx0", 1.0, "dx0 = 1: must be 0 when gamma1 is at most 1"},
                     Bad{"relaxation", "lambda", INFINITY, "lambda = inf: must be a finite number"},
                     Bad{"relaxation", "gama", 0.5,
                         "gama: scene relaxation has no such parameter, did you mean 'gamma'?; it has gamma, "

@@ -1,4 +1,4 @@
-#include "linear_equation.hpp"
+#include "linear_system.hpp"
 #include "scene.hpp"
 
 namespace fde {
@@ -17,15 +17,14 @@ SceneMaker relaxation_pair() {
             const double gamma = p["gamma"];
             const auto powers = power_lattice({gamma}, {gamma}, gamma + 2.0);
             const Matrix rotation = (Matrix(2, 2) << p["re"], -p["im"], p["im"], p["re"]).finished();
-            const std::complex<double> lambda{p["re"], p["im"]}, start{p["x0"], p["y0"]};
             return {.problem = {.components = {{gamma, {p["x0"]}}, {gamma, {p["y0"]}}},
                                 .rhs = [=](double, In y, Out f) { f = rotation * y; },
                                 .linear_part = rotation,
                                 .end = 5.0},
                     .smoothness = {{powers, powers}},
                     .outputs = {{"x", "y"}},
-                    .exact = exact_solution_complex_pair(
-                        {.terms = {{1.0, gamma}, {-lambda, 0.0}}, .initial = {start}})};
+                    .exact = exact_solution(
+                        {.orders = {gamma, gamma}, .initial = {{p["x0"]}, {p["y0"]}}, .matrix = rotation})};
           }};
 }
 

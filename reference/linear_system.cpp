@@ -1,0 +1,127 @@
+#include "linear_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "linear_solution.hpp"
+#include "linear_system_transform.hpp"
+
+namespace fde {
+namespace {
+
+constexpr const char* name = "linear system";
+constexpr std::size_t most_components = 8;  // the determinant has up to 2^components terms
+
+void require(bool holds, const char* message) {
+  if (!holds) throw std::invalid_argument(fmt::format("{}: {}", name, message));
+}
+
+LinearSystem checked(LinearSystem system) {
+  const std::size_t size = system.orders.size();
+  if (size < 1 || size > most_components) {
+    throw std::invalid_argument(
+        fmt::format("{}: {} components: must be 1 to {}", name, size, most_components));
+  }
+  const auto rows = static_cast<Eigen::Index>(size);
+  require(system.matrix.rows() == rows && system.matrix.cols() == rows,
+          "the matrix has to have a row and a column for each order");
+  require(system.matrix.allFinite(), "coefficients have to be finite");
+  require(system.initial.size() == size, "a list of initial values is needed for each order");
+  if (system.loads.empty()) system.loads.resize(size);
+  require(system.loads.size() == size, "there have to be no loads, or a list of them for each order");
+  for (std::size_t i = 0; i < size; ++i) {
+    require(system.orders[i] > 0.0 && std::isfinite(system.orders[i]), "orders have to be above 0");
+    require(system.initial[i].size() >= initial_count(system.orders[i]), "an initial value is missing");
+    system.initial[i].resize(initial_count(system.orders[i]));
+    require(std::ranges::all_of(system.initial[i], [](double value) { return std::isfinite(value); }),
+            "initial values have to be finite");
+    for (const auto& load : system.loads[i]) require(!fault_of(load), fault_of(load).value_or(""));
+  }
+  return system;
+}
+
+// For each component the set of those that it depends on, itself among them, as bits.
+std::vector<unsigned> dependences(const Matrix& matrix) {
+  const auto size = static_cast<std::size_t>(matrix.rows());
+  std::vector<unsigned> on(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    on[i] = 1U << i;
+    for (std::size_t j = 0; j < size; ++j)
+      if (matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) != 0.0) on[i] |= 1U << j;
+  }
+  for (std::size_t through = 0; through < size; ++through) {
+    for (auto& set : on)
+      if ((set >> through & 1U) != 0U) set |= on[through];
+  }
+  return on;
+}
+
+// Components that depend on the same ones, and what is known about them.
+struct Part {
+  std::vector<std::size_t> components;
+  Exact exact;
+};
+
+// Of the components that depend on those of the set, all of which it contains.
+Part part_of(const LinearSystem& system, unsigned set, const std::vector<unsigned>& on) {
+  std::vector<std::size_t> kept, components, outputs;
+  for (std::size_t i = 0; i < on.size(); ++i) {
+    if ((set >> i & 1U) == 0U) continue;
+    if (on[i] == set) {
+      components.push_back(i);
+      outputs.push_back(kept.size());
+    }
+    kept.push_back(i);
+  }
+  LinearSystem part{.orders = {}, .initial = {}, .matrix = system.matrix(kept, kept)};
+  for (const std::size_t i : kept) {
+    part.orders.push_back(system.orders[i]);
+    part.initial.push_back(system.initial[i]);
+    part.loads.push_back(system.loads[i]);
+  }
+  return {components,
+          exact_solution(name, [part = std::move(part), outputs] { return transform_of(part, outputs); })};
+}
+
+// Components that do not depend on others are solved without them: a mode that grows elsewhere would have to
+// cancel.
+std::vector<Part> parts_of(const LinearSystem& system) {
+  std::vector<Part> parts;
+  const auto on = dependences(system.matrix);
+  for (std::size_t i = 0; i < on.size(); ++i) {
+    if (std::ranges::find(on.begin(), on.begin() + static_cast<std::ptrdiff_t>(i), on[i]) ==
+        on.begin() + static_cast<std::ptrdiff_t>(i))
+      parts.push_back(part_of(system, on[i], on));
+  }
+  return parts;
+}
+
+}  // namespace
+
+Exact exact_solution(const LinearSystem& system) {
+  auto parts = parts_of(checked(system));
+  if (parts.size() == 1) return parts.front().exact;
+  const auto size = static_cast<Eigen::Index>(system.orders.size());
+  const auto at = [parts, size](double t) {
+    Truth truth{Vec(size), Vec(size)};
+    for (const auto& [components, exact] : parts) {
+      const Truth some = exact.at(t);
+      truth.value(components) = some.value;
+      truth.bound(components) = some.bound;
+    }
+    return truth;
+  };
+  const auto digits = [parts, size](double t, int wanted) {
+    std::vector<Decimal> texts(static_cast<std::size_t>(size));
+    for (const auto& [components, exact] : parts) {
+      const auto some = exact.digits(t, wanted);
+      for (std::size_t k = 0; k < components.size(); ++k) texts[components[k]] = some[k];
+    }
+    return texts;
+  };
+  return {at, digits};
+}
+
+}  // namespace fde

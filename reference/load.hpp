@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+namespace fde {
+
+// A load coefficient * t^power (power > -1) that acts from t = from on, as coefficient * (t - from)^power.
+// Power 0 is a constant; a second one with the opposite sign switches it off.
+struct Load {
+  double coefficient;
+  double power = 0.0;
+  double from = 0.0;
+};
+
+// Why it is no load, if it is none.
+inline std::optional<const char*> fault_of(const Load& load) {
+  if (!std::isfinite(load.coefficient)) return "loads have to be finite";
+  if (!(load.power > -1.0 && std::isfinite(load.power))) return "powers of loads have to be above -1";
+  if (!(load.from >= 0.0 && std::isfinite(load.from))) return "loads have to start at a time from 0 on";
+  return std::nullopt;
+}
+
+}  // namespace fde
