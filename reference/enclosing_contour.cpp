@@ -80,7 +80,8 @@ void EnclosingContour::choose(const std::vector<Point>& enclosed, Long width, Lo
     low = std::min(low, s.imag());
     high = std::max(high, s.imag());
   }
-  y_ = (low + high) / 2.0L;
+  constexpr Long in_pairs = 1e-9L;  // but for rounding
+  y_ = std::abs(low + high) <= in_pairs * (high - low) ? 0.0L : (low + high) / 2.0L;
   const Long margin = std::min(0.3L, std::max(order, 2.0L) / width), half_height = (high - low) / 2.0L;
   Shape best;
   Long least = infinity;
@@ -152,7 +153,7 @@ class EnclosingContour::Boundary {
   }
 
  private:
-  static constexpr int deepest = 60;
+  static constexpr int deepest = 60, most_pieces = 10'000'000;
 
   [[nodiscard]] Long edge(const Point& a, const Point& b, bool with_factor) const {
     constexpr int pieces = 16;
@@ -177,13 +178,16 @@ class EnclosingContour::Boundary {
     // a hair more than half the length, for rounding
     const Long size = steep ? infinity : majorant_({middle, 0.5001L * length});
     if (size == -infinity) return size;
-    if (size < infinity && (depth > deepest / 2 || size - majorant_({middle, 0.0L}) < 1.0L))
+    const Long centre = steep ? 0.0L : majorant_({middle, 0.0L});
+    if (size < infinity && (depth > deepest / 2 || size - centre < 1.0L))
       return exponent + size + std::log(length / turn);
-    if (depth == deepest) {
+    if (depth == deepest || !(centre < infinity)) {
       throw std::runtime_error(
           fmt::format("enclosing contour: no bound of the transform near s = {:.6g} {:+.6g} i", middle.real(),
                       middle.imag()));
     }
+    if (++pieces_ > most_pieces)
+      throw std::runtime_error("enclosing contour: the bound takes too many discs");
     const Point half = (a + b) / 2.0L;
     return log_of_sum(piece(a, half, with_factor, depth + 1), piece(half, b, with_factor, depth + 1));
   }
@@ -202,6 +206,7 @@ class EnclosingContour::Boundary {
 
   const EnclosingContour& contour_;
   const Majorant& majorant_;
+  mutable int pieces_ = 0;
 };
 
 long double EnclosingContour::log_bound(const Majorant& majorant) const {
