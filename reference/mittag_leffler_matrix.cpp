@@ -79,7 +79,7 @@ EnclosedTransform transform_of(const Read& read) {
                               .hints = {.order = static_cast<Long>(std::min(x.matrix.size, 4)),
                                         .growth = 1.0L + alpha + std::abs(power)},
                               .real = x.real()};
-  if (!(is_whole(alpha) && is_whole(power) && power >= 0.0L)) transform.singularities.emplace_back(0.0L);
+  if (!(is_whole(x.alpha) && is_whole(x.beta) && power >= 0.0L)) transform.singularities.emplace_back(0.0L);
   const SchurForm schur(x.matrix);
   for (const auto& logarithm : schur.log_eigenvalues()) {
     for (const auto& root : roots_on_sheet(alpha, logarithm)) transform.singularities.push_back(root.value);

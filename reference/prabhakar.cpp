@@ -22,9 +22,10 @@ void require(bool holds, const std::string& name, const std::string& message) {
   if (!holds) throw std::invalid_argument(name + ": " + message);
 }
 
-void require_order(const std::string& name, const BigReal& alpha) {
+template <class Number>
+void require_order(const std::string& name, const Number& alpha) {
   require(alpha > 0 && alpha <= 5, name,
-          fmt::format("alpha = {} has to be in (0, 5]", alpha.convert_to<double>()));
+          fmt::format("alpha = {} has to be in (0, 5]", static_cast<double>(alpha)));
 }
 
 void require_derivative(int k) {
@@ -89,7 +90,7 @@ DecimalComplex in_digits(const Request& request, int digits) {
 
 void require_finite(const std::string& name, double alpha, double beta, double gamma,
                     std::complex<double> z) {
-  require(alpha > 0.0 && alpha <= 5.0, name, fmt::format("alpha = {} has to be in (0, 5]", alpha));
+  require_order(name, alpha);
   require(std::isfinite(beta), name, fmt::format("beta = {} has to be finite", beta));
   require(std::isfinite(gamma), name, fmt::format("gamma = {} has to be finite", gamma));
   require(std::isfinite(z.real()) && std::isfinite(z.imag()), name,
