@@ -136,10 +136,11 @@ MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matri
     return x;
   };
   const auto values = evaluate(read, double_digits);
+  const BigMatrix shape{size, {}};
   MatrixValue result{ComplexMatrix(size, size), Eigen::MatrixXd(size, size)};
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j < size; ++j) {
-      const auto [value, bound] = to_double(values[static_cast<std::size_t>(i * size + j)]);
+      const auto [value, bound] = to_double(values[shape.index(i, j)]);
       if (!std::isfinite(bound))
         throw std::runtime_error(
             fmt::format("mittag_leffler of a matrix: entry {} {} is beyond double", i + 1, j + 1));

@@ -4,7 +4,8 @@ namespace fde {
 namespace {
 
 BigMatrix identity(int size) {
-  BigMatrix unit{size, std::vector<BigComplex>(static_cast<std::size_t>(size * size), BigComplex(0))};
+  BigMatrix unit{size, {}};
+  unit.entries.assign(unit.index(size, 0), BigComplex(0));
   for (int i = 0; i < size; ++i) unit(i, i) = BigComplex(1);
   return unit;
 }

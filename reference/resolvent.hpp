@@ -11,11 +11,10 @@ struct BigMatrix {
   int size = 0;
   std::vector<BigComplex> entries{};
 
-  [[nodiscard]] BigComplex& operator()(int i, int j) {
-    return entries[static_cast<std::size_t>(i * size + j)];
-  }
-  [[nodiscard]] const BigComplex& operator()(int i, int j) const {
-    return entries[static_cast<std::size_t>(i * size + j)];
+  [[nodiscard]] BigComplex& operator()(int i, int j) { return entries[index(i, j)]; }
+  [[nodiscard]] const BigComplex& operator()(int i, int j) const { return entries[index(i, j)]; }
+  [[nodiscard]] std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(size) + static_cast<std::size_t>(j);
   }
 };
 

@@ -18,7 +18,6 @@ struct Arguments {
   std::optional<std::string> z, derivative, gamma, matrix, digits;
 };
 
-// What the arguments name, as texts that are checked and as doubles.
 struct Function {
   double alpha = 0.0, beta = 0.0;
   std::optional<int> digits{};
@@ -86,9 +85,10 @@ std::vector<DecimalComplex> entries_of(const std::string& text) {
   }
   std::vector<DecimalComplex> entries;
   for (const auto& row : rows) {
-    if (row.size() != rows.size())
+    if (row.size() != rows.size()) {
       reject_option("--matrix", text,
                     fmt::format("square: of {} rows one has length {}", rows.size(), row.size()));
+    }
     for (const auto& entry : row) {
       const auto [re, im] = split_complex(entry);
       entries.push_back({re, im, "0"});
