@@ -8,10 +8,9 @@ namespace fde {
 namespace {
 
 constexpr int guard_digits = 2;
-constexpr int zero_digits = 40;
 constexpr long double largest_exponent = 7e8L;  // e^this is within mpfr's default exponents
 
-int missing_digits(const Bounded<BigReal>& x, const BigReal& scale, int wanted) {
+int missing_digits(const Bounded<BigReal>& x, const BigReal& scale, int wanted, int zero_digits) {
   const BigReal size = std::max(size_of(x.value), BigReal(scale * pow(BigReal(10), -zero_digits)));
   if (x.bound == 0 || size == 0) return 0;
   return static_cast<int>(ceil(log10(BigReal(x.bound / size)))) + wanted;
@@ -52,7 +51,8 @@ std::vector<Bounded<BigReal>> invert(const EnclosedTransform& transform, int wan
     for (std::size_t i = 0; i < sums.size(); ++i) {
       const BigReal& off = neglected[neglected.size() == 1 ? 0 : i];
       values.push_back({sums[i].value, BigReal(off + sums[i].error)});
-      missing = std::max(missing, missing_digits(values.back(), sums[i].scale, wanted_digits));
+      missing = std::max(missing,
+                         missing_digits(values.back(), sums[i].scale, wanted_digits, transform.zero_digits));
     }
     if (missing == 0 || digits >= most) return values;
     digits = std::min(digits + missing + 1, most);

@@ -17,12 +17,14 @@ struct EnclosedTransform {
   std::function<AddNode()> prepare{};
   // One for each transform, or a single one for all.
   std::vector<EnclosingContour::Majorant> majorants{};
+  // A value that many digits smaller than what it was put together from counts as zero.
+  int zero_digits = 40;
 };
 
 // Raises the digits until every bound is 10^-wanted_digits of its value: discretisation by
-// EnclosingContour::log_bound, rounding by Sum. A value more than 40 digits smaller than what it was put
-// together from counts as zero, as in refine(). Throws std::runtime_error where the contour has too many
-// nodes or e^s is beyond all exponents.
+// EnclosingContour::log_bound, rounding by Sum. What counts as zero is accurate to what it was put together
+// from, as in refine(). Throws std::runtime_error where the contour has too many nodes or e^s is beyond all
+// exponents.
 std::vector<Bounded<BigReal>> invert(const EnclosedTransform& transform, int wanted_digits);
 
 }  // namespace fde

@@ -28,6 +28,14 @@ void require_order(const std::string& name, const Number& alpha) {
           fmt::format("alpha = {} has to be in (0, 5]", static_cast<double>(alpha)));
 }
 
+template <class Number>
+void require_parameter(const std::string& name, const char* argument, const Number& value) {
+  constexpr int largest = 10000;
+  require(
+      value >= -largest && value <= largest, name,
+      fmt::format("{} = {} has to be in [-{}, {}]", argument, static_cast<double>(value), largest, largest));
+}
+
 void require_derivative(int k) {
   require(k >= 0 && k <= most_derivatives, "mittag_leffler_derivative",
           fmt::format("k = {} has to be in [0, {}]", k, most_derivatives));
@@ -42,7 +50,8 @@ BigReal argument(const std::string& name, const std::string& text) {
 }
 
 bool ends_or_is_small(const Arguments& x) {
-  return (x.gamma <= 0 && is_whole(x.gamma)) || size_of(x.z) < 0.5;
+  return (x.gamma <= 0 && is_whole(x.gamma)) ||
+         size_of(x.z) <= 0.4 * pow(std::max(BigReal(1), x.beta), x.alpha);
 }
 
 // Digits until the terms of the series, which may cancel, leave enough of the value.
@@ -75,12 +84,16 @@ MittagLefflerValue in_double(const Request& request) {
   const Precision precision(2 * double_digits + 10);
   const auto [value, bound] = to_double(evaluate(request, double_digits));
   if (!std::isfinite(bound)) throw std::runtime_error(request.name + " is beyond double");
-  return {request.read().real() ? std::complex(value.real()) : value, bound};
+  const double re = value.real() + 0.0, im = value.imag() + 0.0;  // no -0
+  return {request.read().real() ? std::complex(re) : std::complex(re, im), bound};
 }
 
 DecimalComplex in_digits(const Request& request, int digits) {
   const Precision precision(digits + 20);
-  require_order(request.name, request.read().alpha);
+  const Arguments x = request.read();
+  require_order(request.name, x.alpha);
+  require_parameter(request.name, "beta", x.beta);
+  require_parameter(request.name, "gamma", x.gamma);
   const auto [value, bound] = evaluate(request, digits);
   const DecimalText re = write_decimal(real_part<BigReal>(value), bound, digits);
   if (request.read().real()) return {re.value, "0", write_bound(re.bound)};
@@ -91,8 +104,8 @@ DecimalComplex in_digits(const Request& request, int digits) {
 void require_finite(const std::string& name, double alpha, double beta, double gamma,
                     std::complex<double> z) {
   require_order(name, alpha);
-  require(std::isfinite(beta), name, fmt::format("beta = {} has to be finite", beta));
-  require(std::isfinite(gamma), name, fmt::format("gamma = {} has to be finite", gamma));
+  require_parameter(name, "beta", beta);
+  require_parameter(name, "gamma", gamma);
   require(std::isfinite(z.real()) && std::isfinite(z.imag()), name,
           fmt::format("z = {} {:+} i has to be finite", z.real(), z.imag()));
 }

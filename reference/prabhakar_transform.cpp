@@ -128,6 +128,10 @@ EnclosedTransform prabhakar_transform(const ReadPrabhakar& read) {
                 .growth = std::abs(shape.beta) + std::abs(shape.gamma) * (1.0L + shape.alpha)},
       .real = x.real()};
   if (!shape.cut_free()) transform.singularities.emplace_back(0.0L);
+  // e^s s^-beta is least at s = beta: left of it the terms would exceed their sum by far.
+  constexpr Long large = 30.0L;
+  if (shape.beta > large) transform.singularities.emplace_back(shape.beta / 2.0L);
+  transform.zero_digits += static_cast<int>(2.0L * std::abs(shape.beta));
   transform.prepare = [read, shape] {
     return [evaluation = Evaluation(read(), shape)](const Node& node, std::vector<Sum<BigReal>>& sums) {
       evaluation.add(node, sums);

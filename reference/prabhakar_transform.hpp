@@ -22,7 +22,8 @@ using ReadPrabhakar = std::function<PrabhakarArguments<BigReal>()>;
 EnclosedTransform prabhakar_transform(const ReadPrabhakar& read);
 
 // sum_k (gamma)_k z^k / (k! Gamma(alpha k + beta)), and what rounding and the terms left out may be off by.
-// For gamma = 0, -1, -2, ... a polynomial; else |z| < 1/2 to end soon.
+// For gamma = 0, -1, -2, ... a polynomial; else |z| below 0.4 max(1, beta)^alpha, for terms that fall. Throws
+// std::runtime_error when there are too many.
 Sum<BigReal> prabhakar_series(const PrabhakarArguments<BigReal>& x);
 
 }  // namespace fde

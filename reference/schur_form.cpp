@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <boost/multiprecision/eigen.hpp>
+#include <stdexcept>
 
 namespace fde {
 namespace {
@@ -105,10 +106,11 @@ std::optional<Eigen::Matrix<Long, 2, 2>> SchurForm::block_resolvent(const Block&
 long double SchurForm::resolvent_norm(const Point& z, long double radius) const {
   const auto size = sizes_.rows();
   LongMatrix inverse = LongMatrix::Zero(size, size);
-  for (auto block = blocks_.rbegin(); block != blocks_.rend(); ++block) {
-    const auto diagonal = block_resolvent(*block, z, radius);
+  for (std::size_t k = blocks_.size(); k-- > 0;) {
+    const Block& block = blocks_[k];
+    const auto diagonal = block_resolvent(block, z, radius);
     if (!diagonal) return infinity;
-    const auto rows = block->rows, first = block->first, after = first + rows;
+    const auto rows = block.rows, first = block.first, after = first + rows;
     const LongMatrix own = diagonal->topLeftCorner(rows, rows);
     inverse.block(first, first, rows, rows) = own;
     const auto rest = size - after;

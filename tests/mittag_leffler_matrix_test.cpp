@@ -62,9 +62,10 @@ TEST(MittagLefflerOfAMatrix, OfAJordanBlockHasItsDerivatives) {
     for (const double alpha : {0.6, 1.0, 1.75}) {
       ComplexMatrix block = eigenvalue * ComplexMatrix::Identity(3, 3), exact = ComplexMatrix::Zero(3, 3);
       block(0, 1) = block(1, 2) = 1.0;
-      for (int k = 0; k < 3; ++k)
+      for (int k = 0; k < 3; ++k) {
         exact.diagonal(k).setConstant(mittag_leffler_derivative(k, alpha, 1.0, eigenvalue).value /
                                       std::tgamma(k + 1.0));
+      }
       expect_near(mittag_leffler(alpha, 1.0, block), exact, 1e-15 * exact.cwiseAbs().maxCoeff(),
                   fmt::format("alpha = {}", alpha));
     }
@@ -106,8 +107,9 @@ TEST(MittagLefflerOfAMatrix, OfARotationIsAComplexNumber) {
 // Defective, 3 x 3, not triangular: P J P^-1 with exact P. To 40 digits the bound holds against 70.
 TEST(MittagLefflerOfAMatrix, BoundsItsErrorWhereItIsDefective) {
   std::vector<DecimalComplex> matrix;
-  for (const char* entry : {"-2", "1", "0", "-1", "0", "1", "1", "-1", "-1"})
+  for (const char* entry : {"-2", "1", "0", "-1", "0", "1", "1", "-1", "-1"}) {
     matrix.push_back({entry, "0", "0"});
+  }
   const auto few = mittag_leffler("0.6", "1", matrix, 40), many = mittag_leffler("0.6", "1", matrix, 70);
   for (std::size_t i = 0; i < few.size(); ++i) {
     EXPECT_LE(abs(Precise(Precise(few[i].re) - Precise(many[i].re))), Precise(few[i].bound)) << i;
