@@ -103,6 +103,11 @@ void require(bool holds, const std::string& message) {
   if (!holds) throw std::invalid_argument("mittag_leffler of a matrix: " + message);
 }
 
+template <class Number>
+void require_order(const Number& alpha) {
+  require(alpha > 0 && alpha <= 5, fmt::format("alpha = {} has to be in (0, 5]", static_cast<double>(alpha)));
+}
+
 void require_size(std::size_t rows, std::size_t entries) {
   require(rows * rows == entries,
           fmt::format("a matrix of {} entries with {} rows has to be square", entries, rows));
@@ -121,7 +126,7 @@ BigReal argument(const std::string& name, const std::string& text) {
 }  // namespace
 
 MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matrix) {
-  require(alpha > 0.0 && alpha <= 5.0, fmt::format("alpha = {} has to be in (0, 5]", alpha));
+  require_order(alpha);
   require(std::isfinite(beta), fmt::format("beta = {} has to be finite", beta));
   require(matrix.rows() == matrix.cols(),
           fmt::format("a matrix of {} x {} has to be square", matrix.rows(), matrix.cols()));
@@ -141,9 +146,10 @@ MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matri
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j < size; ++j) {
       const auto [value, bound] = to_double(values[shape.index(i, j)]);
-      if (!std::isfinite(bound))
+      if (!std::isfinite(bound)) {
         throw std::runtime_error(
             fmt::format("mittag_leffler of a matrix: entry {} {} is beyond double", i + 1, j + 1));
+      }
       result.value(i, j) = value;
       result.bound(i, j) = bound;
     }
@@ -168,7 +174,7 @@ std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::
   };
   const Precision precision(digits + 20);
   const Arguments x = read();
-  require(x.alpha > 0 && x.alpha <= 5, fmt::format("alpha = {} has to be in (0, 5]", alpha));
+  require_order(x.alpha);
   std::vector<DecimalComplex> texts;
   for (const auto& [value, bound] : evaluate(read, digits)) {
     const DecimalText re = write_decimal(real_part<BigReal>(value), bound, digits);
