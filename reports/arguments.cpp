@@ -58,6 +58,19 @@ std::vector<std::string> split_list(std::string_view text) {
   return parts;
 }
 
+ComplexText split_complex(std::string_view text) {
+  if (!text.ends_with('i')) return {std::string(text), "0"};
+  text.remove_suffix(1);
+  // the last sign that begins a number and not an exponent
+  auto sign = text.find_last_of("+-");
+  while (sign != std::string_view::npos && sign > 0 && (text[sign - 1] == 'e' || text[sign - 1] == 'E'))
+    sign = text.find_last_of("+-", sign - 1);
+  const std::size_t begin = sign == std::string_view::npos ? 0 : sign;
+  std::string im(text.substr(begin));
+  if (im.empty() || im == "+" || im == "-") im += "1";
+  return {begin == 0 ? "0" : std::string(text.substr(0, begin)), im};
+}
+
 std::vector<double> parse_numbers(std::string_view name, std::string_view text, const Range& allowed) {
   std::vector<double> numbers;
   for (const auto& part : split_list(text)) numbers.push_back(parse_number(name, part, allowed));

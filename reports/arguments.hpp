@@ -22,6 +22,12 @@ int parse_count(std::string_view name, std::string_view text, int lowest, int hi
 std::vector<double> parse_numbers(std::string_view name, std::string_view text, const Range& allowed);
 std::vector<std::string> split_list(std::string_view text);
 
+// "1", "-2.5i", "1e-3+i" into the texts of real and imaginary part; the parts are not checked.
+struct ComplexText {
+  std::string re, im;
+};
+ComplexText split_complex(std::string_view text);
+
 // NAME=VALUE texts.
 std::map<std::string, double> parse_settings(const std::vector<std::string>& settings);
 
@@ -39,6 +45,7 @@ std::vector<SceneVariant> default_scenes();
 
 const Scheme& scheme_named(std::string_view id);
 
+inline constexpr int most_digits = 100'000;
 inline constexpr int most_steps = 1'000'000'000;  // weights are checked up to this lag
 
 }  // namespace fde

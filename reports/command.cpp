@@ -65,6 +65,7 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& strea
   add_list_commands(app, streams);
   add_solve_command(app, streams);
   add_reference_commands(app, streams);
+  add_mittag_leffler_command(app, streams);
   add_sweep_commands(app, streams);
   add_data_commands(app, streams);
   try {

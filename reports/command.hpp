@@ -36,8 +36,9 @@ std::function<void(std::size_t done, std::size_t total, const std::string& what)
 // Each adds its subcommands to the application.
 void add_list_commands(CLI::App& app, const Streams& streams);       // scenes, schemes
 void add_solve_command(CLI::App& app, const Streams& streams);       // solve
-void add_reference_commands(CLI::App& app, const Streams& streams);  // exact, mittag-leffler
-void add_sweep_commands(CLI::App& app, const Streams& streams);      // run, report, choose
-void add_data_commands(CLI::App& app, const Streams& streams);       // reference
+void add_reference_commands(CLI::App& app, const Streams& streams);  // exact
+void add_mittag_leffler_command(CLI::App& app, const Streams& streams);
+void add_sweep_commands(CLI::App& app, const Streams& streams);  // run, report, choose
+void add_data_commands(CLI::App& app, const Streams& streams);   // reference
 
 }  // namespace fde

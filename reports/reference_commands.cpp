@@ -9,22 +9,15 @@
 #include "arguments.hpp"
 #include "command.hpp"
 #include "experiment.hpp"
-#include "mittag_leffler.hpp"
+#include "text.hpp"
 
 namespace fde {
 namespace {
-
-constexpr int most_digits = 100000;
 
 struct ExactArguments {
   std::string scene, at;
   std::optional<std::string> digits;
   std::vector<std::string> settings;
-};
-
-struct FunctionArguments {
-  std::string alpha, beta, z;
-  std::optional<std::string> digits;
 };
 
 // The larger of two bounds written as "1.2e-345": no double may hold their exponents.
@@ -37,9 +30,6 @@ const std::string& larger(const std::string& a, const std::string& b) {
   };
   return split(a) < split(b) ? b : a;
 }
-
-// Two digits of a bound, rounded up: rounding to nearest moves a number by at most five percent.
-std::string bound_text(double bound) { return fmt::format("{:.2g}", 1.06 * bound); }
 
 void print_doubles(const Scene& scene, const Exact& exact, const std::vector<double>& times,
                    std::ostream& out) {
@@ -92,23 +82,6 @@ void exact(const ExactArguments& arguments, const Streams& streams) {
   print_digits(scene, times, digits, streams.out);
 }
 
-void mittag_leffler_command(const FunctionArguments& arguments, const Streams& streams) {
-  const auto comma = arguments.z.find(',');
-  const std::string re = arguments.z.substr(0, comma);
-  const std::string im = comma == std::string::npos ? "0" : arguments.z.substr(comma + 1);
-  const double alpha = parse_number("ALPHA", arguments.alpha, {.low = 0.0, .high = 5.0, .open_low = true});
-  const double beta = parse_number("BETA", arguments.beta, any_number);
-  const std::complex<double> z{parse_number("Z", re, any_number), parse_number("Z", im, any_number)};
-  if (!arguments.digits) {
-    const auto [value, bound] = mittag_leffler(alpha, beta, z);
-    fmt::print(streams.out, "{:.17g} {:.17g} {}\n", value.real(), value.imag(), bound_text(bound));
-    return;
-  }
-  const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);
-  const auto value = mittag_leffler(arguments.alpha, arguments.beta, re, im, digits);
-  fmt::print(streams.out, "{} {} {}\n", value.re, value.im, value.bound);
-}
-
 }  // namespace
 
 void add_reference_commands(CLI::App& app, const Streams& streams) {
@@ -120,14 +93,6 @@ void add_reference_commands(CLI::App& app, const Streams& streams) {
   exact_command->add_option("--set", of_exact->settings, "a parameter of the scene, NAME=VALUE")->take_all();
   exact_command->add_option("--digits", of_exact->digits, "number of decimal digits; default double");
   exact_command->callback([=] { exact(*of_exact, streams); });
-
-  auto of_function = std::make_shared<FunctionArguments>();
-  auto* function = app.add_subcommand("mittag-leffler", "E_{ALPHA,BETA}(Z) as: re im bound");
-  function->add_option("ALPHA", of_function->alpha, "in (0, 5]")->required();
-  function->add_option("BETA", of_function->beta, "a real number")->required();
-  function->add_option("Z", of_function->z, "RE or RE,IM")->required();
-  function->add_option("--digits", of_function->digits, "number of decimal digits; default double");
-  function->callback([=] { mittag_leffler_command(*of_function, streams); });
 }
 
 }  // namespace fde

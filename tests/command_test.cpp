@@ -159,6 +159,25 @@ TEST(MittagLeffler, PrintsValueAndBound) {
               StartsWith("0.42758357615580700441075034449"));
 }
 
+// e^2 and E^(-1)_{1,1}(z) = 1 - z.
+TEST(MittagLeffler, TakesDerivativesAndAThirdParameter) {
+  EXPECT_THAT(fdebench("mittag-leffler 1 1 2 --derivative 3 --digits 20").out,
+              StartsWith("7.3890560989306502272 0 "));
+  EXPECT_THAT(fdebench("mittag-leffler 1 1 2,1 --gamma -1").out, StartsWith("-1 -1 "));
+  EXPECT_EQ(fdebench("mittag-leffler 2 1 -1e13 --derivative 1").code, 3);
+}
+
+// Of a nilpotent one, of (e^z - 1) / z, and of cosh of a root of -i.
+TEST(MittagLeffler, PrintsAMatrixEntryByEntry) {
+  EXPECT_THAT(
+      fdebench("mittag-leffler 1 1 --matrix 0,1;0,0 --digits 9").out,
+      testing::ContainsRegex(
+          "^1 1 1.00000000 0 [^\n]*\n1 2 1.00000000 0 [^\n]*\n2 1 0 0 [^\n]*\n2 2 1.00000000 0 [^\n]*\n$"));
+  EXPECT_THAT(fdebench("mittag-leffler 1 2 --matrix -2.5e+0-1e-3i").out, StartsWith("1 1 0.3671659713544"));
+  EXPECT_THAT(fdebench("mittag-leffler 2 1 --matrix -i --digits 5").out,
+              testing::MatchesRegex("1 1 0.95836 -0.49861 .*\n"));
+}
+
 struct Mistake {
   const char *words, *message;
 };
@@ -224,6 +243,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"exact pendulum --at 1 --digits 50", "scene pendulum has no exact solution"},
         Mistake{"mittag-leffler 0 1 1", "ALPHA = 0: must be a number in (0, 5]"},
         Mistake{"mittag-leffler 1 1 nan", "Z = nan: must be a finite number"},
+        Mistake{"mittag-leffler 1 1", "Z is missing: must be RE or RE,IM, or --matrix"},
+        Mistake{"mittag-leffler 1 1 1 --derivative 1.5", "--derivative = 1.5: must be a whole number from 0"},
+        Mistake{"mittag-leffler 1 1 1 --gamma x", "--gamma = x: must be a finite number"},
+        Mistake{"mittag-leffler 1 1 1 --gamma 2 --derivative 1", "--gamma = 2: must be without --derivative"},
+        Mistake{"mittag-leffler 1 1 --matrix 1 --gamma 2", "--gamma = 2: must be without --matrix"},
+        Mistake{"mittag-leffler 1 1 1 --matrix 1", "Z = 1: must be left out with --matrix"},
+        Mistake{"mittag-leffler 1 1 --matrix 1,2;3", "--matrix = 1,2;3: must be square"},
+        Mistake{"mittag-leffler 1 1 --matrix 1,2;3,4j", "--matrix = 4j: must be a finite number"},
         Mistake{"run --scene relaxation --out /nonexistent/r.jsonl",
                 "/nonexistent/r.jsonl: cannot be written"},
         Mistake{"run --scene relaxation --steps 8,0 --out /tmp/never", "--steps = 0: must be"},
