@@ -135,6 +135,24 @@ Sum<BigReal> on_contour(const Arguments& x, int digits) {
   return sum;
 }
 
+// Far out the head of the asymptotic expansion is most of the value, and all of it where beta = alpha makes
+// the first term vanish; exact with what is left:
+//   E_{alpha,beta}(z) = -z^-1 / Gamma(beta - alpha) - z^-2 / Gamma(beta - 2 alpha) + z^-2 E_{alpha,beta-2
+//   alpha}(z).
+Sum<BigReal> peeled(const Arguments& x, int digits) {
+  const BigComplex inverse = 1 / x.z, square = inverse * inverse;
+  const BigReal first = x.beta - x.alpha, second = first - x.alpha;
+  Sum<BigReal> sum = on_contour({x.alpha, second, x.z}, digits);
+  sum.value *= square;
+  sum.error = size_of(square) * (sum.error + 8 * epsilon<BigReal>() * size_of(sum.value));
+  const auto ulps = [&](const BigReal& argument) {
+    return BigReal((12 + 4 * abs(argument)) * epsilon<BigReal>());
+  };
+  sum.add(-inverse * reciprocal_gamma(first), ulps(first));
+  sum.add(-square * reciprocal_gamma(second), ulps(second));
+  return sum;
+}
+
 Sum<BigReal> evaluate(const Arguments& x, int digits) {
   if (x.z == 0) {
     Sum<BigReal> sum;
@@ -144,7 +162,8 @@ Sum<BigReal> evaluate(const Arguments& x, int digits) {
   if (cut_free(x)) return sum_of_residues(x);
   Sum<BigReal> overflow = overflowing_residues(x);
   if (overflow.infinite) return overflow;
-  if (!is_pole_of_gamma(x.beta)) return on_contour(x, digits);
+  constexpr double far = 65536.0;
+  if (!is_pole_of_gamma(x.beta)) return size_of(x.z) < far ? on_contour(x, digits) : peeled(x, digits);
   // The first term of the series is 0: E_{alpha,beta}(z) = z E_{alpha,alpha+beta}(z), where less cancels.
   Sum<BigReal> sum = evaluate({x.alpha, BigReal(x.alpha + x.beta), x.z}, digits);
   sum.value *= x.z;

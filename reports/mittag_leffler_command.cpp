@@ -56,8 +56,11 @@ void of_number(const Arguments& x, const Function& function, std::ostream& out) 
   const auto comma = x.z->find(',');
   const std::string re = x.z->substr(0, comma),
                     im = comma == std::string::npos ? "0" : x.z->substr(comma + 1);
-  const std::complex<double> z{parse_number("Z", re, any_number), parse_number("Z", im, any_number)};
   const auto [alpha, beta, digits] = function;
+  // Decimals need not be within the range of a double.
+  if (digits && !x.derivative && !x.gamma)
+    return print(mittag_leffler(x.alpha, x.beta, re, im, *digits), out);
+  const std::complex<double> z{parse_number("Z", re, any_number), parse_number("Z", im, any_number)};
   if (x.derivative) {
     const int k = parse_count("--derivative", *x.derivative, 0, most_derivatives);
     if (digits) return print(mittag_leffler_derivative(k, x.alpha, x.beta, re, im, *digits), out);
@@ -70,7 +73,6 @@ void of_number(const Arguments& x, const Function& function, std::ostream& out) 
     const auto [value, bound] = prabhakar(alpha, beta, gamma, z);
     return print(value, bound, out);
   }
-  if (digits) return print(mittag_leffler(x.alpha, x.beta, re, im, *digits), out);
   const auto [value, bound] = mittag_leffler(alpha, beta, z);
   print(value, bound, out);
 }
