@@ -36,7 +36,7 @@ MittagLefflerValue upper_half_plane(double alpha, double beta, std::complex<doub
   }
   const Precision precision(contour_precision(double_digits));
   const auto read = [&] { return Arguments{BigReal(alpha), BigReal(beta), BigComplex(z.real(), z.imag())}; };
-  const auto [value, bound] = to_double(mittag_leffler_to(double_digits, read));
+  const auto [value, bound] = to_double(mittag_leffler_to(double_digits, 0, read));
   return {real ? std::complex(value.real()) : value, bound};
 }
 
@@ -55,6 +55,14 @@ BigReal argument(const std::string& name, const std::string& text) {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("mittag_leffler: {}: {}", name, error.what()));
   }
+}
+
+// Of a decimal text after its point: "1.25e-3" has 5.
+int decimal_places(const std::string& text) {
+  const auto e = std::min(text.find_first_of("eE"), text.size()), point = std::min(text.find('.'), e);
+  const long written = e == point ? 0 : static_cast<long>(e - point) - 1;
+  const long exponent = e == text.size() ? 0 : std::strtol(text.c_str() + e + 1, nullptr, 10);
+  return static_cast<int>(std::clamp(written - exponent, 0L, 100000L));
 }
 
 }  // namespace
@@ -81,7 +89,8 @@ DecimalComplex mittag_leffler(const std::string& alpha, const std::string& beta,
   };
   const Precision precision(contour_precision(digits));
   require_order(read().alpha);
-  const auto [value, bound] = mittag_leffler_to(digits, read);
+  const auto [value, bound] =
+      mittag_leffler_to(digits, std::max(decimal_places(alpha), decimal_places(beta)), read);
   const DecimalText re_text = write_decimal(real_part<BigReal>(value), bound, digits);
   if (read().real()) return {re_text.value, "0", write_bound(re_text.bound)};
   const DecimalText im_text = write_decimal(imag_part<BigReal>(value), bound, digits);

@@ -135,6 +135,20 @@ Sum<BigReal> on_contour(const Arguments& x, int digits) {
   return sum;
 }
 
+// Adds factor / Gamma(x), x being put together from numbers of that size. Arguments have as many decimal
+// places as the working precision has digits at most, so that an x within rounding of a whole number is that
+// number.
+void add_reciprocal_gamma(Sum<BigReal>& sum, const BigComplex& factor, const BigReal& x,
+                          const BigReal& size) {
+  const BigReal whole = round(x), rounding = 4 * size * epsilon<BigReal>();
+  if (whole <= 0 && abs(BigReal(x - whole)) <= rounding) return;
+  sum.add(BigComplex(factor * reciprocal_gamma(x)), BigReal((12 + 4 * size) * epsilon<BigReal>()));
+  if (x > 0.5) return;
+  // The slope of 1/Gamma is at most this; next to a pole of Gamma it makes nearly all of the error.
+  const BigReal slope = gamma(BigReal(1 - x)) * (2 + log(BigReal(2 + abs(x))));
+  sum.error += size_of(factor) * slope * rounding;
+}
+
 // Far out the head of the asymptotic expansion is most of the value, and all of it where beta = alpha makes
 // the first term vanish; exact with what is left:
 //   E_{alpha,beta}(z) = -z^-1 / Gamma(beta - alpha) - z^-2 / Gamma(beta - 2 alpha) + z^-2 E_{alpha,beta-2
@@ -145,18 +159,16 @@ Sum<BigReal> peeled(const Arguments& x, int digits) {
   Sum<BigReal> sum = on_contour({x.alpha, second, x.z}, digits);
   sum.value *= square;
   sum.error = size_of(square) * (sum.error + 8 * epsilon<BigReal>() * size_of(sum.value));
-  const auto ulps = [&](const BigReal& argument) {
-    return BigReal((12 + 4 * abs(argument)) * epsilon<BigReal>());
-  };
-  sum.add(-inverse * reciprocal_gamma(first), ulps(first));
-  sum.add(-square * reciprocal_gamma(second), ulps(second));
+  add_reciprocal_gamma(sum, -inverse, first, BigReal(abs(x.beta) + x.alpha));
+  add_reciprocal_gamma(sum, -square, second, BigReal(abs(x.beta) + 2 * x.alpha));
   return sum;
 }
 
 Sum<BigReal> evaluate(const Arguments& x, int digits) {
   if (x.z == 0) {
     Sum<BigReal> sum;
-    sum.add(BigComplex(reciprocal_gamma(x.beta)), (8 + 4 * abs(x.beta)) * epsilon<BigReal>());
+    add_reciprocal_gamma(sum, BigComplex(1), x.beta,
+                         BigReal(is_whole(x.beta) ? BigReal(0) : BigReal(abs(x.beta))));
     return sum;
   }
   if (cut_free(x)) return sum_of_residues(x);
@@ -187,8 +199,10 @@ int phase_digits(const Arguments& x) {
 
 }  // namespace
 
-Bounded<BigReal> mittag_leffler_to(int digits, const std::function<MittagLefflerArguments()>& read) {
-  return raise_digits(digits, phase_digits(read()), [&](int working) { return evaluate(read(), working); });
+Bounded<BigReal> mittag_leffler_to(int digits, int places,
+                                   const std::function<MittagLefflerArguments()>& read) {
+  const int extra = phase_digits(read()) + places;
+  return raise_digits(digits, extra, [&](int working) { return evaluate(read(), working); });
 }
 
 }  // namespace fde

@@ -14,7 +14,9 @@ struct MittagLefflerArguments {
 
 // The value to a relative accuracy of so many digits, with a bound of its error: the contour neglects at most
 // what ContourBound says, and every term counts its rounding. Call under
-// Precision(contour_precision(digits)); read gives the arguments at the precision of the moment.
-Bounded<BigReal> mittag_leffler_to(int digits, const std::function<MittagLefflerArguments()>& read);
+// Precision(contour_precision(digits)); read gives the arguments at the precision of the moment. Places: of
+// alpha and beta after the decimal point; 0 for doubles, which are exact at any precision used.
+Bounded<BigReal> mittag_leffler_to(int digits, int places,
+                                   const std::function<MittagLefflerArguments()>& read);
 
 }  // namespace fde

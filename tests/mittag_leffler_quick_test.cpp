@@ -53,7 +53,7 @@ std::string name_of(const Point& x) {
 // To 40 digits.
 Bounded<BigReal> exact_value(const Point& x) {
   const Precision precision(60);
-  return mittag_leffler_to(40, [&] {
+  return mittag_leffler_to(40, 0, [&] {
     return MittagLefflerArguments{BigReal(x.alpha), BigReal(x.beta), BigComplex(x.z.real(), x.z.imag())};
   });
 }

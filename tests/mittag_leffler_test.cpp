@@ -261,6 +261,16 @@ TEST(MittagLefflerDigits, BoundIncludesTheRoundingOfTheText) {
   }
 }
 
+// 1/Gamma next to a pole, and a first asymptotic term that vanishes there, in arguments of more digits than
+// are asked for. mpmath 1.3: rgamma and three terms of the asymptotic series at 80 digits.
+TEST(MittagLefflerDigits, ArgumentsHaveAllTheirDigits) {
+  EXPECT_EQ(mittag_leffler("0.5", "-1.9999999999999999999999999999999999999999", "0", "0", 20).re,
+            "2.0000000000000000000e-40");
+  EXPECT_EQ(mittag_leffler("0.5", "-2", "0", "0", 20).re, "0");
+  EXPECT_EQ(mittag_leffler("0.5", "0.5", "-1e4000", "0", 20).re, "2.8209479177387814347e-8001");
+  EXPECT_EQ(mittag_leffler("0.3", "-0.7", "-1e50", "0", 20).re, "-3.0044944170796073955e-101");
+}
+
 TEST(MittagLefflerDigits, PrecisionOfTheCallerIsUntouched) {
   const unsigned before = boost::multiprecision::mpfr_float::default_precision();
   mittag_leffler("0.5", "1", "-2.5", "0", 70);
