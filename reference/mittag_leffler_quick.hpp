@@ -13,8 +13,8 @@ struct QuickValue {
   long double error;
 };
 
-// Relative error that is good enough: with the rounding to double at most 4 ulp.
-inline constexpr long double quick_tolerance = 0x1p-51L;
+// Relative error that is good enough: with the rounding to double at most 6.5 ulp.
+inline constexpr long double quick_tolerance = 0x1.8p-51L;
 
 // E_{alpha,beta}(z) for Im z >= 0 in about a microsecond: trapezoidal sum and residues in vectors of
 // double-doubles, |z|^-1 and |z|^-2 peeled off for large |z|. Almost all errors are below 1e-20 of the terms.
