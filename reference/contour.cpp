@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <tuple>
 
 namespace fde {
 template <class Real>
@@ -77,15 +78,20 @@ double omega_for(int digits) { return std::numbers::ln10 * digits + 10.0; }
 
 }  // namespace
 
-const Contour<BigReal>& contour_for(int digits) {
+const Contour<BigReal>& contour_for(int digits, double exponent) {
   constexpr std::size_t most = 32;
-  static std::map<std::pair<int, unsigned>, Contour<BigReal>> known;  // guarded by the lock of Precision
-  const std::pair key{digits, BigReal::default_precision()};
+  constexpr double moderate = 8.0;
+  static std::map<std::tuple<int, double, unsigned>, Contour<BigReal>>
+      known;  // guarded by the lock of Precision
+  const double large = std::abs(exponent) <= moderate ? 0.0 : moderate * std::round(exponent / moderate);
+  const std::tuple key{digits, large, BigReal::default_precision()};
   const auto found = known.find(key);
   if (found != known.end()) return found->second;
   if (known.size() == most) known.clear();
-  const BigReal omega(omega_for(digits));
-  return known.try_emplace(key, BigReal(omega / growth), omega, omega, false).first->second;
+  const double wanted = omega_for(digits);
+  const double mu = large > 0.0 ? wanted / (2.0 * growth) : std::max(wanted / growth, -large);
+  const BigReal omega(std::max(wanted, growth * mu)), depth(wanted + 3.0 * std::max(0.0, large));
+  return known.try_emplace(key, BigReal(mu), omega, depth, false).first->second;
 }
 
 int contour_precision(int digits) {

@@ -56,9 +56,11 @@ class Contour {
   std::vector<Node> nodes_;
 };
 
-// Good to about that many decimal digits against the size of f. Work with contour_precision(digits) digits.
-// Call under a Precision; the reference is good until the next call.
-const Contour<BigReal>& contour_for(int digits);
+// Good to about that many decimal digits against the size of f, for F like s^exponent: the saddle of e^s
+// s^exponent is at s = -exponent, and large exponents take long to fall off and turn it twice as fast there.
+// Work with contour_precision(digits) digits. Call under a Precision; the reference is good until the next
+// call.
+const Contour<BigReal>& contour_for(int digits, double exponent = 0.0);
 int contour_precision(int digits);
 
 // Of the two long double contours, with nodes half a step apart, the one that stays farther away from the

@@ -13,17 +13,21 @@ constexpr double pi_double = std::numbers::pi;
 // log(e^a + e^b)
 double log_sum(double a, double b) {
   const double larger = std::max(a, b);
+  if (std::isinf(larger)) return larger;
   return larger + std::log1p(std::exp(std::min(a, b) - larger));
 }
 
 // log of min(1, alpha distance) / 10, the distance being from the poles to points with |r - r*| >= gap(r*).
 template <class Gap>
 double log_clearance(const ContourBound::Quotient& quotient, const Gap& gap) {
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();  // of the roots
   double ratio = std::numeric_limits<double>::infinity();
   for (const auto& root : quotient.roots)
-    ratio = std::min(ratio, gap(root) / (std::abs(root.real()) + std::abs(root.imag())));
+    ratio = std::min(ratio, gap(root) / (std::abs(root.real()) + std::abs(root.imag())) - rounding);
+  if (!(ratio > 0.0)) return -std::numeric_limits<double>::infinity();
   const double others = std::min(1.0, quotient.nearest_sheet - quotient.alpha * pi_double);
-  const double distance = std::min(others, 2.0 * quotient.alpha / (1.0 + 1.0 / ratio));
+  const double poles = quotient.roots.empty() ? 1.0 : 2.0 * quotient.alpha / (1.0 + 1.0 / ratio);
+  const double distance = std::min(others, poles);
   return distance > 0.0 ? std::log(distance / 10.0) : -std::numeric_limits<double>::infinity();
 }
 
@@ -36,19 +40,28 @@ double ContourShape::steps_to_node(std::complex<double> root) const {
   return std::max(std::abs(along - std::round(along)), std::abs(root.real() - 1.0) / step());
 }
 
-// |ds| = 2 mu |d + i x| dx. For exponents e above 1, convexity gives for every 0 < p < 1
-//   (d^2 + x^2)^e <= p^(1-e) d^(2e) + (1-p)^(1-e) x^(2e).
+// |ds| = 2 mu |d + i x| dx. For exponents e above 0 the least of two bounds: with L = mu d^2 and, for every 0
+// < p < 1,
+//   (d^2 + x^2)^e <= p^-max(0,e-1) d^(2e) + (1-p)^-max(0,e-1) x^(2e)   (convexity),
+// or, with v = |s| = L + mu x^2, where the integrand is e^(2L) e^-v v^e, and q = 1/(1+e),
+//   e^-v v^e <= e^(-q v) max_u e^(-(1-q) u) u^e = e^(-q v) (e / (1-q))^e e^-e.
 double log_line_integral(double mu, double distance, double exponent) {
-  const double least = mu * distance * distance, length = distance * std::sqrt(pi_double * mu) + 1.0;
-  const double near = exponent * std::log(least) + std::log(length);
+  const double least = mu * distance * distance;
+  const auto log_length = [&](double q) {
+    return std::log(distance * std::sqrt(pi_double * mu / q) + 1.0 / q);
+  };
+  const double near = exponent * std::log(least) + log_length(1.0);
   if (exponent <= 0.0) return least + near - std::log(pi_double);
   const double far =
       log_sum(std::log(distance * std::sqrt(mu)) + std::lgamma(exponent + 0.5), std::lgamma(exponent + 1.0));
   const auto split = [&](double p) {
     const double power = std::max(0.0, exponent - 1.0);
-    return log_sum(near - power * std::log(p), far - power * std::log1p(-p));
+    return least + log_sum(near - power * std::log(p), far - power * std::log1p(-p));
   };
-  return least + std::min(split(0.5), split(1.0 / (1.0 + exponent))) - std::log(pi_double);
+  const double q = 1.0 / (1.0 + exponent);
+  const double largest = exponent * (std::log(exponent) - std::log1p(-q) - 1.0);
+  const double whole = (2.0 - q) * least + largest + log_length(q);
+  return std::min({split(0.5), split(q), whole}) - std::log(pi_double);
 }
 
 namespace {
@@ -66,20 +79,24 @@ double LineIntegrals::log_at(double exponent) const {
   return std::lerp(logs_[below], logs_[below + 1], place - std::floor(place));
 }
 
-ContourBound::ContourBound(const ContourShape& shape)
-    : shape_(shape), far_(shape.omega / (2.0 * shape.mu)), far_line_(shape.mu, far_) {
+ContourBound::ContourBound(const ContourShape& shape) : shape_(shape) {
+  for (const double factor :
+       {2.0, 4.0}) {  // for F that changes little, and for one that turns as fast as e^s
+    const double distance = shape.omega / (factor * shape.mu);
+    far_lines_.push_back({distance, LineIntegrals(shape.mu, distance)});
+  }
   for (double distance = 1.0 / shape.omega; distance < 0.9; distance *= 3.0) {
-    distances_.push_back(distance);
-    lines_.emplace_back(shape.mu, distance);
+    near_lines_.push_back({distance, LineIntegrals(shape.mu, distance)});
   }
 }
 
-double ContourBound::log_line(const LineIntegrals& line, double distance, const Quotient& quotient) const {
+double ContourBound::log_line(const Line& at, const Quotient& quotient) const {
+  const auto& [distance, line] = at;
   const double size = std::min(line.log_at(quotient.exponent - quotient.alpha),
                                line.log_at(quotient.exponent) - quotient.log_size);
   const double turns = shape_.omega * std::abs(1.0 - distance);
-  const double clearance =
-      log_clearance(quotient, [&](std::complex<double> root) { return std::abs(root.real() - distance); });
+  const double clearance = log_clearance(
+      quotient, [&, d = distance](std::complex<double> root) { return std::abs(root.real() - d); });
   return size - turns - std::log1p(-std::exp(-turns)) - clearance;
 }
 
@@ -98,13 +115,13 @@ double ContourBound::log_left_out(const Quotient& quotient) const {
 }
 
 ContourBound::Result ContourBound::at(const Quotient& quotient) const {
-  Result best{std::numeric_limits<double>::infinity(), distances_.front()};
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const double bound = log_line(lines_[i], distances_[i], quotient);
-    if (bound < best.log_bound) best = {bound, distances_[i]};
+  Result best{std::numeric_limits<double>::infinity(), near_lines_.front().distance};
+  for (const Line& line : near_lines_) {
+    const double bound = log_line(line, quotient);
+    if (bound < best.log_bound) best = {bound, line.distance};
   }
-  best.log_bound =
-      log_sum(best.log_bound, log_sum(log_line(far_line_, far_, quotient), log_left_out(quotient)));
+  const double far = std::min(log_line(far_lines_[0], quotient), log_line(far_lines_[1], quotient));
+  best.log_bound = log_sum(best.log_bound, log_sum(far, log_left_out(quotient)));
   return best;
 }
 

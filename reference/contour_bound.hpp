@@ -13,6 +13,7 @@ struct ContourShape {
   bool half_step_shift;
 
   [[nodiscard]] double step() const;
+  [[nodiscard]] double nearer_far_line() const { return omega / (4.0 * mu); }
   // Distance of the point theta of a pole, root = 1 + i theta, from the nearest node, in steps: the larger of
   // the two coordinates.
   [[nodiscard]] double steps_to_node(std::complex<double> root) const;
@@ -36,8 +37,9 @@ class LineIntegrals {
 
 // A bound, by theory, of what the trapezoidal rule on a contour neglects for F = s^exponent / (s^alpha - z).
 //
-// Between the lines Im theta = 1 - d and Im theta = 1 - b, b = omega / (2 mu), the sum with the residues of
-// the poles in between differs from f by at most (Trefethen & Weideman, SIAM Review 56, 2014, theorem 5.1)
+// Between the lines Im theta = 1 - d and Im theta = 1 - b, b = omega / (2 mu) or omega / (4 mu), the sum with
+// the residues of the poles in between differs from f by at most (Trefethen & Weideman, SIAM Review 56, 2014,
+// theorem 5.1)
 //   I(d) / (e^(omega (1-d)) - 1) + I(b) / (e^(omega (b-1)) - 1),  I = (1/2 pi) int |e^s F ds| on the line,
 // plus the nodes that are left out. With u = alpha (log s - log s*) the denominator is bounded from below by
 //   |s^alpha - z| = |z| |e^u - 1| >= max(|s|^alpha, |z|) min(1, |u mod 2 pi i|) / 10,
@@ -58,20 +60,22 @@ class ContourBound {
   };
   [[nodiscard]] Result at(const Quotient& quotient) const;
 
-  // Is on the far side of the second line, or between the lines.
+  // The pole is between the lines, or beyond the second one, where its factor should be 1 and nearly is.
   [[nodiscard]] static bool counts(std::complex<double> root, double distance) {
     return root.real() > distance;
   }
 
  private:
-  [[nodiscard]] double log_line(const LineIntegrals& line, double distance, const Quotient& quotient) const;
+  // s = mu (distance + i x)^2
+  struct Line {
+    double distance;
+    LineIntegrals integrals;
+  };
+  [[nodiscard]] double log_line(const Line& at, const Quotient& quotient) const;
   [[nodiscard]] double log_left_out(const Quotient& quotient) const;
 
   ContourShape shape_;
-  std::vector<double> distances_;
-  std::vector<LineIntegrals> lines_;
-  double far_;
-  LineIntegrals far_line_;
+  std::vector<Line> near_lines_, far_lines_;
 };
 
 }  // namespace fde

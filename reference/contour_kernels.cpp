@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace fde::HWY_NAMESPACE {
 
-// Units of the last place in the terms below, counted generously: each operation is good to a few 2^-106.
+// Errors below are counted in this unit: sums and products are good to a quarter of it, exponentials to four.
 constexpr double unit_roundoff = 0x1p-103;
 
 HWY_INLINE Real load(const ContourNodes::Column& column, std::size_t i) {
@@ -70,8 +70,9 @@ QuotientSum sum_kernel(const ContourNodes& nodes, const PowerQuotient& quotient)
     if (!real) sums.add(weight, power, quotient, -1.0);
   }
   QuotientSum result{{sum_of_lanes(sums.value.re), sum_of_lanes(sums.value.im)}, sum_of_lanes(sums.error)};
-  constexpr double largest_log = 8.0;  // |Re| + |Im| of log s on the contours
-  result.error *= unit_roundoff * (16.0 + largest_log * (quotient.alpha + std::abs(quotient.exponent.hi)));
+  const double additions = 0.25 * static_cast<double>(nodes.size());
+  const double powers = quotient.alpha + std::abs(quotient.exponent.hi);
+  result.error *= unit_roundoff * (16.0 + additions + nodes.largest_log * powers);
   if (real) {
     result.value.re = {2.0 * result.value.re.hi, 2.0 * result.value.re.lo};
     result.value.im = {0.0, 0.0};
@@ -173,6 +174,8 @@ ContourNodes::ContourNodes(const Contour<BigReal>& contour) {
     put(weight_re, real_part<BigReal>(weight));
     put(weight_im, imag_part<BigReal>(weight));
   }
+  for (const auto& node : contour.nodes())
+    largest_log = std::max(largest_log, size_of(node.log_s).convert_to<double>());
   const std::size_t whole = (size() + double_double_lanes - 1) / double_double_lanes * double_double_lanes;
   for (Column* column : {&log_re, &log_im}) {
     column->hi.resize(whole, column->hi.back());

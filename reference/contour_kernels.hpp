@@ -19,6 +19,7 @@ struct ContourNodes {
     std::vector<double> hi, lo;
   };
   Column log_re, log_im, weight_re, weight_im;
+  double largest_log = 0.0;  // |Re| + |Im| of log s
 
   explicit ContourNodes(const Contour<BigReal>& contour);
   [[nodiscard]] std::size_t size() const { return log_re.hi.size(); }

@@ -4,8 +4,6 @@ namespace fde {
 namespace {
 
 ElementaryTables make_tables() {
-  constexpr int digits = 60;
-  const Precision precision(digits);
   ElementaryTables tables{};
   const BigReal exponential_step = log(BigReal(2)) / ElementaryTables::exponential_steps;
   const BigReal angle_step = 2 * pi<BigReal>() / ElementaryTables::angles;
@@ -51,8 +49,8 @@ DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
 }
 
 const ElementaryTables& ElementaryTables::get() {
-  static const ElementaryTables tables = make_tables();
-  return tables;
+  constexpr int digits = 60;
+  return made_once<digits, make_tables>();
 }
 
 }  // namespace fde

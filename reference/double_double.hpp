@@ -41,10 +41,11 @@ inline constexpr std::array<DoubleDouble, 3> sine_head{{{1.0, 0.0},
                                                         {0x1.1111111111111p-7, 0x1.1111111111111p-63}}};
 inline constexpr std::array<double, 4> sine_tail{-1.0 / 5040.0, 1.0 / 362880.0, -1.0 / 39916800.0,
                                                  1.0 / 6227020800.0};
-inline constexpr std::array<DoubleDouble, 3> cosine_head{
-    {{1.0, 0.0}, {-0.5, 0.0}, {0x1.5555555555555p-5, 0x1.5555555555555p-59}}};
-inline constexpr std::array<double, 4> cosine_tail{-1.0 / 720.0, 1.0 / 40320.0, -1.0 / 3628800.0,
-                                                   1.0 / 479001600.0};
+inline constexpr std::array<DoubleDouble, 4> cosine_head{{{1.0, 0.0},
+                                                          {-0.5, 0.0},
+                                                          {0x1.5555555555555p-5, 0x1.5555555555555p-59},
+                                                          {-0x1.6c16c16c16c17p-10, 0x1.f49f49f49f49fp-65}}};
+inline constexpr std::array<double, 3> cosine_tail{1.0 / 40320.0, -1.0 / 3628800.0, 1.0 / 479001600.0};
 
 // 2^(j/64), and cosine and sine of 2 pi j / 256, with the steps themselves; made once, from mpfr.
 struct ElementaryTables {

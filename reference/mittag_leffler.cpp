@@ -13,6 +13,8 @@ namespace {
 
 using Arguments = MittagLefflerArguments;
 
+constexpr int most_beta = 10000;
+
 // |z E'| from below: alpha z E'_{alpha,beta}(z) = E_{alpha,beta-1}(z) - (beta-1) E_{alpha,beta}(z).
 long double least_slope(double alpha, double beta, std::complex<double> z, const QuickValue& value) {
   const auto before = mittag_leffler_quick(alpha, exact_sum(beta, -1.0), z);
@@ -27,6 +29,13 @@ bool is_good(double alpha, double beta, std::complex<double> z, const QuickValue
          value.error <= quick_tolerance * least_slope(alpha, beta, z, value);
 }
 
+// Decimal digits after the point with which alpha and beta, and so their sums, are exact.
+int places_of(double alpha, double beta) {
+  constexpr int mantissa = std::numeric_limits<double>::digits;
+  const int lowest = std::min(std::ilogb(alpha), beta == 0.0 ? 0 : std::ilogb(beta)) - mantissa;
+  return static_cast<int>(std::ceil(std::max(0, -lowest) * std::numbers::ln2 / std::numbers::ln10));
+}
+
 MittagLefflerValue upper_half_plane(double alpha, double beta, std::complex<double> z) {
   const bool real = z.imag() == 0.0;
   const auto quick = mittag_leffler_quick(alpha, {beta, 0.0}, z);
@@ -36,7 +45,7 @@ MittagLefflerValue upper_half_plane(double alpha, double beta, std::complex<doub
   }
   const Precision precision(contour_precision(double_digits));
   const auto read = [&] { return Arguments{BigReal(alpha), BigReal(beta), BigComplex(z.real(), z.imag())}; };
-  const auto [value, bound] = to_double(mittag_leffler_to(double_digits, 0, read));
+  const auto [value, bound] = to_double(mittag_leffler_to(double_digits, places_of(alpha, beta), read));
   return {real ? std::complex(value.real()) : value, bound};
 }
 
@@ -47,6 +56,11 @@ void require(bool holds, const char* message) {
 template <class Real>
 void require_order(const Real& alpha) {
   require(alpha > 0 && alpha <= 5, "alpha has to be in (0, 5]");
+}
+
+template <class Real>
+void require_beta(const Real& beta) {
+  require(beta >= -most_beta && beta <= most_beta, "beta has to be in [-10000, 10000]");
 }
 
 BigReal argument(const std::string& name, const std::string& text) {
@@ -69,7 +83,7 @@ int decimal_places(const std::string& text) {
 
 MittagLefflerValue mittag_leffler(double alpha, double beta, std::complex<double> z) {
   require_order(alpha);
-  require(std::isfinite(beta), "beta has to be finite");
+  require_beta(beta);
   require(std::isfinite(z.real()) && std::isfinite(z.imag()), "z has to be finite");
   if (z.imag() >= 0.0) return upper_half_plane(alpha, beta, std::complex(z.real(), std::abs(z.imag())));
   const MittagLefflerValue mirrored = upper_half_plane(alpha, beta, std::conj(z));
@@ -89,6 +103,7 @@ DecimalComplex mittag_leffler(const std::string& alpha, const std::string& beta,
   };
   const Precision precision(contour_precision(digits));
   require_order(read().alpha);
+  require_beta(read().beta);
   const auto [value, bound] =
       mittag_leffler_to(digits, std::max(decimal_places(alpha), decimal_places(beta)), read);
   const DecimalText re_text = write_decimal(real_part<BigReal>(value), bound, digits);

@@ -65,29 +65,33 @@ void add_nodes(Sum<BigReal>& sum, const Arguments& x, const Contour<BigReal>& co
     const BigComplex denominator = s_alpha - x.z, term = weight / denominator;
     if (x.real()) {
       const BigComplex with_conjugate(BigReal(2 * real_part<BigReal>(term)));
-      sum.add(with_conjugate, BigReal(2 * size_of(term)), loss(denominator), contour.share());
+      sum.add(with_conjugate, BigReal(2 * size_of(term)), loss(denominator), BigReal(1));
       continue;
     }
     const BigComplex mirrored = conj(s_alpha) - x.z;
-    sum.add(term, loss(denominator), contour.share());
-    sum.add(BigComplex(conj(weight) / mirrored), loss(mirrored), contour.share());
+    sum.add(term, loss(denominator), BigReal(1));
+    sum.add(BigComplex(conj(weight) / mirrored), loss(mirrored), BigReal(1));
   }
 }
 
-// The poles s*^alpha = z on all sheets, as logarithms, and what ContourBound wants to know of them. A root as
-// large or small as a double can be stands for those beyond.
+// The poles s*^alpha = z on all sheets, as logarithms, and what ContourBound wants to know of them. Next to 0
+// beyond the range of a double they are as good as on another sheet; far out a root as large as a double
+// stands for them.
 struct Poles {
   std::vector<BigComplex> logs;
   std::vector<std::complex<double>> roots;
   double nearest_sheet = std::numeric_limits<double>::infinity();
 
   Poles(const Arguments& x, const BigComplex& log_z, double mu) {
-    constexpr double most_log = 600.0;
+    constexpr double most_log = 600.0, most_log_of_contour = 20.0;
     const BigReal log_size = real_part<BigReal>(log_z) / x.alpha;
     const double clamped = std::clamp(log_size.convert_to<double>() - std::log(mu), -most_log, most_log);
     for (int sheet = -6; sheet <= 6; ++sheet) {
       const BigReal argument = imag_part<BigReal>(log_z) + 2 * sheet * pi<BigReal>();
-      if (abs(argument) < 2 * pi<BigReal>() * x.alpha) {
+      if (log_size < -most_log) {
+        const BigReal apart = -log_size - most_log_of_contour;
+        nearest_sheet = std::min(nearest_sheet, BigReal(apart * x.alpha).convert_to<double>());
+      } else if (abs(argument) < 2 * pi<BigReal>() * x.alpha) {
         const BigReal turned = argument / x.alpha;
         logs.emplace_back(log_size, turned);
         roots.push_back(std::polar(std::exp(clamped / 2.0), turned.convert_to<double>() / 2.0));
@@ -115,11 +119,12 @@ Sum<BigReal> overflowing_residues(const Arguments& x) {
 
 Sum<BigReal> on_contour(const Arguments& x, int digits) {
   const BigComplex log_z = log(x.z);
-  const Contour<BigReal>& contour = contour_for(digits);
+  const auto exponent = BigReal(x.alpha - x.beta).convert_to<double>();
+  const Contour<BigReal>& contour = contour_for(digits, exponent);
   const ContourShape shape = contour.shape();
   const Poles poles(x, log_z, shape.mu);
   const auto [log_bound, distance] =
-      ContourBound(shape).at({.exponent = BigReal(x.alpha - x.beta).convert_to<double>(),
+      ContourBound(shape).at({.exponent = exponent,
                               .alpha = x.alpha.convert_to<double>(),
                               .log_size = real_part<BigReal>(log_z).convert_to<double>(),
                               .nearest_sheet = poles.nearest_sheet,
@@ -128,7 +133,11 @@ Sum<BigReal> on_contour(const Arguments& x, int digits) {
   for (std::size_t i = 0; i < poles.logs.size(); ++i) {
     if (!ContourBound::counts(poles.roots[i], distance)) continue;
     const BigComplex factor = contour.pole_factor(poles.logs[i]);
-    add_residue(sum, x, poles.logs[i], factor, BigReal(contour.omega() * size_of(BigComplex(factor - 1))));
+    const BigReal off = size_of(BigComplex(factor - 1));
+    // Beyond both lines the factor should be 1.
+    const BigReal beyond =
+        poles.roots[i].real() > shape.nearer_far_line() ? BigReal(off / epsilon<BigReal>()) : BigReal(0);
+    add_residue(sum, x, poles.logs[i], factor, BigReal(contour.omega() * off + beyond));
   }
   add_nodes(sum, x, contour);
   sum.error += exp(BigReal(log_bound));
@@ -149,6 +158,11 @@ void add_reciprocal_gamma(Sum<BigReal>& sum, const BigComplex& factor, const Big
   sum.error += size_of(factor) * slope * rounding;
 }
 
+void scale(Sum<BigReal>& sum, const BigComplex& factor) {
+  sum.value *= factor;
+  sum.error = size_of(factor) * sum.error + 8 * epsilon<BigReal>() * size_of(sum.value);
+}
+
 // Far out the head of the asymptotic expansion is most of the value, and all of it where beta = alpha makes
 // the first term vanish; exact with what is left:
 //   E_{alpha,beta}(z) = -z^-1 / Gamma(beta - alpha) - z^-2 / Gamma(beta - 2 alpha) + z^-2 E_{alpha,beta-2
@@ -157,8 +171,7 @@ Sum<BigReal> peeled(const Arguments& x, int digits) {
   const BigComplex inverse = 1 / x.z, square = inverse * inverse;
   const BigReal first = x.beta - x.alpha, second = first - x.alpha;
   Sum<BigReal> sum = on_contour({x.alpha, second, x.z}, digits);
-  sum.value *= square;
-  sum.error = size_of(square) * (sum.error + 8 * epsilon<BigReal>() * size_of(sum.value));
+  scale(sum, square);
   add_reciprocal_gamma(sum, -inverse, first, BigReal(abs(x.beta) + x.alpha));
   add_reciprocal_gamma(sum, -square, second, BigReal(abs(x.beta) + 2 * x.alpha));
   return sum;
@@ -178,8 +191,7 @@ Sum<BigReal> evaluate(const Arguments& x, int digits) {
   if (!is_pole_of_gamma(x.beta)) return size_of(x.z) < far ? on_contour(x, digits) : peeled(x, digits);
   // The first term of the series is 0: E_{alpha,beta}(z) = z E_{alpha,alpha+beta}(z), where less cancels.
   Sum<BigReal> sum = evaluate({x.alpha, BigReal(x.alpha + x.beta), x.z}, digits);
-  sum.value *= x.z;
-  sum.error = (sum.error + 4 * epsilon<BigReal>() * size_of(sum.value)) * size_of(x.z);
+  scale(sum, x.z);
   return sum;
 }
 

@@ -15,7 +15,7 @@ struct MittagLefflerArguments {
 // The value to a relative accuracy of so many digits, with a bound of its error: the contour neglects at most
 // what ContourBound says, and every term counts its rounding. Call under
 // Precision(contour_precision(digits)); read gives the arguments at the precision of the moment. Places: of
-// alpha and beta after the decimal point; 0 for doubles, which are exact at any precision used.
+// alpha and beta after the decimal point. Throws std::runtime_error where that accuracy is out of reach.
 Bounded<BigReal> mittag_leffler_to(int digits, int places,
                                    const std::function<MittagLefflerArguments()>& read);
 

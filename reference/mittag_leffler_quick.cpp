@@ -112,13 +112,17 @@ struct Arguments {
 };
 
 Arguments arguments_of(double alpha, const DoubleDouble& beta, std::complex<double> z) {
+  constexpr double most_log = 600.0, most_log_of_contour = 20.0;
   Arguments x{.alpha = alpha, .beta = beta, .z = z};
+  const double log_size = x.scaled.log.re.hi;
   for (int sheet = x.real() ? 0 : -most_sheet; sheet <= most_sheet; ++sheet) {
     const double argument = x.scaled.log.im.hi + 2.0 * sheet * pi_double;
     const int half_turns = 2 * sheet + (z.real() < 0.0 ? 1 : 0);  // of z, if it is real
-    if (std::abs(argument) < 2.0 * pi_double * alpha) {
+    if (log_size / alpha < -most_log) {                           // next to 0
+      x.nearest_sheet = std::min(x.nearest_sheet, -log_size - most_log_of_contour * alpha);
+    } else if (std::abs(argument) < 2.0 * pi_double * alpha) {
       x.poles.push_back({.sheet = static_cast<double>(sheet),
-                         .log = std::complex(x.scaled.log.re.hi, argument) / alpha,
+                         .log = std::complex(log_size, argument) / alpha,
                          .paired = x.real() && half_turns != 0 && half_turns != alpha});
     } else {
       x.nearest_sheet = std::min(x.nearest_sheet, std::abs(argument));

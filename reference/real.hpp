@@ -3,6 +3,7 @@
 // The two number types of the references: long double, and mpfr/mpc at a precision chosen at run time.
 
 #include <algorithm>
+#include <atomic>
 #include <boost/multiprecision/mpc.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
@@ -39,6 +40,19 @@ class Precision {
   std::unique_lock<std::recursive_mutex> lock_;
   unsigned before_;
 };
+
+// A table made when it is first asked for, under Precision(digits). Only here does a static need the lock: it
+// is taken before the guard of the static, so that no two threads wait for each other's.
+template <int digits, auto make>
+const auto& made_once() {
+  using Table = decltype(make());
+  static std::atomic<const Table*> known = nullptr;
+  if (const Table* table = known.load(std::memory_order_acquire)) return *table;
+  const Precision precision(digits);
+  static const Table table = make();
+  known.store(&table, std::memory_order_release);
+  return table;
+}
 
 // Distance from 1 to the next number.
 template <class Real>

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "contour.hpp"
 
 namespace fde {
@@ -79,7 +81,8 @@ Bounded<BigReal> raise_digits(int wanted_digits, int extra,
     const Sum<BigReal> sum = evaluate(digits);
     Bounded<BigReal> value{sum.value, sum.error};
     const int missing = sum.infinite ? 0 : missing_digits(value, BigReal(0), wanted_digits, digits);
-    if (missing <= 0 || digits >= most) return value;
+    if (missing <= 0) return value;
+    if (digits >= most) throw std::runtime_error(fmt::format("no accurate value within {} digits", most));
     digits = std::min(digits + missing + 2, most);
   }
 }
@@ -100,7 +103,8 @@ DecimalText write_decimal(const BigReal& value, const BigReal& bound, int digits
 
 DoubleBounded to_double(const Complex<long double>& value, long double error) {
   const std::complex<double> rounded(static_cast<double>(value.real()), static_cast<double>(value.imag()));
-  if (!std::isfinite(std::abs(rounded))) return {rounded, std::numeric_limits<double>::infinity()};
+  if (!std::isfinite(rounded.real()) || !std::isfinite(rounded.imag()))
+    return {rounded, std::numeric_limits<double>::infinity()};
   const Complex<long double> off(value.real() - rounded.real(), value.imag() - rounded.imag());
   return {rounded, upwards(static_cast<double>(size_of(off) + error))};
 }
@@ -110,7 +114,8 @@ DoubleBounded to_double(const Bounded<BigReal>& x) {
   const bool nothing = size_of(x.value) <= x.bound;
   std::complex<double> rounded = 0.0;
   if (!nothing) rounded = {re.convert_to<double>(), im.convert_to<double>()};
-  if (!std::isfinite(std::abs(rounded))) return {rounded, std::numeric_limits<double>::infinity()};
+  if (!std::isfinite(rounded.real()) || !std::isfinite(rounded.imag()))
+    return {rounded, std::numeric_limits<double>::infinity()};
   const BigReal off = abs(BigReal(re - rounded.real())) + abs(BigReal(im - rounded.imag()));
   return {rounded, upwards(BigReal(off + x.bound).convert_to<double>())};
 }

@@ -14,8 +14,9 @@ struct Bounded {
 };
 
 // Raises the working digits until a value, whose error is a bound that needs no comparison, has the wanted
-// relative accuracy; at 4 times the wanted digits and 1000 the bound says what there is. Extra digits are
-// carried beyond those the contour needs, for the phase of e^s at poles far out. Call under a Precision.
+// relative accuracy. Extra digits are carried beyond those the contour needs, for the phase of e^s at poles
+// far out. Call under a Precision. Throws std::runtime_error where 4 times the wanted digits and 1000 do not
+// do.
 Bounded<BigReal> raise_digits(int wanted_digits, int extra,
                               const std::function<Sum<BigReal>(int digits)>& evaluate);
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "block_kernels.hpp"
 #include "contour_kernels.hpp"
@@ -53,7 +54,7 @@ std::string name_of(const Point& x) {
 // To 40 digits.
 Bounded<BigReal> exact_value(const Point& x) {
   const Precision precision(60);
-  return mittag_leffler_to(40, 0, [&] {
+  return mittag_leffler_to(40, 60, [&] {
     return MittagLefflerArguments{BigReal(x.alpha), BigReal(x.beta), BigComplex(x.z.real(), x.z.imag())};
   });
 }
@@ -85,14 +86,19 @@ TEST(MittagLefflerQuick, IsNotThereWhereThePhaseOfAPoleIsUnknown) {
 }
 
 TEST(ComplexLogarithm, HasThirtyDigits) {
-  for (const Value z : {Value(1.5), Value(-1.0), Value(-3.0, 0.5), Value(0.0, 2.0), Value(1.0, 1e-20)}) {
+  std::mt19937_64 random(
+      11);  // NOLINT(bugprone-random-generator-seed,cert-msc51-cpp): the same points each time
+  std::uniform_real_distribution<double> uniform(-2.0, 2.0);
+  std::vector<Value> arguments{1.5, -1.0, Value(0.0, 2.0), Value(1.0, 1e-20)};
+  for (int i = 0; i < 500; ++i) arguments.emplace_back(uniform(random), uniform(random));
+  const Precision precision(50);
+  for (const Value z : arguments) {
     const auto log_z = complex_logarithm(z);
-    const Precision precision(50);
     const BigComplex exact = log(BigComplex(z.real(), z.imag()));
     const BigReal re = real_part<BigReal>(exact) - log_z.re.hi - log_z.re.lo;
     const BigReal im = imag_part<BigReal>(exact) - log_z.im.hi - log_z.im.lo;
-    EXPECT_LE(abs(re), BigReal(1e-31)) << z;
-    EXPECT_LE(abs(im), BigReal(1e-31)) << z;
+    EXPECT_LE(abs(re), BigReal(0x1p-101)) << z;
+    EXPECT_LE(abs(im), BigReal(0x1p-101)) << z;
   }
 }
 

@@ -271,6 +271,27 @@ TEST(MittagLefflerDigits, ArgumentsHaveAllTheirDigits) {
   EXPECT_EQ(mittag_leffler("0.3", "-0.7", "-1e50", "0", 20).re, "-3.0044944170796073955e-101");
 }
 
+// Large |beta|: E_{a,b}(z) = 1/Gamma(b) + z E_{a,a+b}(z) at 30 digits.
+TEST(MittagLefflerDigits, TakesLargeBeta) {
+  using Decimals = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60>,
+                                                 boost::multiprecision::et_off>;
+  for (const char* beta : {"600.25", "-500.25", "-2000.25", "9000.75"}) {
+    const Decimals next = Decimals(beta) + Decimals("0.5");
+    const Decimals left(mittag_leffler("0.5", beta, "-2", "0", 30).re);
+    const Decimals right(mittag_leffler("0.5", next.str(10), "-2", "0", 30).re);
+    const Decimals head = 1 / tgamma(Decimals(beta));
+    EXPECT_LE(abs(Decimals((head - 2 * right - left) / left)), Decimals("1e-27")) << beta;
+  }
+}
+
+// The order is far below the last digit of beta in double: E_{a,b}(z) = 1/((1-z) Gamma(b)) + O(a), and for b
+// = -1 the first term is 0.
+TEST(MittagLeffler, TakesTheSmallestOrders) {
+  EXPECT_NEAR(mittag_leffler(1e-60, 1.0, -0.5), 1.0 / 1.5, 1e-16);
+  EXPECT_NEAR(mittag_leffler(5e-324, 0.5, 0.5), 2.0 / std::sqrt(std::numbers::pi), 1e-15);
+  EXPECT_NEAR(mittag_leffler(1e-60, -1.0, -0.5) / 1e-60, 0.5 / 2.25, 1e-15);
+}
+
 TEST(MittagLefflerDigits, PrecisionOfTheCallerIsUntouched) {
   const unsigned before = boost::multiprecision::mpfr_float::default_precision();
   mittag_leffler("0.5", "1", "-2.5", "0", 70);
@@ -283,6 +304,7 @@ TEST(MittagLeffler, RejectsArgumentsItIsNotDefinedFor) {
   EXPECT_THROW(mittag_leffler(5.5, 1.0, 1.0), std::invalid_argument);
   EXPECT_THROW(mittag_leffler(nan, 1.0, 1.0), std::invalid_argument);
   EXPECT_THROW(mittag_leffler(0.5, nan, 1.0), std::invalid_argument);
+  EXPECT_THROW(mittag_leffler(0.5, -1e40, 1.0), std::invalid_argument);
   EXPECT_THROW(mittag_leffler(0.5, 1.0, Value(0.0, nan)), std::invalid_argument);
   EXPECT_THROW(mittag_leffler("half", "1", "1", "0", 20), std::invalid_argument);
   EXPECT_THROW(mittag_leffler("0.5", "1", "1", "inf", 20), std::invalid_argument);
