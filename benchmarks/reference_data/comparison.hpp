@@ -34,7 +34,6 @@ class Comparison {
 
   // The most significant digits of any value.
   [[nodiscard]] int digits() const { return digits_; }
-  [[nodiscard]] bool bounded() const { return bound_.has_value(); }
 
   // recomputed: one a value column, in their order.
   [[nodiscard]] RowVerdict operator()(std::size_t row, const std::vector<Decimal>& recomputed) const;
