@@ -28,10 +28,12 @@ TableFacts facts(const SceneVariant& of) {
   const bool exact = static_cast<bool>(scene.exact.digits);
   TableFacts facts{
       .title = fmt::format("{}: the solution at stated times", of.maker->title),
-      .method = exact ? "closed form or inverse Laplace transform with residues and a contour, in multiple "
-                        "precision; parameters and times are taken as the decimals they are"
-                      : "piecewise collocation on a graded mesh, in double; the error is estimated from a "
-                        "second solution of other degree and panels",
+      .method =
+          exact ? "closed form, or inverse Laplace transform with residues and a contour at two resolutions, "
+                  "in "
+                  "multiple precision; parameters and times are taken as the decimals they are"
+                : "piecewise collocation on a graded mesh, in double; the error is estimated from a second "
+                  "resolution and a second method, exponentials of the memory with Radau IIA",
       .source = std::string(of.maker->source),
       .bound = exact
                    ? "the largest over the columns, of the absolute error, the rounding of the texts included"
