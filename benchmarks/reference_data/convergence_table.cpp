@@ -9,6 +9,7 @@
 
 #include "experiment.hpp"
 #include "table_kind.hpp"
+#include "written_bound.hpp"
 
 namespace fde {
 namespace {
@@ -102,7 +103,7 @@ MadeTable make(const SceneVariant& of) {
       }
       std::vector<std::string> row{std::string(scheme.id), fmt::format("{}", steps)};
       for (const auto& name : measured) row.push_back(fmt::format("{}", values.at(name)));
-      row.push_back(fmt::format("{:.2g}", 1.06 * values.at("reference_bound")));
+      row.push_back(bound_text(values.at("reference_bound")));
       made.table.rows.push_back(std::move(row));
     }
   }

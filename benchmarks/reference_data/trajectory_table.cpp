@@ -9,6 +9,7 @@
 
 #include "experiment.hpp"
 #include "table_kind.hpp"
+#include "written_bound.hpp"
 #include "written_number.hpp"
 
 namespace fde {
@@ -73,12 +74,12 @@ class TrueColumns {
  private:
   // The shortest text that names the double; two digits of the bound, rounded up.
   [[nodiscard]] std::vector<Decimal> in_double(double t) const {
-    constexpr double half_ulp = 0x1p-53, upwards = 1.06;
+    constexpr double half_ulp = 0x1p-53;
     const auto [value, bound] = truth_.at(t);
     std::vector<Decimal> decimals;
     for (Eigen::Index i = 0; i < value.size(); ++i) {
       const double whole = t == 0.0 ? bound[i] : bound[i] + half_ulp * std::abs(value[i]);
-      decimals.push_back({fmt::format("{}", value[i]), fmt::format("{:.2g}", upwards * whole)});
+      decimals.push_back({fmt::format("{}", value[i]), bound_text(whole)});
     }
     return decimals;
   }
@@ -87,14 +88,10 @@ class TrueColumns {
   Exact truth_{};
 };
 
-// Bounds are written with two digits and may be too small for a double.
-const std::string& largest_bound(const std::vector<Decimal>& columns) {
-  const auto size = [](const Decimal& decimal) {
-    long double value = 0.0L;
-    std::from_chars(decimal.bound.data(), decimal.bound.data() + decimal.bound.size(), value);
-    return value;
-  };
-  return std::ranges::max_element(columns, {}, size)->bound;
+std::string largest_bound(const std::vector<Decimal>& columns) {
+  std::string largest = "0";
+  for (const auto& column : columns) largest = larger_bound(largest, column.bound);
+  return largest;
 }
 
 MadeTable make(const SceneVariant& of) {
