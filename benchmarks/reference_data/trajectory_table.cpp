@@ -18,6 +18,7 @@ namespace {
 constexpr int table_digits = 50;   // where there is an exact solution
 constexpr int double_digits = 17;  // where there is a reference in double only
 constexpr int more_digits = 3;     // of a recomputed value than of the written one
+constexpr int least_digits = 8;    // of a reference in double, to decide anything
 constexpr double latest_time = 1000.0;
 
 constexpr std::array stated_times{0.0,  0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1,  0.2,
@@ -69,6 +70,7 @@ class TrueColumns {
     return columns;
   }
 
+  [[nodiscard]] bool has_digits() const { return static_cast<bool>(scene_.exact.digits); }
   [[nodiscard]] const std::vector<std::string>& names() const { return scene_.outputs.names; }
 
  private:
@@ -130,7 +132,11 @@ RowCheck check(const SceneVariant& of, const DataTable& given) {
   const auto truth = std::make_shared<TrueColumns>(of, end > 0.0 ? end : 1.0);
   const auto comparison = std::make_shared<Comparison>(given, truth->names());
   return [=](std::size_t row) {
-    return (*comparison)(row, truth->at(times[row], comparison->digits() + more_digits));
+    const auto recomputed = truth->at(times[row], comparison->digits() + more_digits);
+    comparison->require_known(
+        row, recomputed,
+        truth->has_digits() ? comparison->digits() : std::min(comparison->digits(), least_digits));
+    return (*comparison)(row, recomputed);
   };
 }
 
