@@ -8,7 +8,7 @@
 #include "command.hpp"
 #include "mittag_leffler_matrix.hpp"
 #include "prabhakar.hpp"
-#include "text.hpp"
+#include "written_bound.hpp"
 
 namespace fde {
 namespace {

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <optional>
 #include <ostream>
-#include <tuple>
 
 #include "arguments.hpp"
 #include "command.hpp"
 #include "experiment.hpp"
-#include "text.hpp"
+#include "written_bound.hpp"
 
 namespace fde {
 namespace {
@@ -19,17 +18,6 @@ struct ExactArguments {
   std::optional<std::string> digits;
   std::vector<std::string> settings;
 };
-
-// The larger of two bounds written as "1.2e-345": no double may hold their exponents.
-const std::string& larger(const std::string& a, const std::string& b) {
-  const auto split = [](const std::string& text) {
-    const auto e = text.find('e');
-    const double mantissa = std::stod(text.substr(0, e));
-    const long exponent = e == std::string::npos ? 0 : std::stol(text.substr(e + 1));
-    return std::tuple(mantissa != 0.0, exponent, mantissa);
-  };
-  return split(a) < split(b) ? b : a;
-}
 
 void print_doubles(const Scene& scene, const Exact& exact, const std::vector<double>& times,
                    std::ostream& out) {
@@ -58,7 +46,7 @@ void print_digits(const Scene& scene, const std::vector<double>& times, int digi
       const auto& columns = scene.outputs.components;
       const auto& decimal = decimals[columns.empty() ? c : static_cast<std::size_t>(columns[c])];
       rows += "," + decimal.value;
-      bound = larger(bound, decimal.bound);
+      bound = larger_bound(bound, decimal.bound);
     }
     rows += "," + bound + "\n";
   }

@@ -36,8 +36,6 @@ std::string error_text(double error) {
   return fmt::format("{}e{}", text.substr(0, exponent), std::stoi(text.substr(exponent + 1)));
 }
 
-std::string bound_text(double bound) { return fmt::format("{:.2g}", 1.06 * bound); }
-
 std::string time_text(double seconds) {
   static constexpr std::array units{Unit{1.0, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "µs"}, Unit{1e-9, "ns"}};
   return scaled(seconds, units);

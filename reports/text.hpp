@@ -9,9 +9,6 @@ namespace fde {
 // 1.2e-7; 0 for 0.
 std::string error_text(double error);
 
-// Two digits of a bound, rounded up: rounding to nearest moves a number by at most five percent.
-std::string bound_text(double bound);
-
 // 12.3 µs, 4.56 ms, 78.9 s; three significant digits.
 std::string time_text(double seconds);
 

@@ -131,6 +131,28 @@ TEST(ReferenceCheck, AnErrorOfARunThatFailsDoesNotHold) {
   EXPECT_THAT(verdict.worst.failure, HasSubstr("not finite"));
 }
 
+// 1/Gamma(-2000.25), the first term, is beyond 1e5000; whatever is made of it, 12345.6789 is no such value.
+TEST(ReferenceCheck, AFarBetaCertifiesNothingAndTheOthersAreChecked) {
+  const auto verdict = verdict_of(
+      "mine.csv", "alpha,beta,re_z,im_z,re\n1,1,0,0,1.00000000\n0.5,-2000.25,-1,0,12345.6789\n1,1,0,0,1\n");
+  EXPECT_EQ(verdict.wrong, 1U);
+  EXPECT_EQ(verdict.recomputed, 3U);
+  EXPECT_EQ(verdict.worst_line, 3U);
+}
+
+// With such parameters the solution leaves the doubles: no row holds, and the check goes on.
+TEST(ReferenceCheck, ASceneWithoutAReferenceMakesItsRowsWrong) {
+  const TemporaryFolder folder;
+  folder.write("brusselator.csv", "t,x\n0,1\n20,1\n");
+  folder.write("brusselator.json", R"({"parameters": {"A": 1e9, "B": -1e9}})");
+  folder.write("power.csv", "t,y\n3,9.000\n");
+  const auto verdicts = check(folder);
+  ASSERT_EQ(verdicts.size(), 2U);
+  EXPECT_EQ(verdicts[0].wrong, 2U);
+  EXPECT_NE(verdicts[0].worst.failure, "");
+  EXPECT_EQ(verdicts[1].wrong, 0U);
+}
+
 TEST(ReferenceCheck, ARowWithoutAValueIsWrongAndTheOthersAreChecked) {
   const auto verdict = verdict_of("e.csv", "alpha,beta,re_z,re\n5,1,1e300,1\n1,1,0,1\n");
   EXPECT_EQ(verdict.wrong, 1U);

@@ -111,6 +111,14 @@ TEST_F(Written, IsReplacedByNewTablesAndLeavesNothingElse) {
   EXPECT_EQ(names_in(data_.parent_path()), std::set<std::string>{"data"});
 }
 
+// Without a file there is no folder to put in its place: the last rename fails.
+TEST_F(Written, IsThereAgainWhereItCannotBeReplaced) {
+  EXPECT_THAT([&] { replace_folder(data_, {}); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("data: cannot be written: No such file")));
+  for (const auto& [name, text] : some_files()) EXPECT_EQ(read_file(data_ / name), text);
+  EXPECT_EQ(names_in(data_.parent_path()), std::set<std::string>{"data"});
+}
+
 TEST_F(Written, AFolderWithOtherFilesIsRefusedAndKept) {
   std::ofstream(data_ / "thesis.tex") << "years";
   EXPECT_THAT(

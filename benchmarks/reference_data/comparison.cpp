@@ -6,6 +6,7 @@
 #include <charconv>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "real.hpp"
 #include "written_number.hpp"
@@ -28,11 +29,6 @@ BigReal power_of_ten(int exponent) { return pow(BigReal(10), exponent); }
 
 std::string shown(const BigReal& x) { return x == 0 ? "0" : x.str(2, std::ios::scientific); }
 
-// A value as it is meant, and what it may be off by.
-struct Meant {
-  BigReal value, allowed;
-};
-
 // Half a unit of the last place of the double nearest to x.
 BigReal rounding_to_double(const BigReal& x) {
   constexpr int digits = std::numeric_limits<double>::digits;
@@ -49,7 +45,8 @@ std::optional<double> double_of(std::string_view text) {
 }
 
 // Without a bound: half a unit of the last place that a value has, and what a double adds.
-Meant meant_by(const std::string& text, const WrittenNumber& written, int digits, int last_place) {
+std::pair<BigReal, BigReal> meant_by(const std::string& text, const WrittenNumber& written, int digits,
+                                     int last_place) {
   const int place = written.digits == 0 ? last_place : std::max(written.first_place - digits + 1, last_place);
   const BigReal value = parse<BigReal>(text), half = power_of_ten(place) / 2;
   const auto number = double_of(text);
@@ -60,6 +57,10 @@ Meant meant_by(const std::string& text, const WrittenNumber& written, int digits
 }
 
 }  // namespace
+
+struct Comparison::Meant {
+  BigReal value, allowed;
+};
 
 Comparison::Comparison(const DataTable& given, const std::vector<std::string>& value_columns)
     : given_(given), bound_(given.find("bound")) {
@@ -90,15 +91,20 @@ void Comparison::read(Column& column) const {
   }
 }
 
+Comparison::Meant Comparison::meant(std::size_t row, const Column& column) const {
+  const auto& text = given_.rows[row][column.at];
+  if (bound_) return {parse<BigReal>(text), parse<BigReal>(given_.rows[row][*bound_])};
+  const auto [value, allowed] =
+      meant_by(text, number_at(given_, row, column.at), column.digits, column.last_place);
+  return {value, allowed};
+}
+
 RowVerdict Comparison::operator()(std::size_t row, const std::vector<Decimal>& recomputed) const {
   const Precision precision(digits_ + guard_digits);
   RowVerdict worst;
   for (const auto& column : columns_) {
-    const auto& text = given_.rows[row][column.at];
     const auto& [value, bound] = recomputed[column.value];
-    const auto [given, own] =
-        bound_ ? Meant{parse<BigReal>(text), parse<BigReal>(given_.rows[row][*bound_])}
-               : meant_by(text, number_at(given_, row, column.at), column.digits, column.last_place);
+    const auto [given, own] = meant(row, column);
     const BigReal error = abs(BigReal(given - parse<BigReal>(value))), allowed = own + parse<BigReal>(bound);
     // A ratio just above 1 must not become 1 in double.
     double ratio = error == 0 ? 0.0 : BigReal(error / allowed).convert_to<double>();
@@ -107,6 +113,22 @@ RowVerdict Comparison::operator()(std::size_t row, const std::vector<Decimal>& r
       worst = {given_.columns[column.at], shown(error), shown(allowed), ratio};
   }
   return worst;
+}
+
+void Comparison::require_known(std::size_t row, const std::vector<Decimal>& recomputed, int digits) const {
+  const Precision precision(digits_ + guard_digits);
+  BigReal size = 0;
+  for (const auto& [value, bound] : recomputed) size = std::max(size, BigReal(abs(parse<BigReal>(value))));
+  const BigReal small = size * power_of_ten(-digits);
+  for (const auto& column : columns_) {
+    const auto& [value, bound] = recomputed[column.value];
+    if (const auto known_to = parse<BigReal>(bound);
+        known_to > small && known_to > meant(row, column).allowed) {
+      throw std::runtime_error(
+          fmt::format("no value to compare {} with: recomputed as {}, with a bound of {}",
+                      given_.columns[column.at], value, bound));
+    }
+  }
 }
 
 }  // namespace fde

@@ -34,10 +34,13 @@ class Comparison {
 
   // The most significant digits of any value.
   [[nodiscard]] int digits() const { return digits_; }
-  [[nodiscard]] bool bounded() const { return bound_.has_value(); }
 
-  // recomputed: one a value column, in their order.
+  // recomputed: one a value column, in their order, as are those below.
   [[nodiscard]] RowVerdict operator()(std::size_t row, const std::vector<Decimal>& recomputed) const;
+
+  // What is known too badly decides nothing. Throws std::runtime_error where the bound of a recomputed value
+  // is larger than what the given one may be off by, and than 10^-digits of the largest recomputed value.
+  void require_known(std::size_t row, const std::vector<Decimal>& recomputed, int digits) const;
 
  private:
   struct Column {
@@ -45,7 +48,9 @@ class Comparison {
     int digits = 0;         // the most of any row
     int last_place;         // the lowest of any row
   };
+  struct Meant;  // a value, and what it may be off by
   void read(Column& column) const;
+  [[nodiscard]] Meant meant(std::size_t row, const Column& column) const;
 
   const DataTable& given_;
   std::vector<Column> columns_;

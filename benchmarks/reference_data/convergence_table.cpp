@@ -9,6 +9,7 @@
 
 #include "experiment.hpp"
 #include "table_kind.hpp"
+#include "written_bound.hpp"
 
 namespace fde {
 namespace {
@@ -21,6 +22,7 @@ constexpr int most_steps = 1 << 20;
 // two engines of the past, which share no sum, differ by a tenth of it at most.
 constexpr double relative_tolerance = 1e-9;
 constexpr double rounding_tolerance = 1e-12;
+constexpr double least_accuracy = 1e-8;  // of a reference, to decide anything
 
 // The measured numbers of a row, by the names of the measures.
 const std::vector<std::string> measured{"h", "error_end", "error_maximum", "expected_rate_end",
@@ -102,7 +104,7 @@ MadeTable make(const SceneVariant& of) {
       }
       std::vector<std::string> row{std::string(scheme.id), fmt::format("{}", steps)};
       for (const auto& name : measured) row.push_back(fmt::format("{}", values.at(name)));
-      row.push_back(fmt::format("{:.2g}", 1.06 * values.at("reference_bound")));
+      row.push_back(bound_text(values.at("reference_bound")));
       made.table.rows.push_back(std::move(row));
     }
   }
@@ -134,7 +136,10 @@ RowCheck check(const SceneVariant& of, const DataTable& given) {
   return [&given, comparison, runs](std::size_t row) {
     const auto [values, status] = (*runs)(scheme_at(given, row), steps_at(given, row));
     if (!status.empty()) throw std::runtime_error(status);
-    const double of_errors = rounding_tolerance * (1.0 + runs->size()) + values.at("reference_bound");
+    const double size = 1.0 + runs->size(), bound = values.at("reference_bound");
+    if (!(bound <= least_accuracy * size))
+      throw std::runtime_error(fmt::format("the reference has a bound of {}", bound_text(bound)));
+    const double of_errors = rounding_tolerance * size + bound;
     std::vector<Decimal> recomputed;
     for (const auto& name : measured) {
       const double value = values.at(name);

@@ -130,11 +130,14 @@ RowVerdict verdict_of(const DataTable& table, const RowCheck& check, std::size_t
   }
 }
 
+// A scene without a reference has no value for any row.
 RowCheck check_of(const GivenTable& given) {
   try {
     return given.kind->check(given.of, given.table);
   } catch (const std::runtime_error& failure) {
-    throw std::runtime_error(fmt::format("{}: {}", given.table.name, failure.what()));
+    return [reason = std::string(failure.what())](std::size_t) -> RowVerdict {
+      throw std::runtime_error(reason);
+    };
   }
 }
 

@@ -56,6 +56,23 @@ void write(const fs::path& file, const std::string& text) {
   if (!out) throw std::system_error(errno, std::generic_category());
 }
 
+fs::path beside(const fs::path& target, const char* what) {
+  return target.string() + fmt::format(".{}.{}", getpid(), what);
+}
+
+// What was at the target is old after that; where the partial folder cannot take its place, it is put back.
+void put_in_place(const fs::path& partial, const fs::path& target, const fs::path& old) {
+  const bool replaced = fs::exists(target);
+  if (replaced) fs::rename(target, old);
+  try {
+    fs::rename(partial, target);
+  } catch (const std::system_error&) {
+    std::error_code ignored;  // then it stays aside, and replace_folder says so
+    if (replaced) fs::rename(old, target, ignored);
+    throw;
+  }
+}
+
 // Ctrl-C waits while this lives.
 class SignalsHeld {
  public:
@@ -137,18 +154,23 @@ void require_replaceable(const fs::path& folder, const std::vector<PlannedTable>
 }
 
 void replace_folder(const fs::path& folder, const FolderFiles& files) {
-  const fs::path target = normal(folder);
+  const fs::path target = normal(folder), partial = beside(target, "partial"), old = beside(target, "old");
   const SignalsHeld held;
-  fs::path partial = target;
-  partial += fmt::format(".{}.partial", getpid());
   try {
     for (const auto& [name, text] : files) write(partial / name, text);
-    fs::remove_all(target);
-    fs::rename(partial, target);
+    put_in_place(partial, target, old);
   } catch (const std::system_error& error) {
     std::error_code ignored;
     fs::remove_all(partial, ignored);
-    reject(folder, error.code().message());
+    const bool kept_aside = fs::exists(old) && !fs::exists(target);
+    reject(folder, error.code().message() + (kept_aside ? "; what was there is now " + old.string() : ""));
+  }
+  std::error_code problem;
+  fs::remove_all(old, problem);
+  if (problem) {
+    throw std::invalid_argument(
+        fmt::format("{}: is written, but {} with what was there cannot be removed: {}", folder.string(),
+                    old.string(), problem.message()));
   }
 }
 

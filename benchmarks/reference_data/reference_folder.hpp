@@ -35,8 +35,9 @@ FolderFiles make_files(const std::vector<PlannedTable>& tables, const TellProgre
 // the tables would not replace, or cannot be made.
 void require_replaceable(const std::filesystem::path& folder, const std::vector<PlannedTable>& tables);
 
-// Writes the files beside the folder and puts them in its place when all are complete. Throws
-// std::invalid_argument naming the folder where that fails; then nothing is left behind.
+// Writes the files beside the folder and puts them in its place when all are complete; what was there is
+// removed last. Throws std::invalid_argument naming the folder where that fails; then what was there is there
+// again and nothing else, or else the message names where it is.
 void replace_folder(const std::filesystem::path& folder, const FolderFiles& files);
 
 }  // namespace fde
