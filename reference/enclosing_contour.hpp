@@ -49,10 +49,11 @@ class EnclosingContour {
   // Logarithm of an upper bound of |F| on a disc; infinity where there is none: the disc is then split.
   using Majorant = std::function<long double(const Disc&)>;
 
-  // Logarithm of a bound of |f - sum|, rounding aside. By the residue theorem the trapezoidal rule on
-  // |theta| <= L = (K + 1/2) h is off by int |e^s F ds| / |e^(2 pi |Im theta| / h) -+ 1| round a rectangle of
-  // the theta-plane, free of singularities; it is covered with discs. What lies beyond L is an estimate: 4
-  // e^(Re s(L)) |F(s(L))|. Throws std::runtime_error where a disc as small as can be has no bound.
+  // Logarithm of a bound of |f - sum|, rounding aside, but for one part that is an estimate. By the residue
+  // theorem the trapezoidal rule on |theta| <= L = (K + 1/2) h is off by int |e^s F ds| / |e^(2 pi |Im theta|
+  // / h) -+ 1| round a rectangle of the theta-plane, free of singularities; it is covered with discs. The
+  // integral beyond L is taken as 4 e^(Re s(L)) |F(s(L))|, and singularities that were left out as nothing:
+  // neither is a bound. Throws std::runtime_error where a disc as small as can be has no bound.
   [[nodiscard]] long double log_bound(const Majorant& majorant) const;
 
  private:

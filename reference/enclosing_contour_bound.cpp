@@ -15,7 +15,7 @@ constexpr Long turn = 2.0L * std::numbers::pi_v<Long>;
 
 Long log_of_sum(Long a, Long b) {
   const Long large = std::max(a, b), small = std::min(a, b);
-  return small == -infinity ? large : large + std::log1p(std::exp(small - large));
+  return std::isinf(large) || small == -infinity ? large : large + std::log1p(std::exp(small - large));
 }
 
 }  // namespace

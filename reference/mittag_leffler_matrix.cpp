@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "decimal_arguments.hpp"
 #include "enclosed_transform.hpp"
 #include "resolvent.hpp"
 #include "roots_on_sheet.hpp"
@@ -19,6 +20,7 @@ using Disc = EnclosingContour::Disc;
 
 constexpr Long infinity = std::numeric_limits<Long>::infinity();
 constexpr int most_rows = 64;
+constexpr const char* function_name = "mittag_leffler of a matrix";
 
 struct Arguments {
   BigReal alpha, beta;
@@ -95,17 +97,14 @@ std::vector<Bounded<BigReal>> evaluate(const Read& read, int digits) {
   try {
     return invert(transform_of(read), digits);
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("mittag_leffler of a matrix: {}", error.what()));
+    const Arguments x = read();
+    throw std::runtime_error(fmt::format("{} of {} rows, alpha = {:.6g}, beta = {:.6g}: {}", function_name,
+                                         x.matrix.size, to_long(x.alpha), to_long(x.beta), error.what()));
   }
 }
 
 void require(bool holds, const std::string& message) {
-  if (!holds) throw std::invalid_argument("mittag_leffler of a matrix: " + message);
-}
-
-template <class Number>
-void require_order(const Number& alpha) {
-  require(alpha > 0 && alpha <= 5, fmt::format("alpha = {} has to be in (0, 5]", static_cast<double>(alpha)));
+  if (!holds) throw std::invalid_argument(fmt::format("{}: {}", function_name, message));
 }
 
 void require_size(std::size_t rows, std::size_t entries) {
@@ -115,18 +114,10 @@ void require_size(std::size_t rows, std::size_t entries) {
           fmt::format("the matrix has {} rows, but has to have 1 to {}", rows, most_rows));
 }
 
-BigReal argument(const std::string& name, const std::string& text) {
-  try {
-    return parse<BigReal>(text);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("mittag_leffler of a matrix: {}: {}", name, error.what()));
-  }
-}
-
 }  // namespace
 
 MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matrix) {
-  require_order(alpha);
+  require_order(function_name, alpha);
   require(std::isfinite(beta), fmt::format("beta = {} has to be finite", beta));
   require(matrix.rows() == matrix.cols(),
           fmt::format("a matrix of {} x {} has to be square", matrix.rows(), matrix.cols()));
@@ -163,28 +154,22 @@ MatrixValue mittag_leffler(double alpha, double beta, const Eigen::MatrixXd& mat
 
 std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::string& beta,
                                            const std::vector<DecimalComplex>& matrix, int digits) {
-  require(digits >= 1, fmt::format("digits = {} has to be positive", digits));
+  require_digits(function_name, digits);
   const auto size = static_cast<int>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
   require_size(static_cast<std::size_t>(size), matrix.size());
   const Read read = [&] {
-    Arguments x{argument("alpha", alpha), argument("beta", beta), {size, {}}};
+    Arguments x{
+        read_argument(function_name, "alpha", alpha), read_argument(function_name, "beta", beta), {size, {}}};
     for (const auto& entry : matrix)
-      x.matrix.entries.emplace_back(argument("entry", entry.re), argument("entry", entry.im));
+      x.matrix.entries.emplace_back(read_argument(function_name, "entry", entry.re),
+                                    read_argument(function_name, "entry", entry.im));
     return x;
   };
   const Precision precision(digits + 20);
   const Arguments x = read();
-  require_order(x.alpha);
+  require_order(function_name, x.alpha);
   std::vector<DecimalComplex> texts;
-  for (const auto& [value, bound] : evaluate(read, digits)) {
-    const DecimalText re = write_decimal(real_part<BigReal>(value), bound, digits);
-    if (x.real()) {
-      texts.push_back({re.value, "0", write_bound(re.bound)});
-      continue;
-    }
-    const DecimalText im = write_decimal(imag_part<BigReal>(value), bound, digits);
-    texts.push_back({re.value, im.value, write_bound(BigReal(re.bound + im.bound))});
-  }
+  for (const auto& value : evaluate(read, digits)) texts.push_back(write_complex(value, x.real(), digits));
   return texts;
 }
 

@@ -4,12 +4,13 @@
 
 #include <stdexcept>
 
+#include "decimal_arguments.hpp"
 #include "prabhakar_transform.hpp"
 
 namespace fde {
 namespace {
 
-using Arguments = PrabhakarArguments<BigReal>;
+using Arguments = PrabhakarArguments;
 
 // A function of the family with a name for messages, and the factor k! of derivatives.
 struct Request {
@@ -20,12 +21,6 @@ struct Request {
 
 void require(bool holds, const std::string& name, const std::string& message) {
   if (!holds) throw std::invalid_argument(name + ": " + message);
-}
-
-template <class Number>
-void require_order(const std::string& name, const Number& alpha) {
-  require(alpha > 0 && alpha <= 5, name,
-          fmt::format("alpha = {} has to be in (0, 5]", static_cast<double>(alpha)));
 }
 
 template <class Number>
@@ -41,27 +36,25 @@ void require_derivative(int k) {
           fmt::format("k = {} has to be in [0, {}]", k, most_derivatives));
 }
 
-BigReal argument(const std::string& name, const std::string& text) {
-  try {
-    return parse<BigReal>(text);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("prabhakar: {}: {}", name, error.what()));
-  }
-}
-
 bool ends_or_is_small(const Arguments& x) {
   return (x.gamma <= 0 && is_whole(x.gamma)) ||
          size_of(x.z) <= 0.4 * pow(std::max(BigReal(1), x.beta), x.alpha);
 }
 
-// Digits until the terms of the series, which may cancel, leave enough of the value.
+// Digits until the terms of the series, which may cancel, leave enough of the value; where nothing is left of
+// them to 40 digits more, it is 0.
 Bounded<BigReal> sum_series(const Request& request, int wanted) {
+  constexpr int zero_digits = 40;
   const int most = 4 * wanted + 1000;
   for (int digits = wanted + 10;;) {
     const Precision precision(digits);
     const Sum<BigReal> sum = prabhakar_series(request.read());
     const bool enough = sum.error <= size_of(sum.value) * pow(BigReal(10), -wanted);
-    if (enough || digits >= most) return {sum.value, sum.error};
+    if (enough) return {sum.value, sum.error};
+    if (digits >= most) {
+      if (sum.error <= sum.scale * pow(BigReal(10), -wanted - zero_digits)) return {sum.value, sum.error};
+      throw out_of_digits(sum.error, digits);
+    }
     digits = std::min(2 * digits, most);
   }
 }
@@ -88,17 +81,14 @@ MittagLefflerValue in_double(const Request& request) {
   return {request.read().real() ? std::complex(re) : std::complex(re, im), bound};
 }
 
-DecimalComplex in_digits(const Request& request, int digits) {
+DecimalComplex in_digits(const std::string& function, const Request& request, int digits) {
+  require_digits(function, digits);
   const Precision precision(digits + 20);
   const Arguments x = request.read();
-  require_order(request.name, x.alpha);
-  require_parameter(request.name, "beta", x.beta);
-  require_parameter(request.name, "gamma", x.gamma);
-  const auto [value, bound] = evaluate(request, digits);
-  const DecimalText re = write_decimal(real_part<BigReal>(value), bound, digits);
-  if (request.read().real()) return {re.value, "0", write_bound(re.bound)};
-  const DecimalText im = write_decimal(imag_part<BigReal>(value), bound, digits);
-  return {re.value, im.value, write_bound(BigReal(re.bound + im.bound))};
+  require_order(function, x.alpha);
+  require_parameter(function, "beta", x.beta);
+  require_parameter(function, "gamma", x.gamma);
+  return write_complex(evaluate(request, digits), x.real(), digits);
 }
 
 void require_finite(const std::string& name, double alpha, double beta, double gamma,
@@ -135,26 +125,31 @@ MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, s
 
 DecimalComplex prabhakar(const std::string& alpha, const std::string& beta, const std::string& gamma,
                          const std::string& re, const std::string& im, int digits) {
-  require(digits >= 1, "prabhakar", fmt::format("digits = {} has to be positive", digits));
-  return in_digits({fmt::format("prabhakar({}, {}, {}, z = {} + {} i)", alpha, beta, gamma, re, im),
-                    [=] {
-                      return Arguments{argument("alpha", alpha), argument("beta", beta),
-                                       argument("gamma", gamma),
-                                       BigComplex(argument("re z", re), argument("im z", im))};
-                    }},
-                   digits);
+  const std::string function = "prabhakar";
+  return in_digits(
+      function,
+      {fmt::format("prabhakar({}, {}, {}, z = {} + {} i)", alpha, beta, gamma, re, im),
+       [=] {
+         return Arguments{
+             read_argument(function, "alpha", alpha), read_argument(function, "beta", beta),
+             read_argument(function, "gamma", gamma),
+             BigComplex(read_argument(function, "re z", re), read_argument(function, "im z", im))};
+       }},
+      digits);
 }
 
 DecimalComplex mittag_leffler_derivative(int k, const std::string& alpha, const std::string& beta,
                                          const std::string& re, const std::string& im, int digits) {
   require_derivative(k);
-  require(digits >= 1, "mittag_leffler_derivative", fmt::format("digits = {} has to be positive", digits));
+  const std::string function = "mittag_leffler_derivative";
   return in_digits(
+      function,
       {fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} + {} i)", k, alpha, beta, re, im),
        [=] {
-         const BigReal order = argument("alpha", alpha);
-         return Arguments{order, BigReal(argument("beta", beta) + k * order), BigReal(k + 1),
-                          BigComplex(argument("re z", re), argument("im z", im))};
+         const BigReal order = read_argument(function, "alpha", alpha);
+         return Arguments{
+             order, BigReal(read_argument(function, "beta", beta) + k * order), BigReal(k + 1),
+             BigComplex(read_argument(function, "re z", re), read_argument(function, "im z", im))};
        },
        k},
       digits);

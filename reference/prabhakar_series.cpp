@@ -12,7 +12,7 @@ namespace {
 // And
 //   Gamma(x + alpha) / Gamma(x) >= (x - 1)^alpha, for psi(x) >= log x - 1/x >= log(x - 1);  1/Gamma(x)
 //   <= 1.13, x >= 0.
-BigReal tail(const PrabhakarArguments<BigReal>& x, int k, const BigComplex& next) {
+BigReal tail(const PrabhakarArguments& x, int k, const BigComplex& next) {
   const BigReal argument = x.alpha * (k + 1) + x.beta, growing = x.gamma + k + 1;
   const BigReal power = abs(x.z) * std::max(BigReal(1), BigReal(abs(growing) / (k + 2)));
   const BigReal ratio = argument < 2 ? power : BigReal(power * pow(BigReal(argument - 1), -x.alpha));
@@ -23,7 +23,7 @@ BigReal tail(const PrabhakarArguments<BigReal>& x, int k, const BigComplex& next
 
 }  // namespace
 
-Sum<BigReal> prabhakar_series(const PrabhakarArguments<BigReal>& x) {
+Sum<BigReal> prabhakar_series(const PrabhakarArguments& x) {
   constexpr int most_terms = 200000;
   Sum<BigReal> sum;
   BigComplex factor(1);  // (gamma)_k z^k / k!

@@ -56,7 +56,7 @@ Long majorant_without_head(const PrabhakarShape& x, const Disc& disc) {
 
 }  // namespace
 
-PrabhakarShape::PrabhakarShape(const PrabhakarArguments<BigReal>& x)
+PrabhakarShape::PrabhakarShape(const PrabhakarArguments& x)
     : alpha(x.alpha.convert_to<Long>()),
       beta(x.beta.convert_to<Long>()),
       gamma(x.gamma.convert_to<Long>()),
@@ -72,7 +72,7 @@ PrabhakarShape::PrabhakarShape(const PrabhakarArguments<BigReal>& x)
   }
 }
 
-BigReal PrabhakarShape::power_of(const PrabhakarArguments<BigReal>& x) const {
+BigReal PrabhakarShape::power_of(const PrabhakarArguments& x) const {
   const BigReal power = x.alpha * x.gamma - x.beta;
   return whole_power ? BigReal(round(power)) : power;
 }

@@ -10,7 +10,7 @@ struct PrabhakarShape {
   using Point = EnclosingContour::Point;
 
   // At a precision of 120 digits: sums of the arguments are whole if they are to 100.
-  explicit PrabhakarShape(const PrabhakarArguments<BigReal>& x);
+  explicit PrabhakarShape(const PrabhakarArguments& x);
 
   long double alpha, beta, gamma;
   Point log_z;
@@ -19,7 +19,7 @@ struct PrabhakarShape {
   std::vector<Point> log_roots{}, roots{};  // s*, on the sheet
 
   // alpha gamma - beta, of s beside (s^alpha - z)^-gamma.
-  [[nodiscard]] BigReal power_of(const PrabhakarArguments<BigReal>& x) const;
+  [[nodiscard]] BigReal power_of(const PrabhakarArguments& x) const;
 
   // 0 is no singularity.
   [[nodiscard]] bool cut_free() const { return whole_alpha && whole_power; }

@@ -8,7 +8,7 @@ namespace {
 using Long = long double;
 using Point = EnclosingContour::Point;
 using Node = EnclosingContour::Node;
-using Arguments = PrabhakarArguments<BigReal>;
+using Arguments = PrabhakarArguments;
 
 constexpr Long half_turn = std::numbers::pi_v<Long>;
 

@@ -70,8 +70,7 @@ BigReal residual_norm(const BigMatrix& matrix, const BigMatrix& inverse) {
   return largest;
 }
 
-}  // namespace
-
+// Largest sum of sizes in a row.
 BigReal row_norm(const BigMatrix& matrix) {
   BigReal largest(0);
   for (int i = 0; i < matrix.size; ++i) {
@@ -81,6 +80,8 @@ BigReal row_norm(const BigMatrix& matrix) {
   }
   return largest;
 }
+
+}  // namespace
 
 BoundedInverse bounded_inverse(const BigMatrix& matrix) {
   BoundedInverse result{.value = inverse(matrix), .norm = BigReal(0), .bound = BigReal(0)};

@@ -18,11 +18,8 @@ struct BigMatrix {
   }
 };
 
-// Largest sum of sizes in a row.
-BigReal row_norm(const BigMatrix& matrix);
-
-// An approximate inverse X of M and a bound of the row norm of its error, |X| |R| / (1 - |R|) with
-// R = I - M X; infinite where |R| is not below 1.
+// An approximate inverse X of M and a bound of the row norm (largest sum of sizes in a row) of its error, |X|
+// |R| / (1 - |R|) with R = I - M X; infinite where |R| is not below 1.
 struct BoundedInverse {
   BigMatrix value;
   BigReal norm, bound;

@@ -1,9 +1,9 @@
-#include "enclosing_contour.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+
+#include "enclosed_transform.hpp"
 
 namespace fde {
 namespace {
@@ -123,6 +123,30 @@ TEST(EnclosingContour, RefusesWhatIsTooFarApart) {
     EXPECT_NE(std::string(error.what()).find("2e+12 apart"), std::string::npos) << error.what();
   }
   EXPECT_THROW(EnclosingContour({}, 16), std::invalid_argument);
+}
+
+// A majorant beyond all numbers on the discs' centres as well bounds nothing, nor does one that is NaN.
+TEST(EnclosedTransform, SaysWhereThereIsNoBound) {
+  for (const long double off : {std::numeric_limits<long double>::max(), std::nanl("")}) {
+    EnclosedTransform transform{.singularities = {0.0L}, .real = true};
+    transform.prepare = [] {
+      return [](const EnclosingContour::Node& node, std::vector<Sum<BigReal>>& sums) {
+        sums.resize(1);
+        sums.front().add(BigComplex(node.weight / node.s), epsilon<BigReal>());
+      };
+    };
+    transform.majorants = {[=](const EnclosingContour::Disc&) { return off; }};
+    const Precision precision(20);
+    try {
+      invert(transform, 2);
+      FAIL();
+    } catch (const std::runtime_error& error) {
+      const std::string text = error.what();
+      EXPECT_TRUE(text.find("no accurate value in reach") != std::string::npos ||
+                  text.find("no bound of the transform") != std::string::npos)
+          << text;
+    }
+  }
 }
 
 }  // namespace

@@ -127,6 +127,22 @@ void expect_message(const Call& call, const std::string& part) {
   }
 }
 
+TEST(MittagLefflerOfAMatrix, HasZerosByStructureWithSmallBounds) {
+  const std::vector<DecimalComplex> matrix{
+      {"-1", "0", "0"}, {"2", "0", "0"}, {"0", "0", "0"}, {"-3", "0", "0"}};
+  const auto value = mittag_leffler("0.5", "1", matrix, 20);
+  EXPECT_EQ(value[2].re, "0");
+  EXPECT_LE(Precise(value[2].bound), Precise("1e-20"));
+}
+
+TEST(MittagLefflerOfAMatrix, SaysWhereDigitsRunOut) {
+  expect_message(
+      [] {
+        mittag_leffler("0.5", "-2000.25", {{"-1", "0", "0"}}, 2);
+      },
+      "mittag_leffler of a matrix of 1 rows, alpha = 0.5, beta = -2000.25: no accurate value in reach");
+}
+
 TEST(MittagLefflerOfAMatrix, SaysWhatIsWrong) {
   const MatrixXd one = MatrixXd::Ones(2, 2);
   expect_message([&] { mittag_leffler(0.0, 1.0, one); }, "alpha = 0 has to be in (0, 5]");

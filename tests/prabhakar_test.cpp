@@ -197,6 +197,18 @@ void expect_message(const Call& call, const std::string& part) {
   }
 }
 
+// 1 - z at z = 1.
+TEST(Prabhakar, OfAZeroIsZeroWithASmallBound) {
+  const auto zero = prabhakar("1", "1", "-1", "1", "0", 20);
+  EXPECT_EQ(zero.re, "0");
+  EXPECT_LE(Precise(zero.bound), Precise("1e-60"));
+}
+
+TEST(Prabhakar, SaysWhereDigitsRunOut) {
+  expect_message([] { prabhakar("0.5", "-2000.25", "1", "-1", "0", 2); },
+                 "prabhakar(0.5, -2000.25, 1, z = -1 + 0 i): no accurate value in reach: bound ");
+}
+
 TEST(Prabhakar, SaysWhatIsWrong) {
   const double infinity = std::numeric_limits<double>::infinity();
   expect_message([] { prabhakar(5.5, 1.0, 1.0, 1.0); }, "alpha = 5.5 has to be in (0, 5]");
@@ -205,7 +217,9 @@ TEST(Prabhakar, SaysWhatIsWrong) {
   expect_message([&] { prabhakar(0.5, 1.0, 1.0, {0.0, infinity}); }, "z = 0 +inf i has to be finite");
   expect_message([] { mittag_leffler_derivative(-1, 0.5, 1.0, 1.0); }, "k = -1 has to be in [0, 1000]");
   expect_message([] { prabhakar("0.5", "x", "1", "1", "0", 10); },
-                 "beta: 'x' is not a finite decimal number");
+                 "prabhakar: beta: 'x' is not a finite decimal number");
+  expect_message([] { mittag_leffler_derivative(1, "x", "1", "1", "0", 10); },
+                 "mittag_leffler_derivative: alpha: 'x' is not a finite decimal number");
   expect_message([] { prabhakar("0.5", "1", "1", "1", "0", 0); }, "digits = 0 has to be positive");
   EXPECT_THROW(prabhakar(0.5, 1.0, 1.5, 1e3), std::runtime_error);    // e^1000000
   EXPECT_THROW(prabhakar(2.0, 1.0, 1.5, -1e13), std::runtime_error);  // too far from the axis

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "mittag_leffler.hpp"
+#include "refine.hpp"
+
+// What the Mittag-Leffler functions share: their arguments checked and read, their values written.
+namespace fde {
+
+// The number that a decimal text names, rounded once. Throws std::invalid_argument "function: name: ..."
+// where it names no finite number.
+BigReal read_argument(const std::string& function, const std::string& name, const std::string& text);
+
+// Throw std::invalid_argument naming the function, the argument and its value: alpha outside (0, 5], digits
+// below 1.
+void require_order(const std::string& function, double alpha);
+void require_order(const std::string& function, const BigReal& alpha);
+void require_digits(const std::string& function, int digits);
+
+// In decimal, with the rounding of the texts in the bound. Of a real function the imaginary part is "0".
+DecimalComplex write_complex(const Bounded<BigReal>& x, bool real, int digits);
+
+}  // namespace fde
