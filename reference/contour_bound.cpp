@@ -17,6 +17,12 @@ double log_sum(double a, double b) {
   return larger + std::log1p(std::exp(std::min(a, b) - larger));
 }
 
+// log of 1 / (e^(omega |1-distance|) - 1).
+double log_of_factor(double omega, double distance) {
+  const double turns = omega * std::abs(1.0 - distance);
+  return -turns - std::log1p(-std::exp(-turns));
+}
+
 // log of min(1, alpha distance) / 10, the distance being from the poles to points with |r - r*| >= gap(r*).
 template <class Gap>
 double log_clearance(const ContourBound::Quotient& quotient, const Gap& gap) {
@@ -83,21 +89,21 @@ ContourBound::ContourBound(const ContourShape& shape) : shape_(shape) {
   for (const double factor :
        {2.0, 4.0}) {  // for F that changes little, and for one that turns as fast as e^s
     const double distance = shape.omega / (factor * shape.mu);
-    far_lines_.push_back({distance, LineIntegrals(shape.mu, distance)});
+    far_lines_.push_back({distance, log_of_factor(shape.omega, distance), LineIntegrals(shape.mu, distance)});
   }
   for (double distance = 1.0 / shape.omega; distance < 0.9; distance *= 3.0) {
-    near_lines_.push_back({distance, LineIntegrals(shape.mu, distance)});
+    near_lines_.push_back(
+        {distance, log_of_factor(shape.omega, distance), LineIntegrals(shape.mu, distance)});
   }
 }
 
 double ContourBound::log_line(const Line& at, const Quotient& quotient) const {
-  const auto& [distance, line] = at;
+  const LineIntegrals& line = at.integrals;
   const double size = std::min(line.log_at(quotient.exponent - quotient.alpha),
                                line.log_at(quotient.exponent) - quotient.log_size);
-  const double turns = shape_.omega * std::abs(1.0 - distance);
-  const double clearance = log_clearance(
-      quotient, [&, d = distance](std::complex<double> root) { return std::abs(root.real() - d); });
-  return size - turns - std::log1p(-std::exp(-turns)) - clearance;
+  const double clearance =
+      log_clearance(quotient, [&](std::complex<double> root) { return std::abs(root.real() - at.distance); });
+  return size + at.log_factor - clearance;
 }
 
 // A geometric series from the first node that is left out, theta: two nodes, conjugate.
@@ -120,7 +126,9 @@ ContourBound::Result ContourBound::at(const Quotient& quotient) const {
     const double bound = log_line(line, quotient);
     if (bound < best.log_bound) best = {bound, line.distance};
   }
-  const double far = std::min(log_line(far_lines_[0], quotient), log_line(far_lines_[1], quotient));
+  constexpr double negligible = 10.0;
+  double far = log_line(far_lines_[0], quotient);
+  if (far > best.log_bound - negligible) far = std::min(far, log_line(far_lines_[1], quotient));
   best.log_bound = log_sum(best.log_bound, log_sum(far, log_left_out(quotient)));
   return best;
 }

@@ -68,7 +68,7 @@ class ContourBound {
  private:
   // s = mu (distance + i x)^2
   struct Line {
-    double distance;
+    double distance, log_factor;  // what the integral is multiplied with
     LineIntegrals integrals;
   };
   [[nodiscard]] double log_line(const Line& at, const Quotient& quotient) const;

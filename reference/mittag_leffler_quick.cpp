@@ -48,11 +48,12 @@ struct QuickContours {
 
 // mu near -exponent keeps the terms as small as 1/Gamma(-exponent), a large depth waits for s^exponent e^s to
 // fall off. The last one has terms of the size of the value and three times as many: rounding there is least.
-const std::array<QuickContours, 5>& all_contours() {
+const std::array<QuickContours, 6>& all_contours() {
   const auto both = [](double mu, double omega, double depth) {
     return std::array{QuickContour({mu, omega, depth, false}), QuickContour({mu, omega, depth, true})};
   };
-  static const std::array<QuickContours, 5> all{{{-3.0, 3.0, both(7.0, 64.0, 60.0)},
+  static const std::array<QuickContours, 6> all{{{-2.5, 2.5, both(6.0, 52.0, 43.5)},
+                                                 {-3.0, 3.0, both(7.0, 64.0, 60.0)},
                                                  {-3.0, 25.0, both(7.0, 64.0, 140.0)},
                                                  {-25.0, 10.0, both(16.0, 128.0, 70.0)},
                                                  {-60.0, 20.0, both(32.0, 256.0, 90.0)},
@@ -254,7 +255,8 @@ std::optional<QuickValue> on_contour(const Arguments& x, const QuickContours& co
   const DoubleDouble exponent = exponent_after(x, peeled);
   EachSheet<std::complex<double>> roots;
   const double log_mu = std::log(contours.twins.front().shape.mu);
-  for (const Pole& pole : x.poles) roots.push_back(std::exp(0.5 * (pole.log - log_mu)));
+  const double modulus = std::exp(0.5 * (x.scaled.log.re.hi / x.alpha - log_mu));
+  for (const Pole& pole : x.poles) roots.push_back(std::polar(modulus, 0.5 * pole.log.imag()));
   const QuickContour& contour = farther_from_poles(contours, roots);
   const auto [log_bound, distance] = contour.bound.at({.exponent = exponent.hi,
                                                        .alpha = x.alpha,
@@ -268,7 +270,8 @@ std::optional<QuickValue> on_contour(const Arguments& x, const QuickContours& co
   const auto residues = residue_part(x, &contour, counted);
   if (!residues) return std::nullopt;
   QuickValue sum = head(x, peeled) + contour_sum(x, contour, exponent, peeled) + *residues;
-  sum.error += std::exp(static_cast<long double>(log_bound) - peeled * x.scaled.log.re.hi);
+  sum.error += peeled == 0 ? std::exp(log_bound)
+                           : std::exp(static_cast<long double>(log_bound) - peeled * x.scaled.log.re.hi);
   return sum;
 }
 
@@ -277,21 +280,17 @@ bool is_good(const QuickValue& value) { return value.error <= quick_tolerance * 
 // One contour after the other, with and without peeling, until the bound is small enough; otherwise the best.
 std::optional<QuickValue> on_contours(const Arguments& x) {
   constexpr int moderate = 4, large = 16;  // log2 |z|: peeling may help, and nothing else does
-  const auto& all = all_contours();
   std::optional<QuickValue> best;
   const auto try_with = [&](const QuickContours& contours, int peeled) {
     const auto value = on_contour(x, contours, peeled);
     if (value && (!best || value->error < best->error)) best = value;
     return best && is_good(*best);
   };
-  for (const auto* const first : {all.begin(), all.end() - 1}) {
+  for (const QuickContours& contours : all_contours()) {
     for (const int peeled : {0, 2}) {
       if (peeled == 0 ? x.scaled.exponent >= large : x.scaled.exponent < moderate) continue;
       const double exponent = exponent_after(x, peeled).hi;
-      const auto* const contours = std::find_if(first, all.end(), [&](const QuickContours& some) {
-        return some.fit(exponent - x.alpha, exponent);
-      });
-      if (contours != all.end() && try_with(*contours, peeled)) return best;
+      if (contours.fit(exponent - x.alpha, exponent) && try_with(contours, peeled)) return best;
     }
   }
   return best;
