@@ -97,7 +97,7 @@ ContourBound::ContourBound(const ContourShape& shape) : shape_(shape) {
   }
 }
 
-double ContourBound::log_line(const Line& at, const Quotient& quotient) const {
+double ContourBound::log_line(const Line& at, const Quotient& quotient) {
   const LineIntegrals& line = at.integrals;
   const double size = std::min(line.log_at(quotient.exponent - quotient.alpha),
                                line.log_at(quotient.exponent) - quotient.log_size);

@@ -160,9 +160,10 @@ std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::
   const Read read = [&] {
     Arguments x{
         read_argument(function_name, "alpha", alpha), read_argument(function_name, "beta", beta), {size, {}}};
-    for (const auto& entry : matrix)
+    for (const auto& entry : matrix) {
       x.matrix.entries.emplace_back(read_argument(function_name, "entry", entry.re),
                                     read_argument(function_name, "entry", entry.im));
+    }
     return x;
   };
   const Precision precision(digits + 20);

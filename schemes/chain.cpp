@@ -30,14 +30,15 @@ std::vector<Component> Chain::components() const {
   std::vector<Component> components;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const double next = i + 1 < nodes_.size() ? nodes_[i + 1] : leading_.order;
-    const double start = whole(nodes_[i]) ? initial_[static_cast<std::size_t>(std::lround(nodes_[i]))] : 0.0;
+    const double start =
+        std::floor(nodes_[i]) == nodes_[i] ? initial_[static_cast<std::size_t>(std::lround(nodes_[i]))] : 0.0;
     components.push_back({next - nodes_[i], {start}});
   }
   return components;
 }
 
 std::optional<Eigen::Index> Chain::node(double order) const {
-  const auto found = std::ranges::find_if(nodes_, [=](double node) { return same_order(node, order); });
+  const auto found = std::ranges::find(nodes_, order);
   if (found == nodes_.end()) return std::nullopt;
   return found - nodes_.begin();
 }

@@ -36,6 +36,13 @@ TEST(Chain, OfThePendulumHasFourLinksAndItsInitialValuesAtWholeNodes) {
   EXPECT_THAT(starts(chain.components()), ElementsAre(1.0, 0.0, -0.3, 0.0));
 }
 
+// D^beta of order next to 0 is u - u(0), not u: it has a node of its own, which starts at 0.
+TEST(Chain, KeepsTheSmallestOrdersApart) {
+  const Chain chain({1.0, 2.0}, {{0.1, 1e-15}}, {1.0, -0.3});
+  EXPECT_THAT(chain.nodes(), ElementsAre(0.0, 1e-15, 1.0));
+  EXPECT_THAT(starts(chain.components()), ElementsAre(1.0, 0.0, -0.3));
+}
+
 TEST(Chain, DropsZeroTermsAndKeepsWholeOrders) {
   const Chain chain({1.0, 2.0}, {{0.0, 0.5}, {0.0, 1.0}, {0.3, 1.5}}, {1.0, -0.3});
   EXPECT_THAT(chain.nodes(), ElementsAre(0.0, 1.0, 1.5));

@@ -101,6 +101,10 @@ GivenTable read_table(const fs::path& file) {
   }
   auto& verdict = given.verdict;
   verdict.rows = given.table.rows.size();
+  if (verdict.rows == 0) {
+    throw std::invalid_argument(
+        fmt::format("{}: has no rows below its header; lines end with \\n", given.table.name));
+  }
   given.checksum = sha256(text);
   if (!described)
     verdict.absent.emplace_back(given.kind->of_scenes() ? "description: default parameters" : "description");
