@@ -14,14 +14,15 @@
 namespace fde {
 
 Rows TruthTable::at(const Grid& grid, const std::vector<int>& steps) {
-  Rows components(scene_.problem.size(), static_cast<Eigen::Index>(steps.size()));
+  Rows columns(static_cast<Eigen::Index>(scene_.outputs.names.size()),
+               static_cast<Eigen::Index>(steps.size()));
   for (std::size_t c = 0; c < steps.size(); ++c) {
     const double t = grid.time(steps[c]);
     auto found = known_.find(t);
     if (found == known_.end()) found = known_.emplace(t, truth(t).value).first;
-    components.col(static_cast<Eigen::Index>(c)) = found->second;
+    columns.col(static_cast<Eigen::Index>(c)) = found->second;
   }
-  return shown(scene_, components);
+  return columns;
 }
 
 Truth TruthTable::truth(double t) {
@@ -35,7 +36,7 @@ Truth TruthTable::truth(double t) {
   }
 }
 
-double TruthTable::bound(const Grid& grid) { return shown(scene_, truth(grid.end).bound).maxCoeff(); }
+double TruthTable::bound(const Grid& grid) { return truth(grid.end).bound.maxCoeff(); }
 
 Scene make_scene(const SceneMaker& maker, const std::map<std::string, double>& values) {
   const Parameters parameters(maker.id, maker.parameters, values);
@@ -107,11 +108,14 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
   if (const auto reason = refusal(scheme, scene.problem, grid))
     return {{outcome(0.0, "refused: " + *reason)}};
   EnergyBalance balance(scene.energy);
-  if (scene.energy) options.watch = [&](int n, In y) { balance.see(grid.time(n), y); };
+  if (scene.energy)
+    options.watch = [&](int n, In y) {
+      balance.see(grid.time(n), columns_at(scene.outputs, grid.time(n), y));
+    };
   const auto path = scheme.solve(scene.problem, grid, options);
   if (path.outcome != Outcome::finished) return {{outcome(grid.time(path.reached), describe(path))}};
   try {
-    const Rows values = shown(scene, path.y), exact = truth.at(grid, path.steps);
+    const Rows values = columns_of(scene.outputs, path), exact = truth.at(grid, path.steps);
     auto rows = measure({scene, scheme, path, values, exact, truth.bound(grid), balance.residual()}, row);
     rows.push_back(outcome(grid.end, "finished"));
     return {std::move(rows), true};

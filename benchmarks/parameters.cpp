@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace fde {
 namespace {
@@ -39,18 +41,50 @@ std::string Range::text() const {
   return fmt::format("a number in {}{}, {}{}", open_low ? '(' : '[', low, high, open_high ? ')' : ']');
 }
 
+std::string Parameter::allowed() const {
+  return choices.empty() ? range.text() : fmt::format("one of {}", fmt::join(choices, ", "));
+}
+
+std::string Parameter::text_of(double number) const {
+  return choices.empty() ? fmt::format("{}", number)
+                         : std::string(choices.at(static_cast<std::size_t>(number)));
+}
+
+double Parameter::read(std::string_view text) const {
+  if (const auto found = std::ranges::find(choices, text); found != choices.end())
+    return static_cast<double>(found - choices.begin());
+  const auto digits = text.substr(text.starts_with('+') ? 1 : 0);
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (!choices.empty() || error != std::errc{} || end != digits.data() + digits.size()) {
+    throw std::invalid_argument(fmt::format("--set {} = {}: must be {}{}", name, text, allowed(),
+                                            choices.empty() ? "" : nearest(text, choices)));
+  }
+  return number;
+}
+
+Parameter choice(std::string_view name, std::vector<std::string_view> choices, std::string_view meaning) {
+  const Range places{.low = 0.0, .high = static_cast<double>(choices.size() - 1)};
+  return {name, 0.0, places, meaning, std::move(choices)};
+}
+
+const Parameter& parameter_named(std::string_view name, std::string_view scene,
+                                 const std::vector<Parameter>& parameters) {
+  const auto parameter = std::ranges::find(parameters, name, &Parameter::name);
+  if (parameter != parameters.end()) return *parameter;
+  std::vector<std::string_view> names;
+  for (const auto& known : parameters) names.push_back(known.name);
+  throw std::invalid_argument(fmt::format("{}: scene {} has no such parameter{}; it has {}", name, scene,
+                                          nearest(name, names), fmt::join(names, ", ")));
+}
+
 Parameters::Parameters(std::string_view scene, const std::vector<Parameter>& parameters,
                        const std::map<std::string, double>& values) {
   for (const auto& parameter : parameters) values_.emplace(parameter.name, parameter.value);
   for (const auto& [name, value] : values) {
-    const auto parameter = std::ranges::find(parameters, name, &Parameter::name);
-    if (parameter == parameters.end()) {
-      std::vector<std::string_view> names;
-      for (const auto& known : parameters) names.push_back(known.name);
-      throw std::invalid_argument(fmt::format("{}: scene {} has no such parameter{}; it has {}", name, scene,
-                                              nearest(name, names), fmt::join(names, ", ")));
-    }
-    if (!parameter->range.contains(value)) reject(name, value, parameter->range.text());
+    const auto& parameter = parameter_named(name, scene, parameters);
+    const bool placed = parameter.choices.empty() || value == std::floor(value);
+    if (!placed || !parameter.range.contains(value)) reject(name, value, parameter.allowed());
     values_.find(name)->second = value;
   }
 }

@@ -25,13 +25,22 @@ constexpr Range not_negative{.low = 0.0};
 constexpr Range order_up_to_one{.low = 0.0, .high = 1.0, .open_low = true};
 constexpr Range order_up_to_two{.low = 0.0, .high = 2.0, .open_low = true};
 
-// A named number that a scene is made from.
+// A named number that a scene is made from, or a choice: the number is the place of its name among them.
 struct Parameter {
   std::string_view name;
   double value;  // the default
   Range range;
   std::string_view meaning;
+  std::vector<std::string_view> choices{};
+
+  [[nodiscard]] std::string allowed() const;               // "a number in (0, 2]", "one of a, b"
+  [[nodiscard]] std::string text_of(double number) const;  // a choice by its name
+  // Throws std::invalid_argument naming the parameter, the text and what is allowed.
+  [[nodiscard]] double read(std::string_view text) const;
 };
+
+// A parameter with one of these values; the first is the default.
+Parameter choice(std::string_view name, std::vector<std::string_view> choices, std::string_view meaning);
 
 // Values of all parameters of one scene.
 class Parameters {
@@ -42,6 +51,9 @@ class Parameters {
              const std::map<std::string, double>& values);
 
   double operator[](std::string_view name) const { return values_.find(name)->second; }
+  [[nodiscard]] std::size_t choice(std::string_view name) const {
+    return static_cast<std::size_t>((*this)[name]);
+  }
 
   [[nodiscard]] std::string text() const;  // "a=1 b=0.5", in the order of the alphabet
 
@@ -51,6 +63,10 @@ class Parameters {
 
 // Throws std::invalid_argument: "NAME = VALUE: must be ALLOWED".
 [[noreturn]] void reject(std::string_view name, double value, std::string_view allowed);
+
+// The parameter of this name. Throws std::invalid_argument where there is none.
+const Parameter& parameter_named(std::string_view name, std::string_view scene,
+                                 const std::vector<Parameter>& parameters);
 
 // ", did you mean 'x'?" with the candidate of least edit distance to the name.
 std::string nearest(std::string_view name, const std::vector<std::string_view>& candidates);

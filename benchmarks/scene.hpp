@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,17 +15,43 @@
 
 namespace fde {
 
-// The columns a scene shows: components[c] is the component under names[c]; empty: all of them in order.
+// The columns that a scene shows of the components that its problem solves for. All that is said of a scene
+// beyond its problem, and all that is measured, is said of columns.
 struct Outputs {
   std::vector<std::string> names{};
-  std::vector<Eigen::Index> components{};
+  std::function<void(double t, In y, Out columns)> of{};  // empty: the components in order
 };
 
-// E(y) and its exact rate of change along a solution, dE/dt = power(t, y).
+// Components as columns: components[c] is the one under names[c].
+Outputs picked(std::vector<std::string> names, std::vector<Eigen::Index> components);
+
+// E(columns) and its exact rate of change along a solution, dE/dt = power(t, columns).
 struct Energy {
-  std::function<double(In y)> value{};
-  std::function<double(double t, In y)> power{};
+  std::function<double(In columns)> value{};
+  std::function<double(double t, In columns)> power{};
   explicit operator bool() const { return static_cast<bool>(value); }
+};
+
+// f(t, columns) = 0, one value a constraint.
+struct Constraint {
+  Eigen::Index size = 0;
+  std::function<void(double t, In columns, Out f)> value{};
+  explicit operator bool() const { return static_cast<bool>(value); }
+
+  // |f(t, columns)|_inf, in the unit of f.
+  [[nodiscard]] double drift(double t, In columns) const;
+};
+
+// A column that is the derivative of order 0 < order < 1 of what another column is the first derivative of.
+struct Memory {
+  Eigen::Index derivative, velocity;
+  double order;
+};
+
+// A problem and the columns it gives.
+struct PosedProblem {
+  Problem problem{};
+  Outputs outputs{};
 };
 
 // A problem with what is known about it. What is absent is not computed, stored or shown.
@@ -33,8 +60,11 @@ struct Scene {
   Problem problem{};
   Smoothness smoothness{};
   Outputs outputs{};
-  Exact exact{};  // of the components
+  Exact exact{};                            // of the columns
+  std::optional<PosedProblem> reference{};  // the same equations for a reference; empty: the problem itself
   Energy energy{};
+  Constraint constraint{};
+  std::vector<Memory> memories{};  // the columns that the drift evaluates independently
 };
 
 // How a scene is made: one file in scenes/ and one line in scenes/list.def.
@@ -50,11 +80,22 @@ std::span<const SceneMaker> scenes();
 // The scene that a label of results names: "pendulum:alpha=1.9" is a pendulum. nullptr: none does.
 const SceneMaker* scene_of_label(std::string_view label);
 
-// The scene's columns of a vector or of rows of components.
-Rows shown(const Scene& scene, const Rows& components);
+// The columns of components at a time, or of a path.
+Vec columns_at(const Outputs& outputs, double t, In y);
+Rows columns_of(const Outputs& outputs, const Trajectory& path);
 
-// What is known about the components: scene.exact, or for a scene without one the collocation reference,
-// whose bound is an estimate. Computing that takes up to a second, unless it is in the cache_folder().
+// To first order: the sum over the components of |d columns / dy_i| bound_i.
+Vec bound_of_columns(const Outputs& outputs, double t, const Truth& truth, In columns);
+
+// The columns, then `energy` and `constraint` (the drift) where the scene has them.
+std::vector<std::string> printed_names(const Scene& scene);
+Vec printed_values(const Scene& scene, double t, In columns);
+
+// The problem that a reference is computed of, up to the end of the scene.
+PosedProblem posed_for_reference(const Scene& scene);
+
+// What is known about the columns: scene.exact, or for a scene without one the collocation reference, whose
+// bound is an estimate. Computing that takes up to a second, unless it is in the cache_folder().
 Exact truth_of(const Scene& scene);
 
 }  // namespace fde

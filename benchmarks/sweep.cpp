@@ -14,7 +14,9 @@ namespace fde {
 std::string SceneVariant::label() const {
   std::string text(maker->id);
   for (const auto& [name, value] : values) {
-    text += fmt::format("{}{}={}", text.size() == maker->id.size() ? ':' : ',', name, value);
+    const auto& parameter = parameter_named(name, maker->id, maker->parameters);
+    text +=
+        fmt::format("{}{}={}", text.size() == maker->id.size() ? ':' : ',', name, parameter.text_of(value));
   }
   return text;
 }

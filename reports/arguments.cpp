@@ -77,16 +77,15 @@ std::vector<double> parse_numbers(std::string_view name, std::string_view text, 
   return numbers;
 }
 
-std::map<std::string, double> parse_settings(const std::vector<std::string>& settings) {
+std::map<std::string, double> parse_settings(const SceneMaker& maker,
+                                             const std::vector<std::string>& settings) {
   std::map<std::string, double> values;
   for (const auto& setting : settings) {
     const auto equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) reject_text("--set", setting, "NAME=VALUE");
     const auto name = setting.substr(0, equals);
-    double value = 0.0;
-    if (!read(std::string_view(setting).substr(equals + 1), value)) {
-      reject_text("--set " + name, setting.substr(equals + 1), "a number");
-    }
+    const auto& parameter = parameter_named(name, maker.id, maker.parameters);
+    const double value = parameter.read(std::string_view(setting).substr(equals + 1));
     if (!values.emplace(name, value).second) reject_text("--set", setting, "one value for each name");
   }
   return values;
@@ -107,7 +106,8 @@ const SceneMaker& scene_named(std::string_view id) { return named(scenes(), "sce
 SceneVariant parse_variant(const std::string& text) {
   const auto colon = text.find(':');
   SceneVariant variant{.maker = &scene_named(text.substr(0, colon))};
-  if (colon != std::string::npos) variant.values = parse_settings(split_list(text.substr(colon + 1)));
+  if (colon != std::string::npos)
+    variant.values = parse_settings(*variant.maker, split_list(text.substr(colon + 1)));
   const Parameters checked(variant.maker->id, variant.maker->parameters, variant.values);
   return variant;
 }

@@ -28,8 +28,9 @@ struct ComplexText {
 };
 ComplexText split_complex(std::string_view text);
 
-// NAME=VALUE texts.
-std::map<std::string, double> parse_settings(const std::vector<std::string>& settings);
+// NAME=VALUE texts, for this scene.
+std::map<std::string, double> parse_settings(const SceneMaker& maker,
+                                             const std::vector<std::string>& settings);
 
 // "uniform" or "graded:R", R >= 1.
 Grid parse_grid(std::string_view text, double end, int steps);

@@ -20,6 +20,7 @@ std::vector<std::string> capabilities(const Scene& scene) {
   if (scene.problem.jacobian || scene.problem.linear_part) names.emplace_back("jacobian");
   if (scene.problem.linear_part) names.emplace_back("linear");
   if (scene.energy) names.emplace_back("energy");
+  if (scene.constraint) names.emplace_back("constraint");
   return names;
 }
 
@@ -28,8 +29,9 @@ Json describe(const SceneMaker& maker) {
   Json parameters = Json::array();
   for (const auto& parameter : maker.parameters) {
     parameters.push_back({{"name", parameter.name},
-                          {"default", parameter.value},
-                          {"allowed", parameter.range.text()},
+                          {"default", parameter.choices.empty() ? Json(parameter.value)
+                                                                : Json(parameter.text_of(parameter.value))},
+                          {"allowed", parameter.allowed()},
                           {"meaning", parameter.meaning}});
   }
   return {{"id", maker.id},

@@ -21,21 +21,18 @@ struct ExactArguments {
 
 void print_doubles(const Scene& scene, const Exact& exact, const std::vector<double>& times,
                    std::ostream& out) {
-  std::string rows =
-      fmt::format("t,{}{},bound\n", fmt::join(scene.outputs.names, ","), scene.energy ? ",energy" : "");
+  std::string rows = fmt::format("t,{},bound\n", fmt::join(printed_names(scene), ","));
   for (const double t : times) {
     const auto [value, bound] = exact.at(t);
     if (!value.allFinite())
       throw NumericalFailure(fmt::format("the exact solution is beyond double at t = {}", t));
-    const Rows values = shown(scene, value);
-    rows += fmt::format("{:.17g},{:.17g}", t, fmt::join(values.col(0), ","));
-    if (scene.energy) rows += fmt::format(",{:.17g}", scene.energy.value(value));
-    rows += "," + bound_text(shown(scene, bound).maxCoeff()) + "\n";
+    rows += fmt::format("{:.17g},{:.17g},{}\n", t, fmt::join(printed_values(scene, t, value), ","),
+                        bound_text(bound.maxCoeff()));
   }
   out << rows;
 }
 
-// Energies are doubles, so with digits there is no energy column.
+// Energies and constraints are doubles, so with digits they have no columns.
 void print_digits(const Scene& scene, const std::vector<double>& times, int digits, std::ostream& out) {
   std::string rows = fmt::format("t,{},bound\n", fmt::join(scene.outputs.names, ","));
   for (const double t : times) {
@@ -43,10 +40,8 @@ void print_digits(const Scene& scene, const std::vector<double>& times, int digi
     rows += fmt::format("{}", t);
     std::string bound = "0";
     for (std::size_t c = 0; c < scene.outputs.names.size(); ++c) {
-      const auto& columns = scene.outputs.components;
-      const auto& decimal = decimals[columns.empty() ? c : static_cast<std::size_t>(columns[c])];
-      rows += "," + decimal.value;
-      bound = larger_bound(bound, decimal.bound);
+      rows += "," + decimals[c].value;
+      bound = larger_bound(bound, decimals[c].bound);
     }
     rows += "," + bound + "\n";
   }
@@ -55,7 +50,7 @@ void print_digits(const Scene& scene, const std::vector<double>& times, int digi
 
 void exact(const ExactArguments& arguments, const Streams& streams) {
   const auto& maker = scene_named(arguments.scene);
-  Scene scene = make_scene(maker, parse_settings(arguments.settings));
+  Scene scene = make_scene(maker, parse_settings(maker, arguments.settings));
   const auto times = parse_numbers("--at", arguments.at, not_negative);
   if (!arguments.digits) {
     scene.problem.end = std::ranges::max(times) > 0.0 ? std::ranges::max(times) : scene.problem.end;

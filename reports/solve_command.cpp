@@ -59,23 +59,23 @@ HistoryKind parse_history(const std::string& text) {
 // The columns to print, one row a column, one column a step. A state may be finite and its energy not: throws
 // NumericalFailure then.
 Rows printed(const Scene& scene, const Scheme& scheme, const Trajectory& path) {
-  Rows values = shown(scene, path.y);
-  if (!scene.energy) return values;
-  values.conservativeResize(values.rows() + 1, Eigen::NoChange);
+  const auto names = printed_names(scene);
+  Rows values(std::ssize(names), path.y.cols());
   for (Eigen::Index c = 0; c < values.cols(); ++c) {
-    const double energy = scene.energy.value(path.y.col(c));
     const int n = path.steps[static_cast<std::size_t>(c)];
-    if (!std::isfinite(energy)) {
-      throw NumericalFailure(
-          fmt::format("{}: energy not finite at step {}, t = {:.6g}", scheme.id, n, path.grid.time(n)));
+    const double t = path.grid.time(n);
+    values.col(c) = printed_values(scene, t, columns_at(scene.outputs, t, path.y.col(c)));
+    for (Eigen::Index i = 0; i < values.rows(); ++i) {
+      if (std::isfinite(values(i, c))) continue;
+      throw NumericalFailure(fmt::format("{}: {} not finite at step {}, t = {:.6g}", scheme.id,
+                                         names[static_cast<std::size_t>(i)], n, t));
     }
-    values(values.rows() - 1, c) = energy;
   }
   return values;
 }
 
 void print_rows(const Scene& scene, const Rows& values, const Trajectory& path, std::ostream& out) {
-  fmt::print(out, "t,{}{}\n", fmt::join(scene.outputs.names, ","), scene.energy ? ",energy" : "");
+  fmt::print(out, "t,{}\n", fmt::join(printed_names(scene), ","));
   for (Eigen::Index c = 0; c < values.cols(); ++c) {
     fmt::print(out, "{:.17g}", path.grid.time(path.steps[static_cast<std::size_t>(c)]));
     for (const double value : values.col(c)) fmt::print(out, ",{:.17g}", value);
@@ -99,7 +99,7 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Trajectory& path
 void solve(const SolveArguments& arguments, const Streams& streams) {
   const auto& maker = scene_named(arguments.scene);
   const auto& scheme = scheme_named(arguments.scheme);
-  Scene scene = make_scene(maker, parse_settings(arguments.settings));
+  Scene scene = make_scene(maker, parse_settings(maker, arguments.settings));
   if (arguments.until) scene.problem.end = parse_number("--until", *arguments.until, positive);
   const Grid grid =
       parse_grid(arguments.grid, scene.problem.end, parse_count("--steps", arguments.steps, 1, most_steps));

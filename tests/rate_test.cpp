@@ -125,7 +125,7 @@ Rows errors(const Case& c, const Scene& scene, TruthTable& truth, int steps) {
   const Grid grid{scene.problem.end, steps, c.variant.grading};
   const auto path = c.scheme->solve(scene.problem, grid, {});
   EXPECT_EQ(path.outcome, Outcome::finished);
-  return shown(scene, path.y) - truth.at(grid, path.steps);
+  return columns_of(scene.outputs, path) - truth.at(grid, path.steps);
 }
 
 void expect_rate(const std::vector<ErrorAt>& points, double theory) {
@@ -224,7 +224,8 @@ TEST_P(FirstStepRate, MatchesTheory) {
     first.problem.end = std::pow(10.0, -(longest + k * (shortest - longest) / 4));
     const Grid grid{first.problem.end, 1};
     const auto path = GetParam().scheme->solve(first.problem, grid, {});
-    points.push_back({grid.end, (shown(scene, path.y) - truth.at(grid, path.steps)).cwiseAbs().maxCoeff()});
+    points.push_back(
+        {grid.end, (columns_of(scene.outputs, path) - truth.at(grid, path.steps)).cwiseAbs().maxCoeff()});
   }
   expect_rate(points, theory);
 }

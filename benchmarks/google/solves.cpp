@@ -30,7 +30,7 @@ void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int 
     state.SkipWithError(describe(path).c_str());
     return;
   }
-  const Rows error = shown(subject.scene, path.y) - subject.truth.at(grid, path.steps);
+  const Rows error = columns_of(subject.scene.outputs, path) - subject.truth.at(grid, path.steps);
   state.counters["error"] = error.cwiseAbs().maxCoeff();
   state.counters["per_step"] =
       benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);

@@ -59,12 +59,9 @@ class TrueColumns {
   }
 
   [[nodiscard]] std::vector<Decimal> at(double t, int digits) const {
-    const auto components = scene_.exact.digits ? scene_.exact.digits(t, digits) : in_double(t);
-    std::vector<Decimal> columns;
-    for (std::size_t c = 0; c < scene_.outputs.names.size(); ++c) {
-      const auto& chosen = scene_.outputs.components;
-      columns.push_back(components[chosen.empty() ? c : static_cast<std::size_t>(chosen[c])]);
-      if (columns.back().bound == "inf" || columns.back().bound == "nan")
+    auto columns = scene_.exact.digits ? scene_.exact.digits(t, digits) : in_double(t);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (columns[c].bound == "inf" || columns[c].bound == "nan")
         throw std::runtime_error(fmt::format("{} is not finite at t = {}", scene_.outputs.names[c], t));
     }
     return columns;

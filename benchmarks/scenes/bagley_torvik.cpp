@@ -25,11 +25,14 @@ SceneMaker bagley_torvik() {
           .make = [](const Parameters& p) -> Scene {
             const double stiffness = p["C"], load = p["load"], until = p["load_until"];
             const Chain chain({p["A"], 2.0}, {{p["B"], p["alpha"]}}, {p["y0"], p["dy0"]});
-            Outputs columns{.names = {"y", "dy"}, .components = {0, *chain.node(1.0)}};
-            if (const auto damped = chain.node(p["alpha"]); damped && p["B"] != 0.0) {
-              columns.names.emplace_back("Dalpha_y");
-              columns.components.push_back(*damped);
+            std::vector<std::string> names{"y", "dy"};
+            std::vector<double> orders{0.0, 1.0};
+            if (p["B"] != 0.0) {
+              names.emplace_back("Dalpha_y");
+              orders.push_back(p["alpha"]);
             }
+            std::vector<Eigen::Index> components;
+            for (const double order : orders) components.push_back(*chain.node(order));
             Smoothness smoothness = chain_smoothness({chain});
             if (load != 0.0) smoothness.jumps = {chain.size() - 1};
             return {.problem = {.components = chain.components(),
@@ -41,11 +44,11 @@ SceneMaker bagley_torvik() {
                                 .linear_part = chain.linear_part(-stiffness),
                                 .end = 16.0},
                     .smoothness = smoothness,
-                    .outputs = columns,
+                    .outputs = picked(names, components),
                     .exact = exact_solution({.terms = {{p["A"], 2.0}, {p["B"], p["alpha"]}, {stiffness, 0.0}},
                                              .initial = {p["y0"], p["dy0"]},
                                              .loads = {{load}, {.coefficient = -load, .from = until}}},
-                                            chain.nodes())};
+                                            orders)};
           }};
 }
 

@@ -24,7 +24,7 @@ SceneMaker damped_oscillator() {
         const double w2 = p["w2"];
         const auto terms = damping_terms(p, p["mu"], p["lambda"], p["nu"]);
         const Chain chain({1.0, 2.0}, terms, {p["u0"], p["du0"]});
-        const auto du = *chain.node(1.0);
+        const DampedColumns columns(terms, "u");
         LinearEquation equation{.terms = {{1.0, 2.0}, {w2, 0.0}}, .initial = {p["u0"], p["du0"]}};
         for (const auto& [name, order] : {std::pair{"nu", p["beta"]}, {"lambda", 1.0}, {"mu", p["alpha"]}}) {
           equation.terms.push_back({p[name], order, p["tau"]});
@@ -35,10 +35,14 @@ SceneMaker damped_oscillator() {
                         .linear_part = chain.linear_part(-w2),
                         .end = 20.0},
             .smoothness = chain_smoothness({chain}),
-            .outputs = chain_outputs(chain, terms, "u"),
-            .exact = exact_solution(equation, chain.nodes()),
-            .energy = {.value = [=](In y) { return 0.5 * (y[du] * y[du] + w2 * y[0] * y[0]); },
-                       .power = [=](double, In y) { return -y[du] * chain.terms(y); }}};
+            .outputs = picked(columns.names, columns.components(chain)),
+            .exact = exact_solution(equation, columns.orders),
+            .energy = {.value =
+                           [=](In c) {
+                             const double u = columns.u(c), du = columns.du(c);
+                             return 0.5 * (du * du + w2 * u * u);
+                           },
+                       .power = [=](double, In c) { return columns.power(c); }}};
       }};
 }
 

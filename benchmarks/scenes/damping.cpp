@@ -15,19 +15,31 @@ std::vector<Parameter> damping_parameters() {
           {"tau", 0.8, positive, "relaxation time"}};
 }
 
-Outputs chain_outputs(const Chain& chain, const std::vector<Term>& terms, const std::string& u,
-                      Eigen::Index offset) {
-  const auto& lower = terms.front();
-  const auto& higher = terms.back();
-  Outputs columns{.names = {u}, .components = {offset}};
-  const auto add = [&](const std::string& name, double order) {
-    columns.names.push_back(name);
-    columns.components.push_back(offset + *chain.node(order));
+DampedColumns::DampedColumns(const std::vector<Term>& terms, const std::string& u, Eigen::Index from)
+    : first(from) {
+  std::vector<double> coefficients;
+  const auto add = [&](const std::string& name, double order, double coefficient) {
+    names.push_back(name);
+    orders.push_back(order);
+    coefficients.push_back(coefficient);
   };
-  if (lower.coefficient != 0.0) add("Dbeta_" + u, lower.order);
-  add("d" + u, 1.0);
-  if (higher.coefficient != 0.0) add("Dalpha_" + u, higher.order);
-  return columns;
+  const auto &lower = terms.front(), &middle = terms[1], &higher = terms.back();
+  add(u, 0.0, 0.0);
+  if (lower.coefficient != 0.0) add("Dbeta_" + u, lower.order, lower.coefficient);
+  at_du = std::ssize(names);
+  add("d" + u, 1.0, middle.coefficient);
+  if (higher.coefficient != 0.0) add("Dalpha_" + u, higher.order, higher.coefficient);
+  damping = Eigen::Map<const Vec>(coefficients.data(), std::ssize(coefficients));
+}
+
+std::vector<Eigen::Index> DampedColumns::components(const Chain& chain, Eigen::Index offset) const {
+  std::vector<Eigen::Index> components;
+  for (const double order : orders) components.push_back(offset + *chain.node(order));
+  return components;
+}
+
+double DampedColumns::power(In columns) const {
+  return -du(columns) * damping.dot(columns.segment(first, damping.size()));
 }
 
 }  // namespace fde

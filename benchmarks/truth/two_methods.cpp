@@ -27,20 +27,22 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 void print_rows(const SceneMaker& maker, Scene scene) {
   scene.problem.end = times.back();
   const auto start = std::chrono::steady_clock::now();
-  const Exact reference = reference_solution(scene.problem);  // with its own run of the second method
+  const auto [problem, outputs] = posed_for_reference(scene);
+  const Exact reference = reference_solution(problem);  // with its own run of the second method
   const double both = seconds_since(start);
-  const auto second = diffusive_solution(scene.problem, {}, {times.begin(), times.end()});
+  const auto second = diffusive_solution(problem, {}, {times.begin(), times.end()});
   fmt::print(stderr, "{}: reference {:.2f} s, its second method {:.2f} s in {} steps\n", maker.id, both,
              seconds_since(start) - both, second.times.size());
   for (const double t : times) {
     const Truth truth = reference.at(t);
     const auto k = std::ranges::find(second.times, t) - second.times.begin();
-    const Rows values = shown(scene, truth.value), bounds = shown(scene, truth.bound),
-               others = shown(scene, second.values[static_cast<std::size_t>(k)]);
-    for (Eigen::Index c = 0; c < values.rows(); ++c) {
+    const Vec values = columns_at(outputs, t, truth.value),
+              others = columns_at(outputs, t, second.values[static_cast<std::size_t>(k)]);
+    const Vec bounds = bound_of_columns(outputs, t, truth, values);
+    for (Eigen::Index c = 0; c < values.size(); ++c) {
       fmt::print("{},{},{},{:.17g},{:.17g},{:.1e},{:.1e}\n", maker.id, t,
-                 scene.outputs.names[static_cast<std::size_t>(c)], values(c, 0), others(c, 0),
-                 std::abs(values(c, 0) - others(c, 0)), bounds(c, 0));
+                 scene.outputs.names[static_cast<std::size_t>(c)], values[c], others[c],
+                 std::abs(values[c] - others[c]), bounds[c]);
     }
   }
 }
