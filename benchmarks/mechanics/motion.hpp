@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "derivatives.hpp"
+#include "problem.hpp"
+
+namespace fde::mechanics {
+
+// Coordinates and velocities at t = 0.
+template <int n>
+struct Motion {
+  Vector<double, n> q, v;
+};
+
+// What a formulation's state says: coordinates, velocities, D^order q.
+template <int n>
+struct Columns {
+  Vector<double, n> q, v, w;
+};
+
+// Vectors under one another.
+template <class S, class... Parts>
+auto joined(const Parts&... parts) {
+  Vector<S, (int{Parts::RowsAtCompileTime} + ...)> result;
+  Eigen::Index next = 0;
+  ((result.segment(next, parts.size()) = parts, next += parts.size()), ...);
+  return result;
+}
+
+inline void add_rows(std::vector<Component>& /*components*/) {}
+template <class Initial, class... Rest>
+void add_rows(std::vector<Component>& components, double order, const Initial& initial, const Rest&... rest) {
+  for (const double value : initial) components.push_back({order, {value}});
+  add_rows(components, rest...);
+}
+
+// Components in groups: an order and the initial values of all that have it, and so on.
+template <class... Groups>
+std::vector<Component> rows(const Groups&... groups) {
+  std::vector<Component> components;
+  add_rows(components, groups...);
+  return components;
+}
+
+}  // namespace fde::mechanics

@@ -1,0 +1,101 @@
+#include "posed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "linear_smoothness.hpp"
+
+namespace fde::mechanics {
+
+Matrix linear_part_of(const Problem& problem) {
+  const Eigen::Index size = problem.size();
+  Vec point = Vec::Zero(size), at_zero(size), f(size);
+  Matrix part(size, size);
+  problem.rhs(1.0, point, at_zero);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    point[i] = 1.0;
+    problem.rhs(1.0, point, f);
+    part.col(i) = f - at_zero;
+    point[i] = 0.0;
+  }
+  const double rounding = 1e-14 * part.cwiseAbs().maxCoeff();
+  return (part.array().abs() < rounding).select(0.0, part);
+}
+
+Smoothness linear_start(const Problem& problem) {
+  Vec constants(problem.size());
+  problem.rhs(0.0, Vec::Zero(problem.size()), constants);
+  return linear_smoothness(problem.components, *problem.linear_part, constants);
+}
+
+Smoothness nonlinear_start(const std::vector<Component>& components) {
+  std::vector<double> steps{1.0};
+  for (const auto& component : components) {
+    if (component.order > 0.0) steps.push_back(component.order);
+  }
+  Smoothness smoothness;
+  for (const auto& [order, initial] : components) {
+    smoothness.powers.push_back(order > 0.0 ? power_lattice({order}, steps, order + 2.0)
+                                            : std::vector<double>{});
+  }
+  return smoothness;
+}
+
+PosedMechanics with_multipliers(PosedMechanics form, const PosedMechanics& integrated) {
+  form.smoothness = integrated.smoothness;
+  form.smoothness.powers.resize(form.problem.components.size());
+  return form;
+}
+
+PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechanics& integrated) {
+  const auto& of = integrated.smoothness.powers;  // q, z, b.v, free part of w
+  const std::size_t n = of.size() / 3;
+  form.smoothness.powers.assign(form.problem.components.size(), {});
+  for (std::size_t i = 0; i < n; ++i) {
+    auto both = of[n + i];
+    both.insert(both.end(), of[2 * n].begin(), of[2 * n].end());
+    form.smoothness.powers[i] = of[i];
+    form.smoothness.powers[n + i] = power_lattice(both, {}, both.empty() ? 0.0 : std::ranges::max(both));
+    form.smoothness.powers[2 * n + i] = of[2 * n + 1 + i];
+  }
+  return form;
+}
+
+std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory) {
+  std::vector<std::string> names = coordinates;
+  const auto add = [&](const std::string& letter, const std::string& prefix) {
+    for (const auto& name : coordinates) {
+      const bool numbered = name.size() > 1 && name[0] == 'q';
+      names.push_back(numbered ? letter + name.substr(1) : prefix + name);
+    }
+  };
+  add("v", "d");
+  if (memory) add("w", "Dalpha_");
+  return names;
+}
+
+void reject_singular(double order) {
+  throw std::invalid_argument(
+      fmt::format("formulation = acceleration: must be another one for alpha = {}: D^alpha v starts like "
+                  "t^{:.3g}, unbounded unless (df/dw) v(0) = 0 or alpha < 1/2",
+                  order, 1.0 - 2.0 * order));
+}
+
+void reject_above_one(double order) {
+  throw std::invalid_argument(
+      fmt::format("formulation = acceleration: must be integrated or multiplier for alpha = {}: above 1 the "
+                  "highest derivative is D^(1+alpha) q inside the reaction",
+                  order));
+}
+
+void reject_unaligned(double order) {
+  throw std::invalid_argument(
+      fmt::format("formulation = integrated: must be multiplier for alpha = {} and a.b = 0: above 1 the "
+                  "constraint then fixes no derivative of order alpha",
+                  order));
+}
+
+}  // namespace fde::mechanics

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "derivatives.hpp"
+#include "scene.hpp"
+
+namespace fde::mechanics {
+
+// A problem, its columns q, v, w, and how its solution starts.
+struct PosedMechanics {
+  Problem problem;
+  std::function<void(double t, In y, Out columns)> columns;
+  Smoothness smoothness;
+};
+
+// The matrix A of a right-hand side A y + b(t).
+Matrix linear_part_of(const Problem& problem);
+
+// Powers of t with which the solutions start: of a linear problem those of its series, with the powers that
+// b(t) has where it is not constant; of another one all that may occur.
+Smoothness linear_start(const Problem& problem);
+Smoothness nonlinear_start(const std::vector<Component>& components);
+
+// The form with multipliers has the rows of the integrated one, the velocities in place of their free parts,
+// and integrates no more than these; the multipliers are behind all.
+PosedMechanics with_multipliers(PosedMechanics form, const PosedMechanics& integrated);
+
+// The same above order 1, where v itself is integrated: with the powers of its free part and of b.v.
+PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechanics& integrated);
+
+// Columns q1, v1, w1 of a coordinate q1; x, dx, Dalpha_x of x.
+std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory);
+
+// Throw std::invalid_argument.
+[[noreturn]] void reject_singular(double order);
+[[noreturn]] void reject_above_one(double order);
+[[noreturn]] void reject_unaligned(double order);
+
+template <class Form>
+PosedMechanics pose(const Form& form, double end, bool linear) {
+  using State = Vector<double, Form::states>;
+  PosedMechanics result;
+  result.problem.components = form.components();
+  result.problem.rhs = [form](double t, In y, Out f) { f = form.template rhs<double>(t, State(y)); };
+  result.problem.end = end;
+  result.columns = [form](double t, In y, Out columns) {
+    const auto of = form.columns(t, State(y));
+    columns.head(Form::n) = of.q;
+    columns.segment(Form::n, Form::n) = of.v;
+    columns.tail(columns.size() - 2 * Form::n) = of.w.head(columns.size() - 2 * Form::n);
+  };
+  if (linear) result.problem.linear_part = linear_part_of(result.problem);
+  result.smoothness = linear ? linear_start(result.problem) : nonlinear_start(result.problem.components);
+  return result;
+}
+
+}  // namespace fde::mechanics

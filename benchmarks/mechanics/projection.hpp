@@ -1,0 +1,53 @@
+#pragma once
+
+#include "reaction.hpp"
+
+namespace fde::mechanics {
+
+// Constraints that are affine in the velocity, f = a(t, q) v + beta(t, q, w): the velocities that they leave
+// free, and the one that they fix.
+template <class S, class System>
+class Projection {
+  static constexpr int n = System::coordinates;
+
+ public:
+  Projection(const System& system, const S& t, const Vector<S, n>& q, const Vector<S, n>& w)
+      : rates_(constraint_rates<S>(system, t, q, Vector<S, n>(Vector<S, n>::Constant(S(0.0))), w)),
+        reaction_(system, q, rates_) {}
+
+  // P x, with a P = 0 and P G^-1 reaction^T = 0.
+  [[nodiscard]] Vector<S, n> of(const Vector<S, n>& x) const { return reaction_.projected(x); }
+  // The velocity with f = 0 and the free part P z.
+  [[nodiscard]] Vector<S, n> velocity(const Vector<S, n>& z) const {
+    return of(z) + reaction_.answer(rates_.value);
+  }
+  [[nodiscard]] const ConstraintRates<S, System>& rates() const { return rates_; }
+  [[nodiscard]] const Reaction<S, System>& reaction() const { return reaction_; }
+
+ private:
+  ConstraintRates<S, System> rates_;
+  Reaction<S, System> reaction_;
+};
+
+// P' v along a motion with velocity v: what turns with the constraint.
+template <class S, class System>
+Vector<S, System::coordinates> projection_rate(const System& system, const S& t,
+                                               const Vector<S, System::coordinates>& q,
+                                               const Vector<S, System::coordinates>& v) {
+  constexpr int n = System::coordinates;
+  using D = Dual<S, 1>;
+  D time = constant<S, 1>(t);
+  time.derivatives()[0] = S(1.0);
+  const Vector<D, n> place = moving<1>(q, v);
+  Vector<D, n> none, fixed;
+  for (int i = 0; i < n; ++i) {
+    none[i] = constant<S, 1>(S(0.0));
+    fixed[i] = constant<S, 1>(v[i]);
+  }
+  const Vector<D, n> projected = Projection<D, System>(system, time, place, none).of(fixed);
+  Vector<S, n> rate;
+  for (int i = 0; i < n; ++i) rate[i] = projected[i].derivatives()[0];
+  return rate;
+}
+
+}  // namespace fde::mechanics

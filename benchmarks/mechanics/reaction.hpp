@@ -1,0 +1,90 @@
+#pragma once
+
+#include "system.hpp"
+
+namespace fde::mechanics {
+
+// The first derivatives of the constraints at (t, q, v, w).
+template <class S, class System>
+struct ConstraintRates {
+  static constexpr int n = System::coordinates, r = System::constraints;
+  Vector<S, r> value;  // f
+  Table<S, r, n>
+      reaction;  // df/dv: the reaction is its transpose times lambda (Chetaev; Tarasov & Zaslavsky 32)
+  Table<S, r, n> slope;   // what v' is multiplied with in df/dt: df/dv; at order 1, where w = v, also df/dw
+  Table<S, r, n> memory;  // df/dw; at order 1 zero
+  Vector<S, r> flow;      // df/dt + (df/dq) v
+};
+
+template <class S, class System>
+ConstraintRates<S, System> constraint_rates(const System& system, const S& t,
+                                            const Vector<S, System::coordinates>& q,
+                                            const Vector<S, System::coordinates>& v,
+                                            const Vector<S, System::coordinates>& w) {
+  constexpr int n = System::coordinates, r = System::constraints;
+  constexpr int directions = HasMemory<System> ? 2 * n + 1 : n + 1, along = directions - 1;
+  using D = Dual<S, directions>;
+  D time = constant<S, directions>(t);
+  time.derivatives()[along] = S(1.0);
+  const Vector<D, n> rates = variables<directions>(v);
+  Vector<D, n> memory = rates;
+  if constexpr (HasMemory<System>) memory = variables<directions>(w, n);
+  const Vector<D, r> f = constraint_value<D>(system, time, moving<directions>(q, v, along), rates, memory);
+  ConstraintRates<S, System> result;
+  for (int i = 0; i < r; ++i) {
+    const auto& derivatives = f[i].derivatives();
+    result.value[i] = f[i].value();
+    result.reaction.row(i) = derivatives.template head<n>().transpose();
+    result.flow[i] = derivatives[along];
+    if constexpr (HasMemory<System>) result.memory.row(i) = derivatives.template segment<n>(n).transpose();
+  }
+  result.slope = result.reaction;
+  if constexpr (HasMemory<System>) {
+    if (system.order == 1.0) {
+      result.slope += result.memory;
+      result.memory.setConstant(S(0.0));
+    }
+  }
+  return result;
+}
+
+// How the reaction answers: for a defect x of df/dt = slope v' + x the acceleration
+//   -G^-1 reaction^T (slope G^-1 reaction^T)^-1 x                                  (Tarasov & Zaslavsky 36)
+// takes it away.
+template <class S, class System>
+class Reaction {
+  static constexpr int n = System::coordinates, r = System::constraints;
+
+ public:
+  Reaction(const System& system, const Vector<S, n>& q, const ConstraintRates<S, System>& rates)
+      : slope_(rates.slope),
+        directions_(raised<S>(system, q, Table<S, n, r>(rates.reaction.transpose()))),
+        inverse_(Table<S, r, r>(slope_ * directions_).inverse()) {}
+
+  [[nodiscard]] Vector<S, r> multiplier(const Vector<S, r>& defect) const { return -(inverse_ * defect); }
+  [[nodiscard]] Vector<S, n> acceleration(const Vector<S, r>& multiplier) const {
+    return directions_ * multiplier;
+  }
+  [[nodiscard]] Vector<S, n> answer(const Vector<S, r>& defect) const {
+    return acceleration(multiplier(defect));
+  }
+  // x without what the constraints do not allow: slope (projected x) = 0.
+  [[nodiscard]] Vector<S, n> projected(const Vector<S, n>& x) const {
+    const Vector<S, r> component = slope_ * x;
+    return x + answer(component);
+  }
+  [[nodiscard]] const Table<S, r, n>& slope() const { return slope_; }
+
+ private:
+  Table<S, r, n> slope_;
+  Table<S, n, r> directions_;
+  Table<S, r, r> inverse_;
+};
+
+template <class S, class System>
+Reaction<S, System> reaction_of(const System& system, const Vector<S, System::coordinates>& q,
+                                const ConstraintRates<S, System>& rates) {
+  return {system, q, rates};
+}
+
+}  // namespace fde::mechanics

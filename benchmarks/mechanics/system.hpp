@@ -1,0 +1,97 @@
+#pragma once
+
+#include "derivatives.hpp"
+
+namespace fde::mechanics {
+
+// A mechanical system is a type with
+//   static constexpr int coordinates, constraints;
+//   template <class S> Vector<S, constraints> constraint(t, q, v) const;      or, with memory,
+//   template <class S> Vector<S, constraints> constraint(t, q, v, w) const;   w = D^order q, and
+//   double order;                                                             in (0, 2)
+// and as far as it has them
+//   template <class S> S potential(q) const;                                  u
+//   template <class S> Table<S, n, n> metric(q) const;                        G, else the identity
+//   template <class S> Vector<S, n> force(t, q, v) const;                     F, covariant
+// for every scalar S that automatic differentiation needs: t is an S, q, v and w are Vector<S, n>. What is
+// absent costs nothing. The Lagrangian is 1/2 v'G v - u, the constraints are f(t, q, v, w) = 0.
+
+template <class System>
+concept HasPotential = requires(const System& s, const Vector<double, System::coordinates>& q) {
+  s.template potential<double>(q);
+};
+template <class System>
+concept HasMetric = requires(const System& s, const Vector<double, System::coordinates>& q) {
+  s.template metric<double>(q);
+};
+template <class System>
+concept HasForce = requires(const System& s, const Vector<double, System::coordinates>& q) {
+  s.template force<double>(0.0, q, q);
+};
+template <class System>
+concept HasMemory = requires(const System& s, const Vector<double, System::coordinates>& q) {
+  s.template constraint<double>(0.0, q, q, q);
+};
+
+// f(t, q, v, w); w is passed over where the constraint has none.
+template <class S, class System>
+Vector<S, System::constraints> constraint_value(const System& system, const S& t,
+                                                const Vector<S, System::coordinates>& q,
+                                                const Vector<S, System::coordinates>& v,
+                                                const Vector<S, System::coordinates>& w) {
+  if constexpr (HasMemory<System>) {
+    return system.template constraint<S>(t, q, v, w);
+  } else {
+    return system.template constraint<S>(t, q, v);
+  }
+}
+
+// G(q)^-1 x.
+template <class S, class System, class Columns>
+auto raised(const System& system, const Vector<S, System::coordinates>& q, const Columns& x) {
+  using Result = Table<S, System::coordinates, Columns::ColsAtCompileTime>;
+  if constexpr (HasMetric<System>) {
+    return Result(system.template metric<S>(q).inverse() * x);
+  } else {
+    return Result(x);
+  }
+}
+
+// The terms of d/dt (G v) - 1/2 grad (v'G v) besides G v': Christoffel symbols of the first kind times v v,
+//   c_i = sum_jk (dG_ij/dq_k - 1/2 dG_jk/dq_i) v_j v_k.
+template <class S, HasMetric System>
+Vector<S, System::coordinates> christoffel_terms(const System& system,
+                                                 const Vector<S, System::coordinates>& q,
+                                                 const Vector<S, System::coordinates>& v) {
+  constexpr int n = System::coordinates;
+  using D = Dual<S, n>;
+  const Table<D, n, n> metric = system.template metric<D>(variables<n>(q));
+  Vector<S, n> terms = Vector<S, n>::Constant(S(0.0));
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      for (int k = 0; k < n; ++k) {
+        terms[i] += (metric(i, j).derivatives()[k] - S(0.5) * metric(j, k).derivatives()[i]) * v[j] * v[k];
+      }
+    }
+  }
+  return terms;
+}
+
+// v' without constraints: G^-1 (-grad u + F - Christoffel terms).
+template <class S, class System>
+Vector<S, System::coordinates> free_acceleration(const System& system, const S& t,
+                                                 const Vector<S, System::coordinates>& q,
+                                                 const Vector<S, System::coordinates>& v) {
+  constexpr int n = System::coordinates;
+  Vector<S, n> force = Vector<S, n>::Constant(S(0.0));
+  if constexpr (HasPotential<System>) {
+    using D = Dual<S, n>;
+    const D potential = system.template potential<D>(variables<n>(q));
+    force -= potential.derivatives();
+  }
+  if constexpr (HasForce<System>) force += system.template force<S>(t, q, v);
+  if constexpr (HasMetric<System>) force -= christoffel_terms<S>(system, q, v);
+  return raised<S>(system, q, force);
+}
+
+}  // namespace fde::mechanics
