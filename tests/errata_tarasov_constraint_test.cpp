@@ -53,7 +53,7 @@ State state_at(double t, double alpha) {
     return BigReal((-at[0][i] + 16 * at[1][i] - 30 * at[2][i] + 16 * at[3][i] - at[4][i]) / (12 * h * h))
         .convert_to<double>();
   };
-  const double x = BigReal((at[2][0] + at[2][1]) / 2).convert_to<double>();
+  const auto x = BigReal((at[2][0] + at[2][1]) / 2).convert_to<double>();
   return {.x = x,
           .dx = (first(0) + first(1)) / 2,
           .ddx = (second(0) + second(1)) / 2,

@@ -23,10 +23,9 @@ double trapezoid(int j, int k, double g) {
   return of_j / (g * (g + 1.0));
 }
 
-// Steps of the predictor-corrector 5.6-5.9 or 6.9-6.16. The row whose correction takes phi' (component 2)
-// from the prediction of the step before, none: -1.
-Vec predictor_corrector(const Problem& problem, int steps, Eigen::Index row_of_old_prediction) {
-  const double h = problem.end / steps;
+// Steps of the predictor-corrector 5.6-5.9 or 6.9-6.16. row_of_old: whose correction takes phi' (component 2)
+// from the prediction of the step before, the last one that the index j reaches; -1: none.
+Vec predictor_corrector(const Problem& problem, int steps, Eigen::Index row_of_old) {
   const Eigen::Index size = problem.size();
   const Vec start = taylor_part(problem, 0.0);
   const auto rhs = [&](const Vec& y) {
@@ -34,33 +33,31 @@ Vec predictor_corrector(const Problem& problem, int steps, Eigen::Index row_of_o
     problem.rhs(0.0, y, f);
     return f;
   };
+  Vec order(size), factor(size);  // h^g / Gamma(g)
+  for (Eigen::Index i = 0; i < size; ++i) {
+    order[i] = problem.components[static_cast<std::size_t>(i)].order;
+    factor[i] = std::pow(problem.end / steps, order[i]) / gamma(order[i]);
+  }
   Vec y = start, prediction = start;
   std::vector<Vec> f;
   for (int k = 0; k < steps; ++k) {
     f.push_back(rhs(y));
-    Vec next = start, corrected = start, old = prediction;
-    const auto factor = [&](Eigen::Index i) {
-      const double g = problem.components[static_cast<std::size_t>(i)].order;
-      return std::pair{g, std::pow(h, g) / gamma(g)};
-    };
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const auto [g, scale] = factor(i);
-      for (int j = 0; j <= k; ++j) {
-        next[i] += scale * rectangle(j, k, g) * f[static_cast<std::size_t>(j)][i];
-        corrected[i] += scale * trapezoid(j, k, g) * f[static_cast<std::size_t>(j)][i];
+    const double old = prediction[2];
+    prediction = y = start;
+    for (int j = 0; j <= k; ++j) {
+      for (Eigen::Index i = 0; i < size; ++i) {
+        const double part = factor[i] * f[static_cast<std::size_t>(j)][i];
+        prediction[i] += part * rectangle(j, k, order[i]);
+        y[i] += part * trapezoid(j, k, order[i]);
       }
     }
-    prediction = next;
     Vec last = rhs(prediction);
-    if (row_of_old_prediction >= 0) {
-      next[2] = old[2];
-      last[row_of_old_prediction] = rhs(next)[row_of_old_prediction];
+    if (row_of_old >= 0) {
+      Vec mixed = prediction;
+      mixed[2] = old;
+      last[row_of_old] = rhs(mixed)[row_of_old];
     }
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const auto [g, scale] = factor(i);
-      corrected[i] += scale / (g * (g + 1.0)) * last[i];
-    }
-    y = corrected;
+    y.array() += factor.array() * last.array() / (order.array() * (order.array() + 1.0));
   }
   return y;
 }

@@ -74,7 +74,7 @@ TEST(ErrataYin, Theorem43DoesNotCoverItsOwnExample) {
     const auto values = exact.digits(t, 30);
     const double half = std::stod(values[0].value);
     EXPECT_NEAR(half / std::sqrt(t), u1 / gamma(1.5), 10.0 * t);
-    const double rise = static_cast<double>(parse<long double>(values[1].value) + 0.976L);
+    const auto rise = static_cast<double>(parse<long double>(values[1].value) + 0.976L);
     EXPECT_NEAR(rise / std::sqrt(t), slope, 0.5 * std::sqrt(t));
   }
 }
