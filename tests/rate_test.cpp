@@ -166,6 +166,7 @@ std::vector<double> later_powers(const Case& c) {
       {"power_17", {"decoupled_multi_order"}, {2.0, 2.7}},
       {"fractional_oscillator_13", {"adams_pc"}, {2.3}},
       {"fractional_constraint_2d_2_integrated", {"product_trapezoidal"}, {2.0}},
+      {"fractional_constraint_2d_3_stabilised", {"product_trapezoidal"}, {1.7, 2.0}},
       {"relaxation_15__graded_15", {"l1"}, {1.5}},
       {"relaxation_15__graded_25", {"adams_pc"}, {2.5}},
       {"relaxation_15__graded_40", {"adams_pc"}, {2.5}},
