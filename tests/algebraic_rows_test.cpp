@@ -1,22 +1,16 @@
 // Rows 0 = f_i(t, y) that determine their own unknown (index 1), and what every scheme says to a row of order
 // 0.
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "collocation.hpp"
-#include "diffusive_march.hpp"
+#include "algebraic_problems.hpp"
 #include "implicit_schemes.hpp"
-#include "linear_smoothness.hpp"
 #include "rate.hpp"
-#include "splitting.hpp"
 
 namespace fde {
 namespace {
-
-using testing::HasSubstr;
 
 class AlgebraicRows : public testing::TestWithParam<const Scheme*> {
  protected:
@@ -27,26 +21,6 @@ class AlgebraicRows : public testing::TestWithParam<const Scheme*> {
 };
 
 INSTANTIATE_TEST_SUITE_P(, AlgebraicRows, testing::ValuesIn(implicit_schemes()), id_of_param);
-
-Component starting_at_one(double order) {
-  return order > 1.0 ? Component{order, {1.0, 0.0}} : Component{order, {1.0}};
-}
-
-// D^order y = -y.
-Problem decay(double order) {
-  return {.components = {starting_at_one(order)}, .rhs = [](double, In y, Out f) { f = -y; }, .end = 2.0};
-}
-
-// D^order y = -z, 0 = 4 (z - y): the same y.
-Problem decay_through(double order) {
-  return {.components = {{0.0, {1.0}}, starting_at_one(order)},
-          .rhs =
-              [](double, In y, Out f) {
-                f[0] = 4.0 * (y[0] - y[1]);
-                f[1] = -y[0];
-              },
-          .end = 2.0};
-}
 
 TEST_P(AlgebraicRows, AnUnknownThatCanBeEliminatedChangesNothing) {
   const Matrix a = (Matrix(2, 2) << 4.0, -4.0, -1.0, 0.0).finished();
@@ -122,38 +96,6 @@ TEST_P(AlgebraicRows, NeedOneInitialValue) {
   EXPECT_EQ(refusal(*GetParam(), problem, {2.0, 8}), "needs 1 initial value for order 0, component 0 has 0");
   problem.components[0] = {-0.5, {1.0}};
   EXPECT_EQ(refusal(*GetParam(), problem, {2.0, 8}), "takes orders in [0, 2], component 0 has -0.5");
-}
-
-TEST(AlgebraicRowsElsewhere, ExplicitSchemesRefuseWithTheReason) {
-  int refused = 0;
-  for (const Scheme& scheme : schemes()) {
-    if (scheme.needs.implicit) continue;
-    ++refused;
-    EXPECT_EQ(refusal(scheme, decay_through(0.5), {2.0, 8}),
-              "steps explicitly: component 0 is an algebraic row (order 0)");
-  }
-  EXPECT_EQ(refused, 3);
-}
-
-TEST(AlgebraicRowsElsewhere, ReferencesRefuseNamingComponentAndOrder) {
-  const auto refuses = [](const auto& make) {
-    EXPECT_THAT(make, testing::ThrowsMessage<std::invalid_argument>(
-                          HasSubstr("component 0 needs an order in (0, 2], it has 0")));
-  };
-  refuses([] { reference_table(decay_through(0.5)); });
-  refuses([] { diffusive_solution(decay_through(0.5)); });
-  EXPECT_THAT([] { linear_smoothness(decay_through(0.5).components, Matrix::Ones(2, 2), Vec::Zero(2)); },
-              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("component 0 has order 0")));
-}
-
-TEST(AlgebraicRowsElsewhere, SplittingLeavesThemAlone) {
-  const auto problem = decay_through(1.5);
-  EXPECT_EQ(links_up_to_one(problem), (Links{{0.0}, {1.0, 0.5}}));
-  EXPECT_EQ(commensurate_links(problem), (Links{{0.0}, {0.5, 0.5, 0.5}}));
-  const Problem all = split(problem, *commensurate_links(problem));
-  EXPECT_EQ(all.size(), 4);
-  EXPECT_EQ(all.components[0].order, 0.0);
-  EXPECT_EQ(all.components[0].initial, std::vector{1.0});
 }
 
 }  // namespace

@@ -3,71 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
+#include "algebraic_problems.hpp"
 #include "implicit_schemes.hpp"
 
 namespace fde {
 namespace {
-
-// a.v + b.w = c0 in the plane, w = D^alpha q, force -k q. Constant a, b: the multiplier drops out.
-struct Plane {
-  double alpha = 0.5;
-  Eigen::Vector2d velocity{-0.4, 0.7};
-  double end = 2.0;
-  Eigen::Vector2d a{1.0, 2.0}, b{0.5, -0.3}, k{1.0, 2.0}, q0{0.8, -0.5};
-
-  [[nodiscard]] Problem multiplier(double initial_multiplier) const;
-  [[nodiscard]] Problem integrated() const;
-};
-
-// q' = v, v' = -k q + a lambda, D^(1-alpha) w = v, 0 = a.v + b.w - c0; y = (q, v, w, lambda).
-Problem Plane::multiplier(double initial_multiplier) const {
-  Matrix linear = Matrix::Zero(7, 7);
-  linear.block<2, 2>(0, 2).setIdentity();
-  linear.block<2, 2>(2, 0) = -Matrix(k.asDiagonal());
-  linear.block<2, 1>(2, 6) = a;
-  linear.block<2, 2>(4, 2).setIdentity();
-  linear.block<1, 2>(6, 2) = a.transpose();
-  linear.block<1, 2>(6, 4) = b.transpose();
-  const double c0 = a.dot(velocity);
-  return {.components = {{1.0, {q0[0]}},
-                         {1.0, {q0[1]}},
-                         {1.0, {velocity[0]}},
-                         {1.0, {velocity[1]}},
-                         {1.0 - alpha, {0.0}},
-                         {1.0 - alpha, {0.0}},
-                         {0.0, {initial_multiplier}}},
-          .rhs =
-              [=](double, In y, Out f) {
-                f = linear * y;
-                f[6] -= c0;
-              },
-          .linear_part = linear,
-          .end = end};
-}
-
-// z = v + A w with A = a b^T / |a|^2: q' = z - A w, z' = -P k q, D^(1-alpha) w = z - A w, P = 1 - a a^T /
-// |a|^2.
-Problem Plane::integrated() const {
-  const Matrix reaction = a * b.transpose() / a.squaredNorm();
-  const Matrix free = Matrix::Identity(2, 2) - a * a.transpose() / a.squaredNorm();
-  Matrix linear = Matrix::Zero(6, 6);
-  for (const int row : {0, 4}) {
-    linear.block<2, 2>(row, 2).setIdentity();
-    linear.block<2, 2>(row, 4) = -reaction;
-  }
-  linear.block<2, 2>(2, 0) = -free * k.asDiagonal();
-  return {.components = {{1.0, {q0[0]}},
-                         {1.0, {q0[1]}},
-                         {1.0, {velocity[0]}},
-                         {1.0, {velocity[1]}},
-                         {1.0 - alpha, {0.0}},
-                         {1.0 - alpha, {0.0}}},
-          .rhs = [=](double, In y, Out f) { f = linear * y; },
-          .linear_part = linear,
-          .end = end};
-}
 
 class Multiplier : public testing::TestWithParam<const Scheme*> {
  protected:
