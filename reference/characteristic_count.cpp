@@ -31,7 +31,8 @@ std::optional<long double> long_turn(const Polynomial& polynomial, const Point& 
   return turned + std::arg(at_b * std::conj(at_a) * std::polar(1.0L, -turned));
 }
 
-// Change of arg P from a to b in pieces; nothing where a zero is next to the way.
+// Change of arg P from a to b in pieces; nothing where a zero is next to the way, or as far
+// as rounding tells.
 std::optional<long double> turn(const Polynomial& polynomial, const Point& a, const Point& b) {
   constexpr long double shortest = 1e-11L, long_way = 0.1L;
   if (std::abs(b - a) < long_way) {
@@ -43,7 +44,11 @@ std::optional<long double> turn(const Polynomial& polynomial, const Point& a, co
     return -*back;
   }
   const Point middle = (a + b) / 2.0L;
-  if (std::abs(b - a) < shortest || middle == a || middle == b) return std::nullopt;
+  const long double noise =
+      4.0L * epsilon<long double>() * (1.0L + polynomial.terms.back().order * std::abs(middle));
+  if (std::abs(b - a) < shortest || middle == a || middle == b ||
+      std::abs(polynomial.direction(middle)) < noise)
+    return std::nullopt;
   const auto first = turn(polynomial, a, middle);
   const auto second = first ? turn(polynomial, middle, b) : std::nullopt;
   return second ? std::optional(*first + *second) : std::nullopt;
