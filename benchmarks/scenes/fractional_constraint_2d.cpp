@@ -1,3 +1,6 @@
+#include <array>
+
+#include "linear_system.hpp"
 #include "mechanical_scene.hpp"
 
 namespace fde {
@@ -21,6 +24,43 @@ struct LinearConstraint {
     return Vector<S, 1>(S(a1 * v[0] + a2 * v[1] + b1 * w[0] + b2 * w[1] - c0));
   }
 };
+
+// The form with a multiplier, as rows of orders 0 to 1 whose coefficients are the parameters themselves, so
+// that they are taken at their word to any number of digits: q, v, w, lambda, and e' = 0, e(0) = v(0) in
+// C0 = a.e. For alpha > 1 D^(alpha-1) v = w and D^(2-alpha) w = v'.
+LinearSystem system_of(const Parameters& p) {
+  enum : Eigen::Index { q = 0, v = 2, w = 4, lambda = 6, e = 7, size = 9 };
+  const double alpha = p["alpha"];
+  const bool above = alpha > 1.0;
+  const std::array a{p["a1"], p["a2"]}, b{p["b1"], p["b2"]}, k{p["k1"], p["k2"]}, place{p["q1"], p["q2"]},
+      velocity{p["v1"], p["v2"]};
+  LinearSystem system{.orders = std::vector<double>(size, 1.0),
+                      .initial = std::vector<std::vector<double>>(size, {0.0}),
+                      .matrix = Matrix::Zero(size, size),
+                      .loads = std::vector<std::vector<Load>>(size),
+                      .outputs = {0, 1, 2, 3, 4, 5}};
+  const auto driven = above ? w : v;  // whose derivative is v', of order 2 - alpha or 1
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    system.matrix(q + at, v + at) = 1.0;
+    system.matrix(above ? v + at : w + at, above ? w + at : v + at) = 1.0;
+    system.matrix(driven + at, q + at) = -k[i];
+    system.matrix(driven + at, lambda) = a[i];
+    system.matrix(lambda, v + at) = a[i];
+    system.matrix(lambda, w + at) = b[i];
+    system.matrix(lambda, e + at) = -a[i];
+    system.orders[v + i] = above ? alpha - 1.0 : 1.0;
+    system.orders[w + i] = above ? 2.0 - alpha : 1.0 - alpha;
+    system.initial[q + i] = {place[i]};
+    system.initial[v + i] = system.initial[e + i] = {velocity[i]};
+    if (alpha == 1.0) system.initial[w + i] = {};
+  }
+  system.matrix(lambda, lambda) = 1.0;
+  system.orders[lambda] = 0.0;
+  system.initial[lambda] = {};
+  system.loads[static_cast<std::size_t>(driven) + 1] = {{-p["g"]}};
+  return system;
+}
 
 }  // namespace
 
@@ -57,7 +97,9 @@ SceneMaker fractional_constraint_2d() {
                 .coordinates = {"q1", "q2"},
                 .end = 10.0,
                 .linear = true};
-            return mechanical_scene(setting, {formulation_of(p, fitting), p["kappa"]});
+            Scene scene = mechanical_scene(setting, {formulation_of(p, fitting), p["kappa"]});
+            scene.exact = exact_solution(system_of(p));
+            return scene;
           }};
 }
 
