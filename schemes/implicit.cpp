@@ -22,12 +22,14 @@ class PastOfRows {
 
   // Appends a sample of all rows.
   void push(In sample) {
+    if (sample.size() == buffer_.size()) return history_->push(sample);  // nothing to pick
     for (Eigen::Index r = 0; r < buffer_.size(); ++r) buffer_[r] = sample[row(r)];
     history_->push(buffer_);
   }
 
   // The sums of the rows that have a past; the others stay as they are.
   void convolve(Out result) {
+    if (result.size() == buffer_.size()) return history_->convolve(0, result);
     history_->convolve(0, buffer_);
     for (Eigen::Index r = 0; r < buffer_.size(); ++r) result[row(r)] = buffer_[r];
   }

@@ -20,10 +20,10 @@ struct ImplicitRule {
 
 // The rule of the schemes that integrate f: past_n = Taylor part + kappa * (weighted sum of f_j).
 //
-// A family that weighs f_0 takes the initial values of multipliers at their word. In q' = v,
-// v' = a + R^T lambda, 0 = g(t, q, v) the trapezoidal rule of order 1 sees (lambda_(n-1) + lambda_n) / 2
-// only, so that a wrong lambda(0) makes lambda alternate about its values, by the same amount for ever. For
-// constant R nothing else notices; otherwise q and v are off by O(h^2), which does not change their rate.
+// The trapezoidal family weighs f_0, and so takes the initial values of algebraic rows at their word. In q' =
+// v, v' = a + R^T lambda, 0 = g(t, q, v) it only sees (lambda_(n-1) + lambda_n) / 2, so that a wrong
+// lambda(0), or one that is infinite, makes lambda alternate about its values, by the same amount for ever.
+// For constant R nothing else notices; otherwise q and v are off by O(h^2), which does not change their rate.
 ImplicitRule integral_rule(const Problem& problem, WeightFamily family);
 
 // Steps the rule along the grid, each step solved by Newton's method from the previous value.

@@ -46,6 +46,18 @@ void solve_in_place(const Matrix& a, Vec& b) {
   }
 }
 
+// Whether rounding decides about the solution, in whatever units the equations and unknowns are.
+bool singular(Matrix a) {
+  constexpr double rounding = 1e-14;
+  const Vec rows = a.rowwise().lpNorm<Eigen::Infinity>();
+  a.array().colwise() /= rows.array();
+  const Eigen::RowVectorXd columns = a.colwise().lpNorm<Eigen::Infinity>();
+  a.array().rowwise() /= columns.array();
+  Eigen::FullPivLU<Matrix> factors(a);
+  factors.setThreshold(rounding);
+  return !factors.isInvertible();
+}
+
 }  // namespace
 
 NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
@@ -55,7 +67,6 @@ NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
       kappa_(given_kappa_),
       tolerance_(tolerance),
       matrix_(problem.size(), problem.size()),
-      scale_(mass_),
       f_(problem.size()),
       increment_(problem.size()) {
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
@@ -68,11 +79,7 @@ NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
 bool NewtonSolver::solve(Run& run, double t, const Vec& kappa, In past, Out y) {
   if (given_kappa_ != kappa) {
     given_kappa_ = kappa_ = kappa;
-    if (problem_.linear_part) {
-      matrix_ = *problem_.linear_part;
-      assemble();
-      factors_.compute(matrix_);
-    }
+    if (problem_.linear_part) factorise();
   }
   if (problem_.linear_part) return solve_linear(run, t, past, y);
   double last = std::numeric_limits<double>::infinity();
@@ -83,16 +90,35 @@ bool NewtonSolver::solve(Run& run, double t, const Vec& kappa, In past, Out y) {
     solve_in_place(matrix_, increment_);
     y += increment_;
     ++run.cost().newton_iterations;
-    const double size = scale_.cwiseProduct(y).lpNorm<Eigen::Infinity>();
-    const double now = scale_.cwiseProduct(increment_).lpNorm<Eigen::Infinity>();
-    if (!std::isfinite(size)) return false;
-    if (now <= tolerance_ * size || (now >= last / 2 && now <= stagnation * size)) return true;
+    const double now = relative_increment(y);
+    if (std::isnan(now)) return false;
+    if (now <= tolerance_ || (now >= last / 2 && now <= stagnation)) return true;
     last = now;
   }
   return false;
 }
 
+double NewtonSolver::relative_increment(In y) const {
+  const auto of = [](double increment, double size) { return increment == 0.0 ? 0.0 : increment / size; };
+  const double size = mass_.cwiseProduct(y).lpNorm<Eigen::Infinity>();
+  double largest = of(mass_.cwiseProduct(increment_).lpNorm<Eigen::Infinity>(), size);
+  for (const auto i : algebraic_) {
+    const double weight = matrix_.col(i).lpNorm<Eigen::Infinity>();
+    const double relative = of(weight * std::abs(increment_[i]), std::max(size, weight * std::abs(y[i])));
+    if (!(relative <= largest)) largest = relative;
+  }
+  return largest;
+}
+
+void NewtonSolver::factorise() {
+  matrix_ = *problem_.linear_part;
+  assemble();
+  factors_.compute(matrix_);
+  if (!algebraic_.empty()) singular_ = singular(matrix_);
+}
+
 bool NewtonSolver::solve_linear(Run& run, double t, In past, Out y) {
+  if (singular_) return false;
   f_ = run.rhs(t, y);
   take_residual(past, y);
   y += factors_.solve(increment_);
@@ -115,7 +141,6 @@ void NewtonSolver::assemble() {
     for (Eigen::Index i = 0; i < matrix_.rows(); ++i) matrix_(i, j) *= -kappa_[i];
     matrix_(j, j) += mass_[j];
   }
-  for (const auto i : algebraic_) scale_[i] = matrix_.col(i).lpNorm<Eigen::Infinity>();
 }
 
 }  // namespace fde

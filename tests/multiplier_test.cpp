@@ -71,18 +71,52 @@ TEST_P(Multiplier, ALinearPartAndDifferencesGiveTheSameAnswer) {
 }
 
 TEST_P(Multiplier, TheUnitsOfARowDoNotMatter) {
-  const Problem problem = Plane{}.multiplier(0.0);
-  const Rows once = run(problem, {2.0, 200});
-  for (const double unit : {1e-9, 1e9}) {
-    Problem scaled = problem;
-    scaled.linear_part->row(6) *= unit;
-    scaled.rhs = [=](double t, In y, Out f) {
-      problem.rhs(t, y, f);
-      f[6] *= unit;
+  Matrix linear = *Plane{}.multiplier(0.0).linear_part;
+  linear(6, 0) = 1e-9;  // small, but in other units the largest number of its column
+  const auto in_unit = [&](double unit) {
+    Problem problem = Plane{}.multiplier(0.0);
+    problem.linear_part = linear;
+    problem.linear_part->row(6) *= unit;
+    problem.rhs = [unit, a = *problem.linear_part](double, In y, Out f) {
+      f = a * y;
+      f[6] -= unit;  // a.v + b.w + 1e-9 q_1 = 1 at t = 0, up to 1e-9
     };
+    return problem;
+  };
+  const Rows once = run(in_unit(1.0), {2.0, 200});
+  for (const double unit : {1e-9, 1e12}) {
+    Problem scaled = in_unit(unit);
     EXPECT_LT(largest((run(scaled, {2.0, 200}) - once).topRows(6)), 1e-14) << unit;
     scaled.linear_part = std::nullopt;
     EXPECT_LT(largest((run(scaled, {2.0, 200}) - once).topRows(6)), 1e-13) << unit;
+  }
+}
+
+// a.v + b.w = 1 and three times the same, which is that or a contradiction.
+TEST_P(Multiplier, DependentConstraintsAreAnOutcome) {
+  const Problem once = Plane{}.multiplier(0.0);
+  Matrix linear = Matrix::Zero(8, 8);
+  linear.topLeftCorner(7, 7) = *once.linear_part;
+  linear.col(7) = 3.0 * linear.col(6);
+  linear.row(7) = 3.0 * linear.row(6);
+  for (const double second : {3.0, 4.0}) {
+    Problem twice{.components = once.components,
+                  .rhs =
+                      [=](double, In y, Out f) {
+                        f = linear * y;
+                        f[6] -= 1.0;
+                        f[7] -= second;
+                      },
+                  .linear_part = linear};
+    twice.components.push_back({0.0, {0.0}});
+    for (int steps = 100; steps < 120; ++steps) {
+      EXPECT_NE(GetParam()->solve(twice, {2.0, steps}, {}).outcome, Outcome::finished);
+    }
+    twice.linear_part.reset();
+    if (second == 3.0) continue;  // Newton's method may find one of the many multipliers
+    for (int steps = 100; steps < 120; ++steps) {
+      EXPECT_NE(GetParam()->solve(twice, {2.0, steps}, {}).outcome, Outcome::finished);
+    }
   }
 }
 

@@ -117,6 +117,16 @@ TEST_P(Nonholonomic, ANonlinearConstraintIsHeldInShortSteps) {
   }
 }
 
+// A multiplier known to rounding / h = 1e-4 of its size only is not what Newton's method waits for.
+TEST_P(Nonholonomic, TheParticleTakesFewIterationsInShortSteps) {
+  Problem fast = particle(1e12);
+  fast.components[3].initial = fast.components[4].initial = {1e6};
+  fast.end = 1e-9 * 512;
+  const auto path = run(fast, 512);
+  EXPECT_LT(path.cost.newton_iterations, 512 * 5);
+  for (const auto& u : path.y.colwise()) ASSERT_LT(std::abs(u[5] - u[1] * u[3]), 1e-9);
+}
+
 TEST_P(Nonholonomic, TheToleranceBoundsTheDrift) {
   for (const double tolerance : {1e-4, 1e-8}) {
     const Thermostat thermostat{0.3};
