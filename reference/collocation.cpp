@@ -21,8 +21,9 @@ void check(const Problem& problem) {
   require(problem.end > 0.0 && std::isfinite(problem.end), "the end must be positive and finite");
   require(problem.size() > 0, "no components");
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
-    const auto& [order, initial] = problem.components[i];
+    const auto& [order, initial, side] = problem.components[i];
     const std::string component = "component " + std::to_string(i);
+    require(side == Side::left, component + " has a right derivative");
     require(order > 0.0 && order <= 2.0, component + " needs an order in (0, 2]");
     require(initial.size() == initial_count(order), component + " needs ceil(order) initial values");
   }

@@ -48,6 +48,16 @@ void solve_in_place(const Matrix& a, Vec& b) {
 
 }  // namespace
 
+void differentiate(Run& run, const Problem& problem, double t, In y, In f, OutMatrix jacobian) {
+  if (problem.linear_part) {
+    jacobian = *problem.linear_part;
+  } else if (problem.jacobian) {
+    problem.jacobian(t, y, jacobian);
+  } else {
+    difference(run, t, y, f, jacobian);
+  }
+}
+
 NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
     : problem_(problem),
       kappa_(Vec::Zero(problem.size())),
@@ -86,11 +96,7 @@ bool NewtonSolver::solve_linear(Run& run, double t, In past, Out y) {
 }
 
 void NewtonSolver::differentiate(Run& run, double t, In y, In f) {
-  if (problem_.jacobian) {
-    problem_.jacobian(t, y, jacobian_);
-  } else {
-    difference(run, t, y, f, jacobian_);
-  }
+  fde::differentiate(run, problem_, t, y, f, jacobian_);
   jacobian_ = system(jacobian_);
 }
 

@@ -6,6 +6,10 @@
 
 namespace fde {
 
+// df/dy at y, where f is f(t, y): the linear part or the Jacobian of the problem, or forward differences of
+// rhs where it has none.
+void differentiate(Run& run, const Problem& problem, double t, In y, In f, OutMatrix jacobian);
+
 // Solves y = past + kappa f(t, y) for y, step after step of one run.
 //
 // A problem with a linear part A is solved with one factorisation of I - kappa A as long as kappa stays the

@@ -26,6 +26,30 @@ const Scheme* find_scheme(std::string_view id) {
   return found == schemes().end() ? nullptr : &*found;
 }
 
+namespace {
+
+std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem& problem, const Grid& grid) {
+  if (!two_sided(problem)) return std::nullopt;
+  for (std::size_t i = 0; i < problem.components.size(); ++i) {
+    const auto& [order, initial, side] = problem.components[i];
+    if (side == Side::right && !scheme.needs.two_sided)
+      return fmt::format("steps from the left: component {} has a right derivative", i);
+    if (side == Side::right && !grid.uniform())
+      return fmt::format("needs a uniform grid for the right derivative of component {}", i);
+    if (initial.size() > initial_count(order))
+      return fmt::format("takes at most {} initial values for order {}, component {} has {}",
+                         initial_count(order), order, i, initial.size());
+  }
+  if (!scheme.needs.two_sided) return "steps from the left: the problem has conditions at both ends";
+  if (problem.conditions && missing_count(problem) == 0)
+    return "needs a missing initial value for each condition, none is missing";
+  if (grid.end != problem.end)
+    return fmt::format("needs a grid that ends with the problem, at {} and not {}", problem.end, grid.end);
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem, const Grid& grid) {
   if (scheme.needs.uniform_grid && !grid.uniform()) {
     return fmt::format("needs a uniform grid, not one graded with {}", grid.grading);
@@ -35,16 +59,17 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
     return fmt::format("needs a first step above {}, not {}", shortest, grid.step(1));
   }
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
-    const auto& [order, initial] = problem.components[i];
+    const auto& [order, initial, side] = problem.components[i];
     if (!(order > 0.0 && order <= scheme.needs.largest_order)) {
       return fmt::format("takes orders in (0, {}], component {} has {}", scheme.needs.largest_order, i,
                          order);
     }
-    if (initial.size() != initial_count(order)) {
+    if (!problem.conditions && initial.size() != initial_count(order)) {
       return fmt::format("needs {} initial values for order {}, component {} has {}", initial_count(order),
                          order, i, initial.size());
     }
   }
+  if (const auto reason = two_sided_refusal(scheme, problem, grid)) return reason;
   return scheme.refuses ? scheme.refuses(problem) : std::nullopt;
 }
 

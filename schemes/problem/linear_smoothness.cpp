@@ -30,7 +30,7 @@ Smoothness linear_smoothness(const std::vector<Component>& components, const Mat
   Series series(size);
   double last = 2.0;
   for (Eigen::Index i = 0; i < size; ++i) {
-    const auto& [order, initial] = components[static_cast<std::size_t>(i)];
+    const auto& [order, initial, side] = components[static_cast<std::size_t>(i)];
     last = std::max(last, order + 2.0);
     for (std::size_t k = 0; k < initial.size(); ++k) series[static_cast<double>(k)][i] = initial[k];
   }

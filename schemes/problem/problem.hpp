@@ -13,13 +13,19 @@ using In = const Eigen::Ref<const Vec>&;
 using Out = Eigen::Ref<Vec>;
 using OutMatrix = Eigen::Ref<Matrix>;
 
-// One unknown y_i with the order gamma_i > 0 of its Caputo derivative from t = 0.
+// Where the Caputo derivative of a row starts: left, from t = 0; right, from t = end backwards.
+enum class Side { left, right };
+
+// One unknown y_i with the order gamma_i > 0 of its Caputo derivative.
 struct Component {
   double order;
-  std::vector<double> initial;  // initial[k] = y^(k)(0) for k < ceil(order)
+  std::vector<double> initial;  // k < ceil(order): y^(k)(0), of a right row (-1)^k y^(k)(end)
+  Side side = Side::left;
 };
 
-// A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end.
+// A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end. D of a right row is the right derivative
+//   y_i(t) = sum_k initial[k] (end - t)^k / k! + 1/Gamma(g) int_t^end (s - t)^(g-1) f_i(s, y(s)) ds,
+// -y' for order 1. With conditions the last values of an `initial` may be missing: they are unknowns too.
 struct Problem {
   std::vector<Component> components{};
   std::function<void(double t, In y, Out f)> rhs{};
@@ -27,6 +33,8 @@ struct Problem {
       jacobian{};                       // df/dy; empty: implicit schemes difference rhs
   std::optional<Matrix> linear_part{};  // A, where f(t, y) = A y + b(t): solved with one factorisation
   double end = 1.0;
+  // One equation 0 = residual for each missing initial value; empty: none is missing.
+  std::function<void(In at_start, In at_end, Out residual)> conditions{};
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };
@@ -34,7 +42,15 @@ struct Problem {
 // Number of initial values that a Caputo derivative of this order needs: ceil(order).
 std::size_t initial_count(double order);
 
-// Taylor part sum_k y^(k)(0) t^k / k! of every component, up to k < ceil(order).
+// Whether any row has a right derivative or an unknown initial value: such a problem has no direction in
+// which to step.
+bool two_sided(const Problem& problem);
+
+// How many initial values are missing.
+Eigen::Index missing_count(const Problem& problem);
+
+// Taylor part sum_k initial[k] t^k / k! of every component, up to k < ceil(order), with 0 for missing values;
+// t counts from where the row starts, so for right rows it is the time left until the end.
 class TaylorPart {
  public:
   explicit TaylorPart(const Problem& problem);
@@ -44,7 +60,7 @@ class TaylorPart {
   Matrix coefficients_;  // y^(k)(0) / k!, one column a power
 };
 
-// The same once.
+// The same once, all at the time t of the problem.
 Vec taylor_part(const Problem& problem, double t);
 
 }  // namespace fde
