@@ -47,7 +47,8 @@ Json describe(const Scheme& scheme) {
           {"source", scheme.source},
           {"implicit", scheme.needs.implicit},
           {"uniform_grid", scheme.needs.uniform_grid},
-          {"largest_order", scheme.needs.largest_order}};
+          {"largest_order", scheme.needs.largest_order},
+          {"two_sided", scheme.needs.two_sided}};
 }
 
 template <typename Entries>

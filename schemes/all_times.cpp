@@ -33,9 +33,9 @@ Residual AllTimes::residual(Run& run, const Guess& guess) const {
   for (Eigen::Index n = 0; n < guess.y.cols(); ++n)
     result.f.col(n) = run.rhs(grid_.time(static_cast<int>(n)), guess.y.col(n));
   add_missing(guess.missing, result.rows);
+  result.rows -= guess.y;
   left_.integrate(result.f, result.rows);
   right_.integrate(result.f, result.rows);
-  result.rows -= guess.y;
   if (problem_.conditions)
     problem_.conditions(guess.y.leftCols<1>().col(0), guess.y.rightCols<1>().col(0), result.conditions);
   return result;

@@ -13,7 +13,7 @@ struct Guess {
 
 // By how far a guess misses the equations.
 struct Residual {
-  Rows rows;       // Taylor part + kappa (weighted sum of f) - y, one column a time
+  Rows rows;       // Taylor part - y + kappa (weighted sum of f), in algebraic rows f; one column a time
   Vec conditions;  // those of the problem
   Rows f;          // f(t, y) of the guess
 

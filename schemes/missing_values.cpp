@@ -1,22 +1,25 @@
 #include "missing_values.hpp"
 
+#include <algorithm>
+
 namespace fde {
 
 MissingValues::MissingValues(const Problem& problem) {
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
     const auto& component = problem.components[static_cast<std::size_t>(i)];
-    for (std::size_t k = component.initial.size(); k < initial_count(component.order); ++k)
-      list_.push_back({i, component.side, k});
+    const auto needed = std::max<std::size_t>(initial_count(component.order), 1);
+    for (std::size_t k = component.initial.size(); k < needed; ++k)
+      list_.push_back({i, component.side, k, component.order == 0.0});
   }
 }
 
 void MissingValues::add(In values, double left, double right, Out y) const {
   Eigen::Index next = 0;
-  for (const auto& [component, side, power] : list_) {
+  for (const auto& [component, side, power, algebraic] : list_) {
+    const double time = side == Side::left ? left : right;
     double term = values[next++];
-    for (std::size_t k = 1; k <= power; ++k)
-      term *= (side == Side::left ? left : right) / static_cast<double>(k);
-    y[component] += term;
+    for (std::size_t k = 1; k <= power; ++k) term *= time / static_cast<double>(k);
+    if (!algebraic || time == 0.0) y[component] += term;
   }
 }
 

@@ -7,7 +7,7 @@
 namespace fde {
 
 // The initial values that a problem leaves open, in the order of its components: value k of component i adds
-// value t^k / k! to y_i, t the time of that row.
+// value t^k / k! to y_i, t the time of that row; in an algebraic row it counts at t = 0 only.
 class MissingValues {
  public:
   explicit MissingValues(const Problem& problem);
@@ -22,6 +22,7 @@ class MissingValues {
     Eigen::Index component;
     Side side;
     std::size_t power;
+    bool algebraic;
   };
   std::vector<Missing> list_;
 };

@@ -17,16 +17,27 @@ SideRule::SideRule(const Problem& problem, Side side, WeightFamily family, const
                    const Options& options)
     : right_(side == Side::right), grid_(grid), steps_(grid.steps) {
   std::vector<WeightTable> own;
+  std::vector<Eigen::Index> algebraic;
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
     const auto& component = problem.components[static_cast<std::size_t>(i)];
     if (component.side != side) continue;
-    rows_.push_back(i);
-    own.push_back({family, component.order});
+    if (component.order == 0.0) {
+      algebraic.push_back(i);
+    } else {
+      rows_.push_back(i);
+      own.push_back({family, component.order});
+    }
   }
-  if (empty()) return;
+  summed_ = static_cast<Eigen::Index>(rows_.size());
+  rows_.insert(rows_.end(), algebraic.begin(), algebraic.end());
+  const auto size = static_cast<Eigen::Index>(rows_.size());
+  mass_.setOnes(size, 2);
+  mass_.col(1).tail(size - summed_).setZero();
+  kappa_.setOnes(size, grid.uniform() ? 2 : steps_ + 1);
+  kappa_.col(0).setZero();
+  if (summed_ == 0) return;
   StepFactors factors(own, grid);
-  kappa_.setZero(static_cast<Eigen::Index>(rows_.size()), grid.uniform() ? 2 : steps_ + 1);
-  for (int m = 1; m < kappa_.cols(); ++m) kappa_.col(m) = factors.at(m);
+  for (int m = 1; m < kappa_.cols(); ++m) kappa_.col(m).head(summed_) = factors.at(m);
   unused_ = make_history(options.history, {own}, grid, options.tolerance);
 }
 
@@ -34,12 +45,12 @@ SideRule::SideRule(const Problem& problem, Side side, WeightFamily family, const
 template <typename Step>
 void SideRule::march(Step step) const {
   if (empty()) return;
-  const auto history = unused_->copy();
+  const auto history = summed_ > 0 ? unused_->copy() : nullptr;
   Vec sum = Vec::Zero(kappa_.rows()), f(kappa_.rows());
   for (Eigen::Index m = 0; m <= steps_; ++m) {
-    if (m > 0) {
-      history->push(f);
-      history->convolve(0, sum);
+    if (m > 0 && history) {
+      history->push(f.head(summed_));
+      history->convolve(0, sum.head(summed_));
     }
     step(m, sum, f);
   }
@@ -49,7 +60,7 @@ void SideRule::integrate(const Rows& f, Rows& value) const {
   march([&](Eigen::Index m, const Vec& sum, Vec& here) {
     const auto n = place(m);
     here = f.col(n)(rows_);
-    value.col(n)(rows_) += kappa(m).cwiseProduct(sum + here);
+    value.col(n)(rows_) = mass(m).cwiseProduct(value.col(n)(rows_)) + kappa(m).cwiseProduct(sum + here);
   });
 }
 
@@ -74,7 +85,7 @@ Matrix SideRule::inverses(const Matrix& jacobians) const {
   const auto whole = static_cast<std::size_t>(std::sqrt(static_cast<double>(jacobians.rows())) + 0.5);
   for (Eigen::Index m = 0; m < result.cols(); ++m) {
     const Matrix own = square(jacobians, place(m), whole)(rows_, rows_);
-    const Matrix system = Matrix::Identity(size, size) - kappa(m).asDiagonal() * own;
+    const Matrix system = Matrix(mass(m).asDiagonal()) - kappa(m).asDiagonal() * own;
     Eigen::Map<Matrix>(result.col(m).data(), size, size) = system.inverse();
   }
   return result;

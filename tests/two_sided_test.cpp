@@ -69,6 +69,22 @@ TEST_P(TwoSided, ARightRowCostsWhatItsStartCosts) {
   EXPECT_NEAR(fit(made, {0.25, 0.5, 0.75}).slope, expected, 0.1);
 }
 
+// (T - t)^0.9 is off by h^0.9 in its own first step, the last of the grid.
+TEST_P(TwoSided, TheWorstErrorIsInTheFirstStepOfARightRow) {
+  const Made made = made_problem({{0.7, 3.0, Side::left}, {0.5, 0.9, Side::right}}, 1.0);
+  const auto rate = [&](Norm norm) {
+    return GetParam()->expected_rate(made.problem, made.smoothness, 1.0, norm);
+  };
+  EXPECT_NEAR(rate(Norm::maximum), 0.9, 1e-12);
+  std::vector<ErrorAt> errors;
+  for (int steps = 128; steps <= 2048; steps *= 2) {
+    const auto path = run(made.problem, steps, {.keep = {steps - 1}});
+    const Vec off = path.y.col(0) - made.exact(path.grid.time(steps - 1));
+    errors.push_back({path.grid.step(), off.cwiseAbs().maxCoeff()});
+  }
+  EXPECT_NEAR(fit_rate(errors).slope, rate(Norm::maximum), 0.1);
+}
+
 // Time reversed, left rows are right ones.
 TEST_P(TwoSided, TheMirroredProblemHasTheMirroredSolution) {
   const Made made = smooth_two_sided();

@@ -14,10 +14,14 @@ bool two_sided(const Problem& problem) {
 }
 
 Eigen::Index missing_count(const Problem& problem) {
-  std::size_t count = 0;
-  for (const auto& component : problem.components)
-    count += initial_count(component.order) - component.initial.size();
-  return static_cast<Eigen::Index>(count);
+  Eigen::Index count = 0;
+  for (const auto& component : problem.components) {
+    // An algebraic row has one, its value where it starts.
+    const auto given = component.initial.size(),
+               needed = std::max<std::size_t>(initial_count(component.order), 1);
+    if (given < needed) count += static_cast<Eigen::Index>(needed - given);
+  }
+  return count;
 }
 
 TaylorPart::TaylorPart(const Problem& problem) {
