@@ -10,7 +10,8 @@ namespace fde {
 //
 // The last increment is below tolerance * |y|, or has stopped to shrink below 1e-10 * |y|. Otherwise the
 // outcome is not_converged, with no step reached. Stored are a few values a component and time, the
-// Jacobians, and up to 80 vectors of right rows; Cost::history_bytes counts them.
+// Jacobians, and 20 to 200 vectors of right rows, a quarter of a gigabyte where these bounds allow it;
+// Cost::history_bytes counts them.
 Trajectory solve_all_at_once(const Problem& problem, const Grid& grid, const Options& options,
                              WeightFamily family);
 

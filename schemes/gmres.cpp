@@ -45,6 +45,7 @@ struct Eigen::internal::generic_product_impl<fde::LinearOperator, Right, Eigen::
     : generic_product_impl_base<fde::LinearOperator, Right,
                                 generic_product_impl<fde::LinearOperator, Right>> {
   template <typename Result>
+  // NOLINTNEXTLINE(readability-identifier-naming): the name that Eigen calls
   static void scaleAndAddTo(Result& result, const fde::LinearOperator& left, const Right& right,
                             double factor) {
     result += factor * left.applied(right);

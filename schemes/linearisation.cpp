@@ -1,5 +1,6 @@
 #include "linearisation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,7 +11,12 @@ namespace fde {
 namespace {
 
 constexpr double linear_tolerance = 1e-10;
-constexpr Eigen::Index most_applications = 80;
+
+// Vectors that GMRES may keep: as many as hold a quarter of a gigabyte, within bounds.
+Eigen::Index most_applications(Eigen::Index length) {
+  constexpr Eigen::Index most_values = 1 << 25;
+  return std::clamp<Eigen::Index>(most_values / length, 20, 200);
+}
 
 // Columns of d(conditions)/dy at one end, by forward differences; evaluate(y) gives the conditions.
 template <typename Evaluate>
@@ -61,7 +67,8 @@ Guess Linearisation::increment(const Residual& residual) const {
   there_and_back(residual.rows, y);
   const Vec b = unknowns(y, -residual.conditions - conditions(y));
   if (b.size() > 0) {
-    const Vec z = gmres([this](const Vec& x) { return applied(x); }, b, linear_tolerance, most_applications);
+    const Vec z =
+        gmres([this](const Vec& x) { return applied(x); }, b, linear_tolerance, most_applications(b.size()));
     missing = z.tail(missing.size()) / scale();
     Rows given = residual.rows;
     equations_.add_missing(missing, given);
@@ -116,7 +123,7 @@ Rows Linearisation::right_part(const Vec& z) const {
 
 std::size_t Linearisation::bytes() const {
   const auto length = open_values() + equations_.missing();
-  const auto vectors = length * std::min(most_applications, length);
+  const auto vectors = length > 0 ? length * std::min(most_applications(length), length) : 0;
   return sizeof(double) * static_cast<std::size_t>(jacobians_.size() + left_inverses_.size() +
                                                    right_inverses_.size() + vectors);
 }

@@ -31,10 +31,10 @@ class Linearisation {
   // as they come in, then the right ones.
   void there_and_back(const Rows& given, Rows& y) const;
 
-  // The unknowns of GMRES: the right rows, where there are left ones to need them, and the missing values.
+  // The unknowns z of GMRES: the right rows, where there are left ones to need them, and the missing values.
   [[nodiscard]] Vec unknowns(const Rows& y, In conditions) const;
-  [[nodiscard]] Rows right_part(const Vec& unknowns) const;
-  [[nodiscard]] Vec applied(const Vec& unknowns) const;
+  [[nodiscard]] Rows right_part(const Vec& z) const;
+  [[nodiscard]] Vec applied(const Vec& z) const;
   [[nodiscard]] Eigen::Index open_values() const;
   [[nodiscard]] double scale() const;
 

@@ -32,19 +32,24 @@ std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem
   if (!two_sided(problem)) return std::nullopt;
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
     const auto& [order, initial, side] = problem.components[i];
-    if (side == Side::right && !scheme.needs.two_sided)
+    if (side == Side::right && !scheme.needs.two_sided) {
       return fmt::format("steps from the left: component {} has a right derivative", i);
-    if (side == Side::right && !grid.uniform())
+    }
+    if (side == Side::right && !grid.uniform()) {
       return fmt::format("needs a uniform grid for the right derivative of component {}", i);
-    if (initial.size() > initial_count(order))
+    }
+    if (initial.size() > initial_count(order)) {
       return fmt::format("takes at most {} initial values for order {}, component {} has {}",
                          initial_count(order), order, i, initial.size());
+    }
   }
   if (!scheme.needs.two_sided) return "steps from the left: the problem has conditions at both ends";
-  if (problem.conditions && missing_count(problem) == 0)
+  if (problem.conditions && missing_count(problem) == 0) {
     return "needs a missing initial value for each condition, none is missing";
-  if (grid.end != problem.end)
+  }
+  if (grid.end != problem.end) {
     return fmt::format("needs a grid that ends with the problem, at {} and not {}", problem.end, grid.end);
+  }
   return std::nullopt;
 }
 
@@ -69,7 +74,7 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
                          order, i, initial.size());
     }
   }
-  if (const auto reason = two_sided_refusal(scheme, problem, grid)) return reason;
+  if (auto reason = two_sided_refusal(scheme, problem, grid)) return reason;
   return scheme.refuses ? scheme.refuses(problem) : std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 #include "side_rule.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 
 namespace fde {
 namespace {
@@ -82,7 +84,7 @@ void SideRule::solve(const Rows& given, const Matrix& jacobians, const Matrix& i
 Matrix SideRule::inverses(const Matrix& jacobians) const {
   const auto size = kappa_.rows();
   Matrix result(size * size, jacobians.cols() == 1 ? kappa_.cols() : steps_ + 1);
-  const auto whole = static_cast<std::size_t>(std::sqrt(static_cast<double>(jacobians.rows())) + 0.5);
+  const auto whole = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(jacobians.rows()))));
   for (Eigen::Index m = 0; m < result.cols(); ++m) {
     const Matrix own = square(jacobians, place(m), whole)(rows_, rows_);
     const Matrix system = Matrix(mass(m).asDiagonal()) - kappa(m).asDiagonal() * own;

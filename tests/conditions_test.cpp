@@ -4,7 +4,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
+#include "collocation.hpp"
+#include "linear_smoothness.hpp"
 #include "testing.hpp"
 
 namespace fde {
@@ -144,6 +147,13 @@ TEST(Refusal, TwoSidedProblems) {
   open.components[1].initial.clear();
   EXPECT_EQ(refuses("product_trapezoidal", open, {2.0, 8}),
             "needs 1 initial values for order 0.5, component 1 has 0");
+}
+
+TEST(Refusal, ReferencesAndSeriesOfRightRows) {
+  const std::vector<Component> components{{0.5, {1.0}, Side::right}};
+  EXPECT_THROW(linear_smoothness(components, -Matrix::Ones(1, 1), Vec::Zero(1)), std::invalid_argument);
+  const Problem problem{.components = components, .rhs = [](double, In y, Out f) { f = -y; }};
+  EXPECT_THROW(reference_table(problem), std::invalid_argument);
 }
 
 }  // namespace

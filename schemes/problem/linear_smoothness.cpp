@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
+#include <string>
 
 namespace fde {
 namespace {
@@ -31,6 +33,9 @@ Smoothness linear_smoothness(const std::vector<Component>& components, const Mat
   double last = 2.0;
   for (Eigen::Index i = 0; i < size; ++i) {
     const auto& [order, initial, side] = components[static_cast<std::size_t>(i)];
+    if (side == Side::right) {
+      throw std::invalid_argument("smoothness: component " + std::to_string(i) + " has a right derivative");
+    }
     last = std::max(last, order + 2.0);
     for (std::size_t k = 0; k < initial.size(); ++k) series[static_cast<double>(k)][i] = initial[k];
   }
