@@ -31,16 +31,12 @@ namespace {
 std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem& problem, const Grid& grid) {
   if (!two_sided(problem)) return std::nullopt;
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
-    const auto& [order, initial, side] = problem.components[i];
-    if (side == Side::right && !scheme.needs.two_sided) {
+    const bool right = problem.components[i].side == Side::right;
+    if (right && !scheme.needs.two_sided) {
       return fmt::format("steps from the left: component {} has a right derivative", i);
     }
-    if (side == Side::right && !grid.uniform()) {
+    if (right && !grid.uniform()) {
       return fmt::format("needs a uniform grid for the right derivative of component {}", i);
-    }
-    if (initial.size() > initial_count(order)) {
-      return fmt::format("takes at most {} initial values for order {}, component {} has {}",
-                         initial_count(order), order, i, initial.size());
     }
   }
   if (!scheme.needs.two_sided) return "steps from the left: the problem has conditions at both ends";
@@ -69,7 +65,8 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
       return fmt::format("takes orders in (0, {}], component {} has {}", scheme.needs.largest_order, i,
                          order);
     }
-    if (!problem.conditions && initial.size() != initial_count(order)) {
+    const bool open = problem.conditions && initial.size() < initial_count(order);
+    if (!open && initial.size() != initial_count(order)) {
       return fmt::format("needs {} initial values for order {}, component {} has {}", initial_count(order),
                          order, i, initial.size());
     }
