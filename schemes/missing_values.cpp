@@ -1,15 +1,13 @@
 #include "missing_values.hpp"
 
-#include <algorithm>
-
 namespace fde {
 
 MissingValues::MissingValues(const Problem& problem) {
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
     const auto& component = problem.components[static_cast<std::size_t>(i)];
-    const auto needed = std::max<std::size_t>(initial_count(component.order), 1);
+    const auto needed = initial_count(component.order);
     for (std::size_t k = component.initial.size(); k < needed; ++k)
-      list_.push_back({i, component.side, k, component.order == 0.0});
+      list_.push_back({i, component.side, k, algebraic(component)});
   }
 }
 

@@ -23,7 +23,7 @@ SideRule::SideRule(const Problem& problem, Side side, WeightFamily family, const
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
     const auto& component = problem.components[static_cast<std::size_t>(i)];
     if (component.side != side) continue;
-    if (component.order == 0.0) {
+    if (fde::algebraic(component)) {
       algebraic.push_back(i);
     } else {
       rows_.push_back(i);

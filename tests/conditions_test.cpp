@@ -142,11 +142,11 @@ TEST(Refusal, TwoSidedProblems) {
             "needs a missing initial value for each condition, none is missing");
   complete.components = {{0.5, {0.0, 1.0}}};
   EXPECT_EQ(refuses("product_trapezoidal", complete, {pi / 2, 8}),
-            "needs 1 initial values for order 0.5, component 0 has 2");
+            "needs 1 initial value for order 0.5, component 0 has 2");
   Problem open = right;
   open.components[1].initial.clear();
   EXPECT_EQ(refuses("product_trapezoidal", open, {2.0, 8}),
-            "needs 1 initial values for order 0.5, component 1 has 0");
+            "needs 1 initial value for order 0.5, component 1 has 0");
 }
 
 TEST(Refusal, ReferencesAndSeriesOfRightRows) {

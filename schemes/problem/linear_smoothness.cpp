@@ -32,11 +32,16 @@ Smoothness linear_smoothness(const std::vector<Component>& components, const Mat
   Series series(size);
   double last = 2.0;
   for (Eigen::Index i = 0; i < size; ++i) {
-    const auto& [order, initial, side] = components[static_cast<std::size_t>(i)];
-    if (side == Side::right) {
+    const auto& component = components[static_cast<std::size_t>(i)];
+    if (algebraic(component)) {
+      throw std::invalid_argument("smoothness: component " + std::to_string(i) +
+                                  " has order 0, orders have to be above 0");
+    }
+    if (component.side == Side::right) {
       throw std::invalid_argument("smoothness: component " + std::to_string(i) + " has a right derivative");
     }
-    last = std::max(last, order + 2.0);
+    const auto& initial = component.initial;
+    last = std::max(last, component.order + 2.0);
     for (std::size_t k = 0; k < initial.size(); ++k) series[static_cast<double>(k)][i] = initial[k];
   }
   Smoothness smoothness;

@@ -5,7 +5,7 @@
 
 namespace fde {
 
-std::size_t initial_count(double order) { return static_cast<std::size_t>(std::ceil(order)); }
+std::size_t initial_count(double order) { return static_cast<std::size_t>(std::max(std::ceil(order), 1.0)); }
 
 bool two_sided(const Problem& problem) {
   return problem.conditions || std::ranges::any_of(problem.components, [](const auto& component) {
@@ -16,9 +16,7 @@ bool two_sided(const Problem& problem) {
 Eigen::Index missing_count(const Problem& problem) {
   Eigen::Index count = 0;
   for (const auto& component : problem.components) {
-    // An algebraic row has one, its value where it starts.
-    const auto given = component.initial.size(),
-               needed = std::max<std::size_t>(initial_count(component.order), 1);
+    const auto given = component.initial.size(), needed = initial_count(component.order);
     if (given < needed) count += static_cast<Eigen::Index>(needed - given);
   }
   return count;
