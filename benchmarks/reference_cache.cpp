@@ -141,7 +141,7 @@ std::optional<std::filesystem::path> cache_folder() {
 
 std::string reference_key(const std::string& name, const Problem& problem) {
   std::string key = fmt::format("fdebench reference {}\n{}\nend {}\n", version, name, problem.end);
-  for (const auto& [order, initial] : problem.components)
+  for (const auto& [order, initial, side] : problem.components)
     key += fmt::format("order {} initial {}\n", order, fmt::join(initial, " "));
   constexpr int points = 7;
   Vec f(problem.size());

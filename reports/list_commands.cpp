@@ -50,7 +50,8 @@ Json describe(const Scheme& scheme) {
           {"implicit", scheme.needs.implicit},
           {"algebraic_rows", scheme.needs.algebraic_rows},
           {"uniform_grid", scheme.needs.uniform_grid},
-          {"largest_order", scheme.needs.largest_order}};
+          {"largest_order", scheme.needs.largest_order},
+          {"two_sided", scheme.needs.two_sided}};
 }
 
 template <typename Entries>

@@ -1,3 +1,4 @@
+#include "all_at_once.hpp"
 #include "implicit.hpp"
 #include "rates.hpp"
 
@@ -10,13 +11,15 @@ Scheme grunwald_letnikov() {
   return {.id = "grunwald_letnikov",
           .title = "Implicit Grunwald-Letnikov",
           .source = "Lubich, SIAM J. Math. Anal. 17 (1986): backward Euler convolution quadrature",
-          .needs = {.uniform_grid = true, .implicit = true, .algebraic_rows = true},
+          .needs = {.uniform_grid = true, .implicit = true, .algebraic_rows = true, .two_sided = true},
           .expected_rate =
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return rate(grunwald_letnikov_theory, problem, smoothness, grading, norm);
               },
           .solve =
               [](const Problem& problem, const Grid& grid, const Options& options) {
+                if (two_sided(problem))
+                  return solve_all_at_once(problem, grid, options, WeightFamily::grunwald_letnikov);
                 return solve_implicit(problem, grid, options,
                                       integral_rule(problem, WeightFamily::grunwald_letnikov));
               }};

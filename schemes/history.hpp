@@ -16,9 +16,11 @@ namespace fde {
 class History {
  public:
   History() = default;
-  History(const History&) = delete;
   History& operator=(const History&) = delete;
   virtual ~History() = default;
+
+  // The same history with what it has been given so far. Copies of an empty one spare its making.
+  [[nodiscard]] virtual std::unique_ptr<History> copy() const = 0;
 
   // Appends x_n after n earlier ones.
   virtual void push(In sample) = 0;
@@ -31,6 +33,9 @@ class History {
 
   // Memory for samples and weights.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
+
+ protected:
+  History(const History&) = default;
 };
 
 // tables[sum][i] is the weight table of component i in that sum.

@@ -11,6 +11,9 @@ namespace fde {
 class DirectHistory final : public History {
  public:
   DirectHistory(const WeightTables& tables, int steps);
+  [[nodiscard]] std::unique_ptr<History> copy() const override {
+    return std::make_unique<DirectHistory>(*this);
+  }
   void push(In sample) override;
   void convolve(std::size_t sum, Out result) const override;
   [[nodiscard]] std::size_t bytes() const override;

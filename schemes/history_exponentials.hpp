@@ -11,6 +11,9 @@ namespace fde {
 class ExponentialHistory final : public History {
  public:
   ExponentialHistory(const WeightTables& tables, int steps, double tolerance);
+  [[nodiscard]] std::unique_ptr<History> copy() const override {
+    return std::make_unique<ExponentialHistory>(*this);
+  }
   void push(In sample) override;
   void convolve(std::size_t sum, Out result) const override;
   [[nodiscard]] std::size_t bytes() const override;

@@ -10,6 +10,9 @@ namespace fde {
 class GradedDirectHistory final : public History {
  public:
   GradedDirectHistory(const WeightTables& tables, const Grid& grid);
+  [[nodiscard]] std::unique_ptr<History> copy() const override {
+    return std::make_unique<GradedDirectHistory>(*this);
+  }
   void push(In sample) override;
   void convolve(std::size_t sum, Out result) const override;
   [[nodiscard]] std::size_t bytes() const override;

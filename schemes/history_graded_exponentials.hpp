@@ -15,6 +15,9 @@ namespace fde {
 class GradedExponentialHistory final : public History {
  public:
   GradedExponentialHistory(const WeightTables& tables, const Grid& grid, double tolerance);
+  [[nodiscard]] std::unique_ptr<History> copy() const override {
+    return std::make_unique<GradedExponentialHistory>(*this);
+  }
   void push(In sample) override;
   void convolve(std::size_t sum, Out result) const override;
   [[nodiscard]] std::size_t bytes() const override;

@@ -60,6 +60,16 @@ bool singular(Matrix a) {
 
 }  // namespace
 
+void differentiate(Run& run, const Problem& problem, double t, In y, In f, OutMatrix jacobian) {
+  if (problem.linear_part) {
+    jacobian = *problem.linear_part;
+  } else if (problem.jacobian) {
+    problem.jacobian(t, y, jacobian);
+  } else {
+    difference(run, t, y, f, jacobian);
+  }
+}
+
 NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
     : problem_(problem),
       mass_(Vec::Ones(problem.size())),
@@ -127,11 +137,7 @@ bool NewtonSolver::solve_linear(Run& run, double t, In past, Out y) {
 }
 
 void NewtonSolver::differentiate(Run& run, double t, In y, In f) {
-  if (problem_.jacobian) {
-    problem_.jacobian(t, y, matrix_);
-  } else {
-    difference(run, t, y, f, matrix_);
-  }
+  fde::differentiate(run, problem_, t, y, f, matrix_);
   assemble();
 }
 

@@ -6,6 +6,10 @@
 
 namespace fde {
 
+// df/dy at y, where f is f(t, y): the linear part or the Jacobian of the problem, or forward differences of
+// rhs where it has none.
+void differentiate(Run& run, const Problem& problem, double t, In y, In f, OutMatrix jacobian);
+
 // Solves y_i = past_i + kappa_i f_i(t, y), and 0 = f_i(t, y) in algebraic rows, for y, step after step of one
 // run.
 //

@@ -1,3 +1,4 @@
+#include "all_at_once.hpp"
 #include "implicit.hpp"
 #include "rates.hpp"
 
@@ -10,11 +11,12 @@ Scheme product_trapezoidal() {
       .id = "product_trapezoidal",
       .title = "Product trapezoidal rule",
       .source = "Young, Proc. R. Soc. A 224 (1954); weights as in Yin, Liu & Anh 2007, eq. 3.7",
-      .needs = {.implicit = true, .algebraic_rows = true},
+      .needs = {.implicit = true, .algebraic_rows = true, .two_sided = true},
       .expected_rate = [](const Problem& problem, const Smoothness& smoothness, double grading,
                           Norm norm) { return rate(trapezoidal_theory, problem, smoothness, grading, norm); },
       .solve =
           [](const Problem& problem, const Grid& grid, const Options& options) {
+            if (two_sided(problem)) return solve_all_at_once(problem, grid, options, WeightFamily::trapezoid);
             return solve_implicit(problem, grid, options, integral_rule(problem, WeightFamily::trapezoid));
           }};
 }

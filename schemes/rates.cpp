@@ -71,7 +71,7 @@ const RateTheory grunwald_letnikov_theory{[](double) { return 1.0; }, [](double,
 double rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness, double grading,
             Norm norm) {
   const double first_step = grading * smallest_over_powers(theory.first_step, problem, smoothness);
-  if (norm == Norm::first_step) return first_step;
+  if (norm == Norm::first_step && !two_sided(problem)) return first_step;
   double end = grading * smallest_over_powers(theory.end, problem, smoothness);
   for (const auto& component : problem.components) {
     if (!algebraic(component)) end = std::min(end, theory.smooth(component.order));
@@ -79,6 +79,7 @@ double rate(const RateTheory& theory, const Problem& problem, const Smoothness& 
   // Jumps are at times of the uniform grid; inside a step they cost a whole h.
   if (grading != 1.0 && !smoothness.jumps.empty()) end = std::min(end, 1.0);
   if (norm == Norm::end) return end;
+  if (norm == Norm::first_step) return std::min(end, first_step);
   return std::min({end, first_step, smallest_at_jumps(problem, smoothness)});
 }
 

@@ -34,6 +34,11 @@ extern const RateTheory l1_theory;
 extern const RateTheory grunwald_letnikov_theory;
 
 // The rate of a scheme, the smallest of all contributions.
+//
+// In a two-sided problem each row starts at its own side, a right one at the end with powers of end - t. Then
+// Norm::end speaks of fixed times inside the interval; at t = end itself a left row of order g driven by a
+// right one that starts like (end - t)^p is off by h^(g+p), which is not counted. At t_1 a right row, or a
+// missing initial value, carries the error of the whole interval: Norm::first_step is a lower bound.
 double rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness, double grading,
             Norm norm);
 

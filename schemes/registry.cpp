@@ -8,8 +8,8 @@
 namespace fde {
 namespace {
 
-// Of the i-th component.
-std::optional<std::string> refusal(const Needs& needs, const Component& component, std::size_t i) {
+// Of the i-th component, of whose initial values some may be missing where the problem is open.
+std::optional<std::string> refusal(const Needs& needs, const Component& component, std::size_t i, bool open) {
   const double order = component.order;
   if (algebraic(component) && !needs.algebraic_rows) {
     return fmt::format("steps explicitly: component {} is an algebraic row (order 0)", i);
@@ -19,7 +19,7 @@ std::optional<std::string> refusal(const Needs& needs, const Component& componen
                        needs.largest_order, i, order);
   }
   const auto count = initial_count(order), given = component.initial.size();
-  if (given == count) return std::nullopt;
+  if (given == count || (open && given < count)) return std::nullopt;
   return fmt::format("needs {} initial value{} for order {}, component {} has {}", count,
                      count == 1 ? "" : "s", order, i, given);
 }
@@ -45,6 +45,31 @@ const Scheme* find_scheme(std::string_view id) {
   return found == schemes().end() ? nullptr : &*found;
 }
 
+namespace {
+
+std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem& problem, const Grid& grid) {
+  if (!two_sided(problem)) return std::nullopt;
+  for (std::size_t i = 0; i < problem.components.size(); ++i) {
+    const bool right = problem.components[i].side == Side::right;
+    if (right && !scheme.needs.two_sided) {
+      return fmt::format("steps from the left: component {} has a right derivative", i);
+    }
+    if (right && !grid.uniform()) {
+      return fmt::format("needs a uniform grid for the right derivative of component {}", i);
+    }
+  }
+  if (!scheme.needs.two_sided) return "steps from the left: the problem has conditions at both ends";
+  if (problem.conditions && missing_count(problem) == 0) {
+    return "needs a missing initial value for each condition, none is missing";
+  }
+  if (grid.end != problem.end) {
+    return fmt::format("needs a grid that ends with the problem, at {} and not {}", problem.end, grid.end);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem, const Grid& grid) {
   if (scheme.needs.uniform_grid && !grid.uniform()) {
     return fmt::format("needs a uniform grid, not one graded with {}", grid.grading);
@@ -54,8 +79,10 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
     return fmt::format("needs a first step above {}, not {}", shortest, grid.step(1));
   }
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
-    if (auto reason = refusal(scheme.needs, problem.components[i], i)) return reason;
+    if (auto reason = refusal(scheme.needs, problem.components[i], i, bool(problem.conditions)))
+      return reason;
   }
+  if (auto reason = two_sided_refusal(scheme, problem, grid)) return reason;
   return scheme.refuses ? scheme.refuses(problem) : std::nullopt;
 }
 

@@ -12,7 +12,7 @@ Run::Run(const Problem& problem, const Grid& grid, const Options& options)
       options.keep.empty() ? static_cast<std::size_t>(grid.steps) + 1 : options.keep.size();
   path_.steps.reserve(kept);
   path_.y.resize(problem.size(), static_cast<Eigen::Index>(kept));
-  record(0, start_);
+  if (!two_sided(problem)) record(0, start_);
 }
 
 const Vec& Run::rhs(double t, In y) {

@@ -13,10 +13,10 @@ class Run {
   // f(t, y), counted. Valid until the next call.
   const Vec& rhs(double t, In y);
 
-  // y(0), recorded as step 0.
+  // y(0), recorded as step 0. A two-sided problem's is known last: the guess here is not recorded.
   [[nodiscard]] const Vec& start() const { return start_; }
 
-  // Records step n. False, and the run is over, when y is not finite.
+  // Records step n, of a two-sided problem from 0 on. False, and the run is over, when y is not finite.
   bool accept(int n, In y);
 
   // Ends the run before step n has a result.

@@ -29,6 +29,7 @@ struct Needs {
   bool implicit = false;  // solves an equation each step: uses jacobian or linear_part where there is one
   bool algebraic_rows = false;  // takes order 0
   double largest_order = 2.0;
+  bool two_sided = false;  // takes right derivatives and conditions
 };
 
 // Where an error is measured: at a fixed time t > 0, at t_1 = h, or as the maximum over all grid times. A

@@ -54,6 +54,9 @@ Smoothness linear_smoothness(const std::vector<Component>& components, const Mat
       throw std::invalid_argument("smoothness: component " + std::to_string(i) +
                                   " has order 0, orders have to be above 0");
     }
+    if (component.side == Side::right) {
+      throw std::invalid_argument("smoothness: component " + std::to_string(i) + " has a right derivative");
+    }
     const auto& initial = component.initial;
     last = std::max(last, component.order + 2.0);
     for (std::size_t k = 0; k < initial.size(); ++k) series.add(static_cast<double>(k), i, initial[k]);

@@ -13,7 +13,8 @@ struct PowerLoad {
 
 // How the solution of D^(order_i) y_i = sum_j matrix(i, j) y_j + loads starts: the powers of its series, a
 // term t^p of f_i leading to t^(p + order_i) in y_i. What cancels, to rounding, is left out. Throws
-// std::invalid_argument naming the component for an algebraic row, whose powers follow from the others.
+// std::invalid_argument naming the component for an algebraic row, whose powers follow from the others, and
+// for a right derivative, which starts at the other end.
 Smoothness linear_smoothness(const std::vector<Component>& components, const Matrix& matrix,
                              const std::vector<PowerLoad>& loads = {});
 

@@ -7,6 +7,21 @@ namespace fde {
 
 std::size_t initial_count(double order) { return static_cast<std::size_t>(std::max(std::ceil(order), 1.0)); }
 
+bool two_sided(const Problem& problem) {
+  return problem.conditions || std::ranges::any_of(problem.components, [](const auto& component) {
+           return component.side == Side::right;
+         });
+}
+
+Eigen::Index missing_count(const Problem& problem) {
+  Eigen::Index count = 0;
+  for (const auto& component : problem.components) {
+    const auto given = component.initial.size(), needed = initial_count(component.order);
+    if (given < needed) count += static_cast<Eigen::Index>(needed - given);
+  }
+  return count;
+}
+
 TaylorPart::TaylorPart(const Problem& problem) {
   std::size_t powers = 1;
   for (const auto& component : problem.components) powers = std::max(powers, component.initial.size());
@@ -26,8 +41,13 @@ void TaylorPart::at(double t, Out value) const {
 }
 
 Vec taylor_part(const Problem& problem, double t) {
-  Vec value(problem.size());
-  TaylorPart(problem).at(t, value);
+  const TaylorPart part(problem);
+  Vec value(problem.size()), right(problem.size());
+  part.at(t, value);
+  part.at(problem.end - t, right);
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    if (problem.components[static_cast<std::size_t>(i)].side == Side::right) value[i] = right[i];
+  }
   return value;
 }
 

@@ -13,21 +13,27 @@ using In = const Eigen::Ref<const Vec>&;
 using Out = Eigen::Ref<Vec>;
 using OutMatrix = Eigen::Ref<Matrix>;
 
-// One unknown y_i with the order gamma_i > 0 of its Caputo derivative from t = 0, or an algebraic row: order
-// 0.
+// Where the Caputo derivative of a row starts: left, from t = 0; right, from t = end backwards.
+enum class Side { left, right };
+
+// One unknown y_i with the order gamma_i > 0 of its Caputo derivative, or an algebraic row: order 0.
 struct Component {
   double order;
-  // initial[k] = y^(k)(0) for k < ceil(order). An algebraic row has one number, its value at t = 0; a guess
-  // where that is not known.
+  // initial[k], k < ceil(order): y^(k)(0), of a right row (-1)^k y^(k)(end). An algebraic row has one number,
+  // its value at t = 0; a guess where that is not known.
   std::vector<double> initial;
+  Side side = Side::left;
 };
 
 // Whether the row of this component is 0 = f_i(t, y), without a derivative and without a past.
 inline bool algebraic(const Component& component) { return component.order == 0.0; }
 
-// A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end, in which algebraic rows read 0 = f_i(t, y).
-// These may constrain other unknowns than their own, as in mechanics with a multiplier lambda (index 2):
+// A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end. D of a right row is the right derivative
+//   y_i(t) = sum_k initial[k] (end - t)^k / k! + 1/Gamma(g) int_t^end (s - t)^(g-1) f_i(s, y(s)) ds,
+// -y' for order 1. Algebraic rows read 0 = f_i(t, y). These may constrain other unknowns than their own, as
+// in mechanics with a multiplier lambda (index 2):
 //   q' = v, v' = a(t, q, v) + R(q, v)^T lambda, 0 = g(t, q, v).
+// With conditions the last values of an `initial` may be missing: they are unknowns too.
 struct Problem {
   std::vector<Component> components{};
   std::function<void(double t, In y, Out f)> rhs{};
@@ -35,6 +41,8 @@ struct Problem {
       jacobian{};                       // df/dy; empty: implicit schemes difference rhs
   std::optional<Matrix> linear_part{};  // A, where f(t, y) = A y + b(t): solved with one factorisation
   double end = 1.0;
+  // One equation 0 = residual for each missing initial value; empty: none is missing.
+  std::function<void(In at_start, In at_end, Out residual)> conditions{};
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };
@@ -42,8 +50,16 @@ struct Problem {
 // Number of initial values that a row of this order needs: ceil(order), and 1 for order 0.
 std::size_t initial_count(double order);
 
-// Taylor part sum_k y^(k)(0) t^k / k! of every component, up to k < ceil(order); of an algebraic row its
-// value at t = 0.
+// Whether any row has a right derivative or an unknown initial value: such a problem has no direction in
+// which to step.
+bool two_sided(const Problem& problem);
+
+// How many initial values are missing.
+Eigen::Index missing_count(const Problem& problem);
+
+// Taylor part sum_k initial[k] t^k / k! of every component, up to k < ceil(order), with 0 for missing values;
+// of an algebraic row its value at t = 0. t counts from where the row starts, so for right rows it is the
+// time left until the end.
 class TaylorPart {
  public:
   explicit TaylorPart(const Problem& problem);
@@ -53,7 +69,7 @@ class TaylorPart {
   Matrix coefficients_;  // y^(k)(0) / k!, one column a power
 };
 
-// The same once.
+// The same once, all at the time t of the problem.
 Vec taylor_part(const Problem& problem, double t);
 
 }  // namespace fde

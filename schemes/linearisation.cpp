@@ -1,0 +1,131 @@
+#include "linearisation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gmres.hpp"
+#include "newton.hpp"
+
+namespace fde {
+namespace {
+
+constexpr double linear_tolerance = 1e-10;
+
+// Vectors that GMRES may keep: as many as hold a quarter of a gigabyte, within bounds.
+Eigen::Index most_applications(Eigen::Index length) {
+  constexpr Eigen::Index most_values = 1 << 25;
+  return std::clamp<Eigen::Index>(most_values / length, 20, 200);
+}
+
+// Columns of d(conditions)/dy at one end, by forward differences; evaluate(y) gives the conditions.
+template <typename Evaluate>
+Matrix differences(Vec y, const Vec& conditions, Evaluate evaluate) {
+  const double relative_step = std::sqrt(std::numeric_limits<double>::epsilon());
+  Matrix result(conditions.size(), y.size());
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const double value = y[i];
+    y[i] += relative_step * std::max(std::abs(value), 1.0);
+    result.col(i) = (evaluate(y) - conditions) / (y[i] - value);
+    y[i] = value;
+  }
+  return result;
+}
+
+}  // namespace
+
+void Linearisation::update(Run& run, const Guess& guess, const Residual& residual) {
+  const auto& problem = equations_.problem();
+  const auto size = problem.size();
+  if (residual.conditions.size() > 0) differentiate_conditions(guess, residual.conditions);
+  if (problem.linear_part && jacobians_.size() > 0) return;
+  jacobians_.resize(size * size, problem.linear_part ? 1 : guess.y.cols());
+  for (Eigen::Index n = 0; n < jacobians_.cols(); ++n) {
+    differentiate(run, problem, equations_.grid().time(static_cast<int>(n)), guess.y.col(n),
+                  residual.f.col(n), Eigen::Map<Matrix>(jacobians_.col(n).data(), size, size));
+  }
+  left_inverses_ = equations_.left().inverses(jacobians_);
+  right_inverses_ = equations_.right().inverses(jacobians_);
+}
+
+void Linearisation::differentiate_conditions(const Guess& guess, const Vec& conditions) {
+  const Vec start = guess.y.col(0), end = guess.y.rightCols<1>();
+  Vec result(conditions.size());
+  by_start_ = differences(start, conditions, [&](const Vec& y) -> const Vec& {
+    equations_.problem().conditions(y, end, result);
+    return result;
+  });
+  by_end_ = differences(end, conditions, [&](const Vec& y) -> const Vec& {
+    equations_.problem().conditions(start, y, result);
+    return result;
+  });
+}
+
+Guess Linearisation::increment(const Residual& residual) const {
+  Rows y = Rows::Zero(residual.rows.rows(), residual.rows.cols());
+  Vec missing = Vec::Zero(equations_.missing());
+  there_and_back(residual.rows, y);
+  const Vec b = unknowns(y, -residual.conditions - conditions(y));
+  if (b.size() > 0) {
+    const Vec z =
+        gmres([this](const Vec& x) { return applied(x); }, b, linear_tolerance, most_applications(b.size()));
+    missing = z.tail(missing.size()) / scale();
+    Rows given = residual.rows;
+    equations_.add_missing(missing, given);
+    y = right_part(z);
+    there_and_back(given, y);
+  }
+  return {.y = std::move(y), .missing = std::move(missing)};
+}
+
+Vec Linearisation::applied(const Vec& z) const {
+  Rows y = right_part(z), given = Rows::Zero(y.rows(), y.cols());
+  equations_.add_missing(z.tail(equations_.missing()) / scale(), given);
+  there_and_back(given, y);
+  Vec result = unknowns(y, conditions(y));
+  result.head(open_values()) = z.head(open_values()) - result.head(open_values());
+  return result;
+}
+
+void Linearisation::there_and_back(const Rows& given, Rows& y) const {
+  equations_.left().solve(given, jacobians_, left_inverses_, y);
+  equations_.right().solve(given, jacobians_, right_inverses_, y);
+}
+
+Vec Linearisation::conditions(const Rows& y) const {
+  if (equations_.missing() == 0) return {};
+  return by_start_ * y.col(0) + by_end_ * y.rightCols<1>();
+}
+
+// A number that is the same at all times weighs as much as a row of them.
+double Linearisation::scale() const { return std::sqrt(equations_.grid().steps + 1.0); }
+
+Eigen::Index Linearisation::open_values() const {
+  if (equations_.left().empty()) return 0;
+  return static_cast<Eigen::Index>(equations_.right().rows().size()) * (equations_.grid().steps + 1);
+}
+
+Vec Linearisation::unknowns(const Rows& y, In conditions) const {
+  Vec z(open_values() + conditions.size());
+  if (open_values() > 0) z.head(open_values()) = y(equations_.right().rows(), Eigen::all).reshaped();
+  z.tail(conditions.size()) = scale() * conditions;
+  return z;
+}
+
+Rows Linearisation::right_part(const Vec& z) const {
+  Rows y = Rows::Zero(equations_.problem().size(), equations_.grid().steps + 1);
+  if (open_values() > 0) {
+    const auto& rows = equations_.right().rows();
+    y(rows, Eigen::all) = z.head(open_values()).reshaped(static_cast<Eigen::Index>(rows.size()), y.cols());
+  }
+  return y;
+}
+
+std::size_t Linearisation::bytes() const {
+  const auto length = open_values() + equations_.missing();
+  const auto vectors = length > 0 ? length * std::min(most_applications(length), length) : 0;
+  return sizeof(double) * static_cast<std::size_t>(jacobians_.size() + left_inverses_.size() +
+                                                   right_inverses_.size() + vectors);
+}
+
+}  // namespace fde
