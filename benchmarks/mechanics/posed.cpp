@@ -33,12 +33,13 @@ Smoothness linear_start(const Problem& problem, std::vector<PowerLoad> loads) {
 Smoothness nonlinear_start(const std::vector<Component>& components) {
   std::vector<double> steps{1.0};
   for (const auto& component : components) {
-    if (component.order > 0.0) steps.push_back(component.order);
+    if (!algebraic(component)) steps.push_back(component.order);
   }
   Smoothness smoothness;
-  for (const auto& [order, initial] : components) {
-    smoothness.powers.push_back(order > 0.0 ? power_lattice({order}, steps, order + 2.0)
-                                            : std::vector<double>{});
+  for (const auto& component : components) {
+    smoothness.powers.push_back(algebraic(component)
+                                    ? std::vector<double>{}
+                                    : power_lattice({component.order}, steps, component.order + 2.0));
   }
   return smoothness;
 }
