@@ -60,7 +60,8 @@ Results three_formulations() {
 }
 
 nlohmann::json section_of(const Results& results) {
-  for (const auto& section : page_data(results)["sections"]) {
+  const auto data = page_data(results);
+  for (const auto& section : data["sections"]) {
     if (section["id"] == "drift") return section;
   }
   return {};
