@@ -124,12 +124,13 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
     return {{outcome(0.0, "refused: " + *reason)}};
   EnergyBalance balance(scene.energy);
   DriftWatch drift(scene, grid);
-  if (scene.energy.power || scene.constraint)
+  if (scene.energy.power || scene.constraint) {
     options.watch = [&](int n, In y) {
       const Vec columns = columns_at(scene.outputs, grid.time(n), y);
       if (scene.energy.power) balance.see(grid.time(n), columns);
       if (scene.constraint) drift.see(n, columns);
     };
+  }
   const auto path = scheme.solve(scene.problem, grid, options);
   if (path.outcome != Outcome::finished) return {{outcome(grid.time(path.reached), describe(path))}};
   try {

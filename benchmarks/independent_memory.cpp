@@ -56,9 +56,10 @@ void require(double order, const Grid& grid) {
     throw std::invalid_argument(fmt::format("order = {}: must be a number in (0, 1) or (1, 2)", order));
   if (!grid.uniform())
     throw std::invalid_argument(fmt::format("grading = {}: must be 1, a uniform grid", grid.grading));
-  if (grid.steps < IndependentMemory::fewest_steps)
+  if (grid.steps < IndependentMemory::fewest_steps) {
     throw std::invalid_argument(
         fmt::format("steps = {}: must be at least {}", grid.steps, IndependentMemory::fewest_steps));
+  }
 }
 
 }  // namespace
@@ -79,9 +80,10 @@ void IndependentMemory::make_rule() {
   const auto legendre = gauss_jacobi(nodes_a_step, 0);
   kernel_.resize(nodes_a_step, steps);
   for (int lag = 1; lag <= steps; ++lag) {
-    for (int k = 0; k < nodes_a_step; ++k)
+    for (int k = 0; k < nodes_a_step; ++k) {
       kernel_(k, lag - 1) = static_cast<double>(legendre.weights[k]) *
                             std::pow(static_cast<double>(lag - legendre.nodes[k]), exponent_);
+    }
   }
   weights_ = cubics_at(legendre.nodes, of_derivative_) * kernel_;
   const auto jacobi = gauss_jacobi(nodes_a_step, exponent_);
