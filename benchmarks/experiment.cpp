@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "drift.hpp"
 #include "energy_balance.hpp"
 #include "measures.hpp"
 
@@ -88,6 +89,20 @@ std::vector<Record> measure(const Observation& run, const Record& row) {
   return rows;
 }
 
+// The truth beside a path, or why there is none.
+struct Known {
+  Rows truth{};
+  double bound = 0.0;
+  std::string missing{};
+};
+Known what_is_known(TruthTable& truth, const Trajectory& path) {
+  try {
+    return {truth.at(path.grid, path.steps), truth.bound(path.grid)};
+  } catch (const std::runtime_error& failure) {
+    return {.missing = failure.what()};
+  }
+}
+
 }  // namespace
 
 Examination examine(const std::string& label, const Scene& scene, TruthTable& truth, const Scheme& scheme,
@@ -108,18 +123,28 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
   if (const auto reason = refusal(scheme, scene.problem, grid))
     return {{outcome(0.0, "refused: " + *reason)}};
   EnergyBalance balance(scene.energy);
-  if (scene.energy)
+  DriftWatch drift(scene, grid);
+  if (scene.energy.power || scene.constraint) {
     options.watch = [&](int n, In y) {
-      balance.see(grid.time(n), columns_at(scene.outputs, grid.time(n), y));
+      const Vec columns = columns_at(scene.outputs, grid.time(n), y);
+      if (scene.energy.power) balance.see(grid.time(n), columns);
+      if (scene.constraint) drift.see(n, columns);
     };
+  }
   const auto path = scheme.solve(scene.problem, grid, options);
   if (path.outcome != Outcome::finished) return {{outcome(grid.time(path.reached), describe(path))}};
   try {
-    const Rows values = columns_of(scene.outputs, path), exact = truth.at(grid, path.steps);
-    auto rows = measure({scene, scheme, path, values, exact, truth.bound(grid), balance.residual()}, row);
-    rows.push_back(outcome(grid.end, "finished"));
-    return {std::move(rows), true};
-  } catch (const std::runtime_error& failure) {  // of a measure, or of the reference
+    const Known known = what_is_known(truth, path);
+    const Rows values = columns_of(scene.outputs, path);
+    Observation run{scene, scheme, path, values, known.truth, known.bound, balance.residual()};
+    if (scene.constraint) {
+      run.internal_drift = drift.internal();
+      run.independent_drift = drift.independent();
+    }
+    auto rows = measure(run, row);
+    rows.push_back(outcome(grid.end, known.missing.empty() ? "finished" : known.missing));
+    return {std::move(rows), known.missing.empty()};
+  } catch (const std::runtime_error& failure) {  // of a measure
     return {{outcome(grid.end, failure.what())}};
   }
 }

@@ -39,8 +39,10 @@ std::string describe(const Trajectory& path);
 
 // One (scene, scheme, steps) of a sweep: everything but its time, and how to repeat it.
 struct Examination {
-  std::vector<Record> rows;  // the last is the outcome; a scheme that refuses or fails has this one only
-  bool finished = false;     // worth timing
+  // The last is the outcome; a scheme that refuses or fails has this one only. Without a reference the
+  // outcome says why, and the measures that need none are there all the same.
+  std::vector<Record> rows;
+  bool finished = false;  // with a reference, and worth timing
 };
 
 // Solves once, compares with the truth at watched_steps and takes every measure that applies; the rows carry

@@ -10,11 +10,32 @@ namespace fde {
 namespace {
 
 bool always(const Observation& /*run*/) { return true; }
+bool has_truth(const Observation& run) { return run.truth.cols() > 0; }
 bool implicit(const Observation& run) { return run.scheme.needs.implicit; }
 
 template <Norm norm>
 double expected_rate(const Observation& run) {
   return run.scheme.expected_rate(run.scene.problem, run.scene.smoothness, run.path.grid.grading, norm);
+}
+
+using OneDrift = std::optional<Drift> Observation::*;
+constexpr OneDrift internal = &Observation::internal_drift, independent = &Observation::independent_drift;
+
+template <OneDrift drift>
+bool has_drift(const Observation& run) {
+  return (run.*drift).has_value();
+}
+template <OneDrift drift>
+double largest(const Observation& run) {
+  return (run.*drift)->largest;
+}
+template <OneDrift drift>
+bool has_growth(const Observation& run) {
+  return has_drift<drift>(run) && (run.*drift)->growth.has_value();
+}
+template <OneDrift drift>
+double growth(const Observation& run) {
+  return *(run.*drift)->growth;
 }
 
 double median(const std::vector<double>& seconds) {
@@ -25,12 +46,16 @@ double median(const std::vector<double>& seconds) {
 }
 
 constexpr std::array all{
-    Measure{"error_end", "", always, error_end},
-    Measure{"error_maximum", "", always, error_maximum},
-    Measure{"mescd", "digits", always, mescd},
-    Measure{"reference_bound", "", always, [](const Observation& run) { return run.truth_bound; }},
+    Measure{"error_end", "", has_truth, error_end},
+    Measure{"error_maximum", "", has_truth, error_maximum},
+    Measure{"mescd", "digits", has_truth, mescd},
+    Measure{"reference_bound", "", has_truth, [](const Observation& run) { return run.truth_bound; }},
     Measure{"energy_residual", "", [](const Observation& run) { return run.energy_residual.has_value(); },
             [](const Observation& run) { return *run.energy_residual; }},
+    Measure{"drift_internal", "", has_drift<internal>, largest<internal>},
+    Measure{"drift_internal_growth", "", has_growth<internal>, growth<internal>},
+    Measure{"drift_independent", "", has_drift<independent>, largest<independent>},
+    Measure{"drift_independent_growth", "", has_growth<independent>, growth<independent>},
     Measure{"rhs_calls", "", always,
             [](const Observation& run) { return static_cast<double>(run.path.cost.rhs_calls); }},
     Measure{"newton_iterations", "", implicit,
@@ -53,8 +78,8 @@ constexpr std::array all_of_time{
 std::span<const Measure> measures() { return all; }
 std::span<const TimeMeasure> time_measures() { return all_of_time; }
 
-std::vector<int> watched_steps(int steps) {
-  constexpr int most = 8192, first = 16;
+std::vector<int> watched_steps(int steps, int most) {
+  constexpr int first = 16;
   std::vector<int> watched(static_cast<std::size_t>(std::min(steps, most)) + 1);
   std::iota(watched.begin(), watched.end(), 0);
   if (steps <= most) return watched;

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "drift.hpp"
 #include "scene.hpp"
 #include "scheme.hpp"
 
@@ -17,9 +18,10 @@ struct Observation {
   const Scheme& scheme;
   const Trajectory& path;
   const Rows& values;
-  const Rows& truth;
+  const Rows& truth;   // no columns where there is no reference
   double truth_bound;  // of the truth at the end: a bound, or an estimate where that is all there is
-  std::optional<double> energy_residual{};  // EnergyBalance, which saw every step
+  std::optional<double> energy_residual{};                     // EnergyBalance, which saw every step
+  std::optional<Drift> internal_drift{}, independent_drift{};  // DriftWatch, which saw every step
 };
 
 // One number taken from a run. Where it does not apply it is not computed and has no row.
@@ -38,9 +40,9 @@ struct TimeMeasure {
 };
 std::span<const TimeMeasure> time_measures();
 
-// The steps at which a run of this many is compared with the truth: all of them up to 8192, beyond that the
-// first 16 and 8192 spread evenly.
-std::vector<int> watched_steps(int steps);
+// The steps at which a run of this many is compared with the truth: all of them up to `most`, beyond that the
+// first 16 and `most` spread evenly.
+std::vector<int> watched_steps(int steps, int most = 8192);
 
 // max_i |y_i - truth_i| at the last step; over all watched steps.
 double error_end(const Observation& run);

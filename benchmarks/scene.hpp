@@ -43,10 +43,12 @@ struct Constraint {
   [[nodiscard]] double drift(double t, In columns) const;
 };
 
-// A column that is the derivative of order 0 < order < 1 of what another column is the first derivative of.
+// A column that is the derivative of order in (0, 1) or (1, 2) of what another column is the first derivative
+// of, and the powers of t with which the latter leaves its value at 0.
 struct Memory {
   Eigen::Index derivative, velocity;
   double order;
+  std::vector<double> powers{};
 };
 
 // A problem and the columns it gives.

@@ -34,12 +34,10 @@ std::optional<Choice> cheapest_of(RunSpan line, double error) {
   return best;
 }
 
+RunSpan finest(RunSpan line) { return line.last(std::min(line.size(), most_fitted)); }
+
 NormRate norm_rate(RunSpan runs, std::string_view error, std::string_view expected) {
-  std::vector<ErrorAt> points;
-  for (const MeasuredRun& run : runs) {
-    if (const auto value = run[error]) points.push_back({run.h, *value});
-  }
-  return {.expected = runs.back()[expected], .fit = fit_rate(points)};
+  return {.expected = runs.back()[expected], .fit = observed_rate(runs, error)};
 }
 
 std::optional<Extrapolation> extrapolate(RunSpan line, double error) {
@@ -86,8 +84,16 @@ std::optional<double> NormRate::deviation() const {
   return fit.slope - *expected;
 }
 
+Fit observed_rate(RunSpan line, std::string_view quantity) {
+  std::vector<ErrorAt> points;
+  for (const MeasuredRun& run : finest(line)) {
+    if (const auto value = run[quantity]) points.push_back({run.h, *value});
+  }
+  return fit_rate(points);
+}
+
 RateRow rate_of(RunSpan line) {
-  const RunSpan fitted = line.last(std::min(line.size(), most_fitted));
+  const RunSpan fitted = finest(line);
   return {.scene = fitted.back().scene,
           .scheme = fitted.back().scheme,
           .history = fitted.back().history,

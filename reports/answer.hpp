@@ -59,6 +59,9 @@ struct RateRow {
 
 RateRow rate_of(RunSpan line);
 
+// How fast a quantity falls with the step, over the same step counts.
+Fit observed_rate(RunSpan line, std::string_view quantity);
+
 // A row for each line, in the order of the runs.
 std::vector<RateRow> rates(const Runs& runs);
 

@@ -122,6 +122,18 @@ std::vector<SceneVariant> default_scenes() {
   return variants;
 }
 
+std::vector<SceneVariant> sweep_scenes() {
+  auto variants = default_scenes();
+  for (const auto* text :
+       {"fractional_constraint_2d:formulation=multiplier", "fractional_constraint_2d:alpha=0.3",
+        "fractional_constraint_2d:alpha=0.3,formulation=acceleration",
+        "fractional_constraint_2d:alpha=0.3,formulation=stabilised",
+        "fractional_constraint_2d:alpha=0.3,formulation=multiplier"}) {
+    variants.push_back(parse_variant(text));
+  }
+  return variants;
+}
+
 const Scheme& scheme_named(std::string_view id) { return named(schemes(), "scheme", id); }
 
 }  // namespace fde

@@ -44,6 +44,10 @@ SceneVariant parse_variant(const std::string& text);
 // like a root, and pendulums whose commensurate expansion has many states.
 std::vector<SceneVariant> default_scenes();
 
+// What a sweep takes: the default scenes, and some mechanical ones in all formulations that are well posed
+// for them. These share a solution and differ in what they do to the constraint.
+std::vector<SceneVariant> sweep_scenes();
+
 const Scheme& scheme_named(std::string_view id);
 
 inline constexpr int most_digits = 100'000;

@@ -66,6 +66,7 @@ json page_data(const Results& results) {
   add(answers_section(page));
   for (auto& scene : scene_sections(page)) sections.push_back(std::move(scene));
   add(rates_section(page));
+  add(drift_section(page));
   add(cost_section(page));
   add(expansion_section(page));
   add(reference_section(page));

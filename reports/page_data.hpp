@@ -35,6 +35,7 @@ struct Section {
 Table sessions_table(const PageInput& page);
 Section answers_section(const PageInput& page);
 Section rates_section(const PageInput& page);
+Section drift_section(const PageInput& page);
 Section cost_section(const PageInput& page);
 Section expansion_section(const PageInput& page);
 Section reference_section(const PageInput& page);

@@ -31,7 +31,7 @@ struct ChooseArguments {
 };
 
 std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts) {
-  if (texts.empty()) return default_scenes();
+  if (texts.empty()) return sweep_scenes();
   std::vector<SceneVariant> variants;
   for (const auto& text : texts) variants.push_back(parse_variant(text));
   return variants;

@@ -129,15 +129,19 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   scene.problem = std::move(form.problem);
   scene.smoothness = std::move(form.smoothness);
   scene.outputs = {names, std::move(form.columns)};
+  auto powers = scene.smoothness.powers;
   if (asked.formulation != of.reference) {
     auto reference = posed(of, {of.reference});
+    powers = reference.smoothness.powers;  // the solution is the same
     scene.reference = {std::move(reference.problem), {names, std::move(reference.columns)}};
   }
   scene.energy = energy_of(of.system);
   scene.constraint = constraint_of(of.system);
   if constexpr (HasMemory<System>) {
     if (of.system.order != 1.0) {
-      for (Eigen::Index i = 0; i < n; ++i) scene.memories.push_back({2 * n + i, n + i, of.system.order});
+      for (Eigen::Index i = 0; i < n; ++i)
+        scene.memories.push_back(
+            {2 * n + i, n + i, of.system.order, powers_of_derivative(powers[static_cast<std::size_t>(i)])});
     }
   }
   return scene;

@@ -64,6 +64,14 @@ PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechan
   return form;
 }
 
+std::vector<double> powers_of_derivative(const std::vector<double>& powers) {
+  std::vector<double> lowered;
+  for (const double power : powers) {
+    if (power > 1.0 && !same_order(power, 1.0)) lowered.push_back(power - 1.0);
+  }
+  return lowered;
+}
+
 std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory) {
   std::vector<std::string> names = coordinates;
   const auto add = [&](const std::string& letter, const std::string& prefix) {

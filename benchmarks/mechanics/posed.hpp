@@ -32,6 +32,9 @@ PosedMechanics with_multipliers(PosedMechanics form, const PosedMechanics& integ
 // The same above order 1, where v itself is integrated: with the powers of its free part and of b.v.
 PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechanics& integrated);
 
+// Of the derivative of what starts with these powers, the constant apart.
+std::vector<double> powers_of_derivative(const std::vector<double>& powers);
+
 // Columns q1, v1, w1 of a coordinate q1; x, dx, Dalpha_x of x.
 std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory);
 

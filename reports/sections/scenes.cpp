@@ -47,6 +47,8 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
   if (const auto error = run["error_end"]) add("error at the end", error_text(*error));
   if (const auto error = run["error_maximum"]) add("maximum error", error_text(*error));
   if (const auto residual = run["energy_residual"]) add("energy residual", error_text(*residual));
+  if (const auto drift = run["drift_internal"]) add("internal drift", error_text(*drift));
+  if (const auto drift = run["drift_independent"]) add("independent drift", error_text(*drift));
   if (const auto seconds = run["time_minimum"]) add("time", time_text(*seconds));
   if (const auto seconds = run["time_median"]) add("median time", time_text(*seconds));
   if (coarser != nullptr) {
