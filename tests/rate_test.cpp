@@ -51,6 +51,18 @@ std::vector<Variant> variants() {
       all.push_back({fmt::format("{}_{}", scene, tag), scene, {{"alpha", alpha}, {"beta", beta}}, 2.0});
     }
   }
+  // Constraints of whole order, in each form without multipliers: what is chosen first is the default.
+  for (const auto* scene :
+       {"nonholonomic_particle", "knife_edge", "rolling_disc", "loxodrome", "isokinetic"}) {
+    const std::map<std::string, double> pulled{{"pull", 0.6}};
+    const int forms = scene == std::string_view("isokinetic") ? 2 : 3;
+    for (int form = 0; form < forms; ++form) {
+      auto values = scene == std::string_view("rolling_disc") ? pulled : std::map<std::string, double>{};
+      values["formulation"] = form;
+      all.push_back({fmt::format("{}_form_{}", scene, form), scene, values, 2.0});
+    }
+  }
+  all.push_back({"vakonomic_particle", "vakonomic_particle", {{"mu0", 0.5}}, 2.0});
   return all;
 }
 

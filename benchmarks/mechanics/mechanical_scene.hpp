@@ -30,6 +30,11 @@ struct Asked {
   double kappa = 0.0;
 };
 
+inline Asked asked_of(const Parameters& parameters, const std::vector<Formulation>& fitting) {
+  const Formulation formulation = formulation_of(parameters, fitting);
+  return {formulation, formulation == Formulation::stabilised ? parameters["kappa"] : 0.0};
+}
+
 template <class System>
 concept ConstantCoefficients = HasMemory<System> && System::constant;
 
@@ -68,12 +73,11 @@ PosedMechanics posed(const Setting<System>& of, const Asked& asked) {
       }
     }
   }
-  const WholeIntegrated<System> integrated{system, start};
+  const auto acceleration = pose(WholeAcceleration<System>{system, start, kappa}, end, linear);
   if (multiplied)
-    return with_multipliers(pose(WholeMultiplier<System>{system, start}, end, false),
-                            pose(integrated, end, linear));
-  if (accelerated) return pose(WholeAcceleration<System>{system, start, kappa}, end, linear);
-  return pose(integrated, end, linear);
+    return with_multipliers(pose(WholeMultiplier<System>{system, start}, end, false), acceleration);
+  if (accelerated) return acceleration;
+  return pose(WholeIntegrated<System>{system, start}, end, linear);
 }
 
 // E = 1/2 v'G v + u. Its rate is the power of forces and reactions; with memory the reaction depends on w',
