@@ -17,6 +17,12 @@ struct Motion {
   std::map<std::string, double> values;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
+void PrintTo(const Motion& motion, std::ostream* out) {
+  *out << motion.scene;
+  for (const auto& [name, value] : motion.values) *out << ' ' << name << '=' << value;
+}
+
 class ClosedMotion : public testing::TestWithParam<Motion> {
  protected:
   // The form whose state is its columns.
@@ -63,12 +69,14 @@ TEST_P(ClosedMotion, IsWithinItsBound) {
   for (const double t : {0.0, 1e-9, 0.1, 1.5, 4.5}) {
     const Truth quick = scene_.exact.at(t);
     const auto precise = scene_.exact.digits(t, 40);
+    const double largest = quick.value.cwiseAbs().maxCoeff();
     for (Eigen::Index c = 0; c < quick.value.size(); ++c) {
       const auto& [value, bound] = precise[static_cast<std::size_t>(c)];
       const BigReal error = abs(BigReal(parse<BigReal>(value) - BigReal(quick.value[c])));
       EXPECT_LE(error, BigReal(quick.bound[c]) + parse<BigReal>(bound)) << "column " << c << ", t = " << t;
-      EXPECT_LE(quick.bound[c], 2.5e-16 * std::max(std::abs(quick.value[c]), 0.1 * t * t)) << "column " << c;
-      EXPECT_LE(parse<BigReal>(bound), BigReal(1e-39) * abs(parse<BigReal>(value))) << "column " << c;
+      EXPECT_LE(quick.bound[c], 1.2e-16 * (std::abs(quick.value[c]) + 1.0 + largest)) << "column " << c;
+      const BigReal size = std::max(BigReal(abs(parse<BigReal>(value))), BigReal(1e-40));  // some are 0
+      EXPECT_LE(parse<BigReal>(bound), BigReal(1e-39) * size) << "column " << c;
     }
   }
 }
@@ -82,7 +90,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Motion{"knife_edge", {{"omega", -0.01}, {"g", 1.0}}},
                     Motion{"knife_edge", {{"omega", 0.0}, {"theta", 1.0}}}, Motion{"rolling_disc", {}},
                     Motion{"rolling_disc", {{"pull", 0.6}, {"m", 2.0}, {"R", 0.8}, {"dphi0", -0.4}}},
-                    Motion{"rolling_disc", {{"pull", 0.6}, {"dphi0", 0.0}}}, Motion{"loxodrome", {}},
+                    Motion{"rolling_disc", {{"pull", 0.6}, {"dphi0", 0.0}}},
+                    Motion{"loxodrome", {{"speed", 0.5}}},
                     Motion{"loxodrome", {{"k", -0.5}, {"theta0", 1.2}, {"speed", 0.3}}},
                     Motion{"loxodrome", {{"k", 0.0}, {"speed", 0.3}}}),
     [](const auto& test) { return test.param.scene + "__" + std::to_string(test.index); });
@@ -138,7 +147,7 @@ TEST(RollingDisc, ResistsWithItsInertia) {
 
 // tan of the angle to the meridians: sin(theta) dphi/dtheta = k; the speed is constant.
 TEST(Loxodrome, KeepsCourseAndSpeed) {
-  const Exact exact = scene_of("loxodrome").exact;
+  const Exact exact = scene_of("loxodrome", {{"speed", 0.5}}).exact;
   for (const double t : times) {
     const Vec columns = exact.at(t).value;
     const double across = std::sin(columns[0]) * columns[3];
@@ -148,14 +157,15 @@ TEST(Loxodrome, KeepsCourseAndSpeed) {
 }
 
 TEST(Loxodrome, EndsInThePole) {
-  Scene scene = scene_of("loxodrome", {{"theta0", 3.0}});
+  Scene scene = scene_of("loxodrome", {{"theta0", 3.0}, {"speed", 0.5}});
   const double pole = (std::numbers::pi - 3.0) * std::sqrt(5.0) / 0.5;
   EXPECT_NEAR(scene.problem.end, 0.9 * pole, 1e-15);
   scene.problem.end = 2.0;
   for (const auto& scheme : schemes()) {
     const auto path = scheme.solve(scene.problem, {2.0, 64}, {});
     EXPECT_NE(path.outcome, Outcome::finished) << scheme.id;
-    EXPECT_NEAR(path.grid.time(path.reached), pole, 0.1) << scheme.id;
+    EXPECT_GT(path.grid.time(path.reached), 0.7 * pole) << scheme.id;
+    EXPECT_LE(path.grid.time(path.reached), pole + path.grid.step()) << scheme.id;
     EXPECT_TRUE(path.y.allFinite()) << scheme.id;
   }
   EXPECT_THROW(scene.exact.at(2.0), std::runtime_error);

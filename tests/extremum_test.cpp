@@ -50,10 +50,10 @@ TEST(ExtremumResidual, OfTheParticle) {
 // q'' of the extremum by differences along its flow, less that of the motion at the same q and v: raised, the
 // residual.
 template <class System>
-void expect_residual_between(const System& system, const Motion<System::coordinates>& start, double mu) {
+void expect_residual_between(const System& system, const Motion<System::coordinates>& start,
+                             const Vector<double, System::constraints>& multiplier) {
   constexpr int n = System::coordinates;
   using State = Vector<double, 2 * n>;
-  const Vector<double, 1> multiplier(mu);
   const ConditionalExtremum<System> extremum{system, start, multiplier};
   State y;
   for (int i = 0; i < 2 * n; ++i) y[i] = extremum.components()[static_cast<std::size_t>(i)].initial[0];
@@ -73,9 +73,20 @@ void expect_residual_between(const System& system, const Motion<System::coordina
 }
 
 TEST(ExtremumResidual, IsTheDifferenceOfTheAccelerations) {
-  expect_residual_between(Particle{}, {{0.1, 0.5, 0.3}, {2.0, 3.0, 1.0}}, 1.5);
-  expect_residual_between(SphereWithCourse{2.0}, {{0.7, 0.2}, {0.4, 0.8 / std::sin(0.7)}}, -0.8);
-  expect_residual_between(Blade{4.0}, {{0.1, 0.2, 0.3}, {std::cos(0.3), std::sin(0.3), 0.7}}, 1.2);
+  expect_residual_between(Particle{}, {{0.1, 0.5, 0.3}, {2.0, 3.0, 1.0}}, Vector<double, 1>(1.5));
+  expect_residual_between(Blade{4.0}, {{0.1, 0.2, 0.3}, {std::cos(0.3), std::sin(0.3), 0.7}},
+                          Vector<double, 1>(1.2));
+  const double rolled = 0.5 * 1.2;
+  expect_residual_between(Disc{0.5, 2.0, 0.3, 0.2, 0.4},
+                          {{0.1, 0.2, 0.3, 0.4}, {rolled * std::cos(0.3), rolled * std::sin(0.3), 0.7, 1.2}},
+                          Vector<double, 2>(1.2, -0.7));
+}
+
+// In two dimensions every constraint a(q) v = 0 is a multiple of the derivative of some phi(q): the extremum
+// is the motion.
+TEST(ExtremumResidual, IsZeroWithTwoCoordinates) {
+  const Instant<2> at{0.0, {0.7, 0.2}, {0.4, 0.8 / std::sin(0.7)}, {0.3, -0.9}};
+  EXPECT_LT(extremum_residual(SphereWithCourse{2.0}, at, Vector<double, 1>(1.5)).norm(), 1e-15);
 }
 
 // mu = (pz - y px)/(1 + y^2) stays 0 where y or x stands still.

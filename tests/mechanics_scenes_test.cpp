@@ -109,16 +109,28 @@ TEST(Formulations, MultipliersStartConsistently) {
   EXPECT_EQ(f[6], 0.0);
 }
 
-// The integrated form has no drift at all, the acceleration form that of its rule.
-TEST(Formulations, DifferInTheirDrift) {
+double drift_at_end(const Scene& scene, std::string_view scheme, int steps) {
+  const auto path = solve(scheme, scene.problem, steps);
+  return scene.constraint.drift(scene.problem.end, columns_of(scene.outputs, path).rightCols(1));
+}
+
+TEST(Formulations, OnlyTheAccelerationFormsDrift) {
+  for (const auto* id : {"nonholonomic_particle", "knife_edge", "rolling_disc", "loxodrome"}) {
+    EXPECT_LT(drift_at_end(scene_of(id, {{"formulation", 0.0}}), "adams_pc", 500), 1e-14) << id;
+  }
+  EXPECT_GT(drift_at_end(scene_of("nonholonomic_particle", {{"formulation", 1.0}}), "adams_pc", 500), 1e-7);
+}
+
+// f' = 0 and f' = -kappa f: what the constraint is off by at the start stays, or falls like e^(-kappa t).
+TEST(Formulations, TheStabilisedOneForgetsAnInconsistentStart) {
   const auto drift = [](double formulation) {
-    const Scene scene = scene_of("loxodrome", {{"formulation", formulation}});
-    const auto path = solve("adams_pc", scene.problem, 1000);
-    return scene.constraint.drift(scene.problem.end, columns_of(scene.outputs, path).rightCols(1));
+    Scene scene = scene_of("nonholonomic_particle", {{"formulation", formulation}, {"kappa", 4.0}});
+    scene.problem.end = 1.0;
+    scene.problem.components[5].initial[0] += 0.1;
+    return drift_at_end(scene, "product_trapezoidal", 4000);
   };
-  EXPECT_LT(drift(0.0), 1e-15);
-  EXPECT_GT(drift(1.0), 1e-7);
-  EXPECT_LT(drift(2.0), drift(1.0) / 10.0);
+  EXPECT_NEAR(drift(1.0), 0.1, 1e-6);
+  EXPECT_NEAR(drift(2.0), 0.1 * std::exp(-4.0), 1e-6);
 }
 
 TEST(Isokinetic, KeepsTheKineticEnergyThatItStartsWith) {
@@ -151,7 +163,6 @@ TEST(Isokinetic, EnergyBalanceClosesAtTheRateOfTheScheme) {
   const Vec first = truth_of(scene).at(0.0).value;
   EXPECT_GT(std::abs(scene.energy.power(0.0, first)), 0.01);
   const double coarse = residual(500), fine = residual(1000);
-  EXPECT_LT(fine, 1e-4);
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.1);
 }
 

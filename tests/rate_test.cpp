@@ -51,14 +51,14 @@ std::vector<Variant> variants() {
       all.push_back({fmt::format("{}_{}", scene, tag), scene, {{"alpha", alpha}, {"beta", beta}}, 2.0});
     }
   }
-  // Constraints of whole order, in each form without multipliers: what is chosen first is the default.
+  // Constraints of whole order, in every form: the last is with multipliers, for implicit schemes only.
   for (const auto* scene :
        {"nonholonomic_particle", "knife_edge", "rolling_disc", "loxodrome", "isokinetic"}) {
-    const std::map<std::string, double> pulled{{"pull", 0.6}};
-    const int forms = scene == std::string_view("isokinetic") ? 2 : 3;
+    const int forms = scene == std::string_view("isokinetic") ? 3 : 4;
     for (int form = 0; form < forms; ++form) {
-      auto values = scene == std::string_view("rolling_disc") ? pulled : std::map<std::string, double>{};
-      values["formulation"] = form;
+      std::map<std::string, double> values{{"formulation", form}};
+      if (scene == std::string_view("rolling_disc")) values["pull"] = 0.6;
+      if (scene == std::string_view("loxodrome")) values["speed"] = 0.5;
       all.push_back({fmt::format("{}_form_{}", scene, form), scene, values, 2.0});
     }
   }

@@ -49,7 +49,7 @@ SceneMaker loxodrome() {
        {.low = 0.0, .high = std::numbers::pi, .open_low = true, .open_high = true},
        "theta(0), distance from the pole"},
       {"k", 2.0, any_number, "tangent of the angle to the meridians"},
-      {"speed", 0.5, positive, "speed on the sphere"}};
+      {"speed", 0.1, positive, "speed on the sphere"}};
   return {.id = "loxodrome",
           .title = "Point that keeps its course on a sphere",
           .source = "Niminet & Blanuta 2009, eq. 2.6 without the factor 1/2, on the unit sphere",
@@ -61,7 +61,7 @@ SceneMaker loxodrome() {
                 .system = {k},
                 .start = {{theta0, 0.0}, {rate, k * rate / std::sin(theta0)}},
                 .coordinates = {"theta", "phi"},
-                .end = std::min(10.0, 0.9 * time_to_pole(theta0, k, p["speed"]))};
+                .end = std::min(50.0, 0.9 * time_to_pole(theta0, k, p["speed"]))};
             Scene scene = mechanical_scene(setting, asked_of(p, all_formulations()));
             scene.exact = closed_form(Loxodrome{theta0, k, p["speed"]});
             return scene;

@@ -25,13 +25,15 @@ struct ParticleMotion {
         near ? Real(2 * c * t / sum * artanh_quotient(share)) : Real(c / b * (asinh(y) - asinh(start)));
     const Real x_size =
         near ? Real(3 * abs(x)) : Real(abs(c / b) * (2 + abs(Real(asinh(y))) + abs(Real(asinh(start)))));
-    const Real speed = abs(c) / r * (1 + parts / r);  // |y| / r^2 is below 1/r
+    // d(1/r)/dy = -y/r^3 and d(y/r)/dy = 1/r^3: what a rounding of y is worth.
+    const Real along = abs(c) / r * (3 + parts * abs(y) / (r * r));
+    const Real upwards = abs(c) / r * (3 * abs(y) + parts / (r * r));
     return {{x, Real(x_size + abs(c) * t / sum * parts / sum)},
             {y, parts},
             {Real(c * t * (y + start) / sum), Real(3 * abs(c) * t * parts / sum)},
-            {Real(c / r), speed},
+            {Real(c / r), along},
             {b, abs(b)},
-            {Real(y * c / r), Real(speed * parts)}};
+            {Real(y * c / r), upwards}};
   }
 };
 
