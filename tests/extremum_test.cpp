@@ -19,7 +19,7 @@ using namespace mechanics;
 struct Derived {
   static constexpr int coordinates = 3, constraints = 2;
   template <class S>
-  Vector<S, 2> constraint(const S& t, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
+  [[nodiscard]] Vector<S, 2> constraint(const S& t, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
     return {2.0 * q[0] * v[0] + v[1] * q[2] + q[1] * v[2] + q[0] + t * v[0],
             q[0] * v[0] + q[1] * v[1] + q[2] * v[2]};
   }

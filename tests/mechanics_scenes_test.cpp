@@ -59,7 +59,7 @@ TEST(Derivatives, OfAMetricAreThoseByDifferences) {
 
 struct UnitParticle : Particle {
   template <class S>
-  Table<S, 3, 3> metric(const Vector<S, 3>& /*q*/) const {
+  [[nodiscard]] Table<S, 3, 3> metric(const Vector<S, 3>& /*q*/) const {
     return Table<S, 3, 3>::Identity();
   }
 };

@@ -25,7 +25,7 @@ struct ConditionalExtremum {
   };
 
   template <class S>
-  Velocity<S> velocity(double t, const Vector<S, n>& q, const Vector<S, n>& p) const {
+  [[nodiscard]] Velocity<S> velocity(double t, const Vector<S, n>& q, const Vector<S, n>& p) const {
     const Vector<S, n> none = Vector<S, n>::Constant(S(0.0));
     const auto rates = constraint_rates<S>(system, S(t), q, none, none);
     const Reaction<S, System> reaction(system, q, rates);
@@ -42,7 +42,7 @@ struct ConditionalExtremum {
   }
 
   template <class S>
-  Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
+  [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
     using D = Dual<S, n>;
     const Vector<S, n> q = y.template head<n>(), p = y.template tail<n>();
     const Velocity<S> at = velocity<S>(t, q, p);

@@ -49,8 +49,9 @@ Table<double, System::coordinates, System::coordinates> riemannian_connection(
 // Multipliers that keep the constraint: quadratic in y where no force acts.
 struct EnforcingMultipliers {
   template <class S, class System>
-  Vector<S, System::constraints> of(const System& system, const Vector<S, System::coordinates>& x,
-                                    const Vector<S, System::coordinates>& y) const {
+  [[nodiscard]] Vector<S, System::constraints> of(const System& system,
+                                                  const Vector<S, System::coordinates>& x,
+                                                  const Vector<S, System::coordinates>& y) const {
     const auto rates = constraint_rates<S>(system, S(0.0), x, y, y);
     const Reaction<S, System> reaction(system, x, rates);
     const Vector<S, System::coordinates> free = free_acceleration<S>(system, S(0.0), x, y);
@@ -64,8 +65,9 @@ struct GivenMultipliers {
   Function lambda;
 
   template <class S, class System>
-  Vector<S, System::constraints> of(const System& /*system*/, const Vector<S, System::coordinates>& x,
-                                    const Vector<S, System::coordinates>& /*y*/) const {
+  [[nodiscard]] Vector<S, System::constraints> of(const System& /*system*/,
+                                                  const Vector<S, System::coordinates>& x,
+                                                  const Vector<S, System::coordinates>& /*y*/) const {
     return lambda(x);
   }
 };

@@ -13,7 +13,7 @@ struct Particle {
   static constexpr int coordinates = 3, constraints = 1;
 
   template <class S>
-  Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
     return Vector<S, 1>(S(v[2] - q[1] * v[0]));
   }
 };
@@ -24,11 +24,11 @@ struct Blade {
   double pull;
 
   template <class S>
-  S potential(const Vector<S, 3>& q) const {
+  [[nodiscard]] S potential(const Vector<S, 3>& q) const {
     return -pull * q[0];
   }
   template <class S>
-  Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
     using std::cos, std::sin;
     return Vector<S, 1>(S(v[0] * sin(q[2]) - v[1] * cos(q[2])));
   }
@@ -41,15 +41,15 @@ struct Disc {
   double radius, mass, spin_inertia, turn_inertia, pull;
 
   template <class S>
-  Table<S, 4, 4> metric(const Vector<S, 4>& /*q*/) const {
+  [[nodiscard]] Table<S, 4, 4> metric(const Vector<S, 4>& /*q*/) const {
     return Vector<S, 4>(S(mass), S(mass), S(turn_inertia), S(spin_inertia)).asDiagonal();
   }
   template <class S>
-  S potential(const Vector<S, 4>& q) const {
+  [[nodiscard]] S potential(const Vector<S, 4>& q) const {
     return -mass * pull * q[0];
   }
   template <class S>
-  Vector<S, 2> constraint(const S& /*t*/, const Vector<S, 4>& q, const Vector<S, 4>& v) const {
+  [[nodiscard]] Vector<S, 2> constraint(const S& /*t*/, const Vector<S, 4>& q, const Vector<S, 4>& v) const {
     using std::cos, std::sin;
     return {v[0] - radius * v[3] * cos(q[2]), v[1] - radius * v[3] * sin(q[2])};
   }
@@ -62,18 +62,18 @@ struct SphereWithCourse {
   double k;
 
   template <class S>
-  static S sine(const S& theta) {
+  [[nodiscard]] static S sine(const S& theta) {
     using std::sin;
     return theta > 0.0 && theta < std::numbers::pi ? S(sin(theta))
                                                    : S(std::numeric_limits<double>::quiet_NaN());
   }
   template <class S>
-  Table<S, 2, 2> metric(const Vector<S, 2>& q) const {
+  [[nodiscard]] Table<S, 2, 2> metric(const Vector<S, 2>& q) const {
     const S s = sine<S>(q[0]);
     return Vector<S, 2>(S(1.0), S(s * s)).asDiagonal();
   }
   template <class S>
-  Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& q, const Vector<S, 2>& v) const {
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& q, const Vector<S, 2>& v) const {
     return Vector<S, 1>(S(v[1] * sine<S>(q[0]) - k * v[0]));
   }
 };
@@ -85,18 +85,19 @@ struct ThermostattedChain {
   double k, c, kinetic;
 
   template <class S>
-  S spring(const S& length) const {
+  [[nodiscard]] S spring(const S& length) const {
     const S square = length * length;
     return 0.5 * k * square + 0.25 * c * square * square;
   }
   template <class S>
-  S potential(const Vector<S, 3>& q) const {
+  [[nodiscard]] S potential(const Vector<S, 3>& q) const {
     S sum = spring<S>(q[0]) + spring<S>(q[2]);
     for (int i = 0; i < 2; ++i) sum += spring<S>(q[i + 1] - q[i]);
     return sum;
   }
   template <class S>
-  Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& /*q*/, const Vector<S, 3>& v) const {
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& /*q*/,
+                                        const Vector<S, 3>& v) const {
     return Vector<S, 1>(S(0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - kinetic));
   }
 };

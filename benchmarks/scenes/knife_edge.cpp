@@ -17,7 +17,7 @@ struct Slide {
   double g, theta, omega;
 
   template <class Real>
-  std::vector<Rounded<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
     using std::abs, std::sin;
     const Real turning = decimal<Real>(omega), phi = turning * t, slope = decimal<Real>(theta);
     const Real a = decimal<Real>(g) * sin(slope);

@@ -21,7 +21,7 @@ struct Loxodrome {
   double theta0, k, speed;
 
   template <class Real>
-  std::vector<Rounded<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
     using std::abs, std::cos, std::log1p, std::sin, std::sqrt, std::tan;
     const Real start = decimal<Real>(theta0), course = decimal<Real>(k);
     const Real rate = decimal<Real>(speed) / sqrt(Real(1 + course * course));

@@ -15,7 +15,7 @@ struct ParticleMotion {
   double y0, dx0, dy0;
 
   template <class Real>
-  std::vector<Rounded<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
     using std::abs, std::asinh, std::sqrt;
     const Real start = decimal<Real>(y0), b = decimal<Real>(dy0), y = start + b * t;
     const Real r0 = sqrt(Real(1 + start * start)), r = sqrt(Real(1 + y * y)), c = r0 * decimal<Real>(dx0);

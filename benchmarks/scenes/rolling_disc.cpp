@@ -14,7 +14,7 @@ struct Roll {
   double radius, mass, spin_inertia, pull, turn, spin;
 
   template <class Real>
-  std::vector<Rounded<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
     using std::abs, std::cos, std::sin;
     const Real r = decimal<Real>(radius), m = decimal<Real>(mass), inertia = decimal<Real>(spin_inertia);
     const Real a = decimal<Real>(pull) / (1 + inertia / (m * r * r));
