@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <stdexcept>
 
 #include "classical_systems.hpp"
 #include "closed_form.hpp"
@@ -26,9 +27,10 @@ struct Loxodrome {
     const Real start = decimal<Real>(theta0), course = decimal<Real>(k);
     const Real rate = decimal<Real>(speed) / sqrt(Real(1 + course * course));
     const Real theta = start + rate * t, delta = rate * t / 2;
-    if (theta >= pi<Real>())
+    if (theta >= pi<Real>()) {
       throw std::runtime_error(
           fmt::format("the motion ends in the pole at t = {:.6g}", time_to_pole(theta0, k, speed)));
+    }
     const Real phi = course * log1p(Real(sin(delta) / (cos(Real(theta / 2)) * sin(Real(start / 2)))));
     // d ln tan(theta/2) = d theta / sin theta: what a rounding of theta is worth at either end.
     const Real ends = theta / sin(theta) + start / sin(start), turn = abs(course) * rate / sin(theta);
