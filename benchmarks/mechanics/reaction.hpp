@@ -31,7 +31,7 @@ ConstraintRates<S, System> constraint_rates(const System& system, const S& t,
     if constexpr (HasMemory<System>) {
       return variables<directions>(w, n);
     } else {
-      return rates;
+      return variables<directions>(v);
     }
   }();
   const Vector<D, r> f = constraint_value<D>(system, time, moving<directions>(q, v, along), rates, memory);
