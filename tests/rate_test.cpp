@@ -64,6 +64,18 @@ std::vector<Variant> variants() {
     all.push_back({fmt::format("fractional_constraint_2d_{}_{}", tenths, form), "fractional_constraint_2d",
                    values, 1.0});
   }
+  // Constraints of whole order, in every form: the last is with multipliers, for implicit schemes only.
+  for (const auto* scene :
+       {"nonholonomic_particle", "knife_edge", "rolling_disc", "loxodrome", "isokinetic"}) {
+    const int forms = scene == std::string_view("isokinetic") ? 3 : 4;
+    for (int form = 0; form < forms; ++form) {
+      std::map<std::string, double> values{{"formulation", form}};
+      if (scene == std::string_view("rolling_disc")) values["pull"] = 0.6;
+      if (scene == std::string_view("loxodrome")) values["speed"] = 0.5;
+      all.push_back({fmt::format("{}_form_{}", scene, form), scene, values, 2.0});
+    }
+  }
+  all.push_back({"vakonomic_particle", "vakonomic_particle", {{"mu0", 0.5}}, 2.0});
   return all;
 }
 

@@ -19,6 +19,19 @@ std::vector<Parameter> formulation_parameters(const std::vector<Formulation>& fi
   return parameters;
 }
 
+std::vector<Parameter> with_formulations(std::vector<Parameter> parameters,
+                                         const std::vector<Formulation>& fitting) {
+  const auto more = formulation_parameters(fitting);
+  parameters.insert(parameters.end(), more.begin(), more.end());
+  return parameters;
+}
+
+const std::vector<Formulation>& all_formulations() {
+  static const std::vector<Formulation> all{Formulation::integrated, Formulation::acceleration,
+                                            Formulation::stabilised, Formulation::multiplier};
+  return all;
+}
+
 Formulation formulation_of(const Parameters& parameters, const std::vector<Formulation>& fitting) {
   return fitting.at(parameters.choice("formulation"));
 }

@@ -17,6 +17,11 @@ enum class Formulation {
 // The parameters `formulation`, from those that fit a scene (the first is the default), and `kappa` where
 // stabilised is among them.
 std::vector<Parameter> formulation_parameters(const std::vector<Formulation>& fitting);
+// Behind those of a scene.
+std::vector<Parameter> with_formulations(std::vector<Parameter> parameters,
+                                         const std::vector<Formulation>& fitting);
+// All: they fit constraints that are affine in the velocity.
+const std::vector<Formulation>& all_formulations();
 Formulation formulation_of(const Parameters& parameters, const std::vector<Formulation>& fitting);
 
 }  // namespace fde::mechanics

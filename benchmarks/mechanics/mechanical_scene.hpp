@@ -30,6 +30,11 @@ struct Asked {
   double kappa = 0.0;
 };
 
+inline Asked asked_of(const Parameters& parameters, const std::vector<Formulation>& fitting) {
+  const Formulation formulation = formulation_of(parameters, fitting);
+  return {formulation, formulation == Formulation::stabilised ? parameters["kappa"] : 0.0};
+}
+
 template <class System>
 concept ConstantCoefficients = HasMemory<System> && System::constant;
 
@@ -68,12 +73,25 @@ PosedMechanics posed(const Setting<System>& of, const Asked& asked) {
       }
     }
   }
-  const WholeIntegrated<System> integrated{system, start};
+  auto acceleration = pose(WholeAcceleration<System>{system, start, kappa}, end, linear);
   if (multiplied)
-    return with_multipliers(pose(WholeMultiplier<System>{system, start}, end, false),
-                            pose(integrated, end, linear));
-  if (accelerated) return pose(WholeAcceleration<System>{system, start, kappa}, end, linear);
-  return pose(integrated, end, linear);
+    return with_multipliers(pose(WholeMultiplier<System>{system, start}, end, false), acceleration);
+  if (accelerated) return acceleration;
+  return pose(WholeIntegrated<System>{system, start}, end, linear);
+}
+
+// 1/2 v'G v + u.
+template <class System>
+double energy_at([[maybe_unused]] const System& system, const Vector<double, System::coordinates>& q,
+                 const Vector<double, System::coordinates>& v) {
+  double value = 0.0;
+  if constexpr (HasMetric<System>) {
+    value = 0.5 * v.dot(system.template metric<double>(q) * v);
+  } else {
+    value = 0.5 * v.squaredNorm();
+  }
+  if constexpr (HasPotential<System>) value += system.template potential<double>(q);
+  return value;
 }
 
 // E = 1/2 v'G v + u. Its rate is the power of forces and reactions; with memory the reaction depends on w',
@@ -84,15 +102,7 @@ Energy energy_of(const System& system) {
   using Point = Vector<double, n>;
   Energy energy;
   energy.value = [system](In columns) {
-    const Point q = columns.head<n>(), v = columns.segment<n>(n);
-    double value = 0.0;
-    if constexpr (HasMetric<System>) {
-      value = 0.5 * v.dot(system.template metric<double>(q) * v);
-    } else {
-      value = 0.5 * v.squaredNorm();
-    }
-    if constexpr (HasPotential<System>) value += system.template potential<double>(q);
-    return value;
+    return energy_at(system, Point(columns.head<n>()), Point(columns.segment<n>(n)));
   };
   if constexpr (!HasMemory<System>) {
     energy.power = [system](double t, In columns) {
@@ -140,8 +150,8 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   if constexpr (HasMemory<System>) {
     if (of.system.order != 1.0) {
       for (Eigen::Index i = 0; i < n; ++i)
-        scene.memories.push_back(
-            {2 * n + i, n + i, of.system.order, powers_of_derivative(powers[static_cast<std::size_t>(i)])});
+        scene.memories.push_back({Eigen::Index{2} * n + i, n + i, of.system.order,
+                                  powers_of_derivative(powers[static_cast<std::size_t>(i)])});
     }
   }
   return scene;

@@ -44,8 +44,8 @@ Smoothness nonlinear_start(const std::vector<Component>& components) {
   return smoothness;
 }
 
-PosedMechanics with_multipliers(PosedMechanics form, const PosedMechanics& integrated) {
-  form.smoothness = integrated.smoothness;
+PosedMechanics with_multipliers(PosedMechanics form, const PosedMechanics& other) {
+  form.smoothness = other.smoothness;
   form.smoothness.powers.resize(form.problem.components.size());
   return form;
 }

@@ -25,9 +25,9 @@ Matrix linear_part_of(const Problem& problem);
 Smoothness linear_start(const Problem& problem, std::vector<PowerLoad> loads);
 Smoothness nonlinear_start(const std::vector<Component>& components);
 
-// The form with multipliers has the rows of the integrated one, the velocities in place of their free parts,
-// and integrates no more than these; the multipliers are behind all.
-PosedMechanics with_multipliers(PosedMechanics form, const PosedMechanics& integrated);
+// The form with multipliers has the rows of another one and integrates no more than these; the multipliers
+// are behind all.
+PosedMechanics with_multipliers(PosedMechanics form, const PosedMechanics& other);
 
 // The same above order 1, where v itself is integrated: with the powers of its free part and of b.v.
 PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechanics& integrated);

@@ -27,8 +27,13 @@ ConstraintRates<S, System> constraint_rates(const System& system, const S& t,
   D time = constant<S, directions>(t);
   time.derivatives()[along] = S(1.0);
   const Vector<D, n> rates = variables<directions>(v);
-  Vector<D, n> memory = rates;
-  if constexpr (HasMemory<System>) memory = variables<directions>(w, n);
+  const auto memory = [&]() -> Vector<D, n> {
+    if constexpr (HasMemory<System>) {
+      return variables<directions>(w, n);
+    } else {
+      return variables<directions>(v);
+    }
+  }();
   const Vector<D, r> f = constraint_value<D>(system, time, moving<directions>(q, v, along), rates, memory);
   ConstraintRates<S, System> result;
   for (int i = 0; i < r; ++i) {

@@ -18,7 +18,7 @@ struct WholeAcceleration {
   [[nodiscard]] std::vector<Component> components() const { return rows(1.0, start.q, 1.0, start.v); }
 
   template <class S>
-  Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
+  [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
     const Vector<S, n> q = y.template head<n>(), v = y.template tail<n>();
     const auto rates = constraint_rates<S>(system, S(t), q, v, v);
     const Reaction<S, System> reaction(system, q, rates);
@@ -47,7 +47,7 @@ struct WholeIntegrated {
   }
 
   template <class S>
-  Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
+  [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
     const Vector<S, n> q = y.template head<n>(), z = y.template tail<n>();
     const Projection<S, System> projection(system, S(t), q, Vector<S, n>(Vector<S, n>::Constant(S(0.0))));
     const Vector<S, n> v = projection.velocity(z);
@@ -78,7 +78,7 @@ struct WholeMultiplier {
   }
 
   template <class S>
-  Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
+  [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
     const Vector<S, n> q = y.template head<n>(), v = y.template segment<n>(n);
     const auto rates = constraint_rates<S>(system, S(t), q, v, v);
     const Vector<S, r> lambda = y.template tail<r>();

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "reaction.hpp"
+
+namespace fde::mechanics {
+
+// A point of a motion.
+template <int n>
+struct Instant {
+  double t;
+  Vector<double, n> q, v, acceleration;
+};
+
+// By how much a motion of the constrained system fails to be a conditional extremum, a covector:
+//   P^T mu (df/dq - d/dt df/dv),
+// what Tarasov & Zaslavsky (72) multiply with the variations delta q = P x, (df/dv) delta q = 0. d/dt is
+// along q' = v, v' = acceleration; mu' drops out. It is 0 for every mu where f = d/dt phi(t, q); raised with
+// the metric it is the acceleration of the extremum beyond that of the motion at the same q, v, mu.
+template <class System>
+Vector<double, System::coordinates> extremum_residual(const System& system,
+                                                      const Instant<System::coordinates>& at,
+                                                      const Vector<double, System::constraints>& mu) {
+  static_assert(!HasMemory<System>, "constraints of whole order");
+  constexpr int n = System::coordinates, r = System::constraints;
+  using Rate = Dual<double, 1>;
+  Rate time = constant<double, 1>(at.t);
+  time.derivatives()[0] = 1.0;
+  const Vector<Rate, n> velocity = moving<1>(at.v, at.acceleration);
+  const auto along = constraint_rates<Rate>(system, time, moving<1>(at.q, at.v), velocity, velocity);
+
+  using Slope = Dual<double, n>;
+  Vector<Slope, n> fixed;
+  for (int i = 0; i < n; ++i) fixed[i] = constant<double, n>(at.v[i]);
+  const Vector<Slope, r> f =
+      constraint_value<Slope>(system, constant<double, n>(at.t), variables<n>(at.q), fixed, fixed);
+
+  Vector<double, n> force = Vector<double, n>::Zero();
+  for (int i = 0; i < r; ++i) {
+    force += mu[i] * f[i].derivatives();
+    for (int j = 0; j < n; ++j) force[j] -= mu[i] * along.reaction(i, j).derivatives()[0];
+  }
+  const auto rates = constraint_rates<double>(system, at.t, at.q, at.v, at.v);
+  const Reaction<double, System> reaction(system, at.q, rates);
+  Vector<double, n> residual;
+  for (int j = 0; j < n; ++j)
+    residual[j] = force.dot(reaction.projected(Vector<double, n>(Vector<double, n>::Unit(j))));
+  return residual;
+}
+
+}  // namespace fde::mechanics

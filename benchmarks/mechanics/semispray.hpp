@@ -1,0 +1,119 @@
+#pragma once
+
+#include <array>
+
+#include "reaction.hpp"
+
+// Niminet & Blanuta 2009 with T = 1/2 g_ij y^i y^j, without the factor 1/2 of their (2.6) and (2.8). Systems
+// do not depend on time, forces not on the velocity, constraints are a_sigma(x) y = 0; y = x'.
+namespace fde::mechanics {
+
+// Christoffel symbols of the metric, symbols[i](j, k) = Gamma^i_jk(x):
+//   1/2 g^il (dg_lj/dx^k + dg_lk/dx^j - dg_jk/dx^l); 0 without a metric.
+template <class S, class System>
+std::array<Table<S, System::coordinates, System::coordinates>, System::coordinates> christoffel_symbols(
+    const System& system, const Vector<S, System::coordinates>& x) {
+  constexpr int n = System::coordinates;
+  std::array<Table<S, n, n>, n> symbols;
+  symbols.fill(Table<S, n, n>::Constant(S(0.0)));
+  if constexpr (HasMetric<System>) {
+    using D = Dual<S, n>;
+    const Table<D, n, n> g = system.template metric<D>(variables<n>(x));
+    for (int j = 0; j < n; ++j) {
+      for (int k = 0; k < n; ++k) {
+        Vector<S, n> first_kind;
+        for (int l = 0; l < n; ++l) {
+          first_kind[l] =
+              S(0.5) * (g(l, j).derivatives()[k] + g(l, k).derivatives()[j] - g(j, k).derivatives()[l]);
+        }
+        const Vector<S, n> second_kind = raised<S>(system, x, first_kind);
+        for (int i = 0; i < n; ++i) symbols.at(static_cast<std::size_t>(i))(j, k) = second_kind[i];
+      }
+    }
+  }
+  return symbols;
+}
+
+// N^i_j = Gamma^i_jk y^k, the canonical nonlinear connection of the associated Riemannian space.
+template <class System>
+Table<double, System::coordinates, System::coordinates> riemannian_connection(
+    const System& system, const Vector<double, System::coordinates>& x,
+    const Vector<double, System::coordinates>& y) {
+  constexpr int n = System::coordinates;
+  const auto symbols = christoffel_symbols<double>(system, x);
+  Table<double, n, n> connection;
+  for (int i = 0; i < n; ++i) connection.row(i) = symbols.at(static_cast<std::size_t>(i)) * y;
+  return connection;
+}
+
+// Multipliers that keep the constraint: quadratic in y where no force acts.
+struct EnforcingMultipliers {
+  template <class S, class System>
+  [[nodiscard]] Vector<S, System::constraints> of(const System& system,
+                                                  const Vector<S, System::coordinates>& x,
+                                                  const Vector<S, System::coordinates>& y) const {
+    const auto rates = constraint_rates<S>(system, S(0.0), x, y, y);
+    const Reaction<S, System> reaction(system, x, rates);
+    const Vector<S, System::coordinates> free = free_acceleration<S>(system, S(0.0), x, y);
+    return reaction.multiplier(rates.slope * free + rates.flow);
+  }
+};
+
+// Multipliers given as functions of the place: lambda(x) for every scalar.
+template <class Function>
+struct GivenMultipliers {
+  Function lambda;
+
+  template <class S, class System>
+  [[nodiscard]] Vector<S, System::constraints> of(const System& /*system*/,
+                                                  const Vector<S, System::coordinates>& x,
+                                                  const Vector<S, System::coordinates>& /*y*/) const {
+    return lambda(x);
+  }
+};
+template <class Function>
+GivenMultipliers(Function) -> GivenMultipliers<Function>;
+
+// The coefficients 2 G*^i(x, y) = Gamma^i_jk y^j y^k - (F^i + lambda^sigma a_sigma^i) of the canonical
+// semispray y d/dx - 2 G* d/dy. Its integral curves y' = -2 G* are the evolution curves (theorem 2.3). F is
+// the force with that of the potential.
+template <class S, class System, class Multipliers>
+Vector<S, System::coordinates> semispray(const System& system, const Multipliers& multipliers,
+                                         const Vector<S, System::coordinates>& x,
+                                         const Vector<S, System::coordinates>& y) {
+  constexpr int n = System::coordinates;
+  Vector<S, n> force = Vector<S, n>::Constant(S(0.0));
+  if constexpr (HasPotential<System>) {
+    using D = Dual<S, n>;
+    const D potential = system.template potential<D>(variables<n>(x));
+    force -= potential.derivatives();
+  }
+  if constexpr (HasForce<System>) force += system.template force<S>(S(0.0), x, y);
+  const auto rates = constraint_rates<S>(system, S(0.0), x, y, y);
+  const Vector<S, System::constraints> lambda = multipliers.template of<S>(system, x, y);
+  force += rates.reaction.transpose() * lambda;
+  Vector<S, n> coefficients = -raised<S>(system, x, force);
+  const auto symbols = christoffel_symbols<S>(system, x);
+  for (int i = 0; i < n; ++i) {
+    const Vector<S, n> connected = symbols.at(static_cast<std::size_t>(i)) * y;
+    coefficients[i] += y.dot(connected);
+  }
+  return coefficients;
+}
+
+// N*^i_j = dG*^i/dy^j, the nonlinear connection of the semispray.
+template <class System, class Multipliers>
+Table<double, System::coordinates, System::coordinates> semispray_connection(
+    const System& system, const Multipliers& multipliers, const Vector<double, System::coordinates>& x,
+    const Vector<double, System::coordinates>& y) {
+  constexpr int n = System::coordinates;
+  using D = Dual<double, n>;
+  Vector<D, n> place;
+  for (int i = 0; i < n; ++i) place[i] = constant<double, n>(x[i]);
+  const Vector<D, n> coefficients = semispray<D>(system, multipliers, place, variables<n>(y));
+  Table<double, n, n> connection;
+  for (int i = 0; i < n; ++i) connection.row(i) = 0.5 * coefficients[i].derivatives().transpose();
+  return connection;
+}
+
+}  // namespace fde::mechanics
