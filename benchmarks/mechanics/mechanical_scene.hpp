@@ -9,6 +9,7 @@
 #include "formulation.hpp"
 #include "posed.hpp"
 #include "scene.hpp"
+#include "start_powers.hpp"
 #include "whole_order.hpp"
 
 namespace fde::mechanics {
@@ -22,6 +23,7 @@ struct Setting {
   double end = 10.0;
   bool linear = false;                              // all equations are linear in q, v, w
   Formulation reference = Formulation::integrated;  // the form that a reference is computed of
+  std::string no_reference{};                       // why there is none, where there is none
 };
 
 // How the parameters ask for the equations.
@@ -33,45 +35,72 @@ struct Asked {
 template <class System>
 concept ConstantCoefficients = HasMemory<System> && System::constant;
 
+// 0 < order < 1. The series of a linear system is that of its integrated form.
+template <class System>
+PosedMechanics posed_below_one(const Setting<System>& of, Formulation formulation, double kappa) {
+  constexpr int n = System::coordinates;
+  const auto& [system, start, names, end, linear, reference, unknown] = of;
+  const double order = system.order;
+  const IntegratedBelowOne<System> integrated{system, start};
+  const bool singular = !singular_direction(system, start).isZero(0.0);
+  const Smoothness starts =
+      linear ? pose(integrated, end, true).smoothness
+             : integrated_start(powers_below_one(order, !start.v.isZero(0.0), singular), order, n);
+  if (formulation == Formulation::multiplier)
+    return with_multipliers(pose(MultiplierBelowOne<System>{system, start}, end, false), starts);
+  if (formulation == Formulation::integrated) {
+    auto form = pose(integrated, end, linear);
+    form.smoothness = starts;
+    return form;
+  }
+  const AccelerationBelowOne<System> acceleration{system, start, kappa};
+  if (!acceleration.posed()) reject_singular(order);
+  auto form = pose(acceleration, end, linear);
+  form.smoothness = acceleration_start(motion_powers_of(starts, n), order, n, singular);
+  return form;
+}
+
+// 1 < order < 2.
+template <ConstantCoefficients System>
+PosedMechanics posed_above_one(const Setting<System>& of, Formulation formulation) {
+  constexpr int n = System::coordinates;
+  const auto& [system, start, names, end, linear, reference, unknown] = of;
+  const IntegratedAboveOne<System> integrated{system, start};
+  if (formulation != Formulation::integrated && formulation != Formulation::multiplier)
+    reject_above_one(system.order);
+  const bool multiplied = formulation == Formulation::multiplier;
+  if (!integrated.posed()) {
+    if (!multiplied) reject_unaligned(system.order);
+    return pose(MultiplierAboveOne<System>{system, start}, end, false);
+  }
+  auto form = pose(integrated, end, linear);
+  if (!linear) {
+    form.smoothness =
+        integrated_start_above_one(powers_above_one(system.order, !start.v.isZero(0.0)), system.order, n);
+  }
+  if (!multiplied) return form;
+  return with_multipliers_above_one(pose(MultiplierAboveOne<System>{system, start}, end, false),
+                                    form.smoothness);
+}
+
 // The equations of the setting in one form. Throws std::invalid_argument where that form is not well posed.
 template <class System>
 PosedMechanics posed(const Setting<System>& of, const Asked& asked) {
-  const auto& [system, start, names, end, linear, reference] = of;
+  const auto& [system, start, names, end, linear, reference, unknown] = of;
   const bool stabilised = asked.formulation == Formulation::stabilised;
   const bool accelerated = stabilised || asked.formulation == Formulation::acceleration;
   const bool multiplied = asked.formulation == Formulation::multiplier;
   const double kappa = stabilised ? asked.kappa : 0.0;
   if constexpr (HasMemory<System>) {
-    if (system.order < 1.0) {
-      const IntegratedBelowOne<System> integrated{system, start};
-      if (multiplied) {
-        return with_multipliers(pose(MultiplierBelowOne<System>{system, start}, end, false),
-                                pose(integrated, end, linear));
-      }
-      if (!accelerated) return pose(integrated, end, linear);
-      const AccelerationBelowOne<System> acceleration{system, start, kappa};
-      if (!acceleration.posed()) reject_singular(system.order);
-      return pose(acceleration, end, linear);
-    }
+    if (system.order < 1.0) return posed_below_one(of, asked.formulation, kappa);
     if constexpr (ConstantCoefficients<System>) {
-      if (system.order > 1.0) {
-        const IntegratedAboveOne<System> integrated{system, start};
-        if (accelerated) reject_above_one(system.order);
-        if (multiplied) {
-          auto form = pose(MultiplierAboveOne<System>{system, start}, end, false);
-          return integrated.posed()
-                     ? with_multipliers_above_one(std::move(form), pose(integrated, end, linear))
-                     : form;
-        }
-        if (!integrated.posed()) reject_unaligned(system.order);
-        return pose(integrated, end, linear);
-      }
+      if (system.order > 1.0) return posed_above_one(of, asked.formulation);
     }
   }
   const WholeIntegrated<System> integrated{system, start};
   if (multiplied)
     return with_multipliers(pose(WholeMultiplier<System>{system, start}, end, false),
-                            pose(integrated, end, linear));
+                            pose(integrated, end, linear).smoothness);
   if (accelerated) return pose(WholeAcceleration<System>{system, start, kappa}, end, linear);
   return pose(integrated, end, linear);
 }
@@ -129,7 +158,8 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   scene.problem = std::move(form.problem);
   scene.smoothness = std::move(form.smoothness);
   scene.outputs = {names, std::move(form.columns)};
-  if (asked.formulation != of.reference) {
+  scene.no_reference = of.no_reference;
+  if (of.no_reference.empty() && asked.formulation != of.reference) {
     auto reference = posed(of, {of.reference});
     scene.reference = {std::move(reference.problem), {names, std::move(reference.columns)}};
   }

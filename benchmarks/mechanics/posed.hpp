@@ -25,10 +25,10 @@ Smoothness nonlinear_start(const std::vector<Component>& components);
 
 // The form with multipliers has the rows of the integrated one, the velocities in place of their free parts,
 // and integrates no more than these; the multipliers are behind all.
-PosedMechanics with_multipliers(PosedMechanics form, const PosedMechanics& integrated);
+PosedMechanics with_multipliers(PosedMechanics form, const Smoothness& integrated);
 
 // The same above order 1, where v itself is integrated: with the powers of its free part and of b.v.
-PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechanics& integrated);
+PosedMechanics with_multipliers_above_one(PosedMechanics form, const Smoothness& integrated);
 
 // Columns q1, v1, w1 of a coordinate q1; x, dx, Dalpha_x of x.
 std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory);
