@@ -8,6 +8,7 @@
 
 #include "diffusive_memory.hpp"
 #include "diffusive_stages.hpp"
+#include "posed_problem.hpp"
 
 namespace fde {
 
@@ -133,6 +134,7 @@ class DiffusiveMarch {
 
 DiffusiveSolution diffusive_solution(const Problem& problem, const DiffusiveOptions& options,
                                      const std::vector<double>& stops) {
+  require_posed(problem);
   DiffusiveMarch march(problem, options);
   DiffusiveSolution solution;
   for (const double stop : stops) {

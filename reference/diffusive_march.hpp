@@ -23,7 +23,8 @@ struct DiffusiveSolution {
 // which turns the system into ordinary differential equations (the idea of Guglielmi & Hairer, arXiv
 // 2506.04188, 2025), and a Radau IIA method integrates these. Steps double and halve with what the stages
 // resolve, so they grow geometrically away from 0. Orders in (0, 2]; stops: increasing times in (0, end].
-// Throws std::runtime_error naming the time where no step converges.
+// Throws std::invalid_argument naming the component and its order for others, std::runtime_error naming the
+// time where no step converges.
 DiffusiveSolution diffusive_solution(const Problem& problem, const DiffusiveOptions& options = {},
                                      const std::vector<double>& stops = {});
 

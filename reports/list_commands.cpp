@@ -48,6 +48,7 @@ Json describe(const Scheme& scheme) {
           {"title", scheme.title},
           {"source", scheme.source},
           {"implicit", scheme.needs.implicit},
+          {"algebraic_rows", scheme.needs.algebraic_rows},
           {"uniform_grid", scheme.needs.uniform_grid},
           {"largest_order", scheme.needs.largest_order}};
 }

@@ -10,7 +10,7 @@ Scheme grunwald_letnikov() {
   return {.id = "grunwald_letnikov",
           .title = "Implicit Grunwald-Letnikov",
           .source = "Lubich, SIAM J. Math. Anal. 17 (1986): backward Euler convolution quadrature",
-          .needs = {.uniform_grid = true, .implicit = true},
+          .needs = {.uniform_grid = true, .implicit = true, .algebraic_rows = true},
           .expected_rate =
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return rate(grunwald_letnikov_theory, problem, smoothness, grading, norm);

@@ -1,6 +1,46 @@
 #include "implicit.hpp"
 
 namespace fde {
+namespace {
+
+// The past of the rows that have one: all but the algebraic ones.
+class PastOfRows {
+ public:
+  PastOfRows(const Problem& problem, const std::vector<WeightTable>& tables, const Grid& grid,
+             const Options& options) {
+    std::vector<WeightTable> remembered;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      if (algebraic(problem.components[i])) continue;
+      rows_.push_back(static_cast<Eigen::Index>(i));
+      remembered.push_back(tables[i]);
+    }
+    buffer_.resize(static_cast<Eigen::Index>(rows_.size()));
+    history_ = make_history(options.history, {remembered}, grid, options.tolerance);
+  }
+
+  [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
+
+  // Appends a sample of all rows.
+  void push(In sample) {
+    for (Eigen::Index r = 0; r < buffer_.size(); ++r) buffer_[r] = sample[row(r)];
+    history_->push(buffer_);
+  }
+
+  // The sums of the rows that have a past; the others stay as they are.
+  void convolve(Out result) {
+    history_->convolve(0, buffer_);
+    for (Eigen::Index r = 0; r < buffer_.size(); ++r) result[row(r)] = buffer_[r];
+  }
+
+ private:
+  [[nodiscard]] Eigen::Index row(Eigen::Index r) const { return rows_[static_cast<std::size_t>(r)]; }
+
+  std::vector<Eigen::Index> rows_;
+  Vec buffer_;
+  std::unique_ptr<History> history_;
+};
+
+}  // namespace
 
 ImplicitRule integral_rule(const Problem& problem, WeightFamily family) {
   return {.tables = tables(problem, family),
@@ -17,15 +57,16 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
   Run run(problem, grid, options);
   NewtonSolver newton(problem, options.tolerance);
   StepFactors factors(rule.tables, grid);
-  const auto history = make_history(options.history, {rule.tables}, grid, options.tolerance);
-  run.cost().history_bytes = history->bytes();
+  PastOfRows history(problem, rule.tables, grid, options);
+  run.cost().history_bytes = history.bytes();
 
-  Vec previous = run.start(), y = previous, sample(y.size()), convolved(y.size()), past(y.size());
+  Vec previous = run.start(), y = previous, sample(y.size()), past(y.size());
+  Vec convolved = Vec::Zero(y.size());
   rule.sample(run, 0.0, y, previous, sample);
   for (int n = 1; n <= grid.steps; ++n) {
     const double t = grid.time(n);
-    history->push(sample);
-    history->convolve(0, convolved);
+    history.push(sample);
+    history.convolve(convolved);
     const Vec& kappa = factors.at(n);
     rule.past(t, convolved, previous, kappa, past);
     if (!newton.solve(run, t, kappa, past, y)) {

@@ -8,7 +8,8 @@
 namespace fde {
 
 // An implicit rule in the form all of them share: y_n = past_n + kappa f(t_n, y_n), kappa the step_factor of
-// each component's table.
+// each component's table. Algebraic rows have no past: it is 0 = f_i(t_n, y_n) that is solved, and what the
+// functions of the rule say about them is not looked at.
 struct ImplicitRule {
   std::vector<WeightTable> tables;  // of the one sum over the past
   // past_n from that sum, y_{n-1} and kappa.
@@ -18,6 +19,11 @@ struct ImplicitRule {
 };
 
 // The rule of the schemes that integrate f: past_n = Taylor part + kappa * (weighted sum of f_j).
+//
+// The trapezoidal family weighs f_0, and so takes the initial values of algebraic rows at their word. In q' =
+// v, v' = a + R^T lambda, 0 = g(t, q, v) it only sees (lambda_(n-1) + lambda_n) / 2, so that a wrong
+// lambda(0), or one that is infinite, makes lambda alternate about its values, by the same amount for ever.
+// For constant R nothing else notices; otherwise q and v are off by O(h^2), which does not change their rate.
 ImplicitRule integral_rule(const Problem& problem, WeightFamily family);
 
 // Steps the rule along the grid, each step solved by Newton's method from the previous value.

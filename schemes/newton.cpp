@@ -46,56 +46,101 @@ void solve_in_place(const Matrix& a, Vec& b) {
   }
 }
 
+// Whether rounding decides about the solution, in whatever units the equations and unknowns are.
+bool singular(Matrix a) {
+  constexpr double rounding = 1e-14;
+  const Vec rows = a.rowwise().lpNorm<Eigen::Infinity>();
+  a.array().colwise() /= rows.array();
+  const Eigen::RowVectorXd columns = a.colwise().lpNorm<Eigen::Infinity>();
+  a.array().rowwise() /= columns.array();
+  Eigen::FullPivLU<Matrix> factors(a);
+  factors.setThreshold(rounding);
+  return !factors.isInvertible();
+}
+
 }  // namespace
 
 NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
     : problem_(problem),
-      kappa_(Vec::Zero(problem.size())),
+      mass_(Vec::Ones(problem.size())),
+      given_kappa_(Vec::Zero(problem.size())),
+      kappa_(given_kappa_),
       tolerance_(tolerance),
-      jacobian_(problem.size(), problem.size()),
+      matrix_(problem.size(), problem.size()),
       f_(problem.size()),
-      increment_(problem.size()) {}
+      increment_(problem.size()) {
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    if (!algebraic(problem.components[static_cast<std::size_t>(i)])) continue;
+    algebraic_.push_back(i);
+    mass_[i] = 0.0;
+  }
+}
 
 bool NewtonSolver::solve(Run& run, double t, const Vec& kappa, In past, Out y) {
-  if (kappa_ != kappa) {
-    kappa_ = kappa;
-    if (problem_.linear_part) factors_.compute(system(*problem_.linear_part));
+  if (given_kappa_ != kappa) {
+    given_kappa_ = kappa_ = kappa;
+    if (problem_.linear_part) factorise();
   }
   if (problem_.linear_part) return solve_linear(run, t, past, y);
   double last = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     f_ = run.rhs(t, y);
     differentiate(run, t, y, f_);
-    increment_ = past + kappa_.cwiseProduct(f_) - y;
-    solve_in_place(jacobian_, increment_);
+    take_residual(past, y);
+    solve_in_place(matrix_, increment_);
     y += increment_;
     ++run.cost().newton_iterations;
-    const double size = y.lpNorm<Eigen::Infinity>(), now = increment_.lpNorm<Eigen::Infinity>();
-    if (!std::isfinite(size)) return false;
-    if (now <= tolerance_ * size || (now >= last / 2 && now <= stagnation * size)) return true;
+    const double now = relative_increment(y);
+    if (std::isnan(now)) return false;
+    if (now <= tolerance_ || (now >= last / 2 && now <= stagnation)) return true;
     last = now;
   }
   return false;
 }
 
+double NewtonSolver::relative_increment(In y) const {
+  const auto of = [](double increment, double size) { return increment == 0.0 ? 0.0 : increment / size; };
+  const double size = mass_.cwiseProduct(y).lpNorm<Eigen::Infinity>();
+  double largest = of(mass_.cwiseProduct(increment_).lpNorm<Eigen::Infinity>(), size);
+  for (const auto i : algebraic_) {
+    const double weight = matrix_.col(i).lpNorm<Eigen::Infinity>();
+    const double relative = of(weight * std::abs(increment_[i]), std::max(size, weight * std::abs(y[i])));
+    if (!(relative <= largest)) largest = relative;
+  }
+  return largest;
+}
+
+void NewtonSolver::factorise() {
+  matrix_ = *problem_.linear_part;
+  assemble();
+  factors_.compute(matrix_);
+  if (!algebraic_.empty()) singular_ = singular(matrix_);
+}
+
 bool NewtonSolver::solve_linear(Run& run, double t, In past, Out y) {
+  if (singular_) return false;
   f_ = run.rhs(t, y);
-  y += factors_.solve(past + kappa_.cwiseProduct(f_) - y);
+  take_residual(past, y);
+  y += factors_.solve(increment_);
   ++run.cost().newton_iterations;
   return y.allFinite();
 }
 
 void NewtonSolver::differentiate(Run& run, double t, In y, In f) {
   if (problem_.jacobian) {
-    problem_.jacobian(t, y, jacobian_);
+    problem_.jacobian(t, y, matrix_);
   } else {
-    difference(run, t, y, f, jacobian_);
+    difference(run, t, y, f, matrix_);
   }
-  jacobian_ = system(jacobian_);
+  assemble();
 }
 
-Matrix NewtonSolver::system(const Matrix& jacobian) const {
-  return Matrix::Identity(jacobian.rows(), jacobian.cols()) - kappa_.asDiagonal() * jacobian;
+void NewtonSolver::assemble() {
+  for (const auto i : algebraic_) kappa_[i] = 1.0 / matrix_.row(i).lpNorm<Eigen::Infinity>();
+  for (Eigen::Index j = 0; j < matrix_.cols(); ++j) {
+    for (Eigen::Index i = 0; i < matrix_.rows(); ++i) matrix_(i, j) *= -kappa_[i];
+    matrix_(j, j) += mass_[j];
+  }
 }
 
 }  // namespace fde

@@ -68,8 +68,10 @@ double smallest_at_first_step(const RateTheory& theory, const Problem& problem,
 // t_(m+1).
 double smallest_at_jumps(const Problem& problem, const Smoothness& smoothness) {
   double rate = exact;
-  for (const auto i : smoothness.jumps)
-    rate = std::min(rate, problem.components[static_cast<std::size_t>(i)].order);
+  for (const auto i : smoothness.jumps) {
+    const auto& component = problem.components[static_cast<std::size_t>(i)];
+    if (!algebraic(component)) rate = std::min(rate, component.order);
+  }
   return rate;
 }
 
@@ -92,7 +94,9 @@ double rate(const RateTheory& theory, const Problem& problem, const Smoothness& 
   const double first_step = grading * smallest_at_first_step(theory, problem, smoothness);
   if (norm == Norm::first_step) return first_step;
   double end = grading * smallest_over_powers(theory.end, problem, smoothness);
-  for (const auto& component : problem.components) end = std::min(end, theory.smooth(component.order));
+  for (const auto& component : problem.components) {
+    if (!algebraic(component)) end = std::min(end, theory.smooth(component.order));
+  }
   // Jumps are at times of the uniform grid; inside a step they cost a whole h.
   if (grading != 1.0 && !smoothness.jumps.empty()) end = std::min(end, 1.0);
   if (norm == Norm::end) return end;

@@ -9,7 +9,8 @@ namespace fde {
 // t^p with which it starts (Smoothness), what that power costs on a uniform grid; infinity where the scheme
 // is exact for it. On a graded grid the first step is t_1 = end / N^grading, and all that a power costs,
 // which comes from the first steps, is multiplied with the grading, up to the smooth rate: so the optimal
-// grading is the smooth rate over the cost (Brunner 1985; for L1 Stynes, O'Riordan & Gracia 2017).
+// grading is the smooth rate over the cost (Brunner 1985; for L1 Stynes, O'Riordan & Gracia 2017). Algebraic
+// rows hold exactly at every step and contribute nothing.
 struct RateTheory {
   double (*smooth)(double g);
   double (*end)(double g, double p);         // at a fixed time

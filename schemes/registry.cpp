@@ -6,6 +6,25 @@
 #include "scheme.hpp"
 
 namespace fde {
+namespace {
+
+// Of the i-th component.
+std::optional<std::string> refusal(const Needs& needs, const Component& component, std::size_t i) {
+  const double order = component.order;
+  if (algebraic(component) && !needs.algebraic_rows) {
+    return fmt::format("steps explicitly: component {} is an algebraic row (order 0)", i);
+  }
+  if (!(algebraic(component) || (order > 0.0 && order <= needs.largest_order))) {
+    return fmt::format("takes orders in {}0, {}], component {} has {}", needs.algebraic_rows ? '[' : '(',
+                       needs.largest_order, i, order);
+  }
+  const auto count = initial_count(order), given = component.initial.size();
+  if (given == count) return std::nullopt;
+  return fmt::format("needs {} initial value{} for order {}, component {} has {}", count,
+                     count == 1 ? "" : "s", order, i, given);
+}
+
+}  // namespace
 
 // Each row of the list is a function Scheme <id>() in the file of that name.
 #define FDE_SCHEME(id) Scheme id();
@@ -35,15 +54,7 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
     return fmt::format("needs a first step above {}, not {}", shortest, grid.step(1));
   }
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
-    const auto& [order, initial] = problem.components[i];
-    if (!(order > 0.0 && order <= scheme.needs.largest_order)) {
-      return fmt::format("takes orders in (0, {}], component {} has {}", scheme.needs.largest_order, i,
-                         order);
-    }
-    if (initial.size() != initial_count(order)) {
-      return fmt::format("needs {} initial values for order {}, component {} has {}", initial_count(order),
-                         order, i, initial.size());
-    }
+    if (auto reason = refusal(scheme.needs, problem.components[i], i)) return reason;
   }
   return scheme.refuses ? scheme.refuses(problem) : std::nullopt;
 }

@@ -17,7 +17,7 @@ struct Options {
   HistoryKind history = HistoryKind::automatic;
   int corrections = 1;  // corrector iterations of predictor-corrector schemes, >= 1
   // What a step may be off by besides the rule's own error, relative; default: rounding. It bounds the last
-  // Newton increment against |y|, and the error of every weight of the past.
+  // Newton increment against |y| (see NewtonSolver), and the error of every weight of the past.
   double tolerance = 1e-15;
   std::vector<int> keep{};                   // steps to return, increasing; empty: all
   std::function<void(int n, In y)> watch{};  // hears every step from 0 on, kept or not
@@ -27,6 +27,7 @@ struct Options {
 struct Needs {
   bool uniform_grid = false;
   bool implicit = false;  // solves an equation each step: uses jacobian or linear_part where there is one
+  bool algebraic_rows = false;  // takes order 0
   double largest_order = 2.0;
 };
 
@@ -39,7 +40,7 @@ struct Scheme {
   std::string_view id, title, source;
   Needs needs;
   // The theoretical rate of convergence as steps -> infinity on grids with this grading, for the default
-  // options.
+  // options, of the components that are not algebraic rows.
   std::function<double(const Problem&, const Smoothness&, double grading, Norm)> expected_rate;
   // Runs the scheme. Preconditions: refusal(...) is empty. Never throws for numerical failure: see
   // Trajectory::outcome.

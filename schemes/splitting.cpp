@@ -71,7 +71,8 @@ std::optional<Links> commensurate_links(const Problem& problem) {
     if (!std::ranges::all_of(problem.components, [&](const auto& c) { return whole(c.order * m); })) continue;
     Links links;
     for (const auto& c : problem.components) {
-      links.emplace_back(static_cast<std::size_t>(std::lround(c.order * m)), 1.0 / m);
+      const auto count = static_cast<std::size_t>(std::lround(c.order * m));
+      links.push_back(algebraic(c) ? std::vector{0.0} : std::vector(count, 1.0 / m));
     }
     return links;
   }

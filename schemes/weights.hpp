@@ -17,7 +17,8 @@ enum class WeightFamily {
   l1,                 // (k+1)^(1-g) - k^(1-g): L1 rule on the increments of y, g <= 1
 };
 
-// One weight table: a family and the order g of the equation it serves.
+// One weight table: a family and the order g of the equation it serves. Order 0, that of an algebraic row,
+// has no weights, and step_factor 1 for every length.
 struct WeightTable {
   WeightFamily family;
   double order;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "testing.hpp"
+#include "implicit_schemes.hpp"
 
 namespace fde {
 namespace {
@@ -30,12 +30,6 @@ class Conformance : public testing::TestWithParam<const Scheme*> {
 };
 
 class ImplicitConformance : public Conformance {};
-
-std::vector<const Scheme*> implicit_schemes() {
-  auto some = all_schemes();
-  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.implicit; });
-  return some;
-}
 
 TEST_P(Conformance, ConstantsAreExact) {
   for (const double order : orders()) {
@@ -76,35 +70,59 @@ Problem mixed_problem() {
           .end = 2.0};
 }
 
+// The same with y_2 = sin(y_1) + y_3 y_0 as a row of order 0 in its midst, which drives the last one.
+Problem mixed_problem_with_algebraic_row() {
+  return {.components = {{0.5, {1.0}}, {1.0, {-0.5}}, {0.0, {std::sin(-0.5) + 0.25}}, {1.5, {0.25, 0.1}}},
+          .rhs =
+              [](double t, In y, Out f) {
+                f[0] = -y[0] + std::sin(y[1]);
+                f[1] = -y[1] * y[3] + t;
+                f[2] = y[2] - std::sin(y[1]) - y[3] * y[0];
+                f[3] = -2.0 * y[3] + y[2] * y[2];
+              },
+          .end = 2.0};
+}
+
+std::vector<Problem> mixed_problems(const Scheme& scheme) {
+  if (!scheme.needs.algebraic_rows) return {mixed_problem()};
+  return {mixed_problem(), mixed_problem_with_algebraic_row()};
+}
+
 // Only rounding and the tolerance of the exponentials tell them apart, on every grid that the scheme takes.
 TEST_P(Conformance, HistoriesAgree) {
-  const auto problem = mixed_problem();
-  for (const auto& grid :
-       {Grid{.end = problem.end, .steps = 700}, Grid{.end = problem.end, .steps = 200, .grading = 2.0}}) {
-    if (GetParam()->needs.uniform_grid && !grid.uniform()) continue;
-    const auto path = [&](HistoryKind kind) { return GetParam()->solve(problem, grid, {.history = kind}); };
-    const auto direct = path(HistoryKind::direct), exponentials = path(HistoryKind::exponentials);
-    ASSERT_EQ(direct.outcome, Outcome::finished);
-    ASSERT_EQ(exponentials.outcome, Outcome::finished);
-    EXPECT_LE((direct.y - exponentials.y).cwiseAbs().maxCoeff(), 1e-13 * direct.y.cwiseAbs().maxCoeff())
-        << "grading " << grid.grading;
+  for (const auto& problem : mixed_problems(*GetParam())) {
+    for (const auto& grid : grids_of(*GetParam(), problem.end, 700)) {
+      const auto path = [&](HistoryKind kind) { return GetParam()->solve(problem, grid, {.history = kind}); };
+      const auto direct = path(HistoryKind::direct), exponentials = path(HistoryKind::exponentials);
+      ASSERT_EQ(direct.outcome, Outcome::finished);
+      ASSERT_EQ(exponentials.outcome, Outcome::finished);
+      EXPECT_LE((direct.y - exponentials.y).cwiseAbs().maxCoeff(), 1e-13 * direct.y.cwiseAbs().maxCoeff())
+          << "grading " << grid.grading;
+    }
   }
 }
 
+// The problem with its components in this order.
+Problem permuted(const Problem& problem, const std::vector<Eigen::Index>& order) {
+  Problem result{.rhs =
+                     [=](double t, In y, Out f) {
+                       Vec back(y.size()), g(y.size());
+                       back(order) = y;
+                       problem.rhs(t, back, g);
+                       f = g(order);
+                     },
+                 .end = problem.end};
+  for (const auto i : order) result.components.push_back(problem.components[static_cast<std::size_t>(i)]);
+  return result;
+}
+
 TEST_P(Conformance, PermutingComponentsPermutesTheAnswer) {
-  const auto straight = mixed_problem();
-  const std::vector<Eigen::Index> order{2, 0, 1};
-  Problem permuted{.components = {straight.components[2], straight.components[0], straight.components[1]},
-                   .rhs =
-                       [=](double t, In y, Out f) {
-                         Vec back(3), g(3);
-                         for (Eigen::Index i = 0; i < 3; ++i) back[order[static_cast<std::size_t>(i)]] = y[i];
-                         straight.rhs(t, back, g);
-                         f = g(order);
-                       },
-                   .end = straight.end};
-  const Rows a = run(straight, 100).y, b = run(permuted, 100).y;
-  EXPECT_LT((Rows(a(order, Eigen::all)) - b).cwiseAbs().maxCoeff(), 1e-13);
+  for (const auto& straight : mixed_problems(*GetParam())) {
+    std::vector<Eigen::Index> order{2, 0, 1};
+    if (straight.size() == 4) order.insert(order.begin(), 3);
+    const Rows a = run(straight, 100).y, b = run(permuted(straight, order), 100).y;
+    EXPECT_LT((Rows(a(order, Eigen::all)) - b).cwiseAbs().maxCoeff(), 1e-13);
+  }
 }
 
 TEST_P(Conformance, UncoupledSystemsEqualTheirScalarRuns) {
@@ -137,7 +155,7 @@ TEST_P(Conformance, ALinearPartAJacobianAndDifferencesGiveTheSameAnswer) {
 
 TEST_P(Conformance, CallsAreCounted) {
   std::int64_t calls = 0;
-  Problem problem = mixed_problem();
+  Problem problem = mixed_problems(*GetParam()).back();
   problem.rhs = [&calls, rhs = problem.rhs](double t, In y, Out f) {
     ++calls;
     rhs(t, y, f);
@@ -192,14 +210,18 @@ TEST_P(Conformance, RefusalsNameTheReason) {
     return refusal(*GetParam(), problem, grid).value_or("accepted");
   };
   const Grid grid{1.0, 10};
-  const auto in_range =
-      fmt::format("takes orders in (0, {}], component 0 has ", GetParam()->needs.largest_order);
+  const auto& needs = GetParam()->needs;
+  const auto in_range = fmt::format("takes orders in {}0, {}], component 0 has ",
+                                    needs.algebraic_rows ? '[' : '(', needs.largest_order);
   EXPECT_EQ(refuses(2.5, {1, 0, 0}, grid), in_range + "2.5");
-  EXPECT_EQ(refuses(0.0, {}, grid), in_range + "0");
+  EXPECT_EQ(refuses(-0.5, {1}, grid), in_range + "-0.5");
+  EXPECT_EQ(refuses(0.0, {1}, grid), needs.algebraic_rows
+                                         ? "accepted"
+                                         : "steps explicitly: component 0 is an algebraic row (order 0)");
   EXPECT_EQ(refuses(std::nan(""), {1}, grid), in_range + "nan");
   EXPECT_EQ(refuses(1.5, {1}, grid), "needs 2 initial values for order 1.5, component 0 has 1");
   EXPECT_EQ(refuses(0.5, {1}, {1.0, 10, 2.0}),
-            GetParam()->needs.uniform_grid ? "needs a uniform grid, not one graded with 2" : "accepted");
+            needs.uniform_grid ? "needs a uniform grid, not one graded with 2" : "accepted");
 }
 
 INSTANTIATE_TEST_SUITE_P(, Conformance, testing::ValuesIn(all_schemes()), id_of_param);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
+#include <string>
 
 namespace fde {
 namespace {
@@ -30,8 +32,13 @@ Smoothness linear_smoothness(const std::vector<Component>& components, const Mat
   Series series(size);
   double last = 2.0;
   for (Eigen::Index i = 0; i < size; ++i) {
-    const auto& [order, initial] = components[static_cast<std::size_t>(i)];
-    last = std::max(last, order + 2.0);
+    const auto& component = components[static_cast<std::size_t>(i)];
+    if (algebraic(component)) {
+      throw std::invalid_argument("smoothness: component " + std::to_string(i) +
+                                  " has order 0, orders have to be above 0");
+    }
+    const auto& initial = component.initial;
+    last = std::max(last, component.order + 2.0);
     for (std::size_t k = 0; k < initial.size(); ++k) series[static_cast<double>(k)][i] = initial[k];
   }
   Smoothness smoothness;

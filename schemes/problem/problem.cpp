@@ -5,7 +5,7 @@
 
 namespace fde {
 
-std::size_t initial_count(double order) { return static_cast<std::size_t>(std::ceil(order)); }
+std::size_t initial_count(double order) { return static_cast<std::size_t>(std::max(std::ceil(order), 1.0)); }
 
 TaylorPart::TaylorPart(const Problem& problem) {
   std::size_t powers = 1;

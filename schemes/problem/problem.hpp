@@ -13,13 +13,21 @@ using In = const Eigen::Ref<const Vec>&;
 using Out = Eigen::Ref<Vec>;
 using OutMatrix = Eigen::Ref<Matrix>;
 
-// One unknown y_i with the order gamma_i > 0 of its Caputo derivative from t = 0.
+// One unknown y_i with the order gamma_i > 0 of its Caputo derivative from t = 0, or an algebraic row: order
+// 0.
 struct Component {
   double order;
-  std::vector<double> initial;  // initial[k] = y^(k)(0) for k < ceil(order)
+  // initial[k] = y^(k)(0) for k < ceil(order). An algebraic row has one number, its value at t = 0; a guess
+  // where that is not known.
+  std::vector<double> initial;
 };
 
-// A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end.
+// Whether the row of this component is 0 = f_i(t, y), without a derivative and without a past.
+inline bool algebraic(const Component& component) { return component.order == 0.0; }
+
+// A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end, in which algebraic rows read 0 = f_i(t, y).
+// These may constrain other unknowns than their own, as in mechanics with a multiplier lambda (index 2):
+//   q' = v, v' = a(t, q, v) + R(q, v)^T lambda, 0 = g(t, q, v).
 struct Problem {
   std::vector<Component> components{};
   std::function<void(double t, In y, Out f)> rhs{};
@@ -31,10 +39,11 @@ struct Problem {
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };
 
-// Number of initial values that a Caputo derivative of this order needs: ceil(order).
+// Number of initial values that a row of this order needs: ceil(order), and 1 for order 0.
 std::size_t initial_count(double order);
 
-// Taylor part sum_k y^(k)(0) t^k / k! of every component, up to k < ceil(order).
+// Taylor part sum_k y^(k)(0) t^k / k! of every component, up to k < ceil(order); of an algebraic row its
+// value at t = 0.
 class TaylorPart {
  public:
   explicit TaylorPart(const Problem& problem);

@@ -9,7 +9,9 @@ namespace fde {
 
 // How a solution starts at t = 0: y_i(t) = Taylor part + sum_p c_p t^p with c_p != 0. It decides the rate of
 // every scheme. powers[i] lists those p in increasing order, at least up to order_i + 2; later ones change no
-// rate here.
+// rate here. Algebraic rows have none: what they state is exact at every step. In a problem with multipliers
+// the powers of a row are those of what it integrates, projected off the reaction: the constraint determines
+// the rest.
 struct Smoothness {
   std::vector<std::vector<double>> powers{};
   std::vector<Eigen::Index> jumps{};   // components whose right-hand side jumps later, at a time of the grid
