@@ -25,7 +25,8 @@ struct Outputs {
 // Components as columns: components[c] is the one under names[c].
 Outputs picked(std::vector<std::string> names, std::vector<Eigen::Index> components);
 
-// E(columns) and its exact rate of change along a solution, dE/dt = power(t, columns).
+// E(columns) and, where the columns tell it, its exact rate of change along a solution, dE/dt = power(t,
+// columns).
 struct Energy {
   std::function<double(In columns)> value{};
   std::function<double(double t, In columns)> power{};

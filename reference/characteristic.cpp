@@ -38,6 +38,15 @@ Complex<Real> Characteristic<Real>::direction(const Complex<Real>& w) const {
 }
 
 template <class Real>
+std::vector<Real> Characteristic<Real>::log_sizes(const Complex<Real>& w) const {
+  using std::log;
+  std::vector<Real> sizes;
+  for (const auto& [coefficient, order] : terms)
+    sizes.push_back(real_part<Real>(Complex<Real>(log(coefficient) + order * w)));
+  return sizes;
+}
+
+template <class Real>
 std::vector<Zero<Real>> polished(const Characteristic<Real>& characteristic,
                                  const std::vector<Zero<long double>>& zeros) {
   std::vector<Zero<Real>> results;

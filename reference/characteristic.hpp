@@ -21,8 +21,10 @@ struct Characteristic {
     Real residual, steepness;
   };
   [[nodiscard]] Step newton_step(const Complex<Real>& w) const;
-  // P scaled by a positive number.
+  // P scaled by a positive number, with which the largest term becomes 1 in modulus.
   [[nodiscard]] Complex<Real> direction(const Complex<Real>& w) const;
+  // Of the terms, the logarithms of their moduli.
+  [[nodiscard]] std::vector<Real> log_sizes(const Complex<Real>& w) const;
 };
 
 // A zero of P, or several that are too close to be told apart, inside the strip: those on the cut need no

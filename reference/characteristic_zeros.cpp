@@ -1,24 +1,15 @@
-#include <array>
 #include <optional>
 #include <stdexcept>
 
 #include "characteristic.hpp"
+#include "characteristic_count.hpp"
 
 namespace fde {
 namespace {
 
-using Point = Complex<long double>;
+using Point = Rectangle::Point;
 using Polynomial = Characteristic<long double>;
 constexpr long double pi_long = std::numbers::pi_v<long double>;
-
-// The rectangle |Im w| <= height, left <= Re w <= right. Outside left and right a single term dominates P.
-struct Rectangle {
-  long double left, right, height;
-
-  [[nodiscard]] bool contains(const Point& w) const {
-    return w.real() >= left && w.real() <= right && std::abs(w.imag()) <= height;
-  }
-};
 
 // log |s| where the terms i and j are of one size.
 long double balance(const Polynomial& polynomial, std::size_t i, std::size_t j) {
@@ -26,6 +17,7 @@ long double balance(const Polynomial& polynomial, std::size_t i, std::size_t j) 
   return std::log(std::abs(a.coefficient) / std::abs(b.coefficient)) / (b.order - a.order);
 }
 
+// Outside left and right a single term dominates P.
 Rectangle rectangle_of(const Polynomial& polynomial, long double height) {
   const std::size_t last = polynomial.terms.size() - 1;
   const long double margin = std::log(2.0L * static_cast<long double>(polynomial.terms.size()));
@@ -40,31 +32,15 @@ Rectangle rectangle_of(const Polynomial& polynomial, long double height) {
   return box;
 }
 
-// Change of arg P from a to b in pieces of at most pi/4; nothing where a zero is next to the way.
-std::optional<long double> turn(const Polynomial& polynomial, const Point& a, const Point& at_a,
-                                const Point& b, const Point& at_b, int depth) {
-  const long double angle = std::arg(at_b * std::conj(at_a));
-  if (std::abs(angle) < pi_long / 4.0L && std::abs(b - a) < 0.1L) return angle;
-  if (depth == 0) return std::nullopt;
-  const Point middle = (a + b) / 2.0L, at_middle = polynomial.direction(middle);
-  const auto first = turn(polynomial, a, at_a, middle, at_middle, depth - 1);
-  const auto second = first ? turn(polynomial, middle, at_middle, b, at_b, depth - 1) : std::nullopt;
-  return second ? std::optional(*first + *second) : std::nullopt;
-}
+// Beyond this log |s|, reached by orders next to each other, a zero is nothing at any time that a double has:
+// next to the branch point, or decaying at once. One that grows is infinite at once.
+constexpr long double farthest = 800.0L;
 
-// Number of zeros inside, by the argument principle.
-std::optional<int> count_zeros(const Polynomial& polynomial, const Rectangle& box) {
-  constexpr int depth = 40;
-  const std::array<Point, 4> corners{Point(box.left, -box.height), Point(box.right, -box.height),
-                                     Point(box.right, box.height), Point(box.left, box.height)};
-  long double total = 0.0L;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Point &a = corners[i], &b = corners[(i + 1) % corners.size()];
-    const auto angle = turn(polynomial, a, polynomial.direction(a), b, polynomial.direction(b), depth);
-    if (!angle) return std::nullopt;
-    total += *angle;
-  }
-  return static_cast<int>(std::lround(total / (2.0L * pi_long)));
+Rectangle within_reach(const Polynomial& polynomial, const Rectangle& box) {
+  const Rectangle growing{farthest, box.right, pi_long / 2.0L};
+  if (growing.right > farthest && count_zeros(polynomial, growing).value_or(1) != 0)
+    throw std::runtime_error("linear problem: a solution grows beyond all numbers at once");
+  return {std::max(box.left, -farthest), std::min(box.right, farthest), box.height};
 }
 
 // Zeros closer than this are treated together.
@@ -124,7 +100,7 @@ std::vector<Point> starting_points(const Polynomial& polynomial, const Rectangle
 
 std::vector<Found> all_zeros(const Polynomial& polynomial) {
   for (const long double beyond : {0.1L, 0.07L, 0.13L, 0.04L}) {
-    const Rectangle box = rectangle_of(polynomial, pi_long + beyond);
+    const Rectangle box = within_reach(polynomial, rectangle_of(polynomial, pi_long + beyond));
     const std::optional<int> count = count_zeros(polynomial, box);
     if (!count) continue;
     const auto inside = [&](const Found& found) { return box.contains(found.zero); };

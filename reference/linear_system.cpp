@@ -12,10 +12,17 @@ namespace fde {
 namespace {
 
 constexpr const char* name = "linear system";
-constexpr std::size_t most_components = 8;  // the determinant has up to 2^components terms
+constexpr std::size_t most_components = 12;  // the determinant has up to 2^components terms
 
 void require(bool holds, const char* message) {
   if (!holds) throw std::invalid_argument(fmt::format("{}: {}", name, message));
+}
+
+void require_outputs(const std::vector<std::size_t>& outputs, std::size_t size) {
+  for (const std::size_t output : outputs) {
+    if (output < size) continue;
+    throw std::invalid_argument(fmt::format("{}: output {}: must be 0 to {}", name, output, size - 1));
+  }
 }
 
 LinearSystem checked(LinearSystem system) {
@@ -32,13 +39,18 @@ LinearSystem checked(LinearSystem system) {
   if (system.loads.empty()) system.loads.resize(size);
   require(system.loads.size() == size, "there have to be no loads, or a list of them for each order");
   for (std::size_t i = 0; i < size; ++i) {
-    require(system.orders[i] > 0.0 && std::isfinite(system.orders[i]), "orders have to be above 0");
+    require(system.orders[i] >= 0.0 && std::isfinite(system.orders[i]), "orders have to be 0 or above");
     require(system.initial[i].size() >= initial_count(system.orders[i]), "an initial value is missing");
     system.initial[i].resize(initial_count(system.orders[i]));
     require(std::ranges::all_of(system.initial[i], [](double value) { return std::isfinite(value); }),
             "initial values have to be finite");
     for (const auto& load : system.loads[i]) require(!fault_of(load), fault_of(load).value_or(""));
   }
+  require_outputs(system.outputs, size);
+  if (system.outputs.empty())
+    for (std::size_t i = 0; i < size; ++i) system.outputs.push_back(i);
+  require(std::ranges::find(system.orders, 0.0) == system.orders.end() || is_regular(system),
+          "the rows of order 0 do not determine every unknown");
   return system;
 }
 
@@ -58,66 +70,66 @@ std::vector<unsigned> dependences(const Matrix& matrix) {
   return on;
 }
 
-// Components that depend on the same ones, and what is known about them.
+// Outputs whose components depend on the same ones, and what is known about them.
 struct Part {
-  std::vector<std::size_t> components;
+  std::vector<std::size_t> places;  // among the outputs
   Exact exact;
 };
 
-// Of the components that depend on those of the set, all of which it contains.
+// Of the outputs that depend on the components of the set, all of which it contains: its rows have no other
+// unknowns. The determinant of the whole is the product of those of the parts, so none of them is singular.
 Part part_of(const LinearSystem& system, unsigned set, const std::vector<unsigned>& on) {
-  std::vector<std::size_t> kept, components, outputs;
-  for (std::size_t i = 0; i < on.size(); ++i) {
-    if ((set >> i & 1U) == 0U) continue;
-    if (on[i] == set) {
-      components.push_back(i);
-      outputs.push_back(kept.size());
-    }
-    kept.push_back(i);
-  }
+  std::vector<std::size_t> kept, places;
+  for (std::size_t i = 0; i < on.size(); ++i)
+    if ((set >> i & 1U) != 0U) kept.push_back(i);
   LinearSystem part{.orders = {}, .initial = {}, .matrix = system.matrix(kept, kept)};
   for (const std::size_t i : kept) {
     part.orders.push_back(system.orders[i]);
     part.initial.push_back(system.initial[i]);
     part.loads.push_back(system.loads[i]);
   }
-  return {components,
-          exact_solution(name, [part = std::move(part), outputs] { return transform_of(part, outputs); })};
+  for (std::size_t place = 0; place < system.outputs.size(); ++place) {
+    const std::size_t i = system.outputs[place];
+    if (on[i] != set) continue;
+    places.push_back(place);
+    part.outputs.push_back(static_cast<std::size_t>(std::ranges::find(kept, i) - kept.begin()));
+  }
+  return {places, exact_solution(name, [part = std::move(part)] { return transform_of(part); })};
 }
 
 // Components that do not depend on others are solved without them: a mode that grows elsewhere would have to
 // cancel.
 std::vector<Part> parts_of(const LinearSystem& system) {
-  std::vector<Part> parts;
   const auto on = dependences(system.matrix);
-  for (std::size_t i = 0; i < on.size(); ++i) {
-    if (std::ranges::find(on.begin(), on.begin() + static_cast<std::ptrdiff_t>(i), on[i]) ==
-        on.begin() + static_cast<std::ptrdiff_t>(i))
-      parts.push_back(part_of(system, on[i], on));
-  }
+  std::vector<unsigned> sets;
+  for (const std::size_t i : system.outputs)
+    if (std::ranges::find(sets, on[i]) == sets.end()) sets.push_back(on[i]);
+  std::vector<Part> parts;
+  for (const unsigned set : sets) parts.push_back(part_of(system, set, on));
   return parts;
 }
 
 }  // namespace
 
 Exact exact_solution(const LinearSystem& system) {
-  auto parts = parts_of(checked(system));
+  const LinearSystem posed = checked(system);
+  auto parts = parts_of(posed);
   if (parts.size() == 1) return parts.front().exact;
-  const auto size = static_cast<Eigen::Index>(system.orders.size());
+  const std::size_t size = posed.outputs.size();
   const auto at = [parts, size](double t) {
-    Truth truth{Vec(size), Vec(size)};
-    for (const auto& [components, exact] : parts) {
+    Truth truth{Vec(static_cast<Eigen::Index>(size)), Vec(static_cast<Eigen::Index>(size))};
+    for (const auto& [places, exact] : parts) {
       const Truth some = exact.at(t);
-      truth.value(components) = some.value;
-      truth.bound(components) = some.bound;
+      truth.value(places) = some.value;
+      truth.bound(places) = some.bound;
     }
     return truth;
   };
   const auto digits = [parts, size](double t, int wanted) {
-    std::vector<Decimal> texts(static_cast<std::size_t>(size));
-    for (const auto& [components, exact] : parts) {
+    std::vector<Decimal> texts(size);
+    for (const auto& [places, exact] : parts) {
       const auto some = exact.digits(t, wanted);
-      for (std::size_t k = 0; k < components.size(); ++k) texts[components[k]] = some[k];
+      for (std::size_t k = 0; k < places.size(); ++k) texts[places[k]] = some[k];
     }
     return texts;
   };

@@ -2,6 +2,7 @@
 
 #include "contour.hpp"
 #include "contour_bound.hpp"
+#include "reciprocal_gamma.hpp"
 
 namespace fde {
 namespace {
@@ -142,20 +143,6 @@ Sum<BigReal> on_contour(const Arguments& x, int digits) {
   add_nodes(sum, x, contour);
   sum.error += exp(BigReal(log_bound));
   return sum;
-}
-
-// Adds factor / Gamma(x), x being put together from numbers of that size. Arguments have as many decimal
-// places as the working precision has digits at most, so that an x within rounding of a whole number is that
-// number.
-void add_reciprocal_gamma(Sum<BigReal>& sum, const BigComplex& factor, const BigReal& x,
-                          const BigReal& size) {
-  const BigReal whole = round(x), rounding = 4 * size * epsilon<BigReal>();
-  if (whole <= 0 && abs(BigReal(x - whole)) <= rounding) return;
-  sum.add(BigComplex(factor * reciprocal_gamma(x)), BigReal((12 + 4 * size) * epsilon<BigReal>()));
-  if (x > 0.5) return;
-  // The slope of 1/Gamma is at most this; next to a pole of Gamma it makes nearly all of the error.
-  const BigReal slope = gamma(BigReal(1 - x)) * (2 + log(BigReal(2 + abs(x))));
-  sum.error += size_of(factor) * slope * rounding;
 }
 
 void scale(Sum<BigReal>& sum, const BigComplex& factor) {

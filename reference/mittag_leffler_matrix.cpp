@@ -118,7 +118,7 @@ void require_size(std::size_t rows, std::size_t entries) {
 
 MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matrix) {
   require_order(function_name, alpha);
-  require(std::isfinite(beta), fmt::format("beta = {} has to be finite", beta));
+  require_parameter(function_name, "beta", beta);
   require(matrix.rows() == matrix.cols(),
           fmt::format("a matrix of {} x {} has to be square", matrix.rows(), matrix.cols()));
   require_size(static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.size()));
@@ -169,6 +169,7 @@ std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::
   const Precision precision(digits + 20);
   const Arguments x = read();
   require_order(function_name, x.alpha);
+  require_parameter(function_name, "beta", x.beta);
   std::vector<DecimalComplex> texts;
   for (const auto& value : evaluate(read, digits)) texts.push_back(write_complex(value, x.real(), digits));
   return texts;

@@ -12,23 +12,17 @@ namespace {
 
 using Arguments = PrabhakarArguments;
 
-// A function of the family with a name for messages, and the factor k! of derivatives.
+// A function of the family with a name for messages, the decimal places of the parameters, and the factor k!
+// of derivatives.
 struct Request {
   std::string name;
   ReadPrabhakar read;
+  int places;
   int factorial = 0;
 };
 
 void require(bool holds, const std::string& name, const std::string& message) {
   if (!holds) throw std::invalid_argument(name + ": " + message);
-}
-
-template <class Number>
-void require_parameter(const std::string& name, const char* argument, const Number& value) {
-  constexpr int largest = 10000;
-  require(
-      value >= -largest && value <= largest, name,
-      fmt::format("{} = {} has to be in [-{}, {}]", argument, static_cast<double>(value), largest, largest));
 }
 
 void require_derivative(int k) {
@@ -47,7 +41,7 @@ Bounded<BigReal> sum_series(const Request& request, int wanted) {
   constexpr int zero_digits = 40;
   const int most = 4 * wanted + 1000;
   for (int digits = wanted + 10;;) {
-    const Precision precision(digits);
+    const Precision precision(digits + request.places);
     const Sum<BigReal> sum = prabhakar_series(request.read());
     const bool enough = sum.error <= size_of(sum.value) * pow(BigReal(10), -wanted);
     if (enough) return {sum.value, sum.error};
@@ -83,7 +77,7 @@ MittagLefflerValue in_double(const Request& request) {
 
 DecimalComplex in_digits(const std::string& function, const Request& request, int digits) {
   require_digits(function, digits);
-  const Precision precision(digits + 20);
+  const Precision precision(digits + 20 + request.places);
   const Arguments x = request.read();
   require_order(function, x.alpha);
   require_parameter(function, "beta", x.beta);
@@ -105,9 +99,11 @@ void require_finite(const std::string& name, double alpha, double beta, double g
 MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::complex<double> z) {
   require_finite("prabhakar", alpha, beta, gamma, z);
   return in_double(
-      {fmt::format("prabhakar({}, {}, {}, z = {} {:+} i)", alpha, beta, gamma, z.real(), z.imag()), [=] {
+      {fmt::format("prabhakar({}, {}, {}, z = {} {:+} i)", alpha, beta, gamma, z.real(), z.imag()),
+       [=] {
          return Arguments{BigReal(alpha), BigReal(beta), BigReal(gamma), BigComplex(z.real(), z.imag())};
-       }});
+       },
+       std::max(decimal_places(alpha, beta), decimal_places(gamma, gamma))});
 }
 
 MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, std::complex<double> z) {
@@ -120,7 +116,7 @@ MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, s
          const BigReal order(alpha);
          return Arguments{order, BigReal(beta + k * order), BigReal(k + 1), BigComplex(z.real(), z.imag())};
        },
-       k});
+       decimal_places(alpha, beta), k});
 }
 
 DecimalComplex prabhakar(const std::string& alpha, const std::string& beta, const std::string& gamma,
@@ -134,7 +130,8 @@ DecimalComplex prabhakar(const std::string& alpha, const std::string& beta, cons
              read_argument(function, "alpha", alpha), read_argument(function, "beta", beta),
              read_argument(function, "gamma", gamma),
              BigComplex(read_argument(function, "re z", re), read_argument(function, "im z", im))};
-       }},
+       },
+       std::max({decimal_places(alpha), decimal_places(beta), decimal_places(gamma)})},
       digits);
 }
 
@@ -151,7 +148,7 @@ DecimalComplex mittag_leffler_derivative(int k, const std::string& alpha, const 
              order, BigReal(read_argument(function, "beta", beta) + k * order), BigReal(k + 1),
              BigComplex(read_argument(function, "re z", re), read_argument(function, "im z", im))};
        },
-       k},
+       std::max(decimal_places(alpha), decimal_places(beta)), k},
       digits);
 }
 

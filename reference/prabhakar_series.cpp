@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "prabhakar_transform.hpp"
+#include "reciprocal_gamma.hpp"
 
 namespace fde {
 namespace {
@@ -27,12 +28,17 @@ Sum<BigReal> prabhakar_series(const PrabhakarArguments& x) {
   constexpr int most_terms = 200000;
   Sum<BigReal> sum;
   BigComplex factor(1);  // (gamma)_k z^k / k!
+  BigReal factor_ulps(0);
   for (int k = 0; k < most_terms; ++k) {
-    const BigReal argument = x.alpha * k + x.beta;
-    const BigReal ulps = 8 + 8 * BigReal(k) + abs(argument) * (2 + 2 * log1p(abs(argument)));
-    sum.add(BigComplex(factor * reciprocal_gamma(argument)), BigReal(ulps * epsilon<BigReal>()));
-    factor *= x.z * (x.gamma + k) / BigReal(k + 1);
-    if (factor == 0) return sum;
+    // beta of a derivative is itself beta + (gamma - 1) alpha
+    const BigReal argument = x.alpha * k + x.beta, size = x.alpha * (k + 2 * abs(x.gamma)) + abs(x.beta);
+    const BigReal ulps = factor_ulps + abs(argument) * (2 + 2 * log1p(abs(argument)));
+    add_reciprocal_gamma(sum, factor, argument, size, ulps);
+    // As arguments of Gamma: within rounding of 0 it is 0.
+    const BigReal growing = x.gamma + k, rounding = 2 * (abs(x.gamma) + k);
+    if (abs(growing) <= rounding * epsilon<BigReal>() || x.z == 0) return sum;
+    factor *= x.z * growing / BigReal(k + 1);
+    factor_ulps += 6 + rounding / abs(growing);
     const BigReal rest = tail(x, k, factor);
     if (rest > epsilon<BigReal>() * size_of(sum.value)) continue;
     sum.error += rest;

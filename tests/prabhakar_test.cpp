@@ -9,6 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "testing.hpp"
+
 namespace fde {
 namespace {
 
@@ -187,14 +189,29 @@ TEST(Prabhakar, TakesDecimalsAtTheirWord) {
             "0.02218924634849090674171230883293524631421468329457");
 }
 
-template <class Call>
-void expect_message(const Call& call, const std::string& part) {
-  try {
-    call();
-    FAIL() << part;
-  } catch (const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
+// Texts longer than the digits asked for, next to poles of Gamma and zeros of (gamma)_k.
+TEST(Prabhakar, HoldsItsBoundForLongTexts) {
+  const auto expect_held = [](const auto& evaluate, const char* name) {
+    const DecimalComplex rough = evaluate(20), fine = evaluate(70);
+    const Precise value(fine.re), off = abs(Precise(Precise(rough.re) - value));
+    EXPECT_LE(off, Precise(rough.bound) + Precise(fine.bound)) << name;
+    EXPECT_LE(Precise(rough.bound), abs(value) * Precise("1e-18")) << name;
+  };
+  expect_held(
+      [](int n) {
+        return mittag_leffler_derivative(0, "1.5", "-0.9999999999999999999999", "1e-200", "0", n);
+      },
+      "derivative");
+  expect_held(
+      [](int n) { return prabhakar("1.0", "-0.99999999999999999999999999999999", "-1", "0.3", "0", n); },
+      "polynomial");
+  expect_held(
+      [](int n) { return prabhakar("1", "-1", "-0.999999999999999999999999999999", "0.125", "0", n); },
+      "gamma");
+  // 1/Gamma(0.1 k - 0.2) is 0 for k = 2
+  const auto value = prabhakar("0.1", "-0.2", "-2", "0.5", "0", 30);
+  const Precise exact = 1 / tgamma(Precise("-0.2")) - 1 / tgamma(Precise("-0.1"));
+  EXPECT_LE(abs(Precise(Precise(value.re) - exact)), Precise(value.bound));
 }
 
 // 1 - z at z = 1.

@@ -51,6 +51,16 @@ std::vector<Variant> variants() {
       all.push_back({fmt::format("{}_{}", scene, tag), scene, {{"alpha", alpha}, {"beta", beta}}, 2.0});
     }
   }
+  for (const auto& [tenths, form, place] : {std::tuple{2, "integrated", 0},
+                                            {5, "integrated", 0},
+                                            {7, "integrated", 0},
+                                            {3, "acceleration", 1},
+                                            {3, "stabilised", 2}}) {
+    const std::map<std::string, double> values{
+        {"alpha", tenths / 10.0}, {"formulation", place}, {"kappa", 2.0}};
+    all.push_back({fmt::format("fractional_constraint_2d_{}_{}", tenths, form), "fractional_constraint_2d",
+                   values, 1.0});
+  }
   return all;
 }
 
@@ -155,6 +165,8 @@ std::vector<double> later_powers(const Case& c) {
       {"diethelm_8", {"l1"}, {1.2}},
       {"power_17", {"decoupled_multi_order"}, {2.0, 2.7}},
       {"fractional_oscillator_13", {"adams_pc"}, {2.3}},
+      {"fractional_constraint_2d_2_integrated", {"product_trapezoidal"}, {2.0}},
+      {"fractional_constraint_2d_3_stabilised", {"product_trapezoidal"}, {1.7, 2.0}},
       {"relaxation_15__graded_15", {"l1"}, {1.5}},
       {"relaxation_15__graded_25", {"adams_pc"}, {2.5}},
       {"relaxation_15__graded_40", {"adams_pc"}, {2.5}},

@@ -23,7 +23,7 @@ std::vector<const SceneMaker*> scenes_with(bool (*capability)(const Scene&)) {
 bool any(const Scene& /*scene*/) { return true; }
 bool exact_solution(const Scene& scene) { return static_cast<bool>(scene.exact.at); }
 bool derivatives(const Scene& scene) { return scene.problem.jacobian || scene.problem.linear_part; }
-bool energy(const Scene& scene) { return static_cast<bool>(scene.energy); }
+bool power(const Scene& scene) { return static_cast<bool>(scene.energy.power); }
 
 class EveryScene : public testing::TestWithParam<const SceneMaker*> {
  protected:
@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(, EveryScene, testing::ValuesIn(scenes_with(any)), id_o
 INSTANTIATE_TEST_SUITE_P(, SceneWithExactSolution, testing::ValuesIn(scenes_with(exact_solution)),
                          id_of_param);
 INSTANTIATE_TEST_SUITE_P(, SceneWithDerivatives, testing::ValuesIn(scenes_with(derivatives)), id_of_param);
-INSTANTIATE_TEST_SUITE_P(, SceneWithEnergy, testing::ValuesIn(scenes_with(energy)), id_of_param);
+INSTANTIATE_TEST_SUITE_P(, SceneWithEnergy, testing::ValuesIn(scenes_with(power)), id_of_param);
 
 TEST(Scenes, HaveTheColumnsOfTheContract) {
   const std::vector<std::string> chain{"phi", "Dbeta_phi", "dphi", "Dalpha_phi"};

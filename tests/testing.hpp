@@ -1,6 +1,10 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
+#include <exception>
+#include <string>
 #include <string_view>
 
 #include "experiment.hpp"
@@ -27,6 +31,17 @@ inline std::vector<const Scheme*> all_schemes() {
   std::vector<const Scheme*> all;
   for (const auto& scheme : schemes()) all.push_back(&scheme);
   return all;
+}
+
+// The call throws, with this part in its message.
+template <class Call>
+void expect_message(const Call& call, const std::string& part) {
+  try {
+    call();
+    FAIL() << part;
+  } catch (const std::exception& error) {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace fde

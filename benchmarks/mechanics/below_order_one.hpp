@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "linear_smoothness.hpp"
 #include "motion.hpp"
 #include "projection.hpp"
 
@@ -42,6 +43,14 @@ struct AccelerationBelowOne {
     return rows(1.0, start.q, alpha, start.v, 1.0 - alpha, none, 1.0 - alpha, none);
   }
   [[nodiscard]] bool posed() const { return singular.isZero(0.0) || system.order < 0.5; }
+
+  [[nodiscard]] std::vector<PowerLoad> loads() const {
+    const double alpha = system.order;
+    if (singular.isZero(0.0)) return {};
+    Vec coefficients = Vec::Zero(states);
+    coefficients.segment<n>(n) = singular / std::tgamma(2.0 - 2.0 * alpha);
+    return {{1.0 - 2.0 * alpha, coefficients}};
+  }
 
   template <class S>
   Vector<S, states> rhs(double t, const Vector<S, states>& y) const {

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "linear_smoothness.hpp"
-
 namespace fde::mechanics {
 
 Matrix linear_part_of(const Problem& problem) {
@@ -25,10 +23,11 @@ Matrix linear_part_of(const Problem& problem) {
   return (part.array().abs() < rounding).select(0.0, part);
 }
 
-Smoothness linear_start(const Problem& problem) {
+Smoothness linear_start(const Problem& problem, std::vector<PowerLoad> loads) {
   Vec constants(problem.size());
   problem.rhs(0.0, Vec::Zero(problem.size()), constants);
-  return linear_smoothness(problem.components, *problem.linear_part, constants);
+  loads.push_back({0.0, constants});
+  return linear_smoothness(problem.components, *problem.linear_part, loads);
 }
 
 Smoothness nonlinear_start(const std::vector<Component>& components) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "derivatives.hpp"
+#include "linear_smoothness.hpp"
 #include "scene.hpp"
 
 namespace fde::mechanics {
@@ -18,9 +20,9 @@ struct PosedMechanics {
 // The matrix A of a right-hand side A y + b(t).
 Matrix linear_part_of(const Problem& problem);
 
-// Powers of t with which the solutions start: of a linear problem those of its series, with the powers that
-// b(t) has where it is not constant; of another one all that may occur.
-Smoothness linear_start(const Problem& problem);
+// Powers of t with which the solutions start: of a linear problem those of its series, with what b(t) has
+// beside constants; of another one all that may occur.
+Smoothness linear_start(const Problem& problem, std::vector<PowerLoad> loads);
 Smoothness nonlinear_start(const std::vector<Component>& components);
 
 // The form with multipliers has the rows of the integrated one, the velocities in place of their free parts,
@@ -38,6 +40,12 @@ std::vector<std::string> column_names(const std::vector<std::string>& coordinate
 [[noreturn]] void reject_above_one(double order);
 [[noreturn]] void reject_unaligned(double order);
 
+// A form whose right-hand side has powers of t beside constants.
+template <class Form>
+concept Loaded = requires(const Form& form) {
+  form.loads();
+};
+
 template <class Form>
 PosedMechanics pose(const Form& form, double end, bool linear) {
   using State = Vector<double, Form::states>;
@@ -51,8 +59,14 @@ PosedMechanics pose(const Form& form, double end, bool linear) {
     columns.segment(Form::n, Form::n) = of.v;
     columns.tail(columns.size() - 2 * Form::n) = of.w.head(columns.size() - 2 * Form::n);
   };
-  if (linear) result.problem.linear_part = linear_part_of(result.problem);
-  result.smoothness = linear ? linear_start(result.problem) : nonlinear_start(result.problem.components);
+  if (!linear) {
+    result.smoothness = nonlinear_start(result.problem.components);
+    return result;
+  }
+  result.problem.linear_part = linear_part_of(result.problem);
+  std::vector<PowerLoad> loads;
+  if constexpr (Loaded<Form>) loads = form.loads();
+  result.smoothness = linear_start(result.problem, std::move(loads));
   return result;
 }
 

@@ -45,7 +45,7 @@ SceneMaker linear_system() {
                                 .rhs = [=](double, In y, Out f) { f = matrix * y + load; },
                                 .linear_part = matrix,
                                 .end = 5.0},
-                    .smoothness = linear_smoothness(components, matrix, load),
+                    .smoothness = linear_smoothness(components, matrix, {{0.0, load}}),
                     .outputs = {{"x", "y"}},
                     .exact = exact_solution({.orders = {components[0].order, components[1].order},
                                              .initial = {components[0].initial, components[1].initial},

@@ -1,6 +1,7 @@
 #include "linear_smoothness.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -8,26 +9,42 @@
 namespace fde {
 namespace {
 
-// Coefficients of t^p / Gamma(p+1) in all components, by p. Integration of any order then only shifts p.
+// Coefficients of t^p / Gamma(p+1) in all components, by p: integration of any order then only shifts p. What
+// is left of terms that cancel is rounding, and taken as 0.
 class Series {
  public:
   explicit Series(Eigen::Index size) : size_(size) {}
-  Vec& operator[](double power) {
-    const auto near = terms_.lower_bound(power - 1e-9);
-    if (near != terms_.end() && same_order(near->first, power)) return near->second;
-    return terms_.emplace(power, Vec::Zero(size_)).first->second;
+
+  void add(double power, Eigen::Index i, double coefficient) {
+    if (coefficient == 0.0) return;
+    Sum& sum = at(power);
+    sum.value[i] += coefficient;
+    sum.size[i] += std::abs(coefficient);
   }
-  [[nodiscard]] const std::map<double, Vec>& terms() const { return terms_; }
+
+  struct Sum {
+    Vec value, size;
+    [[nodiscard]] Vec cleared() const {
+      return (value.array().abs() <= 1e-13 * size.array()).select(0.0, value);
+    }
+  };
+  [[nodiscard]] const std::map<double, Sum>& terms() const { return terms_; }
 
  private:
+  Sum& at(double power) {
+    const auto near = terms_.lower_bound(power - 1e-9);
+    if (near != terms_.end() && same_order(near->first, power)) return near->second;
+    return terms_.emplace(power, Sum{Vec::Zero(size_), Vec::Zero(size_)}).first->second;
+  }
+
   Eigen::Index size_;
-  std::map<double, Vec> terms_;
+  std::map<double, Sum> terms_;
 };
 
 }  // namespace
 
 Smoothness linear_smoothness(const std::vector<Component>& components, const Matrix& matrix,
-                             const Vec& constants) {
+                             const std::vector<PowerLoad>& loads) {
   const Eigen::Index size = matrix.rows();
   Series series(size);
   double last = 2.0;
@@ -39,20 +56,25 @@ Smoothness linear_smoothness(const std::vector<Component>& components, const Mat
     }
     const auto& initial = component.initial;
     last = std::max(last, component.order + 2.0);
-    for (std::size_t k = 0; k < initial.size(); ++k) series[static_cast<double>(k)][i] = initial[k];
+    for (std::size_t k = 0; k < initial.size(); ++k) series.add(static_cast<double>(k), i, initial[k]);
+  }
+  for (const auto& [power, coefficients] : loads) {
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const double order = components[static_cast<std::size_t>(i)].order;
+      series.add(power + order, i, coefficients[i] * std::tgamma(power + 1.0));
+    }
   }
   Smoothness smoothness;
   smoothness.powers.resize(components.size());
   // All that leads to a power is smaller: by increasing powers every coefficient is complete when it is met.
   for (auto term = series.terms().begin(); term != series.terms().end() && term->first <= last; ++term) {
-    const auto& [power, coefficients] = *term;
-    Vec driven = matrix * coefficients;
-    if (power == 0.0) driven += constants;
+    const double power = term->first;
+    const Vec coefficients = term->second.cleared();
     for (Eigen::Index i = 0; i < size; ++i) {
       const auto& order = components[static_cast<std::size_t>(i)].order;
       const bool given = power < order;  // by the initial values
       if (!given && coefficients[i] != 0.0) smoothness.powers[static_cast<std::size_t>(i)].push_back(power);
-      if (driven[i] != 0.0) series[power + order][i] += driven[i];
+      for (Eigen::Index j = 0; j < size; ++j) series.add(power + order, i, matrix(i, j) * coefficients[j]);
     }
   }
   return smoothness;

@@ -5,11 +5,16 @@
 
 namespace fde {
 
-// How the solution of D^(order_i) y_i = sum_j matrix(i, j) y_j + constants[i] starts: the powers of its
-// series, a term t^p of f_i leading to t^(p + order_i) in y_i. What cancels exactly is left out.
-// Throws std::invalid_argument naming the component for an algebraic row, whose powers follow from the
-// others.
+// coefficients[i] t^power, added to f_i.
+struct PowerLoad {
+  double power;
+  Vec coefficients;
+};
+
+// How the solution of D^(order_i) y_i = sum_j matrix(i, j) y_j + loads starts: the powers of its series, a
+// term t^p of f_i leading to t^(p + order_i) in y_i. What cancels, to rounding, is left out. Throws
+// std::invalid_argument naming the component for an algebraic row, whose powers follow from the others.
 Smoothness linear_smoothness(const std::vector<Component>& components, const Matrix& matrix,
-                             const Vec& constants);
+                             const std::vector<PowerLoad>& loads = {});
 
 }  // namespace fde

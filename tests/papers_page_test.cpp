@@ -1,0 +1,54 @@
+// docs/papers.md names tests: each of them exists, and no test of a printed error is left out.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace fde {
+namespace {
+
+// What stands in backquotes and looks like Suite.Test or Suite.Test/parameter.
+std::set<std::string> tests_on_the_page() {
+  std::ifstream file(FDE_SOURCE_DIR "/docs/papers.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  const std::regex name("`([A-Z][A-Za-z0-9]*\\.[A-Z][A-Za-z0-9]*(/[a-z0-9_]+)?)`");
+  std::set<std::string> names;
+  for (auto it = std::sregex_iterator(page.begin(), page.end(), name); it != std::sregex_iterator(); ++it) {
+    names.insert((*it)[1]);
+  }
+  return names;
+}
+
+std::set<std::string> tests_of_this_program() {
+  std::set<std::string> names;
+  const auto& program = *testing::UnitTest::GetInstance();
+  for (int i = 0; i < program.total_test_suite_count(); ++i) {
+    const auto& suite = *program.GetTestSuite(i);
+    for (int k = 0; k < suite.total_test_count(); ++k) {
+      names.insert(std::string(suite.name()) + "." + suite.GetTestInfo(k)->name());
+    }
+  }
+  return names;
+}
+
+TEST(PapersPage, NamesTestsThatExist) {
+  const auto named = tests_on_the_page(), existing = tests_of_this_program();
+  EXPECT_GT(named.size(), 30U);
+  for (const auto& name : named) EXPECT_TRUE(existing.contains(name)) << name;
+}
+
+TEST(PapersPage, HasEveryTestOfAPrintedError) {
+  const auto named = tests_on_the_page();
+  for (const auto& name : tests_of_this_program()) {
+    if (name.starts_with("Errata")) {
+      EXPECT_TRUE(named.contains(name)) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fde
