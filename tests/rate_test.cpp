@@ -61,6 +61,37 @@ std::vector<Variant> variants() {
     all.push_back({fmt::format("fractional_constraint_2d_{}_{}", tenths, form), "fractional_constraint_2d",
                    values, 1.0});
   }
+  for (const double alpha : {0.25, 0.5, 0.75, 2.25, 2.5, 2.75}) {
+    all.push_back({fmt::format("fractional_constraint_1d_{:.0f}", 100 * alpha),
+                   "fractional_constraint_1d",
+                   {{"alpha", alpha}, {"b", 1.0}},
+                   1.0});
+  }
+  for (const auto& [form, place, alpha] : {std::tuple{"integrated", 0, 0.3},
+                                           {"integrated", 0, 0.6},
+                                           {"acceleration", 1, 0.6},
+                                           {"multiplier", 3, 0.6}}) {
+    for (const auto& [surface, which] : {std::pair{"plane", 0}, {"sphere", 1}}) {
+      const std::map<std::string, double> values{
+          {"alpha", alpha}, {"surface", which}, {"formulation", place}};
+      all.push_back({fmt::format("fractional_knife_edge_{}_{}_{:.0f}", surface, form, 10 * alpha),
+                     "fractional_knife_edge", values, 1.0});
+    }
+  }
+  for (const auto& [form, place] : {std::pair{"acceleration", 0}, {"stabilised", 1}, {"multiplier", 2}}) {
+    all.push_back({fmt::format("fractional_constraint_nonlinear_{}", form),
+                   "fractional_constraint_nonlinear",
+                   {{"formulation", place}, {"kappa", 2.0}},
+                   1.0});
+  }
+  for (const auto& [form, place] : {std::pair{"reduced", 0}, {"integrated", 1}, {"multiplier", 2}}) {
+    for (const double alpha : {1.25, 1.5}) {
+      all.push_back({fmt::format("nonlinear_fractional_oscillator_{}_{:.0f}", form, 100 * alpha),
+                     "nonlinear_fractional_oscillator",
+                     {{"form", place}, {"alpha", alpha}},
+                     2.0});
+    }
+  }
   return all;
 }
 

@@ -35,17 +35,16 @@ struct Asked {
 template <class System>
 concept ConstantCoefficients = HasMemory<System> && System::constant;
 
-// 0 < order < 1. The series of a linear system is that of its integrated form.
+// 0 < order < 1.
 template <class System>
 PosedMechanics posed_below_one(const Setting<System>& of, Formulation formulation, double kappa) {
   constexpr int n = System::coordinates;
   const auto& [system, start, names, end, linear, reference, unknown] = of;
-  const double order = system.order;
-  const IntegratedBelowOne<System> integrated{system, start};
   const bool singular = !singular_direction(system, start).isZero(0.0);
+  const MotionPowers powers = powers_below_one(system.order, !start.v.isZero(0.0), singular);
+  const IntegratedBelowOne<System> integrated{system, start};
   const Smoothness starts =
-      linear ? pose(integrated, end, true).smoothness
-             : integrated_start(powers_below_one(order, !start.v.isZero(0.0), singular), order, n);
+      linear ? pose(integrated, end, true).smoothness : integrated_start(powers, system.order, n);
   if (formulation == Formulation::multiplier)
     return with_multipliers(pose(MultiplierBelowOne<System>{system, start}, end, false), starts);
   if (formulation == Formulation::integrated) {
@@ -54,9 +53,9 @@ PosedMechanics posed_below_one(const Setting<System>& of, Formulation formulatio
     return form;
   }
   const AccelerationBelowOne<System> acceleration{system, start, kappa};
-  if (!acceleration.posed()) reject_singular(order);
+  if (!acceleration.posed()) reject_singular(system.order);
   auto form = pose(acceleration, end, linear);
-  form.smoothness = acceleration_start(motion_powers_of(starts, n), order, n, singular);
+  if (!linear) form.smoothness = acceleration_start(powers, system.order, n, singular);
   return form;
 }
 

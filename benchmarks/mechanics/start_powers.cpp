@@ -43,16 +43,6 @@ MotionPowers powers_above_one(double order, bool moving) {
   return motion_powers(power_lattice({1.0}, {1.0, order - 1.0}, last), moving);
 }
 
-MotionPowers motion_powers_of(const Smoothness& integrated, Eigen::Index coordinates) {
-  const auto n = static_cast<std::size_t>(coordinates);
-  std::vector<double> places, free;
-  for (std::size_t i = 0; i < n; ++i) {
-    places.insert(places.end(), integrated.powers[i].begin(), integrated.powers[i].end());
-    free.insert(free.end(), integrated.powers[n + i].begin(), integrated.powers[n + i].end());
-  }
-  return {power_lattice(shifted(places, -1.0), {}, last), power_lattice(free, {}, last)};
-}
-
 Smoothness integrated_start(const MotionPowers& powers, double order, Eigen::Index coordinates) {
   Smoothness smoothness;
   add(smoothness, coordinates, shifted(powers.velocity, 1.0));

@@ -20,9 +20,6 @@ MotionPowers powers_below_one(double order, bool moving, bool singular);
 // like t and goes on in steps of order - 1.
 MotionPowers powers_above_one(double order, bool moving);
 
-// Those of the rows q, z, w of a form whose series is known.
-MotionPowers motion_powers_of(const Smoothness& integrated, Eigen::Index coordinates);
-
 // The rows of the formulations below order 1 in these powers: q, z, w and q, v, s, w. Of s = D^order v
 // the state has no part t^(1 - 2 order).
 Smoothness integrated_start(const MotionPowers& powers, double order, Eigen::Index coordinates);

@@ -61,19 +61,11 @@ Chain chain_of(const Line& line) {
   return {{b, alpha}, {{a, 1.0}}, {q0, q1, q2}};
 }
 
-// Above order 1 uniform motion is a solution, and only what is left of q drives: so no rounding of C0 - a q1
-// counts as a power.
-Smoothness starts_of(const Line& line, const Chain& chain) {
-  auto components = chain.components();
-  Vec constants = Vec::Zero(chain.size());
-  const bool uniform_part = components.size() > 1 && line.alpha > 1.0;
-  if (uniform_part) {
-    components[0].initial[0] = components[1].initial[0] = 0.0;
-  } else {
-    constants[chain.size() - 1] = line.a * line.q1;
-  }
-  Smoothness smoothness = linear_smoothness(components, chain.linear_part(0.0), constants);
-  if (uniform_part && line.q1 != 0.0) smoothness.powers[0].insert(smoothness.powers[0].begin(), 1.0);
+Smoothness starts_of(const Chain& chain, double constant) {
+  const Vec rest = Vec::Zero(chain.size());
+  Vec load = rest;
+  load[chain.size() - 1] = chain.highest(rest, constant);
+  Smoothness smoothness = linear_smoothness(chain.components(), chain.linear_part(0.0), {{0.0, load}});
   for (Eigen::Index i = 1; i < chain.size(); ++i) smoothness.hidden.push_back(i);
   return smoothness;
 }
@@ -115,7 +107,7 @@ SceneMaker fractional_constraint_1d() {
                                            Out f) { Chain::links(y, chain.highest(y, constant), f); },
                                 .linear_part = chain.linear_part(0.0),
                                 .end = 10.0},
-                    .smoothness = starts_of(line, chain),
+                    .smoothness = starts_of(chain, constant),
                     .outputs = picked({"q"}, {0}),
                     .exact = exact_of(line)};
           }};

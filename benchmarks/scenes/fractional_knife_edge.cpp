@@ -26,12 +26,17 @@ struct BladeOnPlane {
   }
 };
 
-// A point on the unit sphere, theta from the pole: sin(theta) phi' - k theta' and b times the same of
-// D^alpha are 0 together.
+// A point on the unit sphere, theta from the top: u = g cos(theta), and sin(theta) phi' - k theta' and b
+// times the same of D^alpha are 0 together.
 struct BladeOnSphere {
   static constexpr int coordinates = 2, constraints = 1;
-  double order, b, k;
+  double order, b, k, gravity;
 
+  template <class S>
+  S potential(const Vector<S, 2>& q) const {
+    using std::cos;
+    return gravity * cos(q[0]);
+  }
   template <class S>
   Table<S, 2, 2> metric(const Vector<S, 2>& q) const {
     using std::sin;
@@ -57,7 +62,7 @@ Setting<BladeOnPlane> on_plane(const Parameters& p) {
 
 Setting<BladeOnSphere> on_sphere(const Parameters& p) {
   const double theta = p["theta0"], down = p["speed"] / std::hypot(1.0, p["k"]);
-  return {.system = {p["alpha"], p["b"], p["k"]},
+  return {.system = {p["alpha"], p["b"], p["k"], p["g"]},
           .start = {{theta, 0.0}, {down, p["k"] * down / std::sin(theta)}},
           .coordinates = {"theta", "phi"},
           .end = 2.0};
@@ -66,7 +71,8 @@ Setting<BladeOnSphere> on_sphere(const Parameters& p) {
 }  // namespace
 
 // The constraint a(q).v + b a(q).D^alpha q = 0 on a plane and on a sphere. alpha = 1 is 1 + b times the one
-// without memory: the knife edge and the loxodrome. The start is on the constraint, so no term is singular.
+// without memory: the knife edge and, with g = 0, the loxodrome. The start is on the constraint, so no term
+// is singular.
 SceneMaker fractional_knife_edge() {
   static const std::vector<Formulation> fitting{Formulation::integrated, Formulation::acceleration,
                                                 Formulation::stabilised, Formulation::multiplier};
@@ -76,7 +82,7 @@ SceneMaker fractional_knife_edge() {
                                     {"alpha", 0.6, order_up_to_one, "order of the constraint"},
                                     {"b", 0.5, any_number, "weight of the memory"},
                                     {"speed", 0.5, any_number, "at t = 0, along the blade"},
-                                    {"g", 1.0, any_number, "gravity (plane)"},
+                                    {"g", 1.0, any_number, "gravity"},
                                     {"theta", 0.5, any_number, "inclination (plane)"},
                                     {"omega", 1.0, any_number, "turns per 2 pi of time (plane)"},
                                     {"k", 0.5, any_number, "slope of the course (sphere)"},
