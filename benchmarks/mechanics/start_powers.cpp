@@ -22,25 +22,27 @@ std::vector<double> with_zero(std::vector<double> powers) {
   return powers;
 }
 
-// z' is made of what v and q are made of.
-MotionPowers motion_powers(const std::vector<double>& leaving, bool moving) {
-  const auto all = with_zero(leaving);
-  return {moving ? all : leaving, shifted(all, 1.0)};
-}
-
 void add(Smoothness& smoothness, Eigen::Index times, const std::vector<double>& powers) {
   smoothness.powers.insert(smoothness.powers.end(), static_cast<std::size_t>(times), powers);
 }
 
 }  // namespace
 
-MotionPowers powers_below_one(double order, bool moving, bool singular) {
-  const std::vector<double> start = singular ? std::vector{1.0 - order, 1.0} : std::vector{1.0};
-  return motion_powers(power_lattice(start, {1.0, 1.0 - order}, last), moving);
+MotionPowers powers_below_one(double order, bool moving, ReactionStart reaction) {
+  const std::vector<double> steps{1.0, 1.0 - order};
+  const bool regular = reaction == ReactionStart::regular;
+  const auto leaving = power_lattice(regular ? std::vector{1.0} : std::vector{1.0 - order, 1.0}, steps, last);
+  const auto all = with_zero(leaving);
+  return {moving ? all : leaving, reaction == ReactionStart::singular_and_turning
+                                      ? power_lattice({2.0 - 2.0 * order, 1.0}, steps, last)
+                                      : shifted(all, 1.0)};
 }
 
+// a.v - a.v(0) is driven by z and by itself: A = (b.z - b.v)/(b.a^#), b.v - b.v(0) = -J^(order-1) A.
 MotionPowers powers_above_one(double order, bool moving) {
-  return motion_powers(power_lattice({1.0}, {1.0, order - 1.0}, last), moving);
+  const auto leaving = power_lattice({1.0}, {1.0, order - 1.0}, last);
+  const auto all = with_zero(leaving);
+  return {moving ? all : leaving, shifted(all, 1.0)};
 }
 
 Smoothness integrated_start(const MotionPowers& powers, double order, Eigen::Index coordinates) {
@@ -67,7 +69,7 @@ Smoothness integrated_start_above_one(const MotionPowers& powers, double order, 
   Smoothness smoothness;
   add(smoothness, coordinates, shifted(powers.velocity, 1.0));
   add(smoothness, coordinates, powers.free_part);
-  add(smoothness, 1, without(powers.velocity, 0.0));
+  add(smoothness, 1, shifted(without(powers.velocity, 0.0), order - 1.0));
   add(smoothness, coordinates, shifted(powers.free_part, 1.0 - order));
   return smoothness;
 }

@@ -12,9 +12,14 @@ struct MotionPowers {
   std::vector<double> free_part;  // of z = P v, without 0
 };
 
-// 0 < order < 1. What the constraint fixes of v is driven by w = D^order q, which starts like t^(1-order)
-// where q moves. singular: df/dw v(0) is not 0, and v leaves v(0) like t^(1-order); otherwise like t.
-MotionPowers powers_below_one(double order, bool moving, bool singular);
+// How the reaction starts below order 1. singular: df/dw v(0) is not 0, and the reaction starts like
+// t^-order; turning: its direction df/dv moves with w, which starts like t^(1-order).
+enum class ReactionStart { regular, singular, singular_and_turning };
+
+// 0 < order < 1. What the constraint fixes of v is driven by w = D^order q: it leaves v(0) like t^(1-order)
+// where the reaction is singular, otherwise like t. z' is made of what v and q are made of; a reaction that
+// turns adds t^-order t^(1-order).
+MotionPowers powers_below_one(double order, bool moving, ReactionStart reaction);
 
 // 1 < order < 2, constant constraint: D^(order-1) (b.v) = -c - a.v is 0 at the start, so that v leaves v(0)
 // like t and goes on in steps of order - 1.
