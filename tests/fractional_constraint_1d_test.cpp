@@ -8,14 +8,14 @@ namespace {
 
 using Values = std::map<std::string, double>;
 
-Scene line(Values values) { return scene_of("fractional_constraint_1d", values); }
+Scene line(const Values& values) { return scene_of("fractional_constraint_1d", values); }
 double at(const Scene& scene, double t) { return scene.exact.at(t).value[0]; }
 
 // q0 + q1 t E_{1-alpha,2}(-(b/a) t^(1-alpha)) with a = 0.3, b = 0.6, at t = 1.
 TEST(FractionalConstraint1D, BelowOneIsAMittagLefflerFunction) {
   const auto precision = test_precision();
   const Scene scene = line({{"alpha", 0.3}, {"a", 0.3}, {"b", 0.6}, {"q0", 0.1}, {"q1", 0.7}});
-  const BigReal e = real_part<BigReal>(mittag_leffler_digits("0.7", "2", "-2"));
+  const auto e = real_part<BigReal>(mittag_leffler_digits("0.7", "2", "-2"));
   expect_equal(digits_at(scene.exact, 1.0)[0], BigReal("0.1") + BigReal("0.7") * e, "alpha = 0.3");
 }
 
@@ -23,7 +23,7 @@ TEST(FractionalConstraint1D, BelowOneIsAMittagLefflerFunction) {
 TEST(FractionalConstraint1D, AboveTwoIsAnother) {
   const auto precision = test_precision();
   const Scene scene = line({{"alpha", 2.3}, {"a", 0.6}, {"b", 0.3}, {"q0", 0.1}, {"q1", 0.7}, {"q2", -0.4}});
-  const BigReal e = real_part<BigReal>(mittag_leffler_digits("1.3", "3", "-2"));
+  const auto e = real_part<BigReal>(mittag_leffler_digits("1.3", "3", "-2"));
   expect_equal(digits_at(scene.exact, 1.0)[0], BigReal("0.8") - BigReal("0.4") * e, "alpha = 2.3");
 }
 

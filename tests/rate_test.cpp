@@ -85,12 +85,10 @@ std::vector<Variant> variants() {
                    1.0});
   }
   for (const auto& [form, place] : {std::pair{"reduced", 0}, {"integrated", 1}, {"multiplier", 2}}) {
-    for (const double alpha : {1.25, 1.5}) {
-      all.push_back({fmt::format("nonlinear_fractional_oscillator_{}_{:.0f}", form, 100 * alpha),
-                     "nonlinear_fractional_oscillator",
-                     {{"form", place}, {"alpha", alpha}},
-                     2.0});
-    }
+    all.push_back({fmt::format("nonlinear_fractional_oscillator_{}", form),
+                   "nonlinear_fractional_oscillator",
+                   {{"form", place}},
+                   2.0});
   }
   return all;
 }
@@ -203,25 +201,23 @@ std::vector<double> later_powers(const Case& c) {
       {"fractional_constraint_nonlinear_acceleration", {"adams_pc", "decoupled_multi_order"}, {1.4, 1.6}},
       {"fractional_constraint_nonlinear_stabilised", {"adams_pc", "decoupled_multi_order"}, {1.4, 1.6}},
       {"fractional_constraint_nonlinear_stabilised", {"product_trapezoidal"}, {1.6, 1.8}},
-      {"nonlinear_fractional_oscillator_reduced_125",
-       {"adams_pc", "decoupled_multi_order"},
-       {1.5, 1.75, 2.0}},
-      {"nonlinear_fractional_oscillator_integrated_125",
-       {"adams_pc", "decoupled_multi_order"},
-       {1.5, 1.75, 2.0}},
-      {"nonlinear_fractional_oscillator_integrated_150", {"product_trapezoidal"}, {2.5}},
-      {"nonlinear_fractional_oscillator_reduced_150", {"l1"}, {1.5}},
-      {"nonlinear_fractional_oscillator_multiplier_150", {"l1"}, {1.5}},
-      {"relaxation_15__graded_15", {"l1"}, {1.5}},
-      {"relaxation_15__graded_25", {"adams_pc"}, {2.5}},
-      {"relaxation_15__graded_40", {"adams_pc"}, {2.5}},
-      {"relaxation_15__graded_40", {"l1"}, {1.5}},
-  };
-  for (const auto& [variant, concerned, powers] : table) {
-    if (variant == c.variant.name && std::ranges::find(concerned, c.scheme->id) != concerned.end())
-      return powers;
+      {"adams_pc", "decoupled_multi_order"},
+      {1.5, 1.75, 2.0}},
+      {"adams_pc", "decoupled_multi_order"}, {
+    1.5, 1.75, 2.0
   }
-  return {};
+}
+, {"nonlinear_fractional_oscillator_integrated", {"product_trapezoidal"}, {2.5}},
+    {"nonlinear_fractional_oscillator_reduced", {"l1"}, {1.5}},
+    {"nonlinear_fractional_oscillator_multiplier", {"l1"}, {1.5}},
+    {"relaxation_15__graded_15", {"l1"}, {1.5}}, {"relaxation_15__graded_25", {"adams_pc"}, {2.5}},
+    {"relaxation_15__graded_40", {"adams_pc"}, {2.5}}, {"relaxation_15__graded_40", {"l1"}, {1.5}},
+};
+for (const auto& [variant, concerned, powers] : table) {
+  if (variant == c.variant.name && std::ranges::find(concerned, c.scheme->id) != concerned.end())
+    return powers;
+}
+return {};
 }
 
 // The largest error at the end, or over all steps, of 256 ... 4096 steps; finer by a level for each power

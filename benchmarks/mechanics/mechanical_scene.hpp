@@ -66,7 +66,7 @@ PosedMechanics posed_below_one(const Setting<System>& of, Formulation formulatio
   auto form = pose(acceleration, end, linear);
   if (!linear)
     form.smoothness = acceleration_start(powers, system.order, n, reaction != ReactionStart::regular);
-  for (Eigen::Index i = 2 * n; i < 3 * n; ++i) form.smoothness.hidden.push_back(i);  // D^alpha v
+  for (int i = 2 * n; i < 3 * n; ++i) form.smoothness.hidden.push_back(i);  // D^alpha v
   return form;
 }
 

@@ -15,13 +15,13 @@ struct ThermostattedChain {
   double order, coupling, k, kinetic;
 
   template <class S>
-  S potential(const Vector<S, 2>& q) const {
+  [[nodiscard]] S potential(const Vector<S, 2>& q) const {
     const S stretched = q[1] - q[0];
     return 0.5 * k * (q[0] * q[0] + stretched * stretched + q[1] * q[1]);
   }
   template <class S>
-  Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& /*q*/, const Vector<S, 2>& v,
-                          const Vector<S, 2>& w) const {
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& /*q*/, const Vector<S, 2>& v,
+                                        const Vector<S, 2>& w) const {
     return Vector<S, 1>(
         S(0.5 * (v[0] * v[0] + v[1] * v[1]) + coupling * (v[0] * w[0] + v[1] * w[1]) - kinetic));
   }

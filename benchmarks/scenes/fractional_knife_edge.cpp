@@ -14,12 +14,12 @@ struct BladeOnPlane {
   double order, b, pull;
 
   template <class S>
-  S potential(const Vector<S, 3>& q) const {
+  [[nodiscard]] S potential(const Vector<S, 3>& q) const {
     return -pull * q[0];
   }
   template <class S>
-  Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& q, const Vector<S, 3>& v,
-                          const Vector<S, 3>& w) const {
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& q, const Vector<S, 3>& v,
+                                        const Vector<S, 3>& w) const {
     using std::cos, std::sin;
     const S across = sin(q[2]), along = cos(q[2]);
     return Vector<S, 1>(S(across * (v[0] + b * w[0]) - along * (v[1] + b * w[1])));
@@ -33,12 +33,12 @@ struct BladeOnSphere {
   double order, b, k, gravity;
 
   template <class S>
-  S potential(const Vector<S, 2>& q) const {
+  [[nodiscard]] S potential(const Vector<S, 2>& q) const {
     using std::cos;
     return gravity * cos(q[0]);
   }
   template <class S>
-  Table<S, 2, 2> metric(const Vector<S, 2>& q) const {
+  [[nodiscard]] Table<S, 2, 2> metric(const Vector<S, 2>& q) const {
     using std::sin;
     const S radius = sin(q[0]), zero = S(0.0 * q[0]);
     Table<S, 2, 2> metric;
@@ -46,8 +46,8 @@ struct BladeOnSphere {
     return metric;
   }
   template <class S>
-  Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& q, const Vector<S, 2>& v,
-                          const Vector<S, 2>& w) const {
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& q, const Vector<S, 2>& v,
+                                        const Vector<S, 2>& w) const {
     using std::sin;
     return Vector<S, 1>(S(sin(q[0]) * (v[1] + b * w[1]) - k * (v[0] + b * w[0])));
   }

@@ -13,13 +13,13 @@ struct PairOfPoints {
   double order, k1, k3, c, b2, c0;
 
   template <class S>
-  S potential(const Vector<S, 2>& q) const {
+  [[nodiscard]] S potential(const Vector<S, 2>& q) const {
     const S x = 0.5 * (q[0] + q[1]), y = 0.5 * (q[0] - q[1]);
     return (k1 + k3 * x * x) * x * y;
   }
   template <class S>
-  Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& /*q*/, const Vector<S, 2>& v,
-                          const Vector<S, 2>& w) const {
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& /*q*/, const Vector<S, 2>& v,
+                                        const Vector<S, 2>& w) const {
     return Vector<S, 1>(S(c * (v[0] + v[1]) + b2 * w[1] - c0));
   }
 };
