@@ -201,23 +201,19 @@ std::vector<double> later_powers(const Case& c) {
       {"fractional_constraint_nonlinear_acceleration", {"adams_pc", "decoupled_multi_order"}, {1.4, 1.6}},
       {"fractional_constraint_nonlinear_stabilised", {"adams_pc", "decoupled_multi_order"}, {1.4, 1.6}},
       {"fractional_constraint_nonlinear_stabilised", {"product_trapezoidal"}, {1.6, 1.8}},
-      {"adams_pc", "decoupled_multi_order"},
-      {1.5, 1.75, 2.0}},
-      {"adams_pc", "decoupled_multi_order"}, {
-    1.5, 1.75, 2.0
+      {"nonlinear_fractional_oscillator_integrated", {"product_trapezoidal"}, {2.5}},
+      {"nonlinear_fractional_oscillator_reduced", {"l1"}, {1.5}},
+      {"nonlinear_fractional_oscillator_multiplier", {"l1"}, {1.5}},
+      {"relaxation_15__graded_15", {"l1"}, {1.5}},
+      {"relaxation_15__graded_25", {"adams_pc"}, {2.5}},
+      {"relaxation_15__graded_40", {"adams_pc"}, {2.5}},
+      {"relaxation_15__graded_40", {"l1"}, {1.5}},
+  };
+  for (const auto& [variant, concerned, powers] : table) {
+    if (variant == c.variant.name && std::ranges::find(concerned, c.scheme->id) != concerned.end())
+      return powers;
   }
-}
-, {"nonlinear_fractional_oscillator_integrated", {"product_trapezoidal"}, {2.5}},
-    {"nonlinear_fractional_oscillator_reduced", {"l1"}, {1.5}},
-    {"nonlinear_fractional_oscillator_multiplier", {"l1"}, {1.5}},
-    {"relaxation_15__graded_15", {"l1"}, {1.5}}, {"relaxation_15__graded_25", {"adams_pc"}, {2.5}},
-    {"relaxation_15__graded_40", {"adams_pc"}, {2.5}}, {"relaxation_15__graded_40", {"l1"}, {1.5}},
-};
-for (const auto& [variant, concerned, powers] : table) {
-  if (variant == c.variant.name && std::ranges::find(concerned, c.scheme->id) != concerned.end())
-    return powers;
-}
-return {};
+  return {};
 }
 
 // The largest error at the end, or over all steps, of 256 ... 4096 steps; finer by a level for each power
