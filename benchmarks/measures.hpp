@@ -12,7 +12,7 @@
 namespace fde {
 
 // One finished run with all that a measure may look at. Rows hold the scene's columns as rows, one column a
-// step of watched_steps.
+// step of watched_steps; truth has none where there is no reference.
 struct Observation {
   const Scene& scene;
   const Scheme& scheme;

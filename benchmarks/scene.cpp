@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "collocation.hpp"
@@ -107,6 +108,7 @@ PosedProblem posed_for_reference(const Scene& scene) {
 
 Exact truth_of(const Scene& scene) {
   if (scene.exact.at) return scene.exact;
+  if (!scene.no_reference.empty()) throw std::runtime_error(scene.no_reference);
   const auto [problem, outputs] = posed_for_reference(scene);
   if (scene.name.empty()) return through(outputs, reference_solution(problem));
   return through(outputs, cached_reference(scene.name, problem, ReferenceCache(cache_folder())));

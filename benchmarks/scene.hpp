@@ -65,6 +65,7 @@ struct Scene {
   Outputs outputs{};
   Exact exact{};                            // of the columns
   std::optional<PosedProblem> reference{};  // the same equations for a reference; empty: the problem itself
+  std::string no_reference{};               // why nothing is known, where nothing is
   Energy energy{};
   Constraint constraint{};
   std::vector<Memory> memories{};  // the columns that the drift evaluates independently
@@ -98,7 +99,8 @@ Vec printed_values(const Scene& scene, double t, In columns);
 PosedProblem posed_for_reference(const Scene& scene);
 
 // What is known about the columns: scene.exact, or for a scene without one the collocation reference, whose
-// bound is an estimate. Computing that takes up to a second, unless it is in the cache_folder().
+// bound is an estimate. Computing that takes up to a second, unless it is in the cache_folder(). Throws
+// std::runtime_error where there is no reference, with the reason.
 Exact truth_of(const Scene& scene);
 
 }  // namespace fde

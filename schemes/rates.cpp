@@ -43,6 +43,30 @@ double smallest_over_powers(double (*contribution)(double g, double p), const Pr
   return rate;
 }
 
+bool is_hidden(const Smoothness& smoothness, std::size_t i) {
+  return std::ranges::find(smoothness.hidden, static_cast<Eigen::Index>(i)) != smoothness.hidden.end();
+}
+
+double smallest_shown_order(const Problem& problem, const Smoothness& smoothness) {
+  double order = exact;
+  for (std::size_t i = 0; i < problem.components.size(); ++i) {
+    if (!is_hidden(smoothness, i)) order = std::min(order, problem.components[i].order);
+  }
+  return order;
+}
+
+// At t_1. What a hidden component is off by there the others see times h^integrated.
+double smallest_at_first_step(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
+                              double integrated) {
+  double rate = exact;
+  for (std::size_t i = 0; i < problem.components.size(); ++i) {
+    const double later = is_hidden(smoothness, i) ? integrated : 0.0;
+    for (const double p : smoothness.powers[i])
+      rate = std::min(rate, later + theory.first_step(problem.components[i].order, p));
+  }
+  return rate;
+}
+
 // Where f jumps at t_m, the steps beside it take its mean value for both sides: off by a constant, h^order at
 // t_(m+1).
 double smallest_at_jumps(const Problem& problem, const Smoothness& smoothness) {
@@ -70,7 +94,8 @@ const RateTheory grunwald_letnikov_theory{[](double) { return 1.0; }, [](double,
 
 double rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness, double grading,
             Norm norm) {
-  const double first_step = grading * smallest_over_powers(theory.first_step, problem, smoothness);
+  const double first_step = grading * smallest_at_first_step(theory, problem, smoothness,
+                                                             smallest_shown_order(problem, smoothness));
   if (norm == Norm::first_step && !two_sided(problem)) return first_step;
   double end = grading * smallest_over_powers(theory.end, problem, smoothness);
   for (const auto& component : problem.components) {
@@ -89,12 +114,13 @@ double split_rate(const RateTheory& theory, const Problem& problem, const Smooth
   const Smoothness starts = split(problem, smoothness, links);
   if (norm == Norm::end) return rate(theory, all, starts, grading, norm);
   Problem seen;
-  Smoothness seen_starts;
+  Smoothness seen_starts{.powers = {}, .hidden = smoothness.hidden};
   for (std::size_t i = 0, first = 0; i < links.size(); first += links[i++].size()) {
     seen.components.push_back(all.components[first]);
     seen_starts.powers.push_back(starts.powers[first]);
   }
-  const double first_step = rate(theory, seen, seen_starts, grading, Norm::first_step);
+  const double first_step =
+      grading * smallest_at_first_step(theory, seen, seen_starts, smallest_shown_order(problem, smoothness));
   if (norm == Norm::first_step) return first_step;
   return std::min(
       {rate(theory, all, starts, grading, Norm::end), first_step, smallest_at_jumps(problem, smoothness)});

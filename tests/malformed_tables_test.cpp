@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
                        "a.csv: line 2, column re: 'e' must be a decimal"},
         MalformedTable{"a.csv", "alpha,beta,re_z,re\n1,1,x,1\n", "a.csv: line 2: mittag_leffler: re z: 'x'"},
         MalformedTable{"a.csv", "alpha,beta,re_z,re\n7,1,1,1\n",
-                       "a.csv: line 2: mittag_leffler: alpha has to be in"},
+                       "a.csv: line 2: mittag_leffler: alpha = 7 has to be in"},
         MalformedTable{"a.csv", "alpha,beta,re_z,re,bound\n1,1,1,1,-1\n",
                        "column bound: -1 must not be negative"},
         MalformedTable{"a.csv", "alpha,re_z,re\n", "a.csv: line 1: column beta is missing"},

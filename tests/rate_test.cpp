@@ -76,6 +76,35 @@ std::vector<Variant> variants() {
     }
   }
   all.push_back({"vakonomic_particle", "vakonomic_particle", {{"mu0", 0.5}}, 2.0});
+  for (const double alpha : {0.25, 0.5, 0.75, 2.25, 2.5, 2.75}) {
+    all.push_back({fmt::format("fractional_constraint_1d_{:.0f}", 100 * alpha),
+                   "fractional_constraint_1d",
+                   {{"alpha", alpha}, {"b", 1.0}},
+                   1.0});
+  }
+  for (const auto& [form, place, alpha] : {std::tuple{"integrated", 0, 0.3},
+                                           {"integrated", 0, 0.6},
+                                           {"acceleration", 1, 0.6},
+                                           {"multiplier", 3, 0.6}}) {
+    for (const auto& [surface, which] : {std::pair{"plane", 0}, {"sphere", 1}}) {
+      const std::map<std::string, double> values{
+          {"alpha", alpha}, {"surface", which}, {"formulation", place}};
+      all.push_back({fmt::format("fractional_knife_edge_{}_{}_{:.0f}", surface, form, 10 * alpha),
+                     "fractional_knife_edge", values, 1.0});
+    }
+  }
+  for (const auto& [form, place] : {std::pair{"acceleration", 0}, {"stabilised", 1}, {"multiplier", 2}}) {
+    all.push_back({fmt::format("fractional_constraint_nonlinear_{}", form),
+                   "fractional_constraint_nonlinear",
+                   {{"formulation", place}, {"kappa", 2.0}},
+                   1.0});
+  }
+  for (const auto& [form, place] : {std::pair{"reduced", 0}, {"integrated", 1}, {"multiplier", 2}}) {
+    all.push_back({fmt::format("nonlinear_fractional_oscillator_{}", form),
+                   "nonlinear_fractional_oscillator",
+                   {{"form", place}},
+                   2.0});
+  }
   return all;
 }
 
@@ -181,7 +210,16 @@ std::vector<double> later_powers(const Case& c) {
       {"power_17", {"decoupled_multi_order"}, {2.0, 2.7}},
       {"fractional_oscillator_13", {"adams_pc"}, {2.3}},
       {"fractional_constraint_2d_2_integrated", {"product_trapezoidal"}, {2.0}},
+      {"fractional_constraint_2d_15_integrated", {"product_trapezoidal"}, {2.5}},
       {"fractional_constraint_2d_3_stabilised", {"product_trapezoidal"}, {1.7, 2.0}},
+      {"fractional_constraint_1d_250", {"adams_pc", "decoupled_multi_order"}, {2.0}},
+      {"fractional_constraint_1d_275", {"adams_pc", "decoupled_multi_order"}, {2.0}},
+      {"fractional_constraint_nonlinear_acceleration", {"adams_pc", "decoupled_multi_order"}, {1.4, 1.6}},
+      {"fractional_constraint_nonlinear_stabilised", {"adams_pc", "decoupled_multi_order"}, {1.4, 1.6}},
+      {"fractional_constraint_nonlinear_stabilised", {"product_trapezoidal"}, {1.6, 1.8}},
+      {"nonlinear_fractional_oscillator_integrated", {"product_trapezoidal"}, {2.5}},
+      {"nonlinear_fractional_oscillator_reduced", {"l1"}, {1.5}},
+      {"nonlinear_fractional_oscillator_multiplier", {"l1"}, {1.5}},
       {"relaxation_15__graded_15", {"l1"}, {1.5}},
       {"relaxation_15__graded_25", {"adams_pc"}, {2.5}},
       {"relaxation_15__graded_40", {"adams_pc"}, {2.5}},

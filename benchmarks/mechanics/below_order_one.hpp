@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "linear_smoothness.hpp"
 #include "motion.hpp"
@@ -11,14 +12,18 @@
 namespace fde::mechanics {
 
 // The part of v' that w' = D^alpha v + t^-alpha / Gamma(1-alpha) v(0) (Tarasov & Zaslavsky 23) makes
-// unbounded at 0: direction t^-alpha / Gamma(1-alpha), taken at t = 0.
+// unbounded at 0: direction t^-alpha / Gamma(1-alpha), taken at t = 0. What is rounding of (df/dw) v(0) is 0.
 template <class System>
 Vector<double, System::coordinates> singular_direction(const System& system,
                                                        const Motion<System::coordinates>& start) {
   const Vector<double, System::coordinates> none = Vector<double, System::coordinates>::Zero();
   const auto rates = constraint_rates<double>(system, 0.0, start.q, start.v, none);
-  return Reaction<double, System>(system, start.q, rates)
-      .answer(Vector<double, System::constraints>(rates.memory * start.v));
+  Vector<double, System::constraints> moved = rates.memory * start.v;
+  const Vector<double, System::constraints> size = rates.memory.cwiseAbs() * start.v.cwiseAbs();
+  for (int i = 0; i < System::constraints; ++i) {
+    if (std::abs(moved[i]) <= 4.0 * std::numeric_limits<double>::epsilon() * size[i]) moved[i] = 0.0;
+  }
+  return Reaction<double, System>(system, start.q, rates).answer(moved);
 }
 
 // q' = v, D^alpha v = s, D^(1-alpha) s = v' = free acceleration + reaction to df/dt + kappa f = 0: equations

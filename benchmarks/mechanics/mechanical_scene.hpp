@@ -9,6 +9,7 @@
 #include "formulation.hpp"
 #include "posed.hpp"
 #include "scene.hpp"
+#include "start_powers.hpp"
 #include "whole_order.hpp"
 
 namespace fde::mechanics {
@@ -22,6 +23,7 @@ struct Setting {
   double end = 10.0;
   bool linear = false;                              // all equations are linear in q, v, w
   Formulation reference = Formulation::integrated;  // the form that a reference is computed of
+  std::string no_reference{};                       // why there is none, where there is none
 };
 
 // How the parameters ask for the equations.
@@ -38,46 +40,93 @@ inline Asked asked_of(const Parameters& parameters, const std::vector<Formulatio
 template <class System>
 concept ConstantCoefficients = HasMemory<System> && System::constant;
 
+template <class System>
+ReactionStart reaction_start(const System& system, const Motion<System::coordinates>& start) {
+  if (singular_direction(system, start).isZero(0.0)) return ReactionStart::regular;
+  const Vector<double, System::coordinates> none = Vector<double, System::coordinates>::Zero();
+  const auto before = constraint_rates<double>(system, 0.0, start.q, start.v, none),
+             after = constraint_rates<double>(system, 0.0, start.q, start.v, start.v);  // w is along v(0)
+  return before.reaction == after.reaction ? ReactionStart::singular : ReactionStart::singular_and_turning;
+}
+
+// 0 < order < 1.
+template <class System>
+PosedMechanics posed_below_one(const Setting<System>& of, Formulation formulation, double kappa) {
+  constexpr int n = System::coordinates;
+  const auto& [system, start, names, end, linear, reference, unknown] = of;
+  const ReactionStart reaction = reaction_start(system, start);
+  const MotionPowers powers = powers_below_one(system.order, !start.v.isZero(0.0), reaction);
+  const IntegratedBelowOne<System> integrated{system, start};
+  const Smoothness starts =
+      linear ? pose(integrated, end, true).smoothness : integrated_start(powers, system.order, n);
+  if (formulation == Formulation::multiplier)
+    return with_multipliers(pose(MultiplierBelowOne<System>{system, start}, end, false), starts);
+  if (formulation == Formulation::integrated) {
+    auto form = pose(integrated, end, linear);
+    form.smoothness = starts;
+    return form;
+  }
+  const AccelerationBelowOne<System> acceleration{system, start, kappa};
+  if (!acceleration.posed()) reject_singular(system.order);
+  auto form = pose(acceleration, end, linear);
+  if (!linear)
+    form.smoothness = acceleration_start(powers, system.order, n, reaction != ReactionStart::regular);
+  for (int i = 2 * n; i < 3 * n; ++i) form.smoothness.hidden.push_back(i);  // D^alpha v
+  return form;
+}
+
+// 1 < order < 2.
+template <ConstantCoefficients System>
+PosedMechanics posed_above_one(const Setting<System>& of, Formulation formulation) {
+  constexpr int n = System::coordinates;
+  const auto& [system, start, names, end, linear, reference, unknown] = of;
+  const IntegratedAboveOne<System> integrated{system, start};
+  if (formulation != Formulation::integrated && formulation != Formulation::multiplier)
+    reject_above_one(system.order);
+  const bool multiplied = formulation == Formulation::multiplier;
+  if (!integrated.posed()) {
+    if (!multiplied) reject_unaligned(system.order);
+    return pose(MultiplierAboveOne<System>{system, start}, end, false);
+  }
+  auto form = pose(integrated, end, linear);
+  if (!linear) {
+    form.smoothness =
+        integrated_start_above_one(powers_above_one(system.order, !start.v.isZero(0.0)), system.order, n);
+  }
+  if (!multiplied) return form;
+  return with_multipliers_above_one(pose(MultiplierAboveOne<System>{system, start}, end, false),
+                                    form.smoothness);
+}
+
 // The equations of the setting in one form. Throws std::invalid_argument where that form is not well posed.
 template <class System>
 PosedMechanics posed(const Setting<System>& of, const Asked& asked) {
-  const auto& [system, start, names, end, linear, reference] = of;
+  const auto& [system, start, names, end, linear, reference, unknown] = of;
   const bool stabilised = asked.formulation == Formulation::stabilised;
   const bool accelerated = stabilised || asked.formulation == Formulation::acceleration;
   const bool multiplied = asked.formulation == Formulation::multiplier;
   const double kappa = stabilised ? asked.kappa : 0.0;
   if constexpr (HasMemory<System>) {
-    if (system.order < 1.0) {
-      const IntegratedBelowOne<System> integrated{system, start};
-      if (multiplied) {
-        return with_multipliers(pose(MultiplierBelowOne<System>{system, start}, end, false),
-                                pose(integrated, end, linear));
-      }
-      if (!accelerated) return pose(integrated, end, linear);
-      const AccelerationBelowOne<System> acceleration{system, start, kappa};
-      if (!acceleration.posed()) reject_singular(system.order);
-      return pose(acceleration, end, linear);
-    }
+    if (system.order < 1.0) return posed_below_one(of, asked.formulation, kappa);
     if constexpr (ConstantCoefficients<System>) {
-      if (system.order > 1.0) {
-        const IntegratedAboveOne<System> integrated{system, start};
-        if (accelerated) reject_above_one(system.order);
-        if (multiplied) {
-          auto form = pose(MultiplierAboveOne<System>{system, start}, end, false);
-          return integrated.posed()
-                     ? with_multipliers_above_one(std::move(form), pose(integrated, end, linear))
-                     : form;
-        }
-        if (!integrated.posed()) reject_unaligned(system.order);
-        return pose(integrated, end, linear);
-      }
+      if (system.order > 1.0) return posed_above_one(of, asked.formulation);
     }
   }
   auto acceleration = pose(WholeAcceleration<System>{system, start, kappa}, end, linear);
   if (multiplied)
-    return with_multipliers(pose(WholeMultiplier<System>{system, start}, end, false), acceleration);
+    return with_multipliers(pose(WholeMultiplier<System>{system, start}, end, false),
+                            acceleration.smoothness);
   if (accelerated) return acceleration;
   return pose(WholeIntegrated<System>{system, start}, end, linear);
+}
+
+// Whether the form of the reference is well posed.
+template <class System>
+bool has_reference_form([[maybe_unused]] const Setting<System>& of) {
+  if constexpr (ConstantCoefficients<System>) {
+    if (of.system.order > 1.0) return IntegratedAboveOne<System>{of.system, of.start}.posed();
+  }
+  return true;
 }
 
 // 1/2 v'G v + u.
@@ -139,8 +188,9 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   scene.problem = std::move(form.problem);
   scene.smoothness = std::move(form.smoothness);
   scene.outputs = {names, std::move(form.columns)};
+  scene.no_reference = of.no_reference;
   auto powers = scene.smoothness.powers;
-  if (asked.formulation != of.reference) {
+  if (of.no_reference.empty() && asked.formulation != of.reference && has_reference_form(of)) {
     auto reference = posed(of, {of.reference});
     powers = reference.smoothness.powers;  // the solution is the same
     scene.reference = {std::move(reference.problem), {names, std::move(reference.columns)}};

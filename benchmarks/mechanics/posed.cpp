@@ -44,14 +44,14 @@ Smoothness nonlinear_start(const std::vector<Component>& components) {
   return smoothness;
 }
 
-PosedMechanics with_multipliers(PosedMechanics form, const PosedMechanics& other) {
-  form.smoothness = other.smoothness;
+PosedMechanics with_multipliers(PosedMechanics form, const Smoothness& other) {
+  form.smoothness = other;
   form.smoothness.powers.resize(form.problem.components.size());
   return form;
 }
 
-PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechanics& integrated) {
-  const auto& of = integrated.smoothness.powers;  // q, z, b.v, free part of w
+PosedMechanics with_multipliers_above_one(PosedMechanics form, const Smoothness& integrated) {
+  const auto& of = integrated.powers;  // q, z, b.v, free part of w
   const std::size_t n = of.size() / 3;
   form.smoothness.powers.assign(form.problem.components.size(), {});
   for (std::size_t i = 0; i < n; ++i) {

@@ -27,10 +27,10 @@ Smoothness nonlinear_start(const std::vector<Component>& components);
 
 // The form with multipliers has the rows of another one and integrates no more than these; the multipliers
 // are behind all.
-PosedMechanics with_multipliers(PosedMechanics form, const PosedMechanics& other);
+PosedMechanics with_multipliers(PosedMechanics form, const Smoothness& other);
 
 // The same above order 1, where v itself is integrated: with the powers of its free part and of b.v.
-PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechanics& integrated);
+PosedMechanics with_multipliers_above_one(PosedMechanics form, const Smoothness& integrated);
 
 // Of the derivative of what starts with these powers, the constant apart.
 std::vector<double> powers_of_derivative(const std::vector<double>& powers);

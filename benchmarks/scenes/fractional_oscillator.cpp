@@ -5,10 +5,12 @@ namespace fde {
 
 // D^nu q + w2 q = c0 + c1 t, 1 < nu <= 2. The load of Tarasov & Zaslavsky's (49), nu = alpha - 1, is
 // q''(0) t^(3-alpha)/Gamma(4-alpha) + w2 (q(0) + q'(0) t): the printed one has q(0) where q''(0) belongs.
+// fractional_constraint_1d has that load. Without one q is q(0) E_nu(-w2 t^nu) + q'(0) t E_{nu,2}(-w2 t^nu),
+// (51) to (53) with nu for alpha; the convolution with the load in (50) and (54) lacks a factor 1/w2 there.
 SceneMaker fractional_oscillator() {
   return {.id = "fractional_oscillator",
           .title = "Fractional oscillator",
-          .source = "Tarasov & Zaslavsky 2006, eq. 49 (corrected)",
+          .source = "Tarasov & Zaslavsky 2006, eqs 49-54 (corrected)",
           .parameters = {{"nu", 1.5, {.low = 1.0, .high = 2.0, .open_low = true}, "order"},
                          {"w2", 1.0, any_number, "square of the frequency"},
                          {"q0", 1.0, any_number, "q(0)"},

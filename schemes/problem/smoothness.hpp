@@ -14,7 +14,9 @@ namespace fde {
 // integrates, projected off the reaction: the constraint determines the rest.
 struct Smoothness {
   std::vector<std::vector<double>> powers{};
-  std::vector<Eigen::Index> jumps{};  // components whose right-hand side jumps later, at a time of the grid
+  std::vector<Eigen::Index> jumps{};   // components whose right-hand side jumps later, at a time of the grid
+  std::vector<Eigen::Index> hidden{};  // components that nobody looks at: what they cost in the first steps
+                                       // shows in the others only, after these have integrated it
 };
 
 // Orders and powers closer than this are the same: sums of increments such as 0.1 do not meet exactly.
