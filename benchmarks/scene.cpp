@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "collocation.hpp"
@@ -108,6 +109,7 @@ PosedProblem posed_for_reference(const Scene& scene) {
 Exact truth_of(const Scene& scene) {
   if (scene.exact.at) return scene.exact;
   const auto [problem, outputs] = posed_for_reference(scene);
+  if (two_sided(problem)) throw std::runtime_error("the references step from the left, this scene cannot");
   if (scene.name.empty()) return through(outputs, reference_solution(problem));
   return through(outputs, cached_reference(scene.name, problem, ReferenceCache(cache_folder())));
 }

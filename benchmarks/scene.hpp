@@ -96,7 +96,8 @@ Vec printed_values(const Scene& scene, double t, In columns);
 PosedProblem posed_for_reference(const Scene& scene);
 
 // What is known about the columns: scene.exact, or for a scene without one the collocation reference, whose
-// bound is an estimate. Computing that takes up to a second, unless it is in the cache_folder().
+// bound is an estimate. Computing that takes up to a second, unless it is in the cache_folder(). Throws
+// std::runtime_error for a two-sided scene without one: there is no reference for these.
 Exact truth_of(const Scene& scene);
 
 }  // namespace fde
