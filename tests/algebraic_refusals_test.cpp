@@ -33,7 +33,7 @@ TEST(AlgebraicRefusals, ReferencesRefuseNamingComponentAndOrder) {
   };
   refuses([] { reference_table(decay_through(0.5)); });
   refuses([] { diffusive_solution(decay_through(0.5)); });
-  EXPECT_THAT([] { linear_smoothness(decay_through(0.5).components, Matrix::Ones(2, 2), Vec::Zero(2)); },
+  EXPECT_THAT([] { linear_smoothness(decay_through(0.5).components, Matrix::Ones(2, 2)); },
               testing::ThrowsMessage<std::invalid_argument>(HasSubstr("component 0 has order 0")));
 }
 

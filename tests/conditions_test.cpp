@@ -151,7 +151,7 @@ TEST(Refusal, TwoSidedProblems) {
 
 TEST(Refusal, ReferencesAndSeriesOfRightRows) {
   const std::vector<Component> components{{0.5, {1.0}, Side::right}};
-  EXPECT_THROW(linear_smoothness(components, -Matrix::Ones(1, 1), Vec::Zero(1)), std::invalid_argument);
+  EXPECT_THROW(linear_smoothness(components, -Matrix::Ones(1, 1)), std::invalid_argument);
   const Problem problem{.components = components, .rhs = [](double, In y, Out f) { f = -y; }};
   EXPECT_THROW(reference_table(problem), std::invalid_argument);
 }
