@@ -108,7 +108,7 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
   if (const auto reason = refusal(scheme, scene.problem, grid))
     return {{outcome(0.0, "refused: " + *reason)}};
   EnergyBalance balance(scene.energy);
-  if (scene.energy)
+  if (scene.energy.power)
     options.watch = [&](int n, In y) {
       balance.see(grid.time(n), columns_at(scene.outputs, grid.time(n), y));
     };
