@@ -40,8 +40,9 @@ LinearSystem checked(LinearSystem system) {
   require(system.loads.size() == size, "there have to be no loads, or a list of them for each order");
   for (std::size_t i = 0; i < size; ++i) {
     require(system.orders[i] >= 0.0 && std::isfinite(system.orders[i]), "orders have to be 0 or above");
-    require(system.initial[i].size() >= initial_count(system.orders[i]), "an initial value is missing");
-    system.initial[i].resize(initial_count(system.orders[i]));
+    const std::size_t count = system.orders[i] == 0.0 ? 0 : initial_count(system.orders[i]);
+    require(system.initial[i].size() >= count, "an initial value is missing");
+    system.initial[i].resize(count);
     require(std::ranges::all_of(system.initial[i], [](double value) { return std::isfinite(value); }),
             "initial values have to be finite");
     for (const auto& load : system.loads[i]) require(!fault_of(load), fault_of(load).value_or(""));

@@ -55,9 +55,12 @@ std::vector<Variant> variants() {
                                             {5, "integrated", 0},
                                             {7, "integrated", 0},
                                             {3, "acceleration", 1},
-                                            {3, "stabilised", 2}}) {
-    const std::map<std::string, double> values{
-        {"alpha", tenths / 10.0}, {"formulation", place}, {"kappa", 2.0}};
+                                            {3, "stabilised", 2},
+                                            {7, "multiplier", 3},
+                                            {15, "integrated", 0},
+                                            {15, "multiplier", 3}}) {
+    std::map<std::string, double> values{{"alpha", tenths / 10.0}, {"formulation", place}, {"kappa", 2.0}};
+    if (tenths > 10) values["b2"] = 0.3;  // a.b > 0: no mode grows
     all.push_back({fmt::format("fractional_constraint_2d_{}_{}", tenths, form), "fractional_constraint_2d",
                    values, 1.0});
   }

@@ -8,7 +8,8 @@ namespace {
 
 using namespace mechanics;
 
-// u = (k1 q1^2 + k2 q2^2)/2 + g q2; f = a.v + b.w - C0 with C0 = a.v(0), which the motion keeps.
+// u = (k1 q1^2 + k2 q2^2)/2 + g q2; f = a.v + b.w - C0, which the motion keeps: C0 = a.v(0), at alpha = 1,
+// where w(0) = v(0), (a + b).v(0). As alpha tends to 1 the first is reached by a jump of v at 0.
 struct LinearConstraint {
   static constexpr int coordinates = 2, constraints = 1;
   static constexpr bool constant = true;
@@ -25,40 +26,43 @@ struct LinearConstraint {
   }
 };
 
-// The form with a multiplier, as rows of orders 0 to 1 whose coefficients are the parameters themselves, so
-// that they are taken at their word to any number of digits: q, v, w, lambda, and e' = 0, e(0) = v(0) in
-// C0 = a.e. For alpha > 1 D^(alpha-1) v = w and D^(2-alpha) w = v'.
-LinearSystem system_of(const Parameters& p) {
-  enum : Eigen::Index { q = 0, v = 2, w = 4, lambda = 6, e = 7, size = 9 };
-  const double alpha = p["alpha"];
-  const bool above = alpha > 1.0;
-  const std::array a{p["a1"], p["a2"]}, b{p["b1"], p["b2"]}, k{p["k1"], p["k2"]}, place{p["q1"], p["q2"]},
-      velocity{p["v1"], p["v2"]};
+// The form with a multiplier in rows whose orders and coefficients are the parameters themselves, so that
+// they are taken at their word to any number of digits: p = q as a row of order alpha gives D^alpha p = w,
+// and e' = 0 with e(0) = v(0) gives C0 = a.e.
+LinearSystem system_of(const Parameters& parameters) {
+  enum : Eigen::Index { q = 0, v = 2, w = 4, lambda = 6, p = 7, e = 9, size = 11 };
+  const auto pair = [&](std::string_view first, std::string_view second) {
+    return std::array{parameters[first], parameters[second]};
+  };
+  const auto a = pair("a1", "a2"), b = pair("b1", "b2"), k = pair("k1", "k2"), place = pair("q1", "q2"),
+             velocity = pair("v1", "v2");
+  const bool starts_with_memory = parameters["alpha"] == 1.0;  // w(0) = v(0), otherwise w(0) = 0
   LinearSystem system{.orders = std::vector<double>(size, 1.0),
-                      .initial = std::vector<std::vector<double>>(size, {0.0}),
+                      .initial = std::vector<std::vector<double>>(size),
                       .matrix = Matrix::Zero(size, size),
                       .loads = std::vector<std::vector<Load>>(size),
                       .outputs = {0, 1, 2, 3, 4, 5}};
-  const auto driven = above ? w : v;  // whose derivative is v', of order 2 - alpha or 1
   for (std::size_t i = 0; i < 2; ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     system.matrix(q + at, v + at) = 1.0;
-    system.matrix(above ? v + at : w + at, above ? w + at : v + at) = 1.0;
-    system.matrix(driven + at, q + at) = -k[i];
-    system.matrix(driven + at, lambda) = a[i];
+    system.matrix(v + at, q + at) = -k[i];
+    system.matrix(v + at, lambda) = a[i];
+    system.matrix(p + at, w + at) = 1.0;
+    system.matrix(w + at, w + at) = 1.0;
+    system.matrix(w + at, p + at) = 1.0;
+    system.matrix(w + at, q + at) = -1.0;
     system.matrix(lambda, v + at) = a[i];
     system.matrix(lambda, w + at) = b[i];
-    system.matrix(lambda, e + at) = -a[i];
-    system.orders[v + i] = above ? alpha - 1.0 : 1.0;
-    system.orders[w + i] = above ? 2.0 - alpha : 1.0 - alpha;
+    system.matrix(lambda, e + at) = -(a[i] + (starts_with_memory ? b[i] : 0.0));
+    system.orders[w + i] = 0.0;
+    system.orders[p + i] = parameters["alpha"];
     system.initial[q + i] = {place[i]};
+    system.initial[p + i] = {place[i], velocity[i]};
     system.initial[v + i] = system.initial[e + i] = {velocity[i]};
-    if (alpha == 1.0) system.initial[w + i] = {};
   }
   system.matrix(lambda, lambda) = 1.0;
   system.orders[lambda] = 0.0;
-  system.initial[lambda] = {};
-  system.loads[static_cast<std::size_t>(driven) + 1] = {{-p["g"]}};
+  system.loads[v + 1] = {{-parameters["g"]}};
   return system;
 }
 
@@ -90,9 +94,10 @@ SceneMaker fractional_constraint_2d() {
           .parameters = parameters,
           .make = [](const Parameters& p) -> Scene {
             if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
+            const double memory = p["alpha"] == 1.0 ? 1.0 : 0.0;  // w(0) = memory v(0)
+            const double c0 = (p["a1"] + memory * p["b1"]) * p["v1"] + (p["a2"] + memory * p["b2"]) * p["v2"];
             const Setting<LinearConstraint> setting{
-                .system = {p["alpha"], p["a1"], p["a2"], p["b1"], p["b2"], p["k1"], p["k2"], p["g"],
-                           p["a1"] * p["v1"] + p["a2"] * p["v2"]},
+                .system = {p["alpha"], p["a1"], p["a2"], p["b1"], p["b2"], p["k1"], p["k2"], p["g"], c0},
                 .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
                 .coordinates = {"q1", "q2"},
                 .end = 10.0,

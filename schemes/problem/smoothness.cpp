@@ -1,22 +1,24 @@
 #include "smoothness.hpp"
 
-#include <algorithm>
+#include <set>
 #include <utility>
 
 namespace fde {
 
 std::vector<double> power_closure(std::vector<double> start, double last,
                                   const std::function<std::vector<double>(double p)>& next) {
-  std::vector<double> powers, open = std::move(start);
+  constexpr double distinct = 1e-5;  // next to a whole order the powers are dense
+  std::set<double> powers;
+  std::vector<double> open = std::move(start);
   while (!open.empty()) {
     const double p = open.back();
     open.pop_back();
-    if (p > last || std::ranges::any_of(powers, [=](double q) { return same_order(p, q); })) continue;
-    powers.push_back(p);
+    const auto near = powers.lower_bound(p - distinct);
+    if (p > last || (near != powers.end() && *near < p + distinct)) continue;
+    powers.insert(p);
     for (const double following : next(p)) open.push_back(following);
   }
-  std::ranges::sort(powers);
-  return powers;
+  return {powers.begin(), powers.end()};
 }
 
 std::vector<double> power_lattice(const std::vector<double>& start, const std::vector<double>& steps,

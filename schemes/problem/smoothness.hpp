@@ -22,7 +22,7 @@ inline bool same_order(double a, double b) { return std::abs(a - b) < 1e-9; }
 inline bool whole(double order) { return same_order(order, std::round(order)); }
 
 // All powers up to last that start with the given ones and lead to others: next(p) are those that p leads to.
-// In increasing order, each once.
+// In increasing order, each once: those closer than 1e-5 count as one.
 std::vector<double> power_closure(std::vector<double> start, double last,
                                   const std::function<std::vector<double>(double p)>& next);
 
