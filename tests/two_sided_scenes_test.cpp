@@ -82,9 +82,8 @@ TEST_P(MadeScene, HasTheDerivativesOfItsMotion) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, MadeScene,
-                         testing::Values(Made{"two_sided_constraint", 0.2}, Made{"two_sided_constraint", 0.5},
-                                         Made{"two_sided_constraint", 0.8}, Made{"fractional_hamilton", 0.2},
-                                         Made{"fractional_hamilton", 0.5}, Made{"fractional_hamilton", 0.8}),
+                         testing::Values(Made{"two_sided_constraint", 0.3}, Made{"two_sided_constraint", 0.8},
+                                         Made{"fractional_hamilton", 0.3}, Made{"fractional_hamilton", 0.8}),
                          [](const auto& test) {
                            return fmt::format("{}_{:.0f}", test.param.scene, 10 * test.param.alpha);
                          });
@@ -164,10 +163,9 @@ TEST(FractionalExtremum, WithASpringIsTheDenseMinimum) {
       return (dense_minimum(alpha, k, cells, {0.25, 0.5, 0.75}) - y).cwiseAbs().maxCoeff();
     };
     const double coarse = off(100), fine = off(400);
-    std::printf("%g %g: %.3e %.3e\n", alpha, k, coarse, fine);
     EXPECT_LT(fine, 1e-5);
     EXPECT_LT(fine, coarse / 3.0);
-    // Without the spring, and with one that pushes, y is far from that.
+    // Without the spring y is far from that.
     const Scene free = scene_of("fractional_extremum", {{"alpha", alpha}});
     EXPECT_GT(std::abs(free.exact.at(0.5).value[0] - y[1]), 0.1);
   }
