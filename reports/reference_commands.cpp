@@ -52,15 +52,20 @@ void exact(const ExactArguments& arguments, const Streams& streams) {
   const auto& maker = scene_named(arguments.scene);
   Scene scene = make_scene(maker, parse_settings(maker, arguments.settings));
   const auto times = parse_numbers("--at", arguments.at, not_negative);
+  const double last = std::ranges::max(times);
+  const bool two_ends = two_sided(scene.problem);
+  if (two_ends && last > scene.problem.end)
+    reject("--at", last, fmt::format("in [0, {}], the time of the scene", scene.problem.end));
   if (!arguments.digits) {
-    scene.problem.end = std::ranges::max(times) > 0.0 ? std::ranges::max(times) : scene.problem.end;
+    if (!two_ends && last > 0.0) scene.problem.end = last;
     print_doubles(scene, truth_of(scene), times, streams.out);
     return;
   }
   const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);
   if (!scene.exact.digits) {
-    throw std::invalid_argument(fmt::format(
-        "--digits = {}: scene {} has no exact solution, only a reference in double", digits, maker.id));
+    throw std::invalid_argument(
+        fmt::format("--digits = {}: scene {} has no exact solution in digits, only what is known in double",
+                    digits, maker.id));
   }
   print_digits(scene, times, digits, streams.out);
 }

@@ -133,6 +133,12 @@ TEST(Exact, TakesDecimalsAtTheirWord) {
               HasSubstr("6303.526028522351357"));
 }
 
+TEST(Exact, OfATwoSidedSceneWithoutOneIsAFailure) {
+  const auto answer = fdebench("exact fractional_extremum --set k=1 --at 0.5");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_EQ(answer.err, "fdebench: the references step from the left, this scene cannot\n");
+}
+
 TEST(Exact, BeyondDoubleIsANumericalFailure) {
   const auto answer = fdebench("exact relaxation --set lambda=10 --at 50");
   EXPECT_EQ(answer.code, 3);
@@ -229,6 +235,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "solve relaxation --scheme l1 --steps 1000 --grid graded:5 --at 3e-14",
             "--at = 3e-14: must be a time of the grid: its neighbours are 1.0000000000000001e-15 and 3.2"},
+        Mistake{"solve fractional_hamilton --scheme product_trapezoidal --steps 8 --until 5",
+                "--until = 5: must be 2: scene fractional_hamilton is posed at both ends"},
+        Mistake{"solve fractional_extremum --scheme l1 --steps 8",
+                "l1 steps from the left: component 1 has a right derivative"},
+        Mistake{"exact fractional_extremum --at 0.5,2", "--at = 2: must be in [0, 1], the time of the scene"},
+        Mistake{"exact two_sided_constraint --at 1 --digits 40", "has no exact solution in digits"},
         Mistake{"solve relaxation --scheme l1 --steps 20000000", "--at is needed beyond 10000000 steps"},
         Mistake{"solve relaxation --scheme l1 --steps 8 --grid curved",
                 "--grid = curved: must be uniform or graded:R"},

@@ -21,7 +21,8 @@ std::vector<const SceneMaker*> scenes_with(bool (*capability)(const Scene&)) {
 }
 
 bool any(const Scene& /*scene*/) { return true; }
-bool exact_solution(const Scene& scene) { return static_cast<bool>(scene.exact.at); }
+// Right rows have their initial values at the end: what they are at t = 0 is for a scheme to find.
+bool exact_start(const Scene& scene) { return scene.exact.at && !two_sided(scene.problem); }
 bool derivatives(const Scene& scene) { return scene.problem.jacobian || scene.problem.linear_part; }
 bool power(const Scene& scene) { return static_cast<bool>(scene.energy.power); }
 
@@ -48,7 +49,7 @@ class EveryScene : public testing::TestWithParam<const SceneMaker*> {
   }
 };
 
-class SceneWithExactSolution : public EveryScene {};
+class SceneWithExactStart : public EveryScene {};
 class SceneWithDerivatives : public EveryScene {};
 class SceneWithEnergy : public EveryScene {};
 
@@ -70,7 +71,12 @@ TEST_P(EveryScene, HasConsistentShapes) {
     EXPECT_EQ(scene_.outputs.names.size(), size);
   }
   for (const auto& component : scene_.problem.components) {
-    EXPECT_EQ(component.initial.size(), initial_count(component.order));
+    const auto count = initial_count(component.order);
+    if (scene_.problem.conditions) {
+      EXPECT_LE(component.initial.size(), count);
+    } else {
+      EXPECT_EQ(component.initial.size(), count);
+    }
   }
 }
 
@@ -90,7 +96,7 @@ TEST_P(SceneWithDerivatives, HasThoseOfTheRightHandSide) {
   }
 }
 
-TEST_P(SceneWithExactSolution, StartsThere) {
+TEST_P(SceneWithExactStart, StartsThere) {
   EXPECT_LT((scene_.exact.at(0.0).value - columns_at(scene_.outputs, 0.0, taylor_part(scene_.problem, 0.0)))
                 .cwiseAbs()
                 .maxCoeff(),
@@ -121,8 +127,7 @@ TEST_P(SceneWithEnergy, ItsPowerIsTheRateOfEnergy) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, EveryScene, testing::ValuesIn(scenes_with(any)), id_of_param);
-INSTANTIATE_TEST_SUITE_P(, SceneWithExactSolution, testing::ValuesIn(scenes_with(exact_solution)),
-                         id_of_param);
+INSTANTIATE_TEST_SUITE_P(, SceneWithExactStart, testing::ValuesIn(scenes_with(exact_start)), id_of_param);
 INSTANTIATE_TEST_SUITE_P(, SceneWithDerivatives, testing::ValuesIn(scenes_with(derivatives)), id_of_param);
 INSTANTIATE_TEST_SUITE_P(, SceneWithEnergy, testing::ValuesIn(scenes_with(power)), id_of_param);
 
