@@ -110,7 +110,6 @@ Exact truth_of(const Scene& scene) {
   if (scene.exact.at) return scene.exact;
   if (!scene.no_reference.empty()) throw std::runtime_error(scene.no_reference);
   const auto [problem, outputs] = posed_for_reference(scene);
-  if (two_sided(problem)) throw std::runtime_error("the references step from the left, this scene cannot");
   if (scene.name.empty()) return through(outputs, reference_solution(problem));
   return through(outputs, cached_reference(scene.name, problem, ReferenceCache(cache_folder())));
 }

@@ -73,7 +73,11 @@ SceneMaker fractional_extremum() {
             .outputs = {{"y"}, [=](double t, In y, Out columns) {
                           columns[0] = y[2] * singular_part(alpha, t) + y[0];
                         }}};
-        if (k == 0.0) scene.exact = extremum(alpha);
+        if (k == 0.0) {
+          scene.exact = extremum(alpha);
+        } else {
+          scene.no_reference = "with a spring no closed form is known, and the references step from the left";
+        }
         return scene;
       }};
 }
