@@ -124,13 +124,20 @@ std::vector<SceneVariant> default_scenes() {
 
 std::vector<SceneVariant> sweep_scenes() {
   auto variants = default_scenes();
-  for (const auto* text :
-       {"fractional_constraint_2d:formulation=multiplier", "fractional_constraint_2d:alpha=0.3",
-        "fractional_constraint_2d:alpha=0.3,formulation=acceleration",
-        "fractional_constraint_2d:alpha=0.3,formulation=stabilised",
-        "fractional_constraint_2d:alpha=0.3,formulation=multiplier"}) {
-    variants.push_back(parse_variant(text));
-  }
+  const auto add = [&](std::string_view scene, const std::vector<std::string_view>& settings) {
+    for (const auto setting : settings)
+      variants.push_back(parse_variant(fmt::format("{}:{}", scene, setting)));
+  };
+  const std::vector<std::string_view> others{"formulation=acceleration", "formulation=stabilised",
+                                             "formulation=multiplier"};
+  add("fractional_constraint_2d",
+      {"formulation=multiplier", "alpha=0.3", "alpha=0.3,formulation=acceleration",
+       "alpha=0.3,formulation=stabilised", "alpha=0.3,formulation=multiplier"});
+  for (const auto* scene : {"nonholonomic_particle", "knife_edge", "loxodrome", "fractional_knife_edge"})
+    add(scene, others);
+  for (const auto* scene : {"isokinetic", "fractional_constraint_nonlinear"})
+    add(scene, {"formulation=stabilised", "formulation=multiplier"});
+  add("nonlinear_fractional_oscillator", {"form=integrated", "form=multiplier"});
   return variants;
 }
 

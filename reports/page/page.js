@@ -68,13 +68,23 @@ function drawCharts(scene, lines, frame) {
   }
 }
 
+let linked = "";
+
+// A variant of the scene before it is linked by what it varies only.
+function link(section) {
+  const variant = linked && section.title.startsWith(`${linked} (`);
+  const text = variant ? section.title.slice(linked.length + 1) : section.title;
+  if (!variant) linked = section.title;
+  document.querySelector("nav").append(element("a", { href: `#${section.id}` }, text));
+}
+
 function show(section, lines) {
   const heading = element("h2", {}, section.title);
   if (section.name) heading.append(" ", element("code", {}, section.name));
   const shown = element("section", { id: section.id }, heading, ...section.paragraphs.map((text) => element("p", {}, text)));
   if (section.table) shown.append(tableFrame(section.table, lines));
   document.querySelector("main").append(shown);
-  document.querySelector("nav").append(element("a", { href: `#${section.id}` }, section.title));
+  link(section);
   if (!section.points) return;
   const frame = element("div", { class: "charts" });
   shown.append(frame);
