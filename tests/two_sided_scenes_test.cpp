@@ -94,6 +94,9 @@ INSTANTIATE_TEST_SUITE_P(, MadeScene,
 TEST(FractionalHamilton, MakesTheFirstVariationZero) {
   const double alpha = 0.4, epsilon = 0.7;
   const auto scene = scene_of("fractional_hamilton", {{"alpha", alpha}, {"epsilon", epsilon}});
+  EXPECT_EQ(
+      find_scheme("grunwald_letnikov")->expected_rate(scene.problem, scene.smoothness, 1.0, Norm::maximum),
+      1.0);
   const double end = scene.problem.end;
   const auto first = [](double t, double order) { return caputo_of_power(3.0, order, t); };
   const auto second = [](double t, double order) { return caputo_of_power(2.0, order, t); };
