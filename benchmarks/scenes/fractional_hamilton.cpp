@@ -22,8 +22,8 @@ struct Coefficients {
 
   // What A.v changes by with q1, q2, w.
   template <class S>
-  mechanics::Vector<S, 3> slope(const mechanics::Vector<S, 3>& q_and_w,
-                                const mechanics::Vector<S, 2>& v) const {
+  [[nodiscard]] mechanics::Vector<S, 3> slope(const mechanics::Vector<S, 3>& q_and_w,
+                                              const mechanics::Vector<S, 2>& v) const {
     const auto a = (*this)(mechanics::variables<3>(q_and_w));
     return v[0] * a[0].derivatives() + v[1] * a[1].derivatives();
   }
