@@ -1,28 +1,18 @@
-// Scenes that are posed at both ends: their rates, what is known about them, and that their equations are
-// those of the extremum they come from.
+// Scenes with right derivatives that are made from a motion: their rates, what is known about them, and that
+// the equations are those of the extremum they come from.
+
+#include "two_sided_scenes.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <cmath>
+#include <array>
 
 #include "caputo.hpp"
 #include "rate.hpp"
-#include "testing.hpp"
 
 namespace fde {
 namespace {
-
-constexpr std::array both_schemes{"product_trapezoidal", "grunwald_letnikov"};
-
-// Largest error of any column at any time.
-double largest_error(const Scene& scene, std::string_view scheme, int steps) {
-  const auto path = solve(scheme, scene.problem, steps);
-  EXPECT_EQ(path.outcome, Outcome::finished);
-  TruthTable truth(scene);
-  return (columns_of(scene.outputs, path) - truth.at(path.grid, path.steps)).cwiseAbs().maxCoeff();
-}
 
 struct Made {
   std::string scene;
@@ -94,6 +84,9 @@ INSTANTIATE_TEST_SUITE_P(, MadeScene,
 TEST(FractionalHamilton, MakesTheFirstVariationZero) {
   const double alpha = 0.4, epsilon = 0.7;
   const auto scene = scene_of("fractional_hamilton", {{"alpha", alpha}, {"epsilon", epsilon}});
+  EXPECT_EQ(
+      find_scheme("grunwald_letnikov")->expected_rate(scene.problem, scene.smoothness, 1.0, Norm::maximum),
+      1.0);
   const double end = scene.problem.end;
   const auto first = [](double t, double order) { return caputo_of_power(3.0, order, t); };
   const auto second = [](double t, double order) { return caputo_of_power(2.0, order, t); };
@@ -107,68 +100,6 @@ TEST(FractionalHamilton, MakesTheFirstVariationZero) {
   };
   const Vec last = scene.exact.at(end).value;
   EXPECT_NEAR(integral(integrand, 0.0, end), last[6] * first(end, 0.0) + last[7] * second(end, 0.0), 1e-9);
-}
-
-TEST(FractionalExtremum, IsExactWithoutASpring) {
-  for (const double alpha : {0.501, 0.6, 0.75, 0.9, 0.999, 1.0}) {
-    const auto scene = scene_of("fractional_extremum", {{"alpha", alpha}});
-    for (const auto* id : both_schemes) EXPECT_LT(largest_error(scene, id, 256), 1e-12) << alpha << id;
-  }
-}
-
-// y'' = k y.
-TEST(FractionalExtremum, OfOrderOneIsAHyperbolicSine) {
-  const double k = 4.0;
-  auto scene = scene_of("fractional_extremum", {{"alpha", 1.0}, {"k", k}});
-  scene.exact = {[=](double t) -> Truth {
-    return {Vec::Constant(1, std::sinh(2.0 * t) / std::sinh(2.0)), Vec::Zero(1)};
-  }};
-  std::vector<ErrorAt> errors;
-  for (int steps = 64; steps <= 1024; steps *= 2)
-    errors.push_back({1.0 / steps, largest_error(scene, "product_trapezoidal", steps)});
-  EXPECT_NEAR(fit_rate(errors).slope, 2.0, 0.1);
-}
-
-// y at the times, of the least of 1/2 int p^2 + k y^2 over all p that are constant on cells that become
-// shorter towards the end, y = J^alpha p, y(1) = 1; int y^2 by Gauss's rule of two points.
-Vec dense_minimum(double alpha, double k, int cells, const std::vector<double>& times) {
-  const Vec places = Vec::NullaryExpr(
-      cells + 1, [&](Eigen::Index j) { return 1.0 - std::pow(1.0 - static_cast<double>(j) / cells, 4.0); });
-  const auto weights = [&](double t) -> Vec {
-    return Vec::NullaryExpr(cells, [&](Eigen::Index j) {
-      const auto past = [&](double from) { return std::pow(std::max(t - from, 0.0), alpha); };
-      return (past(places[j]) - past(places[j + 1])) / std::tgamma(alpha + 1.0);
-    });
-  };
-  Matrix form = (places.tail(cells) - places.head(cells)).asDiagonal();
-  Matrix points(cells, 2 * cells);
-  for (Eigen::Index j = 0; j < cells; ++j) {
-    const double length = form(j, j), middle = places[j] + length / 2, off = length / (2 * std::sqrt(3.0));
-    points.col(2 * j) = std::sqrt(k * length / 2) * weights(middle - off);
-    points.col(2 * j + 1) = std::sqrt(k * length / 2) * weights(middle + off);
-  }
-  form.noalias() += points * points.transpose();
-  const Vec at_end = weights(1.0), p = form.llt().solve(at_end);
-  return Vec::NullaryExpr(std::ssize(times), [&](Eigen::Index i) {
-    return weights(times[static_cast<std::size_t>(i)]).dot(p) / at_end.dot(p);
-  });
-}
-
-TEST(FractionalExtremum, WithASpringIsTheDenseMinimum) {
-  for (const auto& [alpha, k] : {std::pair{0.75, 5.0}, {0.9, 20.0}}) {
-    const auto scene = scene_of("fractional_extremum", {{"alpha", alpha}, {"k", k}});
-    const auto path = solve("product_trapezoidal", scene.problem, 4096, {.keep = {1024, 2048, 3072}});
-    const Vec y = columns_of(scene.outputs, path).row(0).transpose();
-    const auto off = [&](int cells) {
-      return (dense_minimum(alpha, k, cells, {0.25, 0.5, 0.75}) - y).cwiseAbs().maxCoeff();
-    };
-    const double coarse = off(100), fine = off(400);
-    EXPECT_LT(fine, 1e-5);
-    EXPECT_LT(fine, coarse / 3.0);
-    // Without the spring y is far from that.
-    const Scene free = scene_of("fractional_extremum", {{"alpha", alpha}});
-    EXPECT_GT(std::abs(free.exact.at(0.5).value[0] - y[1]), 0.1);
-  }
 }
 
 }  // namespace

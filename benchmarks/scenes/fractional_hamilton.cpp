@@ -20,8 +20,10 @@ struct Coefficients {
     return {S(1.0 + kappa * q_and_w[0] + epsilon * q_and_w[2]), S(1.0)};
   }
 
-  // A.v and what it changes by with q1, q2, w.
-  [[nodiscard]] Eigen::Vector3d slope(const Eigen::Vector3d& q_and_w, const Plane& v) const {
+  // What A.v changes by with q1, q2, w.
+  template <class S>
+  [[nodiscard]] mechanics::Vector<S, 3> slope(const mechanics::Vector<S, 3>& q_and_w,
+                                              const mechanics::Vector<S, 2>& v) const {
     const auto a = (*this)(mechanics::variables<3>(q_and_w));
     return v[0] * a[0].derivatives() + v[1] * a[1].derivatives();
   }
@@ -40,7 +42,7 @@ struct MadeMotion {
     q[1] = SumOfPowers::polynomial({1.0}) + v[1].derivative(-1.0);
     p[0] = v[0] + mu * a;
     p[1] = v[1] + mu;
-    r = (coefficients.epsilon * mu * v[0]).reversed(end).derivative(alpha - 1.0);
+    r = coefficients.epsilon * (mu * v[0]).reversed(end).derivative(alpha - 1.0);
     push = {p[0].derivative(1.0) + (-coefficients.kappa) * mu * v[0], p[1].derivative(1.0)};
     r_slope = -1.0 * r.derivative(1.0);
   }
@@ -56,36 +58,50 @@ struct MadeMotion {
 // Components q1, q2, w, r, pi1, pi2.
 struct Hamilton {
   enum : Eigen::Index { q = 0, w = 2, r = 3, pi = 4 };
+  static constexpr int size = 6;
   Coefficients coefficients;
   Plane stiffness;
   MadeMotion motion;
 
+  template <class S>
   struct State {
-    Plane v, p;
-    double mu;
+    mechanics::Vector<S, 2> v, p;
+    S mu;
   };
-  [[nodiscard]] State state(In y) const {
-    const Plane p = y.segment<2>(pi) - Plane(y[r], 0.0);
-    const Plane a = coefficients(Eigen::Vector3d(y.head<3>()));
-    const double mu = a.dot(p) / a.squaredNorm();
-    return {p - mu * a, p, mu};
+  template <class S>
+  [[nodiscard]] State<S> state(const mechanics::Vector<S, size>& y) const {
+    const mechanics::Vector<S, 2> p(S(y[pi] - y[r]), y[pi + 1]);
+    const mechanics::Vector<S, 2> a = coefficients(mechanics::Vector<S, 3>(y.template head<3>()));
+    const S mu = S(a.dot(p)) / S(a.squaredNorm());
+    return {mechanics::Vector<S, 2>(p - mu * a), p, mu};
   }
 
   [[nodiscard]] Plane force(double t) const {
     return motion.force(t) + stiffness.cwiseProduct(Plane(motion.q[0].at(t), motion.q[1].at(t)));
   }
 
-  void rhs(double t, In y, Out f) const {
-    const auto [v, p, mu] = state(y);
-    const Eigen::Vector3d slope = mu * coefficients.slope(y.head<3>(), v);
-    f.segment<2>(q) = v;
+  template <class S>
+  [[nodiscard]] mechanics::Vector<S, size> rates(const mechanics::Vector<S, size>& y,
+                                                 const Plane& force) const {
+    const auto [v, p, mu] = state<S>(y);
+    const auto slope = coefficients.slope<S>(y.template head<3>(), v);
+    mechanics::Vector<S, size> f;
     f[w] = v[0];
-    f[r] = slope[2];
-    f.segment<2>(pi) = stiffness.cwiseProduct(y.segment<2>(q)) - slope.head<2>() - force(t);
+    f[r] = mu * slope[2];
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      f[q + i] = v[i];
+      f[pi + i] = stiffness[i] * y[q + i] - mu * slope[i] - force[i];
+    }
+    return f;
+  }
+  void jacobian(In y, OutMatrix result) const {
+    const auto f = rates<mechanics::Dual<double, size>>(
+        mechanics::variables<size>(mechanics::Vector<double, size>(y)), Plane::Zero());
+    for (Eigen::Index i = 0; i < size; ++i) result.row(i) = f[i].derivatives().transpose();
   }
 
   void columns(In y, Out result) const {
-    const auto [v, p, mu] = state(y);
+    const auto [v, p, mu] = state<double>(y);
     result << y.head<2>(), v, y[w], y[r], p, mu;
   }
 
@@ -119,22 +135,24 @@ struct Hamilton {
 Scene scene_of(const Hamilton& system, double alpha) {
   const double memory = 1.0 - alpha;
   const auto& motion = system.motion;
-  return {.problem = {.components = {{1.0, {motion.q[0].at(0.0)}},
-                                     {1.0, {motion.q[1].at(0.0)}},
-                                     {memory, {0.0}},
-                                     {memory, {0.0}, Side::right},
-                                     {1.0, {motion.p[0].at(end)}, Side::right},
-                                     {1.0, {motion.p[1].at(end)}, Side::right}},
-                      .rhs = [system](double t, In y, Out f) { system.rhs(t, y, f); },
-                      .end = end},
-          .smoothness = system.smoothness(),
-          .outputs = {{"q1", "q2", "v1", "v2", "w1", "r1", "p1", "p2", "mu"},
-                      [system](double, In y, Out columns) { system.columns(y, columns); }},
-          .exact = system.exact(),
-          .energy = {.value = [system](In columns) { return system.energy(columns); }},
-          .constraint = {.size = 1,
-                         .value = [system](double, In columns, Out f) { f[0] = system.constraint(columns); }},
-          .memories = {{4, 2, alpha}}};
+  return {
+      .problem = {.components = {{1.0, {motion.q[0].at(0.0)}},
+                                 {1.0, {motion.q[1].at(0.0)}},
+                                 {memory, {0.0}},
+                                 {memory, {0.0}, Side::right},
+                                 {1.0, {motion.p[0].at(end)}, Side::right},
+                                 {1.0, {motion.p[1].at(end)}, Side::right}},
+                  .rhs = [system](double t, In y, Out f) { f = system.rates<double>(y, system.force(t)); },
+                  .jacobian = [system](double, In y, OutMatrix result) { system.jacobian(y, result); },
+                  .end = end},
+      .smoothness = system.smoothness(),
+      .outputs = {{"q1", "q2", "v1", "v2", "w1", "r1", "p1", "p2", "mu"},
+                  [system](double, In y, Out columns) { system.columns(y, columns); }},
+      .exact = system.exact(),
+      .energy = {.value = [system](In columns) { return system.energy(columns); }},
+      .constraint = {.size = 1,
+                     .value = [system](double, In columns, Out f) { f[0] = system.constraint(columns); }},
+      .memories = {{4, 2, alpha}}};
 }
 
 }  // namespace

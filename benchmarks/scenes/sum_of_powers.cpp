@@ -54,22 +54,21 @@ SumOfPowers SumOfPowers::derivative(double order) const {
   std::vector<Term> terms;
   for (const auto& [coefficient, power] : terms_) {
     if (power < order && whole(power)) continue;
-    terms.push_back(
-        {coefficient * boost::math::tgamma_ratio(power + 1.0, power + 1.0 - order), power - order});
+    // Of order 1 the factor has no rounding: what cancels later cancels to 0.
+    const double factor = order == 1.0 ? power : boost::math::tgamma_ratio(power + 1.0, power + 1.0 - order);
+    terms.push_back({coefficient * factor, power - order});
   }
   return SumOfPowers(std::move(terms));
 }
 
-// By Horner's rule in end - s.
 SumOfPowers SumOfPowers::reversed(double end) const {
   const auto left = polynomial({end, -1.0});
-  SumOfPowers sum;
-  double power = terms_.empty() ? 0.0 : terms_.back().power;
-  for (auto term = terms_.rbegin(); term != terms_.rend(); ++term) {
-    for (; power > term->power; power -= 1.0) sum = sum * left;
-    sum = sum + polynomial({term->coefficient});
+  SumOfPowers sum, of_left = polynomial({1.0});
+  double reached = 0.0;
+  for (const auto& [coefficient, power] : terms_) {
+    for (; reached < power; reached += 1.0) of_left = of_left * left;
+    sum = sum + coefficient * of_left;
   }
-  for (; power > 0.0; power -= 1.0) sum = sum * left;
   return sum;
 }
 
