@@ -51,7 +51,8 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
                     int steps);
 
 // Puts the time rows before the outcome of a finished examination: solves `repeats` times, more where that
-// takes less than 20 ms, storing the last step only. To be called while nothing else runs.
+// takes less than 20 ms, no more once it has taken 10 s, storing the last step only. To be called while
+// nothing else runs.
 void time_solves(Examination& examination, const Scene& scene, const Scheme& scheme, int repeats);
 
 }  // namespace fde
