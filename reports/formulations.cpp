@@ -56,6 +56,12 @@ int finest_common(const ConstrainedScene& scene) {
   return finest;
 }
 
+// What runs are ranked by.
+std::pair<double, double> rank_of(const MeasuredRun& run) {
+  return {std::max(judged_drift(run), drift_of_rounding),
+          run["error_end"].value_or(std::numeric_limits<double>::infinity())};
+}
+
 double seconds_of(const MeasuredRun& run) {
   return run["time_minimum"].value_or(std::numeric_limits<double>::infinity());
 }
@@ -93,12 +99,12 @@ BestInTimes best_in_time(const ConstrainedScene& scene) {
   for (const auto& formulation : scene.formulations) {
     const MeasuredRun* least = nullptr;
     for (const auto& run : formulation.runs) {
-      const bool better = least == nullptr || judged_drift(run) < judged_drift(*least);
+      const bool better = least == nullptr || rank_of(run) < rank_of(*least);
       if (seconds_of(run) <= best.seconds && better) least = &run;
     }
     if (least != nullptr) best.ranked.push_back({formulation.formulation, *least});
   }
-  std::ranges::stable_sort(best.ranked, {}, [](const BestInTime& one) { return judged_drift(one.run); });
+  std::ranges::stable_sort(best.ranked, {}, [](const BestInTime& one) { return rank_of(one.run); });
   return best;
 }
 

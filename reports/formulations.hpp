@@ -27,13 +27,17 @@ std::vector<ConstrainedScene> constrained_scenes(const Runs& runs);
 // The drift that a run is judged by: the independent one, or the internal one where there is no other.
 double judged_drift(const MeasuredRun& run);
 
-// A formulation's run with the least drift among those that take at most a given time, in seconds.
+// Drifts below are rounding, and all the same.
+inline constexpr double drift_of_rounding = 1e-12;
+
+// A formulation's run with the least drift among those that take at most a given time, in seconds; of those
+// at rounding the one with the least error.
 struct BestInTime {
   std::string formulation;
   MeasuredRun run;
 };
 
-// Such runs within the largest time that every formulation was given, the least drift first. Empty where
+// Such runs within the largest time that every formulation was given, the least drift and error first. Empty where
 // fewer than two formulations were timed.
 struct BestInTimes {
   double seconds = 0.0;

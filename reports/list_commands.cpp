@@ -62,7 +62,7 @@ void list(const Entries& entries, bool json, std::ostream& out) {
     fmt::print(out, "{}\n", all.dump(2));
     return;
   }
-  for (const auto& entry : entries) fmt::print(out, "{:<24}{}\n", entry.id, entry.title);
+  for (const auto& entry : entries) fmt::print(out, "{:<34}{}\n", entry.id, entry.title);
 }
 
 void add(CLI::App& app, const std::string& name, const std::string& help,

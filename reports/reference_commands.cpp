@@ -62,6 +62,7 @@ void exact(const ExactArguments& arguments, const Streams& streams) {
     return;
   }
   const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);
+  if (!scene.no_reference.empty()) throw std::runtime_error(scene.no_reference);
   if (!scene.exact.digits) {
     throw std::invalid_argument(
         fmt::format("--digits = {}: scene {} has no exact solution in digits, only what is known in double",

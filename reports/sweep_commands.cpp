@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <optional>
 #include <ostream>
+#include <stdexcept>
 
 #include "answer.hpp"
 #include "arguments.hpp"
 #include "command.hpp"
 #include "record.hpp"
 #include "report.hpp"
+#include "runs.hpp"
 #include "sweep.hpp"
 
 namespace fde {
@@ -65,23 +67,47 @@ void run(const RunArguments& arguments, const Streams& streams) {
   fmt::print(streams.out, "{}\n", std::filesystem::absolute(arguments.out).string());
 }
 
-// The results of the default sweep of one scene, measured now.
-Results measure(const SceneVariant& scene, const Streams& streams) {
+// Whether more steps of the scheme cannot be a better answer: it has reached the error, or was far slower
+// already than what has.
+bool is_settled(const Runs& runs, const std::vector<Choice>& reached, const Scheme& scheme) {
+  constexpr double far = 10.0;
+  if (std::ranges::find(reached, scheme.id, &Choice::scheme) != reached.end()) return true;
+  return !reached.empty() && std::ranges::any_of(runs.finished, [&](const MeasuredRun& run) {
+    return run.scheme == scheme.id && run["time_minimum"].value_or(0.0) > far * reached.front().seconds;
+  });
+}
+
+// The results of the default sweep of one scene, measured now, as far as they can answer.
+Results measure(const SceneVariant& scene, double error, const Streams& streams) {
   Results results;
   results.sessions.push_back(this_session());
-  Sweep sweep{.scenes = {scene}, .schemes = chosen_schemes({}), .steps = default_steps};
-  run_sweep(
-      sweep,
-      {.has = [](const auto&, const auto&, int) { return false; },
-       .append = [&](const auto& rows) { std::ranges::copy(rows, std::back_inserter(results.records)); },
-       .progress = progress_line(streams)});
+  Sweep sweep{.scenes = {scene}, .schemes = chosen_schemes({}), .steps = {}};
+  for (const int steps : default_steps) {
+    sweep.steps = {steps};
+    run_sweep(
+        sweep,
+        {.has = [](const auto&, const auto&, int) { return false; },
+         .append = [&](const auto& rows) { std::ranges::copy(rows, std::back_inserter(results.records)); },
+         .progress = progress_line(streams)});
+    const Runs runs = runs_of(results);
+    const auto reached = cheapest(runs, scene.label(), error);
+    std::erase_if(sweep.schemes, [&](const Scheme* scheme) { return is_settled(runs, reached, *scheme); });
+    if (sweep.schemes.empty()) break;
+  }
   return results;
 }
 
 void choose(const ChooseArguments& arguments, const Streams& streams) {
   const auto scene = parse_variant(arguments.scene);
   const double error = parse_number("--error", arguments.error, positive);
-  const Results results = arguments.results ? read_results(*arguments.results) : measure(scene, streams);
+  const Results results =
+      arguments.results ? read_results(*arguments.results) : measure(scene, error, streams);
+  const bool measured =
+      std::ranges::any_of(results.records, [&](const Record& row) { return row.scene == scene.label(); });
+  if (!measured) {
+    throw std::invalid_argument(
+        fmt::format("--results = {}: has no run of {}", *arguments.results, scene.label()));
+  }
   streams.out << advice(results, scene.label(), error);
 }
 
