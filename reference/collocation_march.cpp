@@ -138,10 +138,9 @@ class March {
     const Vec negligible = negligible_rhs(solution);
     const Matrix coefficients = basis_.legendre * solution.rhs;
     const Vec unresolved = coefficients.bottomRows(tail).cwiseAbs().colwise().maxCoeff();
-    const double scale = solution.sizes.largest();
-    return RhsNoise::suspected(unresolved, negligible, scale) &&
-           rhs_noise_.find(from + (to - from) * basis_.nodes.array(),
-                           solution.values.topRows(basis_.points()), negligible, scale);
+    const double scale = sizes_.largest();  // so far: the solution of too long a panel may be a wild one
+    return rhs_noise_.find(from + (to - from) * basis_.nodes.array(),
+                           solution.values.topRows(basis_.points()), unresolved, negligible, scale);
   }
 
   [[nodiscard]] Vec explained_noise() const {
@@ -154,8 +153,10 @@ class March {
       return false;
     }
     const Panel& last = panels_.back();
-    return rhs_noise_.find(last.from + last.length() * basis_.dense_nodes.array(), last.values,
-                           noise * (sizes_.rhs + sizes_.forcing), sizes_.largest());
+    const Vec negligible = noise * (sizes_.rhs + sizes_.forcing);
+    const Vec unresolved = negligible.cwiseMax(std::numeric_limits<double>::min());
+    return rhs_noise_.find(last.from + last.length() * basis_.dense_nodes.array(), last.values, unresolved,
+                           negligible, sizes_.largest());
   }
 
   [[nodiscard]] double growth_after(const PanelEquations::Solution& solution, double to) const {

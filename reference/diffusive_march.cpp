@@ -111,9 +111,10 @@ class DiffusiveMarch {
     for (Eigen::Index i = 0; i < problem_.size(); ++i) {
       negligible[i] += options_.tolerance * size_[i] / (doubling() * added(i, length));
     }
-    const double scale = size_.cwiseMax(largest(stages.rhs)).maxCoeff();
-    return RhsNoise::suspected(unresolved, negligible, scale) &&
-           rhs_noise_.find(time_ + length * equations_.nodes().array(), stages.y, negligible, scale);
+    const double scale =
+        size_.cwiseMax(last_rhs_.cwiseAbs()).maxCoeff();  // not of what may be too long a step
+    return rhs_noise_.find(time_ + length * equations_.nodes().array(), stages.y, unresolved, negligible,
+                           scale);
   }
 
   // The same where a step has no solution: on the step before it.
@@ -122,8 +123,10 @@ class DiffusiveMarch {
       return false;
     }
     const double scale = size_.cwiseMax(largest(last_.rhs)).maxCoeff();
-    return rhs_noise_.find(time_ + last_length_ * (equations_.nodes().array() - 1.0), last_.y,
-                           known_rounding * last_.rhs_noise, scale);
+    const Vec negligible = known_rounding * last_.rhs_noise;
+    const Vec unresolved = negligible.cwiseMax(std::numeric_limits<double>::min());
+    return rhs_noise_.find(time_ + last_length_ * (equations_.nodes().array() - 1.0), last_.y, unresolved,
+                           negligible, scale);
   }
 
   // The last two Legendre coefficients of y, and of f as it adds to y, beyond their noise and relative to the

@@ -52,11 +52,17 @@ Vec RhsNoise::largest(const Vec& times, const Matrix& y) const {
   return noise;
 }
 
-bool RhsNoise::find(const Vec& times, const Matrix& y, In negligible, double scale) {
+bool RhsNoise::find(const Vec& times, const Matrix& y, In unresolved, In negligible, double scale) {
+  constexpr double explains = 32.0;
+  const auto suspected =
+      (unresolved.array() > matters * negligible.array() && unresolved.array() <= largest_noise * scale)
+          .eval();
+  if (!suspected.any()) return false;
   const Vec noise = largest(times, y);
   bool news = false;
   for (Eigen::Index i = 0; i < noise.size(); ++i) {
-    if (noise[i] > found_[i] && noise[i] > matters * negligible[i] && noise[i] <= largest_noise * scale) {
+    if (suspected[i] && noise[i] > found_[i] && noise[i] > matters * negligible[i] &&
+        noise[i] <= largest_noise * scale && explains * noise[i] >= unresolved[i]) {
       found_[i] = safety * noise[i];
       news = true;
     }
@@ -71,13 +77,8 @@ void RhsNoise::follow(const Vec& times, const Matrix& y, In explained) {
     if (found_[i] == 0.0) continue;
     const double allowance = noise[i] > explained[i] ? safety * noise[i] : 0.0;
     const double faded = found_[i] > explained[i] ? found_[i] / 2 : 0.0;
-    found_[i] = std::max(allowance, faded);
+    found_[i] = std::clamp(allowance, faded, found_[i]);
   }
-}
-
-bool RhsNoise::suspected(In unresolved, In negligible, double scale) {
-  return (unresolved.array() > matters * negligible.array() && unresolved.array() <= largest_noise * scale)
-      .any();
 }
 
 }  // namespace fde

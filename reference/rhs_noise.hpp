@@ -18,18 +18,14 @@ class RhsNoise {
   // An allowance for each f_i: 0, or twice the noise.
   [[nodiscard]] const Vec& found() const { return found_; }
 
-  // Looks between neighbours among states, a row of y each. True if some f_i has noise that is news, that
-  // matters beside what the march takes for negligible, and that is no jump: small beside the scale, the
-  // largest size of a component of y or f.
-  bool find(const Vec& times, const Matrix& y, In negligible, double scale);
+  // Looks between neighbours among states, a row of y each, where a tail of some f_i is unresolved by more
+  // than is negligible. True if it has noise that is news and explains the tail. Noise is small beside the
+  // scale, the largest size of a component of y or f: what is larger is a jump.
+  bool find(const Vec& times, const Matrix& y, In unresolved, In negligible, double scale);
 
   // After a step: noise that is known may fade, like that of a factor t^-1/2, into what the sizes of f and of
   // its terms explain.
   void follow(const Vec& times, const Matrix& y, In explained);
-
-  // Whether it is worth looking: some f_i is unresolved by more than is negligible, but as little as noise
-  // is.
-  [[nodiscard]] static bool suspected(In unresolved, In negligible, double scale);
 
  private:
   // The largest between neighbours, not all of them.

@@ -17,7 +17,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // D^order x = factor (sin^2 z + cos^2 z - 1), z' = 1: x = 0 and z = t.
 Problem cancelling(double order, double factor) {
-  return {.components = {{order, {0.0}}, {1.0, {0.0}}},
+  return {.components = {{order, order > 1.0 ? std::vector{0.0, 0.0} : std::vector{0.0}}, {1.0, {0.0}}},
           .rhs =
               [factor](double, In y, Out f) {
                 const double sine = std::sin(y[1]), cosine = std::cos(y[1]);
