@@ -6,7 +6,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "pace.hpp"
 #include "panel_equations.hpp"
+#include "rhs_noise.hpp"
 
 namespace fde {
 
@@ -53,7 +55,7 @@ Sizes sizes_at_start(const Problem& problem) {
   constexpr int samples = 64;
   const Vec initial = taylor_part(problem, 0.0);
   const Vec rhs = rhs_at(problem, 0.0, initial).cwiseAbs();
-  Sizes sizes{initial.cwiseAbs(), rhs, rhs};
+  Sizes sizes{initial.cwiseAbs(), rhs, rhs, Vec::Zero(problem.size())};
   for (int k = 1; k <= samples; ++k) {
     const Vec sample = rhs_at(problem, problem.end * k / samples, initial).cwiseAbs();
     if (sample.allFinite()) {
@@ -63,6 +65,9 @@ Sizes sizes_at_start(const Problem& problem) {
   return sizes;
 }
 
+constexpr double noise = 16 * std::numeric_limits<double>::epsilon();
+constexpr double noises = 4.0;  // the sum of some rounding errors
+
 class March {
  public:
   March(const Problem& problem, const MarchOptions& options, const PanelBasis& basis)
@@ -70,12 +75,13 @@ class March {
         options_(options),
         basis_(basis),
         history_(problem, basis),
-        equations_(problem, basis) {}
+        equations_(problem, basis),
+        rhs_noise_(problem) {}
 
   std::vector<Panel> run() {
     constexpr std::size_t most_panels = 2000;
     while (time() < problem_.end) {
-      if (panels_.size() == most_panels) {
+      if (panels_.size() == most_panels || hopeless(most_panels)) {
         fail("more panels than it can afford", time());
       }
       add_panel();
@@ -86,8 +92,18 @@ class March {
  private:
   [[nodiscard]] double time() const { return panels_.empty() ? 0.0 : panels_.back().to; }
 
+  [[nodiscard]] bool hopeless(std::size_t most_panels) const {
+    constexpr std::size_t watched = 100;
+    if (panels_.size() <= watched) {
+      return false;
+    }
+    const double before = panels_[panels_.size() - 1 - watched].to;
+    return fde::hopeless(before, time(), watched, problem_.end, most_panels - panels_.size());
+  }
+
   // Halves the panel until it resolves the solution.
   void add_panel() {
+    constexpr double slow = 1.2;  // growth at which noise may be in the way
     constexpr int most_attempts = 60;
     constexpr double shortest = 1e-12;  // relative to the time
     const double from = time();
@@ -99,6 +115,10 @@ class March {
       const auto solution =
           equations_.solve(history_.at_targets(panels_, from, to), from, to, last_rhs_, sizes_);
       const double growth = solution ? growth_after(*solution, to) : 0.5;
+      if (growth < slow && (solution ? noise_found(*solution, from, to) : noise_found_before())) {
+        sizes_.noise = rhs_noise_.found();
+        continue;
+      }
       length_ = growth * (to - from);
       if (growth >= 1.0) {
         return accept(*solution, from, to);
@@ -107,20 +127,48 @@ class March {
     fail("no convergence", from);
   }
 
+  [[nodiscard]] Vec negligible_rhs(const PanelEquations::Solution& solution) const {
+    return options_.tolerance * solution.sizes.rhs + noise * solution.sizes.forcing +
+           noises * solution.noise.rhs;
+  }
+
+  // Whether rounding of f keeps a panel from being resolved that was not known to do so.
+  bool noise_found(const PanelEquations::Solution& solution, double from, double to) {
+    constexpr Eigen::Index tail = 4;
+    const Vec negligible = negligible_rhs(solution);
+    const Matrix coefficients = basis_.legendre * solution.rhs;
+    const Vec unresolved = coefficients.bottomRows(tail).cwiseAbs().colwise().maxCoeff();
+    const double scale = sizes_.largest();  // so far: the solution of too long a panel may be a wild one
+    return rhs_noise_.find(from + (to - from) * basis_.nodes.array(),
+                           solution.values.topRows(basis_.points()), unresolved, negligible, scale);
+  }
+
+  [[nodiscard]] Vec explained_noise() const {
+    return noises * std::numeric_limits<double>::epsilon() * (sizes_.rhs + sizes_.forcing);
+  }
+
+  // The same where a panel has no solution: on the panel before it.
+  bool noise_found_before() {
+    if (panels_.empty()) {
+      return false;
+    }
+    const Panel& last = panels_.back();
+    const Vec negligible = noise * (sizes_.rhs + sizes_.forcing);
+    const Vec unresolved = negligible.cwiseMax(std::numeric_limits<double>::min());
+    return rhs_noise_.find(last.from + last.length() * basis_.dense_nodes.array(), last.values, unresolved,
+                           negligible, sizes_.largest());
+  }
+
   [[nodiscard]] double growth_after(const PanelEquations::Solution& solution, double to) const {
     constexpr double weightless = 1e-18;  // of the end: an error of f before it is lost in rounding later on
-    constexpr double noise = 16 * std::numeric_limits<double>::epsilon();
-    constexpr double noises = 4.0;  // the sum of some rounding errors
     if (to <= weightless * problem_.end) {
       return panels_.empty() ? 1.0 : 2.0;
     }
     const double tolerance = options_.tolerance;
     const Matrix values = solution.values.topRows(basis_.points());
-    const Vec negligible_rhs =
-        tolerance * solution.sizes.rhs + noise * solution.sizes.forcing + noises * solution.noise.rhs;
     const Vec negligible_value =
         tolerance * solution.sizes.values + noise * solution.increment + noises * solution.noise.values;
-    return std::min({possible_growth(basis_.legendre * solution.rhs, negligible_rhs, tolerance),
+    return std::min({possible_growth(basis_.legendre * solution.rhs, negligible_rhs(solution), tolerance),
                      possible_growth(basis_.legendre * values, negligible_value, tolerance), 2.0});
   }
 
@@ -131,9 +179,26 @@ class March {
     last_rhs_ = rhs_at(problem_, to, last_value_);
     sizes_ = solution.sizes;
     noise_ = noise_.cwiseMax(solution.noise.values);
-    const Vec size =
-        solution.sizes.values + solution.increment + noise_ / std::numeric_limits<double>::epsilon();
+    noise_of_rhs_.push_back(sizes_.noise);
+    const Vec size = solution.sizes.values + solution.increment +
+                     (noise_ + integrated_noise(from, to)) / std::numeric_limits<double>::epsilon();
     panels_.push_back({from, to, solution.rhs, values, size});
+    rhs_noise_.follow(from + (to - from) * basis_.dense_nodes.array(), values, explained_noise());
+    sizes_.noise = rhs_noise_.found();
+  }
+
+  // What the noise of f adds to y at most, should it always have the same sign.
+  [[nodiscard]] Vec integrated_noise(double from, double to) const {
+    Vec sum = increment_of(problem_, noise_of_rhs_.back(), to - from);
+    for (std::size_t k = 0; k < panels_.size(); ++k) {
+      if (noise_of_rhs_[k].isZero(0.0)) {
+        continue;
+      }
+      sum += (increment_of(problem_, noise_of_rhs_[k], to - panels_[k].from) -
+              increment_of(problem_, noise_of_rhs_[k], to - panels_[k].to))
+                 .cwiseMax(0.0);
+    }
+    return sum;
   }
 
   const Problem& problem_;
@@ -147,6 +212,8 @@ class March {
   Vec last_rhs_ = rhs_at(problem_, 0.0, last_value_);
   Sizes sizes_ = sizes_at_start(problem_);
   Vec noise_ = Vec::Zero(problem_.size());  // of y, the largest so far
+  RhsNoise rhs_noise_;
+  std::vector<Vec> noise_of_rhs_;  // on each panel
 };
 
 }  // namespace

@@ -8,7 +8,9 @@
 
 #include "diffusive_memory.hpp"
 #include "diffusive_stages.hpp"
+#include "pace.hpp"
 #include "posed_problem.hpp"
+#include "rhs_noise.hpp"
 
 namespace fde {
 
@@ -29,6 +31,9 @@ Vec rhs_at_start(const Problem& problem) {
   return f;
 }
 
+constexpr double known_rounding = 64.0;  // with that of the last digit of y, it is no news
+constexpr double noises = 4.0;           // the sum of some rounding errors
+
 class DiffusiveMarch {
  public:
   DiffusiveMarch(const Problem& problem, const DiffusiveOptions& options)
@@ -36,12 +41,13 @@ class DiffusiveMarch {
         options_(options),
         rule_(options.stages),
         memory_(problem, rule_, options.first_step),
-        equations_(problem, rule_.nodes.cast<double>()) {}
+        equations_(problem, rule_.nodes.cast<double>()),
+        rhs_noise_(problem) {}
 
   void run_to(double stop, DiffusiveSolution& solution) {
     constexpr std::size_t most_steps = 20000;
     while (time_ < stop) {
-      if (solution.times.size() == most_steps) {
+      if (solution.times.size() == most_steps || hopeless(solution.times, most_steps)) {
         fail("more steps than it can afford", time_);
       }
       add_step(stop);
@@ -51,6 +57,12 @@ class DiffusiveMarch {
   }
 
  private:
+  [[nodiscard]] bool hopeless(const std::vector<double>& times, std::size_t most_steps) const {
+    constexpr std::size_t watched = 1000;
+    return times.size() > watched && fde::hopeless(times[times.size() - 1 - watched], time_, watched,
+                                                   problem_.end, most_steps - times.size());
+  }
+
   // Halves the step until it resolves the solution.
   void add_step(double stop) {
     constexpr double shortest = 1e-13;  // relative to the time
@@ -63,6 +75,10 @@ class DiffusiveMarch {
       }
       const auto stages = solve(length);
       const double unresolved = stages ? unresolved_by(*stages, length) : 2.0;
+      if (stages ? unresolved * doubling() >= 1.0 && noise_found(*stages, length) : noise_found_before()) {
+        equations_.allow_noise(rhs_noise_.found());
+        continue;
+      }
       if (unresolved <= 1.0) {
         return accept(*stages, length, length == left ? stop : time_ + length, unresolved);
       }
@@ -79,11 +95,44 @@ class DiffusiveMarch {
     return equations_.solve(memory_.past(length), weights, time_, length, last_rhs_, size_);
   }
 
+  // A step of twice the length has about so many times the coefficients.
+  [[nodiscard]] double doubling() const { return std::pow(2.0, options_.stages); }
+
+  // What an error of each f_i adds to y_i on a step is that error times this.
+  [[nodiscard]] double added(Eigen::Index i, double length) const {
+    const double order = problem_.components[static_cast<std::size_t>(i)].order;
+    return std::pow(length, order) / std::tgamma(order + 1.0);
+  }
+
+  // Whether rounding of f keeps a step short that was not known to do so.
+  bool noise_found(const StageSolution& stages, double length) {
+    const Vec unresolved = largest(rule_.at_nodes.bottomRows(2) * stages.rhs);
+    Vec negligible = known_rounding * stages.rhs_noise;
+    for (Eigen::Index i = 0; i < problem_.size(); ++i) {
+      negligible[i] += options_.tolerance * size_[i] / (doubling() * added(i, length));
+    }
+    const double scale =
+        size_.cwiseMax(last_rhs_.cwiseAbs()).maxCoeff();  // not of what may be too long a step
+    return rhs_noise_.find(time_ + length * equations_.nodes().array(), stages.y, unresolved, negligible,
+                           scale);
+  }
+
+  // The same where a step has no solution: on the step before it.
+  bool noise_found_before() {
+    if (last_.y.size() == 0) {
+      return false;
+    }
+    const double scale = size_.cwiseMax(largest(last_.rhs)).maxCoeff();
+    const Vec negligible = known_rounding * last_.rhs_noise;
+    const Vec unresolved = negligible.cwiseMax(std::numeric_limits<double>::min());
+    return rhs_noise_.find(time_ + last_length_ * (equations_.nodes().array() - 1.0), last_.y, unresolved,
+                           negligible, scale);
+  }
+
   // The last two Legendre coefficients of y, and of f as it adds to y, beyond their noise and relative to the
   // tolerance. Above 1 the step is too long.
   [[nodiscard]] double unresolved_by(const StageSolution& stages, double length) const {
     constexpr double weightless = 1e-18;  // of the end: an error of f before it is lost in rounding later on
-    constexpr double noises = 4.0;        // the sum of some rounding errors
     if (time_ < weightless * problem_.end) {
       return 0.0;
     }
@@ -94,9 +143,7 @@ class DiffusiveMarch {
     const Vec size = size_.cwiseMax(largest(stages.y));
     double unresolved = 0.0;
     for (Eigen::Index i = 0; i < problem_.size(); ++i) {
-      const double order = problem_.components[static_cast<std::size_t>(i)].order;
-      const double increment = std::pow(length, order) / std::tgamma(order + 1.0) * of_rhs[i];
-      const double excess = std::max(of_y[i], increment);
+      const double excess = std::max(of_y[i], added(i, length) * of_rhs[i]);
       if (excess > 0.0) {
         unresolved = std::max(unresolved, excess / (options_.tolerance * size[i]));
       }
@@ -109,10 +156,14 @@ class DiffusiveMarch {
     time_ = end;
     value_ = stages.y.bottomRows<1>().transpose();
     size_ = size_.cwiseMax(largest(stages.y));
+    rhs_noise_.follow(end + length * (equations_.nodes().array() - 1.0), stages.y,
+                      noises * (stages.rhs_noise - rhs_noise_.found()));
+    equations_.allow_noise(rhs_noise_.found());
+    last_ = stages;
+    last_length_ = length;
     last_rhs_ = stages.rhs.bottomRows<1>().transpose();
-    // A step of twice the length has about 2^stages times the coefficients.
     --steps_to_growth_;
-    if (unresolved * std::pow(2.0, options_.stages) < 1.0 && length_ <= time_ && steps_to_growth_ <= 0) {
+    if (unresolved * doubling() < 1.0 && length_ <= time_ && steps_to_growth_ <= 0) {
       length_ *= 2;
     }
   }
@@ -128,6 +179,9 @@ class DiffusiveMarch {
   Vec value_ = taylor_part(problem_, 0.0);
   Vec size_ = value_.cwiseAbs();
   Vec last_rhs_ = rhs_at_start(problem_);
+  StageSolution last_{};
+  double last_length_ = 0.0;
+  RhsNoise rhs_noise_;
 };
 
 }  // namespace

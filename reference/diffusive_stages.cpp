@@ -47,8 +47,8 @@ Matrix with_signs(const Matrix& sizes) {
 // Rounding as it arrives in y: each f_i is off by its last digit, and by that of the terms that it is made
 // of, and each y_i by its own. Newton's matrix passes it on from component to component.
 void find_noise(const Eigen::PartialPivLU<Matrix>& newton, const std::vector<Matrix>& weights,
-                const std::vector<Matrix>& jacobians, In forcing, StageSolution& solution) {
-  Matrix rhs_size = solution.rhs.cwiseAbs().rowwise() + forcing.transpose();
+                const std::vector<Matrix>& jacobians, In forcing, In noise_of_rhs, StageSolution& solution) {
+  Matrix rhs_size = solution.rhs.cwiseAbs().rowwise() + (forcing + noise_of_rhs / rounding).transpose();
   const Matrix y_size = solution.y.cwiseAbs();
   for (Eigen::Index k = 0; k < y_size.rows(); ++k) {
     rhs_size.row(k) += y_size.row(k) * jacobians[static_cast<std::size_t>(k)].cwiseAbs().transpose();
@@ -104,7 +104,7 @@ std::optional<StageSolution> StageEquations::solve(const Matrix& past, const std
         last_size / 100) {  // an old factorisation serves while it gains two digits each time
       const auto jacobians = jacobians_at(times, solution.y);
       newton.compute(newton_matrix(weights, jacobians));
-      find_noise(newton, weights, jacobians, forcing_, solution);
+      find_noise(newton, weights, jacobians, forcing_, rhs_noise_, solution);
     }
     const Matrix correction = newton.solve((next - solution.y).reshaped()).reshaped(past.rows(), past.cols());
     if (!correction.allFinite()) {

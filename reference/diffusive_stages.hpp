@@ -23,6 +23,10 @@ class StageEquations {
   [[nodiscard]] std::optional<StageSolution> solve(const Matrix& past, const std::vector<Matrix>& weights,
                                                    double from, double length, In first_rhs, In size) const;
 
+  // Rounding of f that neither its size nor its derivatives tell of.
+  void allow_noise(const Vec& rhs_noise) { rhs_noise_ = rhs_noise; }
+  [[nodiscard]] const Vec& nodes() const { return nodes_; }
+
  private:
   [[nodiscard]] Matrix rhs_at(const Vec& times, const Matrix& y) const;
   [[nodiscard]] Matrix jacobian_at(double t, const Vec& y) const;
@@ -31,6 +35,7 @@ class StageEquations {
   const Problem& problem_;
   Vec nodes_;
   Vec forcing_;  // the largest f at the initial values at any time: 1 - cos t is all rounding near 0
+  Vec rhs_noise_ = Vec::Zero(problem_.size());
 };
 
 }  // namespace fde

@@ -39,6 +39,15 @@ Sizes sizes_with(const Sizes& before, const Matrix& y, const Matrix& rhs,
 
 }  // namespace
 
+Vec increment_of(const Problem& problem, const Vec& rhs_size, double length) {
+  Vec size(problem.size());
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    size[i] = std::pow(length, order) / std::tgamma(order + 1.0) * rhs_size[i];
+  }
+  return size;
+}
+
 PanelEquations::PanelEquations(const Problem& problem, const PanelBasis& basis)
     : problem_(problem), basis_(basis) {
   for (const Component& component : problem.components) {
@@ -77,8 +86,8 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past
       }
       newton.compute(newton_matrix(jacobians, length));
       sizes = sizes_with(before, y, rhs, jacobians);
-      increments = increment(sizes.rhs.cwiseMax(sizes.forcing), length);
-      rounded = noise(newton, jacobians, y.topRows(points), rhs, length);
+      increments = increment_of(problem_, sizes.rhs.cwiseMax(sizes.forcing), length);
+      rounded = noise(newton, jacobians, y.topRows(points), rhs, sizes.noise, length);
     }
     const Matrix residual = (next - y).topRows(points);
     const Matrix correction = newton.solve(residual.reshaped()).reshaped(points, problem_.size());
@@ -149,21 +158,11 @@ Matrix PanelEquations::newton_matrix(const std::vector<Matrix>& jacobians, doubl
   return matrix;
 }
 
-// int_0^length (length-s)^(order-1) / Gamma(order) ds times the size of f.
-Vec PanelEquations::increment(const Vec& rhs_size, double length) const {
-  Vec size(problem_.size());
-  for (Eigen::Index i = 0; i < problem_.size(); ++i) {
-    const double order = problem_.components[static_cast<std::size_t>(i)].order;
-    size[i] = std::pow(length, order) / std::tgamma(order + 1.0) * rhs_size[i];
-  }
-  return size;
-}
-
 // What Newton's matrix makes of an error in the last digit of y and of each term of f at every node. Larger
 // than the last digit of y_i where y_i is small and driven, through other components, by f of large terms.
 PanelEquations::Noise PanelEquations::noise(const Eigen::PartialPivLU<Matrix>& newton,
                                             const std::vector<Matrix>& jacobians, const Matrix& y,
-                                            const Matrix& rhs, double length) const {
+                                            const Matrix& rhs, const Vec& rhs_noise, double length) const {
   const Matrix y_size = y.cwiseAbs();
   const auto passed_on = [&](const Matrix& of_y) {
     Matrix of_rhs(rhs.rows(), rhs.cols());
@@ -172,7 +171,8 @@ PanelEquations::Noise PanelEquations::noise(const Eigen::PartialPivLU<Matrix>& n
     }
     return of_rhs;
   };
-  const Matrix of_rhs = rounding_errors(rhs.cwiseAbs() + passed_on(y_size));
+  const Matrix rhs_size = (rhs.cwiseAbs() + passed_on(y_size)).rowwise() + rhs_noise.transpose() / rounding;
+  const Matrix of_rhs = rounding_errors(rhs_size);
   const Matrix residual = rounding_errors(y_size) + integrate(of_rhs, length).topRows(y.rows());
   const Matrix of_y = newton.solve(residual.reshaped()).reshaped(y.rows(), y.cols()).cwiseAbs();
   return {of_y.colwise().maxCoeff(), (of_rhs.cwiseAbs() + passed_on(of_y)).colwise().maxCoeff()};
