@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "derivatives.hpp"
+#include "formulation.hpp"
 #include "linear_smoothness.hpp"
 #include "scene.hpp"
 
@@ -38,9 +39,10 @@ std::vector<double> powers_of_derivative(const std::vector<double>& powers);
 // Columns q1, v1, w1 of a coordinate q1; x, dx, Dalpha_x of x.
 std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory);
 
-// Throw std::invalid_argument.
-[[noreturn]] void reject_singular(double order);
-[[noreturn]] void reject_above_one(double order);
+// Throw std::invalid_argument that says which formulations fit, and why that one does not: a term unbounded
+// at t = 0; a derivative above 1 + alpha; a constraint that fixes no derivative of order alpha.
+[[noreturn]] void reject_singular(Formulation formulation, double order);
+[[noreturn]] void reject_above_one(Formulation formulation, double order);
 [[noreturn]] void reject_unaligned(double order);
 
 // A form whose right-hand side has powers of t beside constants.

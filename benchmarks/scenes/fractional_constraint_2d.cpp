@@ -16,12 +16,12 @@ struct LinearConstraint {
   double order, a1, a2, b1, b2, k1, k2, g, c0;
 
   template <class S>
-  S potential(const Vector<S, 2>& q) const {
+  [[nodiscard]] S potential(const Vector<S, 2>& q) const {
     return 0.5 * (k1 * q[0] * q[0] + k2 * q[1] * q[1]) + g * q[1];
   }
   template <class S>
-  Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& /*q*/, const Vector<S, 2>& v,
-                          const Vector<S, 2>& w) const {
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& /*q*/, const Vector<S, 2>& v,
+                                        const Vector<S, 2>& w) const {
     return Vector<S, 1>(S(a1 * v[0] + a2 * v[1] + b1 * w[0] + b2 * w[1] - c0));
   }
 };
@@ -69,29 +69,25 @@ LinearSystem system_of(const Parameters& parameters) {
 }  // namespace
 
 SceneMaker fractional_constraint_2d() {
-  static const std::vector<Formulation> fitting{Formulation::integrated, Formulation::acceleration,
-                                                Formulation::stabilised, Formulation::multiplier};
-  std::vector<Parameter> parameters{{"alpha",
-                                     0.5,
-                                     {.low = 0.0, .high = 2.0, .open_low = true, .open_high = true},
-                                     "order of the constraint"},
-                                    {"a1", 1.0, any_number, "weight of q1'"},
-                                    {"a2", 2.0, any_number, "weight of q2'"},
-                                    {"b1", 0.5, any_number, "weight of D^alpha q1"},
-                                    {"b2", -0.3, any_number, "weight of D^alpha q2"},
-                                    {"k1", 1.0, any_number, "stiffness of q1"},
-                                    {"k2", 2.0, any_number, "stiffness of q2"},
-                                    {"g", 0.0, any_number, "force on -q2"},
-                                    {"q1", 1.0, any_number, "q1(0)"},
-                                    {"q2", 0.0, any_number, "q2(0)"},
-                                    {"v1", 0.4, any_number, "q1'(0)"},
-                                    {"v2", -0.2, any_number, "q2'(0)"}};
-  const auto more = formulation_parameters(fitting);
-  parameters.insert(parameters.end(), more.begin(), more.end());
+  const std::vector<Parameter> parameters{{"alpha",
+                                           0.5,
+                                           {.low = 0.0, .high = 2.0, .open_low = true, .open_high = true},
+                                           "order of the constraint"},
+                                          {"a1", 1.0, any_number, "weight of q1'"},
+                                          {"a2", 2.0, any_number, "weight of q2'"},
+                                          {"b1", 0.5, any_number, "weight of D^alpha q1"},
+                                          {"b2", -0.3, any_number, "weight of D^alpha q2"},
+                                          {"k1", 1.0, any_number, "stiffness of q1"},
+                                          {"k2", 2.0, any_number, "stiffness of q2"},
+                                          {"g", 0.0, any_number, "force on -q2"},
+                                          {"q1", 1.0, any_number, "q1(0)"},
+                                          {"q2", 0.0, any_number, "q2(0)"},
+                                          {"v1", 0.4, any_number, "q1'(0)"},
+                                          {"v2", -0.2, any_number, "q2'(0)"}};
   return {.id = "fractional_constraint_2d",
           .title = "Oscillator in the plane with a linear fractional constraint",
           .source = "Tarasov & Zaslavsky 2006, eqs 41-43, 55-63",
-          .parameters = parameters,
+          .parameters = with_formulations(parameters, all_formulations()),
           .make = [](const Parameters& p) -> Scene {
             if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
             const double memory = p["alpha"] == 1.0 ? 1.0 : 0.0;  // w(0) = memory v(0)
@@ -102,7 +98,7 @@ SceneMaker fractional_constraint_2d() {
                 .coordinates = {"q1", "q2"},
                 .end = 10.0,
                 .linear = true};
-            Scene scene = mechanical_scene(setting, {formulation_of(p, fitting), p["kappa"]});
+            Scene scene = mechanical_scene(setting, asked_of(p, all_formulations()));
             scene.exact = exact_solution(system_of(p));
             return scene;
           }};
