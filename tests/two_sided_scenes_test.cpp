@@ -155,7 +155,8 @@ Vec dense_minimum(double alpha, double k, int cells, const std::vector<double>& 
 }
 
 TEST(FractionalExtremum, WithASpringIsTheDenseMinimum) {
-  for (const auto& [alpha, k] : {std::pair{0.75, 5.0}, {0.9, 20.0}}) {
+  for (const auto& order_and_spring : {std::pair{0.75, 5.0}, {0.9, 20.0}}) {
+    const double alpha = order_and_spring.first, k = order_and_spring.second;
     const auto scene = scene_of("fractional_extremum", {{"alpha", alpha}, {"k", k}});
     const auto path = solve("product_trapezoidal", scene.problem, 4096, {.keep = {1024, 2048, 3072}});
     const Vec y = columns_of(scene.outputs, path).row(0).transpose();
