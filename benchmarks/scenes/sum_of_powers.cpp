@@ -65,9 +65,10 @@ SumOfPowers SumOfPowers::reversed(double end) const {
   const auto left = polynomial({end, -1.0});
   SumOfPowers sum;
   double power = terms_.empty() ? 0.0 : terms_.back().power;
-  for (auto term = terms_.rbegin(); term != terms_.rend(); ++term) {
-    for (; power > term->power; power -= 1.0) sum = sum * left;
-    sum = sum + polynomial({term->coefficient});
+  for (auto rest = terms_.size(); rest > 0; --rest) {
+    const auto& [coefficient, exponent] = terms_[rest - 1];
+    for (; power > exponent; power -= 1.0) sum = sum * left;
+    sum = sum + polynomial({coefficient});
   }
   for (; power > 0.0; power -= 1.0) sum = sum * left;
   return sum;
