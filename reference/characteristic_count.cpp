@@ -1,6 +1,9 @@
 #include "characteristic_count.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace fde {
 namespace {
@@ -31,8 +34,7 @@ std::optional<long double> long_turn(const Polynomial& polynomial, const Point& 
   return turned + std::arg(at_b * std::conj(at_a) * std::polar(1.0L, -turned));
 }
 
-// Change of arg P from a to b in pieces; nothing where a zero is next to the way, or as far
-// as rounding tells.
+// Change of arg P from a to b in pieces; nothing where a zero is next to the way, as far as rounding tells.
 std::optional<long double> turn(const Polynomial& polynomial, const Point& a, const Point& b) {
   constexpr long double shortest = 1e-11L, long_way = 0.1L;
   if (std::abs(b - a) < long_way) {

@@ -48,9 +48,10 @@ MittagLefflerValue upper_half_plane(double alpha, double beta, std::complex<doub
 MittagLefflerValue mittag_leffler(double alpha, double beta, std::complex<double> z) {
   require_order(function_name, alpha);
   require_parameter(function_name, "beta", beta);
-  if (!std::isfinite(z.real()) || !std::isfinite(z.imag()))
+  if (!std::isfinite(z.real()) || !std::isfinite(z.imag())) {
     throw std::invalid_argument(
         fmt::format("{}: z = {} {:+} i has to be finite", function_name, z.real(), z.imag()));
+  }
   if (z.imag() >= 0.0) return upper_half_plane(alpha, beta, std::complex(z.real(), std::abs(z.imag())));
   const MittagLefflerValue mirrored = upper_half_plane(alpha, beta, std::conj(z));
   return {std::conj(mirrored.value), mirrored.bound};

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "differences.hpp"
 #include "gmres.hpp"
 #include "newton.hpp"
 
@@ -16,20 +16,6 @@ constexpr double linear_tolerance = 1e-10;
 Eigen::Index most_applications(Eigen::Index length) {
   constexpr Eigen::Index most_values = 1 << 25;
   return std::clamp<Eigen::Index>(most_values / length, 20, 200);
-}
-
-// Columns of d(conditions)/dy at one end, by forward differences; evaluate(y) gives the conditions.
-template <typename Evaluate>
-Matrix differences(Vec y, const Vec& conditions, Evaluate evaluate) {
-  const double relative_step = std::sqrt(std::numeric_limits<double>::epsilon());
-  Matrix result(conditions.size(), y.size());
-  for (Eigen::Index i = 0; i < y.size(); ++i) {
-    const double value = y[i];
-    y[i] += relative_step * std::max(std::abs(value), 1.0);
-    result.col(i) = (evaluate(y) - conditions) / (y[i] - value);
-    y[i] = value;
-  }
-  return result;
 }
 
 }  // namespace
@@ -50,15 +36,20 @@ void Linearisation::update(Run& run, const Guess& guess, const Residual& residua
 
 void Linearisation::differentiate_conditions(const Guess& guess, const Vec& conditions) {
   const Vec start = guess.y.col(0), end = guess.y.rightCols<1>();
+  const auto& problem = equations_.problem();
   Vec result(conditions.size());
-  by_start_ = differences(start, conditions, [&](const Vec& y) -> const Vec& {
-    equations_.problem().conditions(y, end, result);
+  by_start_.resize(conditions.size(), problem.size());
+  by_end_.resize(conditions.size(), problem.size());
+  const auto from_start = [&](const Vec& y) -> const Vec& {
+    problem.conditions(y, end, result);
     return result;
-  });
-  by_end_ = differences(end, conditions, [&](const Vec& y) -> const Vec& {
-    equations_.problem().conditions(start, y, result);
+  };
+  const auto from_end = [&](const Vec& y) -> const Vec& {
+    problem.conditions(start, y, result);
     return result;
-  });
+  };
+  forward_differences(from_start, start, conditions, by_start_);
+  forward_differences(from_end, end, conditions, by_end_);
 }
 
 Guess Linearisation::increment(const Residual& residual) const {

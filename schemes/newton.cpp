@@ -5,22 +5,13 @@
 #include <limits>
 #include <utility>
 
+#include "differences.hpp"
+
 namespace fde {
 namespace {
 
 constexpr int most_iterations = 50;
 constexpr double stagnation = 1e-10;
-
-// Forward differences of rhs at y, where it is f.
-void difference(Run& run, double t, In y, In f, OutMatrix jacobian) {
-  const double relative_step = std::sqrt(std::numeric_limits<double>::epsilon());
-  Vec shifted = y;
-  for (Eigen::Index i = 0; i < y.size(); ++i) {
-    shifted[i] = y[i] + relative_step * std::max(std::abs(y[i]), 1.0);
-    jacobian.col(i) = (run.rhs(t, shifted) - f) / (shifted[i] - y[i]);
-    shifted[i] = y[i];
-  }
-}
 
 // x with A x = b in place of b. Most problems have a few components, where a size known to the compiler saves
 // most of the time.
@@ -66,7 +57,8 @@ void differentiate(Run& run, const Problem& problem, double t, In y, In f, OutMa
   } else if (problem.jacobian) {
     problem.jacobian(t, y, jacobian);
   } else {
-    difference(run, t, y, f, jacobian);
+    forward_differences([&](const Vec& shifted) -> const Vec& { return run.rhs(t, shifted); }, y, f,
+                        jacobian);
   }
 }
 

@@ -24,29 +24,6 @@ std::optional<std::string> refusal(const Needs& needs, const Component& componen
                      count == 1 ? "" : "s", order, i, given);
 }
 
-}  // namespace
-
-// Each row of the list is a function Scheme <id>() in the file of that name.
-#define FDE_SCHEME(id) Scheme id();
-#include "list.def"
-#undef FDE_SCHEME
-
-std::span<const Scheme> schemes() {
-  static const std::array all{
-#define FDE_SCHEME(id) id(),
-#include "list.def"
-#undef FDE_SCHEME
-  };
-  return all;
-}
-
-const Scheme* find_scheme(std::string_view id) {
-  const auto found = std::ranges::find(schemes(), id, &Scheme::id);
-  return found == schemes().end() ? nullptr : &*found;
-}
-
-namespace {
-
 std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem& problem, const Grid& grid) {
   if (!two_sided(problem)) return std::nullopt;
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
@@ -69,6 +46,25 @@ std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem
 }
 
 }  // namespace
+
+// Each row of the list is a function Scheme <id>() in the file of that name.
+#define FDE_SCHEME(id) Scheme id();
+#include "list.def"
+#undef FDE_SCHEME
+
+std::span<const Scheme> schemes() {
+  static const std::array all{
+#define FDE_SCHEME(id) id(),
+#include "list.def"
+#undef FDE_SCHEME
+  };
+  return all;
+}
+
+const Scheme* find_scheme(std::string_view id) {
+  const auto found = std::ranges::find(schemes(), id, &Scheme::id);
+  return found == schemes().end() ? nullptr : &*found;
+}
 
 std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem, const Grid& grid) {
   if (scheme.needs.uniform_grid && !grid.uniform()) {

@@ -1,11 +1,12 @@
 // Motion against conditional extremum: Tarasov & Zaslavsky (67) and the residual of (72).
 
+#include "conditional_extremum.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "conditional_extremum.hpp"
 #include "extremum_residual.hpp"
 #include "scenes/classical_systems.hpp"
 #include "testing.hpp"

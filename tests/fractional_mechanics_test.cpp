@@ -127,7 +127,11 @@ TEST(FractionalConstraintNonlinear, WithoutCouplingIsTheThermostat) {
 }
 
 TEST(FractionalConstraintNonlinear, FromOneHalfOnNothingIsKnown) {
-  expect_message([] { thermostat({{"alpha", 0.5}}); }, "formulation = acceleration: must be another one");
+  expect_message(
+      [] {
+        thermostat({{"alpha", 0.5}});
+      },
+      "formulation = acceleration: must be neither acceleration nor stabilised");
   const Scene scene = thermostat({{"alpha", 0.6}, {"formulation", 2}});
   expect_message([&] { truth_of(scene); }, "D^alpha v starts like t^-0.2");
   EXPECT_THROW(truth_of(scene), std::runtime_error);

@@ -81,11 +81,11 @@ TEST(ReferenceOfNoise, PassesItOnWithinTheBound) {
   }
 }
 
-class Loxodrome : public testing::TestWithParam<std::map<std::string, double>> {};
+class SphericalKnifeEdge : public testing::TestWithParam<std::map<std::string, double>> {};
 
 // Without gravity and memory, or with all of it in the velocity, theta' and phi' sin theta / k are the same
 // constant: phi = k log(tan(theta / 2) / tan(theta(0) / 2)).
-TEST_P(Loxodrome, IsTheKnifeEdgeOnASphereWithoutGravity) {
+TEST_P(SphericalKnifeEdge, WithoutGravityIsALoxodrome) {
   auto values = GetParam();
   values.insert({{"surface", 1.0}, {"g", 0.0}});
   const Exact reference = truth_of(scene_of("fractional_knife_edge", values));
@@ -99,7 +99,7 @@ TEST_P(Loxodrome, IsTheKnifeEdgeOnASphereWithoutGravity) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, Loxodrome,
+INSTANTIATE_TEST_SUITE_P(, SphericalKnifeEdge,
                          testing::Values(std::map<std::string, double>{{"b", 0.0}},
                                          std::map<std::string, double>{{"b", 0.0}, {"alpha", 0.3}},
                                          std::map<std::string, double>{{"alpha", 1.0}}));

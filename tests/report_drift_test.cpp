@@ -95,10 +95,10 @@ TEST(DriftSection, SetsTheFormulationsOfASceneSideBySide) {
 TEST(DriftSection, SaysWhichFormulationIsBestInTheSameTime) {
   const std::string text = section_of(three_formulations())["paragraphs"].dump();
   // The multiplier form affords 128 steps in 512 µs.
-  EXPECT_THAT(
-      text,
-      HasSubstr("within 512 µs, the constraint is kept best by integrated with l1 (2.0e-6, error 1.6e-4 at N = 512); "
-                "then multiplier with l1 (1.6e-5, error 6.3e-4 at N = 128), acceleration with l1 (3.1e-4, error 1.6e-4 at N = 512)"));
+  EXPECT_THAT(text, HasSubstr("within 512 µs, the constraint is kept best by integrated with l1 (2.0e-6, "
+                              "error 1.6e-4 at N = 512); "
+                              "then multiplier with l1 (1.6e-5, error 6.3e-4 at N = 128), acceleration with "
+                              "l1 (3.1e-4, error 1.6e-4 at N = 512)"));
   EXPECT_THAT(text, HasSubstr("to rounding (1e-12): integrated, multiplier."));
 }
 

@@ -26,7 +26,7 @@ struct ConditionalExtremum {
 
   template <class S>
   [[nodiscard]] Velocity<S> velocity(double t, const Vector<S, n>& q, const Vector<S, n>& p) const {
-    const Vector<S, n> none = Vector<S, n>::Constant(S(0.0));
+    const auto none = zeros<S, n>();
     const auto rates = constraint_rates<S>(system, S(t), q, none, none);
     const Reaction<S, System> reaction(system, q, rates);
     const Vector<S, n> free = raised<S>(system, q, p);
@@ -46,9 +46,7 @@ struct ConditionalExtremum {
     using D = Dual<S, n>;
     const Vector<S, n> q = y.template head<n>(), p = y.template tail<n>();
     const Velocity<S> at = velocity<S>(t, q, p);
-    const Vector<D, n> place = variables<n>(q);
-    Vector<D, n> v;
-    for (int i = 0; i < n; ++i) v[i] = constant<S, n>(at.v[i]);
+    const Vector<D, n> place = variables<n>(q), v = constants<n>(at.v);
     D action = constant<S, n>(S(0.0));
     if constexpr (HasMetric<System>) action += S(0.5) * v.dot(system.template metric<D>(place) * v);
     if constexpr (HasPotential<System>) action -= system.template potential<D>(place);

@@ -20,14 +20,26 @@ Dual<Scalar, directions> constant(const Scalar& value) {
   return {value, Vector<Scalar, directions>::Constant(Scalar(0.0))};
 }
 
+// x with dx = 1 in one direction.
+template <int directions, class Scalar>
+Dual<Scalar, directions> variable(const Scalar& x, int direction = 0) {
+  auto result = constant<Scalar, directions>(x);
+  result.derivatives()[direction] = Scalar(1.0);
+  return result;
+}
+
+template <int directions, class Scalar, int n>
+Vector<Dual<Scalar, directions>, n> constants(const Vector<Scalar, n>& x) {
+  Vector<Dual<Scalar, directions>, n> result;
+  for (int i = 0; i < n; ++i) result[i] = constant<Scalar, directions>(x[i]);
+  return result;
+}
+
 // x with d x_i = 1 in direction first + i.
 template <int directions, class Scalar, int n>
 Vector<Dual<Scalar, directions>, n> variables(const Vector<Scalar, n>& x, int first = 0) {
   Vector<Dual<Scalar, directions>, n> result;
-  for (int i = 0; i < n; ++i) {
-    result[i] = constant<Scalar, directions>(x[i]);
-    result[i].derivatives()[first + i] = Scalar(1.0);
-  }
+  for (int i = 0; i < n; ++i) result[i] = variable<directions>(x[i], first + i);
   return result;
 }
 
@@ -35,12 +47,15 @@ Vector<Dual<Scalar, directions>, n> variables(const Vector<Scalar, n>& x, int fi
 template <int directions, class Scalar, int n>
 Vector<Dual<Scalar, directions>, n> moving(const Vector<Scalar, n>& x, const Vector<Scalar, n>& velocity,
                                            int direction = 0) {
-  Vector<Dual<Scalar, directions>, n> result;
-  for (int i = 0; i < n; ++i) {
-    result[i] = constant<Scalar, directions>(x[i]);
-    result[i].derivatives()[direction] = velocity[i];
-  }
+  auto result = constants<directions>(x);
+  for (int i = 0; i < n; ++i) result[i].derivatives()[direction] = velocity[i];
   return result;
+}
+
+// 0 in every coordinate, and in all its derivatives.
+template <class Scalar, int n>
+Vector<Scalar, n> zeros() {
+  return Vector<Scalar, n>::Constant(Scalar(0.0));
 }
 
 }  // namespace fde::mechanics

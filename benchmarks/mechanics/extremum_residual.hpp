@@ -23,14 +23,12 @@ Vector<double, System::coordinates> extremum_residual(const System& system,
   static_assert(!HasMemory<System>, "constraints of whole order");
   constexpr int n = System::coordinates, r = System::constraints;
   using Rate = Dual<double, 1>;
-  Rate time = constant<double, 1>(at.t);
-  time.derivatives()[0] = 1.0;
   const Vector<Rate, n> velocity = moving<1>(at.v, at.acceleration);
-  const auto along = constraint_rates<Rate>(system, time, moving<1>(at.q, at.v), velocity, velocity);
+  const auto along =
+      constraint_rates<Rate>(system, variable<1>(at.t), moving<1>(at.q, at.v), velocity, velocity);
 
   using Slope = Dual<double, n>;
-  Vector<Slope, n> fixed;
-  for (int i = 0; i < n; ++i) fixed[i] = constant<double, n>(at.v[i]);
+  const Vector<Slope, n> fixed = constants<n>(at.v);
   const Vector<Slope, r> f =
       constraint_value<Slope>(system, constant<double, n>(at.t), variables<n>(at.q), fixed, fixed);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "parameters.hpp"
@@ -14,14 +15,21 @@ enum class Formulation {
   multiplier,    // the constraint as an algebraic row, the multiplier as an unknown
 };
 
-// The parameters `formulation`, from those that fit a scene (the first is the default), and `kappa` where
-// stabilised is among them.
-std::vector<Parameter> formulation_parameters(const std::vector<Formulation>& fitting);
-// Behind those of a scene.
+std::string_view name_of(Formulation formulation);
+
+// All: they fit constraints that are affine in the velocity. The first is the default.
+const std::vector<Formulation>& all_formulations();
+
+// The parameters of a scene and behind them `formulation`, a choice from those that fit (the first is the
+// default), and `kappa` where stabilised is among them.
 std::vector<Parameter> with_formulations(std::vector<Parameter> parameters,
                                          const std::vector<Formulation>& fitting);
-// All: they fit constraints that are affine in the velocity.
-const std::vector<Formulation>& all_formulations();
-Formulation formulation_of(const Parameters& parameters, const std::vector<Formulation>& fitting);
+
+// How such parameters ask for the equations.
+struct Asked {
+  Formulation formulation = Formulation::integrated;
+  double kappa = 0.0;  // not 0 for stabilised only
+};
+Asked asked_of(const Parameters& parameters, const std::vector<Formulation>& fitting);
 
 }  // namespace fde::mechanics

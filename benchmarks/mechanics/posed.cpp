@@ -85,18 +85,18 @@ std::vector<std::string> column_names(const std::vector<std::string>& coordinate
   return names;
 }
 
-void reject_singular(double order) {
+void reject_singular(Formulation formulation, double order) {
   throw std::invalid_argument(
-      fmt::format("formulation = acceleration: must be another one for alpha = {}: D^alpha v starts like "
-                  "t^{:.3g}, unbounded unless (df/dw) v(0) = 0 or alpha < 1/2",
-                  order, 1.0 - 2.0 * order));
+      fmt::format("formulation = {}: must be neither acceleration nor stabilised for alpha = {}: D^alpha v "
+                  "is not continuous at 0 unless (df/dw) v(0) = 0 or alpha < 1/2",
+                  name_of(formulation), order));
 }
 
-void reject_above_one(double order) {
+void reject_above_one(Formulation formulation, double order) {
   throw std::invalid_argument(
-      fmt::format("formulation = acceleration: must be integrated or multiplier for alpha = {}: above 1 the "
-                  "highest derivative is D^(1+alpha) q inside the reaction",
-                  order));
+      fmt::format("formulation = {}: must be integrated or multiplier for alpha = {}: above 1 the highest "
+                  "derivative is D^(1+alpha) q inside the reaction",
+                  name_of(formulation), order));
 }
 
 void reject_unaligned(double order) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "derivatives.hpp"
+#include "formulation.hpp"
 #include "linear_smoothness.hpp"
 #include "scene.hpp"
 
@@ -38,9 +40,10 @@ std::vector<double> powers_of_derivative(const std::vector<double>& powers);
 // Columns q1, v1, w1 of a coordinate q1; x, dx, Dalpha_x of x.
 std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory);
 
-// Throw std::invalid_argument.
-[[noreturn]] void reject_singular(double order);
-[[noreturn]] void reject_above_one(double order);
+// Throw std::invalid_argument that says which formulations fit, and why that one does not: a term unbounded
+// at t = 0; a derivative above 1 + alpha; a constraint that fixes no derivative of order alpha.
+[[noreturn]] void reject_singular(Formulation formulation, double order);
+[[noreturn]] void reject_above_one(Formulation formulation, double order);
 [[noreturn]] void reject_unaligned(double order);
 
 // A form whose right-hand side has powers of t beside constants.
@@ -62,11 +65,11 @@ PosedMechanics pose(const Form& form, double end, bool linear) {
     columns.segment(Form::n, Form::n) = of.v;
     columns.tail(columns.size() - 2 * Form::n) = of.w.head(columns.size() - 2 * Form::n);
   };
-  if (!linear) {
+  if (linear) result.problem.linear_part = linear_part_of(result.problem);
+  if (!linear || std::ranges::any_of(result.problem.components, algebraic)) {
     result.smoothness = nonlinear_start(result.problem.components);
     return result;
   }
-  result.problem.linear_part = linear_part_of(result.problem);
   std::vector<PowerLoad> loads;
   if constexpr (Loaded<Form>) loads = form.loads();
   result.smoothness = linear_start(result.problem, std::move(loads));

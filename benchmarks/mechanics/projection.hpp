@@ -12,8 +12,7 @@ class Projection {
 
  public:
   Projection(const System& system, const S& t, const Vector<S, n>& q, const Vector<S, n>& w)
-      : rates_(constraint_rates<S>(system, t, q, Vector<S, n>(Vector<S, n>::Constant(S(0.0))), w)),
-        reaction_(system, q, rates_) {}
+      : rates_(constraint_rates<S>(system, t, q, zeros<S, n>(), w)), reaction_(system, q, rates_) {}
 
   // P x, with a P = 0 and P G^-1 reaction^T = 0.
   [[nodiscard]] Vector<S, n> of(const Vector<S, n>& x) const { return reaction_.projected(x); }
@@ -36,15 +35,8 @@ Vector<S, System::coordinates> projection_rate(const System& system, const S& t,
                                                const Vector<S, System::coordinates>& v) {
   constexpr int n = System::coordinates;
   using D = Dual<S, 1>;
-  D time = constant<S, 1>(t);
-  time.derivatives()[0] = S(1.0);
-  const Vector<D, n> place = moving<1>(q, v);
-  Vector<D, n> none, fixed;
-  for (int i = 0; i < n; ++i) {
-    none[i] = constant<S, 1>(S(0.0));
-    fixed[i] = constant<S, 1>(v[i]);
-  }
-  const Vector<D, n> projected = Projection<D, System>(system, time, place, none).of(fixed);
+  const Projection<D, System> turning(system, variable<1>(t), moving<1>(q, v), zeros<D, n>());
+  const Vector<D, n> projected = turning.of(constants<1>(v));
   Vector<S, n> rate;
   for (int i = 0; i < n; ++i) rate[i] = projected[i].derivatives()[0];
   return rate;

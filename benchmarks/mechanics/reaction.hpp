@@ -9,8 +9,8 @@ template <class S, class System>
 struct ConstraintRates {
   static constexpr int n = System::coordinates, r = System::constraints;
   Vector<S, r> value;  // f
-  Table<S, r, n>
-      reaction;  // df/dv: the reaction is its transpose times lambda (Chetaev; Tarasov & Zaslavsky 32)
+  // df/dv: the reaction is its transpose times lambda (Chetaev; Tarasov & Zaslavsky 32).
+  Table<S, r, n> reaction;
   Table<S, r, n> slope;   // what v' is multiplied with in df/dt: df/dv; at order 1, where w = v, also df/dw
   Table<S, r, n> memory;  // df/dw; at order 1 zero
   Vector<S, r> flow;      // df/dt + (df/dq) v
@@ -24,8 +24,7 @@ ConstraintRates<S, System> constraint_rates(const System& system, const S& t,
   constexpr int n = System::coordinates, r = System::constraints;
   constexpr int directions = HasMemory<System> ? 2 * n + 1 : n + 1, along = directions - 1;
   using D = Dual<S, directions>;
-  D time = constant<S, directions>(t);
-  time.derivatives()[along] = S(1.0);
+  const D time = variable<directions>(t, along);
   const Vector<D, n> rates = variables<directions>(v);
   const auto memory = [&]() -> Vector<D, n> {
     if constexpr (HasMemory<System>) {
@@ -67,18 +66,14 @@ class Reaction {
         inverse_(Table<S, r, r>(slope_ * directions_).inverse()) {}
 
   [[nodiscard]] Vector<S, r> multiplier(const Vector<S, r>& defect) const { return -(inverse_ * defect); }
-  [[nodiscard]] Vector<S, n> acceleration(const Vector<S, r>& multiplier) const {
-    return directions_ * multiplier;
-  }
   [[nodiscard]] Vector<S, n> answer(const Vector<S, r>& defect) const {
-    return acceleration(multiplier(defect));
+    return directions_ * multiplier(defect);
   }
   // x without what the constraints do not allow: slope (projected x) = 0.
   [[nodiscard]] Vector<S, n> projected(const Vector<S, n>& x) const {
     const Vector<S, r> component = slope_ * x;
     return x + answer(component);
   }
-  [[nodiscard]] const Table<S, r, n>& slope() const { return slope_; }
 
  private:
   Table<S, r, n> slope_;
@@ -86,10 +81,14 @@ class Reaction {
   Table<S, r, r> inverse_;
 };
 
+// The multiplier that keeps df/dt = 0 where w' has no part in it.
 template <class S, class System>
-Reaction<S, System> reaction_of(const System& system, const Vector<S, System::coordinates>& q,
-                                const ConstraintRates<S, System>& rates) {
-  return {system, q, rates};
+Vector<S, System::constraints> enforcing_multiplier(const System& system, const S& t,
+                                                    const Vector<S, System::coordinates>& q,
+                                                    const Vector<S, System::coordinates>& v,
+                                                    const ConstraintRates<S, System>& rates) {
+  const Reaction<S, System> reaction(system, q, rates);
+  return reaction.multiplier(rates.slope * free_acceleration<S>(system, t, q, v) + rates.flow);
 }
 
 }  // namespace fde::mechanics

@@ -52,10 +52,7 @@ struct EnforcingMultipliers {
   [[nodiscard]] Vector<S, System::constraints> of(const System& system,
                                                   const Vector<S, System::coordinates>& x,
                                                   const Vector<S, System::coordinates>& y) const {
-    const auto rates = constraint_rates<S>(system, S(0.0), x, y, y);
-    const Reaction<S, System> reaction(system, x, rates);
-    const Vector<S, System::coordinates> free = free_acceleration<S>(system, S(0.0), x, y);
-    return reaction.multiplier(rates.slope * free + rates.flow);
+    return enforcing_multiplier<S>(system, S(0.0), x, y, constraint_rates<S>(system, S(0.0), x, y, y));
   }
 };
 
@@ -82,13 +79,7 @@ Vector<S, System::coordinates> semispray(const System& system, const Multipliers
                                          const Vector<S, System::coordinates>& x,
                                          const Vector<S, System::coordinates>& y) {
   constexpr int n = System::coordinates;
-  Vector<S, n> force = Vector<S, n>::Constant(S(0.0));
-  if constexpr (HasPotential<System>) {
-    using D = Dual<S, n>;
-    const D potential = system.template potential<D>(variables<n>(x));
-    force -= potential.derivatives();
-  }
-  if constexpr (HasForce<System>) force += system.template force<S>(S(0.0), x, y);
+  Vector<S, n> force = applied_force<S>(system, S(0.0), x, y);
   const auto rates = constraint_rates<S>(system, S(0.0), x, y, y);
   const Vector<S, System::constraints> lambda = multipliers.template of<S>(system, x, y);
   force += rates.reaction.transpose() * lambda;
@@ -108,9 +99,7 @@ Table<double, System::coordinates, System::coordinates> semispray_connection(
     const Vector<double, System::coordinates>& y) {
   constexpr int n = System::coordinates;
   using D = Dual<double, n>;
-  Vector<D, n> place;
-  for (int i = 0; i < n; ++i) place[i] = constant<double, n>(x[i]);
-  const Vector<D, n> coefficients = semispray<D>(system, multipliers, place, variables<n>(y));
+  const Vector<D, n> coefficients = semispray<D>(system, multipliers, constants<n>(x), variables<n>(y));
   Table<double, n, n> connection;
   for (int i = 0; i < n; ++i) connection.row(i) = 0.5 * coefficients[i].derivatives().transpose();
   return connection;

@@ -66,7 +66,7 @@ Vector<S, System::coordinates> christoffel_terms(const System& system,
   constexpr int n = System::coordinates;
   using D = Dual<S, n>;
   const Table<D, n, n> metric = system.template metric<D>(variables<n>(q));
-  Vector<S, n> terms = Vector<S, n>::Constant(S(0.0));
+  auto terms = zeros<S, n>();
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       for (int k = 0; k < n; ++k) {
@@ -77,19 +77,28 @@ Vector<S, System::coordinates> christoffel_terms(const System& system,
   return terms;
 }
 
-// v' without constraints: G^-1 (-grad u + F - Christoffel terms).
+// -grad u + F, covariant.
 template <class S, class System>
-Vector<S, System::coordinates> free_acceleration(const System& system, const S& t,
-                                                 const Vector<S, System::coordinates>& q,
-                                                 const Vector<S, System::coordinates>& v) {
+Vector<S, System::coordinates> applied_force(const System& system, [[maybe_unused]] const S& t,
+                                             [[maybe_unused]] const Vector<S, System::coordinates>& q,
+                                             [[maybe_unused]] const Vector<S, System::coordinates>& v) {
   constexpr int n = System::coordinates;
-  Vector<S, n> force = Vector<S, n>::Constant(S(0.0));
+  auto force = zeros<S, n>();
   if constexpr (HasPotential<System>) {
     using D = Dual<S, n>;
     const D potential = system.template potential<D>(variables<n>(q));
     force -= potential.derivatives();
   }
   if constexpr (HasForce<System>) force += system.template force<S>(t, q, v);
+  return force;
+}
+
+// v' without constraints: G^-1 (-grad u + F - Christoffel terms).
+template <class S, class System>
+Vector<S, System::coordinates> free_acceleration(const System& system, const S& t,
+                                                 const Vector<S, System::coordinates>& q,
+                                                 const Vector<S, System::coordinates>& v) {
+  Vector<S, System::coordinates> force = applied_force<S>(system, t, q, v);
   if constexpr (HasMetric<System>) force -= christoffel_terms<S>(system, q, v);
   return raised<S>(system, q, force);
 }

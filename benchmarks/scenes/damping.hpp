@@ -15,10 +15,10 @@ std::vector<Term> damping_terms(const Parameters& p, double mu, double lambda, d
 // The orders alpha, beta and the time tau, with the defaults of section 7.
 std::vector<Parameter> damping_parameters();
 
-// The columns u, Dbeta_u, du, Dalpha_u of a damped equation; what its chain drops is left out. first: where
+// The columns u, Dbeta_u, du, Dalpha_u of a damped equation; what its chain drops is left out. from: where
 // they begin among the columns of the scene.
 struct DampedColumns {
-  DampedColumns(const std::vector<Term>& terms, const std::string& u, Eigen::Index first = 0);
+  DampedColumns(const std::vector<Term>& terms, const std::string& u, Eigen::Index from = 0);
 
   // The component of each column, for a chain that stands at offset in the problem.
   [[nodiscard]] std::vector<Eigen::Index> components(const Chain& chain, Eigen::Index offset = 0) const;

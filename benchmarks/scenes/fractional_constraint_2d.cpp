@@ -8,20 +8,20 @@ namespace {
 
 using namespace mechanics;
 
-// u = (k1 q1^2 + k2 q2^2)/2 + g q2; f = a.v + b.w - C0, which the motion keeps: C0 = a.v(0), at alpha = 1,
-// where w(0) = v(0), (a + b).v(0). As alpha tends to 1 the first is reached by a jump of v at 0.
+// u = (k1 q1^2 + k2 q2^2)/2 + g q2; f = a.v + b.w - C0 with C0 = a.v(0), which the motion keeps. Above order
+// 1 its modes grow where a.b < 0.
 struct LinearConstraint {
   static constexpr int coordinates = 2, constraints = 1;
   static constexpr bool constant = true;
   double order, a1, a2, b1, b2, k1, k2, g, c0;
 
   template <class S>
-  S potential(const Vector<S, 2>& q) const {
+  [[nodiscard]] S potential(const Vector<S, 2>& q) const {
     return 0.5 * (k1 * q[0] * q[0] + k2 * q[1] * q[1]) + g * q[1];
   }
   template <class S>
-  Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& /*q*/, const Vector<S, 2>& v,
-                          const Vector<S, 2>& w) const {
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& /*q*/, const Vector<S, 2>& v,
+                                        const Vector<S, 2>& w) const {
     return Vector<S, 1>(S(a1 * v[0] + a2 * v[1] + b1 * w[0] + b2 * w[1] - c0));
   }
 };
@@ -36,7 +36,6 @@ LinearSystem system_of(const Parameters& parameters) {
   };
   const auto a = pair("a1", "a2"), b = pair("b1", "b2"), k = pair("k1", "k2"), place = pair("q1", "q2"),
              velocity = pair("v1", "v2");
-  const bool starts_with_memory = parameters["alpha"] == 1.0;  // w(0) = v(0), otherwise w(0) = 0
   LinearSystem system{.orders = std::vector<double>(size, 1.0),
                       .initial = std::vector<std::vector<double>>(size),
                       .matrix = Matrix::Zero(size, size),
@@ -53,7 +52,7 @@ LinearSystem system_of(const Parameters& parameters) {
     system.matrix(w + at, q + at) = -1.0;
     system.matrix(lambda, v + at) = a[i];
     system.matrix(lambda, w + at) = b[i];
-    system.matrix(lambda, e + at) = -(a[i] + (starts_with_memory ? b[i] : 0.0));
+    system.matrix(lambda, e + at) = -a[i];
     system.orders[w + i] = 0.0;
     system.orders[p + i] = parameters["alpha"];
     system.initial[q + i] = {place[i]};
@@ -69,40 +68,35 @@ LinearSystem system_of(const Parameters& parameters) {
 }  // namespace
 
 SceneMaker fractional_constraint_2d() {
-  static const std::vector<Formulation> fitting{Formulation::integrated, Formulation::acceleration,
-                                                Formulation::stabilised, Formulation::multiplier};
-  std::vector<Parameter> parameters{{"alpha",
-                                     0.5,
-                                     {.low = 0.0, .high = 2.0, .open_low = true, .open_high = true},
-                                     "order of the constraint"},
-                                    {"a1", 1.0, any_number, "weight of q1'"},
-                                    {"a2", 2.0, any_number, "weight of q2'"},
-                                    {"b1", 0.5, any_number, "weight of D^alpha q1"},
-                                    {"b2", -0.3, any_number, "weight of D^alpha q2"},
-                                    {"k1", 1.0, any_number, "stiffness of q1"},
-                                    {"k2", 2.0, any_number, "stiffness of q2"},
-                                    {"g", 0.0, any_number, "force on -q2"},
-                                    {"q1", 1.0, any_number, "q1(0)"},
-                                    {"q2", 0.0, any_number, "q2(0)"},
-                                    {"v1", 0.4, any_number, "q1'(0)"},
-                                    {"v2", -0.2, any_number, "q2'(0)"}};
-  const auto more = formulation_parameters(fitting);
-  parameters.insert(parameters.end(), more.begin(), more.end());
+  const std::vector<Parameter> parameters{{"alpha",
+                                           0.5,
+                                           {.low = 0.0, .high = 2.0, .open_low = true, .open_high = true},
+                                           "order of the constraint"},
+                                          {"a1", 1.0, any_number, "weight of q1'"},
+                                          {"a2", 2.0, any_number, "weight of q2'"},
+                                          {"b1", 0.5, any_number, "weight of D^alpha q1"},
+                                          {"b2", -0.3, any_number, "weight of D^alpha q2"},
+                                          {"k1", 1.0, any_number, "stiffness of q1"},
+                                          {"k2", 2.0, any_number, "stiffness of q2"},
+                                          {"g", 0.0, any_number, "force on -q2"},
+                                          {"q1", 1.0, any_number, "q1(0)"},
+                                          {"q2", 0.0, any_number, "q2(0)"},
+                                          {"v1", 0.4, any_number, "q1'(0)"},
+                                          {"v2", -0.2, any_number, "q2'(0)"}};
   return {.id = "fractional_constraint_2d",
           .title = "Oscillator in the plane with a linear fractional constraint",
           .source = "Tarasov & Zaslavsky 2006, eqs 41-43, 55-63",
-          .parameters = parameters,
+          .parameters = with_formulations(parameters, all_formulations()),
           .make = [](const Parameters& p) -> Scene {
             if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
-            const double memory = p["alpha"] == 1.0 ? 1.0 : 0.0;  // w(0) = memory v(0)
-            const double c0 = (p["a1"] + memory * p["b1"]) * p["v1"] + (p["a2"] + memory * p["b2"]) * p["v2"];
+            const double c0 = p["a1"] * p["v1"] + p["a2"] * p["v2"];
             const Setting<LinearConstraint> setting{
                 .system = {p["alpha"], p["a1"], p["a2"], p["b1"], p["b2"], p["k1"], p["k2"], p["g"], c0},
                 .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
                 .coordinates = {"q1", "q2"},
                 .end = 10.0,
                 .linear = true};
-            Scene scene = mechanical_scene(setting, {formulation_of(p, fitting), p["kappa"]});
+            Scene scene = mechanical_scene(setting, asked_of(p, all_formulations()));
             scene.exact = exact_solution(system_of(p));
             return scene;
           }};

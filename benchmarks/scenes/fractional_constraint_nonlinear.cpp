@@ -42,22 +42,20 @@ std::string why_unknown(double alpha) {
 SceneMaker fractional_constraint_nonlinear() {
   static const std::vector<Formulation> fitting{Formulation::acceleration, Formulation::stabilised,
                                                 Formulation::multiplier};
-  std::vector<Parameter> parameters{{"alpha",
-                                     0.4,
-                                     {.low = 0.0, .high = 1.0, .open_low = true, .open_high = true},
-                                     "order of the constraint"},
-                                    {"coupling", 0.3, any_number, "weight of v.D^alpha q"},
-                                    {"k", 1.0, any_number, "stiffness of the springs"},
-                                    {"q1", 1.0, any_number, "q1(0)"},
-                                    {"q2", 0.0, any_number, "q2(0)"},
-                                    {"v1", 0.6, any_number, "q1'(0)"},
-                                    {"v2", 0.8, any_number, "q2'(0)"}};
-  const auto more = formulation_parameters(fitting);
-  parameters.insert(parameters.end(), more.begin(), more.end());
+  const std::vector<Parameter> parameters{{"alpha",
+                                           0.4,
+                                           {.low = 0.0, .high = 1.0, .open_low = true, .open_high = true},
+                                           "order of the constraint"},
+                                          {"coupling", 0.3, any_number, "weight of v.D^alpha q"},
+                                          {"k", 1.0, any_number, "stiffness of the springs"},
+                                          {"q1", 1.0, any_number, "q1(0)"},
+                                          {"q2", 0.0, any_number, "q2(0)"},
+                                          {"v1", 0.6, any_number, "q1'(0)"},
+                                          {"v2", 0.8, any_number, "q2'(0)"}};
   return {.id = "fractional_constraint_nonlinear",
           .title = "Chain of oscillators with a constraint quadratic in velocities and memory",
           .source = "Tarasov & Zaslavsky 2006, eqs 29, 32, 36, 37",
-          .parameters = parameters,
+          .parameters = with_formulations(parameters, fitting),
           .make = [](const Parameters& p) -> Scene {
             if (p["v1"] == 0.0 && p["v2"] == 0.0) reject("v1", 0.0, "other than 0 where v2 = 0");
             const Setting<ThermostattedChain> setting{
@@ -67,7 +65,7 @@ SceneMaker fractional_constraint_nonlinear() {
                 .end = 10.0,
                 .reference = Formulation::acceleration,
                 .no_reference = why_unknown(p["alpha"])};
-            return mechanical_scene(setting, {formulation_of(p, fitting), p["kappa"]});
+            return mechanical_scene(setting, asked_of(p, fitting));
           }};
 }
 

@@ -7,8 +7,8 @@
 namespace fde {
 namespace {
 
-// D^alpha of this is the singular part (2 alpha - 1) Gamma(alpha) (1 - t)^(alpha-1) of p, and it is 1 at t =
-// 1:
+// D^alpha of this is the singular part (2 alpha - 1) Gamma(alpha) (1 - t)^(alpha-1) of p, and its value at
+// t = 1 is 1:
 //   (2 alpha - 1) int_0^t ((t - s)(1 - s))^(alpha-1) ds
 //     = t^alpha - (1 - alpha) (1 - t)^(2 alpha - 1) B_t(alpha, 2 - 2 alpha),
 // B_t the incomplete beta function, by the substitution x = (t - s) / (1 - s) and one integration by parts.

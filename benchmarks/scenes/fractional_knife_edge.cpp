@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 
 #include "mechanical_scene.hpp"
 
@@ -74,28 +75,24 @@ Setting<BladeOnSphere> on_sphere(const Parameters& p) {
 // without memory: the knife edge and, with g = 0, the loxodrome. The start is on the constraint, so no term
 // is singular.
 SceneMaker fractional_knife_edge() {
-  static const std::vector<Formulation> fitting{Formulation::integrated, Formulation::acceleration,
-                                                Formulation::stabilised, Formulation::multiplier};
   constexpr Range between_the_poles{
-      .low = 0.0, .high = 3.141592653589793, .open_low = true, .open_high = true};
-  std::vector<Parameter> parameters{choice("surface", {"plane", "sphere"}, "what the blade is on"),
-                                    {"alpha", 0.6, order_up_to_one, "order of the constraint"},
-                                    {"b", 0.5, any_number, "weight of the memory"},
-                                    {"speed", 0.5, any_number, "at t = 0, along the blade"},
-                                    {"g", 1.0, any_number, "gravity"},
-                                    {"theta", 0.5, any_number, "inclination (plane)"},
-                                    {"omega", 1.0, any_number, "turns per 2 pi of time (plane)"},
-                                    {"k", 0.5, any_number, "slope of the course (sphere)"},
-                                    {"theta0", 0.7, between_the_poles, "theta(0) (sphere)"}};
-  const auto more = formulation_parameters(fitting);
-  parameters.insert(parameters.end(), more.begin(), more.end());
+      .low = 0.0, .high = std::numbers::pi, .open_low = true, .open_high = true};
+  const std::vector<Parameter> parameters{choice("surface", {"plane", "sphere"}, "what the blade is on"),
+                                          {"alpha", 0.6, order_up_to_one, "order of the constraint"},
+                                          {"b", 0.5, any_number, "weight of the memory"},
+                                          {"speed", 0.5, any_number, "at t = 0, along the blade"},
+                                          {"g", 1.0, any_number, "gravity"},
+                                          {"theta", 0.5, any_number, "inclination (plane)"},
+                                          {"omega", 1.0, any_number, "turns per 2 pi of time (plane)"},
+                                          {"k", 0.5, any_number, "slope of the course (sphere)"},
+                                          {"theta0", 0.7, between_the_poles, "theta(0) (sphere)"}};
   return {.id = "fractional_knife_edge",
           .title = "Knife edge with memory on an inclined plane or a sphere",
           .source = "Tarasov & Zaslavsky 2006, eqs 32, 36, 38; Niminet & Blanuta 2009, eq. 2.6 (corrected)",
-          .parameters = parameters,
+          .parameters = with_formulations(parameters, all_formulations()),
           .make = [](const Parameters& p) -> Scene {
             if (p["alpha"] == 1.0 && p["b"] == -1.0) reject("b", -1.0, "other than -1 for alpha = 1");
-            const Asked asked{formulation_of(p, fitting), p["kappa"]};
+            const Asked asked = asked_of(p, all_formulations());
             if (p.choice("surface") == 0) return mechanical_scene(on_plane(p), asked);
             return mechanical_scene(on_sphere(p), asked);
           }};

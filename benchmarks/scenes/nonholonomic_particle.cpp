@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "closed_form.hpp"
 #include "particle.hpp"
 #include "quotients.hpp"
@@ -8,8 +10,8 @@ namespace {
 using namespace mechanics;
 
 // With r = sqrt(1 + y^2), c = r x' is kept: x' = c/r, z' = y c/r, and y = y0 + b t. The integrals of these,
-//   x = (c/b)(arsinh y - arsinh y0) = (2c/b) artanh(b t / (r + r0)),   z = (c/b)(r - r0) = c t (y + y0)/(r +
-//   r0),
+//   x = (c/b)(arsinh y - arsinh y0) = (2c/b) artanh(b t / (r + r0)),
+//   z = (c/b)(r - r0) = c t (y + y0) / (r + r0),
 // are regular at b = 0. For b t beyond r + r0 the difference is the better conditioned form.
 struct ParticleMotion {
   double y0, dx0, dy0;

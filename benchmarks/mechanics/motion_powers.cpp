@@ -1,4 +1,4 @@
-#include "start_powers.hpp"
+#include "motion_powers.hpp"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 #include "motion.hpp"
 #include "projection.hpp"
 
-// The formulations of constraints f = a.v + b.w + c with constant a, b, c and w = D^alpha q, 1 < alpha < 2:
-// w = D^(alpha-1) v and D^(2-alpha) w = v' with w(0) = 0. The highest derivative of the acceleration form
-// would be D^(1+alpha) q, inside the reaction: there is no such form.
+// The formulation integrated, of constraints f = a.v + b.w + c with constant a, b, c and w = D^alpha q, 1 <
+// alpha < 2: w = D^(alpha-1) v and D^(2-alpha) w = v' with w(0) = 0. The highest derivative of the
+// acceleration form would be D^(1+alpha) q, inside the reaction: there is no such form.
 namespace fde::mechanics {
 
 // a, b and what they make of each other, for one constraint.
@@ -16,7 +16,7 @@ class ConstantConstraint {
 
  public:
   ConstantConstraint(const System& system, const Vector<double, n>& q)
-      : projection_(system, 0.0, q, Vector<double, n>::Zero()),
+      : projection_(system, 0.0, q, zeros<double, n>()),
         direction_(-projection_.reaction().answer(Vector<double, 1>::Ones())),
         memory_(projection_.rates().memory.transpose()),
         constant_(projection_.rates().value[0]),
@@ -48,18 +48,17 @@ struct IntegratedAboveOne {
   [[nodiscard]] std::vector<Component> components() const {
     const Vector<double, 1> chi(constraint.memory().dot(start.v));
     return rows(1.0, start.q, 1.0, constraint.projected(start.v), system.order - 1.0, chi, 2.0 - system.order,
-                Vector<double, n>(Vector<double, n>::Zero()));
+                zeros<double, n>());
   }
   [[nodiscard]] bool posed() const { return constraint.alignment() != 0.0; }
 
   template <class S>
-  Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
+  [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
     const Vector<S, n> q = y.template head<n>(), z = y.template segment<n>(n);
     const S fixed = (y[2 * n] - constraint.memory().template cast<S>().dot(z)) / S(constraint.alignment());
     const Vector<S, n> v = z + constraint.direction().template cast<S>() * fixed;
     const Vector<S, n> free =
-        Projection<S, System>(system, S(t), q, Vector<S, n>(Vector<S, n>::Constant(S(0.0))))
-            .of(free_acceleration<S>(system, S(t), q, v));
+        Projection<S, System>(system, S(t), q, zeros<S, n>()).of(free_acceleration<S>(system, S(t), q, v));
     return joined<S>(v, free, Vector<S, 1>(S(-constraint.constant()) - fixed), free);
   }
   [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
@@ -68,44 +67,6 @@ struct IntegratedAboveOne {
     const double fixed = (y[2 * n] - b.dot(z)) / constraint.alignment();
     const double memory = (-constraint.constant() - fixed - b.dot(free_memory)) / constraint.alignment();
     return {y.template head<n>(), z + direction * fixed, free_memory + direction * memory};
-  }
-};
-
-// q' = v, D^(alpha-1) v = w, D^(2-alpha) w = free acceleration + G^-1 a^T lambda, 0 = f.
-template <class System>
-struct MultiplierAboveOne {
-  static constexpr int n = System::coordinates, r = System::constraints, states = 3 * n + r;
-  System system;
-  Motion<n> start;
-
-  [[nodiscard]] std::vector<Component> components() const {
-    const ConstantConstraint<System> constraint(system, start.q);
-    const Vector<double, n> none = Vector<double, n>::Zero();
-    Vector<double, r> lambda = Vector<double, r>::Zero();
-    if (constraint.alignment() !=
-        0.0) {  // b.v'(0) = 0: otherwise b.w, and with it a.v, starts like t^(2-alpha)
-      const Vector<double, n> free = free_acceleration<double>(system, 0.0, start.q, start.v);
-      const Vector<double, r> one = Vector<double, r>::Ones();
-      const auto a = constraint_rates<double>(system, 0.0, start.q, start.v, none).reaction;
-      const Vector<double, n> reaction =
-          raised<double>(system, start.q, Vector<double, n>(a.transpose() * one));
-      lambda[0] = -constraint.memory().dot(free) / constraint.memory().dot(reaction);
-    }
-    return rows(1.0, start.q, system.order - 1.0, start.v, 2.0 - system.order, none, 0.0, lambda);
-  }
-
-  template <class S>
-  Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
-    const Vector<S, n> q = y.template head<n>(), v = y.template segment<n>(n),
-                       w = y.template segment<n>(2 * n);
-    const Vector<S, r> lambda = y.template tail<r>();
-    const auto rates = constraint_rates<S>(system, S(t), q, v, w);
-    const Vector<S, n> acceleration = free_acceleration<S>(system, S(t), q, v) +
-                                      raised<S>(system, q, Vector<S, n>(rates.reaction.transpose() * lambda));
-    return joined<S>(v, w, acceleration, rates.value);
-  }
-  [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
-    return {y.template head<n>(), y.template segment<n>(n), y.template segment<n>(2 * n)};
   }
 };
 
