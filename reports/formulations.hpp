@@ -37,8 +37,8 @@ struct BestInTime {
   MeasuredRun run;
 };
 
-// Such runs within the largest time that every formulation was given, the least drift and error first. Empty where
-// fewer than two formulations were timed.
+// Such runs within the largest time that every formulation was given, the least drift and error first. Empty
+// where fewer than two formulations were timed.
 struct BestInTimes {
   double seconds = 0.0;
   std::vector<BestInTime> ranked{};
