@@ -107,5 +107,14 @@ TEST(ConstraintCases, TheMultiplierFormApproachesTheReducedEquation) {
   EXPECT_LT(error(800), 0.55 * error(400));
 }
 
+// z' = -P grad u with P = I - a a^T/5, a = (1, 2): a constant force does not cost the small stiffness its
+// digits.
+TEST(FractionalConstraint2d, AGreatForceLeavesTheMatrixOfASmallStiffness) {
+  const auto scene = scene_of("fractional_constraint_2d", {{"g", 1e12}, {"k2", 1e-9}});
+  const Matrix& part = scene.problem.linear_part.value();
+  EXPECT_NEAR(part(2, 1), 0.4e-9, 1e-24);
+  EXPECT_NEAR(part(3, 1), -0.2e-9, 1e-24);
+}
+
 }  // namespace
 }  // namespace fde

@@ -8,26 +8,32 @@
 
 namespace fde::mechanics {
 
+// Far out the constants of the right-hand side do not count.
 Matrix linear_part_of(const Problem& problem) {
+  constexpr double far = 0x1p100;
   const Eigen::Index size = problem.size();
   Vec point = Vec::Zero(size), at_zero(size), f(size);
   Matrix part(size, size);
   problem.rhs(1.0, point, at_zero);
   for (Eigen::Index i = 0; i < size; ++i) {
-    point[i] = 1.0;
+    point[i] = far;
     problem.rhs(1.0, point, f);
-    part.col(i) = f - at_zero;
+    part.col(i) = (f - at_zero) / far;
     point[i] = 0.0;
   }
-  const double rounding = 1e-14 * part.cwiseAbs().maxCoeff();
-  return (part.array().abs() < rounding).select(0.0, part);
+  return part;
 }
 
 Smoothness linear_start(const Problem& problem, std::vector<PowerLoad> loads) {
   Vec constants(problem.size());
   problem.rhs(0.0, Vec::Zero(problem.size()), constants);
   loads.push_back({0.0, constants});
-  return linear_smoothness(problem.components, *problem.linear_part, loads);
+  Matrix part = *problem.linear_part;  // without entries that are what rounding leaves of 0
+  for (auto column : part.colwise()) {
+    const double rounding = 1e-14 * column.cwiseAbs().maxCoeff();
+    column = (column.array().abs() < rounding).select(0.0, column).eval();
+  }
+  return linear_smoothness(problem.components, part, loads);
 }
 
 Smoothness nonlinear_start(const std::vector<Component>& components) {

@@ -10,7 +10,7 @@ using namespace mechanics;
 // Two unit masses between two walls, three equal springs: u = k (q1^2 + (q2 - q1)^2 + q2^2)/2, and
 // f = |v|^2/2 + coupling v.w - K. With d = v + coupling w = df/dv the constraint says |d|^2 = 2K + coupling^2
 // |w|^2: d never vanishes, and the multiplier is always determined.
-struct ThermostattedChain {
+struct RememberingChain {
   static constexpr int coordinates = 2, constraints = 1;
   double order, coupling, k, kinetic;
 
@@ -58,7 +58,7 @@ SceneMaker fractional_constraint_nonlinear() {
           .parameters = with_formulations(parameters, fitting),
           .make = [](const Parameters& p) -> Scene {
             if (p["v1"] == 0.0 && p["v2"] == 0.0) reject("v1", 0.0, "other than 0 where v2 = 0");
-            const Setting<ThermostattedChain> setting{
+            const Setting<RememberingChain> setting{
                 .system = {p["alpha"], p["coupling"], p["k"], 0.5 * (p["v1"] * p["v1"] + p["v2"] * p["v2"])},
                 .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
                 .coordinates = {"q1", "q2"},
