@@ -46,11 +46,31 @@ Scene make_scene(const SceneMaker& maker, const std::map<std::string, double>& v
   return scene;
 }
 
-std::string describe(const Trajectory& path) {
-  if (path.outcome == Outcome::finished) return "finished";
-  return fmt::format("{} at step {}, t = {:.6g}",
-                     path.outcome == Outcome::not_finite ? "not finite" : "Newton's method did not converge",
-                     path.reached + 1, path.grid.time(path.reached + 1));
+namespace {
+
+std::string reason(const Problem& problem, Outcome outcome) {
+  switch (outcome) {
+    case Outcome::finished:
+      return "finished";
+    case Outcome::not_finite:
+      return "not finite";
+    case Outcome::not_converged:
+      return "Newton's method did not converge";
+    case Outcome::singular:
+      return fmt::format("ran into the singularity {}", problem.domain.edge);
+    case Outcome::out_of_budget:
+      return "out of its budget of time";
+  }
+  throw std::logic_error("an outcome without a description");
+}
+
+}  // namespace
+
+std::string describe(const Problem& problem, const Trajectory& path) {
+  const auto why = reason(problem, path.outcome);
+  if (path.outcome == Outcome::finished) return why;
+  const int step = path.reached + 1;
+  return fmt::format("{} at step {}, t = {:.6g}", why, step, path.grid.time(step));
 }
 
 namespace {
@@ -107,9 +127,9 @@ Known what_is_known(TruthTable& truth, const Trajectory& path) {
 }  // namespace
 
 Examination examine(const std::string& label, const Scene& scene, TruthTable& truth, const Scheme& scheme,
-                    int steps) {
+                    int steps, double budget) {
   const Grid grid{.end = scene.problem.end, .steps = steps};
-  Options options{.keep = watched_steps(steps)};
+  Options options{.budget = budget, .keep = watched_steps(steps)};
   const Record row{.scene = label,
                    .scheme = std::string(scheme.id),
                    .history = std::string(name(options.history)),
@@ -133,7 +153,8 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
     };
   }
   const auto path = scheme.solve(scene.problem, grid, options);
-  if (path.outcome != Outcome::finished) return {{outcome(grid.time(path.reached), describe(path))}};
+  if (path.outcome != Outcome::finished)
+    return {{outcome(grid.time(path.reached), describe(scene.problem, path))}};
   try {
     const Known known = what_is_known(truth, path);
     const Rows values = columns_of(scene.outputs, path);

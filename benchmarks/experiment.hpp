@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -34,8 +35,9 @@ class TruthTable {
 // The scene made from its defaults with some values replaced.
 Scene make_scene(const SceneMaker& maker, const std::map<std::string, double>& values = {});
 
-// Why a run ended early, with step and time: "not finite at step 94, t = 18.4"; "finished" when it did not.
-std::string describe(const Trajectory& path);
+// Why a run of the problem ended early, with step and time: "not finite at step 94, t = 18.4"; "finished"
+// when it did not.
+std::string describe(const Problem& problem, const Trajectory& path);
 
 // One (scene, scheme, steps) of a sweep: everything but its time, and how to repeat it.
 struct Examination {
@@ -45,10 +47,11 @@ struct Examination {
   bool finished = false;  // with a reference, and worth timing
 };
 
-// Solves once, compares with the truth at watched_steps and takes every measure that applies; the rows carry
-// the label as their scene. Examinations may go on side by side, each scene with a TruthTable of its own.
+// Solves once within the budget (seconds), compares with the truth at watched_steps and takes every measure
+// that applies; the rows carry the label as their scene. Examinations may go on side by side, each scene with
+// a TruthTable of its own.
 Examination examine(const std::string& label, const Scene& scene, TruthTable& truth, const Scheme& scheme,
-                    int steps);
+                    int steps, double budget = std::numeric_limits<double>::infinity());
 
 // Puts the time rows before the outcome of a finished examination: solves `repeats` times, more where that
 // takes less than 20 ms, no more once it has taken 10 s, storing the last step only. To be called while

@@ -71,7 +71,7 @@ void run_sweep(const Sweep& sweep, const SweepHooks& hooks) {
       TruthTable truth(of.scene);
       for (auto& run : of.runs) {
         tell(of, run, "");
-        run.examination = examine(of.label, of.scene, truth, *run.scheme, run.steps);
+        run.examination = examine(of.label, of.scene, truth, *run.scheme, run.steps, sweep.budget);
       }
     });
     for (auto& of : some) {

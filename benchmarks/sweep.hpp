@@ -26,6 +26,7 @@ struct Sweep {
   std::vector<const Scheme*> schemes;
   std::vector<int> steps;
   int repeats = 3;
+  double budget = 600.0;                                   // seconds for each solve
   unsigned threads = std::thread::hardware_concurrency();  // of the part that is not timed
 };
 

@@ -21,6 +21,7 @@ constexpr int most_rows = 10'000'000;
 struct SolveArguments {
   std::string scene, scheme, steps, grid = "uniform", history = "auto";
   std::optional<std::string> until, at, tolerance;
+  std::string budget = "3600";
   std::vector<std::string> settings;
   bool cost = false;
 };
@@ -122,6 +123,7 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
   if (arguments.tolerance) {
     options.tolerance = parse_number("--tolerance", *arguments.tolerance, {.low = 0.0, .high = 1.0});
   }
+  options.budget = parse_number("--budget", arguments.budget, positive);
   if (const auto reason = refusal(scheme, scene.problem, grid)) {
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
   }
@@ -130,7 +132,7 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
   const Trajectory path = scheme.solve(scene.problem, grid, options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (path.outcome != Outcome::finished)
-    throw NumericalFailure(fmt::format("{}: {}", scheme.id, describe(path)));
+    throw NumericalFailure(fmt::format("{}: {}", scheme.id, describe(scene.problem, path)));
   print_rows(scene, printed(scene, scheme, path), path, streams.out);
   if (arguments.cost) print_cost(scene, scheme, path, options.history, elapsed.count(), streams.err);
 }
@@ -150,6 +152,7 @@ void add_solve_command(CLI::App& app, const Streams& streams) {
   command->add_option("--history", arguments->history, "auto, direct or exponentials");
   command->add_option("--tolerance", arguments->tolerance,
                       "relative, of Newton's method and of the weights of the past; default rounding");
+  command->add_option("--budget", arguments->budget, "seconds after which the run ends; default 3600");
   command->add_flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");
   command->callback([=] { solve(*arguments, streams); });
 }

@@ -24,7 +24,7 @@ const std::vector<int> default_steps{64, 128, 256, 512, 1024, 2048, 4096, 8192, 
 struct RunArguments {
   std::vector<std::string> scenes, schemes;
   std::optional<std::string> steps;
-  std::string repeats = "3", out;
+  std::string repeats = "3", budget = "600", out;
 };
 
 struct ChooseArguments {
@@ -52,7 +52,8 @@ void run(const RunArguments& arguments, const Streams& streams) {
   Sweep sweep{.scenes = chosen_scenes(arguments.scenes),
               .schemes = chosen_schemes(arguments.schemes),
               .steps = default_steps,
-              .repeats = parse_count("--repeat", arguments.repeats, 1, most_repeats)};
+              .repeats = parse_count("--repeat", arguments.repeats, 1, most_repeats),
+              .budget = parse_number("--budget", arguments.budget, positive)};
   if (arguments.steps) {
     sweep.steps.clear();
     for (const auto& text : split_list(*arguments.steps)) {
@@ -121,6 +122,7 @@ void add_sweep_commands(CLI::App& app, const Streams& streams) {
   run_command->add_option("--scheme", of_run->schemes, "ids of schemes; default all")->take_all();
   run_command->add_option("--steps", of_run->steps, "numbers of steps N1,N2,...");
   run_command->add_option("--repeat", of_run->repeats, "timed repeats of each run");
+  run_command->add_option("--budget", of_run->budget, "seconds after which a solve is ended; default 600");
   run_command->add_option("--out", of_run->out, "results file")->required();
   run_command->callback([=] { run(*of_run, streams); });
 

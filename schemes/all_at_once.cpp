@@ -28,7 +28,7 @@ class Newton {
   std::optional<Rows> solve() {
     if (!std::isfinite(residual_.norm())) return std::nullopt;
     double last = std::numeric_limits<double>::infinity();
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    for (int iteration = 0; iteration < most_iterations && !run_.out_of_budget(); ++iteration) {
       linearisation_.update(run_, guess_, residual_);
       const Guess increment = linearisation_.increment(residual_);
       ++run_.cost().newton_iterations;
@@ -91,7 +91,7 @@ Trajectory solve_all_at_once(const Problem& problem, const Grid& grid, const Opt
   if (!y) {
     // The guess at the start stands for a step, as in every run that fails before the first one.
     if (two_sided(problem)) run.accept(0, run.start());
-    run.fail(Outcome::not_converged);
+    run.fail(run.out_of_budget() ? Outcome::out_of_budget : Outcome::not_converged);
     return run.finish();
   }
   for (int n = two_sided(problem) ? 0 : 1; n <= grid.steps; ++n) {

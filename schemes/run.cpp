@@ -22,13 +22,23 @@ const Vec& Run::rhs(double t, In y) {
 }
 
 bool Run::accept(int n, In y) {
+  constexpr int steps_between_looks = 16;  // at the clock
   if (!y.allFinite()) {
     fail(Outcome::not_finite);
-    return false;
+  } else if (!problem_.domain.contains(path_.grid.time(n), y)) {
+    fail(Outcome::singular);
+  } else if (n % steps_between_looks == 0 && out_of_budget()) {
+    fail(Outcome::out_of_budget);
   }
+  if (path_.outcome != Outcome::finished) return false;
   path_.reached = n;
   record(n, y);
   return true;
+}
+
+bool Run::out_of_budget() const {
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin_;
+  return taken.count() > options_.budget;
 }
 
 void Run::record(int n, In y) {

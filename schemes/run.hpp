@@ -1,11 +1,14 @@
 #pragma once
 
+#include <chrono>
+
 #include "scheme.hpp"
 
 namespace fde {
 
 // What every scheme does besides its formulas: counts rhs calls, keeps the steps asked for, stops at the
-// first value that is not finite. One object a run.
+// first value that is not finite, at the edge of the problem's domain and at the end of the budget. One
+// object a run.
 class Run {
  public:
   Run(const Problem& problem, const Grid& grid, const Options& options);
@@ -16,11 +19,15 @@ class Run {
   // y(0), recorded as step 0. A two-sided problem's is known last: the guess here is not recorded.
   [[nodiscard]] const Vec& start() const { return start_; }
 
-  // Records step n, of a two-sided problem from 0 on. False, and the run is over, when y is not finite.
+  // Records step n, of a two-sided problem from 0 on. False, and the run is over, when y is not finite or
+  // outside the domain, or the budget is spent.
   bool accept(int n, In y);
 
   // Ends the run before step n has a result.
   void fail(Outcome outcome) { path_.outcome = outcome; }
+
+  // Whether the run has taken longer than it may; looks at the clock.
+  [[nodiscard]] bool out_of_budget() const;
 
   Cost& cost() { return path_.cost; }
   Trajectory finish();
@@ -30,6 +37,7 @@ class Run {
 
   const Problem& problem_;
   const Options& options_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Vec start_, f_;
   std::size_t next_kept_ = 0;
   Trajectory path_;

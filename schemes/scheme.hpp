@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,8 +20,9 @@ struct Options {
   // What a step may be off by besides the rule's own error, relative; default: rounding. It bounds the last
   // Newton increment against |y| (see NewtonSolver), and the error of every weight of the past.
   double tolerance = 1e-15;
-  std::vector<int> keep{};                   // steps to return, increasing; empty: all
-  std::function<void(int n, In y)> watch{};  // hears every step from 0 on, kept or not
+  double budget = std::numeric_limits<double>::infinity();  // seconds: a run that takes longer ends there
+  std::vector<int> keep{};                                  // steps to return, increasing; empty: all
+  std::function<void(int n, In y)> watch{};                 // hears every step from 0 on, kept or not
 };
 
 // What a scheme asks of a problem and a grid.

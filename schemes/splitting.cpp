@@ -89,6 +89,12 @@ Problem split(const Problem& problem, const Links& links) {
     f.head(f.size() - 1) = y.tail(y.size() - 1);
     for (Eigen::Index i = 0; i < driven.size(); ++i) f[last_of(links, position, i)] = driven[i];
   };
+  result.domain = problem.domain;
+  if (problem.domain.margin) {
+    result.domain.margin = [margin = problem.domain.margin, position](double t, In y) {
+      return margin(t, Vec(y(position)));
+    };
+  }
   if (problem.jacobian) {
     result.jacobian = [jacobian = problem.jacobian, links, position](double t, In y,
                                                                      OutMatrix spread_jacobian) {

@@ -10,7 +10,8 @@ namespace fde {
 
 using Rows = Matrix;  // one row a component, one column a time
 
-enum class Outcome { finished, not_finite, not_converged };
+// How a run ended. Singular: it left the domain of its problem.
+enum class Outcome { finished, not_finite, not_converged, singular, out_of_budget };
 
 // What a run used, apart from time.
 struct Cost {

@@ -27,7 +27,7 @@ void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int 
   Trajectory path;
   for (auto _ : state) path = scheme.solve(subject.scene.problem, grid, options);
   if (path.outcome != Outcome::finished) {
-    state.SkipWithError(describe(path).c_str());
+    state.SkipWithError(describe(subject.scene.problem, path).c_str());
     return;
   }
   const Rows error = columns_of(subject.scene.outputs, path) - subject.truth.at(grid, path.steps);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace fde {
@@ -28,6 +29,13 @@ struct Component {
 // Whether the row of this component is 0 = f_i(t, y), without a derivative and without a past.
 inline bool algebraic(const Component& component) { return component.order == 0.0; }
 
+// Where a right-hand side is defined: where margin(t, y) > 0. The text names the edge, as in "r = 0".
+struct Domain {
+  std::string edge{};
+  std::function<double(double t, In y)> margin{};  // empty: everywhere
+  [[nodiscard]] bool contains(double t, In y) const { return !margin || margin(t, y) > 0.0; }
+};
+
 // A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end. D of a right row is the right derivative
 //   y_i(t) = sum_k initial[k] (end - t)^k / k! + 1/Gamma(g) int_t^end (s - t)^(g-1) f_i(s, y(s)) ds,
 // -y' for order 1. Algebraic rows read 0 = f_i(t, y). These may constrain other unknowns than their own, as
@@ -43,6 +51,7 @@ struct Problem {
   double end = 1.0;
   // One equation 0 = residual for each missing initial value; empty: none is missing.
   std::function<void(In at_start, In at_end, Out residual)> conditions{};
+  Domain domain{};  // a step out of it has crossed a singularity
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };
