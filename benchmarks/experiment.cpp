@@ -8,9 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "accuracy.hpp"
 #include "drift.hpp"
 #include "energy_balance.hpp"
 #include "measures.hpp"
+#include "rounding.hpp"
 
 namespace fde {
 
@@ -38,13 +40,6 @@ Truth TruthTable::truth(double t) {
 }
 
 double TruthTable::bound(const Grid& grid) { return truth(grid.end).bound.maxCoeff(); }
-
-Scene make_scene(const SceneMaker& maker, const std::map<std::string, double>& values) {
-  const Parameters parameters(maker.id, maker.parameters, values);
-  Scene scene = maker.make(parameters);
-  scene.name = fmt::format("{} {}", maker.id, parameters.text());
-  return scene;
-}
 
 namespace {
 
@@ -124,6 +119,16 @@ Known what_is_known(TruthTable& truth, const Trajectory& path) {
   }
 }
 
+// The columns at the same steps, computed in other units; none where that run does not finish.
+Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Grid& grid, Options options) {
+  constexpr double unit = 0.7;
+  options.watch = {};
+  auto path = scheme.solve(in_units_of(unit, scene.problem), grid, options);
+  if (path.outcome != Outcome::finished) return {};
+  path.y *= unit;
+  return columns_of(scene.outputs, path);
+}
+
 }  // namespace
 
 Examination examine(const std::string& label, const Scene& scene, TruthTable& truth, const Scheme& scheme,
@@ -158,13 +163,26 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
   try {
     const Known known = what_is_known(truth, path);
     const Rows values = columns_of(scene.outputs, path);
-    Observation run{scene, scheme, path, values, known.truth, known.bound, balance.residual()};
+    Observation run{scene,
+                    scheme,
+                    path,
+                    values,
+                    known.truth,
+                    known.bound,
+                    rounded_otherwise(scene, scheme, grid, options),
+                    balance.residual()};
     if (scene.constraint) {
       run.internal_drift = drift.internal();
       run.independent_drift = drift.independent();
     }
     auto rows = measure(run, row);
-    rows.push_back(outcome(grid.end, known.missing.empty() ? "finished" : known.missing));
+    if (const auto lost = known.missing.empty() ? accuracy_lost(values, known.truth) : std::nullopt) {
+      const int step = path.steps[static_cast<std::size_t>(*lost)];
+      const double t = grid.time(step);
+      rows.push_back(outcome(t, fmt::format("accuracy lost at step {}, t = {:.6g}", step, t)));
+    } else {
+      rows.push_back(outcome(grid.end, known.missing.empty() ? "finished" : known.missing));
+    }
     return {std::move(rows), known.missing.empty()};
   } catch (const std::runtime_error& failure) {  // of a measure
     return {{outcome(grid.end, failure.what())}};

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "record.hpp"
-#include "scene.hpp"
 #include "scheme.hpp"
+#include "variant.hpp"
 
 namespace fde {
 
@@ -31,9 +31,6 @@ class TruthTable {
   std::string failure_{};  // why there is none: the same for every time
   std::map<double, Vec> known_{};
 };
-
-// The scene made from its defaults with some values replaced.
-Scene make_scene(const SceneMaker& maker, const std::map<std::string, double>& values = {});
 
 // Why a run of the problem ended early, with step and time: "not finite at step 94, t = 18.4"; "finished"
 // when it did not.

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <numeric>
 
+#include "accuracy.hpp"
+
 namespace fde {
 namespace {
 
@@ -45,9 +47,29 @@ double median(const std::vector<double>& seconds) {
   return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
+bool has_relative_error(const Observation& run) {
+  return has_truth(run) && relative_error(run.values, run.truth).has_value();
+}
+bool has_rounding(const Observation& run) { return run.rounded.cols() > 0; }
+bool has_rounding_from(const Observation& run) {
+  return has_truth(run) && has_rounding(run) &&
+         rounding_dominates(run.values, run.rounded, run.truth).has_value();
+}
+double rounding_from(const Observation& run) {
+  const auto column = *rounding_dominates(run.values, run.rounded, run.truth);
+  return run.path.grid.time(run.path.steps[static_cast<std::size_t>(column)]);
+}
+
 constexpr std::array all{
     Measure{"error_end", "", has_truth, error_end},
     Measure{"error_maximum", "", has_truth, error_maximum},
+    Measure{"error_relative", "", has_relative_error,
+            [](const Observation& run) { return *relative_error(run.values, run.truth); }},
+    Measure{"rounding", "", has_rounding,
+            [](const Observation& run) {
+              return (run.values.rightCols(1) - run.rounded.rightCols(1)).cwiseAbs().maxCoeff();
+            }},
+    Measure{"rounding_from", "t", has_rounding_from, rounding_from},
     Measure{"mescd", "digits", has_truth, mescd},
     Measure{"reference_bound", "", has_truth, [](const Observation& run) { return run.truth_bound; }},
     Measure{"energy_residual", "", [](const Observation& run) { return run.energy_residual.has_value(); },

@@ -11,16 +11,6 @@
 
 namespace fde {
 
-std::string SceneVariant::label() const {
-  std::string text(maker->id);
-  for (const auto& [name, value] : values) {
-    const auto& parameter = parameter_named(name, maker->id, maker->parameters);
-    text +=
-        fmt::format("{}{}={}", text.size() == maker->id.size() ? ':' : ',', name, parameter.text_of(value));
-  }
-  return text;
-}
-
 namespace {
 
 // The runs of one scene, examined by one thread.
@@ -36,7 +26,7 @@ struct SceneRuns {
 };
 
 SceneRuns missing_runs(const SceneVariant& variant, const Sweep& sweep, const SweepHooks& hooks) {
-  SceneRuns missing{variant.label(), make_scene(*variant.maker, variant.values)};
+  SceneRuns missing{variant.label(), make_scene(variant)};
   for (const auto* scheme : sweep.schemes) {
     for (const int steps : sweep.steps) {
       const bool listed = std::ranges::any_of(

@@ -1,24 +1,15 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "record.hpp"
-#include "scene.hpp"
 #include "scheme.hpp"
+#include "variant.hpp"
 
 namespace fde {
-
-// A scene with some parameters replaced. In results and on the command line: "pendulum:alpha=1.9,beta=0.1".
-struct SceneVariant {
-  const SceneMaker* maker;
-  std::map<std::string, double> values{};
-
-  [[nodiscard]] std::string label() const;
-};
 
 // Which runs: every scheme on every scene with every number of steps.
 struct Sweep {

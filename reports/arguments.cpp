@@ -104,11 +104,17 @@ Grid parse_grid(std::string_view text, double end, int steps) {
 
 const SceneMaker& scene_named(std::string_view id) { return named(scenes(), "scene", id); }
 SceneVariant parse_variant(const std::string& text) {
+  constexpr std::string_view until = "until=";
   const auto colon = text.find(':');
   SceneVariant variant{.maker = &scene_named(text.substr(0, colon))};
-  if (colon != std::string::npos)
-    variant.values = parse_settings(*variant.maker, split_list(text.substr(colon + 1)));
-  const Parameters checked(variant.maker->id, variant.maker->parameters, variant.values);
+  if (colon == std::string::npos) return variant;
+  auto settings = split_list(text.substr(colon + 1));
+  if (settings.back().starts_with(until)) {
+    variant.until = parse_number("until", settings.back().substr(until.size()), any_end);
+    settings.pop_back();
+  }
+  variant.values = parse_settings(*variant.maker, settings);
+  [[maybe_unused]] const Scene checked = make_scene(variant);
   return variant;
 }
 

@@ -37,7 +37,7 @@ Grid parse_grid(std::string_view text, double end, int steps);
 
 const SceneMaker& scene_named(std::string_view id);
 
-// "pendulum" or "pendulum:alpha=1.9,beta=0.1".
+// "pendulum" or "pendulum:alpha=1.9,beta=0.1", "pendulum:beta=0.1,until=100" with another end.
 SceneVariant parse_variant(const std::string& text);
 
 // All scenes, and some with orders that change the answer: a small one, one above 1, a solution that starts
@@ -50,6 +50,8 @@ std::vector<SceneVariant> sweep_scenes();
 
 const Scheme& scheme_named(std::string_view id);
 
+// Ends of time intervals: their products with a number of steps are doubles.
+inline constexpr Range any_end{.low = 0.0, .high = 1e290, .open_low = true};
 inline constexpr int most_digits = 100'000;
 inline constexpr int most_steps = 1'000'000'000;  // weights are checked up to this lag
 

@@ -100,13 +100,9 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Trajectory& path
 void solve(const SolveArguments& arguments, const Streams& streams) {
   const auto& maker = scene_named(arguments.scene);
   const auto& scheme = scheme_named(arguments.scheme);
-  Scene scene = make_scene(maker, parse_settings(maker, arguments.settings));
-  if (arguments.until) {
-    const double until = parse_number("--until", *arguments.until, positive), end = scene.problem.end;
-    if (two_sided(scene.problem) && until != end)
-      reject("--until", until, fmt::format("{}: scene {} is posed at both ends", end, maker.id));
-    scene.problem.end = until;
-  }
+  SceneVariant variant{.maker = &maker, .values = parse_settings(maker, arguments.settings)};
+  if (arguments.until) variant.until = parse_number("--until", *arguments.until, any_end);
+  const Scene scene = make_scene(variant);
   const Grid grid =
       parse_grid(arguments.grid, scene.problem.end, parse_count("--steps", arguments.steps, 1, most_steps));
   Options options{.history = parse_history(arguments.history)};

@@ -237,7 +237,7 @@ INSTANTIATE_TEST_SUITE_P(
             "solve relaxation --scheme l1 --steps 1000 --grid graded:5 --at 3e-14",
             "--at = 3e-14: must be a time of the grid: its neighbours are 1.0000000000000001e-15 and 3.2"},
         Mistake{"solve fractional_hamilton --scheme product_trapezoidal --steps 8 --until 5",
-                "--until = 5: must be 2: scene fractional_hamilton is posed at both ends"},
+                "until = 5: must be 2: scene fractional_hamilton is posed at both ends"},
         Mistake{"solve fractional_extremum --scheme l1 --steps 8",
                 "l1 steps from the left: component 1 has a right derivative"},
         Mistake{"exact fractional_extremum --at 0.5,2", "--at = 2: must be in [0, 1], the time of the scene"},

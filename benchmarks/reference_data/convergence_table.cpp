@@ -33,7 +33,7 @@ TableFacts facts(const SceneVariant& of) {
           .method = fmt::format(
               "each scheme on a uniform grid of [0, {}], compared at every step with the "
               "reference, in double; reproducible to {:g} of the error and {:g} of 1 + max |y|",
-              make_scene(*of.maker, of.values).problem.end, relative_tolerance, rounding_tolerance),
+              make_scene(of).problem.end, relative_tolerance, rounding_tolerance),
           .source = std::string(of.maker->source),
           .bound = "of the reference at the end, against which the errors are measured",
           .digits = double_digits,
@@ -56,7 +56,7 @@ TableFacts facts(const SceneVariant& of) {
 class Runs {
  public:
   explicit Runs(const SceneVariant& of)
-      : label_(of.label()), scene_(make_scene(*of.maker, of.values)), truth_(scene_) {}
+      : label_(of.label()), scene_(make_scene(of)), truth_(scene_) {}
   Runs(const Runs&) = delete;
   Runs& operator=(const Runs&) = delete;
 

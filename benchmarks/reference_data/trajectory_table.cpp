@@ -36,7 +36,7 @@ std::string method_of(const Scene& scene) {
 }
 
 TableFacts facts(const SceneVariant& of) {
-  const Scene scene = make_scene(*of.maker, of.values);
+  const Scene scene = make_scene(of);
   const bool exact = static_cast<bool>(scene.exact.digits);
   TableFacts facts{
       .title = fmt::format("{}: the solution at stated times", of.maker->title),
@@ -58,7 +58,7 @@ TableFacts facts(const SceneVariant& of) {
 // The columns of a scene at one time, with so many digits where they are to be had.
 class TrueColumns {
  public:
-  TrueColumns(const SceneVariant& of, double end) : scene_(make_scene(*of.maker, of.values)) {
+  TrueColumns(const SceneVariant& of, double end) : scene_(make_scene(of)) {
     if (!two_sided(scene_.problem)) scene_.problem.end = end;
     if (!scene_.exact.digits) truth_ = truth_of(scene_);
   }

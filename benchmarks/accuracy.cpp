@@ -1,0 +1,47 @@
+#include "accuracy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fde {
+namespace {
+
+// The first column from which on all are true; nullopt: the last is not.
+std::optional<Eigen::Index> true_to_the_end(const Eigen::Array<bool, 1, Eigen::Dynamic>& seen) {
+  Eigen::Index first = seen.size();
+  while (first > 0 && seen[first - 1]) --first;
+  return first == seen.size() ? std::nullopt : std::optional(first);
+}
+
+Eigen::RowVectorXd sizes(const Rows& of) { return of.cwiseAbs().colwise().maxCoeff(); }
+
+}  // namespace
+
+std::optional<Eigen::Index> accuracy_lost(const Rows& values, const Rows& truth) {
+  constexpr double rounding = 1e-15, shortest_stretch = 0.1;
+  const Eigen::RowVectorXd size = sizes(truth);
+  const double least = rounding * size.maxCoeff();
+  const auto first = true_to_the_end(sizes(values - truth).array() > size.cwiseMax(least).array());
+  const auto stretch = static_cast<double>(truth.cols() - first.value_or(truth.cols()));
+  return stretch >= shortest_stretch * static_cast<double>(truth.cols()) ? first : std::nullopt;
+}
+
+std::optional<Eigen::Index> rounding_dominates(const Rows& values, const Rows& rounded, const Rows& truth) {
+  const Eigen::RowVectorXd error = sizes(values - truth);
+  return true_to_the_end(sizes(values - rounded).array() >= error.array() / 2 && error.array() > 0.0);
+}
+
+std::optional<double> relative_error(const Rows& values, const Rows& truth) {
+  constexpr double passing = 1e-3;
+  const Vec nearby =
+      truth.rightCols(std::max<Eigen::Index>(1, truth.cols() / 10)).cwiseAbs().rowwise().maxCoeff();
+  const Vec size = truth.rightCols(1).cwiseAbs().cwiseMax(passing * nearby);
+  const Vec error = (values.rightCols(1) - truth.rightCols(1)).cwiseAbs();
+  std::optional<double> largest;
+  for (Eigen::Index i = 0; i < size.size(); ++i) {
+    if (size[i] > 0.0) largest = std::max(largest.value_or(0.0), error[i] / size[i]);
+  }
+  return largest;
+}
+
+}  // namespace fde

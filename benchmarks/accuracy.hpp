@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "trajectory.hpp"
+
+namespace fde {
+
+// What is left of a result beside the truth. Both have one row a column of the scene and one column a time of
+// a path; |.| is the largest over the columns of the scene.
+
+// The first time from which on the error |values - truth| is above the size of the value, |truth|, up to the
+// end, as its place among the columns. Not counted: errors that are rounding of the largest |truth|, and a
+// last stretch shorter than a tenth of the times: there a value may only be passing through 0. nullopt: the
+// accuracy is not lost.
+std::optional<Eigen::Index> accuracy_lost(const Rows& values, const Rows& truth);
+
+// The first time from which on what rounding does, |values - rounded|, is at least half the error, up to the
+// end: more steps make such a result no better. nullopt: there is none, or the error is 0.
+std::optional<Eigen::Index> rounding_dominates(const Rows& values, const Rows& rounded, const Rows& truth);
+
+// max_i |y_i - truth_i| / |truth_i| at the end. A value that passes through 0 there counts as a thousandth of
+// its size in the last tenth of the times. Left out are columns where the truth is 0 all that time; nullopt:
+// it is 0 in all of them.
+std::optional<double> relative_error(const Rows& values, const Rows& truth);
+
+}  // namespace fde

@@ -1,0 +1,105 @@
+#include "accuracy.hpp"
+
+#include <gtest/gtest.h>
+
+#include "experiment.hpp"
+#include "rounding.hpp"
+#include "testing.hpp"
+
+namespace fde {
+namespace {
+
+// One column of ten times, 1 everywhere.
+Rows ones() { return Rows::Ones(1, 10); }
+
+TEST(Accuracy, IsLostFromWhereTheErrorStaysAboveTheValue) {
+  Rows values = ones();
+  values.rightCols(3).setConstant(2.5);
+  EXPECT_EQ(accuracy_lost(values, ones()), 7);
+  values(0, 9) = 1.5;  // comes back
+  EXPECT_EQ(accuracy_lost(values, ones()), std::nullopt);
+}
+
+TEST(Accuracy, IsNotLostWhereTheValueOnlyPassesThroughZero) {
+  Rows truth = Rows::Ones(1, 100), values = truth;
+  truth(0, 99) = 0.0;
+  values(0, 99) = 1e-3;
+  EXPECT_EQ(accuracy_lost(values, truth), std::nullopt);
+}
+
+TEST(Accuracy, IsNotLostToRoundingOfLargerValues) {
+  Rows truth = ones(), values = truth;
+  truth.rightCols(5).setZero();
+  values.rightCols(5).setConstant(1e-16);
+  EXPECT_EQ(accuracy_lost(values, truth), std::nullopt);
+}
+
+TEST(Accuracy, OfSeveralColumnsIsThatOfTheWorst) {
+  Rows truth(2, 10), values(2, 10);
+  truth << Rows::Ones(1, 10), 1e-6 * Rows::Ones(1, 10);
+  values << Rows::Ones(1, 10), 1.5e-6 * Rows::Ones(1, 10);
+  EXPECT_DOUBLE_EQ(*relative_error(values, truth), 0.5);
+  EXPECT_EQ(accuracy_lost(values, truth), std::nullopt);
+}
+
+TEST(Accuracy, RelativeToAThousandthOfTheSizeNearAZero) {
+  Rows truth = Rows::Ones(1, 20), values = truth;
+  truth(0, 19) = 1e-9;
+  values(0, 19) = 1e-9 + 1e-4;
+  EXPECT_NEAR(*relative_error(values, truth), 0.1, 1e-12);
+  EXPECT_EQ(relative_error(Rows::Zero(1, 20), Rows::Zero(1, 20)), std::nullopt);
+}
+
+// Values in other units are the same values up to rounding, in every scene and scheme that fits.
+class OtherUnits : public testing::TestWithParam<const SceneMaker*> {};
+
+TEST_P(OtherUnits, ChangeNothingButRounding) {
+  constexpr double unit = 0.7;
+  constexpr int steps = 32;
+  const Scene scene = make_scene(*GetParam());
+  const Problem other = in_units_of(unit, scene.problem);
+  for (const auto& scheme : schemes()) {
+    const Grid grid{scene.problem.end, steps};
+    if (refusal(scheme, scene.problem, grid)) continue;
+    const auto path = scheme.solve(scene.problem, grid, {}), again = scheme.solve(other, grid, {});
+    EXPECT_EQ(path.outcome, again.outcome) << scheme.id;
+    if (path.outcome != Outcome::finished || !(path.y.cwiseAbs().maxCoeff() < 1e6)) continue;  // blows up
+    const double size = path.y.cwiseAbs().maxCoeff();
+    EXPECT_LT((path.y - unit * again.y).cwiseAbs().maxCoeff(), 1e-9 * size) << scheme.id;
+  }
+}
+
+std::vector<const SceneMaker*> makers() {
+  std::vector<const SceneMaker*> all;
+  for (const auto& maker : scenes()) all.push_back(&maker);
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(, OtherUnits, testing::ValuesIn(makers()),
+                         [](const auto& test) { return std::string(test.param->id); });
+
+std::string status(const std::map<std::string, double>& values, std::string_view scheme, int steps) {
+  const Scene scene = make_scene(*scene_of_label("relaxation"), values);
+  TruthTable truth(scene);
+  return examine("relaxation", scene, truth, *find_scheme(scheme), steps).rows.back().status;
+}
+
+// D^0.5 y = -1e6 y: what a scheme shows after ten steps may be further from the truth than 0 is.
+TEST(Examination, SaysWhereTheAccuracyIsLost) {
+  EXPECT_EQ(status({{"lambda", -1e6}}, "product_trapezoidal", 64), "accuracy lost at step 1, t = 0.015625");
+  EXPECT_EQ(status({{"lambda", -1e6}}, "grunwald_letnikov", 64), "finished");
+}
+
+// D^1 y = -y from differences of y: each step's rounding stays, while the error of the step falls.
+TEST(Examination, MeasuresWhatRoundingDoes) {
+  Scene scene = make_scene(*scene_of_label("power"), {{"gamma", 1.0}, {"p", 2.0}});
+  TruthTable truth(scene);
+  const auto rows = examine("power", scene, truth, *find_scheme("product_trapezoidal"), 1 << 20).rows;
+  const auto value = [&](std::string_view quantity) {
+    return std::ranges::find(rows, quantity, &Record::quantity)->value;
+  };
+  EXPECT_LT(value("rounding"), 1e-10);
+  EXPECT_GT(value("rounding"), 0.0);
+}
+
+}  // namespace
+}  // namespace fde
