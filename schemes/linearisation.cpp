@@ -26,9 +26,10 @@ void Linearisation::update(Run& run, const Guess& guess, const Residual& residua
   if (residual.conditions.size() > 0) differentiate_conditions(guess, residual.conditions);
   if (problem.linear_part && jacobians_.size() > 0) return;
   jacobians_.resize(size * size, problem.linear_part ? 1 : guess.y.cols());
+  const Vec sizes = guess.y.cwiseAbs().rowwise().maxCoeff();
   for (Eigen::Index n = 0; n < jacobians_.cols(); ++n) {
     differentiate(run, problem, equations_.grid().time(static_cast<int>(n)), guess.y.col(n),
-                  residual.f.col(n), Eigen::Map<Matrix>(jacobians_.col(n).data(), size, size));
+                  residual.f.col(n), sizes, Eigen::Map<Matrix>(jacobians_.col(n).data(), size, size));
   }
   left_inverses_ = equations_.left().inverses(jacobians_);
   right_inverses_ = equations_.right().inverses(jacobians_);
@@ -36,6 +37,7 @@ void Linearisation::update(Run& run, const Guess& guess, const Residual& residua
 
 void Linearisation::differentiate_conditions(const Guess& guess, const Vec& conditions) {
   const Vec start = guess.y.col(0), end = guess.y.rightCols<1>();
+  const Vec sizes = guess.y.cwiseAbs().rowwise().maxCoeff();
   const auto& problem = equations_.problem();
   Vec result(conditions.size());
   by_start_.resize(conditions.size(), problem.size());
@@ -48,8 +50,8 @@ void Linearisation::differentiate_conditions(const Guess& guess, const Vec& cond
     problem.conditions(start, y, result);
     return result;
   };
-  forward_differences(from_start, start, conditions, by_start_);
-  forward_differences(from_end, end, conditions, by_end_);
+  forward_differences(from_start, start, conditions, sizes, by_start_);
+  forward_differences(from_end, end, conditions, sizes, by_end_);
 }
 
 Guess Linearisation::increment(const Residual& residual) const {

@@ -11,7 +11,13 @@ namespace fde {
 namespace {
 
 constexpr int most_iterations = 50;
+constexpr int few_setbacks = 3;  // increments that are no smaller than the one before
 constexpr double stagnation = 1e-10;
+
+constexpr int most_pseudo_steps = 200;
+constexpr double most_bend = 0.25;       // of a pseudo time step
+constexpr double newton_inverse = 1e-3;  // of a pseudo time step so long that Newton's method takes over
+constexpr double shortest_inverse = 1e9;
 
 // x with A x = b in place of b. Most problems have a few components, where a size known to the compiler saves
 // most of the time.
@@ -51,13 +57,13 @@ bool singular(Matrix a) {
 
 }  // namespace
 
-void differentiate(Run& run, const Problem& problem, double t, In y, In f, OutMatrix jacobian) {
+void differentiate(Run& run, const Problem& problem, double t, In y, In f, In sizes, OutMatrix jacobian) {
   if (problem.linear_part) {
     jacobian = *problem.linear_part;
   } else if (problem.jacobian) {
     problem.jacobian(t, y, jacobian);
   } else {
-    forward_differences([&](const Vec& shifted) -> const Vec& { return run.rhs(t, shifted); }, y, f,
+    forward_differences([&](const Vec& shifted) -> const Vec& { return run.rhs(t, shifted); }, y, f, sizes,
                         jacobian);
   }
 }
@@ -84,10 +90,21 @@ bool NewtonSolver::solve(Run& run, double t, const Vec& kappa, In past, Out y) {
     if (problem_.linear_part) factorise();
   }
   if (problem_.linear_part) return solve_linear(run, t, past, y);
+  Vec near = y;
+  if (iterate(run, t, past, y, few_setbacks)) return true;
+  if (approach(run, t, past, near) && iterate(run, t, past, near, few_setbacks)) {
+    y = near;
+    return true;
+  }
+  return y.allFinite() && iterate(run, t, past, y, most_iterations);
+}
+
+bool NewtonSolver::iterate(Run& run, double t, In past, Out y, int most_setbacks) {
   double last = std::numeric_limits<double>::infinity();
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  int setbacks = 0;
+  for (int iteration = 0; iteration < most_iterations && setbacks < most_setbacks; ++iteration) {
     f_ = run.rhs(t, y);
-    differentiate(run, t, y, f_);
+    differentiate(run, t, past, y);
     take_residual(past, y);
     solve_in_place(matrix_, increment_);
     y += increment_;
@@ -95,7 +112,35 @@ bool NewtonSolver::solve(Run& run, double t, const Vec& kappa, In past, Out y) {
     const double now = relative_increment(y);
     if (std::isnan(now)) return false;
     if (now <= tolerance_ || (now >= last / 2 && now <= stagnation)) return true;
+    if (now >= last) ++setbacks;
     last = now;
+  }
+  return false;
+}
+
+bool NewtonSolver::approach(Run& run, double t, In past, Out y) {
+  double inverse_step = 1.0;
+  Vec trial, increment, rest;
+  for (int work = 0; work < most_pseudo_steps && inverse_step < shortest_inverse; ++work) {
+    f_ = run.rhs(t, y);
+    differentiate(run, t, past, y);
+    take_residual(past, y);
+    matrix_.diagonal() += inverse_step * mass_;
+    const auto factors = matrix_.partialPivLu();
+    increment = factors.solve(increment_);
+    ++run.cost().newton_iterations;
+    trial = y + increment;
+    f_ = run.rhs(t, trial);
+    take_residual(past, trial);
+    rest = factors.solve(increment_ - inverse_step * mass_.cwiseProduct(increment));
+    const double bend = rest.lpNorm<Eigen::Infinity>() / increment.lpNorm<Eigen::Infinity>();
+    if (!(bend <= most_bend)) {
+      inverse_step *= 4.0;
+      continue;
+    }
+    y = trial;
+    if (inverse_step < newton_inverse) return true;
+    inverse_step *= std::max(bend / most_bend, 0.1);
   }
   return false;
 }
@@ -128,8 +173,9 @@ bool NewtonSolver::solve_linear(Run& run, double t, In past, Out y) {
   return y.allFinite();
 }
 
-void NewtonSolver::differentiate(Run& run, double t, In y, In f) {
-  fde::differentiate(run, problem_, t, y, f, matrix_);
+void NewtonSolver::differentiate(Run& run, double t, In past, In y) {
+  const Vec sizes = past.cwiseAbs().cwiseMax(kappa_.cwiseProduct(f_).cwiseAbs()).cwiseProduct(mass_);
+  fde::differentiate(run, problem_, t, y, f_, sizes, matrix_);
   assemble();
 }
 

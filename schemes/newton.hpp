@@ -7,8 +7,8 @@
 namespace fde {
 
 // df/dy at y, where f is f(t, y): the linear part or the Jacobian of the problem, or forward differences of
-// rhs where it has none.
-void differentiate(Run& run, const Problem& problem, double t, In y, In f, OutMatrix jacobian);
+// rhs where it has none, for which sizes tells how large the components of y are when they are not 0.
+void differentiate(Run& run, const Problem& problem, double t, In y, In f, In sizes, OutMatrix jacobian);
 
 // Solves y_i = past_i + kappa_i f_i(t, y), and 0 = f_i(t, y) in algebraic rows, for y, step after step of one
 // run.
@@ -34,8 +34,12 @@ class NewtonSolver {
 
  private:
   bool solve_linear(Run& run, double t, In past, Out y);
-  // matrix_ = mass - kappa df/dy at y, where f is f(t, y).
-  void differentiate(Run& run, double t, In y, In f);
+  // Newton's method from y on. Given up where increments have not become smaller so many times.
+  bool iterate(Run& run, double t, In past, Out y, int most_setbacks);
+  // Brings y closer, by pseudo time steps of mass y' = past + kappa f(t, y) - y that end in Newton's method.
+  bool approach(Run& run, double t, In past, Out y);
+  // matrix_ = mass - kappa df/dy at y, where f_ is f(t, y).
+  void differentiate(Run& run, double t, In past, In y);
   // The same in place of df/dy = matrix_. Algebraic rows get the factor that makes their largest entry 1.
   void assemble();
   // Of the linear part. A matrix of constraints that depend on each other has none, however they round.
