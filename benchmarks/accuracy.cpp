@@ -31,12 +31,12 @@ std::optional<Eigen::Index> rounding_dominates(const Rows& values, const Rows& r
   return true_to_the_end(sizes(values - rounded).array() >= error.array() / 2 && error.array() > 0.0);
 }
 
-std::optional<double> relative_error(const Rows& values, const Rows& truth) {
+std::optional<double> relative_error(const Rows& values, const Rows& truth, In bound) {
   constexpr double passing = 1e-3;
   const Vec nearby =
       truth.rightCols(std::max<Eigen::Index>(1, truth.cols() / 10)).cwiseAbs().rowwise().maxCoeff();
   const Vec size = truth.rightCols(1).cwiseAbs().cwiseMax(passing * nearby);
-  const Vec error = (values.rightCols(1) - truth.rightCols(1)).cwiseAbs();
+  const Vec error = (values.rightCols(1) - truth.rightCols(1)).cwiseAbs() + bound;
   std::optional<double> largest;
   for (Eigen::Index i = 0; i < size.size(); ++i) {
     if (size[i] > 0.0) largest = std::max(largest.value_or(0.0), error[i] / size[i]);

@@ -19,9 +19,9 @@ std::optional<Eigen::Index> accuracy_lost(const Rows& values, const Rows& truth)
 // end: more steps make such a result no better. nullopt: there is none, or the error is 0.
 std::optional<Eigen::Index> rounding_dominates(const Rows& values, const Rows& rounded, const Rows& truth);
 
-// max_i |y_i - truth_i| / |truth_i| at the end. A value that passes through 0 there counts as a thousandth of
-// its size in the last tenth of the times. Left out are columns where the truth is 0 all that time; nullopt:
-// it is 0 in all of them.
-std::optional<double> relative_error(const Rows& values, const Rows& truth);
+// max_i (|y_i - truth_i| + bound_i) / |truth_i| at the end, where the truth is known up to its bound. A value
+// that passes through 0 there counts as a thousandth of its size in the last tenth of the times. Left out are
+// columns where the truth is 0 all that time; nullopt: it is 0 in all of them.
+std::optional<double> relative_error(const Rows& values, const Rows& truth, In bound);
 
 }  // namespace fde

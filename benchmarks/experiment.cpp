@@ -39,7 +39,7 @@ Truth TruthTable::truth(double t) {
   }
 }
 
-double TruthTable::bound(const Grid& grid) { return truth(grid.end).bound.maxCoeff(); }
+Vec TruthTable::bound(const Grid& grid) { return truth(grid.end).bound; }
 
 namespace {
 
@@ -108,7 +108,7 @@ std::vector<Record> measure(const Observation& run, const Record& row) {
 // The truth beside a path, or why there is none.
 struct Known {
   Rows truth{};
-  double bound = 0.0;
+  Vec bound{};
   std::string missing{};
 };
 Known what_is_known(TruthTable& truth, const Trajectory& path) {

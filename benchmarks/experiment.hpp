@@ -20,8 +20,8 @@ class TruthTable {
   // no reference to be had.
   Rows at(const Grid& grid, const std::vector<int>& steps);
 
-  // The bound of the truth at the end of the grid, the largest over the scene's columns.
-  double bound(const Grid& grid);
+  // The bound of the truth at the end of the grid, one value a column of the scene.
+  Vec bound(const Grid& grid);
 
  private:
   Truth truth(double t);

@@ -48,7 +48,7 @@ double median(const std::vector<double>& seconds) {
 }
 
 bool has_relative_error(const Observation& run) {
-  return has_truth(run) && relative_error(run.values, run.truth).has_value();
+  return has_truth(run) && relative_error(run.values, run.truth, run.truth_bound).has_value();
 }
 bool has_rounding(const Observation& run) { return run.rounded.cols() > 0; }
 bool has_rounding_from(const Observation& run) {
@@ -64,14 +64,15 @@ constexpr std::array all{
     Measure{"error_end", "", has_truth, error_end},
     Measure{"error_maximum", "", has_truth, error_maximum},
     Measure{"error_relative", "", has_relative_error,
-            [](const Observation& run) { return *relative_error(run.values, run.truth); }},
+            [](const Observation& run) { return *relative_error(run.values, run.truth, run.truth_bound); }},
     Measure{"rounding", "", has_rounding,
             [](const Observation& run) {
               return (run.values.rightCols(1) - run.rounded.rightCols(1)).cwiseAbs().maxCoeff();
             }},
     Measure{"rounding_from", "t", has_rounding_from, rounding_from},
     Measure{"mescd", "digits", has_truth, mescd},
-    Measure{"reference_bound", "", has_truth, [](const Observation& run) { return run.truth_bound; }},
+    Measure{"reference_bound", "", has_truth,
+            [](const Observation& run) { return run.truth_bound.maxCoeff(); }},
     Measure{"energy_residual", "", [](const Observation& run) { return run.energy_residual.has_value(); },
             [](const Observation& run) { return *run.energy_residual; }},
     Measure{"drift_internal", "", has_drift<internal>, largest<internal>},

@@ -18,9 +18,9 @@ struct Observation {
   const Scheme& scheme;
   const Trajectory& path;
   const Rows& values;
-  const Rows& truth;   // no columns where there is no reference
-  double truth_bound;  // of the truth at the end: a bound, or an estimate where that is all there is
-  Rows rounded{};      // the same values with other rounding; no columns where that run did not finish
+  const Rows& truth;       // no columns where there is no reference
+  const Vec& truth_bound;  // of the truth at the end: a bound, or an estimate where that is all there is
+  Rows rounded{};          // the same values with other rounding; no columns where that run did not finish
   std::optional<double> energy_residual{};                     // EnergyBalance, which saw every step
   std::optional<Drift> internal_drift{}, independent_drift{};  // DriftWatch, which saw every step
 };

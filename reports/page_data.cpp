@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "nlohmann/json.hpp"
 #include "scene.hpp"
 #include "scheme.hpp"
+#include "trials.hpp"
 
 namespace fde {
 namespace {
@@ -35,6 +37,24 @@ std::vector<std::string> line_labels(const PageInput& page) {
   return labels;
 }
 
+bool is_trial(const MeasuredRun& run) {
+  return std::ranges::any_of(trials(), [&](const Trial& trial) {
+    return trial.steps == run.steps && trial.scene.label() == run.scene;
+  });
+}
+
+// The runs of trials; scenes that have no others leave the rest of the page to those that have.
+std::vector<MeasuredRun> take_trials(Runs& runs) {
+  std::vector<MeasuredRun> taken;
+  std::set<std::string, std::less<>> swept;
+  for (auto* some : {&runs.finished, &runs.failed}) {
+    for (const auto& run : *some) is_trial(run) ? taken.push_back(run) : void(swept.insert(run.scene));
+  }
+  for (auto* some : {&runs.finished, &runs.failed})
+    std::erase_if(*some, [&](const MeasuredRun& run) { return is_trial(run) && !swept.contains(run.scene); });
+  return taken;
+}
+
 bool has_several_histories(const Runs& runs) {
   return std::ranges::any_of(
       runs.finished, [&](const MeasuredRun& run) { return run.history != runs.finished.front().history; });
@@ -57,6 +77,7 @@ SceneName name_of_scene(const std::string& id) {
 
 json page_data(const Results& results) {
   PageInput page{.results = results, .runs = runs_of(results)};
+  page.trials = take_trials(page.runs);
   page.rates = rates(page.runs);
   page.several_histories = has_several_histories(page.runs);
   json sections = json::array();
@@ -64,6 +85,7 @@ json page_data(const Results& results) {
     if (!section.table.empty()) sections.push_back(to_json(section));
   };
   add(answers_section(page));
+  add(stability_section(page));
   for (auto& scene : scene_sections(page)) sections.push_back(std::move(scene));
   add(rates_section(page));
   add(drift_section(page));

@@ -17,7 +17,8 @@ nlohmann::json page_data(const Results& results);
 // What the sections are made from.
 struct PageInput {
   const Results& results;
-  Runs runs;
+  Runs runs;                          // but for those that only a trial asked for
+  std::vector<MeasuredRun> trials{};  // the runs of trials, finished or not
   std::vector<RateRow> rates{};
   bool several_histories = false;
 
@@ -36,6 +37,7 @@ Table sessions_table(const PageInput& page);
 Section answers_section(const PageInput& page);
 Section rates_section(const PageInput& page);
 Section drift_section(const PageInput& page);
+Section stability_section(const PageInput& page);
 Section cost_section(const PageInput& page);
 Section expansion_section(const PageInput& page);
 Section reference_section(const PageInput& page);

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 #include "report.hpp"
 #include "runs.hpp"
 #include "sweep.hpp"
+#include "trials.hpp"
 
 namespace fde {
 namespace {
@@ -25,6 +27,7 @@ struct RunArguments {
   std::vector<std::string> scenes, schemes;
   std::optional<std::string> steps;
   std::string repeats = "3", budget = "600", out;
+  bool trials = false;
 };
 
 struct ChooseArguments {
@@ -48,7 +51,7 @@ std::vector<const Scheme*> chosen_schemes(const std::vector<std::string>& ids) {
   return entries;
 }
 
-void run(const RunArguments& arguments, const Streams& streams) {
+Sweep sweep_of(const RunArguments& arguments) {
   Sweep sweep{.scenes = chosen_scenes(arguments.scenes),
               .schemes = chosen_schemes(arguments.schemes),
               .steps = default_steps,
@@ -60,11 +63,39 @@ void run(const RunArguments& arguments, const Streams& streams) {
       sweep.steps.push_back(parse_count("--steps", text, 1, most_steps));
     }
   }
+  return sweep;
+}
+
+// The trials as sweeps: those with the same number of steps together.
+std::vector<Sweep> sweeps_of_trials(Sweep sweep) {
+  std::map<int, Sweep> by_steps;
+  sweep.scenes.clear();
+  for (const auto& trial : trials()) {
+    auto& some = by_steps.try_emplace(trial.steps, sweep).first->second;
+    some.steps = {trial.steps};
+    some.scenes.push_back(trial.scene);
+  }
+  std::vector<Sweep> sweeps;
+  for (auto& [steps, some] : by_steps) sweeps.push_back(std::move(some));
+  return sweeps;
+}
+
+// The sweep that is asked for; the trials where no scene and no steps are, alone where they are asked for.
+void run(const RunArguments& arguments, const Streams& streams) {
+  const Sweep sweep = sweep_of(arguments);
+  const bool asked = !arguments.scenes.empty() || arguments.steps;
+  if (arguments.trials && asked)
+    throw std::invalid_argument("--trials = yes: must be without --scene and --steps, trials have their own");
+  std::vector<Sweep> sweeps;
+  if (arguments.trials || !asked) sweeps = sweeps_of_trials(sweep);
+  if (!arguments.trials) sweeps.push_back(sweep);
   ResultsFile file(arguments.out);
-  run_sweep(sweep, {.has = [&](const auto& scene, const auto& scheme,
-                               int steps) { return file.has(scene, scheme, steps); },
-                    .append = [&](const auto& rows) { file.append(rows); },
-                    .progress = progress_line(streams)});
+  for (const auto& some : sweeps) {
+    run_sweep(some, {.has = [&](const auto& scene, const auto& scheme,
+                                int steps) { return file.has(scene, scheme, steps); },
+                     .append = [&](const auto& rows) { file.append(rows); },
+                     .progress = progress_line(streams)});
+  }
   fmt::print(streams.out, "{}\n", std::filesystem::absolute(arguments.out).string());
 }
 
@@ -123,6 +154,7 @@ void add_sweep_commands(CLI::App& app, const Streams& streams) {
   run_command->add_option("--steps", of_run->steps, "numbers of steps N1,N2,...");
   run_command->add_option("--repeat", of_run->repeats, "timed repeats of each run");
   run_command->add_option("--budget", of_run->budget, "seconds after which a solve is ended; default 600");
+  run_command->add_flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
   run_command->add_option("--out", of_run->out, "results file")->required();
   run_command->callback([=] { run(*of_run, streams); });
 

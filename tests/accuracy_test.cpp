@@ -38,7 +38,7 @@ TEST(Accuracy, OfSeveralColumnsIsThatOfTheWorst) {
   Rows truth(2, 10), values(2, 10);
   truth << Rows::Ones(1, 10), 1e-6 * Rows::Ones(1, 10);
   values << Rows::Ones(1, 10), 1.5e-6 * Rows::Ones(1, 10);
-  EXPECT_DOUBLE_EQ(*relative_error(values, truth), 0.5);
+  EXPECT_DOUBLE_EQ(*relative_error(values, truth, Vec::Zero(2)), 0.5);
   EXPECT_EQ(accuracy_lost(values, truth), std::nullopt);
 }
 
@@ -46,8 +46,9 @@ TEST(Accuracy, RelativeToAThousandthOfTheSizeNearAZero) {
   Rows truth = Rows::Ones(1, 20), values = truth;
   truth(0, 19) = 1e-9;
   values(0, 19) = 1e-9 + 1e-4;
-  EXPECT_NEAR(*relative_error(values, truth), 0.1, 1e-12);
-  EXPECT_EQ(relative_error(Rows::Zero(1, 20), Rows::Zero(1, 20)), std::nullopt);
+  EXPECT_NEAR(*relative_error(values, truth, Vec::Zero(1)), 0.1, 1e-12);
+  EXPECT_NEAR(*relative_error(values, truth, Vec::Constant(1, 1e-3)), 1.1, 1e-12);
+  EXPECT_EQ(relative_error(Rows::Zero(1, 20), Rows::Zero(1, 20), Vec::Zero(1)), std::nullopt);
 }
 
 // Values in other units are the same values up to rounding, in every scene and scheme that fits.

@@ -19,9 +19,10 @@ struct Made {
   Scene scene{};
   Trajectory path{};
   Rows truth{};
+  Vec bound = Vec::Constant(1, 1e-15);
 
   [[nodiscard]] Observation observe() const {
-    return {scene, *find_scheme("l1"), path, path.y, truth, 1e-15};
+    return {scene, *find_scheme("l1"), path, path.y, truth, bound};
   }
 };
 

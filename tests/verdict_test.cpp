@@ -1,0 +1,44 @@
+#include "verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "trials.hpp"
+
+namespace fde {
+namespace {
+
+MeasuredRun finished(double relative) {
+  return {.status = "finished", .values = {{"error_relative", relative}, {"time_minimum", 0.0123}}};
+}
+
+TEST(Verdict, SurvivesWithinAHundredthOfTheValue) {
+  EXPECT_EQ(verdict(finished(0.01)), Verdict::survives);
+  EXPECT_EQ(because(finished(0.01)), "1.0e-2 of the value, 12.3 ms");
+  EXPECT_EQ(verdict(finished(0.011)), Verdict::inaccurate);
+}
+
+TEST(Verdict, OfEveryEndSaysWhy) {
+  const MeasuredRun blown{.status = "not finite at step 3, t = 0.5"};
+  EXPECT_EQ(verdict(blown), Verdict::fails);
+  EXPECT_EQ(because(blown), "not finite at step 3, t = 0.5");
+  const MeasuredRun refused{.status = "refused: takes orders in (0, 2], component 0 has 3"};
+  EXPECT_EQ(verdict(refused), Verdict::refuses);
+  EXPECT_EQ(because(refused), "takes orders in (0, 2], component 0 has 3");
+  const MeasuredRun unknown{.status = "no reference: the two methods do not agree"};
+  EXPECT_EQ(verdict(unknown), Verdict::unknown);
+}
+
+TEST(Trials, AreNamedOnce) {
+  std::set<std::string> labels, kinds;
+  std::string last;
+  for (const Trial& trial : trials()) {
+    EXPECT_TRUE(labels.insert(trial.scene.label()).second) << trial.scene.label();
+    if (trial.kind != last) EXPECT_TRUE(kinds.insert(trial.kind).second) << trial.kind;
+    last = trial.kind;
+  }
+}
+
+}  // namespace
+}  // namespace fde
