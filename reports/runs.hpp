@@ -13,7 +13,7 @@ namespace fde {
 
 // All rows of one run side by side.
 struct MeasuredRun {
-  std::string scene, scheme, history;
+  std::string scene{}, scheme{}, history{};
   int steps = 0;
   double h = 0.0, tolerance = 0.0;
   std::size_t session = 0;                              // index into Results::sessions
