@@ -33,6 +33,7 @@ std::vector<Variant> variants() {
     all.push_back({"power_" + tag, "power", {{"gamma", g}, {"p", g + 2.0}}, 1.0});
     if (g <= 1.0) all.push_back({"relaxation_pair_" + tag, "relaxation_pair", {{"gamma", g}}, 1.0});
     if (g <= 1.0) all.push_back({"brusselator_" + tag, "brusselator", {{"gamma", g}, {"B", 2.0}}, 1.0});
+    if (g > 0.2 && g <= 1.0) all.push_back({"van_der_pol_" + tag, "van_der_pol", {{"gamma", g}}, 1.0});
     if (g > 1.0) {
       const std::map<std::string, double> loaded{{"nu", g}, {"c0", 0.5}, {"c1", 0.25}};
       all.push_back({"fractional_oscillator_" + tag, "fractional_oscillator", loaded, 3.0});
