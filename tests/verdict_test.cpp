@@ -35,7 +35,9 @@ TEST(Trials, AreNamedOnce) {
   std::string last;
   for (const Trial& trial : trials()) {
     EXPECT_TRUE(labels.insert(trial.scene.label()).second) << trial.scene.label();
-    if (trial.kind != last) EXPECT_TRUE(kinds.insert(trial.kind).second) << trial.kind;
+    if (trial.kind != last) {
+      EXPECT_TRUE(kinds.insert(trial.kind).second) << trial.kind;
+    }
     last = trial.kind;
   }
 }
