@@ -93,6 +93,15 @@ std::vector<double> solve_repeatedly(const Scheme& scheme, const Problem& proble
   return seconds;
 }
 
+Record row_of(const std::string& label, const Scheme& scheme, const Grid& grid, const Options& options) {
+  return {.scene = label,
+          .scheme = std::string(scheme.id),
+          .history = std::string(name(options.history)),
+          .steps = grid.steps,
+          .h = grid.step(),
+          .tolerance = options.tolerance};
+}
+
 Record with_value(Record row, std::string_view quantity, double value, std::string_view unit) {
   if (!std::isfinite(value)) throw std::range_error(fmt::format("{} is not finite", quantity));
   row.quantity = quantity;
@@ -130,12 +139,7 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
                     int steps, double budget) {
   const Grid grid{.end = scene.problem.end, .steps = steps};
   Options options{.budget = budget, .keep = watched_steps(steps)};
-  const Record row{.scene = label,
-                   .scheme = std::string(scheme.id),
-                   .history = std::string(name(options.history)),
-                   .steps = steps,
-                   .h = grid.step(),
-                   .tolerance = options.tolerance};
+  const Record row = row_of(label, scheme, grid, options);
   const auto outcome = [&](double reached, const std::string& status) {
     Record last = with_value(row, "outcome", reached, "t");
     last.status = status;
@@ -171,16 +175,17 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
   }
 }
 
-void time_solves(Examination& examination, const Scene& scene, const Scheme& scheme, int repeats) {
-  if (!examination.finished) return;
-  auto& rows = examination.rows;
-  Record row = rows.back();
-  row.status.clear();
-  const auto seconds =
-      solve_repeatedly(scheme, scene.problem, {.end = scene.problem.end, .steps = row.steps}, repeats);
+std::vector<Record> time_solves(const std::string& label, const Scene& scene, const Scheme& scheme, int steps,
+                                int repeats) {
+  const Grid grid{.end = scene.problem.end, .steps = steps};
+  const auto seconds = solve_repeatedly(scheme, scene.problem, grid, repeats);
+  const Record row = row_of(label, scheme, grid, {});
+  std::vector<Record> rows;
   for (const auto& measure : time_measures()) {
-    rows.insert(rows.end() - 1, with_value(row, measure.id, measure.value(seconds), "s"));
+    rows.push_back(with_value(row, measure.id, measure.value(seconds), "s"));
   }
+  rows.back().status = "timed";
+  return rows;
 }
 
 }  // namespace fde

@@ -61,8 +61,8 @@ void run(const RunArguments& arguments, const Streams& streams) {
     }
   }
   ResultsFile file(arguments.out);
-  run_sweep(sweep, {.has = [&](const auto& scene, const auto& scheme,
-                               int steps) { return file.has(scene, scheme, steps); },
+  run_sweep(sweep, {.stage = [&](const auto& scene, const auto& scheme,
+                                 int steps) { return file.stage(scene, scheme, steps); },
                     .append = [&](const auto& rows) { file.append(rows); },
                     .progress = progress_line(streams)});
   fmt::print(streams.out, "{}\n", std::filesystem::absolute(arguments.out).string());
@@ -87,7 +87,7 @@ Results measure(const SceneVariant& scene, double error, const Streams& streams)
     sweep.steps = {steps};
     run_sweep(
         sweep,
-        {.has = [](const auto&, const auto&, int) { return false; },
+        {.stage = [](const auto&, const auto&, int) { return Stage::missing; },
          .append = [&](const auto& rows) { std::ranges::copy(rows, std::back_inserter(results.records)); },
          .progress = progress_line(streams)});
     const Runs runs = runs_of(results);
