@@ -62,7 +62,7 @@ Parsed parse(const std::string& text, const std::filesystem::path& file) {
   std::size_t begin = 0;
   for (int number = 1; begin < text.size(); ++number) {
     const auto end = text.find('\n', begin);
-    const bool ours = parsed.valid > 0 || text.starts_with(first_words);
+    const bool ours = parsed.valid > 0 || text.starts_with(first_words) || first_words.starts_with(text);
     if (end == std::string::npos && ours) break;  // the line a killed sweep was writing
     try {
       if (add_line(text.substr(begin, end - begin), parsed.results, open_rows)) parsed.valid = end + 1;
