@@ -17,6 +17,13 @@ Eigen::RowVectorXd sizes(const Rows& of) { return of.cwiseAbs().colwise().maxCoe
 
 }  // namespace
 
+std::optional<Eigen::Index> first_beyond_double(const Rows& truth) {
+  for (Eigen::Index c = 0; c < truth.cols(); ++c) {
+    if (!truth.col(c).allFinite()) return c;
+  }
+  return std::nullopt;
+}
+
 std::optional<Eigen::Index> accuracy_lost(const Rows& values, const Rows& truth) {
   constexpr double rounding = 1e-15, shortest_stretch = 0.1;
   const Eigen::RowVectorXd size = sizes(truth);

@@ -9,6 +9,9 @@ namespace fde {
 // What is left of a result beside the truth. Both have one row a column of the scene and one column a time of
 // a path; |.| is the largest over the columns of the scene.
 
+// The first time at which the truth is infinite: no scheme can follow it there. nullopt: there is none.
+std::optional<Eigen::Index> first_beyond_double(const Rows& truth);
+
 // The first time from which on the error |values - truth| is above the size of the value, |truth|, up to the
 // end, as its place among the columns. Not counted: errors that are rounding of the largest |truth|, and a
 // last stretch shorter than a tenth of the times: there a value may only be passing through 0. nullopt: the

@@ -88,6 +88,15 @@ std::vector<double> solve_repeatedly(const Scheme& scheme, const Problem& proble
   return seconds;
 }
 
+Record row_of(const std::string& label, const Scheme& scheme, const Grid& grid, const Options& options) {
+  return {.scene = label,
+          .scheme = std::string(scheme.id),
+          .history = std::string(name(options.history)),
+          .steps = grid.steps,
+          .h = grid.step(),
+          .tolerance = options.tolerance};
+}
+
 Record with_value(Record row, std::string_view quantity, double value, std::string_view unit) {
   if (!std::isfinite(value)) throw std::range_error(fmt::format("{} is not finite", quantity));
   row.quantity = quantity;
@@ -135,12 +144,7 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
                     int steps, double budget) {
   const Grid grid{.end = scene.problem.end, .steps = steps};
   Options options{.budget = budget, .keep = watched_steps(steps)};
-  const Record row{.scene = label,
-                   .scheme = std::string(scheme.id),
-                   .history = std::string(name(options.history)),
-                   .steps = steps,
-                   .h = grid.step(),
-                   .tolerance = options.tolerance};
+  const Record row = row_of(label, scheme, grid, options);
   const auto outcome = [&](double reached, const std::string& status) {
     Record last = with_value(row, "outcome", reached, "t");
     last.status = status;
@@ -162,6 +166,13 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
     return {{outcome(grid.time(path.reached), describe(scene.problem, path))}};
   try {
     const Known known = what_is_known(truth, path);
+    const auto step = [&](Eigen::Index column) { return path.steps[static_cast<std::size_t>(column)]; };
+    const auto time = [&](Eigen::Index column) { return grid.time(step(column)); };
+    const auto at = [&](std::string_view what, Eigen::Index column) {
+      return fmt::format("{} at step {}, t = {:.6g}", what, step(column), time(column));
+    };
+    if (const auto beyond = first_beyond_double(known.truth))
+      return {{outcome(time(*beyond), at("the solution is beyond double", *beyond))}};
     const Rows values = columns_of(scene.outputs, path);
     Observation run{scene,
                     scheme,
@@ -176,12 +187,12 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
       run.independent_drift = drift.independent();
     }
     auto rows = measure(run, row);
-    if (const auto lost = known.missing.empty() ? accuracy_lost(values, known.truth) : std::nullopt) {
-      const int step = path.steps[static_cast<std::size_t>(*lost)];
-      const double t = grid.time(step);
-      rows.push_back(outcome(t, fmt::format("accuracy lost at step {}, t = {:.6g}", step, t)));
+    if (!known.missing.empty()) {
+      rows.push_back(outcome(grid.end, known.missing));
+    } else if (const auto lost = accuracy_lost(values, known.truth)) {
+      rows.push_back(outcome(time(*lost), at(lost_status, *lost)));
     } else {
-      rows.push_back(outcome(grid.end, known.missing.empty() ? "finished" : known.missing));
+      rows.push_back(outcome(grid.end, std::string(finished_status)));
     }
     return {std::move(rows), known.missing.empty()};
   } catch (const std::runtime_error& failure) {  // of a measure
@@ -189,16 +200,17 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
   }
 }
 
-void time_solves(Examination& examination, const Scene& scene, const Scheme& scheme, int repeats) {
-  if (!examination.finished) return;
-  auto& rows = examination.rows;
-  Record row = rows.back();
-  row.status.clear();
-  const auto seconds =
-      solve_repeatedly(scheme, scene.problem, {.end = scene.problem.end, .steps = row.steps}, repeats);
+std::vector<Record> time_solves(const std::string& label, const Scene& scene, const Scheme& scheme, int steps,
+                                int repeats) {
+  const Grid grid{.end = scene.problem.end, .steps = steps};
+  const auto seconds = solve_repeatedly(scheme, scene.problem, grid, repeats);
+  const Record row = row_of(label, scheme, grid, {});
+  std::vector<Record> rows;
   for (const auto& measure : time_measures()) {
-    rows.insert(rows.end() - 1, with_value(row, measure.id, measure.value(seconds), "s"));
+    rows.push_back(with_value(row, measure.id, measure.value(seconds), "s"));
   }
+  rows.back().status = "timed";
+  return rows;
 }
 
 }  // namespace fde

@@ -36,7 +36,7 @@ class TruthTable {
 // when it did not.
 std::string describe(const Problem& problem, const Trajectory& path);
 
-// One (scene, scheme, steps) of a sweep: everything but its time, and how to repeat it.
+// One (scene, scheme, steps) of a sweep: everything but its time.
 struct Examination {
   // The last is the outcome; a scheme that refuses or fails has this one only. Without a reference the
   // outcome says why, and the measures that need none are there all the same.
@@ -50,9 +50,10 @@ struct Examination {
 Examination examine(const std::string& label, const Scene& scene, TruthTable& truth, const Scheme& scheme,
                     int steps, double budget = std::numeric_limits<double>::infinity());
 
-// Puts the time rows before the outcome of a finished examination: solves `repeats` times, more where that
-// takes less than 20 ms, no more once it has taken 10 s, storing the last step only. To be called while
-// nothing else runs.
-void time_solves(Examination& examination, const Scene& scene, const Scheme& scheme, int repeats);
+// The time rows of a finished examination: solves `repeats` times, more where that takes less than 20 ms, no
+// more once it has taken 10 s, storing the last step only. The last row has the status "timed". To be called
+// while nothing else runs.
+std::vector<Record> time_solves(const std::string& label, const Scene& scene, const Scheme& scheme, int steps,
+                                int repeats);
 
 }  // namespace fde

@@ -26,23 +26,19 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view last_row = "outcome";
+constexpr std::string_view last_row = "outcome", last_time = "timed";
 constexpr std::string_view first_words = R"({"session":)";
 
-bool same_build(const Session& a, const Session& b) {
-  const auto facts = [](const Session& s) {
-    return std::tie(s.machine, s.compiler, s.flags, s.commit, s.version);
-  };
-  return facts(a) == facts(b);
-}
+bool ends_rows(const Record& row) { return row.quantity == last_row || row.status == last_time; }
 
 struct Parsed {
   Results results;
-  std::size_t valid = 0;  // bytes up to the end of the last complete run
+  std::size_t valid = 0;  // bytes up to the end of the last complete write
 };
 
-// Adds one line; true when it ends a session line or a run, so that the file is whole up to here.
-bool add_line(const std::string& line, Results& results, std::vector<Record>& open_run) {
+// Adds one line; true when it is a session or ends the rows of one write, so that the file is whole up to
+// here.
+bool add_line(const std::string& line, Results& results, std::vector<Record>& open_rows) {
   const Json json = Json::parse(line);
   if (json.contains("session")) {
     results.sessions.push_back(json.at("session").get<Session>());
@@ -53,23 +49,23 @@ bool add_line(const std::string& line, Results& results, std::vector<Record>& op
     throw std::invalid_argument("an impossible number of steps");
   if (results.sessions.empty()) throw std::invalid_argument("a record before the first session");
   record.session = results.sessions.size() - 1;
-  open_run.push_back(std::move(record));
-  if (open_run.back().quantity != last_row) return false;
-  results.records.insert(results.records.end(), open_run.begin(), open_run.end());
-  open_run.clear();
+  open_rows.push_back(std::move(record));
+  if (!ends_rows(open_rows.back())) return false;
+  results.records.insert(results.records.end(), open_rows.begin(), open_rows.end());
+  open_rows.clear();
   return true;
 }
 
 Parsed parse(const std::string& text, const std::filesystem::path& file) {
   Parsed parsed;
-  std::vector<Record> open_run;
+  std::vector<Record> open_rows;
   std::size_t begin = 0;
   for (int number = 1; begin < text.size(); ++number) {
     const auto end = text.find('\n', begin);
-    const bool ours = parsed.valid > 0 || text.starts_with(first_words);
+    const bool ours = parsed.valid > 0 || text.starts_with(first_words) || first_words.starts_with(text);
     if (end == std::string::npos && ours) break;  // the line a killed sweep was writing
     try {
-      if (add_line(text.substr(begin, end - begin), parsed.results, open_run)) parsed.valid = end + 1;
+      if (add_line(text.substr(begin, end - begin), parsed.results, open_rows)) parsed.valid = end + 1;
       if (end == std::string::npos) throw std::invalid_argument("no line end");
     } catch (const std::exception&) {
       throw std::invalid_argument(
@@ -98,6 +94,19 @@ std::invalid_argument cannot_be_written(const std::filesystem::path& file, const
 
 }  // namespace
 
+bool same_build(const Session& a, const Session& b) {
+  const auto facts = [](const Session& s) {
+    return std::tie(s.machine, s.compiler, s.flags, s.commit, s.version);
+  };
+  return facts(a) == facts(b);
+}
+
+bool is_compared(const Record& outcome) {
+  return outcome.status == finished_status || outcome.status.starts_with(lost_status);
+}
+
+bool is_time(const Record& row) { return row.quantity.starts_with("time_"); }
+
 Results read_results(const std::filesystem::path& file) { return parse(read_text(file), file).results; }
 
 ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
@@ -108,8 +117,10 @@ ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
   try {
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
       throw cannot_be_written(path_, "another run is writing to it");
-    auto parsed = parse(read_text(path_), path_);
-    results_ = std::move(parsed.results);
+    const auto parsed = parse(read_text(path_), path_);
+    for (const Record& row : parsed.results.records) {
+      if (same_build(parsed.results.sessions[row.session], session_)) note(row);
+    }
     if (ftruncate(descriptor_, static_cast<off_t>(parsed.valid)) != 0) {
       throw cannot_be_written(path_, std::strerror(errno));
     }
@@ -121,24 +132,26 @@ ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
 
 ResultsFile::~ResultsFile() { close(descriptor_); }
 
-bool ResultsFile::has(std::string_view scene, std::string_view scheme, int steps) const {
-  return std::ranges::any_of(results_.records, [=, this](const Record& row) {
-    return row.quantity == last_row && row.steps == steps && row.scene == scene && row.scheme == scheme &&
-           same_build(results_.sessions[row.session], session_);
-  });
+Stage ResultsFile::stage(const std::string& scene, const std::string& scheme, int steps) const {
+  const auto found = stages_.find({scene, scheme, steps});
+  return found == stages_.end() ? Stage::missing : found->second;
 }
 
-void ResultsFile::append(const std::vector<Record>& run) {
+// In files of earlier versions the times stand before the outcome.
+void ResultsFile::note(const Record& row) {
+  auto& stage = stages_[{row.scene, row.scheme, row.steps}];
+  const bool untimed = row.quantity == last_row && is_compared(row) && stage != Stage::done;
+  if (untimed) stage = Stage::examined;
+  if (is_time(row) || (row.quantity == last_row && !untimed)) stage = Stage::done;
+}
+
+void ResultsFile::append(const std::vector<Record>& rows) {
   std::string text;
   if (!session_written_) text = Json{{"session", session_}}.dump() + '\n';
-  for (const auto& record : run) text += Json(record).dump() + '\n';
+  for (const auto& row : rows) text += Json(row).dump() + '\n';
   write(text);
-  if (!session_written_) results_.sessions.push_back(session_);
   session_written_ = true;
-  for (auto record : run) {
-    record.session = results_.sessions.size() - 1;
-    results_.records.push_back(std::move(record));
-  }
+  std::ranges::for_each(rows, [&](const Record& row) { note(row); });
 }
 
 void ResultsFile::write(const std::string& text) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <span>
 
@@ -18,7 +19,7 @@ struct SceneRuns {
   struct Run {
     const Scheme* scheme;
     int steps;
-    Examination examination{};
+    Stage stage;
   };
   std::string label;
   Scene scene;
@@ -31,46 +32,84 @@ SceneRuns missing_runs(const SceneVariant& variant, const Sweep& sweep, const Sw
     for (const int steps : sweep.steps) {
       const bool listed = std::ranges::any_of(
           missing.runs, [&](const auto& run) { return run.scheme == scheme && run.steps == steps; });
-      if (listed || hooks.has(missing.label, std::string(scheme->id), steps)) continue;
-      missing.runs.push_back({scheme, steps});
+      const Stage stage = hooks.stage(missing.label, std::string(scheme->id), steps);
+      if (!listed && stage != Stage::done) missing.runs.push_back({scheme, steps, stage});
     }
   }
   return missing;
+}
+
+// The hooks as threads may call them. A failure to append ends the work of all.
+class Teller {
+ public:
+  Teller(const SweepHooks& hooks, std::size_t total) : hooks_(hooks), total_(total) {}
+
+  void tell(const SceneRuns& of, const SceneRuns::Run& run, std::string_view what) {
+    const std::scoped_lock lock(mutex_);
+    hooks_.progress(done_++, total_,
+                    fmt::format("{} {} N = {}{}", of.label, run.scheme->id, run.steps, what));
+  }
+  void pass(std::size_t count) {
+    const std::scoped_lock lock(mutex_);
+    done_ += count;
+  }
+  void append(const std::vector<Record>& rows) {
+    const std::scoped_lock lock(mutex_);
+    if (failed_) return;
+    failed_ = true;
+    hooks_.append(rows);
+    failed_ = false;
+  }
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  const SweepHooks& hooks_;
+  std::size_t total_, done_ = 0;
+  std::mutex mutex_;
+  std::atomic<bool> failed_ = false;
+};
+
+void examine_runs(SceneRuns& of, double budget, Teller& teller) {
+  TruthTable truth(of.scene);
+  for (auto& run : of.runs) {
+    if (teller.failed()) return;
+    if (run.stage == Stage::examined) {
+      teller.pass(1);
+      continue;
+    }
+    teller.tell(of, run, "");
+    const auto examination = examine(of.label, of.scene, truth, *run.scheme, run.steps, budget);
+    teller.append(examination.rows);
+    run.stage = examination.finished ? Stage::examined : Stage::done;
+    if (run.stage == Stage::done) teller.pass(1);
+  }
+}
+
+void time_runs(const SceneRuns& of, int repeats, Teller& teller) {
+  for (const auto& run : of.runs) {
+    if (run.stage == Stage::done) continue;
+    teller.tell(of, run, ", time");
+    teller.append(time_solves(of.label, of.scene, *run.scheme, run.steps, repeats));
+  }
 }
 
 }  // namespace
 
 void run_sweep(const Sweep& sweep, const SweepHooks& hooks) {
   std::vector<SceneRuns> scenes;
-  std::size_t total = 0, done = 0;
+  std::size_t total = 0;
   for (const auto& variant : sweep.scenes) {
     if (std::ranges::find(scenes, variant.label(), &SceneRuns::label) != scenes.end()) continue;
     scenes.push_back(missing_runs(variant, sweep, hooks));
     total += 2 * scenes.back().runs.size();
   }
-  std::mutex mutex;
-  const auto tell = [&](const SceneRuns& of, const SceneRuns::Run& run, std::string_view what) {
-    const std::scoped_lock lock(mutex);
-    hooks.progress(done++, total, fmt::format("{} {} N = {}{}", of.label, run.scheme->id, run.steps, what));
-  };
+  Teller teller(hooks, total);
   const std::size_t batch = std::max(1U, sweep.threads);
   for (std::size_t first = 0; first < scenes.size(); first += batch) {
     const auto some = std::span(scenes).subspan(first, std::min(batch, scenes.size() - first));
-    in_parallel(some.size(), sweep.threads, [&](std::size_t i) {
-      auto& of = some[i];
-      TruthTable truth(of.scene);
-      for (auto& run : of.runs) {
-        tell(of, run, "");
-        run.examination = examine(of.label, of.scene, truth, *run.scheme, run.steps, sweep.budget);
-      }
-    });
-    for (auto& of : some) {
-      for (auto& run : of.runs) {
-        tell(of, run, ", time");
-        time_solves(run.examination, of.scene, *run.scheme, sweep.repeats);
-        hooks.append(run.examination.rows);
-      }
-    }
+    in_parallel(some.size(), sweep.threads,
+                [&](std::size_t i) { examine_runs(some[i], sweep.budget, teller); });
+    for (const auto& of : some) time_runs(of, sweep.repeats, teller);
   }
   hooks.progress(total, total, "done");
 }

@@ -21,12 +21,14 @@ struct Sweep {
   unsigned threads = std::thread::hardware_concurrency();  // of the part that is not timed
 };
 
-// Runs what `has` does not know yet, each once. As many scenes as there are threads at a time: first their
+// Runs what is not done yet by `stage`, each once. As many scenes as there are threads at a time: first their
 // references and measures, side by side, then their timed solves, each alone on the machine. Rows go to
-// `append`, one call a run, in the order of the lists whatever the number of threads, which changes no bit of
-// them but the times. `progress` hears (done, total, what comes next), from one thread at a time.
+// `append` as soon as they are made: a call for each examination and one for each run's times. The runs of a
+// scene keep the order of the lists; those of scenes side by side mix. The number of threads changes no bit
+// of the rows but the times. `append` and `progress`, which hears (done, total, what comes next), are called
+// by one thread at a time.
 struct SweepHooks {
-  std::function<bool(const std::string& scene, const std::string& scheme, int steps)> has;
+  std::function<Stage(const std::string& scene, const std::string& scheme, int steps)> stage;
   std::function<void(const std::vector<Record>&)> append;
   std::function<void(std::size_t done, std::size_t total, const std::string& next)> progress;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <tuple>
+#include <utility>
 
 #include "scene.hpp"
 #include "scheme.hpp"
@@ -32,8 +33,21 @@ Key key_of(const Record& row) {
           row.steps};
 }
 
+// For each session the first one of the same build on the same machine.
+std::vector<std::size_t> builds_of(const std::vector<Session>& sessions) {
+  std::vector<std::size_t> builds;
+  for (const Session& session : sessions) {
+    const auto first =
+        std::ranges::find_if(sessions, [&](const auto& one) { return same_build(one, session); });
+    builds.push_back(static_cast<std::size_t>(first - sessions.begin()));
+  }
+  return builds;
+}
+
+// The times of a run may be of a later session than its examination. Any other row of a later session begins
+// the run again.
 void add(MeasuredRun& run, const Record& row) {
-  if (row.session != run.session || run.scene.empty()) {  // a new run, or a later session's
+  if (run.scene.empty() || (row.session != run.session && !is_time(row))) {
     run = {.scene = row.scene,
            .scheme = row.scheme,
            .history = row.history,
@@ -47,6 +61,19 @@ void add(MeasuredRun& run, const Record& row) {
   } else {
     run.values[row.quantity] = row.value;
   }
+}
+
+// One run as each build made it, the latest last.
+using Made = std::vector<std::pair<std::size_t, MeasuredRun>>;
+
+MeasuredRun& run_of(Made& made, std::size_t build) {
+  const auto found = std::ranges::find(made, build, &Made::value_type::first);
+  std::pair<std::size_t, MeasuredRun> one{build, {}};
+  if (found != made.end()) {
+    one = std::move(*found);
+    made.erase(found);
+  }
+  return made.emplace_back(std::move(one)).second;
 }
 
 template <typename Same>
@@ -71,10 +98,14 @@ std::optional<double> MeasuredRun::operator[](std::string_view quantity) const {
 }
 
 Runs runs_of(const Results& results) {
-  std::map<Key, MeasuredRun> all;
-  for (const Record& row : results.records) add(all[key_of(row)], row);
+  const auto builds = builds_of(results.sessions);
+  std::map<Key, Made> all;
+  for (const Record& row : results.records) add(run_of(all[key_of(row)], builds[row.session]), row);
   Runs runs;
-  for (auto& [key, run] : all) {
+  for (auto& [key, made] : all) {
+    std::erase_if(made, [](const auto& one) { return one.second.status.empty(); });  // times of no run
+    if (made.empty()) continue;
+    auto& run = made.back().second;
     (run.status == "finished" ? runs.finished : runs.failed).push_back(std::move(run));
   }
   return runs;

@@ -16,7 +16,7 @@ struct MeasuredRun {
   std::string scene{}, scheme{}, history{};
   int steps = 0;
   double h = 0.0, tolerance = 0.0;
-  std::size_t session = 0;                              // index into Results::sessions
+  std::size_t session = 0;                              // of its examination; index into Results::sessions
   std::string status{};                                 // of its outcome row
   std::map<std::string, double, std::less<>> values{};  // by quantity
 
@@ -25,7 +25,7 @@ struct MeasuredRun {
 };
 
 // The runs of a results file, ordered by scene, scheme (as in their lists), history and steps. A run that was
-// made in several sessions counts with the last one.
+// made in several sessions counts with the last one; its times may be of a later session of the same build.
 struct Runs {
   std::vector<MeasuredRun> finished, failed;  // failed: refused, or stopped on the way
 };

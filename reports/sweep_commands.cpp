@@ -91,8 +91,8 @@ void run(const RunArguments& arguments, const Streams& streams) {
   if (!arguments.trials) sweeps.push_back(sweep);
   ResultsFile file(arguments.out);
   for (const auto& some : sweeps) {
-    run_sweep(some, {.has = [&](const auto& scene, const auto& scheme,
-                                int steps) { return file.has(scene, scheme, steps); },
+    run_sweep(some, {.stage = [&](const auto& scene, const auto& scheme,
+                                  int steps) { return file.stage(scene, scheme, steps); },
                      .append = [&](const auto& rows) { file.append(rows); },
                      .progress = progress_line(streams)});
   }
@@ -118,7 +118,7 @@ Results measure(const SceneVariant& scene, double error, const Streams& streams)
     sweep.steps = {steps};
     run_sweep(
         sweep,
-        {.has = [](const auto&, const auto&, int) { return false; },
+        {.stage = [](const auto&, const auto&, int) { return Stage::missing; },
          .append = [&](const auto& rows) { std::ranges::copy(rows, std::back_inserter(results.records)); },
          .progress = progress_line(streams)});
     const Runs runs = runs_of(results);
