@@ -11,7 +11,7 @@ constexpr int most_iterations = 50;
 constexpr int few_setbacks = 3;
 constexpr double stagnation = 1e-10;
 
-constexpr int most_pseudo_steps = 150;
+constexpr int most_pseudo_steps = 200;
 constexpr double most_bend = 0.25;       // of the equations along a pseudo time step, relative
 constexpr double newton_inverse = 1e-3;  // of a pseudo time step that is as good as one without end
 constexpr double shortest_inverse = 1e9;

@@ -24,7 +24,7 @@ class NewtonSolver {
  public:
   NewtonSolver(const Problem& problem, double tolerance);
 
-  // Improves the guess y to the solution. False when 300 iterations do not suffice, a value is not finite, or
+  // Improves the guess y to the solution. False when 350 iterations do not suffice, a value is not finite, or
   // the constraints of a linear problem depend on each other.
   bool solve(Run& run, double t, const Vec& kappa, In past, Out y);
 
