@@ -139,12 +139,8 @@ std::vector<Matrix> StageEquations::jacobians_at(const Vec& times, const Matrix&
 }
 
 Matrix StageEquations::jacobian_at(double t, const Vec& y) const {
-  if (problem_.linear_part) {
-    return *problem_.linear_part;
-  }
   Matrix jacobian(y.size(), y.size());
-  if (problem_.jacobian) {
-    problem_.jacobian(t, y, jacobian);
+  if (tell_derivatives(problem_, t, y, jacobian)) {
     return jacobian;
   }
   Vec moved = y, above(y.size()), below(y.size());

@@ -112,12 +112,8 @@ Matrix PanelEquations::rhs_at(const Vec& times, const Matrix& y) const {
 }
 
 Matrix PanelEquations::jacobian_at(double t, In y) const {
-  if (problem_.linear_part) {
-    return *problem_.linear_part;
-  }
   Matrix jacobian(y.size(), y.size());
-  if (problem_.jacobian) {
-    problem_.jacobian(t, y, jacobian);
+  if (tell_derivatives(problem_, t, y, jacobian)) {
     return jacobian;
   }
   Vec moved = y, f(y.size()), f_moved(y.size());

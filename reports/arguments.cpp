@@ -121,8 +121,9 @@ SceneVariant parse_variant(const std::string& text) {
 std::vector<SceneVariant> default_scenes() {
   std::vector<SceneVariant> variants;
   for (const auto& maker : scenes()) variants.push_back({.maker = &maker});
-  for (const auto* text : {"relaxation:gamma=0.2", "relaxation:gamma=1.5", "power:p=0.7",
-                           "pendulum:alpha=1.25,beta=0.75", "pendulum:alpha=1.9,beta=0.1"}) {
+  for (const auto* text :
+       {"relaxation:gamma=0.2", "relaxation:gamma=1.5", "power:p=0.7", "pendulum:alpha=1.25,beta=0.75",
+        "pendulum:alpha=1.9,beta=0.1", "fractional_diffusion:components=8"}) {
     variants.push_back(parse_variant(text));
   }
   return variants;

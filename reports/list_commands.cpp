@@ -17,8 +17,8 @@ using Json = nlohmann::ordered_json;
 std::vector<std::string> capabilities(const Scene& scene) {
   std::vector<std::string> names;
   if (scene.exact.at) names.emplace_back("exact");
-  if (scene.problem.jacobian || scene.problem.linear_part) names.emplace_back("jacobian");
-  if (scene.problem.linear_part) names.emplace_back("linear");
+  if (tells_derivatives(scene.problem)) names.emplace_back("jacobian");
+  if (linear(scene.problem)) names.emplace_back("linear");
   if (scene.energy) names.emplace_back("energy");
   if (scene.constraint) names.emplace_back("constraint");
   return names;

@@ -5,7 +5,7 @@
 
 #include "differences.hpp"
 #include "gmres.hpp"
-#include "newton.hpp"
+#include "newton_matrix.hpp"
 
 namespace fde {
 namespace {
@@ -24,8 +24,8 @@ void Linearisation::update(Run& run, const Guess& guess, const Residual& residua
   const auto& problem = equations_.problem();
   const auto size = problem.size();
   if (residual.conditions.size() > 0) differentiate_conditions(guess, residual.conditions);
-  if (problem.linear_part && jacobians_.size() > 0) return;
-  jacobians_.resize(size * size, problem.linear_part ? 1 : guess.y.cols());
+  if (linear(problem) && jacobians_.size() > 0) return;
+  jacobians_.resize(size * size, linear(problem) ? 1 : guess.y.cols());
   const Vec sizes = guess.y.cwiseAbs().rowwise().maxCoeff();
   for (Eigen::Index n = 0; n < jacobians_.cols(); ++n) {
     differentiate(run, problem, equations_.grid().time(static_cast<int>(n)), guess.y.col(n),

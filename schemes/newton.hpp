@@ -1,14 +1,9 @@
 #pragma once
 
-#include <Eigen/LU>
-
+#include "newton_matrix.hpp"
 #include "run.hpp"
 
 namespace fde {
-
-// df/dy at y, where f is f(t, y): the linear part or the Jacobian of the problem, or forward differences of
-// rhs where it has none, for which sizes tells how large the components of y are when they are not 0.
-void differentiate(Run& run, const Problem& problem, double t, In y, In f, In sizes, OutMatrix jacobian);
 
 // Solves y_i = past_i + kappa_i f_i(t, y), and 0 = f_i(t, y) in algebraic rows, for y, step after step of one
 // run.
@@ -16,7 +11,8 @@ void differentiate(Run& run, const Problem& problem, double t, In y, In f, In si
 // A problem with a linear part A is solved with one factorisation of I - kappa A as long as kappa stays the
 // same. Otherwise Newton's method takes the Jacobian of the problem, or differences of rhs where it has none,
 // anew in each iteration, until the last increment is below tolerance * |y|, or has stopped to shrink below
-// 1e-10 * |y|: there it is rounding.
+// 1e-10 * |y|: there it is rounding. Where increments grow three times, as they do when the solution near the
+// guess has just vanished, it starts again from where pseudo time steps lead to.
 //
 // |y| is the largest of the other unknowns where there are algebraic rows. An unknown lambda_i of an
 // algebraic row counts as what it does to the equations, max_k |M_ki| |lambda_i| with M the matrix of
@@ -28,37 +24,30 @@ class NewtonSolver {
  public:
   NewtonSolver(const Problem& problem, double tolerance);
 
-  // Improves the guess y to the solution. False when 50 iterations do not suffice, a value is not finite, or
+  // Improves the guess y to the solution. False when 350 iterations do not suffice, a value is not finite, or
   // the constraints of a linear problem depend on each other.
   bool solve(Run& run, double t, const Vec& kappa, In past, Out y);
 
  private:
   bool solve_linear(Run& run, double t, In past, Out y);
-  // Newton's method from y on. Given up where increments have not become smaller so many times.
+  // Newton's method from y on, given up at the last of so many increments that are no smaller than the one
+  // before.
   bool iterate(Run& run, double t, In past, Out y, int most_setbacks);
-  // Brings y closer, by pseudo time steps of mass y' = past + kappa f(t, y) - y that end in Newton's method.
+  // Brings y so close to a solution that Newton's method should converge. Follows mass y' = past + kappa f(t,
+  // y) - y in a pseudo time by linearly implicit Euler steps (Kelley & Keyes, SIAM J. Numer. Anal. 35 (1998))
+  // that grow where the equations are nearly linear along them: a step without end is one of Newton's method.
   bool approach(Run& run, double t, In past, Out y);
-  // matrix_ = mass - kappa df/dy at y, where f_ is f(t, y).
-  void differentiate(Run& run, double t, In past, In y);
-  // The same in place of df/dy = matrix_. Algebraic rows get the factor that makes their largest entry 1.
-  void assemble();
-  // Of the linear part. A matrix of constraints that depend on each other has none, however they round.
-  void factorise();
+  // matrix_ at y, where f_ becomes f(t, y) and increment_ what is left of the equations.
+  void linearise(Run& run, double t, In past, In y);
   // The largest of the last increments relative to |y|, as above.
   [[nodiscard]] double relative_increment(In y) const;
   // increment_ becomes what is left of the equations, where f_ is f(t, y).
-  void take_residual(In past, In y) {
-    increment_ = past + kappa_.cwiseProduct(f_) - y;
-    for (const auto i : algebraic_) increment_[i] = kappa_[i] * f_[i];
-  }
+  void take_residual(In past, In y);
 
   const Problem& problem_;
-  std::vector<Eigen::Index> algebraic_;  // rows
-  Vec mass_;                             // of y in each row: 0 in algebraic rows, 1 in others
-  Vec given_kappa_, kappa_;              // the latter with the factors of algebraic rows
+  Vec given_kappa_, kappa_;  // the latter with the factors of algebraic rows
   double tolerance_;
-  Matrix matrix_;
-  Eigen::PartialPivLU<Matrix> factors_;  // of the linear part
+  NewtonMatrix matrix_;
   bool singular_ = false;
   Vec f_, increment_;
 };

@@ -74,6 +74,9 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
   if (!(grid.step(1) > shortest)) {
     return fmt::format("needs a first step above {}, not {}", shortest, grid.step(1));
   }
+  if (sparse(problem) && std::ranges::any_of(problem.components, algebraic)) {
+    return "takes algebraic rows with a dense Jacobian only";
+  }
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
     if (auto reason = refusal(scheme.needs, problem.components[i], i, bool(problem.conditions)))
       return reason;

@@ -38,6 +38,26 @@ void spread(const Matrix& original, const Links& links, const std::vector<Eigen:
   }
 }
 
+SparseMatrix spread(const SparseMatrix& original, const Links& links,
+                    const std::vector<Eigen::Index>& position) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index i = 0; i < original.rows(); ++i) {
+    for (auto link = position[static_cast<std::size_t>(i)]; link < last_of(links, position, i); ++link) {
+      entries.emplace_back(link, link + 1, 1.0);
+    }
+  }
+  for (Eigen::Index j = 0; j < original.outerSize(); ++j) {
+    for (SparseMatrix::InnerIterator entry(original, j); entry; ++entry) {
+      entries.emplace_back(last_of(links, position, entry.row()), position[static_cast<std::size_t>(j)],
+                           entry.value());
+    }
+  }
+  const auto size = position.back() + static_cast<Eigen::Index>(links.back().size());
+  SparseMatrix result(size, size);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
 std::vector<Component> split_components(const Problem& problem, const Links& links) {
   std::vector<Component> components;
   for (std::size_t i = 0; i < links.size(); ++i) {
@@ -50,6 +70,36 @@ std::vector<Component> split_components(const Problem& problem, const Links& lin
     }
   }
   return components;
+}
+
+// Dense ones stay dense, sparse ones sparse.
+void split_derivatives(const Problem& problem, const Links& links, const std::vector<Eigen::Index>& position,
+                       Problem& result) {
+  if (problem.jacobian) {
+    result.jacobian = [jacobian = problem.jacobian, links, position](double t, In y,
+                                                                     OutMatrix spread_jacobian) {
+      const auto size = static_cast<Eigen::Index>(position.size());
+      Matrix original(size, size);
+      jacobian(t, Vec(y(position)), original);
+      spread(original, links, position, spread_jacobian);
+    };
+  }
+  if (problem.sparse_jacobian) {
+    result.sparse_jacobian = [jacobian = problem.sparse_jacobian, links, position](
+                                 double t, In y, SparseMatrix& spread_jacobian) {
+      const auto size = static_cast<Eigen::Index>(position.size());
+      SparseMatrix original(size, size);
+      jacobian(t, Vec(y(position)), original);
+      spread_jacobian = spread(original, links, position);
+    };
+  }
+  if (problem.linear_part) {
+    result.linear_part = Matrix(result.size(), result.size());
+    spread(*problem.linear_part, links, position, *result.linear_part);
+  }
+  if (problem.sparse_linear_part) {
+    result.sparse_linear_part = spread(*problem.sparse_linear_part, links, position);
+  }
 }
 
 }  // namespace
@@ -95,19 +145,7 @@ Problem split(const Problem& problem, const Links& links) {
       return margin(t, Vec(y(position)));
     };
   }
-  if (problem.jacobian) {
-    result.jacobian = [jacobian = problem.jacobian, links, position](double t, In y,
-                                                                     OutMatrix spread_jacobian) {
-      const auto size = static_cast<Eigen::Index>(position.size());
-      Matrix original(size, size);
-      jacobian(t, Vec(y(position)), original);
-      spread(original, links, position, spread_jacobian);
-    };
-  }
-  if (problem.linear_part) {
-    result.linear_part = Matrix(result.size(), result.size());
-    spread(*problem.linear_part, links, position, *result.linear_part);
-  }
+  split_derivatives(problem, links, position, result);
   return result;
 }
 

@@ -23,7 +23,7 @@ std::vector<const SceneMaker*> scenes_with(bool (*capability)(const Scene&)) {
 bool any(const Scene& /*scene*/) { return true; }
 // Right rows have their initial values at the end: what they are at t = 0 is for a scheme to find.
 bool exact_start(const Scene& scene) { return scene.exact.at && !two_sided(scene.problem); }
-bool derivatives(const Scene& scene) { return scene.problem.jacobian || scene.problem.linear_part; }
+bool derivatives(const Scene& scene) { return tells_derivatives(scene.problem); }
 bool power(const Scene& scene) { return static_cast<bool>(scene.energy.power); }
 
 class EveryScene : public testing::TestWithParam<const SceneMaker*> {
@@ -84,8 +84,7 @@ TEST_P(SceneWithDerivatives, HasThoseOfTheRightHandSide) {
   const auto& problem = scene_.problem;
   for (const Vec& y : points()) {
     Matrix declared(y.size(), y.size());
-    if (problem.jacobian) problem.jacobian(0.3, y, declared);
-    if (problem.linear_part) declared = *problem.linear_part;
+    tell_derivatives(problem, 0.3, y, declared);
     for (Eigen::Index i = 0; i < y.size(); ++i) {
       Vec above = y, below = y;
       above[i] += 1e-5;

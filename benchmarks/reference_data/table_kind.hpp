@@ -54,6 +54,9 @@ struct TableKind {
   // the scene has no reference.
   RowCheck (*check)(const SceneVariant& of, const DataTable& given);
 
+  // Of which scenes there are tables; empty: of all.
+  bool (*has_table)(const SceneVariant& of) = nullptr;
+
   [[nodiscard]] bool of_scenes() const { return !folder.empty(); }
 };
 

@@ -15,10 +15,11 @@
 namespace fde {
 namespace {
 
-constexpr int table_digits = 50;   // where there is an exact solution
-constexpr int double_digits = 17;  // where there is a reference in double only
-constexpr int more_digits = 3;     // of a recomputed value than of the written one
-constexpr int least_digits = 8;    // of a reference in double, to decide anything
+constexpr int table_digits = 50;          // where there is an exact solution
+constexpr int double_digits = 17;         // where there is a reference in double only
+constexpr int more_digits = 3;            // of a recomputed value than of the written one
+constexpr int least_digits = 8;           // of a reference in double, to decide anything
+constexpr std::size_t most_columns = 32;  // a table of hundreds of columns is nothing to read
 constexpr double latest_time = 1000.0;
 
 constexpr std::array stated_times{0.0,  0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1,  0.2,
@@ -147,6 +148,10 @@ RowCheck check(const SceneVariant& of, const DataTable& given) {
   };
 }
 
+bool has_table(const SceneVariant& of) {
+  return make_scene(*of.maker, of.values).outputs.names.size() <= most_columns;
+}
+
 }  // namespace
 
 const TableKind trajectory_table{.id = "trajectory",
@@ -154,6 +159,7 @@ const TableKind trajectory_table{.id = "trajectory",
                                  .known_by = "t",
                                  .facts = facts,
                                  .make = make,
-                                 .check = check};
+                                 .check = check,
+                                 .has_table = has_table};
 
 }  // namespace fde

@@ -5,6 +5,29 @@
 
 namespace fde {
 
+bool linear(const Problem& problem) { return problem.linear_part || problem.sparse_linear_part; }
+
+bool sparse(const Problem& problem) { return problem.sparse_jacobian || problem.sparse_linear_part; }
+
+bool tells_derivatives(const Problem& problem) {
+  return linear(problem) || problem.jacobian || problem.sparse_jacobian;
+}
+
+bool tell_derivatives(const Problem& problem, double t, In y, OutMatrix jacobian) {
+  if (problem.linear_part) {
+    jacobian = *problem.linear_part;
+  } else if (problem.sparse_linear_part) {
+    jacobian = Matrix(*problem.sparse_linear_part);
+  } else if (problem.jacobian) {
+    problem.jacobian(t, y, jacobian);
+  } else if (problem.sparse_jacobian) {
+    SparseMatrix entries(y.size(), y.size());
+    problem.sparse_jacobian(t, y, entries);
+    jacobian = Matrix(entries);
+  }
+  return tells_derivatives(problem);
+}
+
 std::size_t initial_count(double order) { return static_cast<std::size_t>(std::max(std::ceil(order), 1.0)); }
 
 bool two_sided(const Problem& problem) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@ namespace fde {
 
 using Vec = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
+using SparseMatrix = Eigen::SparseMatrix<double>;
 using In = const Eigen::Ref<const Vec>&;
 using Out = Eigen::Ref<Vec>;
 using OutMatrix = Eigen::Ref<Matrix>;
@@ -48,6 +50,9 @@ struct Problem {
   std::function<void(double t, In y, OutMatrix jacobian)>
       jacobian{};                       // df/dy; empty: implicit schemes difference rhs
   std::optional<Matrix> linear_part{};  // A, where f(t, y) = A y + b(t): solved with one factorisation
+  // The same where most entries are 0, in place of the above; for rows with left derivatives.
+  std::function<void(double t, In y, SparseMatrix& jacobian)> sparse_jacobian{};
+  std::optional<SparseMatrix> sparse_linear_part{};
   double end = 1.0;
   // One equation 0 = residual for each missing initial value; empty: none is missing.
   std::function<void(In at_start, In at_end, Out residual)> conditions{};
@@ -55,6 +60,14 @@ struct Problem {
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };
+
+// Whether a linear part is told, dense or sparse.
+bool linear(const Problem& problem);
+// Whether derivatives are told as a sparse matrix, linear or not.
+bool sparse(const Problem& problem);
+// Whether derivatives are told at all; if so, jacobian becomes df/dy as a dense matrix.
+bool tells_derivatives(const Problem& problem);
+bool tell_derivatives(const Problem& problem, double t, In y, OutMatrix jacobian);
 
 // Number of initial values that a row of this order needs: ceil(order), and 1 for order 0.
 std::size_t initial_count(double order);
