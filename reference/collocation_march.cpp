@@ -121,10 +121,20 @@ class March {
       }
       length_ = growth * (to - from);
       if (growth >= 1.0) {
+        require_inside(*solution, from, to);
         return accept(*solution, from, to);
       }
     }
     fail("no convergence", from);
+  }
+
+  // Polynomials pass a pole of f between their nodes as if it were not there.
+  void require_inside(const PanelEquations::Solution& solution, double from, double to) const {
+    for (Eigen::Index k = 0; k < basis_.targets.size(); ++k) {
+      const double t = from + (to - from) * basis_.targets[k];
+      if (!problem_.domain.contains(t, solution.values.row(k).transpose()))
+        fail("singularity, " + problem_.domain.edge + ",", t);
+    }
   }
 
   [[nodiscard]] Vec negligible_rhs(const PanelEquations::Solution& solution) const {

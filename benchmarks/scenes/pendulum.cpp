@@ -2,12 +2,13 @@
 
 #include "chain.hpp"
 #include "damping.hpp"
+#include "free_pendulum.hpp"
 #include "scene.hpp"
 
 namespace fde {
 
 // phi'' + g/L sin phi + mu tau^alpha D^alpha phi + lambda tau phi' + nu tau^beta D^beta phi = 0, energy per m
-// L^2.
+// L^2. Without damping in closed form, by Jacobi's elliptic functions.
 SceneMaker pendulum() {
   auto parameters = damping_parameters();
   parameters.insert(parameters.end(), {{"mu", 0.06, not_negative, "damping of order alpha"},
@@ -25,6 +26,7 @@ SceneMaker pendulum() {
             const auto terms = damping_terms(p, p["mu"], p["lambda"], p["nu"]);
             const Chain chain({1.0, 2.0}, terms, {p["phi0"], p["dphi0"]});
             const DampedColumns columns(terms, "phi");
+            const bool free = columns.names.size() == 2 && p["lambda"] == 0.0;
             return {
                 .problem = {.components = chain.components(),
                             .rhs = [=](double, In y,
@@ -36,6 +38,7 @@ SceneMaker pendulum() {
                             .end = 20.0},
                 .smoothness = chain_smoothness({chain}),
                 .outputs = picked(columns.names, columns.components(chain)),
+                .exact = free ? exact_solution(FreePendulum{g, p["phi0"], p["dphi0"]}) : Exact{},
                 .energy = {.value =
                                [=](In c) {
                                  const double dphi = columns.du(c);
