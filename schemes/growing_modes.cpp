@@ -110,6 +110,21 @@ bool stable(const Scheme& scheme, const Problem& problem, double length) {
   return growing_modes(scheme, problem, length) == 0;
 }
 
+double largest_stable_step(const Scheme& scheme, const Problem& problem, double shortest, double longest) {
+  constexpr double ratio = 1.05, digits = 1e-9;
+  double low = 0.0, high = shortest;
+  while (stable(scheme, problem, high)) {
+    if (high == longest) return longest;
+    low = high;
+    high = std::min(longest, ratio * high);
+  }
+  while (low > 0.0 && high - low > digits * high) {
+    const double middle = 0.5 * (low + high);
+    (stable(scheme, problem, middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 Problem scalar_equation(double order, ComplexValue rate, double end) {
   const bool real = rate.imag() == 0.0;
   const double x = rate.real(), y = rate.imag();

@@ -139,8 +139,12 @@ Vec response_at_infinity(const Scheme& scheme, double order, int steps) {
   constexpr double infinite = -1e100;
   const Problem problem = scalar_equation(order, infinite, steps);
   symbol_of(scheme, problem, 1.0);
-  if (!scheme.needs.implicit) return Vec::Constant(steps + 1, std::numeric_limits<double>::quiet_NaN());
-  return scheme.solve(problem, {problem.end, steps}, {}).y.row(0).transpose();
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (!scheme.needs.implicit) return Vec::Constant(steps + 1, none);
+  const Rows y = scheme.solve(problem, {problem.end, steps}, {}).y;
+  Vec response = Vec::Constant(steps + 1, std::numeric_limits<double>::infinity());
+  response.head(y.cols()) = y.row(0).transpose();
+  return response;
 }
 
 }  // namespace fde

@@ -23,7 +23,8 @@ double real_interval(const Scheme& scheme, double order);
 double stability_angle(const Scheme& scheme, double order);
 
 // y_n / y_0 in the limit z -> -infinity, n = 0 ... steps, with h fixed: what is left of a transient that is
-// infinitely fast. NaN for schemes with a prediction, which have no limit. y' (0) = 0 for orders above 1.
+// infinitely fast. NaN for schemes with a prediction, which have no limit; infinity from where it is beyond
+// double. y'(0) = 0 for orders above 1.
 Vec response_at_infinity(const Scheme& scheme, double order, int steps);
 
 }  // namespace fde
