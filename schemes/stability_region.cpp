@@ -143,7 +143,9 @@ Vec response_at_infinity(const Scheme& scheme, double order, int steps) {
   if (!scheme.needs.implicit) return Vec::Constant(steps + 1, none);
   const Rows y = scheme.solve(problem, {problem.end, steps}, {}).y;
   Vec response = Vec::Constant(steps + 1, std::numeric_limits<double>::infinity());
-  response.head(y.cols()) = y.row(0).transpose();
+  // What is left of the order of 1/z.
+  response.head(y.cols()) =
+      y.row(0).transpose().unaryExpr([](double r) { return std::abs(r) < 1e-50 ? 0.0 : r; });
   return response;
 }
 

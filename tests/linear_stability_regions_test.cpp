@@ -128,7 +128,7 @@ TEST(ResponseAtInfinity, OfTheTrapezoidalRuleDecaysSlowly) {
 TEST(ResponseAtInfinity, OfTheFirstOrderRulesIsZero) {
   for (const auto* id : {"l1", "grunwald_letnikov"}) {
     for (const double order : {0.1, 0.9, 1.5})
-      EXPECT_LT(response_at_infinity(scheme(id), order, 10).tail(10).cwiseAbs().maxCoeff(), 1e-15) << id;
+      EXPECT_EQ(response_at_infinity(scheme(id), order, 10).tail(10).cwiseAbs().maxCoeff(), 0.0) << id;
   }
   EXPECT_TRUE(std::isnan(response_at_infinity(scheme("adams_pc"), 0.5, 3)[1]));
 }

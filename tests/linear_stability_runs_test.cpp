@@ -89,7 +89,7 @@ TEST_P(Boundary, IsWhereRunsBeginToGrow) {
       }
     }
   }
-  EXPECT_GE(decaying, 4);
+  EXPECT_GE(decaying, 3);
   EXPECT_GE(growing, 9);
 }
 
