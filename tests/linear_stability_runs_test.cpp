@@ -109,5 +109,21 @@ TEST(Chain, LargestStableStepIsWhereRunsBeginToGrow) {
   }
 }
 
+// Each link's 1/K lies in its sector, so the terms of det M lie in one half plane: no step is too long.
+TEST(Chain, ImplicitRulesAreStableWithAnyStep) {
+  for (const auto& orders : {std::pair{1.5, 0.5}, {1.25, 0.75}, {1.9, 0.1}}) {
+    for (const auto& strengths : {std::pair{0.06, 0.1}, {0.0, 100.0}, {100.0, 0.1}}) {
+      const Problem problem = scene_of("damped_oscillator", {{"alpha", orders.first},
+                                                             {"beta", orders.second},
+                                                             {"mu", strengths.first},
+                                                             {"nu", strengths.second}})
+                                  .problem;
+      for (const auto* id : {"l1", "grunwald_letnikov", "product_trapezoidal"}) {
+        for (const double h : {0.1, 3.0, 1e3}) EXPECT_TRUE(stable(*find_scheme(id), problem, h)) << id << h;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fde
