@@ -68,6 +68,7 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& strea
   add_mittag_leffler_command(app, streams);
   add_sweep_commands(app, streams);
   add_data_commands(app, streams);
+  add_stability_command(app, streams);
   try {
     check_subcommand(app, arguments);
     return dispatch(app, arguments, streams);

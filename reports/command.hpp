@@ -40,5 +40,6 @@ void add_reference_commands(CLI::App& app, const Streams& streams);  // exact
 void add_mittag_leffler_command(CLI::App& app, const Streams& streams);
 void add_sweep_commands(CLI::App& app, const Streams& streams);  // run, report, choose
 void add_data_commands(CLI::App& app, const Streams& streams);   // reference
+void add_stability_command(CLI::App& app, const Streams& streams);
 
 }  // namespace fde

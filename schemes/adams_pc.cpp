@@ -40,7 +40,8 @@ Scheme adams_pc() {
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return rate(predictor_corrector_theory, problem, smoothness, grading, norm);
               },
-          .solve = predict_and_correct};
+          .solve = predict_and_correct,
+          .symbol = predictor_corrector_symbol};
 }
 
 }  // namespace fde

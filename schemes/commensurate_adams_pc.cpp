@@ -24,7 +24,12 @@ Scheme commensurate_adams_pc() {
           .refuses = [](const Problem& problem) -> std::optional<std::string> {
             if (commensurate_links(problem)) return std::nullopt;
             return "needs orders that are multiples of one 1/M with M at most 64";
-          }};
+          },
+          .symbol =
+              [](const Problem& problem, double length) {
+                return predictor_corrector_symbol(split(problem, commensurate_links(problem).value()),
+                                                  length);
+              }};
 }
 
 }  // namespace fde

@@ -21,6 +21,10 @@ Scheme decoupled_multi_order() {
           .solve =
               [](const Problem& problem, const Grid& grid, const Options& options) {
                 return solve_split(problem, grid, options, links_up_to_one(problem), predict_and_correct);
+              },
+          .symbol =
+              [](const Problem& problem, double length) {
+                return predictor_corrector_symbol(split(problem, links_up_to_one(problem)), length);
               }};
 }
 

@@ -22,6 +22,10 @@ Scheme grunwald_letnikov() {
                   return solve_all_at_once(problem, grid, options, WeightFamily::grunwald_letnikov);
                 return solve_implicit(problem, grid, options,
                                       integral_rule(problem, WeightFamily::grunwald_letnikov));
+              },
+          .symbol =
+              [](const Problem& problem, double length) {
+                return implicit_symbol(problem, WeightFamily::grunwald_letnikov, length);
               }};
 }
 

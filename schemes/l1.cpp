@@ -32,6 +32,10 @@ Scheme l1() {
           .solve =
               [](const Problem& problem, const Grid& grid, const Options& options) {
                 return solve_split(problem, grid, options, links_up_to_one(problem), solve_l1);
+              },
+          .symbol =
+              [](const Problem& problem, double length) {
+                return implicit_symbol(split(problem, links_up_to_one(problem)), WeightFamily::l1, length);
               }};
 }
 

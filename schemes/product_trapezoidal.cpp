@@ -18,7 +18,9 @@ Scheme product_trapezoidal() {
           [](const Problem& problem, const Grid& grid, const Options& options) {
             if (two_sided(problem)) return solve_all_at_once(problem, grid, options, WeightFamily::trapezoid);
             return solve_implicit(problem, grid, options, integral_rule(problem, WeightFamily::trapezoid));
-          }};
+          },
+      .symbol = [](const Problem& problem,
+                   double length) { return implicit_symbol(problem, WeightFamily::trapezoid, length); }};
 }
 
 }  // namespace fde

@@ -9,6 +9,7 @@
 
 #include "history.hpp"
 #include "smoothness.hpp"
+#include "symbol.hpp"
 #include "trajectory.hpp"
 
 namespace fde {
@@ -50,6 +51,9 @@ struct Scheme {
   std::function<Trajectory(const Problem&, const Grid&, const Options&)> solve;
   // A reason of its own to refuse, beyond its needs; empty function: none.
   std::function<std::optional<std::string>(const Problem&)> refuses{};
+  // Its symbol with steps of this length and one correction. The problem has a linear_part, no algebraic
+  // rows, no right derivatives, and is not refused.
+  std::function<Symbol(const Problem&, double length)> symbol{};
 };
 
 // Why the scheme does not fit the problem or the grid, as half a sentence; nullopt: it fits.

@@ -1,0 +1,152 @@
+#include "stability_region.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+
+namespace fde {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// det M = 1 + linear z + square z^2 at one point. Where z enters by one entry of A, each
+// product with A raises the degree by one.
+struct Characteristic {
+  ComplexValue linear, square;
+};
+
+class ScalarSymbol {
+ public:
+  ScalarSymbol(const Scheme& scheme, double order)
+      : plus_(symbol_of(scheme, scalar_equation(order, 1.0), 1.0)),
+        minus_(symbol_of(scheme, scalar_equation(order, -1.0), 1.0)),
+        implicit_(scheme.needs.implicit) {}
+
+  [[nodiscard]] Characteristic at(double theta) const { return at(ComplexValue{0.0, theta}); }
+  [[nodiscard]] Characteristic at(ComplexValue log_zeta) const {
+    const ComplexValue plus = plus_(log_zeta).determinant(), minus = minus_(log_zeta).determinant();
+    return {0.5 * (plus - minus), implicit_ ? 0.0 : 0.5 * (plus + minus) - 1.0};
+  }
+
+ private:
+  Symbol plus_, minus_;
+  bool implicit_;
+};
+
+std::vector<ComplexValue> roots(const Characteristic& p) {
+  if (p.square == 0.0) return {-1.0 / p.linear};
+  // The reciprocals 1/z = (-linear +- root)/2, the smaller one from their product.
+  ComplexValue root = std::sqrt(p.linear * p.linear - 4.0 * p.square);
+  if ((std::conj(p.linear) * root).real() < 0.0) root = -root;
+  const ComplexValue larger = -0.5 * (p.linear + root);
+  return {1.0 / larger, larger / p.square};
+}
+
+// Zero where a root crosses the real axis: the imaginary part then gives the root, and this is the real part
+// there times a power of what it was divided by.
+double crossing(const Characteristic& p) {
+  const double a1 = p.linear.real(), a2 = p.square.real(), b1 = p.linear.imag(), b2 = p.square.imag();
+  if (p.square == 0.0) return b1;
+  return b2 * b2 - a1 * b1 * b2 + a2 * b1 * b1;
+}
+
+// That root as x = -z.
+double crossed_at(const Characteristic& p) {
+  return p.square == 0.0 ? 1.0 / p.linear.real() : p.linear.imag() / p.square.imag();
+}
+
+// Angles from which on there is a sign to be seen, as logarithms: below, rounding hides Im of det M / |det
+// M|.
+struct Angles {
+  static constexpr double lowest = -20.0, step = 0.02;
+  static constexpr int count = 1058;
+  static double at(int i) { return std::min(pi, std::exp(lowest + (std::log(pi) - lowest) * i / count)); }
+};
+
+// Of the roots at a real zeta those on the negative axis, as x = -z.
+std::vector<double> negative_roots(const Characteristic& p) {
+  std::vector<double> found;
+  for (const ComplexValue z : roots(p)) {
+    if (std::abs(z.imag()) < 1e-9 * std::abs(z) && z.real() < 0.0) found.push_back(-z.real());
+  }
+  return found;
+}
+
+// All x > 0 at which the boundary may cross -x, increasing: at zeta = -1, at zeta = 1, to which a prediction
+// leads where det(I + k A) = 0, and in between.
+std::vector<double> crossings(const ScalarSymbol& symbol) {
+  constexpr double to_one = -1e-13;  // log zeta; 1 itself is a pole
+  std::vector<double> found = negative_roots(symbol.at(pi));
+  std::ranges::copy(negative_roots(symbol.at(ComplexValue(to_one))), std::back_inserter(found));
+  double low = Angles::at(0), at_low = crossing(symbol.at(low));
+  for (int i = 1; i < Angles::count; ++i) {
+    double a = low, high = Angles::at(i);
+    const double at_high = crossing(symbol.at(high));
+    if (std::signbit(at_low) != std::signbit(at_high)) {
+      for (double b = high; b - a > 1e-15 * b;) {
+        const double middle = 0.5 * (a + b);
+        if (middle == a || middle == b) break;
+        (std::signbit(crossing(symbol.at(middle))) == std::signbit(at_low) ? a : b) = middle;
+      }
+      const double x = crossed_at(symbol.at(a));
+      if (x > 0.0) found.push_back(x);
+    }
+    low = high;
+    at_low = at_high;
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+bool stable_at(const Scheme& scheme, double order, double x) {
+  return stable(scheme, scalar_equation(order, -x), 1.0);
+}
+
+}  // namespace
+
+std::vector<ComplexValue> boundary(const Scheme& scheme, double order, double theta) {
+  return roots(ScalarSymbol(scheme, order).at(theta));
+}
+
+double real_interval(const Scheme& scheme, double order) {
+  auto ends = crossings(ScalarSymbol(scheme, order));
+  // Between two crossings the number of growing modes does not change.
+  ends.push_back(std::numeric_limits<double>::infinity());
+  if (!stable_at(scheme, order, 0.5 * std::min(1.0, ends.front()))) return 0.0;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double next = std::isinf(ends[i + 1]) ? 2.0 * ends[i] : std::sqrt(ends[i] * ends[i + 1]);
+    if (!stable_at(scheme, order, next)) return ends[i];
+  }
+  return ends.back();
+}
+
+double stability_angle(const Scheme& scheme, double order) {
+  if (std::isfinite(real_interval(scheme, order))) return 0.0;
+  const ScalarSymbol symbol(scheme, order);
+  double angle = pi - 0.5 * order * pi;  // where the boundary starts, theta -> 0
+  for (int i = 0; i <= Angles::count; ++i) {
+    for (const ComplexValue z : roots(symbol.at(Angles::at(i))))
+      angle = std::min(angle, std::abs(std::arg(-z)));
+  }
+  return angle;
+}
+
+Vec response_at_infinity(const Scheme& scheme, double order, int steps) {
+  // A rate beside which 1 is nothing: the limit itself, to rounding.
+  constexpr double infinite = -1e100;
+  const Problem problem = scalar_equation(order, infinite, steps);
+  symbol_of(scheme, problem, 1.0);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (!scheme.needs.implicit) return Vec::Constant(steps + 1, none);
+  const Rows y = scheme.solve(problem, {problem.end, steps}, {}).y;
+  Vec response = Vec::Constant(steps + 1, std::numeric_limits<double>::infinity());
+  // What is left of the order of 1/z.
+  response.head(y.cols()) =
+      y.row(0).transpose().unaryExpr([](double r) { return std::abs(r) < 1e-50 ? 0.0 : r; });
+  return response;
+}
+
+}  // namespace fde
