@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -169,6 +170,10 @@ void ResultsFile::write(const std::string& text) {
       throw std::system_error(reason, std::generic_category(), path_.string() + ": cannot be written");
     }
     written += static_cast<std::size_t>(count);
+  }
+  struct stat file {};
+  if (fstat(descriptor_, &file) == 0 && file.st_nlink == 0) {  // rows that nobody could find
+    throw std::system_error(ENOENT, std::generic_category(), path_.string() + ": cannot be written");
   }
 }
 
