@@ -5,7 +5,7 @@ cd "$(dirname "$0")"
 
 packages=(git pkg-config cmake ninja-build g++ ccache libeigen3-dev libgsl-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev libhwy-dev
   libbenchmark-dev libgtest-dev libgmock-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev libflint-dev libflint-arb-dev
-  clang clang-format clang-tidy)
+  clang libclang-rt-dev clang-format clang-tidy)
 command -v node >/dev/null || packages+=(nodejs)
 command -v npm >/dev/null || packages+=(npm)
 command -v python3 >/dev/null || packages+=(python3)

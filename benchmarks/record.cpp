@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -76,11 +77,18 @@ Parsed parse(const std::string& text, const std::filesystem::path& file) {
   return parsed;
 }
 
+// A folder, a pipe or a device; what cannot be looked at says so when it is opened.
+bool is_something_else(const std::filesystem::path& file) {
+  std::error_code problem;
+  const auto status = std::filesystem::status(file, problem);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+}
+
 std::string read_text(const std::filesystem::path& file) {
   const auto cannot = [&](const char* reason) {
     return std::invalid_argument(fmt::format("{}: cannot be read: {}", file.string(), reason));
   };
-  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file)) throw cannot("is not a file");
+  if (is_something_else(file)) throw cannot("is not a file");
   std::ifstream in(file, std::ios::binary);
   if (!in) throw cannot(std::strerror(errno));
   std::ostringstream text;
@@ -110,8 +118,7 @@ bool is_time(const Record& row) { return row.quantity.starts_with("time_"); }
 Results read_results(const std::filesystem::path& file) { return parse(read_text(file), file).results; }
 
 ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
-  if (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_))
-    read_text(path_);  // says why not
+  if (is_something_else(path_)) read_text(path_);  // says why not
   descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (descriptor_ < 0) throw cannot_be_written(path_, std::strerror(errno));
   try {
@@ -167,6 +174,10 @@ void ResultsFile::write(const std::string& text) {
       throw std::system_error(reason, std::generic_category(), path_.string() + ": cannot be written");
     }
     written += static_cast<std::size_t>(count);
+  }
+  struct stat file {};
+  if (fstat(descriptor_, &file) == 0 && file.st_nlink == 0) {  // rows that nobody could find
+    throw std::system_error(ENOENT, std::generic_category(), path_.string() + ": cannot be written");
   }
 }
 

@@ -75,7 +75,7 @@ class ResultsFile {
   [[nodiscard]] Stage stage(const std::string& scene, const std::string& scheme, int steps) const;
 
   // Appends the rows of an examination, the outcome last, or the times of one that is there. Throws
-  // std::system_error naming the file when the disk is full.
+  // std::system_error naming the file when the disk is full or the file is gone.
   void append(const std::vector<Record>& rows);
 
  private:

@@ -62,7 +62,8 @@ bool fits(const ReferenceTable& table, const Problem& problem) {
   for (const auto& panel : table.panels) {
     const auto& first = table.panels.front().values;
     if (panel.from != time || !(panel.to > time) || panel.bound.size() != problem.size() ||
-        panel.values.rows() != first.rows() || first.rows() < 3) {
+        panel.values.rows() != first.rows() || first.rows() < 3 || !panel.values.allFinite() ||
+        !(panel.bound.array() >= 0.0).all()) {
       return false;
     }
     time = panel.to;
@@ -72,7 +73,8 @@ bool fits(const ReferenceTable& table, const Problem& problem) {
 
 std::string read(const std::filesystem::path& file) {
   std::ostringstream bytes;  // a file that cannot be read leaves it empty
-  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  std::error_code none;      // anything else, like a pipe, might never end
+  if (std::filesystem::is_regular_file(file, none)) bytes << std::ifstream(file, std::ios::binary).rdbuf();
   return bytes.str();
 }
 

@@ -4,9 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
 #include <new>
 #include <ostream>
 #include <system_error>
+#include <utility>
 
 #include "parameters.hpp"
 #include "record.hpp"
@@ -17,16 +20,41 @@ namespace {
 constexpr int bad_input = 2;
 constexpr int numerical_failure = 3;
 
-int complain(const Streams& streams, int code, std::string message) {
-  std::ranges::replace(message, '\n', ' ');
-  fmt::print(streams.err, "fdebench: {}\n", message);
+// One line that changes nothing on a terminal, whatever the arguments held.
+std::string printable(std::string_view message) {
+  constexpr unsigned char first_printable = ' ', erase = 0x7f;
+  std::string line;
+  for (const char c : message) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '\n') {
+      line += ' ';
+    } else if (byte < first_printable || byte == erase) {
+      line += fmt::format("\\x{:02x}", byte);
+    } else {
+      line += c;
+    }
+  }
+  return line;
+}
+
+int complain(const Streams& streams, int code, std::string_view message) {
+  fmt::print(streams.err, "fdebench: {}\n", printable(message));
   return code;
+}
+
+// CLI11 takes a minus before a digit for a number, before a point for an option.
+std::string with_leading_zero(const std::string& argument) {
+  constexpr std::string_view digits = "0123456789";
+  const bool number = argument.starts_with("-.") && argument.find_first_of(digits) == 2;
+  return number ? "-0" + argument.substr(1) : argument;
 }
 
 // CLI11 takes the arguments from the last to the first.
 int dispatch(CLI::App& app, const std::vector<std::string>& arguments, const Streams& streams) {
   try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    std::vector<std::string> backwards;
+    std::transform(arguments.rbegin(), arguments.rend(), std::back_inserter(backwards), with_leading_zero);
+    app.parse(std::move(backwards));
   } catch (const CLI::Success& help) {
     return app.exit(help, streams.out, streams.err);
   } catch (const CLI::ParseError& error) {
@@ -76,6 +104,9 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& strea
     return complain(streams, numerical_failure, failure.what());
   } catch (const std::invalid_argument& error) {
     return complain(streams, bad_input, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain(streams, bad_input,
+                    fmt::format("{}: {}", error.path1().string(), error.code().message()));
   } catch (const std::system_error& error) {
     return complain(streams, bad_input, error.what());
   } catch (const std::bad_alloc&) {

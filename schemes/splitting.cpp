@@ -118,7 +118,10 @@ Links links_up_to_one(const Problem& problem) {
 
 std::optional<Links> commensurate_links(const Problem& problem) {
   for (int m = 1; m <= largest_denominator; ++m) {
-    if (!std::ranges::all_of(problem.components, [&](const auto& c) { return whole(c.order * m); })) continue;
+    const auto fits = [m](const Component& c) {  // an order near 0 is no multiple, it has no link
+      return algebraic(c) || (whole(c.order * m) && std::lround(c.order * m) > 0);
+    };
+    if (!std::ranges::all_of(problem.components, fits)) continue;
     Links links;
     for (const auto& c : problem.components) {
       const auto count = static_cast<std::size_t>(std::lround(c.order * m));

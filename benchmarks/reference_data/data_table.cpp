@@ -75,13 +75,17 @@ std::string DataTable::place(std::size_t row, std::string_view column) const {
 }
 
 std::string read_file(const std::filesystem::path& file) {
-  std::error_code none;
+  const auto cannot = [&](const std::string& reason) {
+    return std::invalid_argument(fmt::format("{}: cannot be read: {}", file.string(), reason));
+  };
+  std::error_code problem;
+  const auto status = std::filesystem::status(file, problem);  // to open a pipe would wait for its writer
+  if (std::filesystem::is_directory(status))
+    throw cannot(std::make_error_code(std::errc::is_a_directory).message());
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw cannot("is not a file");
   std::ifstream in(file, std::ios::binary);
-  if (!in || !std::filesystem::is_regular_file(file, none)) {
-    const auto reason = in ? std::errc::is_a_directory : static_cast<std::errc>(errno);
-    throw std::invalid_argument(
-        fmt::format("{}: cannot be read: {}", file.string(), std::make_error_code(reason).message()));
-  }
+  if (!in) throw cannot(std::generic_category().message(errno));
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();

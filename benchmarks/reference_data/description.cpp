@@ -56,6 +56,12 @@ Json parameters_of(const SceneVariant& of) {
 
 std::string text_of(const Json& json) { return json.dump(2) + "\n"; }
 
+// "[json.exception.type_error.302] type must be number, but is string" without what is in the brackets.
+std::string in_short(std::string_view message) {
+  const auto end = message.find("] ");
+  return std::string(end == std::string_view::npos ? message : message.substr(end + 2));
+}
+
 // A parsed file; the answer of `read`, with its complaints put in our words.
 template <typename Read>
 auto with_json(const std::string& name, std::string_view text, const Read& read) {
@@ -65,7 +71,7 @@ auto with_json(const std::string& name, std::string_view text, const Read& read)
     throw std::invalid_argument(fmt::format("{}: is not JSON, at byte {}", name, error.byte));
   } catch (const Json::exception& error) {
     throw std::invalid_argument(
-        fmt::format("{}: is not as docs/reference_data.md says: {}", name, error.what()));
+        fmt::format("{}: is not as docs/reference_data.md says: {}", name, in_short(error.what())));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "reference_folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -142,7 +143,8 @@ void require_replaceable(const fs::path& folder, const std::vector<PlannedTable>
   if (fs::exists(status) && !fs::is_directory(status)) reject(folder, "is not a folder");
   const fs::path parent = existing_parent(target);
   if (!fs::is_directory(parent)) reject(folder, fmt::format("{} is not a folder", parent.string()));
-  if (access(parent.c_str(), W_OK) != 0) reject(folder, std::generic_category().message(errno));
+  if (faccessat(AT_FDCWD, parent.c_str(), W_OK, AT_EACCESS) != 0)
+    reject(folder, std::generic_category().message(errno));
   if (!fs::exists(status)) return;
   const auto ours = names_of(tables);
   for (const auto& entry : fs::recursive_directory_iterator(target, problem)) {

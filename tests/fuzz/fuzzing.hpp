@@ -1,0 +1,63 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+// What every target shares. A target defines LLVMFuzzerTestOneInput; with libFuzzer it is fuzzed, otherwise
+// replay.cpp runs it on the files of its corpus.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace fde::fuzz {
+
+// Ends the process where a promise is broken, which is what a fuzzer looks for.
+inline void require(bool holds, std::string_view what, std::string_view shown = "") {
+  if (holds) return;
+  fmt::print(stderr, "BROKEN: {}\n{}\n", what, shown);
+  std::abort();
+}
+
+// Takes numbers from the front of the input; zeros behind its end.
+class Bytes {
+ public:
+  Bytes(const std::uint8_t* data, std::size_t size) : rest_(reinterpret_cast<const char*>(data), size) {}
+
+  template <typename Number>
+  Number take() {
+    Number number{};
+    const auto count = std::min(sizeof(Number), rest_.size());
+    std::memcpy(&number, rest_.data(), count);
+    rest_.remove_prefix(count);
+    return number;
+  }
+  // One of `count` places.
+  std::size_t place(std::size_t count) { return take<std::uint8_t>() % count; }
+  [[nodiscard]] std::string_view rest() const { return rest_; }
+  [[nodiscard]] bool empty() const { return rest_.empty(); }
+
+ private:
+  std::string_view rest_;
+};
+
+// Whether a text has a number that is none.
+inline bool shows_no_number(std::string_view text) {
+  for (const std::string_view word : {"nan", "-nan", "inf", "-inf"}) {
+    for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+      const auto separates = [](char c) {
+        return std::string_view(" ,;:\"\n[]").find(c) != std::string_view::npos;
+      };
+      const auto end = at + word.size();
+      if ((at == 0 || separates(text[at - 1])) && (end == text.size() || separates(text[end]))) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace fde::fuzz

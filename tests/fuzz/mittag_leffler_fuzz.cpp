@@ -1,0 +1,54 @@
+// Mittag-Leffler functions of any double: a value with a bound, or a refusal in one line.
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "fuzzing.hpp"
+#include "mittag_leffler.hpp"
+
+namespace {
+
+using namespace fde;
+
+void in_double(double alpha, double beta, std::complex<double> z) {
+  const auto [value, bound] = mittag_leffler(alpha, beta, z);
+  const auto shown = fmt::format("E_{{{},{}}}({}, {}) = {} {} bound {}", alpha, beta, z.real(), z.imag(),
+                                 value.real(), value.imag(), bound);
+  fuzz::require(!std::isnan(value.real()) && !std::isnan(value.imag()), "a value is a number", shown);
+  fuzz::require(bound >= 0.0, "a bound is not negative", shown);
+  const bool finite = std::isfinite(value.real()) && std::isfinite(value.imag());
+  fuzz::require(finite == std::isfinite(bound), "a finite value has a finite bound, no other has", shown);
+}
+
+void in_digits(double alpha, double beta, std::complex<double> z, int digits) {
+  const auto text = [](double number) { return fmt::format("{}", number); };
+  const auto [re, im, bound] =
+      mittag_leffler(text(alpha), text(beta), text(z.real()), text(z.imag()), digits);
+  fuzz::require(!re.empty() && !im.empty() && !bound.empty(), "all digits are there");
+  fuzz::require(!fuzz::shows_no_number(fmt::format("{} {} {}", re, im, bound)), "digits of a number", re);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Bytes bytes(data, size);
+  const bool digits = bytes.place(8) == 0;  // slower by orders of magnitude
+  auto alpha = bytes.take<double>(), beta = bytes.take<double>();
+  const auto re = bytes.take<double>(), im = bytes.take<double>();
+  try {
+    if (digits) {
+      const auto moderate = [](double number, double most) { return std::fmod(number, most); };
+      in_digits(std::max(0.05, alpha), moderate(beta, 50.0), {moderate(re, 200.0), moderate(im, 200.0)}, 20);
+    } else {
+      in_double(alpha, beta, {re, im});
+    }
+  } catch (const std::invalid_argument& refusal) {
+    fuzz::require(std::string_view(refusal.what()).find('\n') == std::string_view::npos, "one line",
+                  refusal.what());
+  } catch (const std::runtime_error& failure) {
+    fuzz::require(std::string_view(failure.what()).find('\n') == std::string_view::npos, "one line",
+                  failure.what());
+  }
+  return 0;
+}

@@ -1,0 +1,93 @@
+// Scenes made from any parameters, a few steps of any scheme, and what is exactly known about them.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "experiment.hpp"
+#include "fuzzing.hpp"
+
+namespace {
+
+using namespace fde;
+
+double number(fuzz::Bytes& bytes, const Parameter& parameter) {
+  const auto& [low, high, open_low, open_high] = parameter.range;
+  constexpr double tiny = std::numeric_limits<double>::denorm_min();
+  switch (bytes.place(12)) {
+    case 0:
+      return low;
+    case 1:
+      return high;
+    case 2:
+      return std::nextafter(low, high);
+    case 3:
+      return std::nextafter(high, low);
+    case 4:
+      return tiny;
+    case 5:
+      return std::nextafter(1.0, bytes.place(2) == 0 ? 0.0 : 2.0);
+    case 6:
+      return 1e-300;
+    case 7:
+      return std::pow(10.0, bytes.take<std::int8_t>());
+    case 8:
+      return 0.01 * bytes.take<std::int8_t>();
+    case 9:
+      return -std::pow(10.0, bytes.take<std::int8_t>());
+    default:
+      return bytes.take<double>();
+  }
+}
+
+void solve(const Scene& scene, const Scheme& scheme, const Grid& grid) {
+  if (const auto reason = refusal(scheme, scene.problem, grid)) {
+    fuzz::require(!reason->empty(), "a refusal has a reason");
+    return;
+  }
+  const auto path = scheme.solve(scene.problem, grid, {.budget = 0.5});
+  const auto shown = fmt::format("{} {} N = {} T = {}", scene.name, scheme.id, grid.steps, grid.end);
+  fuzz::require(path.outcome != Outcome::finished || path.y.allFinite(), "what finished is finite", shown);
+  fuzz::require(!describe(scene.problem, path).empty(), "an outcome has a description", shown);
+}
+
+// Closed forms and inverse transforms; the other references take up to minutes.
+void look_up(const Scene& scene, double t) {
+  if (!scene.exact.at) return;
+  const auto [value, bound] = scene.exact.at(t);
+  const auto shown =
+      fmt::format("{} t = {}: {} bound {}", scene.name, t, fmt::join(value, " "), fmt::join(bound, " "));
+  for (const double one : value) fuzz::require(!std::isnan(one), "a truth is a number", shown);
+  for (const double one : bound) fuzz::require(one >= 0.0, "a bound is not negative", shown);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Bytes bytes(data, size);
+  const auto& maker = scenes()[bytes.place(scenes().size())];
+  const auto& scheme = schemes()[bytes.place(schemes().size())];
+  const int steps = 1 + static_cast<int>(bytes.place(24));
+  const bool exact = bytes.place(4) == 0;
+  std::map<std::string, double> values;
+  while (!bytes.empty() && !maker.parameters.empty()) {
+    const auto& parameter = maker.parameters[bytes.place(maker.parameters.size())];
+    values[std::string(parameter.name)] = number(bytes, parameter);
+  }
+  try {
+    const Scene scene = make_scene(maker, values);
+    if (exact) {
+      look_up(scene, scene.problem.end);
+    } else {
+      solve(scene, scheme, {.end = scene.problem.end, .steps = steps});
+    }
+  } catch (const std::invalid_argument& refusal) {
+    fuzz::require(std::string_view(refusal.what()).find('\n') == std::string_view::npos, "one line",
+                  refusal.what());
+  } catch (const std::runtime_error& failure) {
+    fuzz::require(std::string_view(failure.what()).find('\n') == std::string_view::npos, "one line",
+                  failure.what());
+  }
+  return 0;
+}

@@ -1,0 +1,52 @@
+// A results file of any bytes: read, or refused in one line; the page and the advice made of what was read
+// have no number that is none, and the file can be continued.
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "answer.hpp"
+#include "fuzzing.hpp"
+#include "page_data.hpp"
+#include "record.hpp"
+#include "temporary_folder.hpp"
+
+namespace {
+
+using namespace fde;
+
+void show(const Results& results) {
+  const std::string page = page_data(results).dump();
+  fuzz::require(!fuzz::shows_no_number(page), "numbers on the page", page);
+  fuzz::require(page.find(":null") == std::string::npos && page.find("[null") == std::string::npos,
+                "numbers of the charts are finite", page);
+  if (results.records.empty()) return;
+  for (const double error : {1e-3, 1e-12}) {
+    const std::string text = advice(results, results.records.front().scene, error);
+    fuzz::require(!text.empty() && !fuzz::shows_no_number(text), "numbers of the advice", text);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const TemporaryFolder folder;
+  static const auto file = folder.path() / "results.jsonl";
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  Results results;
+  try {
+    results = read_results(file);
+  } catch (const std::invalid_argument& refusal) {
+    fuzz::require(std::string_view(refusal.what()).starts_with(file.string()), "the file is named",
+                  refusal.what());
+    return 0;
+  }
+  show(results);
+  const auto count = results.records.size();
+  Record row{
+      .scene = "power", .scheme = "l1", .history = "auto", .steps = 1, .h = 1.0, .quantity = "outcome"};
+  ResultsFile(file).append({row});
+  fuzz::require(read_results(file).records.size() == count + 1, "a file that was read can be continued");
+  return 0;
+}

@@ -1,0 +1,79 @@
+// Files of reference data of any bytes: table, description, index, checksums, a folder of one table, and a
+// file of the reference cache. Read, or refused in one line; from the cache nothing but what fits.
+
+#include <fstream>
+#include <stdexcept>
+
+#include "checksum.hpp"
+#include "description.hpp"
+#include "experiment.hpp"
+#include "fuzzing.hpp"
+#include "reference_cache.hpp"
+#include "reference_check.hpp"
+#include "temporary_folder.hpp"
+
+namespace {
+
+using namespace fde;
+
+const TemporaryFolder& folder() {
+  static const TemporaryFolder made;
+  return made;
+}
+
+void check_table(const std::string& text) {
+  folder().write("tables/mittag_leffler.csv", text);
+  check_folder(folder().path() / "tables", 4, [](std::size_t, std::size_t, const std::string&) {});
+}
+
+// Behind its checksum, so that what is parsed is not what a damaged disk leaves but worse.
+void load_from_cache(const std::string& text) {
+  static const Scene scene = make_scene(*scene_of_label("brusselator"));
+  const ReferenceCache cache(folder().path() / "cache");
+  const auto name = cache.file_of("key").filename();
+  folder().write(std::filesystem::path("cache") / name, sha256(text) + text);
+  if (const auto table = cache.load("key", scene.problem)) {
+    for (const auto& panel : table->panels) {
+      fuzz::require(panel.values.allFinite() && panel.bound.allFinite(), "what is kept is finite");
+      fuzz::require(panel.values.cols() == scene.problem.size(), "what is kept has the problem's size");
+    }
+  }
+}
+
+void read(std::size_t kind, const std::string& text) {
+  switch (kind) {
+    case 0:
+      parse_csv("table", text);
+      return;
+    case 1:
+      parse_description("description", text);
+      return;
+    case 2:
+      parse_index("index", text);
+      return;
+    case 3:
+      parse_checksums("checksums", text);
+      return;
+    case 4:
+      return load_from_cache(text);
+    default:
+      return check_table(text);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Bytes bytes(data, size);
+  const auto kind = bytes.place(6);
+  try {
+    read(kind, std::string(bytes.rest()));
+  } catch (const std::invalid_argument& refusal) {
+    const std::string_view line = refusal.what();
+    fuzz::require(!line.empty() && line.find('\n') == std::string_view::npos, "one line", line);
+    fuzz::require(line.find("json.exception") == std::string_view::npos, "a message in our words", line);
+  } catch (const std::runtime_error& failure) {
+    fuzz::require(kind == 5, "only a recomputed row may have no value", failure.what());
+  }
+  return 0;
+}

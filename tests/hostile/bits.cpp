@@ -1,0 +1,45 @@
+// fde_bits > tests/bits.txt: the endings of tests/bits.hpp, a line each, numbers as hexadecimal fractions. To
+// be made anew, with g++, when a scheme changes its rounding on purpose. fde_bits FILE prints how far this
+// build is from a file, the farthest last.
+
+#include "bits.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "block_kernels.hpp"
+
+namespace {
+
+using namespace fde;
+
+void print_distances(const std::vector<Ending>& table) {
+  std::vector<std::pair<double, std::string>> distances;
+  const auto here = endings();
+  for (std::size_t i = 0; i < std::min(here.size(), table.size()); ++i)
+    distances.emplace_back(ulps_between(here[i].values, table[i].values), here[i].run);
+  std::ranges::sort(distances);
+  for (const auto& [ulps, run] : distances) {
+    if (ulps > 0.0) fmt::print("{} {}\n", run, ulps);
+  }
+  fmt::print("{} of {} have the same bits\n",
+             std::ranges::count(distances, 0.0, &std::pair<double, std::string>::first), distances.size());
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count > 1) {
+    for (const auto target : vector_targets()) {
+      use_vector_target(target);
+      fmt::print("{}\n", target);
+      print_distances(read_endings(arguments[1]));
+    }
+    return 0;
+  }
+  for (const auto& [run, values] : endings()) {
+    fmt::print("{}", run);
+    for (const double value : values) fmt::print(" {:a}", value);
+    fmt::print("\n");
+  }
+}
