@@ -16,6 +16,11 @@ Problem in_units_of(double unit, const Problem& problem) {
       jacobian(t, unit * u, by_u);
     };
   }
+  if (problem.sparse_jacobian) {
+    other.sparse_jacobian = [unit, jacobian = problem.sparse_jacobian](double t, In u, SparseMatrix& by_u) {
+      jacobian(t, unit * u, by_u);
+    };
+  }
   if (problem.conditions) {
     other.conditions = [unit, conditions = problem.conditions](In start, In end, Out residual) {
       conditions(unit * start, unit * end, residual);

@@ -55,13 +55,13 @@ struct Rod {
   [[nodiscard]] Truth at(double t) const {
     constexpr double rounding = std::numeric_limits<double>::epsilon();
     Vec value = Vec::Zero(points);
+    const double log_time = t > 0.0 ? std::abs(std::log(t)) : 0.0;
     double bound = 0.0;
     for (int k = 1; k <= modes; ++k) {
       const double z = decay(k) * std::pow(t, order);
       const auto factor = mittag_leffler(order, 1.0, std::complex<double>(-z));
       const double nearby = mittag_leffler(order, 1.0, -z / 2.0);
-      const double of_argument = (8.0 + std::abs(std::log(t + (t == 0.0)))) * rounding * 2.0 *
-                                 std::abs(nearby - factor.value.real());
+      const double of_argument = (8.0 + log_time) * rounding * 2.0 * std::abs(nearby - factor.value.real());
       bound += (factor.bound + of_argument + 4.0 * rounding * std::abs(factor.value.real())) / k;
       for (int j = 1; j <= points; ++j) value[j - 1] += factor.value.real() / k * mode(k, j);
     }
