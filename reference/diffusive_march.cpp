@@ -45,7 +45,7 @@ class DiffusiveMarch {
         rhs_noise_(problem) {}
 
   void run_to(double stop, DiffusiveSolution& solution) {
-    constexpr std::size_t most_steps = 20000;
+    constexpr std::size_t most_steps = 30000;
     while (time_ < stop) {
       if (solution.times.size() == most_steps || hopeless(solution.times, most_steps)) {
         fail("more steps than it can afford", time_);

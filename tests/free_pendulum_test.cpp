@@ -99,7 +99,7 @@ TEST(FreePendulumAgainstBoost, SwingsFromRest) {
 TEST(FreePendulumAgainstBoost, HasItsPeriodForALongTime) {
   const double phi0 = 2.0;
   const long double period = 4.0L * boost::math::ellint_1(std::sin(1.0L));
-  const double t = static_cast<double>(15000.0L * period);
+  const auto t = static_cast<double>(15000.0L * period);
   const Truth truth = free_pendulum(1.0, phi0, 0.0).exact.at(t);
   EXPECT_GT(t, 1e5);
   EXPECT_NEAR(truth.value[0], phi0, 1e-11);

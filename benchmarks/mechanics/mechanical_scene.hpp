@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -83,6 +85,18 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
     }
   }
   return scene;
+}
+
+// For a scene on a sphere, whose first column is the distance from a pole: its coordinates end at both.
+inline void end_at_the_poles(Scene& scene) {
+  const auto domain = [](const Outputs& outputs) -> Domain {
+    return {"a pole, theta = 0 or pi", [outputs](double t, In y) {
+              const double theta = columns_at(outputs, t, y)[0];
+              return std::min(theta, std::numbers::pi - theta);
+            }};
+  };
+  scene.problem.domain = domain(scene.outputs);
+  if (scene.reference) scene.reference->problem.domain = domain(scene.reference->outputs);
 }
 
 }  // namespace fde::mechanics

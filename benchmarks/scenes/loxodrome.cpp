@@ -65,6 +65,7 @@ SceneMaker loxodrome() {
                 .coordinates = {"theta", "phi"},
                 .end = std::min(50.0, 0.9 * time_to_pole(theta0, k, p["speed"]))};
             Scene scene = mechanical_scene(setting, asked_of(p, all_formulations()));
+            end_at_the_poles(scene);
             scene.exact = closed_form(Loxodrome{theta0, k, p["speed"]});
             return scene;
           }};
