@@ -30,8 +30,8 @@ ComplexValue tail(double s, ComplexValue mu, int first) {
                                                1.0 / 47900160,
                                                -691.0 / 1307674368000,
                                                1.0 / 74724249600,
-                                               -3617.0 / 10670622842880000,
-                                               43867.0 / 5109094217170944000};
+                                               -3617.0 / 10670622842880000.0,
+                                               43867.0 / 5109094217170944000.0};
   const ComplexValue turn{0.0, 2.0 * std::numbers::pi};
   const ComplexValue above = static_cast<double>(first) * turn - mu,
                      below = -static_cast<double>(first) * turn - mu;
@@ -53,12 +53,17 @@ ComplexValue tail(double s, ComplexValue mu, int first) {
 //   Li_s(e^mu) = Gamma(1-s) sum_{k in Z} (2 pi i k - mu)^(s-1)    (Lindelof; Bateman, vol. 1, 1.11 (16)).
 ComplexValue scaled_polylogarithm(double s, ComplexValue mu) {
   constexpr int terms = 10;
-  ComplexValue sum = tail(s, mu, terms);
-  for (int k = terms - 1; k > 0; --k) {
-    const ComplexValue shift{0.0, 2.0 * std::numbers::pi * k};
-    sum += std::pow(shift - mu, s - 1.0) + std::pow(-shift - mu, s - 1.0);
+  constexpr double negligible = 1e-18;  // the sum is at most 1
+  const ComplexValue power = std::pow(-mu, 1.0 - s);
+  ComplexValue sum = 0.0;
+  if (std::abs(power) > negligible) {
+    sum = tail(s, mu, terms);
+    for (int k = terms - 1; k > 0; --k) {
+      const ComplexValue shift{0.0, 2.0 * std::numbers::pi * k};
+      sum += std::pow(shift - mu, s - 1.0) + std::pow(-shift - mu, s - 1.0);
+    }
   }
-  return std::tgamma(1.0 - s) * (1.0 + std::pow(-mu, 1.0 - s) * sum);
+  return std::tgamma(1.0 - s) * (1.0 + power * sum);
 }
 
 ComplexValue power_series(const WeightTable& table, ComplexValue zeta) {

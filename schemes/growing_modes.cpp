@@ -24,7 +24,7 @@ class Contour {
     radius_ = std::pow(10.0, -std::clamp(6.0 / smallest, 12.0, 300.0));
   }
 
-  [[nodiscard]] double begin() const { return -1.0; }
+  static constexpr double begin = -1.0;
   [[nodiscard]] double end() const { return std::log(std::numbers::pi / radius_); }
 
   // log zeta
@@ -54,14 +54,15 @@ class Turn {
 
   [[nodiscard]] double total() const {
     constexpr double step = 0.25;
-    const double length = contour_.end() - contour_.begin();
+    const double length = contour_.end() - Contour::begin;
     const int pieces = static_cast<int>(std::ceil(length / step));
-    double turn = 0.0, p = contour_.begin();
+    double turn = 0.0, p = Contour::begin;
     ComplexValue value = at(p);
     for (int i = 1; i <= pieces; ++i) {
-      const double next = contour_.begin() + length * i / pieces;
+      const double next = Contour::begin + length * i / pieces;
       const ComplexValue there = at(next);
       turn += between(p, value, next, there, 0);
+      if (std::isnan(turn)) return turn;
       p = next;
       value = there;
     }
@@ -77,7 +78,8 @@ class Turn {
     if (std::abs(at_b - at_a) < 0.5 * std::min(std::abs(at_a), std::abs(at_b))) return std::arg(at_b / at_a);
     const double middle = 0.5 * (a + b);
     const ComplexValue value = at(middle);
-    return between(a, at_a, middle, value, depth + 1) + between(middle, value, b, at_b, depth + 1);
+    const double first = between(a, at_a, middle, value, depth + 1);
+    return std::isnan(first) ? first : first + between(middle, value, b, at_b, depth + 1);
   }
 
   const Symbol& symbol_;

@@ -61,7 +61,7 @@ double crossed_at(const Characteristic& p) {
 // Angles from which on there is a sign to be seen, as logarithms: below, rounding hides Im of det M / |det
 // M|.
 struct Angles {
-  static constexpr double lowest = -20.0, step = 0.02;
+  static constexpr double lowest = -20.0;
   static constexpr int count = 1058;
   static double at(int i) { return std::min(pi, std::exp(lowest + (std::log(pi) - lowest) * i / count)); }
 };

@@ -38,8 +38,9 @@ struct Case {
 class Interval : public testing::TestWithParam<Case> {};
 
 TEST_P(Interval, EndsWhereRunsBeginToGrow) {
-  const auto& [id, tolerance, steps] = GetParam();
-  const Scheme& scheme = *find_scheme(id);
+  const double tolerance = GetParam().tolerance;
+  const int steps = GetParam().steps;
+  const Scheme& scheme = *find_scheme(GetParam().scheme);
   for (int i = 1; i < 20; ++i) {
     const double order = 0.1 * i, x = real_interval(scheme, order);
     if (std::isinf(x)) {
@@ -106,6 +107,17 @@ TEST(Chain, LargestStableStepIsWhereRunsBeginToGrow) {
     const double h = largest_stable_step(scheme, problem, 1e-2, 10.0);
     EXPECT_TRUE(decays(late(scheme, problem, 0.98 * h, 6000))) << orders.first;
     EXPECT_TRUE(grows(late(scheme, problem, 1.02 * h, 6000))) << orders.first;
+  }
+}
+
+// The last link alone, D^(2-alpha) v = -mu tau^alpha v, decides where mu is large.
+TEST(Chain, StrongDampingEndsAsItsLinkDoes) {
+  constexpr double mu = 100.0, tau = 0.8;
+  for (const double alpha : {1.25, 1.5}) {
+    const Problem problem =
+        scene_of("damped_oscillator", {{"alpha", alpha}, {"beta", 0.5}, {"mu", mu}, {"tau", tau}}).problem;
+    const double end = std::pow(std::tgamma(4.0 - alpha) / (mu * std::pow(tau, alpha)), 1.0 / (2.0 - alpha));
+    EXPECT_NEAR(largest_stable_step(*find_scheme("adams_pc"), problem, 0.5 * end, 10.0) / end, 1.0, 0.02);
   }
 }
 

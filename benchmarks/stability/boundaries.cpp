@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -26,10 +27,8 @@ bool divides(const Scheme& scheme, double order, ComplexValue z) {
   const ComplexValue out = std::polar(aside * std::abs(z), 0.3 + std::arg(z));
   const auto is_stable = [&](ComplexValue at) { return stable(scheme, scalar_equation(order, at), 1.0); };
   const bool there = is_stable(z + out);
-  for (const ComplexValue turn : {ComplexValue{-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
-    if (is_stable(z + turn * out) != there) return true;
-  }
-  return false;
+  constexpr std::array<ComplexValue, 3> turns{{{-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};
+  return std::ranges::any_of(turns, [&](ComplexValue turn) { return is_stable(z + turn * out) != there; });
 }
 
 void print(const Scheme& scheme, double order, std::string_view line, int piece, double theta,
