@@ -8,6 +8,12 @@
 namespace fde {
 namespace {
 
+// std::lgamma leaves the sign in a global variable, where threads race.
+double log_gamma(double x) {
+  int sign = 0;
+  return lgamma_r(x, &sign);
+}
+
 constexpr double pi_double = std::numbers::pi;
 
 // log(e^a + e^b)
@@ -59,7 +65,7 @@ double log_line_integral(double mu, double distance, double exponent) {
   const double near = exponent * std::log(least) + log_length(1.0);
   if (exponent <= 0.0) return least + near - std::log(pi_double);
   const double far =
-      log_sum(std::log(distance * std::sqrt(mu)) + std::lgamma(exponent + 0.5), std::lgamma(exponent + 1.0));
+      log_sum(std::log(distance * std::sqrt(mu)) + log_gamma(exponent + 0.5), log_gamma(exponent + 1.0));
   const auto split = [&](double p) {
     const double power = std::max(0.0, exponent - 1.0);
     return least + log_sum(near - power * std::log(p), far - power * std::log1p(-p));
