@@ -15,23 +15,30 @@ std::vector<Trial> all_trials() {
   };
   add("Stiff", 4096,
       {"stiff_relaxation:lambda=-100", "stiff_relaxation:lambda=-1e4", "stiff_relaxation",
-       "stiff_relaxation:lambda=-1e8", "stiff_relaxation:gamma=0.9,lambda=-1e6",
-       "stiff_relaxation:gamma=0.5,lambda=7e5,im=7.2e5", "stiff_relaxation:gamma=0.9,lambda=1.4e5,im=9.9e5",
-       "van_der_pol:mu=1", "van_der_pol:mu=100", "van_der_pol:mu=1e4", "robertson", "robertson:until=1e3",
-       "extensible_pendulum:K_over_m=1e6,until=1"});
+       "stiff_relaxation:lambda=-1e8", "stiff_relaxation:gamma=0.9", "stiff_relaxation:gamma=1.5",
+       "stiff_relaxation:lambda=698056.2,im=716043.6", "stiff_relaxation:gamma=0.9,lambda=146567,im=989201",
+       "van_der_pol:mu=1", "van_der_pol:mu=10,until=40", "van_der_pol:mu=100,until=100",
+       "van_der_pol:mu=1e3,until=1e3", "van_der_pol:mu=1e4", "robertson", "robertson:until=1e3",
+       "fractional_diffusion", "extensible_pendulum:K_over_m=1e6,until=1"});
   add("Extreme orders", 4096,
       {"relaxation:gamma=0.01", "relaxation:gamma=0.99", "relaxation:gamma=0.999", "relaxation:gamma=1.001",
-       "relaxation:gamma=1.99", "linear_system:gamma1=0.01,gamma2=0.99",
-       "pendulum:alpha=1.99,beta=0.01,until=5", "pendulum:alpha=1.001,beta=0.999,until=5",
+       "relaxation:gamma=1.99", "linear_system:gamma1=0.01,gamma2=0.99", "pendulum:alpha=1.99,beta=0.01",
+       "pendulum:alpha=1.001,beta=0.99", "pendulum:alpha=1.999,beta=0.001",
        "brusselator:gamma=0.99,until=10"});
-  add("Singular starts", 4096, {"power:gamma=0.05,p=0.05", "relaxation:gamma=0.05"});
+  add("Solutions like t^0.05 at the start", 4096,
+      {"power:gamma=0.05,p=0.05", "relaxation:gamma=0.05", "brusselator:gamma=0.05"});
   add("Extreme magnitudes", 4096,
-      {"relaxation:y0=1e150", "relaxation:y0=1e-150", "relaxation:lambda=-1e-150", "relaxation:until=1e-100",
-       "relaxation:until=1e100"});
+      {"relaxation:y0=1e150", "relaxation:y0=1e-150", "relaxation:lambda=-1e-150",
+       "relaxation:lambda=-1e150"});
+  add("Tiny and huge steps", 4096,
+      {"relaxation:until=1e-100", "relaxation:until=1e100", "diethelm:until=1e-10"});
   add("Long", 1 << 20,
-      {"damped_oscillator:until=1e5", "relaxation:until=1e5", "pendulum:lambda=0,mu=0,nu=0,until=1e5"});
+      {"relaxation:until=1e5", "damped_oscillator:until=1e5", "pendulum:until=1e5",
+       "pendulum:lambda=0,mu=0,nu=0,until=1e3", "pendulum:lambda=0,mu=0,nu=0,until=1e5"});
   add("Unstable and singular", 4096,
-      {"pendulum:phi0=3.141592653589793", "pendulum:phi0=3.1,until=10",
+      {"pendulum:phi0=3.141592653589793",
+       "pendulum:lambda=0,mu=0,nu=0,dphi0=0,phi0=3.141592653589793,until=40",
+       "fractional_knife_edge:surface=sphere", "fractional_constraint_2d:alpha=1.5",
        "extensible_pendulum:K_over_m=5,g_over_L=0.1,phi0=0,xi0=3"});
   return all;
 }

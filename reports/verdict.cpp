@@ -11,9 +11,10 @@ namespace {
 
 constexpr double surviving = 1e-2;
 
-std::string with_error_and_time(std::string text, const MeasuredRun& run) {
+std::string with_measures(std::string text, const MeasuredRun& run) {
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   if (const auto error = run["error_relative"]) add(fmt::format("{} of the value", error_text(*error)));
+  if (const auto from = run["rounding_from"]) add(fmt::format("rounding from t = {:.3g} on", *from));
   if (const auto seconds = run["time_minimum"]) add(time_text(*seconds));
   return text;
 }
@@ -46,7 +47,7 @@ std::string name(Verdict verdict) {
 std::string because(const MeasuredRun& run) {
   constexpr std::string_view refused = "refused: ";
   if (run.status.starts_with(refused)) return run.status.substr(refused.size());
-  return with_error_and_time(run.status == "finished" ? "" : run.status, run);
+  return with_measures(run.status == "finished" ? "" : run.status, run);
 }
 
 }  // namespace fde

@@ -12,7 +12,7 @@ enum class Verdict { survives, inaccurate, fails, refuses, unknown };
 
 Verdict verdict(const MeasuredRun& run);
 
-// "survives"; the sentence that says why, with error and time where they were measured.
+// "survives"; the sentence that says why, with error, rounding and time where they were measured.
 std::string name(Verdict verdict);
 std::string because(const MeasuredRun& run);
 

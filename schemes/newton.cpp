@@ -91,7 +91,10 @@ bool NewtonSolver::approach(Run& run, double t, In past, Out y) {
 }
 
 double NewtonSolver::relative_increment(In y) const {
-  const auto of = [](double increment, double size) { return increment == 0.0 ? 0.0 : increment / size; };
+  // Below, doubles lose their digits one by one: rounding is relative to this then.
+  static constexpr double smallest =
+      std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+  const auto of = [](double increment, double size) { return increment / std::max(size, smallest); };
   const double size = matrix_.mass().cwiseProduct(y).lpNorm<Eigen::Infinity>();
   double largest = of(matrix_.mass().cwiseProduct(increment_).lpNorm<Eigen::Infinity>(), size);
   for (const auto i : matrix_.algebraic_rows()) {

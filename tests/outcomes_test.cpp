@@ -29,6 +29,14 @@ INSTANTIATE_TEST_SUITE_P(, Singularity,
                                          find_scheme("decoupled_multi_order")),
                          [](const auto& test) { return std::string(test.param->id); });
 
+// Backward Euler damps the free pendulum by 5 % a step, past the smallest doubles.
+TEST(Underflow, IsNoFailureOfNewtonsMethod) {
+  Scene scene = make_scene(maker("pendulum"), {{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}});
+  const auto path = find_scheme("l1")->solve(scene.problem, {4e3, 10000}, {.keep = {10000}});
+  EXPECT_EQ(path.outcome, Outcome::finished) << describe(scene.problem, path);
+  EXPECT_LT(path.y.cwiseAbs().maxCoeff(), 1e-290);
+}
+
 class Budget : public testing::TestWithParam<const Scheme*> {};
 
 TEST_P(Budget, OfNoTimeEndsTheRun) {

@@ -19,6 +19,12 @@ TEST(Verdict, SurvivesWithinAHundredthOfTheValue) {
   EXPECT_EQ(verdict(finished(0.011)), Verdict::inaccurate);
 }
 
+TEST(Verdict, SaysFromWhereRoundingDominates) {
+  MeasuredRun run = finished(1e-9);
+  run.values["rounding_from"] = 2.0;
+  EXPECT_EQ(because(run), "1.0e-9 of the value, rounding from t = 2 on, 12.3 ms");
+}
+
 TEST(Verdict, OfEveryEndSaysWhy) {
   const MeasuredRun blown{.status = "not finite at step 3, t = 0.5"};
   EXPECT_EQ(verdict(blown), Verdict::fails);
