@@ -64,6 +64,14 @@ int dispatch(CLI::App& app, const std::vector<std::string>& arguments, const Str
   return streams.out.good() ? 0 : complain(streams, bad_input, "standard output: cannot be written");
 }
 
+// CLI11 takes an empty argument for the name of a group of options, without end; `reference` has such a
+// group.
+void check_none_empty(const std::vector<std::string>& arguments) {
+  const auto found = std::ranges::find(arguments, "");
+  if (found == arguments.end() || std::ranges::find(arguments, "reference") == arguments.end()) return;
+  throw std::invalid_argument(fmt::format("argument {} is empty", found - arguments.begin() + 1));
+}
+
 // CLI11 only says that a subcommand is missing.
 void check_subcommand(const CLI::App& app, const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front().starts_with('-')) return;
@@ -98,6 +106,7 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& strea
   add_data_commands(app, streams);
   add_stability_command(app, streams);
   try {
+    check_none_empty(arguments);
     check_subcommand(app, arguments);
     return dispatch(app, arguments, streams);
   } catch (const NumericalFailure& failure) {

@@ -1,6 +1,7 @@
 #include <fmt/ostream.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <optional>
 #include <ostream>
 
@@ -48,7 +49,10 @@ void print(const DecimalComplex& value, std::ostream& out) {
   fmt::print(out, "{} {} {}\n", value.re, value.im, value.bound);
 }
 
+NumericalFailure beyond_double() { return NumericalFailure("the value is beyond double; --digits has it"); }
+
 void print(std::complex<double> value, double bound, std::ostream& out) {
+  if (!std::isfinite(value.real()) || !std::isfinite(value.imag())) throw beyond_double();
   fmt::print(out, "{:.17g} {:.17g} {}\n", value.real(), value.imag(), bound_text(bound));
 }
 
@@ -117,6 +121,7 @@ void of_matrix(const Arguments& x, const Function& function, std::ostream& out) 
   using ByRows = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const ComplexMatrix matrix = Eigen::Map<const ByRows>(numbers.data(), size, size);
   const auto [value, bound] = mittag_leffler(function.alpha, function.beta, matrix);
+  if (!value.allFinite()) throw beyond_double();
   for (Eigen::Index i = 0; i < size; ++i) {
     for (Eigen::Index j = 0; j < size; ++j) {
       fmt::print(out, "{} {} ", i + 1, j + 1);

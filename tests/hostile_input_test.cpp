@@ -58,6 +58,23 @@ TEST(HostileInput, TimesBeyondDoubleAreRefused) {
   EXPECT_THAT(until("2.2e307").out, testing::Not(HasSubstr("inf")));
 }
 
+TEST(HostileInput, FunctionsBeyondDoubleAreAFailure) {
+  for (const auto& words : {std::vector<std::string>{"1", "1", "1000"},
+                            {"4.999", "5.3e-315", "-1.07e270,3.2e-322"},
+                            {"1", "1", "--matrix", "1,2;3,4000"}}) {
+    std::vector<std::string> arguments{"mittag-leffler"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const auto [code, out, err] = fdebench(arguments);
+    EXPECT_EQ(code, 3);
+    EXPECT_EQ(out, "");
+  }
+}
+
+TEST(HostileInput, AnEmptyArgumentIsNamed) {
+  EXPECT_EQ(fdebench({"reference", "", "--every", "2"}).err, "fdebench: argument 2 is empty\n");
+  EXPECT_EQ(fdebench({""}).code, 2);
+}
+
 // Such an order rounds to 0/M, a chain without links.
 TEST(HostileInput, AnOrderNextToZeroIsNoMultipleOfOneOverM) {
   const Scene scene = scene_of("pendulum", {{"alpha", 1.0}, {"beta", 5e-324}});

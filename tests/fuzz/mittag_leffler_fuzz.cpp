@@ -15,7 +15,6 @@ void in_double(double alpha, double beta, std::complex<double> z) {
   const auto [value, bound] = mittag_leffler(alpha, beta, z);
   const auto shown = fmt::format("E_{{{},{}}}({}, {}) = {} {} bound {}", alpha, beta, z.real(), z.imag(),
                                  value.real(), value.imag(), bound);
-  fuzz::require(!std::isnan(value.real()) && !std::isnan(value.imag()), "a value is a number", shown);
   fuzz::require(bound >= 0.0, "a bound is not negative", shown);
   const bool finite = std::isfinite(value.real()) && std::isfinite(value.imag());
   fuzz::require(finite == std::isfinite(bound), "a finite value has a finite bound, no other has", shown);
