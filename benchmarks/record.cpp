@@ -45,6 +45,7 @@ bool add_line(const std::string& line, Results& results, std::vector<Record>& op
     results.sessions.push_back(json.at("session").get<Session>());
     return true;
   }
+  if (!json.at("steps").is_number_integer()) throw std::invalid_argument("steps are no whole number");
   auto record = json.get<Record>();
   if (json.at("steps") != record.steps || record.steps < 1)
     throw std::invalid_argument("an impossible number of steps");
