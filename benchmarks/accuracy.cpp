@@ -6,11 +6,11 @@
 namespace fde {
 namespace {
 
-// The first column from which on all are true; nullopt: the last is not.
+// The first column from which on all are true; nullopt: these are less than a tenth.
 std::optional<Eigen::Index> true_to_the_end(const Eigen::Array<bool, 1, Eigen::Dynamic>& seen) {
   Eigen::Index first = seen.size();
   while (first > 0 && seen[first - 1]) --first;
-  return first == seen.size() ? std::nullopt : std::optional(first);
+  return 10 * (seen.size() - first) < seen.size() ? std::nullopt : std::optional(first);
 }
 
 Eigen::RowVectorXd sizes(const Rows& of) { return of.cwiseAbs().colwise().maxCoeff(); }
@@ -25,12 +25,10 @@ std::optional<Eigen::Index> first_beyond_double(const Rows& truth) {
 }
 
 std::optional<Eigen::Index> accuracy_lost(const Rows& values, const Rows& truth) {
-  constexpr double rounding = 1e-15, shortest_stretch = 0.1;
+  constexpr double rounding = 1e-15;
   const Eigen::RowVectorXd size = sizes(truth);
   const double least = rounding * size.maxCoeff();
-  const auto first = true_to_the_end(sizes(values - truth).array() > size.cwiseMax(least).array());
-  const auto stretch = static_cast<double>(truth.cols() - first.value_or(truth.cols()));
-  return stretch >= shortest_stretch * static_cast<double>(truth.cols()) ? first : std::nullopt;
+  return true_to_the_end(sizes(values - truth).array() > size.cwiseMax(least).array());
 }
 
 std::optional<Eigen::Index> rounding_dominates(const Rows& values, const Rows& rounded, const Rows& truth) {

@@ -7,19 +7,19 @@
 namespace fde {
 
 // What is left of a result beside the truth. Both have one row a column of the scene and one column a time of
-// a path; |.| is the largest over the columns of the scene.
+// a path; |.| is the largest over the columns of the scene. Times are given as their place among the columns.
+// "Up to the end" is over the last tenth of the times at least: where only a shorter stretch is concerned, a
+// value may just be passing through 0.
 
 // The first time at which the truth is infinite: no scheme can follow it there. nullopt: there is none.
 std::optional<Eigen::Index> first_beyond_double(const Rows& truth);
 
 // The first time from which on the error |values - truth| is above the size of the value, |truth|, up to the
-// end, as its place among the columns. Not counted: errors that are rounding of the largest |truth|, and a
-// last stretch shorter than a tenth of the times: there a value may only be passing through 0. nullopt: the
-// accuracy is not lost.
+// end. Errors that are rounding of the largest |truth| do not count. nullopt: the accuracy is not lost.
 std::optional<Eigen::Index> accuracy_lost(const Rows& values, const Rows& truth);
 
 // The first time from which on what rounding does, |values - rounded|, is at least half the error, up to the
-// end: more steps make such a result no better. nullopt: there is none, or the error is 0.
+// end: more steps make such a result no better.
 std::optional<Eigen::Index> rounding_dominates(const Rows& values, const Rows& rounded, const Rows& truth);
 
 // max_i (|y_i - truth_i| + bound_i) / |truth_i| at the end, where the truth is known up to its bound. A value

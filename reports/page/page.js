@@ -7,11 +7,11 @@ function element(name, attributes = {}, ...children) {
   return made;
 }
 
-// Ids may break behind their underscores.
-const breakable = (text) => text.split(/(?<=_)/).flatMap((part, i) => (i ? [element("wbr"), part] : [part]));
+// Ids may break behind their underscores, labels behind each setting.
+const breakable = (text) => text.split(/(?<=[_,:])/).flatMap((part, i) => (i ? [element("wbr"), part] : [part]));
 
-// Step counts and numbers like 1.2e-7 may not break.
-const unbroken = (text) => text.split(/(N = [^\s,]+|\S+e-\d+)/).map((part, i) => (i % 2 ? element("span", {}, part) : part));
+// Step counts, times and numbers like 1.2e-7 may not break.
+const unbroken = (text) => text.split(/([Nt] = [^\s,]+|\S+e-\d+)/).map((part, i) => (i % 2 ? element("span", {}, part) : part));
 
 function cellContent(cell, lines) {
   const parts = cell.marked ? [element("mark", {}, cell.text)] : breakable(cell.text);
@@ -47,7 +47,7 @@ function sharedHeadings(columns) {
 }
 
 function tableHead(columns) {
-  const row = element("tr", {}, ...columns.map((column) => element("th", { scope: "col" }, column.text)));
+  const row = element("tr", {}, ...columns.map((column) => element("th", { scope: "col" }, ...breakable(column.text))));
   if (!columns.some((column) => column.over)) return element("thead", {}, row);
   return element("thead", {}, element("tr", {}, ...sharedHeadings(columns)), row);
 }

@@ -5,6 +5,7 @@
 
 #include "page_data.hpp"
 #include "scheme.hpp"
+#include "text.hpp"
 #include "trials.hpp"
 #include "verdict.hpp"
 
@@ -47,7 +48,7 @@ Cell survivals(const std::vector<MeasuredRun>& runs, const std::string& scheme) 
 std::vector<Cell> row(const std::vector<MeasuredRun>& runs, const Trial& trial,
                       const std::vector<std::string>& schemes) {
   const std::string label = trial.scene.label();
-  std::vector<Cell> cells{{.text = label, .detail = fmt::format("N = {}", trial.steps)}};
+  std::vector<Cell> cells{{.text = label, .detail = "N = " + count_text(trial.steps)}};
   for (const auto& scheme : schemes) cells.push_back(cell(runs, label, scheme));
   return cells;
 }
@@ -58,11 +59,14 @@ Section stability_section(const PageInput& page) {
   Section section{
       .id = "stability",
       .title = "Stability: stiff and extreme",
-      .paragraphs = {"What becomes of each scheme where schemes break, with one number of steps for all. "
-                     "A run survives when every value at the end is within a hundredth of its size of the "
-                     "reference, the bound of the reference included; otherwise it is inaccurate. It fails "
-                     "where it ends early, or where from some step on its error is above the size of the "
-                     "value up to the end. Times are those of the solve."},
+      .paragraphs =
+          {"What becomes of each scheme where schemes break, all with the same number of steps. A run "
+           "survives when every value at the end is within a hundredth of its size of the "
+           "reference, the bound of the reference included; otherwise it is inaccurate. It fails "
+           "where it ends early, or where from some step on its error is above the size of the "
+           "value up to the end. Below the verdict: the error at the end as a part of the value, "
+           "from when on rounding is at least half of it, and the time of the solve. Why each "
+           "scheme fares as it does: docs/the_stability.md."},
       .table = {.caption = "Verdicts by scene and scheme", .columns = {{"scene"}}}};
   const auto ids = schemes_of(page.trials);
   std::vector<Cell> counts{{.text = "survived"}};
