@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fde {
 namespace {
@@ -27,13 +28,15 @@ std::optional<Eigen::Index> first_beyond_double(const Rows& truth) {
 std::optional<Eigen::Index> accuracy_lost(const Rows& values, const Rows& truth) {
   constexpr double rounding = 1e-15;
   const Eigen::RowVectorXd size = sizes(truth);
-  const double least = rounding * size.maxCoeff();
-  return true_to_the_end(sizes(values - truth).array() > size.cwiseMax(least).array());
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double least = rounding * (size.array() < infinity).select(size.array(), 0.0).maxCoeff();
+  return true_to_the_end(size.array() == infinity ||
+                         sizes(values - truth).array() > size.cwiseMax(least).array());
 }
 
 std::optional<Eigen::Index> rounding_dominates(const Rows& values, const Rows& rounded, const Rows& truth) {
   const Eigen::RowVectorXd error = sizes(values - truth);
-  return true_to_the_end(sizes(values - rounded).array() >= error.array() / 2 && error.array() > 0.0);
+  return true_to_the_end(sizes(values - rounded).array() >= error.array() / 4 && error.array() > 0.0);
 }
 
 std::optional<double> relative_error(const Rows& values, const Rows& truth, In bound) {

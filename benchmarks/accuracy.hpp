@@ -15,11 +15,13 @@ namespace fde {
 std::optional<Eigen::Index> first_beyond_double(const Rows& truth);
 
 // The first time from which on the error |values - truth| is above the size of the value, |truth|, up to the
-// end. Errors that are rounding of the largest |truth| do not count. nullopt: the accuracy is not lost.
+// end, or the truth infinite. Errors that are rounding of the largest finite |truth| do not count. nullopt:
+// the accuracy is not lost.
 std::optional<Eigen::Index> accuracy_lost(const Rows& values, const Rows& truth);
 
-// The first time from which on what rounding does, |values - rounded|, is at least half the error, up to the
-// end: more steps make such a result no better.
+// The first time from which on what rounding does, |values - rounded|, is at least a quarter of the
+// error, up to the end: more steps make such a result no better. It is one sample of what rounding does, and
+// the error beside it another.
 std::optional<Eigen::Index> rounding_dominates(const Rows& values, const Rows& rounded, const Rows& truth);
 
 // max_i (|y_i - truth_i| + bound_i) / |truth_i| at the end, where the truth is known up to its bound. A value

@@ -10,63 +10,13 @@
 
 #include "accuracy.hpp"
 #include "drift.hpp"
+#include "ending.hpp"
 #include "energy_balance.hpp"
 #include "measures.hpp"
 #include "rounding.hpp"
+#include "singularity.hpp"
 
 namespace fde {
-
-Rows TruthTable::at(const Grid& grid, const std::vector<int>& steps) {
-  Rows columns(static_cast<Eigen::Index>(scene_.outputs.names.size()),
-               static_cast<Eigen::Index>(steps.size()));
-  for (std::size_t c = 0; c < steps.size(); ++c) {
-    const double t = grid.time(steps[c]);
-    auto found = known_.find(t);
-    if (found == known_.end()) found = known_.emplace(t, truth(t).value).first;
-    columns.col(static_cast<Eigen::Index>(c)) = found->second;
-  }
-  return columns;
-}
-
-Truth TruthTable::truth(double t) {
-  if (!failure_.empty()) throw std::runtime_error(failure_);
-  try {
-    if (!exact_.at) exact_ = truth_of(scene_);
-    return exact_.at(t);
-  } catch (const std::runtime_error& error) {
-    failure_ = fmt::format("no reference: {}", error.what());
-    throw std::runtime_error(failure_);
-  }
-}
-
-Vec TruthTable::bound(const Grid& grid) { return truth(grid.end).bound; }
-
-namespace {
-
-std::string reason(const Problem& problem, Outcome outcome) {
-  switch (outcome) {
-    case Outcome::finished:
-      return "finished";
-    case Outcome::not_finite:
-      return "not finite";
-    case Outcome::not_converged:
-      return "Newton's method did not converge";
-    case Outcome::singular:
-      return fmt::format("ran into the singularity {}", problem.domain.edge);
-    case Outcome::out_of_budget:
-      return "out of its budget of time";
-  }
-  throw std::logic_error("an outcome without a description");
-}
-
-}  // namespace
-
-std::string describe(const Problem& problem, const Trajectory& path) {
-  const auto why = reason(problem, path.outcome);
-  if (path.outcome == Outcome::finished) return why;
-  const int step = path.reached + 1;
-  return fmt::format("{} at step {}, t = {:.6g}", why, step, path.grid.time(step));
-}
 
 namespace {
 
@@ -114,7 +64,7 @@ std::vector<Record> measure(const Observation& run, const Record& row) {
   return rows;
 }
 
-// The truth beside a path, or why there is none.
+// The truth beside a path, or why there is none, as a status.
 struct Known {
   Rows truth{};
   Vec bound{};
@@ -123,8 +73,10 @@ struct Known {
 Known what_is_known(TruthTable& truth, const Trajectory& path) {
   try {
     return {truth.at(path.grid, path.steps), truth.bound(path.grid)};
+  } catch (const Singularity& failure) {
+    return {.missing = fmt::format("passed a singularity of the solution ({})", failure.what())};
   } catch (const std::runtime_error& failure) {
-    return {.missing = failure.what()};
+    return {.missing = fmt::format("{}{}", words(Ending::no_reference), failure.what())};
   }
 }
 
@@ -138,20 +90,49 @@ Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Grid& gri
   return columns_of(scene.outputs, path);
 }
 
+// How a run ended, and where.
+struct End {
+  std::string status;
+  double t;
+};
+
+// Of a run that stopped. One that left the domain of its problem was right, unless the solution stays inside.
+End end_of_stopped(const Scene& scene, const Trajectory& path, TruthTable& truth) {
+  std::string status = describe(scene.problem, path);
+  if (path.outcome == Outcome::singular && what_is_known(truth, path).missing.empty())
+    status = "unlike the solution, " + status;
+  return {std::move(status), path.grid.time(path.reached)};
+}
+
+// Of a run that came to its end.
+End end_of_finished(const Trajectory& path, const Rows& values, const Known& known) {
+  const auto from = [&](Ending ending, Eigen::Index column) -> End {
+    const int step = path.steps[static_cast<std::size_t>(column)];
+    return {at_step(words(ending), path.grid, step), path.grid.time(step)};
+  };
+  if (!known.missing.empty()) return {known.missing, path.grid.end};
+  if (const auto lost = accuracy_lost(values, known.truth)) {
+    const bool until_beyond = lost == first_beyond_double(known.truth);
+    return from(until_beyond ? Ending::beyond_double : Ending::accuracy_lost, *lost);
+  }
+  return {std::string(words(Ending::finished)), path.grid.end};
+}
+
+Record outcome(const Record& row, const End& end) {
+  Record last = with_value(row, "outcome", end.t, "t");
+  last.status = end.status;
+  return last;
+}
+
 }  // namespace
 
-Examination examine(const std::string& label, const Scene& scene, TruthTable& truth, const Scheme& scheme,
-                    int steps, double budget) {
+std::vector<Record> examine(const std::string& label, const Scene& scene, TruthTable& truth,
+                            const Scheme& scheme, int steps, double budget) {
   const Grid grid{.end = scene.problem.end, .steps = steps};
   Options options{.budget = budget, .keep = watched_steps(steps)};
   const Record row = row_of(label, scheme, grid, options);
-  const auto outcome = [&](double reached, const std::string& status) {
-    Record last = with_value(row, "outcome", reached, "t");
-    last.status = status;
-    return last;
-  };
   if (const auto reason = refusal(scheme, scene.problem, grid))
-    return {{outcome(0.0, "refused: " + *reason)}};
+    return {outcome(row, {fmt::format("{}{}", words(Ending::refused), *reason), 0.0})};
   EnergyBalance balance(scene.energy);
   DriftWatch drift(scene, grid);
   if (scene.energy.power || scene.constraint) {
@@ -162,18 +143,13 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
     };
   }
   const auto path = scheme.solve(scene.problem, grid, options);
-  if (path.outcome != Outcome::finished)
-    return {{outcome(grid.time(path.reached), describe(scene.problem, path))}};
+  if (path.outcome != Outcome::finished) return {outcome(row, end_of_stopped(scene, path, truth))};
+
+  const Known known = what_is_known(truth, path);
+  const Rows values = columns_of(scene.outputs, path);
+  const End end = end_of_finished(path, values, known);
+  if (!known.truth.allFinite()) return {outcome(row, end)};  // no measure is finite
   try {
-    const Known known = what_is_known(truth, path);
-    const auto step = [&](Eigen::Index column) { return path.steps[static_cast<std::size_t>(column)]; };
-    const auto time = [&](Eigen::Index column) { return grid.time(step(column)); };
-    const auto at = [&](std::string_view what, Eigen::Index column) {
-      return fmt::format("{} at step {}, t = {:.6g}", what, step(column), time(column));
-    };
-    if (const auto beyond = first_beyond_double(known.truth))
-      return {{outcome(time(*beyond), at("the solution is beyond double", *beyond))}};
-    const Rows values = columns_of(scene.outputs, path);
     Observation run{scene,
                     scheme,
                     path,
@@ -187,16 +163,10 @@ Examination examine(const std::string& label, const Scene& scene, TruthTable& tr
       run.independent_drift = drift.independent();
     }
     auto rows = measure(run, row);
-    if (!known.missing.empty()) {
-      rows.push_back(outcome(grid.end, known.missing));
-    } else if (const auto lost = accuracy_lost(values, known.truth)) {
-      rows.push_back(outcome(time(*lost), at(lost_status, *lost)));
-    } else {
-      rows.push_back(outcome(grid.end, std::string(finished_status)));
-    }
-    return {std::move(rows), known.missing.empty()};
+    rows.push_back(outcome(row, end));
+    return rows;
   } catch (const std::runtime_error& failure) {  // of a measure
-    return {{outcome(grid.end, failure.what())}};
+    return {outcome(row, {failure.what(), grid.end})};
   }
 }
 

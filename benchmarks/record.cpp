@@ -17,6 +17,8 @@
 #include <tuple>
 #include <utility>
 
+#include "ending.hpp"
+
 namespace fde {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Session, date, machine, system, compiler, flags, commit, version, cores)
@@ -110,10 +112,6 @@ bool same_build(const Session& a, const Session& b) {
   return facts(a) == facts(b);
 }
 
-bool is_compared(const Record& outcome) {
-  return outcome.status == finished_status || outcome.status.starts_with(lost_status);
-}
-
 bool is_time(const Record& row) { return row.quantity.starts_with("time_"); }
 
 Results read_results(const std::filesystem::path& file) { return parse(read_text(file), file).results; }
@@ -148,7 +146,7 @@ Stage ResultsFile::stage(const std::string& scene, const std::string& scheme, in
 // In files of earlier versions the times stand before the outcome.
 void ResultsFile::note(const Record& row) {
   auto& stage = stages_[{row.scene, row.scheme, row.steps}];
-  const bool untimed = row.quantity == last_row && is_compared(row) && stage != Stage::done;
+  const bool untimed = row.quantity == last_row && is_compared(ending_of(row.status)) && stage != Stage::done;
   if (untimed) stage = Stage::examined;
   if (is_time(row) || (row.quantity == last_row && !untimed)) stage = Stage::done;
 }

@@ -45,12 +45,6 @@ bool same_build(const Session& a, const Session& b);
 // Whether the row is a time of a run, made after its examination.
 bool is_time(const Record& row);
 
-// Outcomes of runs that came to their end and were compared with the truth; the second begins like this.
-inline constexpr std::string_view finished_status = "finished", lost_status = "accuracy lost";
-
-// Whether the outcome is one of these: such a run is timed.
-bool is_compared(const Record& outcome);
-
 // How far a run has come: nothing, all but its times, everything (a run that did not finish is not timed).
 enum class Stage { missing, examined, done };
 

@@ -5,8 +5,8 @@
 namespace fde {
 
 // The problem of u = y / unit. Its solves are the same computation in other numbers: where unit is no power
-// of two every value, sum and weight times value is rounded otherwise, so what unit * u and y differ by is
-// what rounding does to a result, up to a small factor.
+// of two every value, sum and weight times value is rounded otherwise, the initial values among them. What
+// unit * u and y differ by is one sample of what rounding does to a result.
 Problem in_units_of(double unit, const Problem& problem);
 
 }  // namespace fde

@@ -9,16 +9,18 @@
 #include "pace.hpp"
 #include "panel_equations.hpp"
 #include "rhs_noise.hpp"
+#include "singularity.hpp"
 
 namespace fde {
 
 namespace {
 
+template <typename Failure = std::runtime_error>
 [[noreturn]] void fail(const std::string& what, double t) {
   std::ostringstream message;
   message.precision(10);
   message << "collocation: " << what << " at t = " << t;
-  throw std::runtime_error(message.str());
+  throw Failure(message.str());
 }
 
 // By which factor a panel could have been longer; below 1 it is not resolved. Legendre coefficients fall like
@@ -133,7 +135,7 @@ class March {
     for (Eigen::Index k = 0; k < basis_.targets.size(); ++k) {
       const double t = from + (to - from) * basis_.targets[k];
       if (!problem_.domain.contains(t, solution.values.row(k).transpose()))
-        fail("singularity, " + problem_.domain.edge + ",", t);
+        fail<Singularity>("singularity, " + problem_.domain.edge + ",", t);
     }
   }
 

@@ -110,9 +110,11 @@ SceneVariant parse_variant(const std::string& text) {
   SceneVariant variant{.maker = &scene_named(text.substr(0, colon))};
   if (colon == std::string::npos) return variant;
   auto settings = split_list(text.substr(colon + 1));
-  if (settings.back().starts_with(until)) {
-    variant.until = parse_number("until", settings.back().substr(until.size()), any_end);
-    settings.pop_back();
+  const auto end =
+      std::ranges::find_if(settings, [&](const auto& setting) { return setting.starts_with(until); });
+  if (end != settings.end()) {
+    variant.until = parse_number("until", end->substr(until.size()), any_end);
+    settings.erase(end);
   }
   variant.values = parse_settings(*variant.maker, settings);
   [[maybe_unused]] const Scene checked = make_scene(variant);

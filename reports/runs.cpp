@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "ending.hpp"
 #include "scene.hpp"
 #include "scheme.hpp"
 
@@ -106,7 +107,7 @@ Runs runs_of(const Results& results) {
     std::erase_if(made, [](const auto& one) { return one.second.status.empty(); });  // times of no run
     if (made.empty()) continue;
     auto& run = made.back().second;
-    (run.status == "finished" ? runs.finished : runs.failed).push_back(std::move(run));
+    (ending_of(run.status) == Ending::finished ? runs.finished : runs.failed).push_back(std::move(run));
   }
   return runs;
 }

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "ending.hpp"
 #include "text.hpp"
 
 namespace fde {
@@ -22,16 +23,31 @@ std::string with_measures(std::string text, const MeasuredRun& run) {
 }  // namespace
 
 Verdict verdict(const MeasuredRun& run) {
-  if (run.status.starts_with("refused")) return Verdict::refuses;
-  if (run.status.find("no reference") != std::string::npos) return Verdict::unknown;
-  if (run.status != "finished") return Verdict::fails;
-  return run["error_relative"].value_or(0.0) <= surviving ? Verdict::survives : Verdict::inaccurate;
+  const auto error = run["error_relative"];
+  switch (ending_of(run.status)) {
+    case Ending::finished:
+      if (!error) return Verdict::unknown;
+      return *error <= surviving ? Verdict::survives : Verdict::inaccurate;
+    case Ending::singular:
+      return Verdict::stops;
+    case Ending::accuracy_lost:
+    case Ending::failed:
+      return Verdict::fails;
+    case Ending::refused:
+      return Verdict::refuses;
+    case Ending::beyond_double:
+    case Ending::no_reference:
+      return Verdict::unknown;
+  }
+  throw std::logic_error("an ending without a verdict");
 }
 
 std::string name(Verdict verdict) {
   switch (verdict) {
     case Verdict::survives:
       return "survives";
+    case Verdict::stops:
+      return "stops rightly";
     case Verdict::inaccurate:
       return "inaccurate";
     case Verdict::fails:
@@ -45,9 +61,14 @@ std::string name(Verdict verdict) {
 }
 
 std::string because(const MeasuredRun& run) {
-  constexpr std::string_view refused = "refused: ";
-  if (run.status.starts_with(refused)) return run.status.substr(refused.size());
-  return with_measures(run.status == "finished" ? "" : run.status, run);
+  switch (ending_of(run.status)) {
+    case Ending::refused:
+      return run.status.substr(words(Ending::refused).size());
+    case Ending::finished:
+      return with_measures("", run);
+    default:
+      return with_measures(run.status, run);
+  }
 }
 
 }  // namespace fde

@@ -7,8 +7,8 @@
 namespace fde {
 
 // What became of a run. It survives when every value at the end is within a hundredth of its size of the
-// truth, the bound of the truth included.
-enum class Verdict { survives, inaccurate, fails, refuses, unknown };
+// truth, the bound of the truth included; it stops where the solution has a singularity.
+enum class Verdict { survives, stops, inaccurate, fails, refuses, unknown };
 
 Verdict verdict(const MeasuredRun& run);
 

@@ -20,7 +20,7 @@ constexpr double shortest_inverse = 1e9;
 
 NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
     : problem_(problem),
-      given_kappa_(Vec::Zero(problem.size())),
+      given_kappa_(Vec::Constant(problem.size(), std::numeric_limits<double>::quiet_NaN())),
       kappa_(given_kappa_),
       tolerance_(tolerance),
       matrix_(problem),

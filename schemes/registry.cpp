@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "scheme.hpp"
 
@@ -70,10 +71,14 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
   if (scheme.needs.uniform_grid && !grid.uniform()) {
     return fmt::format("needs a uniform grid, not one graded with {}", grid.grading);
   }
-  constexpr double shortest = 1e-290;  // its inverse and powers are doubles
+  double largest_order = 1.0;
+  for (const auto& component : problem.components) largest_order = std::max(largest_order, component.order);
+  const double shortest = std::pow(1e-290, 1.0 / largest_order);  // its inverse and powers are doubles
   if (!(grid.step(1) > shortest)) {
-    return fmt::format("needs a first step above {}, not {}", shortest, grid.step(1));
+    return fmt::format("needs a first step above {:.3g}, not {}", shortest, grid.step(1));
   }
+  const bool dense = problem.jacobian || problem.linear_part;
+  if (sparse(problem) && dense) return "takes derivatives dense or sparse, the problem tells both";
   if (sparse(problem) && std::ranges::any_of(problem.components, algebraic)) {
     return "takes algebraic rows with a dense Jacobian only";
   }

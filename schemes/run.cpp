@@ -22,12 +22,13 @@ const Vec& Run::rhs(double t, In y) {
 }
 
 bool Run::accept(int n, In y) {
-  constexpr int steps_between_looks = 16;  // at the clock
+  // At every step a look at the clock would be a quarter of the cheapest step.
+  constexpr int steps_between_looks = 16;
   if (!y.allFinite()) {
     fail(Outcome::not_finite);
   } else if (!problem_.domain.contains(path_.grid.time(n), y)) {
     fail(Outcome::singular);
-  } else if (n % steps_between_looks == 0 && out_of_budget()) {
+  } else if ((n < steps_between_looks || n % steps_between_looks == 0) && out_of_budget()) {
     fail(Outcome::out_of_budget);
   }
   if (path_.outcome != Outcome::finished) return false;

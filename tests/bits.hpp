@@ -18,15 +18,15 @@
 namespace fde {
 
 // The end of a run, to the bit: what tests/bits.txt holds of every scheme, as fde_bits printed it.
-struct Ending {
+struct EndOfRun {
   std::string run;  // "relaxation l1 64"
   std::vector<double> values;
 };
 
 // Every scheme on scenes of each kind: linear, nonlinear, a chain, with a constraint, posed at both ends; the
 // past as direct sums (few steps) and as exponentials. A scheme that refuses a scene has no ending there.
-inline std::vector<Ending> endings() {
-  std::vector<Ending> found;
+inline std::vector<EndOfRun> endings() {
+  std::vector<EndOfRun> found;
   for (const std::string_view id :
        {"relaxation", "relaxation_pair", "diethelm", "bagley_torvik", "pendulum", "brusselator", "knife_edge",
         "fractional_constraint_2d", "two_sided_constraint"}) {
@@ -57,14 +57,14 @@ inline double ulps_between(const std::vector<double>& a, const std::vector<doubl
 }
 
 // A file of fde_bits.
-inline std::vector<Ending> read_endings(const std::string& file) {
-  std::vector<Ending> found;
+inline std::vector<EndOfRun> read_endings(const std::string& file) {
+  std::vector<EndOfRun> found;
   std::ifstream table(file);
   for (std::string line; std::getline(table, line);) {
     std::istringstream cells(line);
     std::string scene, scheme, steps, text;
     cells >> scene >> scheme >> steps;
-    Ending ending{fmt::format("{} {} {}", scene, scheme, steps), {}};
+    EndOfRun ending{fmt::format("{} {} {}", scene, scheme, steps), {}};
     while (cells >> text) ending.values.push_back(std::strtod(text.c_str(), nullptr));
     found.push_back(std::move(ending));
   }

@@ -10,7 +10,7 @@
 namespace fde {
 namespace {
 
-const std::vector<Ending>& table() {
+const std::vector<EndOfRun>& table() {
   static const auto read = read_endings(FDE_SOURCE_DIR "/tests/bits.txt");
   return read;
 }

@@ -37,6 +37,21 @@ TEST(Underflow, IsNoFailureOfNewtonsMethod) {
   EXPECT_LT(path.y.cwiseAbs().maxCoeff(), 1e-290);
 }
 
+TEST(Examination, TellsStopsAtASingularityFromWrongOnesAndFromNone) {
+  const auto status = [](const std::map<std::string, double>& values, double until, std::string_view scheme,
+                         int steps) {
+    const Scene scene =
+        make_scene({.maker = &maker("extensible_pendulum"), .values = values, .until = until});
+    TruthTable truth(scene);
+    return examine("label", scene, truth, *find_scheme(scheme), steps).back().status;
+  };
+  const std::map<std::string, double> falls{
+      {"phi0", 0.0}, {"xi0", 3.0}, {"K_over_m", 5.0}, {"g_over_L", 0.1}};
+  EXPECT_EQ(ending_of(status(falls, 2.0, "l1", 1024)), Ending::singular);
+  EXPECT_EQ(status(falls, 2.0, "l1", 1).find("passed a singularity of the solution"), 0U);
+  EXPECT_EQ(status({{"K_over_m", 1e4}}, 1.0, "adams_pc", 100).find("unlike the solution, ran into"), 0U);
+}
+
 class Budget : public testing::TestWithParam<const Scheme*> {};
 
 TEST_P(Budget, OfNoTimeEndsTheRun) {
@@ -53,6 +68,12 @@ INSTANTIATE_TEST_SUITE_P(, Budget,
                                          find_scheme("decoupled_multi_order"),
                                          find_scheme("commensurate_adams_pc")),
                          [](const auto& test) { return std::string(test.param->id); });
+
+TEST(BudgetOfShortRuns, IsLookedAtToo) {
+  const Scene scene = make_scene(maker("relaxation"));
+  EXPECT_EQ(find_scheme("l1")->solve(scene.problem, {1.0, 2}, {.budget = 0.0}).outcome,
+            Outcome::out_of_budget);
+}
 
 TEST(BudgetOfTwoSided, EndsNewtonsMethod) {
   const Scene scene = make_scene(maker("fractional_hamilton"));

@@ -256,7 +256,7 @@ TEST(Sweeps, RecordAMissingReferenceAndGoOn) {
   };
   TruthTable truth(scene);
   for (int repeat = 0; repeat < 2; ++repeat) {
-    const auto rows = examine("brusselator", scene, truth, *find_scheme("l1"), 64).rows;
+    const auto rows = examine("brusselator", scene, truth, *find_scheme("l1"), 64);
     EXPECT_EQ(rows.back().status.substr(0, 14), "no reference: ");
     EXPECT_EQ(std::ranges::count(rows, "rhs_calls", &Record::quantity), 1);  // needs no truth
     EXPECT_EQ(std::ranges::count(rows, "error_end", &Record::quantity), 0);
@@ -266,7 +266,7 @@ TEST(Sweeps, RecordAMissingReferenceAndGoOn) {
 TEST(Sweeps, RecordRefusalsAndFailuresWithTheirReason) {
   const auto outcome = [](const Scene& scene, std::string_view scheme) {
     TruthTable truth(scene);
-    return examine("brusselator", scene, truth, *find_scheme(scheme), 256).rows;
+    return examine("brusselator", scene, truth, *find_scheme(scheme), 256);
   };
   const auto failed = outcome(scene_of("brusselator"), "adams_pc");
   ASSERT_EQ(failed.size(), 1U);

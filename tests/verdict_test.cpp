@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "arguments.hpp"
 #include "trials.hpp"
 
 namespace fde {
@@ -32,8 +33,20 @@ TEST(Verdict, OfEveryEndSaysWhy) {
   const MeasuredRun refused{.status = "refused: takes orders in (0, 2], component 0 has 3"};
   EXPECT_EQ(verdict(refused), Verdict::refuses);
   EXPECT_EQ(because(refused), "takes orders in (0, 2], component 0 has 3");
-  const MeasuredRun unknown{.status = "no reference: the two methods do not agree"};
-  EXPECT_EQ(verdict(unknown), Verdict::unknown);
+  const auto of = [](const char* status) { return verdict({.status = status}); };
+  EXPECT_EQ(of("no reference: the two methods do not agree"), Verdict::unknown);
+  EXPECT_EQ(of("the solution is beyond double at step 3, t = 0.5"), Verdict::unknown);
+  EXPECT_EQ(of("accuracy lost at step 3, t = 0.5"), Verdict::fails);
+  EXPECT_EQ(of("ran into the singularity r = 0 at step 3, t = 0.5"), Verdict::stops);
+  EXPECT_EQ(of("unlike the solution, ran into the singularity r = 0 at step 3, t = 0.5"), Verdict::fails);
+  EXPECT_EQ(of("passed a singularity of the solution (r = 0 at t = 0.5)"), Verdict::fails);
+  EXPECT_EQ(of("finished"), Verdict::unknown) << "without an error";
+}
+
+TEST(Variant, TakesItsEndAnywhere) {
+  const auto variant = parse_variant("pendulum:until=5,beta=0.1");
+  EXPECT_EQ(variant.until, 5.0);
+  EXPECT_EQ(variant.label(), "pendulum:beta=0.1,until=5");
 }
 
 TEST(Trials, AreNamedOnce) {

@@ -66,10 +66,10 @@ class Runs {
   };
 
   Run operator()(const Scheme& scheme, int steps) {
-    const auto examination = examine(label_, scene_, truth_, scheme, steps);
-    Run run{.values = {{"h", examination.rows.back().h}}, .status = {}};
-    if (!examination.finished) run.status = examination.rows.back().status;
-    for (const auto& row : examination.rows) run.values.emplace(row.quantity, row.value);
+    const auto rows = examine(label_, scene_, truth_, scheme, steps);
+    Run run{.values = {{"h", rows.back().h}}, .status = {}};
+    if (!is_compared(ending_of(rows.back().status))) run.status = rows.back().status;
+    for (const auto& row : rows) run.values.emplace(row.quantity, row.value);
     return run;
   }
 
@@ -96,7 +96,7 @@ MadeTable make(const SceneVariant& of) {
     for (const int steps : table_steps) {
       const auto [values, status] = runs(scheme, steps);
       if (!status.empty()) {
-        const bool refused = status.starts_with("refused");
+        const bool refused = ending_of(status) == Ending::refused;
         const std::string id(scheme.id);
         made.left_out.push_back({refused ? id : fmt::format("{}, {} steps", id, steps), status});
         if (refused) break;

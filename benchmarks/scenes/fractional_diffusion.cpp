@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -18,10 +19,12 @@ struct Rod {
   [[nodiscard]] double intervals() const { return points + 1.0; }
   [[nodiscard]] double coupling() const { return diffusivity * intervals() * intervals(); }
 
-  // sin(k pi x_j), its argument reduced in whole numbers.
+  // sin(k pi x_j), its argument reduced in whole numbers to [0, pi/2].
   [[nodiscard]] double mode(int k, int j) const {
-    const int turns = static_cast<int>(static_cast<long>(k) * j % (2L * (points + 1)));
-    return std::sin(std::numbers::pi * turns / intervals());
+    const long half = points + 1, turned = static_cast<long>(k) * j % (2 * half);
+    const long rest = turned % half, angle = std::min(rest, half - rest);
+    const double sine = std::sin(std::numbers::pi * static_cast<double>(angle) / intervals());
+    return turned < half ? sine : -sine;
   }
 
   // -lambda_k, lambda_k = 4 kappa / dx^2 sin^2(k pi dx / 2).

@@ -20,11 +20,13 @@ std::vector<Cell> row(const PageInput& page, const std::vector<std::string>& ste
 
 // Neighbouring step counts that end for the same reason share a row.
 Section failures_section(const PageInput& page) {
-  Section section{.id = "failures",
-                  .title = "Refused and failed",
-                  .paragraphs = {"Every run that did not come to its end, with the reason."},
-                  .table = {.caption = "Refused and failed runs with their reasons",
-                            .columns = {{"scheme"}, {"N"}, {"reason"}}}};
+  Section section{
+      .id = "failures",
+      .title = "Refused and failed",
+      .paragraphs = {"Every run that did not come to its end, or whose end says nothing about the solution, "
+                     "with the reason."},
+      .table = {.caption = "Refused and failed runs with their reasons",
+                .columns = {{"scheme"}, {"N"}, {"reason"}}}};
   for (const RunSpan scene : by_scene(page.runs.failed)) {
     RowGroup group{.title = name_of_scene(scene.front().scene).title};
     for (const RunSpan line : by_line(scene)) {

@@ -64,8 +64,10 @@ Section stability_section(const PageInput& page) {
            "survives when every value at the end is within a hundredth of its size of the "
            "reference, the bound of the reference included; otherwise it is inaccurate. It fails "
            "where it ends early, or where from some step on its error is above the size of the "
-           "value up to the end. Below the verdict: the error at the end as a part of the value, "
-           "from when on rounding is at least half of it, and the time of the solve. Why each "
+           "value up to the end. It stops rightly where the solution has a singularity, and is not "
+           "judged where there is no reference or the solution itself is beyond double. Below the verdict: "
+           "the error at the end as a part of the value, "
+           "from when on rounding is at least a quarter of it, and the time of the solve. Why each "
            "scheme fares as it does: docs/the_stability.md."},
       .table = {.caption = "Verdicts by scene and scheme", .columns = {{"scene"}}}};
   const auto ids = schemes_of(page.trials);

@@ -13,7 +13,7 @@ namespace {
 
 using namespace fde;
 
-void print_distances(const std::vector<Ending>& table) {
+void print_distances(const std::vector<EndOfRun>& table) {
   std::vector<std::pair<double, std::string>> distances;
   const auto here = endings();
   for (std::size_t i = 0; i < std::min(here.size(), table.size()); ++i)

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace fde {
+
+// The solution leaves the domain of its problem before the time asked for.
+struct Singularity : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace fde
