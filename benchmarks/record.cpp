@@ -143,12 +143,11 @@ Stage ResultsFile::stage(const std::string& scene, const std::string& scheme, in
   return found == stages_.end() ? Stage::missing : found->second;
 }
 
-// In files of earlier versions the times stand before the outcome.
+// A time without an examination, as a fault of a sweep would leave it, does not end a run.
 void ResultsFile::note(const Record& row) {
   auto& stage = stages_[{row.scene, row.scheme, row.steps}];
-  const bool untimed = row.quantity == last_row && is_compared(ending_of(row.status)) && stage != Stage::done;
-  if (untimed) stage = Stage::examined;
-  if (is_time(row) || (row.quantity == last_row && !untimed)) stage = Stage::done;
+  if (row.quantity == last_row) stage = is_compared(ending_of(row.status)) ? Stage::examined : Stage::done;
+  if (is_time(row) && stage == Stage::examined) stage = Stage::done;
 }
 
 void ResultsFile::append(const std::vector<Record>& rows) {

@@ -40,9 +40,9 @@ SceneRuns missing_runs(const SceneVariant& variant, const Sweep& sweep, const Sw
 }
 
 // The hooks as threads may call them. A failure to append ends the work of all.
-class Teller {
+class SweepLog {
  public:
-  Teller(const SweepHooks& hooks, std::size_t total) : hooks_(hooks), total_(total) {}
+  SweepLog(const SweepHooks& hooks, std::size_t total) : hooks_(hooks), total_(total) {}
 
   void tell(const SceneRuns& of, const SceneRuns::Run& run, std::string_view what) {
     const std::scoped_lock lock(mutex_);
@@ -56,9 +56,12 @@ class Teller {
   void append(const std::vector<Record>& rows) {
     const std::scoped_lock lock(mutex_);
     if (failed_) return;
-    failed_ = true;
-    hooks_.append(rows);
-    failed_ = false;
+    try {
+      hooks_.append(rows);
+    } catch (...) {
+      failed_ = true;
+      throw;
+    }
   }
   [[nodiscard]] bool failed() const { return failed_; }
 
@@ -69,27 +72,27 @@ class Teller {
   std::atomic<bool> failed_ = false;
 };
 
-void examine_runs(SceneRuns& of, double budget, Teller& teller) {
+void examine_runs(SceneRuns& of, double budget, SweepLog& log) {
   TruthTable truth(of.scene);
   for (auto& run : of.runs) {
-    if (teller.failed()) return;
+    if (log.failed()) return;
     if (run.stage == Stage::examined) {
-      teller.pass(1);
+      log.pass(1);
       continue;
     }
-    teller.tell(of, run, "");
+    log.tell(of, run, "");
     const auto rows = examine(of.label, of.scene, truth, *run.scheme, run.steps, budget);
-    teller.append(rows);
+    log.append(rows);
     run.stage = is_compared(ending_of(rows.back().status)) ? Stage::examined : Stage::done;
-    if (run.stage == Stage::done) teller.pass(1);
+    if (run.stage == Stage::done) log.pass(1);
   }
 }
 
-void time_runs(const SceneRuns& of, int repeats, Teller& teller) {
+void time_runs(const SceneRuns& of, int repeats, SweepLog& log) {
   for (const auto& run : of.runs) {
-    if (run.stage == Stage::done) continue;
-    teller.tell(of, run, ", time");
-    teller.append(time_solves(of.label, of.scene, *run.scheme, run.steps, repeats));
+    if (run.stage != Stage::examined) continue;
+    log.tell(of, run, ", time");
+    log.append(time_solves(of.label, of.scene, *run.scheme, run.steps, repeats));
   }
 }
 
@@ -103,13 +106,12 @@ void run_sweep(const Sweep& sweep, const SweepHooks& hooks) {
     scenes.push_back(missing_runs(variant, sweep, hooks));
     total += 2 * scenes.back().runs.size();
   }
-  Teller teller(hooks, total);
+  SweepLog log(hooks, total);
   const std::size_t batch = std::max(1U, sweep.threads);
   for (std::size_t first = 0; first < scenes.size(); first += batch) {
     const auto some = std::span(scenes).subspan(first, std::min(batch, scenes.size() - first));
-    in_parallel(some.size(), sweep.threads,
-                [&](std::size_t i) { examine_runs(some[i], sweep.budget, teller); });
-    for (const auto& of : some) time_runs(of, sweep.repeats, teller);
+    in_parallel(some.size(), sweep.threads, [&](std::size_t i) { examine_runs(some[i], sweep.budget, log); });
+    for (const auto& of : some) time_runs(of, sweep.repeats, log);
   }
   hooks.progress(total, total, "done");
 }

@@ -1,15 +1,11 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
 #include <sstream>
 
 #include "record.hpp"
 #include "runs.hpp"
-#include "sweep.hpp"
 #include "temporary_folder.hpp"
-#include "testing.hpp"
 
 namespace fde {
 namespace {
@@ -66,11 +62,12 @@ TEST_F(Stages, OfRunsThatDidNotFinishAreDone) {
   EXPECT_EQ(stage(), Stage::done);
 }
 
-TEST_F(Stages, OfEarlierVersionsWithTimesBeforeTheOutcomeAreDone) {
-  ResultsFile(file_).append({row("error_end", 0.1), row("time_minimum", 0.5), row("time_median", 0.6),
-                             row("outcome", 1.0, "finished")});
-  EXPECT_EQ(stage(), Stage::done);
-  EXPECT_EQ(read_results(file_).records.size(), 4U);
+// A continued run examines it, so that the file ends complete.
+TEST_F(Stages, OfATimedRunWithoutAnExaminationIsMissing) {
+  ResultsFile(file_).append(times());
+  EXPECT_EQ(stage(), Stage::missing);
+  ResultsFile(file_).append(examination());
+  EXPECT_EQ(stage(), Stage::examined);
 }
 
 // What a kill leaves is a prefix of the file: the rows of whole writes are kept, whatever they are.
@@ -122,37 +119,6 @@ TEST_F(Stages, ALaterExaminationReplacesTheEarlierWithItsTimes) {
   const Runs runs = runs_of(read_results(file_));
   ASSERT_EQ(runs.finished.size(), 1U);
   EXPECT_EQ(runs.finished[0].values, (decltype(MeasuredRun::values){{"error_end", 0.2}}));
-}
-
-// A continued sweep times what was examined and examines it no more.
-TEST(ContinuedSweeps, TimeWhatIsExamined) {
-  std::vector<Record> rows;
-  run_sweep({.scenes = {{&scene_maker("power")}},
-             .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
-             .steps = {16},
-             .repeats = 1},
-            {.stage = [](const auto&, const auto& scheme,
-                         int) { return scheme == "l1" ? Stage::examined : Stage::missing; },
-             .append = [&](const auto& some) { rows.insert(rows.end(), some.begin(), some.end()); },
-             .progress = [](std::size_t, std::size_t, const auto&) {}});
-  EXPECT_EQ(std::ranges::count(rows, "outcome", &Record::quantity), 1);
-  EXPECT_EQ(std::ranges::count(rows, "time_median", &Record::quantity), 2);
-  EXPECT_EQ(std::ranges::count(rows, "timed", &Record::status), 2);
-}
-
-TEST(Sweeps, TellEachExaminationBeforeTheNextBegins) {
-  std::vector<std::string> events;
-  run_sweep({.scenes = {{&scene_maker("power")}},
-             .schemes = {find_scheme("l1")},
-             .steps = {16, 32},
-             .repeats = 1,
-             .threads = 1},
-            {.stage = [](const auto&, const auto&, int) { return Stage::missing; },
-             .append = [&](const auto& some) { events.push_back(some.back().quantity); },
-             .progress = [&](std::size_t, std::size_t, const auto& what) { events.push_back(what); }});
-  EXPECT_THAT(events, testing::ElementsAre("power l1 N = 16", "outcome", "power l1 N = 32", "outcome",
-                                           "power l1 N = 16, time", "time_median", "power l1 N = 32, time",
-                                           "time_median", "done"));
 }
 
 }  // namespace
