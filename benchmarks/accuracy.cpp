@@ -30,8 +30,9 @@ std::optional<Eigen::Index> accuracy_lost(const Rows& values, const Rows& truth)
   const Eigen::RowVectorXd size = sizes(truth);
   const double infinity = std::numeric_limits<double>::infinity();
   const double least = rounding * (size.array() < infinity).select(size.array(), 0.0).maxCoeff();
+  const Eigen::RowVectorXd error = sizes(values - truth);
   return true_to_the_end(size.array() == infinity ||
-                         sizes(values - truth).array() > size.cwiseMax(least).array());
+                         (error.array() > 0.0 && error.array() >= size.cwiseMax(least).array()));
 }
 
 std::optional<Eigen::Index> rounding_dominates(const Rows& values, const Rows& rounded, const Rows& truth) {

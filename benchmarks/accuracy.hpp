@@ -14,9 +14,9 @@ namespace fde {
 // The first time at which the truth is infinite: no scheme can follow it there. nullopt: there is none.
 std::optional<Eigen::Index> first_beyond_double(const Rows& truth);
 
-// The first time from which on the error |values - truth| is above the size of the value, |truth|, up to the
-// end, or the truth infinite. Errors that are rounding of the largest finite |truth| do not count. nullopt:
-// the accuracy is not lost.
+// The first time from which on the error |values - truth| is not below the size of the value, |truth|, up to
+// the end, or the truth infinite: 0 would be no worse. Errors that are rounding of the largest finite |truth|
+// do not count. nullopt: the accuracy is not lost.
 std::optional<Eigen::Index> accuracy_lost(const Rows& values, const Rows& truth);
 
 // The first time from which on what rounding does, |values - rounded|, is at least a quarter of the

@@ -22,6 +22,11 @@ TEST(Accuracy, IsLostFromWhereTheErrorStaysAboveTheValue) {
   EXPECT_EQ(accuracy_lost(values, ones()), std::nullopt);
 }
 
+TEST(Accuracy, IsLostWhereZeroWouldBeNoWorse) {
+  EXPECT_EQ(accuracy_lost(Rows::Constant(1, 10, 1e-30), ones()), 0);
+  EXPECT_EQ(accuracy_lost(Rows::Zero(1, 10), Rows::Zero(1, 10)), std::nullopt);
+}
+
 TEST(Accuracy, IsNotLostWhereTheValueOnlyPassesThroughZero) {
   Rows truth = Rows::Ones(1, 100), values = truth;
   truth(0, 99) = 0.0;

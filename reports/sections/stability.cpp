@@ -63,7 +63,7 @@ Section stability_section(const PageInput& page) {
           {"What becomes of each scheme where schemes break, all with the same number of steps. A run "
            "survives when every value at the end is within a hundredth of its size of the "
            "reference, the bound of the reference included; otherwise it is inaccurate. It fails "
-           "where it ends early, or where from some step on its error is above the size of the "
+           "where it ends early, or where from some step on its error is not below the size of the "
            "value up to the end. It stops rightly where the solution has a singularity, and is not "
            "judged where there is no reference or the solution itself is beyond double. Below the verdict: "
            "the error at the end as a part of the value, "
