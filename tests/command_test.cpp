@@ -231,6 +231,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "grunwald_letnikov needs a uniform grid, not one graded with 2"},
         Mistake{"solve relaxation --scheme l1 --steps 100000 --grid graded:80",
                 "l1 needs a first step above 1e-290, not 0"},
+        Mistake{"run --trials --steps 64 --out x", "--trials = yes: must be without --scene and --steps"},
         Mistake{"solve power --set gamma=2 --scheme product_trapezoidal --steps 8 --until 1e-170",
                 "product_trapezoidal needs a first step above 1e-145, not 1.25e-171"},
         Mistake{"solve relaxation --scheme l1 --steps 3000000 --at 1 --history direct",

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -31,7 +32,7 @@ Cell cell(const std::vector<MeasuredRun>& runs, const std::string& scene, const 
           .marked = of == Verdict::fails || of == Verdict::inaccurate};
 }
 
-// "5 of 12", and how many it refuses.
+// "5 of 12", and how many it refuses or stops at rightly.
 Cell survivals(const std::vector<MeasuredRun>& runs, const std::string& scheme) {
   std::map<Verdict, int> counts;
   int total = 0;
@@ -40,9 +41,12 @@ Cell survivals(const std::vector<MeasuredRun>& runs, const std::string& scheme) 
     ++counts[verdict(run)];
     ++total;
   }
-  const int refused = counts[Verdict::refuses];
+  std::vector<std::string> others;
+  for (const Verdict of : {Verdict::stops, Verdict::refuses}) {
+    if (counts[of] > 0) others.push_back(fmt::format("{} {}", name(of), counts[of]));
+  }
   return {.text = fmt::format("{} of {}", counts[Verdict::survives], total),
-          .detail = refused > 0 ? fmt::format("refuses {}", refused) : ""};
+          .detail = fmt::format("{}", fmt::join(others, ", "))};
 }
 
 std::vector<Cell> row(const std::vector<MeasuredRun>& runs, const Trial& trial,
@@ -60,15 +64,15 @@ Section stability_section(const PageInput& page) {
       .id = "stability",
       .title = "Stability: stiff and extreme",
       .paragraphs =
-          {"What becomes of each scheme where schemes break, all with the same number of steps. A run "
+          {"What becomes of each scheme where schemes break, each scene with one number of steps. A run "
            "survives when every value at the end is within a hundredth of its size of the "
            "reference, the bound of the reference included; otherwise it is inaccurate. It fails "
            "where it ends early, or where from some step on its error is not below the size of the "
            "value up to the end. It stops rightly where the solution has a singularity, and is not "
-           "judged where there is no reference or the solution itself is beyond double. Below the verdict: "
-           "the error at the end as a part of the value, "
-           "from when on rounding is at least a quarter of it, and the time of the solve. Why each "
-           "scheme fares as it does: docs/the_stability.md."},
+           "judged where there is no reference or the solution itself is beyond double. Below the "
+           "verdict: the error at the end as a part of the value, from when on rounding is at least "
+           "a quarter of it, and the time of the solve. Why each scheme fares as it does: "
+           "docs/the_stability.md."},
       .table = {.caption = "Verdicts by scene and scheme", .columns = {{"scene"}}}};
   const auto ids = schemes_of(page.trials);
   std::vector<Cell> counts{{.text = "survived"}};
