@@ -21,8 +21,7 @@ class Convolutions {
 
   // The diagonal of K, each entry times (1-zeta)^g_i.
   [[nodiscard]] Eigen::VectorXcd at(ComplexValue log_zeta) const {
-    const auto values =
-        by_order([&](const WeightTable& table) { return regular_part(table, log_zeta); });
+    const auto values = by_order([&](const WeightTable& table) { return regular_part(table, log_zeta); });
     return values.cwiseProduct(factors_.cast<ComplexValue>());
   }
 

@@ -61,7 +61,8 @@ TEST_P(Boundary, IsWhereRunsBeginToGrow) {
     for (const double theta : {0.5, 1.5, 2.5}) {
       for (const ComplexValue z : boundary(*GetParam(), order, theta)) {
         for (const double side : {1.0, -1.0}) {
-          const Problem problem = scalar_equation(order, z + side * across(*GetParam(), order, theta, z, 0.01));
+          const Problem problem =
+              scalar_equation(order, z + side * across(*GetParam(), order, theta, z, 0.01));
           const bool expected = stable(*GetParam(), problem, 1.0);
           const Late x = late(*GetParam(), problem, 1.0, 4000);
           EXPECT_TRUE(expected ? decays(x) : grows(x)) << order << ' ' << theta << ' ' << side;
@@ -84,7 +85,7 @@ TEST(Chain, LargestStableStepIsWhereRunsBeginToGrow) {
                  {{"alpha", orders.first}, {"beta", orders.second}, {"mu", 1.0}, {"nu", 1.0}})
             .problem;
     const Scheme& scheme = *find_scheme("decoupled_multi_order");
-    const double h = largest_stable_step(scheme, problem, 1e-2, 10.0);
+    const double h = largest_stable_step(scheme, problem, 0.1, 10.0);
     EXPECT_TRUE(decays(late(scheme, problem, 0.98 * h, 6000))) << orders.first;
     EXPECT_TRUE(grows(late(scheme, problem, 1.02 * h, 6000))) << orders.first;
   }

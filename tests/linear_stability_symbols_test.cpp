@@ -70,8 +70,7 @@ TEST(GeneratingFunction, InsideTheCircleIsThePowerSeries) {
     for (const double order : all_orders()) {
       if (family == WeightFamily::l1 && order > 1.0) continue;
       const WeightTable table{family, order};
-      for (const Value mu :
-           {Value{-0.65, 0.3}, {-0.65, 2.9}, {-0.2, 0.0}, {-0.2, 1.0}, {-0.2, pi}}) {
+      for (const Value mu : {Value{-0.65, 0.3}, {-0.65, 2.9}, {-0.2, 0.0}, {-0.2, 1.0}, {-0.2, pi}}) {
         Value sum = family == WeightFamily::rectangle ? 0.0 : 1.0;
         double size = 1.0;
         for (int k = 1; k < 250; ++k) {

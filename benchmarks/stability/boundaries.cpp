@@ -37,8 +37,8 @@ void print(const Scheme& scheme, double order, std::string_view line, int piece,
 // The angles, denser at both ends.
 double angle(double f) { return pi * f * f * f * (4.0 - 3.0 * f) + 1e-6 * (1.0 - f); }
 
-// The last angle of a piece, between one inside it and one outside, by bisection; z, the value inside, becomes
-// that of the result.
+// The last angle of a piece, between one inside it and one outside, by bisection; z, the value inside,
+// becomes that of the result.
 double end_of_piece(const Scheme& scheme, double order, double inside, double outside, ComplexValue& z) {
   for (int halving = 0; halving < 8; ++halving) {
     const double middle = 0.5 * (inside + outside);
@@ -64,8 +64,8 @@ void print_curve(const Scheme& scheme, double order, int points, ComplexValue z,
     if (divided && !inside) ++piece;
     if (divided != inside && i < points) {
       ComplexValue end = divided ? z : before;
-      const double at =
-          divided ? end_of_piece(scheme, order, theta, last, end) : end_of_piece(scheme, order, last, theta, end);
+      const double at = divided ? end_of_piece(scheme, order, theta, last, end)
+                                : end_of_piece(scheme, order, last, theta, end);
       print(scheme, order, "boundary", piece, at, end);
     }
     if (divided) print(scheme, order, "boundary", piece, theta, z);

@@ -40,8 +40,7 @@ void print_intervals() {
       if (std::isinf(x)) {
         fmt::print(" | –");
       } else {
-        fmt::print(" | {:.2g}, {:.2g}", growth(id, order, 0.999 * x),
-                   growth(id, order, 1.001 * x));
+        fmt::print(" | {:.2g}, {:.2g}", growth(id, order, 0.999 * x), growth(id, order, 1.001 * x));
       }
     }
     fmt::print(" |\n");
