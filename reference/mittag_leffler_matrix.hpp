@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "mittag_leffler.hpp"
+#include "problem.hpp"
 
 namespace fde {
-
-using ComplexMatrix = Eigen::MatrixXcd;
 
 // A matrix with a bound of the error of each entry.
 struct MatrixValue {

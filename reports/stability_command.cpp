@@ -8,6 +8,7 @@
 
 #include "arguments.hpp"
 #include "command.hpp"
+#include "scalar_equation.hpp"
 #include "stability_region.hpp"
 
 namespace fde {
@@ -34,10 +35,10 @@ std::vector<const Scheme*> schemes_of(const Arguments& arguments, double gamma) 
 
 std::string region_row(const Scheme& scheme, double gamma) {
   constexpr int steps = 100;
-  const double left = response_at_infinity(scheme, gamma, steps)[steps];
+  const auto response = response_at_infinity(scheme, gamma, steps);
   return fmt::format("{},{:.10g},{:.10g},{:.10g},{}\n", scheme.id, real_interval(scheme, gamma),
                      stability_angle(scheme, gamma) / degree, 180.0 - 90.0 * gamma,
-                     std::isnan(left) ? "" : fmt::format("{:.3g}", std::abs(left)));
+                     response ? fmt::format("{:.3g}", std::abs((*response)[steps])) : "");
 }
 
 std::string boundary_rows(const Scheme& scheme, double gamma, int points) {

@@ -66,32 +66,32 @@ ComplexValue scaled_polylogarithm(double s, ComplexValue mu) {
   return std::tgamma(1.0 - s) * (1.0 + power * sum);
 }
 
-ComplexValue power_series(const WeightTable& table, ComplexValue zeta) {
-  constexpr double negligible = 1e-18;
-  ComplexValue sum = table.family == WeightFamily::rectangle ? 0.0 : 1.0, power = zeta;
-  for (std::int64_t k = 1; std::abs(power) > negligible * std::abs(zeta); ++k, power *= zeta)
-    sum += weight(table, k) * power;
-  return sum;
-}
-
 }  // namespace
 
+ComplexValue difference_power(double order, ComplexValue log_zeta) {
+  return std::pow(-exp_minus_one(log_zeta), order);
+}
+
 ComplexValue generating_function(const WeightTable& table, ComplexValue log_zeta) {
-  constexpr double near_the_origin = -0.7;  // log |zeta|: there the sum over k cancels
+  const ComplexValue regular = regular_part(table, log_zeta);
+  if (table.family == WeightFamily::l1) return difference_power(table.order - 1.0, log_zeta) / regular;
+  return difference_power(-table.order, log_zeta) * regular;
+}
+
+ComplexValue regular_part(const WeightTable& table, ComplexValue log_zeta) {
   const double g = table.order;
   const ComplexValue mu = log_zeta, zeta = std::exp(mu);
-  if (table.family == WeightFamily::grunwald_letnikov) return std::pow(-exp_minus_one(mu), -g);
-  if (mu.real() < near_the_origin) return power_series(table, zeta);
+  // Next to (1-zeta)^g and (-mu)^g, whose arguments are within a right angle, a power of this has no jump.
   const ComplexValue ratio = exp_minus_one(mu) / mu;
   switch (table.family) {
     case WeightFamily::rectangle:
-      return ratio * std::pow(-mu, -g) * scaled_polylogarithm(-g, mu);
+      return std::pow(ratio, 1.0 + g) * scaled_polylogarithm(-g, mu);
     case WeightFamily::trapezoid:
-      return ratio * ratio / zeta * std::pow(-mu, -g) * scaled_polylogarithm(-g - 1.0, mu);
+      return std::pow(ratio, 2.0 + g) / zeta * scaled_polylogarithm(-g - 1.0, mu);
     case WeightFamily::l1:
-      return ratio / zeta * std::pow(-mu, g - 1.0) * scaled_polylogarithm(g - 1.0, mu);
+      return std::pow(ratio, g - 2.0) * zeta / scaled_polylogarithm(g - 1.0, mu);
     case WeightFamily::grunwald_letnikov:
-      break;
+      return 1.0;
   }
   std::abort();
 }

@@ -33,53 +33,72 @@ class Contour {
     return {0.0, std::min(radius_ * std::exp(p), std::numbers::pi)};
   }
 
-  // det M without its singularity at zeta = 1: times (1 - zeta)^(sum of the orders), which has no zero
-  // inside.
-  [[nodiscard]] ComplexValue determinant(const Symbol& symbol, double p) const {
-    const ComplexValue log_zeta = at(p);
-    const ComplexMatrix m = symbol(log_zeta);
-    const ComplexValue det = m.rows() == 1 ? m(0, 0) : m.partialPivLu().determinant();
-    return det / generating_function({WeightFamily::grunwald_letnikov, total_order_}, log_zeta);
-  }
+  [[nodiscard]] double total_order() const { return total_order_; }
 
  private:
   double total_order_ = 0.0, radius_;
 };
 
-// How far the argument of a function turns along the path, in steps so short that each changes the function
-// by less than half of it; not finite when there are none, next to a zero.
+// log det, up to multiples of 2 pi i; not finite, with a real part of -infinity, where det is 0.
+ComplexValue log_determinant(const ComplexMatrix& matrix) {
+  if (!matrix.allFinite()) throw std::runtime_error("linear stability: the symbol is beyond double");
+  const Eigen::PartialPivLU<ComplexMatrix> lu(matrix);
+  const double sign = lu.permutationP().determinant() > 0 ? 0.0 : std::numbers::pi;
+  ComplexValue sum{0.0, sign};
+  for (const ComplexValue pivot : lu.matrixLU().diagonal()) sum += std::log(pivot);
+  return sum;
+}
+
+// How far the argument of det S turns along the path, in pieces that change it by less than half of it; not
+// finite when there are none, next to a zero.
 class Turn {
  public:
   Turn(const Symbol& symbol, const Contour& contour) : symbol_(symbol), contour_(contour) {}
 
   [[nodiscard]] double total() const {
-    constexpr double step = 0.25;
+    // As a product of powers (1-zeta)^g_i the determinant may turn by the sum of the orders per unit: short
+    // enough that a piece cannot hide a whole turn of these.
+    const double step = 0.25 / std::max(1.0, contour_.total_order());
     const double length = contour_.end() - Contour::begin;
     const int pieces = static_cast<int>(std::ceil(length / step));
-    double turn = 0.0, p = Contour::begin;
-    ComplexValue value = at(p);
+    double turn = 0.0;
+    Point last = at(Contour::begin);
     for (int i = 1; i <= pieces; ++i) {
-      const double next = Contour::begin + length * i / pieces;
-      const ComplexValue there = at(next);
-      turn += between(p, value, next, there, 0);
+      const Point next = at(Contour::begin + length * i / pieces);
+      turn += between(last, next, 0);
       if (std::isnan(turn)) return turn;
-      p = next;
-      value = there;
+      last = next;
     }
     return turn;
   }
 
  private:
-  [[nodiscard]] ComplexValue at(double p) const { return contour_.determinant(symbol_, p); }
+  struct Point {
+    double p;
+    ComplexValue log_determinant;
+  };
 
-  [[nodiscard]] double between(double a, ComplexValue at_a, double b, ComplexValue at_b, int depth) const {
+  [[nodiscard]] Point at(double p) const { return {p, log_determinant(symbol_(contour_.at(p)))}; }
+
+  // Value at b by value at a.
+  static ComplexValue ratio(const Point& a, const Point& b) {
+    return std::exp(b.log_determinant - a.log_determinant);
+  }
+
+  static bool close(const Point& a, const Point& b) {
+    const ComplexValue r = ratio(a, b);
+    return std::abs(r - 1.0) < 0.5 * std::min(1.0, std::abs(r));
+  }
+
+  // The point in the middle tells a piece over which nothing changes from one that comes back.
+  [[nodiscard]] double between(const Point& a, const Point& b, int depth) const {
     constexpr int deepest = 40;
-    if (depth == deepest || at_a == 0.0 || at_b == 0.0) return NAN;
-    if (std::abs(at_b - at_a) < 0.5 * std::min(std::abs(at_a), std::abs(at_b))) return std::arg(at_b / at_a);
-    const double middle = 0.5 * (a + b);
-    const ComplexValue value = at(middle);
-    const double first = between(a, at_a, middle, value, depth + 1);
-    return std::isnan(first) ? first : first + between(middle, value, b, at_b, depth + 1);
+    if (depth == deepest || std::isinf(a.log_determinant.real()) || std::isinf(b.log_determinant.real()))
+      return NAN;
+    const Point middle = at(0.5 * (a.p + b.p));
+    if (close(a, b) && close(a, middle) && close(middle, b)) return std::arg(ratio(a, b));
+    const double first = between(a, middle, depth + 1);
+    return std::isnan(first) ? first : first + between(middle, b, depth + 1);
   }
 
   const Symbol& symbol_;
@@ -93,7 +112,7 @@ Symbol symbol_of(const Scheme& scheme, const Problem& problem, double length) {
     throw std::invalid_argument(fmt::format("linear stability of {}: {}", scheme.id, reason));
   };
   if (!scheme.symbol) reject("the scheme has no symbol");
-  if (!problem.linear_part) reject("the problem has no linear_part");
+  if (!linear(problem)) reject("the problem has no linear part");
   if (two_sided(problem)) reject("the problem is posed at both ends");
   if (std::ranges::any_of(problem.components, algebraic)) reject("the problem has an algebraic row");
   if (const auto reason = refusal(scheme, problem, {length, 1})) reject(*reason);
@@ -102,8 +121,9 @@ Symbol symbol_of(const Scheme& scheme, const Problem& problem, double length) {
 
 std::optional<int> growing_modes(const Scheme& scheme, const Problem& problem, double length) {
   const Symbol symbol = symbol_of(scheme, problem, length);
+  const Contour contour(problem);
   // The other half of the contour turns as far, A being real.
-  const double zeros = Turn(symbol, Contour(problem)).total() / std::numbers::pi;
+  const double zeros = Turn(symbol, contour).total() / std::numbers::pi;
   if (!std::isfinite(zeros)) return std::nullopt;
   return static_cast<int>(std::lround(zeros));
 }
@@ -125,18 +145,6 @@ double largest_stable_step(const Scheme& scheme, const Problem& problem, double 
     (stable(scheme, problem, middle) ? low : high) = middle;
   }
   return low;
-}
-
-Problem scalar_equation(double order, ComplexValue rate, double end) {
-  const bool real = rate.imag() == 0.0;
-  const double x = rate.real(), y = rate.imag();
-  const Matrix matrix = real ? Matrix::Constant(1, 1, x) : (Matrix(2, 2) << x, -y, y, x).finished();
-  std::vector<double> start(initial_count(order), 0.0);
-  start.front() = 1.0;
-  return {.components = std::vector<Component>(real ? 1 : 2, {order, start}),
-          .rhs = [=](double, In u, Out f) { f = matrix * u; },
-          .linear_part = matrix,
-          .end = end};
 }
 
 }  // namespace fde

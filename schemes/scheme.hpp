@@ -51,7 +51,7 @@ struct Scheme {
   std::function<Trajectory(const Problem&, const Grid&, const Options&)> solve;
   // A reason of its own to refuse, beyond its needs; empty function: none.
   std::function<std::optional<std::string>(const Problem&)> refuses{};
-  // Its symbol with steps of this length and one correction. The problem has a linear_part, no algebraic
+  // Its symbol with steps of this length and one correction. The problem is linear, has no algebraic
   // rows, no right derivatives, and is not refused.
   std::function<Symbol(const Problem&, double length)> symbol{};
 };

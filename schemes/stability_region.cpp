@@ -7,13 +7,15 @@
 #include <limits>
 #include <numbers>
 
+#include "scalar_equation.hpp"
+
 namespace fde {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// det M = 1 + linear z + square z^2 at one point. Where z enters by one entry of A, each
-// product with A raises the degree by one.
+// The determinant 1 + linear z + square z^2 of the symbol before its columns are multiplied, at one point.
+// Where z enters by one entry of A, each product with A raises the degree by one.
 struct Characteristic {
   ComplexValue linear, square;
 };
@@ -23,16 +25,20 @@ class ScalarSymbol {
   ScalarSymbol(const Scheme& scheme, double order)
       : plus_(symbol_of(scheme, scalar_equation(order, 1.0), 1.0)),
         minus_(symbol_of(scheme, scalar_equation(order, -1.0), 1.0)),
+        order_(order),
         implicit_(scheme.needs.implicit) {}
 
   [[nodiscard]] Characteristic at(double theta) const { return at(ComplexValue{0.0, theta}); }
   [[nodiscard]] Characteristic at(ComplexValue log_zeta) const {
-    const ComplexValue plus = plus_(log_zeta).determinant(), minus = minus_(log_zeta).determinant();
+    const ComplexValue power = difference_power(order_, log_zeta);
+    const ComplexValue plus = plus_(log_zeta).determinant() / power,
+                       minus = minus_(log_zeta).determinant() / power;
     return {0.5 * (plus - minus), implicit_ ? 0.0 : 0.5 * (plus + minus) - 1.0};
   }
 
  private:
   Symbol plus_, minus_;
+  double order_;
   bool implicit_;
 };
 
@@ -58,12 +64,14 @@ double crossed_at(const Characteristic& p) {
   return p.square == 0.0 ? 1.0 / p.linear.real() : p.linear.imag() / p.square.imag();
 }
 
-// Angles from which on there is a sign to be seen, as logarithms: below, rounding hides Im of det M / |det
-// M|.
+// Angles up to pi, 2 % apart, from where on there is a sign to be seen: below, rounding hides the imaginary
+// part of the determinant.
 struct Angles {
-  static constexpr double lowest = -20.0;
-  static constexpr int count = 1058;
-  static double at(int i) { return std::min(pi, std::exp(lowest + (std::log(pi) - lowest) * i / count)); }
+  static constexpr double lowest = -20.0, step = 0.02;  // of the logarithm
+  int count = static_cast<int>(std::ceil((std::log(pi) - lowest) / step));
+  [[nodiscard]] double at(int i) const {
+    return std::min(pi, std::exp(lowest + (std::log(pi) - lowest) * i / count));
+  }
 };
 
 // Of the roots at a real zeta those on the negative axis, as x = -z.
@@ -78,12 +86,13 @@ std::vector<double> negative_roots(const Characteristic& p) {
 // All x > 0 at which the boundary may cross -x, increasing: at zeta = -1, at zeta = 1, to which a prediction
 // leads where det(I + k A) = 0, and in between.
 std::vector<double> crossings(const ScalarSymbol& symbol) {
+  const Angles angles;
   constexpr double to_one = -1e-13;  // log zeta; 1 itself is a pole
   std::vector<double> found = negative_roots(symbol.at(pi));
   std::ranges::copy(negative_roots(symbol.at(ComplexValue(to_one))), std::back_inserter(found));
-  double low = Angles::at(0), at_low = crossing(symbol.at(low));
-  for (int i = 1; i < Angles::count; ++i) {
-    double a = low, high = Angles::at(i);
+  double low = angles.at(0), at_low = crossing(symbol.at(low));
+  for (int i = 1; i < angles.count; ++i) {
+    double a = low, high = angles.at(i);
     const double at_high = crossing(symbol.at(high));
     if (std::signbit(at_low) != std::signbit(at_high)) {
       for (double b = high; b - a > 1e-15 * b;) {
@@ -126,21 +135,21 @@ double real_interval(const Scheme& scheme, double order) {
 double stability_angle(const Scheme& scheme, double order) {
   if (std::isfinite(real_interval(scheme, order))) return 0.0;
   const ScalarSymbol symbol(scheme, order);
+  const Angles angles;
   double angle = pi - 0.5 * order * pi;  // where the boundary starts, theta -> 0
-  for (int i = 0; i <= Angles::count; ++i) {
-    for (const ComplexValue z : roots(symbol.at(Angles::at(i))))
+  for (int i = 0; i <= angles.count; ++i) {
+    for (const ComplexValue z : roots(symbol.at(angles.at(i))))
       angle = std::min(angle, std::abs(std::arg(-z)));
   }
   return angle;
 }
 
-Vec response_at_infinity(const Scheme& scheme, double order, int steps) {
+std::optional<Vec> response_at_infinity(const Scheme& scheme, double order, int steps) {
   // A rate beside which 1 is nothing: the limit itself, to rounding.
   constexpr double infinite = -1e100;
   const Problem problem = scalar_equation(order, infinite, steps);
   symbol_of(scheme, problem, 1.0);
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (!scheme.needs.implicit) return Vec::Constant(steps + 1, none);
+  if (!scheme.needs.implicit) return std::nullopt;
   const Rows y = scheme.solve(problem, {problem.end, steps}, {}).y;
   Vec response = Vec::Constant(steps + 1, std::numeric_limits<double>::infinity());
   // What is left of the order of 1/z.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "growing_modes.hpp"
@@ -11,8 +12,8 @@ namespace fde {
 // std::invalid_argument as growing_modes does.
 
 // Where a mode stands at zeta = e^(i theta), 0 < theta <= pi: one z for an implicit rule, two, either of
-// which may be a boundary, for one with a prediction (det M is a polynomial of that degree in z, for split
-// schemes too). The values at -theta are the conjugates.
+// which may be a boundary, for one with a prediction (the determinant of the symbol is a polynomial of
+// that degree in z, for split schemes too). The values at -theta are the conjugates.
 std::vector<ComplexValue> boundary(const Scheme& scheme, double order, double theta);
 
 // The largest x such that -x' is stable for all 0 < x' < x; infinity when all are.
@@ -23,8 +24,8 @@ double real_interval(const Scheme& scheme, double order);
 double stability_angle(const Scheme& scheme, double order);
 
 // y_n / y_0 in the limit z -> -infinity, n = 0 ... steps, with h fixed: what is left of a transient that is
-// infinitely fast. NaN for schemes with a prediction, which have no limit; infinity from where it is beyond
-// double. y'(0) = 0 for orders above 1.
-Vec response_at_infinity(const Scheme& scheme, double order, int steps);
+// infinitely fast; infinity from where it is beyond double. nullopt: a scheme with a prediction, which has no
+// limit. y'(0) = 0 for orders above 1.
+std::optional<Vec> response_at_infinity(const Scheme& scheme, double order, int steps);
 
 }  // namespace fde

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scalar_equation.hpp"
 #include "stability_region.hpp"
 #include "testing.hpp"
 
@@ -16,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const Scheme& scheme(std::string_view id) { return *find_scheme(id); }
 
-// Lubich 1986 for the convolution quadratures, Lubich 1985 for the product rules.
+// Lubich, IMA J. Numer. Anal. 6 (1986); see the_stability.md, section 7.
 TEST(StabilityRegion, OfImplicitRulesUpToOrderOneHoldsTheSector) {
   for (const auto* id : {"l1", "grunwald_letnikov", "product_trapezoidal"}) {
     for (const double order : {0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 1.0}) {
@@ -118,24 +119,24 @@ TEST(StabilityRegion, StepAndRateEnterAsOneNumber) {
 // The trapezoidal rule weighs f_0, whatever has become of it: from R = -S/W,
 //   y_n / y_0 -> zeta(-g) sin(pi g)/pi n^(-1-g);  zeta(-1/2) = -0.2078862249773545.
 TEST(ResponseAtInfinity, OfTheTrapezoidalRuleDecaysSlowly) {
-  const Vec y = response_at_infinity(scheme("product_trapezoidal"), 0.5, 4000);
+  const Vec y = response_at_infinity(scheme("product_trapezoidal"), 0.5, 4000).value();
   EXPECT_NEAR(y[1], -0.5, 1e-14);
   EXPECT_NEAR(y[4000] * std::pow(4000.0, 1.5), -0.2078862249773545 / pi, 1e-4);
-  EXPECT_NEAR(response_at_infinity(scheme("product_trapezoidal"), 1.0, 9)[9], -1.0, 1e-14);
-  EXPECT_GT(std::abs(response_at_infinity(scheme("product_trapezoidal"), 1.2, 10)[10]), 20.0);
+  EXPECT_NEAR(response_at_infinity(scheme("product_trapezoidal"), 1.0, 9).value()[9], -1.0, 1e-14);
+  EXPECT_GT(std::abs(response_at_infinity(scheme("product_trapezoidal"), 1.2, 10).value()[10]), 20.0);
 }
 
 TEST(ResponseAtInfinity, OfTheFirstOrderRulesIsZero) {
   for (const auto* id : {"l1", "grunwald_letnikov"}) {
     for (const double order : {0.1, 0.9, 1.5})
-      EXPECT_EQ(response_at_infinity(scheme(id), order, 10).tail(10).cwiseAbs().maxCoeff(), 0.0) << id;
+      EXPECT_EQ(response_at_infinity(scheme(id), order, 10)->tail(10).cwiseAbs().maxCoeff(), 0.0) << id;
   }
-  EXPECT_TRUE(std::isnan(response_at_infinity(scheme("adams_pc"), 0.5, 3)[1]));
+  EXPECT_FALSE(response_at_infinity(scheme("adams_pc"), 0.5, 3).has_value());
 }
 
 TEST(GrowingModes, RefusesWhatHasNoSymbol) {
   const auto& l1 = scheme("l1");
-  expect_message([&] { growing_modes(l1, scene_of("brusselator").problem, 0.1); }, "no linear_part");
+  expect_message([&] { growing_modes(l1, scene_of("brusselator").problem, 0.1); }, "no linear part");
   expect_message(
       [&] {
         growing_modes(l1, scene_of("fractional_constraint_2d", {{"formulation", 3}}).problem, 0.1);

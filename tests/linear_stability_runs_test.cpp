@@ -2,30 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include "scalar_equation.hpp"
+#include "stability/across.hpp"
+#include "stability/late.hpp"
 #include "stability_region.hpp"
 #include "testing.hpp"
 
 namespace fde {
 namespace {
 
-// The largest |y| late in the run, and late against earlier; infinite when the run blew up.
-struct Late {
-  double size, growth;
-};
-
-Late late(const Scheme& scheme, const Problem& problem, double length, int steps) {
-  Problem longer = problem;
-  longer.end = length * steps;
-  const Rows y = scheme.solve(longer, {longer.end, steps}, {}).y;
-  if (y.cols() <= steps) return {INFINITY, INFINITY};
-  const auto size = [&](int begin) { return y.middleCols(begin, steps / 5).cwiseAbs().maxCoeff(); };
-  return {size(steps - steps / 5), size(steps - steps / 5) / size(steps / 2)};
-}
-
-// Above order 1.8 rounding stops the decay at about 1e-8.
+// Above order 1.8 rounding stops the decay at about 1e-9.
 bool decays(const Late& x) { return x.size < 1e-6 || (x.size < 1.0 && x.growth < 1.0); }
 bool grows(const Late& x) { return x.growth > 1.1; }
 
@@ -67,21 +55,14 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Interval,
 // Complex rates on both sides of the boundary. Which side is which is for growing_modes to say.
 class Boundary : public testing::TestWithParam<const Scheme*> {};
 
-// A step across the boundary at z, of one hundredth of |z|.
-ComplexValue across(const Scheme& scheme, double order, double theta, ComplexValue z) {
-  const auto on_boundary = boundary(scheme, order, theta + 1e-3);
-  const auto nearest =
-      std::ranges::min(on_boundary, {}, [&](ComplexValue other) { return std::abs(other - z); });
-  return ComplexValue(0.0, 0.01 * std::abs(z)) * (nearest - z) / std::abs(nearest - z);
-}
-
 TEST_P(Boundary, IsWhereRunsBeginToGrow) {
   int decaying = 0, growing = 0;
   for (const double order : {0.3, 0.7, 1.3}) {
     for (const double theta : {0.5, 1.5, 2.5}) {
       for (const ComplexValue z : boundary(*GetParam(), order, theta)) {
         for (const double side : {1.0, -1.0}) {
-          const Problem problem = scalar_equation(order, z + side * across(*GetParam(), order, theta, z));
+          const Problem problem =
+              scalar_equation(order, z + side * across(*GetParam(), order, theta, z, 0.01));
           const bool expected = stable(*GetParam(), problem, 1.0);
           const Late x = late(*GetParam(), problem, 1.0, 4000);
           EXPECT_TRUE(expected ? decays(x) : grows(x)) << order << ' ' << theta << ' ' << side;
@@ -104,7 +85,7 @@ TEST(Chain, LargestStableStepIsWhereRunsBeginToGrow) {
                  {{"alpha", orders.first}, {"beta", orders.second}, {"mu", 1.0}, {"nu", 1.0}})
             .problem;
     const Scheme& scheme = *find_scheme("decoupled_multi_order");
-    const double h = largest_stable_step(scheme, problem, 1e-2, 10.0);
+    const double h = largest_stable_step(scheme, problem, 0.1, 10.0);
     EXPECT_TRUE(decays(late(scheme, problem, 0.98 * h, 6000))) << orders.first;
     EXPECT_TRUE(grows(late(scheme, problem, 1.02 * h, 6000))) << orders.first;
   }

@@ -70,8 +70,7 @@ TEST(GeneratingFunction, InsideTheCircleIsThePowerSeries) {
     for (const double order : all_orders()) {
       if (family == WeightFamily::l1 && order > 1.0) continue;
       const WeightTable table{family, order};
-      for (const Value mu :
-           {Value{-0.65, 0.3}, {-0.65, 2.9}, {-0.2, 0.0}, {-0.2, 1.0}, {-0.2, pi}, {-3.0, 1.0}}) {
+      for (const Value mu : {Value{-0.65, 0.3}, {-0.65, 2.9}, {-0.2, 0.0}, {-0.2, 1.0}, {-0.2, pi}}) {
         Value sum = family == WeightFamily::rectangle ? 0.0 : 1.0;
         double size = 1.0;
         for (int k = 1; k < 250; ++k) {
@@ -92,7 +91,7 @@ TEST(GeneratingFunction, NextToOneIsThatOfTheIntegral) {
          {WeightFamily::rectangle, WeightFamily::trapezoid, WeightFamily::grunwald_letnikov}) {
       const WeightTable table{family, order};
       EXPECT_LT(relative(step_factor(table, 1.0) * generating_function(table, mu), std::pow(-mu, -order)),
-                order < 0.05 ? 1e-1 : 1e-13);
+                1e-13);
     }
   }
 }

@@ -10,10 +10,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "across.hpp"
+#include "scalar_equation.hpp"
 #include "stability_region.hpp"
 
 namespace {
@@ -21,14 +22,11 @@ namespace {
 using namespace fde;
 constexpr double pi = std::numbers::pi;
 
-bool divides(const Scheme& scheme, double order, ComplexValue z) {
-  constexpr double aside = 1e-3;
-  // Across the curve, whichever way it runs.
-  const ComplexValue out = std::polar(aside * std::abs(z), 0.3 + std::arg(z));
+// Whether stability ends on the curve at z, its value at this theta.
+bool divides(const Scheme& scheme, double order, double theta, ComplexValue z) {
+  const ComplexValue out = across(scheme, order, theta, z, 1e-3);
   const auto is_stable = [&](ComplexValue at) { return stable(scheme, scalar_equation(order, at), 1.0); };
-  const bool there = is_stable(z + out);
-  constexpr std::array<ComplexValue, 3> turns{{{-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};
-  return std::ranges::any_of(turns, [&](ComplexValue turn) { return is_stable(z + turn * out) != there; });
+  return is_stable(z + out) != is_stable(z - out);
 }
 
 void print(const Scheme& scheme, double order, std::string_view line, int piece, double theta,
@@ -39,37 +37,36 @@ void print(const Scheme& scheme, double order, std::string_view line, int piece,
 // The angles, denser at both ends.
 double angle(double f) { return pi * f * f * f * (4.0 - 3.0 * f) + 1e-6 * (1.0 - f); }
 
-// The root of the boundary that continues z.
-ComplexValue nearest(const std::vector<ComplexValue>& roots, ComplexValue z) {
-  return std::ranges::min(roots, {}, [&](ComplexValue root) { return std::abs(root - z); });
+// The last angle of a piece, between one inside it and one outside, by bisection; z, the value inside,
+// becomes that of the result.
+double end_of_piece(const Scheme& scheme, double order, double inside, double outside, ComplexValue& z) {
+  for (int halving = 0; halving < 8; ++halving) {
+    const double middle = 0.5 * (inside + outside);
+    const ComplexValue there = nearest(boundary(scheme, order, middle), z);
+    if (divides(scheme, order, middle, there)) {
+      inside = middle;
+      z = there;
+    } else {
+      outside = middle;
+    }
+  }
+  return inside;
 }
 
 // One curve, from a root at the last angle, zeta = -1, down to zeta = 1.
 void print_curve(const Scheme& scheme, double order, int points, ComplexValue z, int& piece) {
   bool inside = false;  // a piece
   for (int i = points; i >= 0; --i) {
-    const double theta = angle(static_cast<double>(i) / points);
+    const double theta = angle(static_cast<double>(i) / points), last = angle((i + 1.0) / points);
     const ComplexValue before = z;
     z = nearest(boundary(scheme, order, theta), z);
-    const bool divided = scheme.needs.implicit || divides(scheme, order, z);
+    const bool divided = scheme.needs.implicit || divides(scheme, order, theta, z);
+    if (divided && !inside) ++piece;
     if (divided != inside && i < points) {
-      double in = divided ? theta : angle((i + 1.0) / points),
-             out = divided ? angle((i + 1.0) / points) : theta;
       ComplexValue end = divided ? z : before;
-      for (int halving = 0; halving < 8; ++halving) {
-        const double middle = 0.5 * (in + out);
-        const ComplexValue there = nearest(boundary(scheme, order, middle), end);
-        if (divides(scheme, order, there)) {
-          in = middle;
-          end = there;
-        } else {
-          out = middle;
-        }
-      }
-      if (divided) ++piece;
-      print(scheme, order, "boundary", piece, in, end);
-    } else if (divided && !inside) {
-      ++piece;
+      const double at = divided ? end_of_piece(scheme, order, theta, last, end)
+                                : end_of_piece(scheme, order, last, theta, end);
+      print(scheme, order, "boundary", piece, at, end);
     }
     if (divided) print(scheme, order, "boundary", piece, theta, z);
     inside = divided;

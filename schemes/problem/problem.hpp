@@ -11,6 +11,7 @@ namespace fde {
 
 using Vec = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
+using ComplexMatrix = Eigen::MatrixXcd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using In = const Eigen::Ref<const Vec>&;
 using Out = Eigen::Ref<Vec>;
