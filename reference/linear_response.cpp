@@ -84,16 +84,30 @@ void LinearResponse<Real>::add_nodes(LinearValues<Real>& values, const Contour<R
   }
 }
 
+// log s* + log t may be what is left of two large logarithms, each rounded: e^p would amplify that. One
+// Newton step on the scaled denominator, where nothing large cancels, leaves only what its own evaluation is
+// off by.
+template <class Real>
+typename LinearResponse<Real>::Pole LinearResponse<Real>::at_pole(const Complex<Real>& estimate) {
+  using std::exp;
+  const Complex<Real> rough = exp(estimate);
+  evaluate(estimate, rough);
+  const Complex<Real> step = characteristic_.value / slope(), log = estimate - step;
+  const Complex<Real> pole = rough - rough * step;
+  evaluate(log, pole);
+  const Complex<Real> slope = this->slope();
+  return {log, pole, slope, 1 + size_of(log) + characteristic_.error / size_of(slope)};
+}
+
 // Simple pole: Res(e^p N/P) = e^p N / P', times the factor of the contour.
 template <class Real>
-void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex<Real>& log_pole,
+void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex<Real>& estimate,
                                        const Contour<Real>& contour, const Real& count) {
   using std::exp;
-  const Complex<Real> pole = exp(log_pole);
-  if (contour.at_branch_point(log_pole) || real_part<Real>(pole) < -8 / epsilon<Real>()) return;
-  evaluate(log_pole, pole);
-  const Complex<Real> slope = this->slope();
-  const Real pole_ulps = 1 + size_of(log_pole) + characteristic_.error / size_of(slope);
+  if (contour.at_branch_point(estimate) ||
+      real_part<Real>(Complex<Real>(exp(estimate))) < -8 / epsilon<Real>())
+    return;
+  const auto [log_pole, pole, slope, pole_ulps] = at_pole(estimate);
   if (exp_overflows(pole, Real(pole_ulps * epsilon<Real>()))) {
     const Complex<Real> direction = exp(Complex<Real>(Real(0), imag_part<Real>(pole))) * pole / slope;
     for (std::size_t j = 0; j < numerators_.size(); ++j) {

@@ -38,8 +38,14 @@ class LinearResponse {
   void evaluate(const Complex<Real>& log_p, const Complex<Real>& p);
   [[nodiscard]] Value sum_of(const Polynomial& polynomial) const;
   [[nodiscard]] Complex<Real> slope() const;  // p P'
+  // A simple zero of the scaled denominator, at which it is evaluated then; the error is relative, in ulps.
+  struct Pole {
+    Complex<Real> log, value, slope;
+    Real ulps;
+  };
+  [[nodiscard]] Pole at_pole(const Complex<Real>& estimate);
   void add_nodes(LinearValues<Real>& values, const Contour<Real>& contour);
-  void add_residue(LinearValues<Real>& values, const Complex<Real>& log_pole, const Contour<Real>& contour,
+  void add_residue(LinearValues<Real>& values, const Complex<Real>& estimate, const Contour<Real>& contour,
                    const Real& count);
   void add_circle(LinearValues<Real>& values, const Zero<Real>& zero, const Contour<Real>& contour,
                   const Real& count);
