@@ -54,11 +54,15 @@ typename LinearResponse<Real>::Value LinearResponse<Real>::sum_of(const Polynomi
 }
 
 template <class Real>
-Complex<Real> LinearResponse<Real>::slope() const {
-  Complex<Real> sum(0);
-  for (const auto& [power, coefficient, size] : denominator_)
-    sum += Real(transform_.exponents[power] * coefficient) * powers_[power];
-  return sum;
+typename LinearResponse<Real>::Slope LinearResponse<Real>::slope() const {
+  Slope slope{Complex<Real>(0), Complex<Real>(0)};
+  for (const auto& [power, coefficient, size] : denominator_) {
+    const Real& exponent = transform_.exponents[power];
+    const Complex<Real> term = Real(exponent * coefficient) * powers_[power];
+    slope.value += term;
+    slope.change += exponent * term;
+  }
+  return slope;
 }
 
 // Adds factor, known to that many ulps, times every numerator.
@@ -84,16 +88,36 @@ void LinearResponse<Real>::add_nodes(LinearValues<Real>& values, const Contour<R
   }
 }
 
+// log s* + log t may be what is left of two large logarithms, each rounded: e^p would amplify that. One
+// Newton step on the scaled denominator, where nothing large cancels, leaves only what its own evaluation is
+// off by.
+template <class Real>
+typename LinearResponse<Real>::Pole LinearResponse<Real>::at_pole(const Complex<Real>& estimate) {
+  using std::exp;
+  const Complex<Real> rough = exp(estimate);
+  evaluate(estimate, rough);
+  const Complex<Real> step = characteristic_.value / slope().value, log = estimate - step;
+  const Complex<Real> pole = rough - rough * step;
+  evaluate(log, pole);
+  const auto [slope, change] = this->slope();
+  const Real noise = characteristic_.error / size_of(slope), ulps = 1 + size_of(log) + noise;
+  const Real top = transform_.exponents[denominator_.back().power];
+  for (std::size_t i = 0; i < powers_.size(); ++i) {
+    using std::abs;
+    errors_[i] += abs(transform_.exponents[i]) * size_of(powers_[i]) * ulps;
+  }
+  return {log, pole, slope, ulps, Real(top * noise + size_of(change) / size_of(slope) * ulps)};
+}
+
 // Simple pole: Res(e^p N/P) = e^p N / P', times the factor of the contour.
 template <class Real>
-void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex<Real>& log_pole,
+void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex<Real>& estimate,
                                        const Contour<Real>& contour, const Real& count) {
   using std::exp;
-  const Complex<Real> pole = exp(log_pole);
-  if (contour.at_branch_point(log_pole) || real_part<Real>(pole) < -8 / epsilon<Real>()) return;
-  evaluate(log_pole, pole);
-  const Complex<Real> slope = this->slope();
-  const Real pole_ulps = 1 + size_of(log_pole) + characteristic_.error / size_of(slope);
+  if (contour.at_branch_point(estimate) ||
+      real_part<Real>(Complex<Real>(exp(estimate))) < -8 / epsilon<Real>())
+    return;
+  const auto [log_pole, pole, slope, pole_ulps, slope_ulps] = at_pole(estimate);
   if (exp_overflows(pole, Real(pole_ulps * epsilon<Real>()))) {
     const Complex<Real> direction = exp(Complex<Real>(Real(0), imag_part<Real>(pole))) * pole / slope;
     for (std::size_t j = 0; j < numerators_.size(); ++j) {
@@ -107,8 +131,8 @@ void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex
     return;
   }
   const Complex<Real> factor = contour.pole_factor(log_pole);
-  const Real ulps =
-      3 + (1 + size_of(pole) + contour.omega() * size_of(Complex<Real>(factor - Real(1)))) * pole_ulps;
+  const Real shift = 1 + size_of(pole) + contour.omega() * size_of(Complex<Real>(factor - Real(1)));
+  const Real ulps = 3 + slope_ulps + shift * pole_ulps;
   add_terms(values, count * exp(pole) * factor * pole / slope, ulps, Real(1));
 }
 

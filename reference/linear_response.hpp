@@ -37,9 +37,20 @@ class LinearResponse {
   [[nodiscard]] Polynomial scaled(const Polynomial& polynomial, const Real& factor) const;
   void evaluate(const Complex<Real>& log_p, const Complex<Real>& p);
   [[nodiscard]] Value sum_of(const Polynomial& polynomial) const;
-  [[nodiscard]] Complex<Real> slope() const;  // p P'
+  // p P', and how that changes with log p: next to another zero it is small against its change.
+  struct Slope {
+    Complex<Real> value, change;
+  };
+  [[nodiscard]] Slope slope() const;
+  // A simple zero of the scaled denominator, and the relative errors of it and of the slope there, in ulps.
+  struct Pole {
+    Complex<Real> log, value, slope;
+    Real ulps, slope_ulps;
+  };
+  // Leaves the powers at the pole, with its error in theirs.
+  [[nodiscard]] Pole at_pole(const Complex<Real>& estimate);
   void add_nodes(LinearValues<Real>& values, const Contour<Real>& contour);
-  void add_residue(LinearValues<Real>& values, const Complex<Real>& log_pole, const Contour<Real>& contour,
+  void add_residue(LinearValues<Real>& values, const Complex<Real>& estimate, const Contour<Real>& contour,
                    const Real& count);
   void add_circle(LinearValues<Real>& values, const Zero<Real>& zero, const Contour<Real>& contour,
                   const Real& count);
