@@ -56,11 +56,13 @@ void print(const DecimalComplex& value, std::ostream& out) {
   fmt::print(out, "{} {} {}\n", value.re, value.im, value.bound);
 }
 
-NumericalFailure beyond_double() { return NumericalFailure("the value is beyond double; --digits has it"); }
+[[noreturn]] void refuse_beyond_double() {
+  throw NumericalFailure("the value is beyond double; --digits has it");
+}
 
 void print(std::complex<double> value, double bound, std::ostream& out) {
   if (!std::isfinite(value.real()) || !std::isfinite(value.imag()) || !std::isfinite(bound))
-    throw beyond_double();
+    refuse_beyond_double();
   fmt::print(out, "{:.17g} {:.17g} {}\n", value.real(), value.imag(), bound_text(bound));
 }
 
@@ -130,7 +132,7 @@ void of_matrix(const Arguments& x, const Function& function, std::ostream& out) 
   using ByRows = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const ComplexMatrix matrix = Eigen::Map<const ByRows>(numbers.data(), size, size);
   const auto [value, bound] = mittag_leffler(function.alpha, function.beta, matrix);
-  if (!value.allFinite() || !bound.allFinite()) throw beyond_double();
+  if (!value.allFinite() || !bound.allFinite()) refuse_beyond_double();
   for (Eigen::Index i = 0; i < size; ++i) {
     for (Eigen::Index j = 0; j < size; ++j) {
       fmt::print(out, "{} {} ", i + 1, j + 1);
