@@ -24,6 +24,10 @@ std::string bound_text(double bound) {
   return fmt::format("{:.2g}", upwards * bound);
 }
 
+bool is_finite_bound(const std::string& bound) {
+  return log10_of(bound) < std::numeric_limits<long double>::infinity();
+}
+
 const std::string& larger_bound(const std::string& a, const std::string& b) {
   return log10_of(a) < log10_of(b) ? b : a;
 }

@@ -31,10 +31,10 @@ int missing_digits(const Bounded<BigReal>& x, const BigReal& scale, int wanted, 
 
 // mpfr's own conversion: Boost takes "no digit after the point" for "all digits".
 std::string print(const char* format, int decimals, const BigReal& x) {
-  constexpr std::size_t around = 64;  // sign, point, exponent, zeros in front
-  std::string text(static_cast<std::size_t>(decimals) + around, '\0');
-  const int length = mpfr_snprintf(text.data(), text.size(), format, decimals, x.backend().data());
-  text.resize(static_cast<std::size_t>(length));
+  const int length = mpfr_snprintf(nullptr, 0, format, decimals, x.backend().data());
+  std::string text(static_cast<std::size_t>(length) + 1, '\0');  // and the 0 that ends it
+  mpfr_snprintf(text.data(), text.size(), format, decimals, x.backend().data());
+  text.pop_back();
   return text;
 }
 

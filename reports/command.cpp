@@ -56,7 +56,7 @@ int dispatch(CLI::App& app, const std::vector<std::string>& arguments, const Str
     std::transform(arguments.rbegin(), arguments.rend(), std::back_inserter(backwards), with_leading_zero);
     app.parse(std::move(backwards));
   } catch (const CLI::Success& help) {
-    return app.exit(help, streams.out, streams.err);
+    app.exit(help, streams.out, streams.err);
   } catch (const CLI::ParseError& error) {
     return complain(streams, bad_input, error.what());
   }

@@ -1,6 +1,7 @@
 #include <fmt/ostream.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <ostream>
@@ -45,14 +46,23 @@ Function function_of(const Arguments& x) {
   return function;
 }
 
+// A value of digits without a finite bound is beyond the exponents of the multiprecision type.
+void require_known(const DecimalComplex& value) {
+  if (!is_finite_bound(value.bound)) throw NumericalFailure("the value is beyond all exponents of --digits");
+}
+
 void print(const DecimalComplex& value, std::ostream& out) {
+  require_known(value);
   fmt::print(out, "{} {} {}\n", value.re, value.im, value.bound);
 }
 
-NumericalFailure beyond_double() { return NumericalFailure("the value is beyond double; --digits has it"); }
+[[noreturn]] void refuse_beyond_double() {
+  throw NumericalFailure("the value is beyond double; --digits has it");
+}
 
 void print(std::complex<double> value, double bound, std::ostream& out) {
-  if (!std::isfinite(value.real()) || !std::isfinite(value.imag())) throw beyond_double();
+  if (!std::isfinite(value.real()) || !std::isfinite(value.imag()) || !std::isfinite(bound))
+    refuse_beyond_double();
   fmt::print(out, "{:.17g} {:.17g} {}\n", value.real(), value.imag(), bound_text(bound));
 }
 
@@ -111,6 +121,7 @@ void of_matrix(const Arguments& x, const Function& function, std::ostream& out) 
   const auto size = static_cast<Eigen::Index>(std::lround(std::sqrt(static_cast<double>(entries.size()))));
   if (function.digits) {
     const auto values = mittag_leffler(x.alpha, x.beta, entries, *function.digits);
+    std::ranges::for_each(values, require_known);
     for (std::size_t i = 0; i < values.size(); ++i) {
       fmt::print(out, "{} {} ", i / static_cast<std::size_t>(size) + 1,
                  i % static_cast<std::size_t>(size) + 1);
@@ -121,7 +132,7 @@ void of_matrix(const Arguments& x, const Function& function, std::ostream& out) 
   using ByRows = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const ComplexMatrix matrix = Eigen::Map<const ByRows>(numbers.data(), size, size);
   const auto [value, bound] = mittag_leffler(function.alpha, function.beta, matrix);
-  if (!value.allFinite()) throw beyond_double();
+  if (!value.allFinite() || !bound.allFinite()) refuse_beyond_double();
   for (Eigen::Index i = 0; i < size; ++i) {
     for (Eigen::Index j = 0; j < size; ++j) {
       fmt::print(out, "{} {} ", i + 1, j + 1);

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <ostream>
 
@@ -19,15 +20,25 @@ struct ExactArguments {
   std::vector<std::string> settings;
 };
 
+// The columns may be finite, and what is said of them not.
+void require_finite(bool finite, std::string_view what, std::string_view range, double t) {
+  if (!finite) throw NumericalFailure(fmt::format("the {} is beyond {} at t = {}", what, range, t));
+}
+
 void print_doubles(const Scene& scene, const Exact& exact, const std::vector<double>& times,
                    std::ostream& out) {
-  std::string rows = fmt::format("t,{},bound\n", fmt::join(printed_names(scene), ","));
+  constexpr std::string_view range = "double";
+  const auto names = printed_names(scene);
+  std::string rows = fmt::format("t,{},bound\n", fmt::join(names, ","));
   for (const double t : times) {
-    const auto [value, bound] = exact.at(t);
-    if (!value.allFinite())
-      throw NumericalFailure(fmt::format("the exact solution is beyond double at t = {}", t));
-    rows += fmt::format("{:.17g},{:.17g},{}\n", t, fmt::join(printed_values(scene, t, value), ","),
-                        bound_text(bound.maxCoeff()));
+    const auto [value, bounds] = exact.at(t);
+    require_finite(value.allFinite(), "exact solution", range, t);
+    const Vec values = printed_values(scene, t, value);
+    for (Eigen::Index c = value.size(); c < values.size(); ++c)
+      require_finite(std::isfinite(values[c]), "exact " + names[static_cast<std::size_t>(c)], range, t);
+    const std::string bound = bound_text(bounds.maxCoeff<Eigen::PropagateNaN>());
+    require_finite(is_finite_bound(bound), "bound of the exact solution", range, t);
+    rows += fmt::format("{:.17g},{:.17g},{}\n", t, fmt::join(values, ","), bound);
   }
   out << rows;
 }
@@ -43,6 +54,7 @@ void print_digits(const Scene& scene, const std::vector<double>& times, int digi
       rows += "," + decimals[c].value;
       bound = larger_bound(bound, decimals[c].bound);
     }
+    require_finite(is_finite_bound(bound), "exact solution", "all exponents of --digits", t);
     rows += "," + bound + "\n";
   }
   out << rows;

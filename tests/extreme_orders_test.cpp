@@ -89,5 +89,32 @@ TEST(ExtremeOrders, PendulumsOfMixedOrdersSwingLikeOscillatorsWhenTheySwingLittl
   }
 }
 
+// D^g x = y - x, D^1.5 y = -x - 4 y from x = 1, y = 1/2: x - 1 starts like -t^g/2, y - 1/2 like t^1.5. The
+// powers k g are dense, and one of them stands for those next to it.
+TEST(ExtremeOrders, PowersNextToEachOtherAreListedOnce) {
+  for (const double gamma : {2e-9, 1e-7, 1e-6}) {
+    const auto powers = scene_of("linear_system", {{"gamma1", gamma}}).smoothness.powers;
+    EXPECT_EQ(powers[0].front(), gamma);
+    EXPECT_EQ(powers[1].front(), 1.5);
+    for (const auto& of_component : powers) {
+      EXPECT_LT(of_component.size(), 10U) << gamma;
+      for (std::size_t k = 1; k < of_component.size(); ++k)
+        EXPECT_GE(of_component[k] - of_component[k - 1], distinct_powers) << gamma;
+    }
+  }
+}
+
+TEST(ExtremeOrders, PowersNextToEachOtherAreFewWhereCoefficientsOverflow) {
+  const Scene scene = scene_of("fractional_constraint_2d", {{"alpha", 1.000000001}, {"b2", 1.7e308}});
+  for (const auto& powers : scene.smoothness.powers) EXPECT_LT(powers.size(), 100U);
+}
+
+// x = y from the start: D^g x = y - x is 0 at t = 0, and x leaves its value no earlier than y does.
+TEST(ExtremeOrders, TermsNextToEachOtherThatCancelAreLeftOut) {
+  const auto powers = scene_of("linear_system", {{"gamma1", 1e-7}, {"x0", 0.5}}).smoothness.powers;
+  EXPECT_NEAR(powers[0].front(), 1.5, 1e-5);
+  EXPECT_EQ(powers[1].front(), 1.5);
+}
+
 }  // namespace
 }  // namespace fde

@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 #include "command.hpp"
 #include "description.hpp"
@@ -68,6 +70,53 @@ TEST(HostileInput, FunctionsBeyondDoubleAreAFailure) {
     EXPECT_EQ(code, 3);
     EXPECT_EQ(out, "");
   }
+}
+
+// e^200 by mpmath: 87 digits before the point.
+TEST(HostileInput, NumbersOfMoreDigitsThanAreUsualAreWhole) {
+  EXPECT_THAT(
+      fdebench({"mittag-leffler", "1", "1", "200", "--digits", "100"}).out,
+      testing::StartsWith("722597376812574925817747704218930569735687442852731928403269789123221909361473"
+                          "891661561.9265890625706 0 "));
+  EXPECT_THAT(fdebench({"exact", "power", "--set", "p=1", "--at", "1e90", "--digits", "100"}).out,
+              HasSubstr("\n1e+90,1" + std::string(90, '0') + ".000000000,"));
+}
+
+TEST(HostileInput, DigitsBeyondAllExponentsAreAFailure) {
+  const std::string words = "is beyond all exponents of --digits";
+  for (const auto& [alpha, z] : {std::pair{"5", "1e308"}, {"0.001", "5"}}) {
+    EXPECT_EQ(fdebench({"mittag-leffler", alpha, "1", z, "--digits", "20"}).err,
+              "fdebench: the value " + words + "\n");
+  }
+  const auto [code, out, err] =
+      fdebench({"mittag-leffler", "1", "1", "--matrix", "0,0;0,1e300", "--digits", "20"});
+  EXPECT_EQ(code, 3) << err;
+  EXPECT_EQ(out, "");
+  for (const auto& [scene, setting, time] : {std::tuple{"relaxation", "lambda=1", "1e+300"},
+                                             {"fractional_constraint_2d", "alpha=1.5", "1e+300"},
+                                             {"damped_oscillator", "w2=-1", "1e+100"}}) {
+    const auto answer = fdebench({"exact", scene, "--set", setting, "--at", time, "--digits", "20"});
+    EXPECT_EQ(answer.code, 3);
+    EXPECT_EQ(answer.out, "");
+    EXPECT_EQ(answer.err, "fdebench: the exact solution " + words + " at t = " + time + "\n");
+  }
+}
+
+TEST(HostileInput, WhatIsSaidOfFiniteColumnsIsFinite) {
+  const auto refused = [](const std::string& scene, const std::string& setting, const std::string& time) {
+    const auto [code, out, err] = fdebench({"exact", scene, "--set", setting, "--at", time});
+    EXPECT_EQ(code, 3) << scene;
+    EXPECT_EQ(out, "") << scene;
+    return err;
+  };
+  EXPECT_EQ(refused("damped_oscillator", "u0=1e200", "5"),
+            "fdebench: the exact energy is beyond double at t = 5\n");
+  EXPECT_EQ(refused("nonholonomic_particle", "y0=1e200", "0"),
+            "fdebench: the exact energy is beyond double at t = 0\n");
+  EXPECT_EQ(refused("two_sided_constraint", "b1=1.7e308", "1"),
+            "fdebench: the exact constraint is beyond double at t = 1\n");
+  EXPECT_EQ(refused("knife_edge", "theta=1", "1e300"),
+            "fdebench: the bound of the exact solution is beyond double at t = 1e+300\n");
 }
 
 TEST(HostileInput, AnEmptyArgumentIsNamed) {

@@ -140,7 +140,8 @@ TEST_F(Unwritable, AFullStandardOutput) {
   std::ofstream full("/dev/full");
   if (!full) GTEST_SKIP() << "there is no /dev/full";
   for (const auto& words :
-       std::vector<std::vector<std::string>>{{"scenes"},
+       std::vector<std::vector<std::string>>{{"--help"},
+                                             {"scenes"},
                                              {"schemes", "--json"},
                                              {"exact", "power", "--at", "1"},
                                              {"mittag-leffler", "1", "1", "1"},

@@ -25,6 +25,12 @@ TEST(WrittenBound, IsNeverBelowTheNumberAndAtMostTwelvePercentAbove) {
   EXPECT_EQ(bound_text(std::numeric_limits<double>::infinity()), "inf");
 }
 
+TEST(FiniteBound, IsANumberOfAnySize) {
+  for (const auto* finite : {"0", "0.012", "1.2e-9999999999", "1e+308", "2.9e+9999999999"})
+    EXPECT_TRUE(is_finite_bound(finite)) << finite;
+  for (const auto* other : {"inf", "nan", "-nan"}) EXPECT_FALSE(is_finite_bound(other)) << other;
+}
+
 // Each is smaller than the next.
 TEST(LargerBound, OrdersWhatNoDoubleHolds) {
   const std::vector<std::string> rising{"0",       "1.2e-6868", "9.9e-6868", "1e-6867", "9.9e-05",

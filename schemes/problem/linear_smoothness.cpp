@@ -41,6 +41,16 @@ class Series {
   std::map<double, Sum> terms_;
 };
 
+// The coefficients of a power, without those of components that have a power next to it: what it leads to is
+// next to what that one led to.
+Vec distinct(double power, Vec coefficients, const std::vector<std::vector<double>>& powers) {
+  for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
+    const auto& before = powers[static_cast<std::size_t>(i)];
+    if (!before.empty() && power < before.back() + distinct_powers) coefficients[i] = 0.0;
+  }
+  return coefficients;
+}
+
 }  // namespace
 
 Smoothness linear_smoothness(const std::vector<Component>& components, const Matrix& matrix,
@@ -72,12 +82,14 @@ Smoothness linear_smoothness(const std::vector<Component>& components, const Mat
   // All that leads to a power is smaller: by increasing powers every coefficient is complete when it is met.
   for (auto term = series.terms().begin(); term != series.terms().end() && term->first <= last; ++term) {
     const double power = term->first;
-    const Vec coefficients = term->second.cleared();
+    const Vec coefficients = distinct(power, term->second.cleared(), smoothness.powers);
     for (Eigen::Index i = 0; i < size; ++i) {
       const auto& order = components[static_cast<std::size_t>(i)].order;
       const bool given = power < order;  // by the initial values
       if (!given && coefficients[i] != 0.0) smoothness.powers[static_cast<std::size_t>(i)].push_back(power);
-      for (Eigen::Index j = 0; j < size; ++j) series.add(power + order, i, matrix(i, j) * coefficients[j]);
+      for (Eigen::Index j = 0; j < size; ++j) {
+        if (coefficients[j] != 0.0) series.add(power + order, i, matrix(i, j) * coefficients[j]);
+      }
     }
   }
   return smoothness;

@@ -7,14 +7,13 @@ namespace fde {
 
 std::vector<double> power_closure(std::vector<double> start, double last,
                                   const std::function<std::vector<double>(double p)>& next) {
-  constexpr double distinct = 1e-5;  // next to a whole order the powers are dense
   std::set<double> powers;
   std::vector<double> open = std::move(start);
   while (!open.empty()) {
     const double p = open.back();
     open.pop_back();
-    const auto near = powers.lower_bound(p - distinct);
-    if (p > last || (near != powers.end() && *near < p + distinct)) continue;
+    const auto near = powers.lower_bound(p - distinct_powers);
+    if (p > last || (near != powers.end() && *near < p + distinct_powers)) continue;
     powers.insert(p);
     for (const double following : next(p)) open.push_back(following);
   }

@@ -23,8 +23,11 @@ struct Smoothness {
 inline bool same_order(double a, double b) { return std::abs(a - b) < 1e-9; }
 inline bool whole(double order) { return same_order(order, std::round(order)); }
 
+// Powers closer than this count as one where they lead to others: next to a whole order they are dense.
+inline constexpr double distinct_powers = 1e-5;
+
 // All powers up to last that start with the given ones and lead to others: next(p) are those that p leads to.
-// In increasing order, each once: those closer than 1e-5 count as one.
+// In increasing order, each once: those closer than distinct_powers count as one.
 std::vector<double> power_closure(std::vector<double> start, double last,
                                   const std::function<std::vector<double>(double p)>& next);
 
