@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "fuzzing.hpp"
 #include "mittag_leffler.hpp"
@@ -35,19 +34,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const bool digits = bytes.place(64) == 0;  // slower by orders of magnitude
   auto alpha = bytes.take<double>(), beta = bytes.take<double>();
   const auto re = bytes.take<double>(), im = bytes.take<double>();
-  try {
+  fuzz::answers([&] {
     if (digits) {
       const auto moderate = [](double number, double most) { return std::fmod(number, most); };
       in_digits(std::max(0.05, alpha), moderate(beta, 50.0), {moderate(re, 20.0), moderate(im, 20.0)}, 20);
     } else {
-      in_double(alpha, beta, {re, im});
+      // The value is nothing beside 1/Gamma(beta), and takes a thousand digits: at the edge only.
+      const bool slow = std::abs(beta) > 170.0 && std::abs(beta) < 9999.0;
+      in_double(alpha, slow ? std::fmod(beta, 170.0) : beta, {re, im});
     }
-  } catch (const std::invalid_argument& refusal) {
-    fuzz::require(std::string_view(refusal.what()).find('\n') == std::string_view::npos, "one line",
-                  refusal.what());
-  } catch (const std::runtime_error& failure) {
-    fuzz::require(std::string_view(failure.what()).find('\n') == std::string_view::npos, "one line",
-                  failure.what());
-  }
+  });
   return 0;
 }
