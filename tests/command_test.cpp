@@ -140,11 +140,11 @@ TEST(Exact, BeyondDoubleIsANumericalFailure) {
 }
 
 TEST(Values, ThatAreEmptyAreNotTheDefault) {
-  std::ostringstream out, err;
   const std::vector<std::string> solve{"solve",   "relaxation", "--scheme", "l1",
                                        "--steps", "8",          "--until",  ""};
-  EXPECT_EQ(run_fdebench(solve, {.out = out, .err = err}), 2);
-  EXPECT_EQ(err.str(), "fdebench: --until = : must be a number in (0, 1e+290]\n");
+  const auto [code, out, err] = fde::fdebench(solve);
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(err, "fdebench: argument 8 is empty\n");
 }
 
 TEST(MittagLeffler, PrintsValueAndBound) {
