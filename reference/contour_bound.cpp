@@ -5,14 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "log_gamma.hpp"
+
 namespace fde {
 namespace {
-
-// std::lgamma leaves the sign in a global variable, where threads race.
-double log_gamma(double x) {
-  int sign = 0;
-  return lgamma_r(x, &sign);
-}
 
 constexpr double pi_double = std::numbers::pi;
 

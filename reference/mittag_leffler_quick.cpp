@@ -277,6 +277,25 @@ std::optional<QuickValue> on_contour(const Arguments& x, const QuickContours& co
 
 bool is_good(const QuickValue& value) { return value.error <= quick_tolerance * std::abs(value.value); }
 
+// Next to beta = 0 and z = 0, where on a contour everything cancels: the first terms of the power series. As
+// |1/Gamma(x)| <= 1.13 |x| for x >= -2^-30, the rest is at most 1.2 |z|^m (alpha (m+1) + |beta|).
+std::optional<QuickValue> first_terms(const Arguments& x) {
+  constexpr long double near = 0x1p-30L;
+  constexpr int count = 3;
+  const Value z(x.z);
+  const double beta = std::abs(x.beta.hi);
+  if (beta > near || size_of(z) > near) return std::nullopt;
+  QuickValue sum{0.0L, 0.0L};
+  Value power = 1.0L;
+  for (int k = 0; k < count; ++k) {
+    const Value term = power * reciprocal_gamma_of(x.beta + exact_product(k, x.alpha));
+    sum = sum + QuickValue{term, few_ulps * size_of(term)};
+    power *= z;
+  }
+  sum.error += 1.2L * size_of(power) * ((count + 1) * static_cast<long double>(x.alpha) + beta);
+  return is_good(sum) ? std::optional(sum) : std::nullopt;
+}
+
 // One contour after the other, with and without peeling, until the bound is small enough; otherwise the best.
 std::optional<QuickValue> on_contours(const Arguments& x) {
   constexpr int moderate = 4, large = 16;  // log2 |z|: peeling may help, and nothing else does
@@ -310,7 +329,10 @@ std::optional<QuickValue> mittag_leffler_quick(double alpha, const DoubleDouble&
   }
   const Arguments x = arguments_of(alpha, beta, z);
   if (x.cut_free()) return from_residues_alone(x);
-  if (!is_pole_of_gamma(beta)) return on_contours(x);
+  if (!is_pole_of_gamma(beta)) {
+    const auto near = first_terms(x);
+    return near ? near : on_contours(x);
+  }
   // The first term of the series is 0: E_{alpha,beta}(z) = z E_{alpha,alpha+beta}(z), where less cancels.
   auto shifted = mittag_leffler_quick(alpha, beta + DoubleDouble{alpha, 0.0}, z);
   if (!shifted) return std::nullopt;

@@ -48,6 +48,7 @@ inline std::vector<EndOfRun> endings() {
 
 // The largest difference of two endings, in units of the last place of the largest value.
 inline double ulps_between(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
   double size = 0.0, difference = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     size = std::max({size, std::abs(a[i]), std::abs(b[i])});

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "answer_of.hpp"
 #include "testing.hpp"
 
 namespace fde {
@@ -20,18 +21,10 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-struct Answer {
-  int code;
-  std::string out, err;
-};
-
 // The words of a command, separated by single spaces.
 Answer fdebench(const std::string& words) {
   std::istringstream stream(words);
-  const std::vector<std::string> arguments{std::istream_iterator<std::string>(stream), {}};
-  std::ostringstream out, err;
-  const int code = run_fdebench(arguments, {.out = out, .err = err});
-  return {code, out.str(), err.str()};
+  return fde::fdebench(std::vector<std::string>(std::istream_iterator<std::string>(stream), {}));
 }
 
 std::vector<std::vector<double>> rows(const std::string& csv) {
@@ -147,11 +140,11 @@ TEST(Exact, BeyondDoubleIsANumericalFailure) {
 }
 
 TEST(Values, ThatAreEmptyAreNotTheDefault) {
-  std::ostringstream out, err;
   const std::vector<std::string> solve{"solve",   "relaxation", "--scheme", "l1",
                                        "--steps", "8",          "--until",  ""};
-  EXPECT_EQ(run_fdebench(solve, {.out = out, .err = err}), 2);
-  EXPECT_EQ(err.str(), "fdebench: --until = : must be a number in (0, 1e+290]\n");
+  const auto [code, out, err] = fde::fdebench(solve);
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(err, "fdebench: argument 8 is empty\n");
 }
 
 TEST(MittagLeffler, PrintsValueAndBound) {

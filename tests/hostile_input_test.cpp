@@ -4,11 +4,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <sstream>
 #include <tuple>
 #include <utility>
 
-#include "command.hpp"
+#include "answer_of.hpp"
 #include "description.hpp"
 #include "reference_check.hpp"
 #include "temporary_folder.hpp"
@@ -19,17 +18,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-struct Answer {
-  int code;
-  std::string out, err;
-};
-
-Answer fdebench(const std::vector<std::string>& arguments) {
-  std::ostringstream out, err;
-  const int code = run_fdebench(arguments, {.out = out, .err = err});
-  return {code, out.str(), err.str()};
-}
 
 TEST(HostileInput, ControlCharactersDoNotReachTheTerminal) {
   const auto answer = fdebench({"report", "a\x1b[2J\r\x7f", "--out", "x"});
@@ -121,7 +109,8 @@ TEST(HostileInput, WhatIsSaidOfFiniteColumnsIsFinite) {
 
 TEST(HostileInput, AnEmptyArgumentIsNamed) {
   EXPECT_EQ(fdebench({"reference", "", "--every", "2"}).err, "fdebench: argument 2 is empty\n");
-  EXPECT_EQ(fdebench({""}).code, 2);
+  EXPECT_EQ(fdebench({"exact", "", "--at", "1"}).err, "fdebench: argument 2 is empty\n");
+  EXPECT_EQ(fdebench({""}).err, "fdebench: argument 1 is empty\n");
 }
 
 // Such an order rounds to 0/M, a chain without links.

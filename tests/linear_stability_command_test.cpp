@@ -3,9 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sstream>
-
-#include "command.hpp"
+#include "answer_of.hpp"
 
 namespace fde {
 namespace {
@@ -13,16 +11,9 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-struct Answer {
-  int code;
-  std::string out, err;
-};
-
 Answer stability(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "stability");
-  std::ostringstream out, err;
-  const int code = run_fdebench(arguments, {.out = out, .err = err});
-  return {code, out.str(), err.str()};
+  return fdebench(arguments);
 }
 
 TEST(StabilityCommand, PrintsARowForEachScheme) {

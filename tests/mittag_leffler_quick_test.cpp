@@ -45,7 +45,10 @@ const std::vector<Point> points{{0.5, 1.0, -1.0},
                                 {3.0, 2.0, -50.0},
                                 {2.0, 1.0, 1e4},
                                 {0.5, 1.0, -1e-30},
-                                {0.5, 0.0, -1e300}};
+                                {0.5, 0.0, -1e300},
+                                {0.5, 1e-30, Value(1e-31, 2e-31)},
+                                {0x1p-40, 1e-20, -1e-12},
+                                {4.5, -1e-25, -1e-10}};
 
 std::string name_of(const Point& x) {
   return fmt::format("E_{{{},{}}}({}{:+}i)", x.alpha, x.beta, x.z.real(), x.z.imag());

@@ -292,6 +292,16 @@ TEST(MittagLeffler, TakesTheSmallestOrders) {
   EXPECT_NEAR(mittag_leffler(1e-60, -1.0, -0.5) / 1e-60, 0.5 / 2.25, 1e-15);
 }
 
+// Next to beta = 0 and z = 0 the value is beta + z / Gamma(alpha + beta), as small as they are;
+// 1/Gamma(alpha) is alpha for the smallest alpha.
+TEST(MittagLeffler, TakesTheSmallestArguments) {
+  const auto [value, bound] = mittag_leffler(0.5, 0x1p-1000, std::complex(0.0, 0x1p-1010));
+  EXPECT_EQ(value.real(), 0x1p-1000);
+  EXPECT_NEAR(value.imag(), 0x1p-1010 / std::sqrt(std::numbers::pi), bound);
+  EXPECT_LE(bound, 8 * 0x1p-1053);
+  EXPECT_EQ(mittag_leffler(0x1p-1030, -0x1p-1030, -0x1p-30), -0x1p-1030);
+}
+
 TEST(MittagLefflerDigits, PrecisionOfTheCallerIsUntouched) {
   const unsigned before = boost::multiprecision::mpfr_float::default_precision();
   mittag_leffler("0.5", "1", "-2.5", "0", 70);

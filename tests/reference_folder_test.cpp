@@ -11,7 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "command.hpp"
+#include "answer_of.hpp"
 #include "data_table.hpp"
 #include "some_tables.hpp"
 #include "temporary_folder.hpp"
@@ -26,16 +26,7 @@ using testing::IsEmpty;
 using testing::StartsWith;
 using testing::ThrowsMessage;
 
-struct Answer {
-  int code;
-  std::string out, err;
-};
-
-Answer check(const fs::path& folder) {
-  std::ostringstream out, err;
-  const int code = run_fdebench({"reference", "--check", folder.string()}, {.out = out, .err = err});
-  return {code, out.str(), err.str()};
-}
+Answer check(const fs::path& folder) { return fdebench({"reference", "--check", folder.string()}); }
 
 void change(const fs::path& file, const std::string& from, const std::string& to) {
   std::string text = read_file(file);

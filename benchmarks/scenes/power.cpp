@@ -1,19 +1,10 @@
 #include <cmath>
 
 #include "linear_equation.hpp"
+#include "log_gamma.hpp"
 #include "scene.hpp"
 
 namespace fde {
-namespace {
-
-// std::lgamma leaves the sign in a global variable, where threads race.
-double log_gamma(double x) {
-  int sign = 0;
-  return lgamma_r(x, &sign);
-}
-
-}  // namespace
-
 // D^g y = Gamma(p+1)/Gamma(p+1-g) t^(p-g) + t^p - y with y = t^p: the smoothness of the solution is dialled
 // by p.
 SceneMaker power() {

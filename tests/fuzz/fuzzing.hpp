@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,21 @@ inline void require(bool holds, std::string_view what, std::string_view shown = 
   std::abort();
 }
 
+// A call that comes to its end, or refuses or fails in one line.
+template <class Call>
+void answers(const Call& call) {
+  const auto check = [](std::string_view message) {
+    require(!message.empty() && message.find('\n') == std::string_view::npos, "one line", message);
+  };
+  try {
+    call();
+  } catch (const std::invalid_argument& refusal) {
+    check(refusal.what());
+  } catch (const std::runtime_error& failure) {
+    check(failure.what());
+  }
+}
+
 // Takes numbers from the front of the input; zeros behind its end.
 class Bytes {
  public:
@@ -39,6 +55,12 @@ class Bytes {
   }
   // One of `count` places.
   std::size_t place(std::size_t count) { return take<std::uint8_t>() % count; }
+  // What stands before the next line end.
+  std::string_view line() {
+    const auto text = rest_.substr(0, rest_.find('\n'));
+    rest_.remove_prefix(std::min(text.size() + 1, rest_.size()));
+    return text;
+  }
   [[nodiscard]] std::string_view rest() const { return rest_; }
   [[nodiscard]] bool empty() const { return rest_.empty(); }
 

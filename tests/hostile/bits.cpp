@@ -5,6 +5,8 @@
 #include "bits.hpp"
 
 #include <algorithm>
+#include <exception>
+#include <stdexcept>
 #include <utility>
 
 #include "block_kernels.hpp"
@@ -16,7 +18,9 @@ using namespace fde;
 void print_distances(const std::vector<EndOfRun>& table) {
   std::vector<std::pair<double, std::string>> distances;
   const auto here = endings();
-  for (std::size_t i = 0; i < std::min(here.size(), table.size()); ++i)
+  if (!std::ranges::equal(here, table, {}, &Ending::run, &Ending::run))
+    throw std::runtime_error("the file has other runs than this build");
+  for (std::size_t i = 0; i < here.size(); ++i)
     distances.emplace_back(ulps_between(here[i].values, table[i].values), here[i].run);
   std::ranges::sort(distances);
   for (const auto& [ulps, run] : distances) {
@@ -26,16 +30,25 @@ void print_distances(const std::vector<EndOfRun>& table) {
              std::ranges::count(distances, 0.0, &std::pair<double, std::string>::first), distances.size());
 }
 
+void print_distances_of_all_targets(const std::string& file) {
+  for (const auto target : vector_targets()) {
+    use_vector_target(target);
+    fmt::print("{}\n", target);
+    print_distances(read_endings(file));
+  }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
   if (count > 1) {
-    for (const auto target : vector_targets()) {
-      use_vector_target(target);
-      fmt::print("{}\n", target);
-      print_distances(read_endings(arguments[1]));
+    try {
+      print_distances_of_all_targets(arguments[1]);
+      return 0;
+    } catch (const std::exception& failure) {
+      fmt::print(stderr, "fde_bits: {}: {}\n", arguments[1], failure.what());
+      return 1;
     }
-    return 0;
   }
   for (const auto& [run, values] : endings()) {
     fmt::print("{}", run);

@@ -8,14 +8,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 #include "record.hpp"
@@ -131,18 +132,26 @@ class KillTest {
   int killed_ = 0, sweeps_ = 0;
 };
 
+// 0 where the text is no whole number.
+int number_of(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.begin(), text.end(), number);
+  return error == std::errc{} && end == text.end() ? number : 0;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 3) {
-    fmt::print(stderr, "usage: fde_kill_test FDEBENCH KILLS\n");
+  const int kills = count == 3 ? number_of(arguments[2]) : 0;
+  if (kills < 1) {
+    fmt::print(stderr, "usage: fde_kill_test FDEBENCH KILLS, at least 1\n");
     return 2;
   }
   try {
     const unsigned seed = std::random_device()();
     fmt::print("seed {}\n", seed);
     KillTest test(arguments[1], seed);
-    test(std::atoi(arguments[2]));
+    test(kills);
     return 0;
   } catch (const std::exception& failure) {
     fmt::print(stderr, "kill test: {}\n", failure.what());
