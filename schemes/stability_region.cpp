@@ -64,13 +64,18 @@ double crossed_at(const Characteristic& p) {
   return p.square == 0.0 ? 1.0 / p.linear.real() : p.linear.imag() / p.square.imag();
 }
 
-// Angles up to pi, 2 % apart, from where on there is a sign to be seen: below, rounding hides the imaginary
-// part of the determinant.
+// Angles between 0 and pi, increasing: 2 % apart next to 0 and next to pi, where an order next to a whole one
+// has its crossings. They begin where there is a sign to be seen: closer to the ends rounding hides the
+// imaginary part of the determinant.
 struct Angles {
   static constexpr double lowest = -20.0, step = 0.02;  // of the logarithm
-  int count = static_cast<int>(std::ceil((std::log(pi) - lowest) / step));
-  [[nodiscard]] double at(int i) const {
-    return std::min(pi, std::exp(lowest + (std::log(pi) - lowest) * i / count));
+  int half = static_cast<int>(std::ceil((std::log(pi / 2) - lowest) / step));
+  [[nodiscard]] int count() const { return 2 * half + 1; }
+  [[nodiscard]] double at(int i) const { return i <= half ? from_end(i) : pi - from_end(2 * half - i); }
+
+ private:
+  [[nodiscard]] double from_end(int i) const {
+    return std::exp(lowest + (std::log(pi / 2) - lowest) * i / half);
   }
 };
 
@@ -91,7 +96,7 @@ std::vector<double> crossings(const ScalarSymbol& symbol) {
   std::vector<double> found = negative_roots(symbol.at(pi));
   std::ranges::copy(negative_roots(symbol.at(ComplexValue(to_one))), std::back_inserter(found));
   double low = angles.at(0), at_low = crossing(symbol.at(low));
-  for (int i = 1; i < angles.count; ++i) {
+  for (int i = 1; i < angles.count(); ++i) {
     double a = low, high = angles.at(i);
     const double at_high = crossing(symbol.at(high));
     if (std::signbit(at_low) != std::signbit(at_high)) {
@@ -137,9 +142,9 @@ double stability_angle(const Scheme& scheme, double order) {
   const ScalarSymbol symbol(scheme, order);
   const Angles angles;
   double angle = pi - 0.5 * order * pi;  // where the boundary starts, theta -> 0
-  for (int i = 0; i <= angles.count; ++i) {
-    for (const ComplexValue z : roots(symbol.at(angles.at(i))))
-      angle = std::min(angle, std::abs(std::arg(-z)));
+  for (int i = 0; i <= angles.count(); ++i) {
+    const double theta = i < angles.count() ? angles.at(i) : pi;
+    for (const ComplexValue z : roots(symbol.at(theta))) angle = std::min(angle, std::abs(std::arg(-z)));
   }
   return angle;
 }

@@ -88,7 +88,7 @@ TEST_F(FullDisks, MayBeTheStandardOutput) {
   if (!full) GTEST_SKIP() << "there is no /dev/full";
   for (const auto& words :
        std::vector<std::vector<std::string>>{{"--help"},
- {"scenes"},
+                                             {"scenes"},
                                              {"schemes", "--json"},
                                              {"exact", "power", "--at", "1"},
                                              {"mittag-leffler", "1", "1", "1"},

@@ -69,6 +69,17 @@ TEST(StabilityRegion, OfPredictCorrectEndsWhereTheCorrectionUndoesThePrediction)
 }
 
 // From order 1.7 or so on the end is at zeta = -1, with eta values as above.
+// Next to order 1 the chain's curve crosses the axis next to zeta = -1, at pi - theta = 0.015 for 1.0001.
+// Ends by independent tracking of the roots.
+TEST(StabilityRegion, OfTheChainIsContinuousAtOrderOne) {
+  const Scheme& chain = *find_scheme("decoupled_multi_order");
+  for (const auto& [order, end] : {std::pair{1.0001, 1.999934}, {1.001, 1.999344}, {1.0018, 1.998821}}) {
+    EXPECT_NEAR(real_interval(chain, order), end, 1e-6) << order;
+    EXPECT_EQ(stability_angle(chain, order), 0.0) << order;
+  }
+  EXPECT_NEAR(real_interval(chain, 1.0 + 1e-7), 2.0, 1e-6);
+}
+
 TEST(StabilityRegion, OfPredictCorrectNearOrderTwoEndsAtMinusOne) {
   for (const double order : {1.75, 1.8, 1.9, 1.99}) {
     const double k = 1.0 / std::tgamma(order + 2.0),

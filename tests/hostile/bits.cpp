@@ -18,7 +18,7 @@ using namespace fde;
 void print_distances(const std::vector<EndOfRun>& table) {
   std::vector<std::pair<double, std::string>> distances;
   const auto here = endings();
-  if (!std::ranges::equal(here, table, {}, &Ending::run, &Ending::run))
+  if (!std::ranges::equal(here, table, {}, &EndOfRun::run, &EndOfRun::run))
     throw std::runtime_error("the file has other runs than this build");
   for (std::size_t i = 0; i < here.size(); ++i)
     distances.emplace_back(ulps_between(here[i].values, table[i].values), here[i].run);
