@@ -68,7 +68,8 @@ class Runs {
   Run operator()(const Scheme& scheme, int steps) {
     const auto rows = examine(label_, scene_, truth_, scheme, steps);
     Run run{.values = {{"h", rows.back().h}}, .status = {}};
-    if (!is_compared(ending_of(rows.back().status))) run.status = rows.back().status;
+    const std::string& status = rows.back().status;
+    if (ending_of(status) != Ending::finished) run.status = status;
     for (const auto& row : rows) run.values.emplace(row.quantity, row.value);
     return run;
   }

@@ -37,7 +37,6 @@ double log2_of(arf_srcptr x) {
 
 }  // namespace
 
-thread_local long WorkingBits::current = 128;
 
 Ball Ball::parse(const std::string& re, const std::string& im) {
   Ball ball;

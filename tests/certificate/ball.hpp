@@ -20,7 +20,7 @@ class WorkingBits {
   static long get() { return current; }
 
  private:
-  static thread_local long current;
+  inline static thread_local long current = 128;
   long before_;
 };
 
