@@ -29,34 +29,33 @@ const std::vector<std::string> measured{"h", "error_end", "error_maximum", "expe
                                         "expected_rate_maximum"};
 
 TableFacts facts(const SceneVariant& of) {
-  return {.title = fmt::format("{}: errors of every scheme against the number of steps", of.maker->title),
-          .method = fmt::format(
-              "each scheme on a uniform grid of [0, {}], compared at every step with the "
-              "reference, in double; reproducible to {:g} of the error and {:g} of 1 + max |y|",
-              make_scene(of).problem.end, relative_tolerance, rounding_tolerance),
-          .source = std::string(of.maker->source),
-          .bound = "of the reference at the end, against which the errors are measured",
-          .digits = double_digits,
-          .columns = {
-              {.name = "scheme", .meaning = "id of the scheme", .type = ColumnType::text},
-              {.name = "steps", .meaning = "number of steps", .type = ColumnType::integer},
-              {.name = "h", .meaning = "step size", .required = false},
-              {.name = "error_end", .meaning = "largest error over the columns at the last time"},
-              {.name = "error_maximum",
-               .meaning = "largest error over the columns and all steps",
-               .required = false},
-              {.name = "expected_rate_end", .meaning = "theoretical rate at a fixed time", .required = false},
-              {.name = "expected_rate_maximum",
-               .meaning = "theoretical rate in the maximum norm",
-               .required = false},
-              {.name = "bound", .meaning = "bound of the reference at the end", .required = false}}};
+  return {
+      .title = fmt::format("{}: errors of every scheme against the number of steps", of.maker->title),
+      .method = fmt::format("each scheme on a uniform grid of [0, {}], compared at every step with the "
+                            "reference, in double; reproducible to {:g} of the error and {:g} of 1 + max |y|",
+                            make_scene(of).problem.end, relative_tolerance, rounding_tolerance),
+      .source = std::string(of.maker->source),
+      .bound = "of the reference at the end, against which the errors are measured",
+      .digits = double_digits,
+      .columns = {
+          {.name = "scheme", .meaning = "id of the scheme", .type = ColumnType::text},
+          {.name = "steps", .meaning = "number of steps", .type = ColumnType::integer},
+          {.name = "h", .meaning = "step size", .required = false},
+          {.name = "error_end", .meaning = "largest error over the columns at the last time"},
+          {.name = "error_maximum",
+           .meaning = "largest error over the columns and all steps",
+           .required = false},
+          {.name = "expected_rate_end", .meaning = "theoretical rate at a fixed time", .required = false},
+          {.name = "expected_rate_maximum",
+           .meaning = "theoretical rate in the maximum norm",
+           .required = false},
+          {.name = "bound", .meaning = "bound of the reference at the end", .required = false}}};
 }
 
 // The runs of one scene, with the reference kept between them.
 class Runs {
  public:
-  explicit Runs(const SceneVariant& of)
-      : label_(of.label()), scene_(make_scene(of)), truth_(scene_) {}
+  explicit Runs(const SceneVariant& of) : label_(of.label()), scene_(make_scene(of)), truth_(scene_) {}
   Runs(const Runs&) = delete;
   Runs& operator=(const Runs&) = delete;
 

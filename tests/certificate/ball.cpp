@@ -37,7 +37,6 @@ double log2_of(arf_srcptr x) {
 
 }  // namespace
 
-
 Ball Ball::parse(const std::string& re, const std::string& im) {
   Ball ball;
   if (arb_set_str(acb_realref(ball.get()), re.c_str(), WorkingBits::get()) != 0 ||
