@@ -105,7 +105,7 @@ std::vector<PlannedTable> planned_tables(const std::vector<SceneVariant>& scenes
   for (const auto& kind : table_kinds()) {
     if (!kind.of_scenes()) tables.push_back({.kind = &kind});
     for (const auto& scene : scenes) {
-      if (!kind.of_scenes() || (kind.has_table && !kind.has_table(scene))) continue;
+      if (!kind.of_scenes() || (kind.has_table != nullptr && !kind.has_table(scene))) continue;
       tables.push_back({.kind = &kind, .of = scene});
     }
   }
