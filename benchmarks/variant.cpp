@@ -26,9 +26,10 @@ Scene make_scene(const SceneVariant& variant) {
   Scene scene = make_scene(*variant.maker, variant.values);
   if (!variant.until) return scene;
   const double end = scene.problem.end;
-  if (two_sided(scene.problem) && *variant.until != end)
+  if (two_sided(scene.problem) && *variant.until != end) {
     reject("until", *variant.until,
            fmt::format("{}: scene {} is posed at both ends", end, variant.maker->id));
+  }
   scene.problem.end = *variant.until;
   return scene;
 }
