@@ -68,9 +68,8 @@ void add_stability_command(CLI::App& app, const Streams& streams) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = app.add_subcommand(
       "stability",
-      "Linear stability in z = lambda h^G of D^G y = lambda y: the real interval (-x, 0), the angle in "
-      "degrees "
-      "about the negative axis, that of the exact equation, and |y_100 / y_0| as z -> -infinity; CSV");
+      "Linear stability in z = lambda h^G of D^G y = lambda y, as CSV: the real interval (-x, 0), the angle "
+      "about the negative axis in degrees, that of the exact equation, and |y_100 / y_0| as z -> -infinity");
   command->add_option("--gamma", arguments->gamma, "G: the order, in (0, 2)")->required();
   command->add_option("--scheme", arguments->schemes, "id of a scheme; default: all that take the order")
       ->take_all();

@@ -11,8 +11,9 @@ namespace fde {
 // A problem with a linear part A is solved with one factorisation of I - kappa A as long as kappa stays the
 // same. Otherwise Newton's method takes the Jacobian of the problem, or differences of rhs where it has none,
 // anew in each iteration, until the last increment is below tolerance * |y|, or has stopped to shrink below
-// 1e-10 * |y|: there it is rounding. Where increments grow three times, as they do when the solution near the
-// guess has just vanished, it starts again from where pseudo time steps lead to.
+// 1e-10 * |y|: there it is rounding. Where three increments are no smaller than those before them, as
+// when the solution near the guess has just vanished, it starts again from where pseudo time steps lead to;
+// where these lead to nothing, it goes on from where it had come to.
 //
 // |y| is the largest of the other unknowns where there are algebraic rows. An unknown lambda_i of an
 // algebraic row counts as what it does to the equations, max_k |M_ki| |lambda_i| with M the matrix of

@@ -154,7 +154,6 @@ void NewtonMatrix::factorise_and_solve(Vec& b) {
 
 bool NewtonMatrix::singular() const {
   constexpr double rounding = 1e-14;
-  if (sparse_) return sparse_->factors.info() != Eigen::Success;
   Matrix a = dense_;
   const Vec rows = a.rowwise().lpNorm<Eigen::Infinity>();
   a.array().colwise() /= rows.array();

@@ -33,8 +33,8 @@ class NewtonMatrix {
   void solve(Vec& b) const;
   void factorise_and_solve(Vec& b);
 
-  // Whether rounding decides about the solution, in whatever units the equations and unknowns are.
-  // Constraints that depend on each other have such a matrix, however they round.
+  // Whether rounding decides about the solution, in whatever units the equations and unknowns are; of dense
+  // matrices. Constraints that depend on each other have such a matrix, however they round.
   [[nodiscard]] bool singular() const;
   // The largest entry of a column; of dense matrices.
   [[nodiscard]] double column_size(Eigen::Index i) const { return dense_.col(i).lpNorm<Eigen::Infinity>(); }
