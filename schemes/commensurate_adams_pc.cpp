@@ -1,6 +1,6 @@
-#include "adams_pc.hpp"
-#include "rates.hpp"
-#include "splitting.hpp"
+#include "stepping/predict_and_correct.hpp"
+#include "stepping/rates.hpp"
+#include "stepping/splitting.hpp"
 
 namespace fde {
 

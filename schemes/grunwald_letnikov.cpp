@@ -1,6 +1,6 @@
-#include "all_at_once.hpp"
-#include "implicit.hpp"
-#include "rates.hpp"
+#include "implicit/implicit_rule.hpp"
+#include "stepping/rates.hpp"
+#include "two_sided/all_at_once.hpp"
 
 namespace fde {
 

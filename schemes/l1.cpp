@@ -1,6 +1,6 @@
-#include "implicit.hpp"
-#include "rates.hpp"
-#include "splitting.hpp"
+#include "implicit/implicit_rule.hpp"
+#include "stepping/rates.hpp"
+#include "stepping/splitting.hpp"
 
 namespace fde {
 namespace {

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 
-#include "scheme.hpp"
+#include "stepping/scheme.hpp"
 
 namespace fde {
 namespace {
 
-// Of the i-th component, of whose initial values some may be missing where the problem is open.
+// Of the i-th component, of whose initial values some may be unknown where the problem is open.
 std::optional<std::string> refusal(const Needs& needs, const Component& component, std::size_t i, bool open) {
   const double order = component.order;
   if (algebraic(component) && !needs.algebraic_rows) {
@@ -37,8 +37,8 @@ std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem
     }
   }
   if (!scheme.needs.two_sided) return "steps from the left: the problem has conditions at both ends";
-  if (problem.conditions && missing_count(problem) == 0) {
-    return "needs a missing initial value for each condition, none is missing";
+  if (problem.conditions && unknown_count(problem) == 0) {
+    return "needs a unknown initial value for each condition, none is unknown";
   }
   if (grid.end != problem.end) {
     return fmt::format("needs a grid that ends with the problem, at {} and not {}", problem.end, grid.end);

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "derivatives.hpp"
-#include "problem.hpp"
+#include "mechanics/derivatives.hpp"
+#include "problem/problem.hpp"
 
 namespace fde::mechanics {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reaction.hpp"
+#include "mechanics/reaction.hpp"
 
 namespace fde::mechanics {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "system.hpp"
+#include "mechanics/system.hpp"
 
 namespace fde::mechanics {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "reaction.hpp"
+#include "mechanics/reaction.hpp"
 
 // Niminet & Blanuta 2009 with T = 1/2 g_ij y^i y^j, without the factor 1/2 of their (2.6) and (2.8). Systems
 // do not depend on time, forces not on the velocity, constraints are a_sigma(x) y = 0; y = x'.

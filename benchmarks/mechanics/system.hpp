@@ -1,6 +1,6 @@
 #pragma once
 
-#include "derivatives.hpp"
+#include "mechanics/derivatives.hpp"
 
 namespace fde::mechanics {
 

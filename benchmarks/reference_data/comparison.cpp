@@ -1,4 +1,4 @@
-#include "comparison.hpp"
+#include "reference_data/comparison.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "real.hpp"
-#include "written_number.hpp"
+#include "numbers/real.hpp"
+#include "reference_data/written_number.hpp"
 
 namespace fde {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "data_table.hpp"
-#include "truth.hpp"
+#include "reference.hpp"
+#include "reference_data/data_table.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "data_table.hpp"
+#include "reference_data/data_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
-#include "description.hpp"
+#include "reference_data/description.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "experiment.hpp"
-#include "record.hpp"
+#include "sweep/experiment.hpp"
+#include "sweep/record.hpp"
 
 namespace fde {
 namespace {

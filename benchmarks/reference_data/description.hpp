@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "table_kind.hpp"
+#include "reference_data/table_kind.hpp"
 
 namespace fde {
 

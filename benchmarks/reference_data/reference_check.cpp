@@ -1,4 +1,4 @@
-#include "reference_check.hpp"
+#include "reference_data/reference_check.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,11 @@
 #include <stdexcept>
 #include <thread>
 
-#include "checksum.hpp"
-#include "description.hpp"
-#include "experiment.hpp"
-#include "in_parallel.hpp"
+#include "reference_data/description.hpp"
+#include "references/checksum.hpp"
+#include "scenes/registry.hpp"
+#include "sweep/experiment.hpp"
+#include "sweep/in_parallel.hpp"
 
 namespace fde {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "comparison.hpp"
-#include "reference_folder.hpp"
+#include "reference_data/comparison.hpp"
+#include "reference_data/reference_folder.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "reference_folder.hpp"
+#include "reference_data/reference_folder.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,9 +14,9 @@
 #include <system_error>
 #include <thread>
 
-#include "checksum.hpp"
-#include "description.hpp"
-#include "in_parallel.hpp"
+#include "reference_data/description.hpp"
+#include "references/checksum.hpp"
+#include "sweep/in_parallel.hpp"
 
 namespace fde {
 namespace {

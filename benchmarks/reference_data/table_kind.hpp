@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "comparison.hpp"
-#include "data_table.hpp"
-#include "sweep.hpp"
+#include "reference_data/comparison.hpp"
+#include "reference_data/data_table.hpp"
+#include "sweep/sweep.hpp"
 
 namespace fde {
 

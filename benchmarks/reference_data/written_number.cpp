@@ -1,4 +1,4 @@
-#include "written_number.hpp"
+#include "reference_data/written_number.hpp"
 
 #include <algorithm>
 #include <charconv>

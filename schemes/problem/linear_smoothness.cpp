@@ -1,4 +1,4 @@
-#include "linear_smoothness.hpp"
+#include "problem/linear_smoothness.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "problem.hpp"
-#include "smoothness.hpp"
+#include "problem/problem.hpp"
+#include "problem/smoothness.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "problem.hpp"
+#include "problem/problem.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@ bool linear(const Problem& problem) { return problem.linear_part || problem.spar
 
 bool sparse(const Problem& problem) { return problem.sparse_jacobian || problem.sparse_linear_part; }
 
-bool tells_derivatives(const Problem& problem) {
+bool has_jacobian(const Problem& problem) {
   return linear(problem) || problem.jacobian || problem.sparse_jacobian;
 }
 
-bool tell_derivatives(const Problem& problem, double t, In y, OutMatrix jacobian) {
+bool evaluate_jacobian(const Problem& problem, double t, In y, OutMatrix jacobian) {
   if (problem.linear_part) {
     jacobian = *problem.linear_part;
   } else if (problem.sparse_linear_part) {
@@ -25,7 +25,7 @@ bool tell_derivatives(const Problem& problem, double t, In y, OutMatrix jacobian
     problem.sparse_jacobian(t, y, entries);
     jacobian = Matrix(entries);
   }
-  return tells_derivatives(problem);
+  return has_jacobian(problem);
 }
 
 std::size_t initial_count(double order) { return static_cast<std::size_t>(std::max(std::ceil(order), 1.0)); }
@@ -36,7 +36,7 @@ bool two_sided(const Problem& problem) {
          });
 }
 
-Eigen::Index missing_count(const Problem& problem) {
+Eigen::Index unknown_count(const Problem& problem) {
   Eigen::Index count = 0;
   for (const auto& component : problem.components) {
     const auto given = component.initial.size(), needed = initial_count(component.order);

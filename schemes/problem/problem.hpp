@@ -44,7 +44,7 @@ struct Domain {
 // -y' for order 1. Algebraic rows read 0 = f_i(t, y). These may constrain other unknowns than their own, as
 // in mechanics with a multiplier lambda (index 2):
 //   q' = v, v' = a(t, q, v) + R(q, v)^T lambda, 0 = g(t, q, v).
-// With conditions the last values of an `initial` may be missing: they are unknowns too.
+// With conditions the last values of an `initial` may be missing: they are unknown initial values.
 struct Problem {
   std::vector<Component> components{};
   std::function<void(double t, In y, Out f)> rhs{};
@@ -55,7 +55,7 @@ struct Problem {
   std::function<void(double t, In y, SparseMatrix& jacobian)> sparse_jacobian{};
   std::optional<SparseMatrix> sparse_linear_part{};
   double end = 1.0;
-  // One equation 0 = residual for each missing initial value; empty: none is missing.
+  // One equation 0 = residual for each unknown initial value; empty: none is unknown.
   std::function<void(In at_start, In at_end, Out residual)> conditions{};
   Domain domain{};  // a step out of it has crossed a singularity
 
@@ -67,8 +67,8 @@ bool linear(const Problem& problem);
 // Whether derivatives are told as a sparse matrix, linear or not.
 bool sparse(const Problem& problem);
 // Whether derivatives are told at all; if so, jacobian becomes df/dy as a dense matrix.
-bool tells_derivatives(const Problem& problem);
-bool tell_derivatives(const Problem& problem, double t, In y, OutMatrix jacobian);
+bool has_jacobian(const Problem& problem);
+bool evaluate_jacobian(const Problem& problem, double t, In y, OutMatrix jacobian);
 
 // Number of initial values that a row of this order needs: ceil(order), and 1 for order 0.
 std::size_t initial_count(double order);
@@ -77,12 +77,12 @@ std::size_t initial_count(double order);
 // which to step.
 bool two_sided(const Problem& problem);
 
-// How many initial values are missing.
-Eigen::Index missing_count(const Problem& problem);
+// How many initial values are unknown.
+Eigen::Index unknown_count(const Problem& problem);
 
-// Taylor part sum_k initial[k] t^k / k! of every component, up to k < ceil(order), with 0 for missing values;
-// of an algebraic row its value at t = 0. t counts from where the row starts, so for right rows it is the
-// time left until the end.
+// Taylor part sum_k initial[k] t^k / k! of every component, up to k < ceil(order), with 0 for unknown initial
+// values; of an algebraic row its value at t = 0. t counts from where the row starts, so for right rows it is
+// the time left until the end.
 class TaylorPart {
  public:
   explicit TaylorPart(const Problem& problem);

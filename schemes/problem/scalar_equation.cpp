@@ -1,4 +1,4 @@
-#include "scalar_equation.hpp"
+#include "problem/scalar_equation.hpp"
 
 namespace fde {
 

@@ -2,7 +2,7 @@
 
 #include <complex>
 
-#include "problem.hpp"
+#include "problem/problem.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "smoothness.hpp"
+#include "problem/smoothness.hpp"
 
 #include <set>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "ball.hpp"
+#include "certificate/ball.hpp"
 
 #include <acb_hypgeom.h>
 

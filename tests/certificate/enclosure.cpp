@@ -1,4 +1,4 @@
-#include "enclosure.hpp"
+#include "certificate/enclosure.hpp"
 
 #include <fmt/format.h>
 

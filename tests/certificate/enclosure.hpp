@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ball.hpp"
+#include "certificate/ball.hpp"
 
 namespace fde::certificate {
 

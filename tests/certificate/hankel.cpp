@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "enclosure.hpp"
+#include "certificate/enclosure.hpp"
 
 namespace fde::certificate {
 namespace {

@@ -1,4 +1,4 @@
-#include "judge.hpp"
+#include "certificate/judge.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <limits>
 #include <tuple>
 
-#include "enclosure.hpp"
-#include "mittag_leffler.hpp"
-#include "real.hpp"
+#include "certificate/enclosure.hpp"
+#include "mittag_leffler/mittag_leffler.hpp"
+#include "numbers/real.hpp"
 
 namespace fde::certificate {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "mittag_leffler.hpp"
-#include "points.hpp"
+#include "certificate/points.hpp"
+#include "mittag_leffler/mittag_leffler.hpp"
 
 namespace fde::certificate {
 

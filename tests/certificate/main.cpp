@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "judge.hpp"
+#include "certificate/judge.hpp"
 
 namespace fde::certificate {
 namespace {

@@ -1,4 +1,4 @@
-#include "points.hpp"
+#include "certificate/points.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <functional>
 #include <numbers>
 
-#include "enclosure.hpp"
-#include "random.hpp"
+#include "certificate/enclosure.hpp"
+#include "certificate/random.hpp"
 
 namespace fde::certificate {
 namespace {

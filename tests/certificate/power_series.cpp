@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "enclosure.hpp"
+#include "certificate/enclosure.hpp"
 
 namespace fde::certificate {
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "enclosure.hpp"
+#include "certificate/enclosure.hpp"
 
 namespace fde::certificate {
 

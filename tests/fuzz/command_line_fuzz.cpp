@@ -9,9 +9,9 @@
 #include <sstream>
 #include <vector>
 
-#include "command.hpp"
-#include "fuzzing.hpp"
-#include "temporary_folder.hpp"
+#include "command/command.hpp"
+#include "fuzz/fuzzing.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace {
 

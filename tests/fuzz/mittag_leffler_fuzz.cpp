@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fuzzing.hpp"
-#include "mittag_leffler.hpp"
+#include "fuzz/fuzzing.hpp"
+#include "mittag_leffler/mittag_leffler.hpp"
 
 namespace {
 

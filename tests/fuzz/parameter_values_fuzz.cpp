@@ -6,8 +6,9 @@
 #include <functional>
 #include <limits>
 
-#include "experiment.hpp"
-#include "fuzzing.hpp"
+#include "fuzz/fuzzing.hpp"
+#include "scenes/registry.hpp"
+#include "sweep/experiment.hpp"
 
 namespace {
 
@@ -56,14 +57,14 @@ void solve(const Scene& scene, const Scheme& scheme, const Grid& grid) {
   }
   const auto path = scheme.solve(scene.problem, grid, {.budget = 0.5});
   const auto shown = fmt::format("{} {} N = {} T = {}", scene.name, scheme.id, grid.steps, grid.end);
-  fuzz::require(path.outcome != Outcome::finished || path.y.allFinite(), "what finished is finite", shown);
+  fuzz::require(path.ending != Ending::finished || path.y.allFinite(), "what finished is finite", shown);
   fuzz::require(!describe(scene.problem, path).empty(), "an outcome has a description", shown);
 }
 
 // Closed forms and inverse transforms; the other references take up to minutes.
 void look_up(const Scene& scene, double t) {
-  if (!scene.exact.at) return;
-  const auto [value, bound] = scene.exact.at(t);
+  if (!scene.reference.at) return;
+  const auto [value, bound] = scene.reference.at(t);
   const auto shown =
       fmt::format("{} t = {}: {} bound {}", scene.name, t, fmt::join(value, " "), fmt::join(bound, " "));
   for (Eigen::Index i = 0; i < value.size(); ++i) {

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "answer.hpp"
-#include "fuzzing.hpp"
-#include "page_data.hpp"
-#include "record.hpp"
-#include "temporary_folder.hpp"
+#include "analysis/answer.hpp"
+#include "fuzz/fuzzing.hpp"
+#include "page/page_data.hpp"
+#include "support/temporary_folder.hpp"
+#include "sweep/record.hpp"
 
 namespace {
 

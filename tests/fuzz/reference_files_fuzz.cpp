@@ -4,13 +4,14 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "checksum.hpp"
-#include "description.hpp"
-#include "experiment.hpp"
-#include "fuzzing.hpp"
-#include "reference_cache.hpp"
-#include "reference_check.hpp"
-#include "temporary_folder.hpp"
+#include "fuzz/fuzzing.hpp"
+#include "reference_data/description.hpp"
+#include "reference_data/reference_check.hpp"
+#include "references/cache.hpp"
+#include "references/checksum.hpp"
+#include "scenes/registry.hpp"
+#include "support/temporary_folder.hpp"
+#include "sweep/experiment.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "fuzzing.hpp"
+#include "fuzz/fuzzing.hpp"
 
 namespace {
 

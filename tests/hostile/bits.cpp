@@ -2,14 +2,14 @@
 // be made anew, with g++, when a scheme changes its rounding on purpose. fde_bits FILE prints how far this
 // build is from a file, the farthest last.
 
-#include "bits.hpp"
+#include "conformance/bits.hpp"
 
 #include <algorithm>
 #include <exception>
 #include <stdexcept>
 #include <utility>
 
-#include "block_kernels.hpp"
+#include "history/block_kernels.hpp"
 
 namespace {
 

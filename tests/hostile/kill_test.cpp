@@ -19,8 +19,8 @@
 #include <string_view>
 #include <thread>
 
-#include "record.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
+#include "sweep/record.hpp"
 
 namespace {
 

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "mechanics/motion.hpp"
+#include "mechanics/reaction.hpp"
+#include "problem/linear_smoothness.hpp"
+
+// The formulations acceleration and stabilised: v' = free acceleration + reaction to df/dt + kappa f = 0;
+// kappa = 0 is the form as printed.
+namespace fde::mechanics {
+
+// Constraints without memory, f(t, q, v) = 0, or f(t, q, v, w) = 0 at order 1, where w = v: q' = v and v'.
+// The reaction is along df/dv alone, not along df/dw.
+template <class System>
+struct WholeAcceleration {
+  static constexpr int n = System::coordinates, states = 2 * n;
+  System system;
+  Motion<n> start;
+  double kappa;
+
+  [[nodiscard]] std::vector<Component> components() const { return rows(1.0, start.q, 1.0, start.v); }
+
+  template <class S>
+  [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
+    const Vector<S, n> q = y.template head<n>(), v = y.template tail<n>();
+    const auto rates = constraint_rates<S>(system, S(t), q, v, v);
+    const Reaction<S, System> reaction(system, q, rates);
+    const Vector<S, n> free = free_acceleration<S>(system, S(t), q, v);
+    Vector<S, System::constraints> defect = rates.slope * free + rates.flow;
+    if (kappa != 0.0) defect += S(kappa) * rates.value;
+    return joined<S>(v, Vector<S, n>(free + reaction.answer(defect)));
+  }
+  [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
+    return {y.template head<n>(), y.template tail<n>(), y.template tail<n>()};
+  }
+};
+
+// The part of v' that w' = D^alpha v + t^-alpha / Gamma(1-alpha) v(0) (Tarasov & Zaslavsky 23) makes
+// unbounded at 0: direction t^-alpha / Gamma(1-alpha), taken at t = 0. What is rounding of (df/dw) v(0) is 0.
+template <class System>
+Vector<double, System::coordinates> singular_direction(const System& system,
+                                                       const Motion<System::coordinates>& start) {
+  const auto none = zeros<double, System::coordinates>();
+  const auto rates = constraint_rates<double>(system, 0.0, start.q, start.v, none);
+  Vector<double, System::constraints> moved = rates.memory * start.v;
+  const Vector<double, System::constraints> size = rates.memory.cwiseAbs() * start.v.cwiseAbs();
+  for (int i = 0; i < System::constraints; ++i) {
+    if (std::abs(moved[i]) <= 4.0 * std::numeric_limits<double>::epsilon() * size[i]) moved[i] = 0.0;
+  }
+  return Reaction<double, System>(system, start.q, rates).answer(moved);
+}
+
+// 0 < alpha < 1: q' = v, D^alpha v = s, D^(1-alpha) s = v' as above, D^(1-alpha) w = v; equations 37 and 42
+// as printed for kappa = 0. With c = singular_direction s has the part c t^(1-2 alpha) / Gamma(2-2 alpha),
+// which is kept out of the state: it is bounded for alpha < 1/2 only.
+template <class System>
+struct AccelerationBelowOne {
+  static constexpr int n = System::coordinates, states = 4 * n;
+  System system;
+  Motion<n> start;
+  double kappa;
+  Vector<double, n> singular = singular_direction(system, start);
+
+  [[nodiscard]] std::vector<Component> components() const {
+    const auto none = zeros<double, n>();
+    const double alpha = system.order;
+    return rows(1.0, start.q, alpha, start.v, 1.0 - alpha, none, 1.0 - alpha, none);
+  }
+  [[nodiscard]] bool posed() const { return singular.isZero(0.0) || system.order < 0.5; }
+
+  [[nodiscard]] std::vector<PowerLoad> loads() const {
+    const double alpha = system.order;
+    if (singular.isZero(0.0)) return {};
+    Vec coefficients = Vec::Zero(states);
+    coefficients.segment<n>(n) = singular / std::tgamma(2.0 - 2.0 * alpha);
+    return {{1.0 - 2.0 * alpha, coefficients}};
+  }
+
+  template <class S>
+  [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
+    const Vector<S, n> q = y.template head<n>(), v = y.template segment<n>(n), w = y.template tail<n>();
+    const double alpha = system.order;
+    Vector<S, n> s = y.template segment<n>(2 * n);
+    if (!singular.isZero(0.0))
+      s += (singular * (std::pow(t, 1.0 - 2.0 * alpha) / std::tgamma(2.0 - 2.0 * alpha))).template cast<S>();
+    const auto rates = constraint_rates<S>(system, S(t), q, v, w);
+    const Reaction<S, System> reaction(system, q, rates);
+    const Vector<S, n> free = free_acceleration<S>(system, S(t), q, v);
+    Vector<S, System::constraints> defect = rates.slope * free + rates.flow + rates.memory * s;
+    if (kappa != 0.0) defect += S(kappa) * rates.value;
+    Vector<S, n> acceleration = free + reaction.answer(defect);
+    if (t > 0.0 && !start.v.isZero(0.0)) {
+      const Vector<S, System::constraints> started = rates.memory * start.v.template cast<S>();
+      acceleration += (reaction.answer(started) - singular.template cast<S>()) *
+                      S(std::pow(t, -alpha) / std::tgamma(1.0 - alpha));
+    }
+    return joined<S>(v, s, acceleration, v);
+  }
+  [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
+    return {y.template head<n>(), y.template segment<n>(n), y.template tail<n>()};
+  }
+};
+
+}  // namespace fde::mechanics

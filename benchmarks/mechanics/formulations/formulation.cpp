@@ -1,0 +1,34 @@
+#include "mechanics/formulations/formulation.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace fde::mechanics {
+
+std::string_view name_of(Formulation formulation) {
+  constexpr std::array<std::string_view, 4> names{"integrated", "acceleration", "stabilised", "multiplier"};
+  return names.at(static_cast<std::size_t>(formulation));
+}
+
+const std::vector<Formulation>& all_formulations() {
+  static const std::vector<Formulation> all{Formulation::integrated, Formulation::acceleration,
+                                            Formulation::stabilised, Formulation::multiplier};
+  return all;
+}
+
+std::vector<Parameter> with_formulations(std::vector<Parameter> parameters,
+                                         const std::vector<Formulation>& fitting) {
+  std::vector<std::string_view> choices;
+  for (const auto formulation : fitting) choices.push_back(name_of(formulation));
+  parameters.push_back(choice("formulation", choices, "how the constraint enters"));
+  if (std::ranges::find(fitting, Formulation::stabilised) != fitting.end())
+    parameters.push_back({"kappa", 10.0, not_negative, "rate at which the stabilised form damps the drift"});
+  return parameters;
+}
+
+Asked asked_of(const Parameters& parameters, const std::vector<Formulation>& fitting) {
+  const Formulation formulation = fitting.at(parameters.choice("formulation"));
+  return {formulation, formulation == Formulation::stabilised ? parameters["kappa"] : 0.0};
+}
+
+}  // namespace fde::mechanics

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "mechanics/memory_rows.hpp"
+#include "mechanics/motion.hpp"
+#include "mechanics/projection.hpp"
+
+namespace fde::mechanics {
+
+// The formulation integrated, of constraints that are affine in the velocity, f = a(t, q) v + beta(t, q, w)
+// (Tarasov & Zaslavsky 38), with alpha up to 1:
+//   q' = v = P z - a^# beta,  z' = P (free acceleration) + P' v,  and the row of w, w(0) = 0,
+// with the projector P = I - a^# a, a^# = G^-1 reaction^T (a G^-1 reaction^T)^-1. z starts as P v. For
+// constant a and f = a.v + b.w - C0 this is q' = z - A w, z' = -P grad u with A = a b^T/|a|^2, and no term is
+// singular.
+template <class System, MemoryRows memory>
+struct Integrated {
+  static_assert(memory != MemoryRows::above_one);
+  static constexpr int n = System::coordinates, m = memory == MemoryRows::none ? 0 : n, states = 2 * n + m;
+  System system;
+  Motion<n> start;
+
+  [[nodiscard]] std::vector<Component> components() const {
+    const auto none = zeros<double, n>();
+    const Vector<double, n> free_part = Projection<double, System>(system, 0.0, start.q, none).of(start.v);
+    if constexpr (memory == MemoryRows::none) {
+      return rows(1.0, start.q, 1.0, free_part);
+    } else {
+      return rows(1.0, start.q, 1.0, free_part, 1.0 - system.order, none);
+    }
+  }
+
+  template <class S>
+  [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
+    const Vector<S, n> q = y.template head<n>(), z = y.template segment<n>(n);
+    const Projection<S, System> projection(system, S(t), q, remembered<S>(y));
+    const Vector<S, n> v = projection.velocity(z), free = free_acceleration<S>(system, S(t), q, v);
+    const Vector<S, n> turned = projection_rate<S>(system, S(t), q, v);
+    return joined<S>(v, Vector<S, n>(projection.of(free) + turned), Vector<S, m>(v.template head<m>()));
+  }
+  [[nodiscard]] Columns<n> columns(double t, const Vector<double, states>& y) const {
+    const Vector<double, n> q = y.template head<n>(), z = y.template segment<n>(n), w = remembered<double>(y);
+    const Vector<double, n> v = Projection<double, System>(system, t, q, w).velocity(z);
+    return {q, v, memory == MemoryRows::none ? v : w};
+  }
+
+ private:
+  // w, which a constraint of whole order does not have beside v.
+  template <class S>
+  static Vector<S, n> remembered(const Vector<S, states>& y) {
+    if constexpr (memory == MemoryRows::none) {
+      return zeros<S, n>();
+    } else {
+      return y.template tail<n>();
+    }
+  }
+};
+
+}  // namespace fde::mechanics

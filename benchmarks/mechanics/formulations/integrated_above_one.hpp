@@ -1,0 +1,73 @@
+#pragma once
+
+#include "mechanics/motion.hpp"
+#include "mechanics/projection.hpp"
+
+// The formulation integrated, of constraints f = a.v + b.w + c with constant a, b, c and w = D^alpha q, 1 <
+// alpha < 2: w = D^(alpha-1) v and D^(2-alpha) w = v' with w(0) = 0. The highest derivative of the
+// acceleration form would be D^(1+alpha) q, inside the reaction: there is no such form.
+namespace fde::mechanics {
+
+// a, b and what they make of each other, for one constraint.
+template <class System>
+class ConstantConstraint {
+  static constexpr int n = System::coordinates;
+  static_assert(System::constraints == 1);
+
+ public:
+  ConstantConstraint(const System& system, const Vector<double, n>& q)
+      : projection_(system, 0.0, q, zeros<double, n>()),
+        direction_(-projection_.reaction().answer(Vector<double, 1>::Ones())),
+        memory_(projection_.rates().memory.transpose()),
+        constant_(projection_.rates().value[0]),
+        alignment_(memory_.dot(direction_)) {}
+
+  [[nodiscard]] Vector<double, n> projected(const Vector<double, n>& x) const { return projection_.of(x); }
+  [[nodiscard]] const Vector<double, n>& direction() const { return direction_; }  // a^#: a.a^# = 1
+  [[nodiscard]] const Vector<double, n>& memory() const { return memory_; }        // b
+  [[nodiscard]] double constant() const { return constant_; }                      // c
+  [[nodiscard]] double alignment() const { return alignment_; }                    // b.a^#
+
+ private:
+  Projection<double, System> projection_;
+  Vector<double, n> direction_, memory_;
+  double constant_, alignment_;
+};
+
+// With z = P v, chi = b.v and W = P w:
+//   q' = v = z + a^# (a.v),  a.v = (chi - b.z) / (b.a^#),
+//   z' = P (free acceleration),  D^(2-alpha) W = P (free acceleration),  D^(alpha-1) chi = b.w = -c - a.v.
+// Needs b.a^# != 0: otherwise the constraint fixes no derivative of order alpha of what it moves.
+template <class System>
+struct IntegratedAboveOne {
+  static constexpr int n = System::coordinates, states = 3 * n + 1;
+  System system;
+  Motion<n> start;
+  ConstantConstraint<System> constraint{system, start.q};
+
+  [[nodiscard]] std::vector<Component> components() const {
+    const Vector<double, 1> chi(constraint.memory().dot(start.v));
+    return rows(1.0, start.q, 1.0, constraint.projected(start.v), system.order - 1.0, chi, 2.0 - system.order,
+                zeros<double, n>());
+  }
+  [[nodiscard]] bool posed() const { return constraint.alignment() != 0.0; }
+
+  template <class S>
+  [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
+    const Vector<S, n> q = y.template head<n>(), z = y.template segment<n>(n);
+    const S fixed = (y[2 * n] - constraint.memory().template cast<S>().dot(z)) / S(constraint.alignment());
+    const Vector<S, n> v = z + constraint.direction().template cast<S>() * fixed;
+    const Vector<S, n> free =
+        Projection<S, System>(system, S(t), q, zeros<S, n>()).of(free_acceleration<S>(system, S(t), q, v));
+    return joined<S>(v, free, Vector<S, 1>(S(-constraint.constant()) - fixed), free);
+  }
+  [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
+    const Vector<double, n> z = y.template segment<n>(n), free_memory = y.template tail<n>();
+    const auto &b = constraint.memory(), &direction = constraint.direction();
+    const double fixed = (y[2 * n] - b.dot(z)) / constraint.alignment();
+    const double memory = (-constraint.constant() - fixed - b.dot(free_memory)) / constraint.alignment();
+    return {y.template head<n>(), z + direction * fixed, free_memory + direction * memory};
+  }
+};
+
+}  // namespace fde::mechanics

@@ -1,0 +1,77 @@
+#include "mechanics/formulations/motion_powers.hpp"
+
+#include <algorithm>
+
+namespace fde::mechanics {
+namespace {
+
+constexpr double last = 3.0;  // later powers change no rate
+
+std::vector<double> shifted(std::vector<double> powers, double by) {
+  for (double& power : powers) power += by;
+  return powers;
+}
+
+std::vector<double> without(std::vector<double> powers, double power) {
+  std::erase_if(powers, [=](double p) { return same_order(p, power); });
+  return powers;
+}
+
+std::vector<double> with_zero(std::vector<double> powers) {
+  powers.insert(powers.begin(), 0.0);
+  return powers;
+}
+
+void add(Smoothness& smoothness, Eigen::Index times, const std::vector<double>& powers) {
+  smoothness.powers.insert(smoothness.powers.end(), static_cast<std::size_t>(times), powers);
+}
+
+}  // namespace
+
+MotionPowers powers_below_one(double order, bool moving, ReactionStart reaction) {
+  const std::vector<double> steps{1.0, 1.0 - order};
+  const bool regular = reaction == ReactionStart::regular;
+  const auto leaving = power_lattice(regular ? std::vector{1.0} : std::vector{1.0 - order, 1.0}, steps, last);
+  const auto all = with_zero(leaving);
+  return {moving ? all : leaving, reaction == ReactionStart::singular_and_turning
+                                      ? power_lattice({2.0 - 2.0 * order, 1.0}, steps, last)
+                                      : shifted(all, 1.0)};
+}
+
+// a.v - a.v(0) is driven by z and by itself: A = (b.z - b.v)/(b.a^#), b.v - b.v(0) = -J^(order-1) A.
+MotionPowers powers_above_one(double order, bool moving) {
+  const auto leaving = power_lattice({1.0}, {1.0, order - 1.0}, last);
+  const auto all = with_zero(leaving);
+  return {moving ? all : leaving, shifted(all, 1.0)};
+}
+
+Smoothness integrated_start(const MotionPowers& powers, double order, Eigen::Index coordinates) {
+  Smoothness smoothness;
+  add(smoothness, coordinates, shifted(powers.velocity, 1.0));
+  add(smoothness, coordinates, powers.free_part);
+  add(smoothness, coordinates, shifted(powers.velocity, 1.0 - order));
+  return smoothness;
+}
+
+Smoothness acceleration_start(const MotionPowers& powers, double order, Eigen::Index coordinates,
+                              bool singular) {
+  const auto leaving = without(powers.velocity, 0.0);
+  Smoothness smoothness;
+  add(smoothness, coordinates, shifted(powers.velocity, 1.0));
+  add(smoothness, coordinates, leaving);
+  add(smoothness, coordinates, shifted(singular ? without(leaving, 1.0 - order) : leaving, -order));
+  add(smoothness, coordinates, shifted(powers.velocity, 1.0 - order));
+  return smoothness;
+}
+
+// D^(2-order) W = z'.
+Smoothness integrated_start_above_one(const MotionPowers& powers, double order, Eigen::Index coordinates) {
+  Smoothness smoothness;
+  add(smoothness, coordinates, shifted(powers.velocity, 1.0));
+  add(smoothness, coordinates, powers.free_part);
+  add(smoothness, 1, shifted(without(powers.velocity, 0.0), order - 1.0));
+  add(smoothness, coordinates, shifted(powers.free_part, 1.0 - order));
+  return smoothness;
+}
+
+}  // namespace fde::mechanics

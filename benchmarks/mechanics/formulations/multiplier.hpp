@@ -1,0 +1,72 @@
+#pragma once
+
+#include "mechanics/formulations/acceleration.hpp"
+#include "mechanics/formulations/integrated_above_one.hpp"
+#include "mechanics/memory_rows.hpp"
+#include "mechanics/motion.hpp"
+#include "mechanics/reaction.hpp"
+
+namespace fde::mechanics {
+
+// lambda(0), a first guess. Where lambda is unbounded at 0 it starts from 0, which costs nothing but itself:
+// the constraint fixes what it does to v.
+template <MemoryRows memory, class System>
+Vector<double, System::constraints> first_multiplier(const System& system,
+                                                     const Motion<System::coordinates>& start) {
+  constexpr int n = System::coordinates, r = System::constraints;
+  const Vector<double, n> w = memory == MemoryRows::none ? start.v : zeros<double, n>();
+  auto rates = constraint_rates<double>(system, 0.0, start.q, start.v, w);
+  if constexpr (memory == MemoryRows::below_one) {
+    if (!singular_direction(system, start).isZero(0.0)) return zeros<double, r>();
+  }
+  if constexpr (memory == MemoryRows::above_one) {
+    if (ConstantConstraint<System>(system, start.q).alignment() == 0.0) return zeros<double, r>();
+    rates.slope = rates.memory;  // b.v'(0) = 0: otherwise b.w, and with it a.v, starts like t^(2-alpha)
+  }
+  return enforcing_multiplier<double>(system, 0.0, start.q, start.v, rates);
+}
+
+// The formulation multiplier: q' = v, v' = free acceleration + G^-1 (df/dv)^T lambda, 0 = f, and the rows of
+// w. Above order 1 these are in place of v'.
+template <class System, MemoryRows memory>
+struct Multiplier {
+  static constexpr int n = System::coordinates, r = System::constraints;
+  static constexpr int states = (memory == MemoryRows::none ? 2 : 3) * n + r;
+  static constexpr int place_of_w = states - r - n;  // that of v where w = v
+  System system;
+  Motion<n> start;
+
+  [[nodiscard]] std::vector<Component> components() const {
+    const auto none = zeros<double, n>();
+    const auto lambda = first_multiplier<memory>(system, start);
+    if constexpr (memory == MemoryRows::none) {
+      return rows(1.0, start.q, 1.0, start.v, 0.0, lambda);
+    } else if constexpr (memory == MemoryRows::below_one) {
+      return rows(1.0, start.q, 1.0, start.v, 1.0 - system.order, none, 0.0, lambda);
+    } else {
+      return rows(1.0, start.q, system.order - 1.0, start.v, 2.0 - system.order, none, 0.0, lambda);
+    }
+  }
+
+  template <class S>
+  [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
+    const Vector<S, n> q = y.template head<n>(), v = y.template segment<n>(n),
+                       w = y.template segment<n>(place_of_w);
+    const Vector<S, r> lambda = y.template tail<r>();
+    const auto rates = constraint_rates<S>(system, S(t), q, v, w);
+    const Vector<S, n> acceleration = free_acceleration<S>(system, S(t), q, v) +
+                                      raised<S>(system, q, Vector<S, n>(rates.reaction.transpose() * lambda));
+    if constexpr (memory == MemoryRows::none) {
+      return joined<S>(v, acceleration, rates.value);
+    } else if constexpr (memory == MemoryRows::below_one) {
+      return joined<S>(v, acceleration, v, rates.value);
+    } else {
+      return joined<S>(v, w, acceleration, rates.value);
+    }
+  }
+  [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
+    return {y.template head<n>(), y.template segment<n>(n), y.template segment<n>(place_of_w)};
+  }
+};
+
+}  // namespace fde::mechanics

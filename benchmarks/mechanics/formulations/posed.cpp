@@ -1,0 +1,115 @@
+#include "mechanics/formulations/posed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace fde::mechanics {
+
+// Far out the constants of the right-hand side do not count.
+Matrix linear_part_of(const Problem& problem) {
+  constexpr double far = 0x1p100;
+  const Eigen::Index size = problem.size();
+  Vec point = Vec::Zero(size), at_zero(size), f(size);
+  Matrix part(size, size);
+  problem.rhs(1.0, point, at_zero);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    point[i] = far;
+    problem.rhs(1.0, point, f);
+    part.col(i) = (f - at_zero) / far;
+    point[i] = 0.0;
+  }
+  return part;
+}
+
+Smoothness linear_start(const Problem& problem, std::vector<PowerLoad> loads) {
+  Vec constants(problem.size());
+  problem.rhs(0.0, Vec::Zero(problem.size()), constants);
+  loads.push_back({0.0, constants});
+  Matrix part = *problem.linear_part;  // without entries that are what rounding leaves of 0
+  for (auto column : part.colwise()) {
+    const double rounding = 1e-14 * column.cwiseAbs().maxCoeff();
+    column = (column.array().abs() < rounding).select(0.0, column).eval();
+  }
+  return linear_smoothness(problem.components, part, loads);
+}
+
+Smoothness nonlinear_start(const std::vector<Component>& components) {
+  std::vector<double> steps{1.0};
+  for (const auto& component : components) {
+    if (!algebraic(component)) steps.push_back(component.order);
+  }
+  Smoothness smoothness;
+  for (const auto& component : components) {
+    smoothness.powers.push_back(algebraic(component)
+                                    ? std::vector<double>{}
+                                    : power_lattice({component.order}, steps, component.order + 2.0));
+  }
+  return smoothness;
+}
+
+PosedMechanics with_multipliers(PosedMechanics form, const Smoothness& other) {
+  form.smoothness = other;
+  form.smoothness.powers.resize(form.problem.components.size());
+  return form;
+}
+
+PosedMechanics with_multipliers_above_one(PosedMechanics form, const Smoothness& integrated) {
+  const auto& of = integrated.powers;  // q, z, b.v, free part of w
+  const std::size_t n = of.size() / 3;
+  form.smoothness.powers.assign(form.problem.components.size(), {});
+  for (std::size_t i = 0; i < n; ++i) {
+    auto both = of[n + i];
+    both.insert(both.end(), of[2 * n].begin(), of[2 * n].end());
+    form.smoothness.powers[i] = of[i];
+    form.smoothness.powers[n + i] = power_lattice(both, {}, both.empty() ? 0.0 : std::ranges::max(both));
+    form.smoothness.powers[2 * n + i] = of[2 * n + 1 + i];
+  }
+  return form;
+}
+
+std::vector<double> powers_of_derivative(const std::vector<double>& powers) {
+  std::vector<double> lowered;
+  for (const double power : powers) {
+    if (power > 1.0 && !same_order(power, 1.0)) lowered.push_back(power - 1.0);
+  }
+  return lowered;
+}
+
+std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory) {
+  std::vector<std::string> names = coordinates;
+  const auto add = [&](const std::string& letter, const std::string& prefix) {
+    for (const auto& name : coordinates) {
+      const bool numbered = name.size() > 1 && name[0] == 'q';
+      names.push_back(numbered ? letter + name.substr(1) : prefix + name);
+    }
+  };
+  add("v", "d");
+  if (memory) add("w", "Dalpha_");
+  return names;
+}
+
+void reject_singular(Formulation formulation, double order) {
+  throw std::invalid_argument(
+      fmt::format("formulation = {}: must be neither acceleration nor stabilised for alpha = {}: D^alpha v "
+                  "is not continuous at 0 unless (df/dw) v(0) = 0 or alpha < 1/2",
+                  name_of(formulation), order));
+}
+
+void reject_above_one(Formulation formulation, double order) {
+  throw std::invalid_argument(
+      fmt::format("formulation = {}: must be integrated or multiplier for alpha = {}: above 1 the highest "
+                  "derivative is D^(1+alpha) q inside the reaction",
+                  name_of(formulation), order));
+}
+
+void reject_unaligned(double order) {
+  throw std::invalid_argument(
+      fmt::format("formulation = integrated: must be multiplier for alpha = {} and a.b = 0: above 1 the "
+                  "constraint then fixes no derivative of order alpha",
+                  order));
+}
+
+}  // namespace fde::mechanics

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mechanics/derivatives.hpp"
+#include "mechanics/formulations/formulation.hpp"
+#include "problem/linear_smoothness.hpp"
+#include "scenes/scene.hpp"
+
+namespace fde::mechanics {
+
+// A problem, its columns q, v, w, and how its solution starts.
+struct PosedMechanics {
+  Problem problem;
+  std::function<void(double t, In y, Out columns)> columns;
+  Smoothness smoothness;
+};
+
+// The matrix A of a right-hand side A y + b(t).
+Matrix linear_part_of(const Problem& problem);
+
+// Powers of t with which the solutions start: of a linear problem those of its series, with what b(t) has
+// beside constants; of another one all that may occur.
+Smoothness linear_start(const Problem& problem, std::vector<PowerLoad> loads);
+Smoothness nonlinear_start(const std::vector<Component>& components);
+
+// The form with multipliers has the rows of another one and integrates no more than these; the multipliers
+// are behind all.
+PosedMechanics with_multipliers(PosedMechanics form, const Smoothness& other);
+
+// The same above order 1, where v itself is integrated: with the powers of its free part and of b.v.
+PosedMechanics with_multipliers_above_one(PosedMechanics form, const Smoothness& integrated);
+
+// Of the derivative of what starts with these powers, the constant apart.
+std::vector<double> powers_of_derivative(const std::vector<double>& powers);
+
+// Columns q1, v1, w1 of a coordinate q1; x, dx, Dalpha_x of x.
+std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory);
+
+// Throw std::invalid_argument that says which formulations fit, and why that one does not: a term unbounded
+// at t = 0; a derivative above 1 + alpha; a constraint that fixes no derivative of order alpha.
+[[noreturn]] void reject_singular(Formulation formulation, double order);
+[[noreturn]] void reject_above_one(Formulation formulation, double order);
+[[noreturn]] void reject_unaligned(double order);
+
+// A form whose right-hand side has powers of t beside constants.
+template <class Form>
+concept Loaded = requires(const Form& form) {
+  form.loads();
+};
+
+template <class Form>
+PosedMechanics pose(const Form& form, double end, bool linear) {
+  using State = Vector<double, Form::states>;
+  PosedMechanics result;
+  result.problem.components = form.components();
+  result.problem.rhs = [form](double t, In y, Out f) { f = form.template rhs<double>(t, State(y)); };
+  result.problem.end = end;
+  result.columns = [form](double t, In y, Out columns) {
+    const auto of = form.columns(t, State(y));
+    columns.head(Form::n) = of.q;
+    columns.segment(Form::n, Form::n) = of.v;
+    columns.tail(columns.size() - 2 * Form::n) = of.w.head(columns.size() - 2 * Form::n);
+  };
+  if (linear) result.problem.linear_part = linear_part_of(result.problem);
+  if (!linear || std::ranges::any_of(result.problem.components, algebraic)) {
+    result.smoothness = nonlinear_start(result.problem.components);
+    return result;
+  }
+  std::vector<PowerLoad> loads;
+  if constexpr (Loaded<Form>) loads = form.loads();
+  result.smoothness = linear_start(result.problem, std::move(loads));
+  return result;
+}
+
+}  // namespace fde::mechanics

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mechanics/formulations/acceleration.hpp"
+#include "mechanics/formulations/formulation.hpp"
+#include "mechanics/formulations/integrated.hpp"
+#include "mechanics/formulations/integrated_above_one.hpp"
+#include "mechanics/formulations/motion_powers.hpp"
+#include "mechanics/formulations/multiplier.hpp"
+#include "mechanics/formulations/posed.hpp"
+
+namespace fde::mechanics {
+
+// What a scene says of its mechanics. System::constant: f = a.v + b.w + c with constant a, b, c.
+template <class System>
+struct Setting {
+  System system;
+  Motion<System::coordinates> start;
+  std::vector<std::string> coordinates;  // their names
+  double end = 10.0;
+  bool linear = false;                              // all equations are linear in q, v, w
+  Formulation reference = Formulation::integrated;  // the form that a reference is computed of
+  std::string no_reference{};                       // why there is none, where there is none
+};
+
+template <class System>
+concept ConstantCoefficients = HasMemory<System> && System::constant;
+
+// How the reaction starts below order 1.
+template <class System>
+ReactionStart reaction_start(const System& system, const Motion<System::coordinates>& start) {
+  if (singular_direction(system, start).isZero(0.0)) return ReactionStart::regular;
+  const auto none = zeros<double, System::coordinates>();
+  const auto before = constraint_rates<double>(system, 0.0, start.q, start.v, none),
+             after = constraint_rates<double>(system, 0.0, start.q, start.v, start.v);  // w is along v(0)
+  return before.reaction == after.reaction ? ReactionStart::singular : ReactionStart::singular_and_turning;
+}
+
+// The motion after what the constraint does to it at once. At order 1, where w = v, it may: below, w(0) = 0,
+// and as the order tends to 1 w becomes v ever faster, which ends in a jump of v along the reaction.
+template <class System>
+Motion<System::coordinates> after_jump(const System& system, Motion<System::coordinates> start) {
+  if constexpr (HasMemory<System>) {
+    const auto rates = constraint_rates<double>(system, 0.0, start.q, start.v, start.v);
+    start.v += Reaction<double, System>(system, start.q, rates).answer(rates.value);
+  }
+  return start;
+}
+
+// Order 1, or no memory.
+template <class System>
+PosedMechanics posed_at_one(Setting<System> of, const Asked& asked) {
+  constexpr auto memory = MemoryRows::none;
+  of.start = after_jump(of.system, of.start);
+  if (asked.formulation == Formulation::integrated)
+    return pose(Integrated<System, memory>{of.system, of.start}, of.end, of.linear);
+  auto acceleration = pose(WholeAcceleration<System>{of.system, of.start, asked.kappa}, of.end, of.linear);
+  if (asked.formulation != Formulation::multiplier) return acceleration;
+  return with_multipliers(pose(Multiplier<System, memory>{of.system, of.start}, of.end, of.linear),
+                          acceleration.smoothness);
+}
+
+// 0 < order < 1.
+template <class System>
+PosedMechanics posed_below_one(const Setting<System>& of, const Asked& asked) {
+  constexpr int n = System::coordinates;
+  constexpr auto memory = MemoryRows::below_one;
+  const double order = of.system.order;
+  const ReactionStart reaction = reaction_start(of.system, of.start);
+  const MotionPowers powers = powers_below_one(order, !of.start.v.isZero(0.0), reaction);
+  auto integrated = pose(Integrated<System, memory>{of.system, of.start}, of.end, of.linear);
+  if (!of.linear) integrated.smoothness = integrated_start(powers, order, n);
+  if (asked.formulation == Formulation::integrated) return integrated;
+  if (asked.formulation == Formulation::multiplier) {
+    return with_multipliers(pose(Multiplier<System, memory>{of.system, of.start}, of.end, of.linear),
+                            integrated.smoothness);
+  }
+  const AccelerationBelowOne<System> acceleration{of.system, of.start, asked.kappa};
+  if (!acceleration.posed()) reject_singular(asked.formulation, order);
+  auto form = pose(acceleration, of.end, of.linear);
+  if (!of.linear) form.smoothness = acceleration_start(powers, order, n, reaction != ReactionStart::regular);
+  for (int i = 2 * n; i < 3 * n; ++i) form.smoothness.hidden.push_back(i);  // D^alpha v
+  return form;
+}
+
+// 1 < order < 2.
+template <ConstantCoefficients System>
+PosedMechanics posed_above_one(const Setting<System>& of, const Asked& asked) {
+  const double order = of.system.order;
+  const bool multiplied = asked.formulation == Formulation::multiplier;
+  if (!multiplied && asked.formulation != Formulation::integrated) reject_above_one(asked.formulation, order);
+  const IntegratedAboveOne<System> integrated{of.system, of.start};
+  const auto with_rows = [&] {
+    return pose(Multiplier<System, MemoryRows::above_one>{of.system, of.start}, of.end, of.linear);
+  };
+  if (!integrated.posed()) {
+    if (!multiplied) reject_unaligned(order);
+    return with_rows();
+  }
+  auto form = pose(integrated, of.end, of.linear);
+  if (!of.linear) {
+    const MotionPowers powers = powers_above_one(order, !of.start.v.isZero(0.0));
+    form.smoothness = integrated_start_above_one(powers, order, System::coordinates);
+  }
+  return multiplied ? with_multipliers_above_one(with_rows(), form.smoothness) : form;
+}
+
+// The equations of the setting in one form. Throws std::invalid_argument where that form is not well posed.
+template <class System>
+PosedMechanics posed(const Setting<System>& of, const Asked& asked) {
+  if constexpr (HasMemory<System>) {
+    if (of.system.order < 1.0) return posed_below_one(of, asked);
+  }
+  if constexpr (ConstantCoefficients<System>) {
+    if (of.system.order > 1.0) return posed_above_one(of, asked);
+  }
+  return posed_at_one(of, asked);
+}
+
+// Whether the form of the reference is well posed.
+template <class System>
+bool has_reference_form([[maybe_unused]] const Setting<System>& of) {
+  if constexpr (ConstantCoefficients<System>) {
+    if (of.system.order > 1.0) return IntegratedAboveOne<System>{of.system, of.start}.posed();
+  }
+  return true;
+}
+
+}  // namespace fde::mechanics

@@ -1,0 +1,69 @@
+#include "observers/drift.hpp"
+
+#include <cmath>
+
+#include "observers/independent_memory.hpp"
+#include "observers/watched_steps.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int most_looked_at = 256;
+
+Drift drift_of(const DriftCourse& course) { return {course.largest(), course.growth()}; }
+
+}  // namespace
+
+void DriftCourse::see(double t, double drift) {
+  if (!(drift <= largest_) && !std::isnan(largest_)) largest_ = drift;  // also when it is no number
+  if (t < next_) return;
+  course_.push_back({t, largest_});
+  while (next_ <= t) next_ *= std::exp2(1.0 / 16.0);
+}
+
+std::optional<double> DriftCourse::growth() const {
+  const Fit fit = fit_rate(course_);
+  if (fit.points == 0) return std::nullopt;
+  return fit.slope;
+}
+
+DriftWatch::DriftWatch(const Scene& scene, const Grid& grid)
+    : scene_(scene),
+      grid_(grid),
+      internal_(grid.end),
+      independent_(!scene.memories.empty() && grid.uniform() &&
+                   grid.steps >= IndependentMemory::fewest_steps) {
+  if (!independent_) return;
+  looked_at_ = watched_steps(grid.steps, most_looked_at);
+  velocities_.resize(grid.steps + 1, std::ssize(scene.memories));
+}
+
+void DriftWatch::see(int n, In columns) {
+  internal_.see(grid_.time(n), scene_.constraint.drift(grid_.time(n), columns));
+  if (!independent_) return;
+  for (std::size_t m = 0; m < scene_.memories.size(); ++m)
+    velocities_(n, static_cast<Eigen::Index>(m)) = columns[scene_.memories[m].velocity];
+  if (columns_.size() < looked_at_.size() && n == looked_at_[columns_.size()]) columns_.emplace_back(columns);
+}
+
+Drift DriftWatch::internal() const { return drift_of(internal_); }
+
+std::optional<Drift> DriftWatch::independent() const {
+  if (!independent_) return std::nullopt;
+  auto columns = columns_;
+  for (std::size_t m = 0; m < scene_.memories.size(); ++m) {
+    const auto& [derivative, velocity, order, powers] = scene_.memories[m];
+    const IndependentMemory memory(grid_, order, powers);
+    const Vec velocities = velocities_.col(static_cast<Eigen::Index>(m));
+    for (std::size_t c = 1; c < columns.size(); ++c)
+      columns[c][derivative] = memory.at(looked_at_[c], velocities);
+  }
+  DriftCourse course(grid_.end);
+  for (std::size_t c = 1; c < columns.size(); ++c) {
+    const double t = grid_.time(looked_at_[c]);
+    course.see(t, scene_.constraint.drift(t, columns[c]));
+  }
+  return drift_of(course);
+}
+
+}  // namespace fde

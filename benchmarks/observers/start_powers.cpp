@@ -1,0 +1,38 @@
+#include "observers/start_powers.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "problem/smoothness.hpp"
+#include "quadrature/gauss.hpp"
+
+namespace fde {
+
+StartPowers::StartPowers(std::vector<double> powers) : powers_(std::move(powers)) {
+  std::ranges::sort(powers_);
+  powers_.erase(std::unique(powers_.begin(), powers_.end(), same_order), powers_.end());
+  if (powers_.size() > most) powers_.resize(most);
+  const auto count = static_cast<Eigen::Index>(powers_.size());
+  if (count == 0) return;
+  LongMatrix values(2 * count, count);  // columns of largest entry 1
+  LongVec largest(count);
+  for (Eigen::Index p = 0; p < count; ++p) {
+    const auto power = static_cast<long double>(powers_[static_cast<std::size_t>(p)]);
+    largest[p] = std::pow(static_cast<long double>(2 * count), power);
+    for (Eigen::Index l = 0; l < 2 * count; ++l)
+      values(l, p) = std::pow(static_cast<long double>(l + 1), power) / largest[p];
+  }
+  const Eigen::ColPivHouseholderQR<LongMatrix> orthogonal(values);
+  inverse_.resize(count, 2 * count);
+  for (Eigen::Index l = 0; l < 2 * count; ++l) {
+    const LongVec one = orthogonal.solve(LongVec(LongVec::Unit(2 * count, l)));
+    inverse_.col(l) = one.cwiseQuotient(largest).cast<double>();
+  }
+}
+
+Vec StartPowers::coefficients(const Vec& values) const {
+  return inverse_ * (values.segment(1, inverse_.cols()).array() - values[0]).matrix();
+}
+
+}  // namespace fde

@@ -1,0 +1,46 @@
+// all_at_once/<scheme>/<N>: a nonlinear two-sided problem of six rows, three a side, with the error of the
+// solution, Newton iterations and memory beside each time.
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include "scenes/two_sided/made_problem.hpp"
+
+namespace {
+
+using namespace fde;
+
+void solve(benchmark::State& state, const Scheme& scheme, int steps) {
+  const Made made = smooth_two_sided();
+  const Grid grid{.end = made.problem.end, .steps = steps};
+  Trajectory path;
+  for (auto _ : state) path = scheme.solve(made.problem, grid, {});
+  if (path.ending != Ending::finished) {
+    state.SkipWithError("not converged");
+    return;
+  }
+  double error = 0.0;
+  for (int n = 0; n <= steps; ++n)
+    error = std::max(error, (path.y.col(n) - made.exact(grid.time(n))).cwiseAbs().maxCoeff());
+  state.counters["error"] = error;
+  state.counters["newton"] = static_cast<double>(path.cost.newton_iterations);
+  state.counters["bytes"] = benchmark::Counter(static_cast<double>(path.cost.history_bytes));
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  for (const auto& scheme : schemes()) {
+    if (!scheme.needs.two_sided) continue;
+    for (const int steps : {1 << 10, 1 << 12, 1 << 14, 1 << 16}) {
+      benchmark::RegisterBenchmark(fmt::format("all_at_once/{}/{}", scheme.id, steps).c_str(),
+                                   [&scheme, steps](benchmark::State& state) { solve(state, scheme, steps); })
+          ->Unit(benchmark::kMillisecond);
+    }
+  }
+  benchmark::Initialize(&count, arguments);
+  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

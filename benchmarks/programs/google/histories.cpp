@@ -1,0 +1,112 @@
+// One step of a history, pushed and convolved, for a predictor-corrector with four components of one order:
+// against the number of steps, the number of exponentials, the vector target, and the same multiply-adds in a
+// plain loop. per_step is the figure to read: a whole run, its tables included, over the number of steps.
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include "history/block_kernels.hpp"
+#include "history/exponential_memory.hpp"
+#include "history/history.hpp"
+#include "programs/google/bare_loop.hpp"
+
+namespace {
+
+using namespace fde;
+
+constexpr Eigen::Index components = 4;
+constexpr double order = 0.5, full = 1e-15;
+
+WeightTables predictor_corrector() {
+  return {std::vector<WeightTable>(components, {WeightFamily::rectangle, order}),
+          std::vector<WeightTable>(components, {WeightFamily::trapezoid, order})};
+}
+
+// Time per step of an iteration of so many.
+benchmark::Counter per_iteration(Eigen::Index count) {
+  return {static_cast<double>(count),
+          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert};
+}
+
+// A whole run of the history.
+void steps(benchmark::State& state, HistoryKind kind, const Grid& grid, double tolerance) {
+  Vec sample = Vec::LinSpaced(components, 0.5, 1.5), sum(components);
+  for (auto _ : state) {
+    const auto history = make_history(kind, predictor_corrector(), grid, tolerance);
+    for (int n = 1; n <= grid.steps; ++n) {
+      history->push(sample);
+      history->convolve(0, sum);
+      history->convolve(1, sum);
+      sample[0] = 1.0 + 1e-9 * sum[0];
+    }
+    benchmark::DoNotOptimize(sum.data());
+  }
+  state.counters["per_step"] = per_iteration(grid.steps);
+}
+
+Eigen::Index nodes(int count, double tolerance) {
+  return exponential_sum(order, ExponentialMemory::shortest_lag, count + 2.0, tolerance).nodes.size();
+}
+
+// The multiply-adds that the history's step needs, in a loop the compiler vectorises by itself: what it could
+// reach at best. Rows of one block, columns of components, and as many inner products as make up the number.
+void bare_loop(benchmark::State& state, int count) {
+  constexpr Eigen::Index block = ExponentialMemory::block, tables = 2;
+  const auto exponentials = nodes(count, full);
+  const Eigen::Index near = ExponentialMemory::recent + block / 2;
+  const Eigen::Index for_samples = exponentials + tables * (exponentials + near);
+  const Eigen::Index for_start = tables * exponentials / components;
+  const Eigen::Index inner = for_samples + for_start;
+  const Matrix a = Matrix::Random(block, inner), b = Matrix::Random(inner, components);
+  Matrix c = Matrix::Zero(block, components);
+  for (auto _ : state) {
+    bare_multiply_add(inner, components, a.data(), b.data(), c.data());
+    benchmark::DoNotOptimize(c.data());
+  }
+  state.counters["multiply_adds_per_step"] = static_cast<double>(inner * components);
+  state.counters["per_step"] = per_iteration(block);
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  const auto add = [](const std::string& name, auto... rest) {
+    benchmark::RegisterBenchmark(name.c_str(), rest...)->Unit(benchmark::kMillisecond);
+  };
+  for (const int count : {48, 64, 96, 128, 192, 256, 512, 1024, 4096, 16384}) {
+    add(fmt::format("steps/direct/{}", count), steps, HistoryKind::direct, Grid{1.0, count}, full);
+  }
+  for (const int count :
+       {48, 64, 96, 128, 192, 256, 512, 1024, 4096, 16384, 100'000, 1'000'000, 10'000'000}) {
+    add(fmt::format("steps/exponentials/{}", count), steps, HistoryKind::exponentials, Grid{1.0, count},
+        full);
+  }
+  benchmark::RegisterBenchmark("steps/exponentials/100000000", steps, HistoryKind::exponentials,
+                               Grid{1.0, 100'000'000}, full)
+      ->Unit(benchmark::kMillisecond)
+      ->Iterations(1);
+  constexpr int usual = 100'000;
+  for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12, full}) {
+    add(fmt::format("exponentials/{}", nodes(usual, tolerance)), steps, HistoryKind::exponentials,
+        Grid{1.0, usual}, tolerance);
+  }
+  add(fmt::format("bare_loop/{}", usual), bare_loop, usual);
+  for (const int count : {4, 8, 16, 32, 64, 128, 256, 1024, 16384}) {
+    const Grid graded{1.0, count, 2.0};
+    if (count <= 1024) add(fmt::format("graded/direct/{}", count), steps, HistoryKind::direct, graded, full);
+    add(fmt::format("graded/exponentials/{}", count), steps, HistoryKind::exponentials, graded, full);
+  }
+  const auto targets = vector_targets();
+  for (const auto target : targets) {
+    add(fmt::format("target/{}", target), [=](benchmark::State& state) {
+      use_vector_target(target);
+      steps(state, HistoryKind::exponentials, {1.0, usual}, full);
+      use_vector_target(targets.front());
+    });
+  }
+  benchmark::Initialize(&argument_count, arguments);
+  if (benchmark::ReportUnrecognizedArguments(argument_count, arguments)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

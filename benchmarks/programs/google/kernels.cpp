@@ -1,0 +1,47 @@
+// The kernels under everything: one weight, one value of the Mittag-Leffler function. Histories have a
+// program of their own.
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "mittag_leffler/mittag_leffler.hpp"
+#include "weights/weights.hpp"
+
+namespace {
+
+using namespace fde;
+
+void weights(benchmark::State& state, WeightFamily family) {
+  std::int64_t lag = 1;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(weight({family, 0.5}, lag));
+    lag = lag % 100'000 + 1;
+  }
+}
+BENCHMARK_CAPTURE(weights, rectangle, WeightFamily::rectangle);
+BENCHMARK_CAPTURE(weights, trapezoid, WeightFamily::trapezoid);
+BENCHMARK_CAPTURE(weights, grunwald_letnikov, WeightFamily::grunwald_letnikov);
+BENCHMARK_CAPTURE(weights, l1, WeightFamily::l1);
+
+// E_{a,1}(-x), x from 0 to 100. The argument is a in tenths.
+void mittag_leffler_double(benchmark::State& state) {
+  const double alpha = 0.1 * static_cast<double>(state.range(0));
+  double x = 0.0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(mittag_leffler(alpha, 1.0, -x));
+    x = std::fmod(x + 0.37, 100.0);
+  }
+}
+BENCHMARK(mittag_leffler_double)->Arg(2)->Arg(5)->Arg(9)->Arg(13)->Arg(17);
+
+void mittag_leffler_digits(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(mittag_leffler("0.5", "1", "-1", "0", static_cast<int>(state.range(0))));
+  }
+}
+BENCHMARK(mittag_leffler_digits)->Arg(50)->Arg(200)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();

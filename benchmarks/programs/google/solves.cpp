@@ -1,0 +1,77 @@
+// solve/<scene>/<scheme>/<N> for every pair of the lists that fits, with the error of the solution beside
+// each time; history/<scene>/<scheme>/<engine>/<N> compares the engines on whole solves.
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <list>
+
+#include "scenes/registry.hpp"
+#include "sweep/experiment.hpp"
+
+namespace {
+
+using namespace fde;
+
+// A scene with its reference, which is made once, when the first benchmark of the scene needs it.
+struct Subject {
+  explicit Subject(const SceneMaker& maker) : id(maker.id), scene(make_scene(maker)) {}
+  std::string_view id;
+  Scene scene;
+  WatchedReference reference{scene};
+};
+
+void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int steps,
+           HistoryKind history = HistoryKind::automatic) {
+  const Grid grid{.end = subject.scene.problem.end, .steps = steps};
+  const Options options{.history = history, .keep = {steps}};
+  Trajectory path;
+  for (auto _ : state) path = scheme.solve(subject.scene.problem, grid, options);
+  if (path.ending != Ending::finished) {
+    state.SkipWithError(describe(subject.scene.problem, path).c_str());
+    return;
+  }
+  const Rows error = columns_of(subject.scene.outputs, path) - subject.reference.at(grid, path.steps);
+  state.counters["error"] = error.cwiseAbs().maxCoeff();
+  state.counters["per_step"] =
+      benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  std::list<Subject> subjects;  // stay where they are
+  for (const auto& maker : scenes()) {
+    auto& subject = subjects.emplace_back(maker);
+    for (const auto& scheme : schemes()) {
+      for (const int steps : {256, 1024, 4096}) {
+        if (refusal(scheme, subject.scene.problem, {subject.scene.problem.end, steps})) continue;
+        benchmark::RegisterBenchmark(
+            fmt::format("solve/{}/{}/{}", maker.id, scheme.id, steps).c_str(),
+            [&subject, &scheme, steps](benchmark::State& state) { solve(state, subject, scheme, steps); })
+            ->Unit(benchmark::kMillisecond);
+      }
+    }
+  }
+  for (auto& subject : subjects) {
+    if (subject.id != "pendulum" && subject.id != "brusselator") continue;
+    for (const auto* id : {"adams_pc", "product_trapezoidal"}) {
+      for (const auto kind : {HistoryKind::direct, HistoryKind::exponentials}) {
+        for (const int steps : {1 << 10, 1 << 12, 1 << 15, 1 << 20}) {
+          if (kind == HistoryKind::direct && steps > 1 << 15) continue;  // minutes
+          benchmark::RegisterBenchmark(
+              fmt::format("history/{}/{}/{}/{}", subject.id, id, name(kind), steps).c_str(),
+              [&subject, id, kind, steps](benchmark::State& state) {
+                solve(state, subject, *find_scheme(id), steps, kind);
+              })
+              ->Unit(benchmark::kMillisecond);
+        }
+      }
+    }
+  }
+  benchmark::Initialize(&count, arguments);
+  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

@@ -1,0 +1,82 @@
+// How many exponentials stand for the kernel t^(a-1)/Gamma(a), and how well. CSV, one row a sum:
+//
+//   exponent   a
+//   steps      the sum serves runs of so many steps: times from shortest_lag to steps + 2
+//   tolerance  relative error asked for
+//   nodes      number of exponentials
+//   bound      relative error of the construction, as computed with the sum
+//   error      worst relative error of the sum as stored, with nodes and coefficients rounded to double. That
+//              rounding is not in the bound
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/special_functions/gamma.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <vector>
+
+#include "history/exponential_memory.hpp"
+#include "weights/exponential_sum.hpp"
+
+namespace {
+
+using namespace fde;
+using Exact = boost::multiprecision::cpp_bin_float_quad;  // 34 digits
+
+struct Sample {
+  double time;
+  Exact kernel;
+};
+
+// The kernel at times in geometric steps, the last of them `high`. The sum errs in waves of log t, a wave
+// about as long as the distance of two nodes: a factor of 1.29 or more, so that none slips through.
+std::vector<Sample> sample_kernel(double exponent, double low, double high) {
+  constexpr double ratio = 1.02;
+  const Exact a = exponent, scale = 1 / boost::math::tgamma(a);
+  std::vector<Sample> samples;
+  for (double time = low;; time = std::min(time * ratio, high)) {
+    samples.push_back({time, scale * pow(Exact(time), a - 1)});
+    if (time == high) return samples;
+  }
+}
+
+Exact evaluate(const ExponentialSum& sum, double time) {
+  constexpr double negligible = 100.0;  // exp(-100) is 4e-44; coefficients are moderate
+  Exact total = 0;
+  for (Eigen::Index m = 0; m < sum.nodes.size() && sum.nodes[m] * time < negligible; ++m) {
+    total += sum.coefficients[m] * exp(-Exact(sum.nodes[m]) * time);
+  }
+  return total;
+}
+
+double worst_error(const ExponentialSum& sum, const std::vector<Sample>& samples) {
+  Exact worst = 0;
+  for (const auto& [time, kernel] : samples)
+    worst = std::max<Exact>(worst, abs(evaluate(sum, time) / kernel - 1));
+  return static_cast<double>(worst);
+}
+
+void print_rows(double exponent, double steps) {
+  constexpr double low = ExponentialMemory::shortest_lag;
+  const double high = steps + 2.0;
+  const auto samples = sample_kernel(exponent, low, high);
+  for (const double tolerance :
+       {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15}) {
+    const auto sum = exponential_sum(exponent, low, high, tolerance);
+    fmt::print("{},{:.0e},{:.0e},{},{:.3e},{:.3e}\n", exponent, steps, tolerance, sum.nodes.size(), sum.bound,
+               worst_error(sum, samples));
+  }
+}
+
+}  // namespace
+
+int main() try {
+  fmt::print("exponent,steps,tolerance,nodes,bound,error\n");
+  for (const double exponent : {0.05, 0.5, 0.95}) {
+    for (const double steps : {1e4, 1e8}) print_rows(exponent, steps);
+  }
+  return 0;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "fde_exponentials: {}\n", error.what());
+  return 1;
+}

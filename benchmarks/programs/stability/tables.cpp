@@ -1,0 +1,102 @@
+// The tables of docs/the_stability.md, as Markdown. Argument: intervals, damping or reversal.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include "problem/scalar_equation.hpp"
+#include "programs/stability/late.hpp"
+#include "programs/stability/linear_multistep.hpp"
+#include "stability/stability_region.hpp"
+
+namespace {
+
+using namespace fde;
+
+const Scheme& scheme(std::string_view id) { return *find_scheme(id); }
+
+double growth(std::string_view id, double order, double x) {
+  return late(scheme(id), scalar_equation(order, -x), 1.0, 20000).growth;
+}
+
+// Real intervals (-x, 0) of the schemes that have one, with the growth in runs 0.1 % inside and outside.
+void print_intervals() {
+  fmt::print(
+      "| order | adams_pc | inside, outside | decoupled_multi_order | inside, outside | "
+      "commensurate_adams_pc | "
+      "product_trapezoidal | inside, outside |\n|---|---|---|---|---|---|---|---|\n");
+  for (int i = 1; i < 20; ++i) {
+    const double order = 0.1 * i;
+    fmt::print("| {:.1f}", order);
+    for (const auto* id :
+         {"adams_pc", "decoupled_multi_order", "commensurate_adams_pc", "product_trapezoidal"}) {
+      const double x = real_interval(scheme(id), order);
+      fmt::print(" | {}", std::isinf(x) ? "∞" : fmt::format("{:#.5g}", x));
+      if (std::string_view(id) == "commensurate_adams_pc") continue;
+      if (std::isinf(x)) {
+        fmt::print(" | –");
+      } else {
+        fmt::print(" | {:.2g}, {:.2g}", growth(id, order, 0.999 * x), growth(id, order, 1.001 * x));
+      }
+    }
+    fmt::print(" |\n");
+  }
+}
+
+// y_n / y_0 as z -> -infinity.
+void print_damping() {
+  fmt::print("| order | n = 1 | 10 | 100 | 1000 |\n|---|---|---|---|---|\n");
+  for (const double order : {0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 0.99, 1.0, 1.1, 1.5}) {
+    const Vec y = response_at_infinity(scheme("product_trapezoidal"), order, 1000).value();
+    fmt::print("| {} | {:.3g} | {:.3g} | {:.3g} | {:.3g} |\n", order, y[1], y[10], y[100], y[1000]);
+  }
+}
+
+// D^(1/2) y = rate y at t = 1, h = 0.01, against 1/(|rate| sqrt(pi)).
+void print_reversal() {
+  constexpr double order = 0.5;
+  constexpr int steps = 100;
+  fmt::print("| rule | λ = -1e2 | -1e4 | -1e6 | -1e8 |\n|---|---|---|---|---|\n");
+  const auto print = [&](std::string_view name, const auto& value_at_one) {
+    fmt::print("| {}", name);
+    for (const double rate : {-1e2, -1e4, -1e6, -1e8}) fmt::print(" | {:.3e}", value_at_one(rate));
+    fmt::print(" |\n");
+  };
+  print("exact, to 1/(2λ²)", [](double rate) { return -1.0 / (rate * std::sqrt(std::numbers::pi)); });
+  for (const auto* id : {"l1", "grunwald_letnikov", "product_trapezoidal"}) {
+    print(id, [&](double rate) {
+      return scheme(id).solve(scalar_equation(order, rate), {1.0, steps}, {}).y(0, steps);
+    });
+  }
+  for (const auto& [name, rule] : {std::pair{"BDF2, start weights", Multistep::bdf2},
+                                   {"Newton-Gregory, start weights", Multistep::newton_gregory},
+                                   {"trapezoidal, start weights", Multistep::trapezoidal}}) {
+    print(name, [which = rule](double rate) {
+      return multistep_relaxation(which, order, rate / std::sqrt(steps), steps)[steps];
+    });
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const auto arguments = std::span(argv, static_cast<std::size_t>(argc));
+  const std::string_view what = arguments.size() == 2 ? arguments[1] : "";
+  if (what == "intervals") {
+    print_intervals();
+  } else if (what == "damping") {
+    print_damping();
+  } else if (what == "reversal") {
+    print_reversal();
+  } else {
+    throw std::invalid_argument("say intervals, damping or reversal");
+  }
+  return 0;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "fde_stability_tables: {}\n", error.what());
+  return 1;
+}

@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+
+#include "reference_data/table_kind.hpp"
+#include "references/written_bound.hpp"
+#include "sweep/experiment.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int double_digits = 17;
+constexpr std::array table_steps{64, 128, 256, 512, 1024, 2048, 4096};
+constexpr int most_steps = 1 << 20;
+
+// What another machine may change: its vectors add in another order. Of the error, and of 1 + max |y|. The
+// two engines of the past, which share no sum, differ by a tenth of it at most.
+constexpr double relative_tolerance = 1e-9;
+constexpr double rounding_tolerance = 1e-12;
+constexpr double least_accuracy = 1e-8;  // of a reference, to decide anything
+
+// The measured numbers of a row, by the names of the measures.
+const std::vector<std::string> measured{"h", "error_end", "error_maximum", "expected_rate_end",
+                                        "expected_rate_maximum"};
+
+TableFacts facts(const SceneVariant& of) {
+  return {
+      .title = fmt::format("{}: errors of every scheme against the number of steps", of.maker->title),
+      .method = fmt::format("each scheme on a uniform grid of [0, {}], compared at every step with the "
+                            "reference, in double; reproducible to {:g} of the error and {:g} of 1 + max |y|",
+                            make_scene(of).problem.end, relative_tolerance, rounding_tolerance),
+      .source = std::string(of.maker->source),
+      .bound = "of the reference at the end, against which the errors are measured",
+      .digits = double_digits,
+      .columns = {
+          {.name = "scheme", .meaning = "id of the scheme", .type = ColumnType::text},
+          {.name = "steps", .meaning = "number of steps", .type = ColumnType::integer},
+          {.name = "h", .meaning = "step size", .required = false},
+          {.name = "error_end", .meaning = "largest error over the columns at the last time"},
+          {.name = "error_maximum",
+           .meaning = "largest error over the columns and all steps",
+           .required = false},
+          {.name = "expected_rate_end", .meaning = "theoretical rate at a fixed time", .required = false},
+          {.name = "expected_rate_maximum",
+           .meaning = "theoretical rate in the maximum norm",
+           .required = false},
+          {.name = "bound", .meaning = "bound of the reference at the end", .required = false}}};
+}
+
+// The runs of one scene, with the reference kept between them.
+class Runs {
+ public:
+  explicit Runs(const SceneVariant& of) : label_(of.label()), scene_(make_scene(of)), reference_(scene_) {}
+  Runs(const Runs&) = delete;
+  Runs& operator=(const Runs&) = delete;
+
+  struct Run {
+    std::map<std::string, double> values;  // by the names of the measures
+    std::string status;                    // empty: finished
+  };
+
+  Run operator()(const Scheme& scheme, int steps) {
+    const auto rows = examine(label_, scene_, reference_, scheme, steps);
+    Run run{.values = {{"h", rows.back().h}}, .status = {}};
+    const std::string& status = rows.back().status;
+    if (ending_of(status) != Ending::finished) run.status = status;
+    for (const auto& row : rows) run.values.emplace(row.quantity, row.value);
+    return run;
+  }
+
+  // max |y| over the time of the scene.
+  double size() {
+    std::array<int, table_steps.front() + 1> steps{};
+    std::iota(steps.begin(), steps.end(), 0);
+    return reference_
+        .at({.end = scene_.problem.end, .steps = table_steps.front()}, {steps.begin(), steps.end()})
+        .cwiseAbs()
+        .maxCoeff();
+  }
+
+ private:
+  std::string label_;
+  Scene scene_;
+  WatchedReference reference_;
+};
+
+MadeTable make(const SceneVariant& of) {
+  Runs runs(of);
+  MadeTable made;
+  for (const auto& column : facts(of).columns) made.table.columns.push_back(column.name);
+  for (const auto& scheme : schemes()) {
+    for (const int steps : table_steps) {
+      const auto [values, status] = runs(scheme, steps);
+      if (!status.empty()) {
+        const bool refused = ending_of(status) == Ending::refused;
+        const std::string id(scheme.id);
+        made.left_out.push_back({refused ? id : fmt::format("{}, {} steps", id, steps), status});
+        if (refused) break;
+        continue;
+      }
+      std::vector<std::string> row{std::string(scheme.id), fmt::format("{}", steps)};
+      for (const auto& name : measured) row.push_back(fmt::format("{}", values.at(name)));
+      row.push_back(bound_text(values.at("reference_bound")));
+      made.table.rows.push_back(std::move(row));
+    }
+  }
+  return made;
+}
+
+const Scheme& scheme_at(const DataTable& given, std::size_t row) {
+  const auto& id = given.rows[row][*given.find("scheme")];
+  if (const Scheme* scheme = find_scheme(id)) return *scheme;
+  std::vector<std::string_view> ids;
+  for (const auto& scheme : schemes()) ids.push_back(scheme.id);
+  throw std::invalid_argument(fmt::format("{}: no such scheme '{}'; there are {}", given.place(row, "scheme"),
+                                          id, fmt::join(ids, ", ")));
+}
+
+int steps_at(const DataTable& given, std::size_t row) {
+  const auto& text = given.rows[row][*given.find("steps")];
+  int steps = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
+  if (error == std::errc{} && end == text.data() + text.size() && steps >= 1 && steps <= most_steps)
+    return steps;
+  throw std::invalid_argument(fmt::format("{}: '{}' must be a whole number from 1 to {}",
+                                          given.place(row, "steps"), text, most_steps));
+}
+
+RowCheck check(const SceneVariant& of, const DataTable& given) {
+  const auto comparison = std::make_shared<Comparison>(given, measured);
+  const auto runs = std::make_shared<Runs>(of);
+  return [&given, comparison, runs](std::size_t row) {
+    const auto [values, status] = (*runs)(scheme_at(given, row), steps_at(given, row));
+    if (!status.empty()) throw std::runtime_error(status);
+    const double size = 1.0 + runs->size(), bound = values.at("reference_bound");
+    if (!(bound <= least_accuracy * size))
+      throw std::runtime_error(fmt::format("the reference has a bound of {}", bound_text(bound)));
+    const double of_errors = rounding_tolerance * size + bound;
+    std::vector<Decimal> recomputed;
+    for (const auto& name : measured) {
+      const double value = values.at(name);
+      const double tolerance =
+          name.starts_with("error") ? relative_tolerance * value + of_errors : rounding_tolerance * value;
+      recomputed.push_back({fmt::format("{}", value), fmt::format("{}", tolerance)});
+    }
+    return (*comparison)(row, recomputed);
+  };
+}
+
+}  // namespace
+
+const TableKind convergence_table{.id = "convergence",
+                                  .folder = "convergence",
+                                  .known_by = "scheme",
+                                  .facts = facts,
+                                  .make = make,
+                                  .check = check};
+
+}  // namespace fde

@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "mittag_leffler/mittag_leffler.hpp"
+#include "reference_data/table_kind.hpp"
+#include "reference_data/tables/mittag_leffler_points.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int table_digits = 50;
+constexpr int more_digits = 3;  // of a recomputed value than of the written one
+
+TableFacts facts(const SceneVariant& /*of*/) {
+  return {.title = "Mittag-Leffler function E_{alpha,beta}(z) of two parameters",
+          .method =
+              "inverse Laplace transform in multiple precision: one trapezoidal sum on a parabola round the "
+              "branch cut and residues at the poles, with a bound by theory",
+          .source =
+              "E_{alpha,beta}(z) = sum_{k>=0} z^k / Gamma(alpha k + beta); NIST Digital Library of "
+              "Mathematical Functions, section 10.46",
+          .bound = "of |E - (re + i im)|, the rounding of the texts included",
+          .digits = table_digits,
+          .columns = {{.name = "alpha", .meaning = "first parameter, in (0, 5], taken as the decimal it is"},
+                      {.name = "beta", .meaning = "second parameter, taken as the decimal it is"},
+                      {.name = "re_z", .meaning = "real part of the argument, taken as the decimal it is"},
+                      {.name = "im_z", .meaning = "imaginary part of the argument", .required = false},
+                      {.name = "re", .meaning = "real part of E_{alpha,beta}(z)"},
+                      {.name = "im", .meaning = "imaginary part of E_{alpha,beta}(z)", .required = false},
+                      {.name = "bound", .meaning = "bound of the absolute error", .required = false}}};
+}
+
+MadeTable make(const SceneVariant& of) {
+  MadeTable made;
+  for (const auto& column : facts(of).columns) made.table.columns.push_back(column.name);
+  for (const auto& [alpha, beta, re, im] : mittag_leffler_points()) {
+    const auto value = mittag_leffler(alpha, beta, re, im, table_digits);
+    made.table.rows.push_back({alpha, beta, re, im, value.re, value.im, value.bound});
+  }
+  return made;
+}
+
+RowCheck check(const SceneVariant& /*of*/, const DataTable& given) {
+  const auto comparison = std::make_shared<Comparison>(given, std::vector<std::string>{"re", "im"});
+  return [&given, comparison](std::size_t row) {
+    const auto cell = [&](std::string_view column) {
+      const auto at = given.find(column);
+      return at ? given.rows[row][*at] : "0";
+    };
+    const auto value = mittag_leffler(cell("alpha"), cell("beta"), cell("re_z"), cell("im_z"),
+                                      comparison->digits() + more_digits);
+    if (value.bound == "inf") throw std::runtime_error("the value is beyond all exponents");
+    const std::vector<Decimal> recomputed{{value.re, value.bound}, {value.im, value.bound}};
+    comparison->require_known(row, recomputed, comparison->digits());
+    return (*comparison)(row, recomputed);
+  };
+}
+
+}  // namespace
+
+const TableKind mittag_leffler_table{
+    .id = "mittag_leffler", .folder = "", .known_by = "re_z", .facts = facts, .make = make, .check = check};
+
+}  // namespace fde

@@ -1,0 +1,12 @@
+#include <array>
+
+#include "reference_data/table_kind.hpp"
+
+namespace fde {
+
+std::span<const TableKind> table_kinds() {
+  static const std::array all{mittag_leffler_table, trajectory_table, convergence_table};
+  return all;
+}
+
+}  // namespace fde

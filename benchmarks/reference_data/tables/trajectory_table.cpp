@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "reference_data/table_kind.hpp"
+#include "reference_data/written_number.hpp"
+#include "references/reference_of.hpp"
+#include "references/written_bound.hpp"
+#include "sweep/experiment.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int table_digits = 50;          // where there is an exact solution
+constexpr int double_digits = 17;         // where there is a reference in double only
+constexpr int more_digits = 3;            // of a recomputed value than of the written one
+constexpr int least_digits = 8;           // of a reference in double, to decide anything
+constexpr std::size_t most_columns = 32;  // a table of hundreds of columns is nothing to read
+constexpr double latest_time = 1000.0;
+
+constexpr std::array stated_times{0.0,  0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1,  0.2,
+                                  0.5,  1.0,   1.5,   2.0,   3.0,  4.0,  5.0,  7.0,  10.0,
+                                  12.0, 15.0,  20.0,  25.0,  30.0, 35.0, 40.0, 45.0, 50.0};
+
+std::string method_of(const Scene& scene) {
+  if (scene.reference.digits) {
+    return "closed form, or inverse Laplace transform with residues and a contour at two resolutions, in "
+           "multiple precision; parameters and times are taken as the decimals they are";
+  }
+  if (scene.reference.at) return "closed form, in double";
+  return "piecewise collocation on a graded mesh, in double; the error is estimated from a second resolution "
+         "and a second method, exponentials of the memory with Radau IIA";
+}
+
+TableFacts facts(const SceneVariant& of) {
+  const Scene scene = make_scene(of);
+  const bool exact = static_cast<bool>(scene.reference.digits);
+  TableFacts facts{
+      .title = fmt::format("{}: the solution at stated times", of.maker->title),
+      .method = method_of(scene),
+      .source = std::string(of.maker->source),
+      .bound = scene.reference.at
+                   ? "the largest over the columns, of the absolute error, the rounding of the texts included"
+                   : "an estimate, the largest over the columns, of the absolute error",
+      .digits = exact ? table_digits : double_digits,
+      .columns = {{.name = "t", .meaning = "time"}}};
+  for (const auto& name : scene.outputs.names) {
+    facts.columns.push_back(
+        {.name = name, .meaning = fmt::format("{} of the scene at t", name), .required = false});
+  }
+  facts.columns.push_back({.name = "bound", .meaning = "bound of the absolute error", .required = false});
+  return facts;
+}
+
+// The columns of a scene at one time, with so many digits where they are to be had.
+class TrueColumns {
+ public:
+  TrueColumns(const SceneVariant& of, double end) : scene_(make_scene(of)) {
+    if (!two_sided(scene_.problem)) scene_.problem.end = end;
+    if (!scene_.reference.digits) reference_ = reference_of(scene_);
+  }
+
+  [[nodiscard]] std::vector<Decimal> at(double t, int digits) const {
+    auto columns = scene_.reference.digits ? scene_.reference.digits(t, digits) : in_double(t);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (columns[c].bound == "inf" || columns[c].bound == "nan")
+        throw std::runtime_error(fmt::format("{} is not finite at t = {}", scene_.outputs.names[c], t));
+    }
+    return columns;
+  }
+
+  // A two-sided problem ends where it is posed.
+  [[nodiscard]] bool known_at(double t) const {
+    return !two_sided(scene_.problem) || t <= scene_.problem.end;
+  }
+  [[nodiscard]] bool has_digits() const { return static_cast<bool>(scene_.reference.digits); }
+  [[nodiscard]] const std::vector<std::string>& names() const { return scene_.outputs.names; }
+
+ private:
+  // The shortest text that names the double; two digits of the bound, rounded up.
+  [[nodiscard]] std::vector<Decimal> in_double(double t) const {
+    constexpr double half_ulp = 0x1p-53;
+    const auto [value, bound] = reference_.at(t);
+    std::vector<Decimal> decimals;
+    for (Eigen::Index i = 0; i < value.size(); ++i) {
+      const double whole = t == 0.0 ? bound[i] : bound[i] + half_ulp * std::abs(value[i]);
+      decimals.push_back({fmt::format("{}", value[i]), bound_text(whole)});
+    }
+    return decimals;
+  }
+
+  Scene scene_;
+  Reference reference_{};
+};
+
+std::string largest_bound(const std::vector<Decimal>& columns) {
+  std::string largest = "0";
+  for (const auto& column : columns) largest = larger_bound(largest, column.bound);
+  return largest;
+}
+
+MadeTable make(const SceneVariant& of) {
+  const TrueColumns reference(of, stated_times.back());
+  MadeTable made;
+  for (const auto& column : facts(of).columns) made.table.columns.push_back(column.name);
+  for (const double t : stated_times) {
+    if (!reference.known_at(t)) break;
+    const auto columns = reference.at(t, table_digits);
+    std::vector<std::string> row{fmt::format("{}", t)};
+    for (const auto& column : columns) row.push_back(column.value);
+    row.push_back(largest_bound(columns));
+    made.table.rows.push_back(std::move(row));
+  }
+  return made;
+}
+
+std::vector<double> times_of(const DataTable& given) {
+  std::vector<double> times;
+  const auto column = *given.find("t");
+  for (std::size_t row = 0; row < given.rows.size(); ++row) {
+    const auto& text = given.rows[row][column];
+    double t = -1.0;
+    if (read_written(text)) std::from_chars(text.data(), text.data() + text.size(), t);
+    if (!(t >= 0.0 && t <= latest_time)) {
+      throw std::invalid_argument(
+          fmt::format("{}: {} must be a time in [0, {}]", given.place(row, "t"), text, latest_time));
+    }
+    times.push_back(t);
+  }
+  return times;
+}
+
+RowCheck check(const SceneVariant& of, const DataTable& given) {
+  const auto times = times_of(given);
+  const double end = times.empty() ? 0.0 : std::ranges::max(times);
+  const auto reference = std::make_shared<TrueColumns>(of, end > 0.0 ? end : 1.0);
+  const auto comparison = std::make_shared<Comparison>(given, reference->names());
+  return [=](std::size_t row) {
+    const auto recomputed = reference->at(times[row], comparison->digits() + more_digits);
+    comparison->require_known(
+        row, recomputed,
+        reference->has_digits() ? comparison->digits() : std::min(comparison->digits(), least_digits));
+    return (*comparison)(row, recomputed);
+  };
+}
+
+bool has_table(const SceneVariant& of) {
+  return make_scene(*of.maker, of.values).outputs.names.size() <= most_columns;
+}
+
+}  // namespace
+
+const TableKind trajectory_table{.id = "trajectory",
+                                 .folder = "trajectories",
+                                 .known_by = "t",
+                                 .facts = facts,
+                                 .make = make,
+                                 .check = check,
+                                 .has_table = has_table};
+
+}  // namespace fde

@@ -1,0 +1,168 @@
+#include "references/cache.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "nonlinear/collocation.hpp"
+#include "references/checksum.hpp"
+
+namespace fde {
+
+namespace {
+
+using nlohmann::json;
+
+// To be raised with every change of the methods or of the file that changes a reference.
+constexpr int version = 2;
+
+constexpr std::size_t digest_size = 64;
+
+std::vector<double> numbers(const Matrix& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
+
+Matrix matrix_of(const std::vector<double>& numbers, Eigen::Index columns) {
+  return Eigen::Map<const Matrix>(numbers.data(), std::ssize(numbers) / columns, columns);
+}
+
+json to_json(const PanelTable& table) {
+  json panels = json::array();
+  for (const auto& panel : table.panels) {
+    panels.push_back({{"from", panel.from},
+                      {"to", panel.to},
+                      {"values", numbers(panel.values)},
+                      {"bound", numbers(panel.bound)}});
+  }
+  return panels;
+}
+
+// Throws json::exception where the file is of other things.
+PanelTable table_of(const json& panels, Eigen::Index size) {
+  PanelTable table;
+  for (const auto& panel : panels) {
+    const auto values = panel.at("values").get<std::vector<double>>();
+    const auto bound = panel.at("bound").get<std::vector<double>>();
+    table.panels.push_back({panel.at("from").get<double>(), panel.at("to").get<double>(),
+                            matrix_of(values, size), matrix_of(bound, size).transpose()});
+  }
+  return table;
+}
+
+// Panels from 0 to the end of the problem, all of its size and of one resolution.
+bool fits(const PanelTable& table, const Problem& problem) {
+  double time = 0.0;
+  for (const auto& panel : table.panels) {
+    const auto& first = table.panels.front().values;
+    if (panel.from != time || !(panel.to > time) || panel.bound.size() != problem.size() ||
+        panel.values.rows() != first.rows() || first.rows() < 3 || !panel.values.allFinite() ||
+        !(panel.bound.array() >= 0.0).all()) {
+      return false;
+    }
+    time = panel.to;
+  }
+  return time == problem.end;
+}
+
+std::string read(const std::filesystem::path& file) {
+  std::ostringstream bytes;  // a file that cannot be read leaves it empty
+  std::error_code none;      // anything else, like a pipe, might never end
+  if (std::filesystem::is_regular_file(file, none)) bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
+// What stands behind a SHA-256, if that is its own.
+std::optional<std::string_view> checked(std::string_view bytes) {
+  if (bytes.size() < digest_size) return std::nullopt;
+  const auto content = bytes.substr(digest_size);
+  if (sha256(content) != bytes.substr(0, digest_size)) return std::nullopt;
+  return content;
+}
+
+// A name that no other process or thread writes to.
+std::filesystem::path temporary(const std::filesystem::path& file) {
+  static std::atomic<unsigned> count = 0;
+  return file.string() + fmt::format(".{}.{}", getpid(), count++);
+}
+
+std::optional<std::filesystem::path> variable(const char* name) {
+  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
+  if (value == nullptr) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::filesystem::path ReferenceCache::file_of(const std::string& key) const {
+  return folder_.value() / (sha256(key) + ".reference");
+}
+
+std::optional<PanelTable> ReferenceCache::load(const std::string& key, const Problem& problem) const {
+  if (!folder_) return std::nullopt;
+  const std::string bytes = read(file_of(key));
+  const auto content = checked(bytes);
+  if (!content) return std::nullopt;
+  try {
+    const json file = json::from_cbor(*content);
+    if (file.at("key") != key) return std::nullopt;
+    auto table = table_of(file.at("panels"), problem.size());
+    return fits(table, problem) ? std::optional(std::move(table)) : std::nullopt;
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+}
+
+void ReferenceCache::store(const std::string& key, const PanelTable& table) const {
+  if (!folder_) return;
+  const auto content = json::to_cbor(json{{"key", key}, {"panels", to_json(table)}});
+  const std::string text(content.begin(), content.end());
+  const auto file = file_of(key), unfinished = temporary(file);
+  std::error_code ignored;
+  std::filesystem::create_directories(*folder_, ignored);
+  std::ofstream stream(unfinished, std::ios::binary);
+  stream << sha256(text) << text;
+  stream.close();
+  if (stream) std::filesystem::rename(unfinished, file, ignored);
+  std::filesystem::remove(unfinished, ignored);
+}
+
+std::optional<std::filesystem::path> cache_folder() {
+  if (const auto ours = variable("FDEBENCH_CACHE")) return ours->empty() ? std::nullopt : ours;
+  if (const auto caches = variable("XDG_CACHE_HOME"); caches && caches->is_absolute())
+    return *caches / "fdebench";
+  if (const auto home = variable("HOME"); home && home->is_absolute()) return *home / ".cache" / "fdebench";
+  return std::nullopt;
+}
+
+std::string reference_key(const std::string& name, const Problem& problem) {
+  std::string key = fmt::format("fdebench reference {}\n{}\nend {}\n", version, name, problem.end);
+  for (const auto& [order, initial, side] : problem.components)
+    key += fmt::format("order {} initial {}\n", order, fmt::join(initial, " "));
+  constexpr int points = 7;
+  Vec f(problem.size());
+  for (int k = 0; k < points; ++k) {
+    const double t = problem.end * k / points;
+    Vec y = taylor_part(problem, 0.0);
+    for (Eigen::Index i = 0; i < y.size(); ++i) y[i] += 0.25 * std::sin(3.0 * k + static_cast<double>(i));
+    problem.rhs(t, y, f);
+    key += fmt::format("f {}\n", fmt::join(f, " "));
+  }
+  return key;
+}
+
+Reference cached_reference(const std::string& name, const Problem& problem, const ReferenceCache& cache) {
+  const std::string key = reference_key(name, problem);
+  if (auto known = cache.load(key, problem)) return panel_reference(std::move(*known));
+  auto table = reference_table(problem);
+  cache.store(key, table);
+  return panel_reference(std::move(table));
+}
+
+}  // namespace fde

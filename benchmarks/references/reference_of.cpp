@@ -1,0 +1,39 @@
+#include "references/reference_of.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "nonlinear/collocation.hpp"
+#include "references/cache.hpp"
+
+namespace fde {
+namespace {
+
+Reference through(const Outputs& outputs, Reference components) {
+  if (!outputs.of) return components;
+  return {[outputs, components = std::move(components)](double t) -> ReferenceValue {
+    const ReferenceValue known = components.at(t);
+    Vec columns = columns_at(outputs, t, known.value);
+    Vec bound = bound_of_columns(outputs, t, known, columns);
+    return {std::move(columns), std::move(bound)};
+  }};
+}
+
+}  // namespace
+
+PosedProblem posed_for_reference(const Scene& scene) {
+  if (!scene.reference_problem) return {scene.problem, scene.outputs};
+  PosedProblem posed = *scene.reference_problem;
+  posed.problem.end = scene.problem.end;
+  return posed;
+}
+
+Reference reference_of(const Scene& scene) {
+  if (scene.reference.at) return scene.reference;
+  if (!scene.no_reference.empty()) throw std::runtime_error(scene.no_reference);
+  const auto [problem, outputs] = posed_for_reference(scene);
+  if (scene.name.empty()) return through(outputs, reference_solution(problem));
+  return through(outputs, cached_reference(scene.name, problem, ReferenceCache(cache_folder())));
+}
+
+}  // namespace fde

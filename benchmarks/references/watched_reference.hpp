@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.hpp"
+
+namespace fde {
+
+// The reference of one scene at grid times, each time evaluated once: refined grids share their times. The
+// scene must live as long.
+class WatchedReference {
+ public:
+  explicit WatchedReference(const Scene& scene) : scene_(scene) {}
+
+  // The scene's columns at the steps of a grid, one column a step. Throws std::runtime_error where there is
+  // no reference to be had, a Singularity where that is why.
+  Rows at(const Grid& grid, const std::vector<int>& steps);
+
+  // The bound of the reference at the end of the grid, one value a column of the scene.
+  Vec bound(const Grid& grid);
+
+ private:
+  ReferenceValue reference(double t);
+
+  const Scene& scene_;
+  Reference exact_{};             // made when first asked for
+  std::exception_ptr failure_{};  // why there is none: the same for every time
+  std::map<double, Vec> known_{};
+};
+
+}  // namespace fde

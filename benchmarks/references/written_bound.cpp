@@ -1,0 +1,35 @@
+#include "references/written_bound.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace fde {
+namespace {
+
+// -inf for 0. Its error is far below what is between two numbers of two digits.
+long double log10_of(const std::string& bound) {
+  const auto e = bound.find('e');
+  const long double mantissa = std::stold(bound.substr(0, e));
+  const long double exponent = e == std::string::npos ? 0.0L : std::stold(bound.substr(e + 1));
+  return std::isnan(mantissa) ? std::numeric_limits<long double>::infinity()
+                              : std::log10(mantissa) + exponent;
+}
+
+}  // namespace
+
+std::string bound_text(double bound) {
+  constexpr double upwards = 1.06;
+  return fmt::format("{:.2g}", upwards * bound);
+}
+
+bool is_finite_bound(const std::string& bound) {
+  return log10_of(bound) < std::numeric_limits<long double>::infinity();
+}
+
+const std::string& larger_bound(const std::string& a, const std::string& b) {
+  return log10_of(a) < log10_of(b) ? b : a;
+}
+
+}  // namespace fde

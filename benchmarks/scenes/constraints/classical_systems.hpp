@@ -1,0 +1,105 @@
+#pragma once
+
+#include <limits>
+#include <numbers>
+
+#include "mechanics/system.hpp"
+
+// Mechanical systems with constraints of whole order, f(t, q, v) = 0: those of the scenes.
+namespace fde::mechanics {
+
+// A free particle of mass 1 that must not leave the planes dz = y dx: f = z' - y x'.
+struct Particle {
+  static constexpr int coordinates = 3, constraints = 1;
+
+  template <class S>
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
+    return Vector<S, 1>(S(v[2] - q[1] * v[0]));
+  }
+};
+
+// Mass and moment of inertia 1; pull = g sin theta along x.
+struct Blade {
+  static constexpr int coordinates = 3, constraints = 1;
+  double pull;
+
+  template <class S>
+  [[nodiscard]] S potential(const Vector<S, 3>& q) const {
+    return -pull * q[0];
+  }
+  template <class S>
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
+    using std::cos, std::sin;
+    return Vector<S, 1>(S(v[0] * sin(q[2]) - v[1] * cos(q[2])));
+  }
+};
+
+// A vertical disc: contact point x, y, heading phi, angle of rolling psi; pull: a uniform acceleration along
+// x.
+struct Disc {
+  static constexpr int coordinates = 4, constraints = 2;
+  double radius, mass, spin_inertia, turn_inertia, pull;
+
+  template <class S>
+  [[nodiscard]] Table<S, 4, 4> metric(const Vector<S, 4>& /*q*/) const {
+    return Vector<S, 4>(S(mass), S(mass), S(turn_inertia), S(spin_inertia)).asDiagonal();
+  }
+  template <class S>
+  [[nodiscard]] S potential(const Vector<S, 4>& q) const {
+    return -mass * pull * q[0];
+  }
+  template <class S>
+  [[nodiscard]] Vector<S, 2> constraint(const S& /*t*/, const Vector<S, 4>& q, const Vector<S, 4>& v) const {
+    using std::cos, std::sin;
+    return {v[0] - radius * v[3] * cos(q[2]), v[1] - radius * v[3] * sin(q[2])};
+  }
+};
+
+// A point of mass 1 on the unit sphere that must keep its course: phi' sin theta = k theta'. theta is the
+// distance from the pole. The coordinates end at the poles: not a number beyond, which ends a run.
+struct SphereWithCourse {
+  static constexpr int coordinates = 2, constraints = 1;
+  double k;
+
+  template <class S>
+  [[nodiscard]] static S sine(const S& theta) {
+    using std::sin;
+    return theta > 0.0 && theta < std::numbers::pi ? S(sin(theta))
+                                                   : S(std::numeric_limits<double>::quiet_NaN());
+  }
+  template <class S>
+  [[nodiscard]] Table<S, 2, 2> metric(const Vector<S, 2>& q) const {
+    const S s = sine<S>(q[0]);
+    return Vector<S, 2>(S(1.0), S(s * s)).asDiagonal();
+  }
+  template <class S>
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& q, const Vector<S, 2>& v) const {
+    return Vector<S, 1>(S(v[1] * sine<S>(q[0]) - k * v[0]));
+  }
+};
+
+// Three masses 1 in a row between walls, springs of potential k s^2/2 + c s^4/4 between neighbours, and a
+// thermostat that keeps the kinetic energy: f = 1/2 |v|^2 - K.
+struct ThermostattedChain {
+  static constexpr int coordinates = 3, constraints = 1;
+  double k, c, kinetic;
+
+  template <class S>
+  [[nodiscard]] S spring(const S& length) const {
+    const S square = length * length;
+    return 0.5 * k * square + 0.25 * c * square * square;
+  }
+  template <class S>
+  [[nodiscard]] S potential(const Vector<S, 3>& q) const {
+    S sum = spring<S>(q[0]) + spring<S>(q[2]);
+    for (int i = 0; i < 2; ++i) sum += spring<S>(q[i + 1] - q[i]);
+    return sum;
+  }
+  template <class S>
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& /*q*/,
+                                        const Vector<S, 3>& v) const {
+    return Vector<S, 1>(S(0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - kinetic));
+  }
+};
+
+}  // namespace fde::mechanics

@@ -1,0 +1,105 @@
+#include <array>
+
+#include "linear/linear_system.hpp"
+#include "mechanics/formulations/mechanical_scene.hpp"
+
+namespace fde {
+namespace {
+
+using namespace mechanics;
+
+// u = (k1 q1^2 + k2 q2^2)/2 + g q2; f = a.v + b.w - C0 with C0 = a.v(0), which the motion keeps. Above order
+// 1 its modes grow where a.b < 0.
+struct LinearConstraint {
+  static constexpr int coordinates = 2, constraints = 1;
+  static constexpr bool constant = true;
+  double order, a1, a2, b1, b2, k1, k2, g, c0;
+
+  template <class S>
+  [[nodiscard]] S potential(const Vector<S, 2>& q) const {
+    return 0.5 * (k1 * q[0] * q[0] + k2 * q[1] * q[1]) + g * q[1];
+  }
+  template <class S>
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& /*q*/, const Vector<S, 2>& v,
+                                        const Vector<S, 2>& w) const {
+    return Vector<S, 1>(S(a1 * v[0] + a2 * v[1] + b1 * w[0] + b2 * w[1] - c0));
+  }
+};
+
+// The form with a multiplier in rows whose orders and coefficients are the parameters themselves, so that
+// they are taken at their word to any number of digits: p = q as a row of order alpha gives D^alpha p = w,
+// and e' = 0 with e(0) = v(0) gives C0 = a.e.
+LinearSystem system_of(const Parameters& parameters) {
+  enum : Eigen::Index { q = 0, v = 2, w = 4, lambda = 6, p = 7, e = 9, size = 11 };
+  const auto pair = [&](std::string_view first, std::string_view second) {
+    return std::array{parameters[first], parameters[second]};
+  };
+  const auto a = pair("a1", "a2"), b = pair("b1", "b2"), k = pair("k1", "k2"), place = pair("q1", "q2"),
+             velocity = pair("v1", "v2");
+  LinearSystem system{.orders = std::vector<double>(size, 1.0),
+                      .initial = std::vector<std::vector<double>>(size),
+                      .matrix = Matrix::Zero(size, size),
+                      .loads = std::vector<std::vector<Load>>(size),
+                      .outputs = {0, 1, 2, 3, 4, 5}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    system.matrix(q + at, v + at) = 1.0;
+    system.matrix(v + at, q + at) = -k[i];
+    system.matrix(v + at, lambda) = a[i];
+    system.matrix(p + at, w + at) = 1.0;
+    system.matrix(w + at, w + at) = 1.0;
+    system.matrix(w + at, p + at) = 1.0;
+    system.matrix(w + at, q + at) = -1.0;
+    system.matrix(lambda, v + at) = a[i];
+    system.matrix(lambda, w + at) = b[i];
+    system.matrix(lambda, e + at) = -a[i];
+    system.orders[w + i] = 0.0;
+    system.orders[p + i] = parameters["alpha"];
+    system.initial[q + i] = {place[i]};
+    system.initial[p + i] = {place[i], velocity[i]};
+    system.initial[v + i] = system.initial[e + i] = {velocity[i]};
+  }
+  system.matrix(lambda, lambda) = 1.0;
+  system.orders[lambda] = 0.0;
+  system.loads[v + 1] = {{-parameters["g"]}};
+  return system;
+}
+
+}  // namespace
+
+SceneMaker fractional_constraint_2d() {
+  const std::vector<Parameter> parameters{{"alpha",
+                                           0.5,
+                                           {.low = 0.0, .high = 2.0, .open_low = true, .open_high = true},
+                                           "order of the constraint"},
+                                          {"a1", 1.0, any_number, "weight of q1'"},
+                                          {"a2", 2.0, any_number, "weight of q2'"},
+                                          {"b1", 0.5, any_number, "weight of D^alpha q1"},
+                                          {"b2", -0.3, any_number, "weight of D^alpha q2"},
+                                          {"k1", 1.0, any_number, "stiffness of q1"},
+                                          {"k2", 2.0, any_number, "stiffness of q2"},
+                                          {"g", 0.0, any_number, "force on -q2"},
+                                          {"q1", 1.0, any_number, "q1(0)"},
+                                          {"q2", 0.0, any_number, "q2(0)"},
+                                          {"v1", 0.4, any_number, "q1'(0)"},
+                                          {"v2", -0.2, any_number, "q2'(0)"}};
+  return {.id = "fractional_constraint_2d",
+          .title = "Oscillator in the plane with a linear fractional constraint",
+          .source = "Tarasov & Zaslavsky 2006, eqs 41-43, 55-63",
+          .parameters = with_formulations(parameters, all_formulations()),
+          .make = [](const Parameters& p) -> Scene {
+            if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
+            const double c0 = p["a1"] * p["v1"] + p["a2"] * p["v2"];
+            const Setting<LinearConstraint> setting{
+                .system = {p["alpha"], p["a1"], p["a2"], p["b1"], p["b2"], p["k1"], p["k2"], p["g"], c0},
+                .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
+                .coordinates = {"q1", "q2"},
+                .end = 10.0,
+                .linear = true};
+            Scene scene = mechanical_scene(setting, asked_of(p, all_formulations()));
+            scene.reference = exact_reference(system_of(p));
+            return scene;
+          }};
+}
+
+}  // namespace fde

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include "mechanics/formulations/mechanical_scene.hpp"
+
+namespace fde {
+namespace {
+
+using namespace mechanics;
+
+// Two unit masses between two walls, three equal springs: u = k (q1^2 + (q2 - q1)^2 + q2^2)/2, and
+// f = |v|^2/2 + coupling v.w - K. With d = v + coupling w = df/dv the constraint says |d|^2 = 2K + coupling^2
+// |w|^2: d never vanishes, and the multiplier is always determined.
+struct RememberingChain {
+  static constexpr int coordinates = 2, constraints = 1;
+  double order, coupling, k, kinetic;
+
+  template <class S>
+  [[nodiscard]] S potential(const Vector<S, 2>& q) const {
+    const S stretched = q[1] - q[0];
+    return 0.5 * k * (q[0] * q[0] + stretched * stretched + q[1] * q[1]);
+  }
+  template <class S>
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& /*q*/, const Vector<S, 2>& v,
+                                        const Vector<S, 2>& w) const {
+    return Vector<S, 1>(
+        S(0.5 * (v[0] * v[0] + v[1] * v[1]) + coupling * (v[0] * w[0] + v[1] * w[1]) - kinetic));
+  }
+};
+
+// df/dw = coupling v, and v(0) is never 0.
+std::string why_unknown(double alpha) {
+  if (alpha < 0.5) return {};
+  return fmt::format(
+      "no form with a continuous right-hand side is known for alpha = {}: D^alpha v starts "
+      "like t^{:.3g}, and the multiplier like t^{:.3g}",
+      alpha, 1.0 - 2.0 * alpha, -alpha);
+}
+
+}  // namespace
+
+// K = |v(0)|^2/2, as w(0) = 0: a Gaussian thermostat with memory.
+SceneMaker fractional_constraint_nonlinear() {
+  static const std::vector<Formulation> fitting{Formulation::acceleration, Formulation::stabilised,
+                                                Formulation::multiplier};
+  const std::vector<Parameter> parameters{{"alpha",
+                                           0.4,
+                                           {.low = 0.0, .high = 1.0, .open_low = true, .open_high = true},
+                                           "order of the constraint"},
+                                          {"coupling", 0.3, any_number, "weight of v.D^alpha q"},
+                                          {"k", 1.0, any_number, "stiffness of the springs"},
+                                          {"q1", 1.0, any_number, "q1(0)"},
+                                          {"q2", 0.0, any_number, "q2(0)"},
+                                          {"v1", 0.6, any_number, "q1'(0)"},
+                                          {"v2", 0.8, any_number, "q2'(0)"}};
+  return {.id = "fractional_constraint_nonlinear",
+          .title = "Chain of oscillators with a constraint quadratic in velocities and memory",
+          .source = "Tarasov & Zaslavsky 2006, eqs 29, 32, 36, 37",
+          .parameters = with_formulations(parameters, fitting),
+          .make = [](const Parameters& p) -> Scene {
+            if (p["v1"] == 0.0 && p["v2"] == 0.0) reject("v1", 0.0, "other than 0 where v2 = 0");
+            const Setting<RememberingChain> setting{
+                .system = {p["alpha"], p["coupling"], p["k"], 0.5 * (p["v1"] * p["v1"] + p["v2"] * p["v2"])},
+                .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
+                .coordinates = {"q1", "q2"},
+                .end = 10.0,
+                .reference = Formulation::acceleration,
+                .no_reference = why_unknown(p["alpha"])};
+            return mechanical_scene(setting, asked_of(p, fitting));
+          }};
+}
+
+}  // namespace fde

@@ -1,0 +1,57 @@
+#include <numbers>
+
+#include "closed_forms/closed_form.hpp"
+#include "closed_forms/quotients.hpp"
+#include "mechanics/formulations/mechanical_scene.hpp"
+#include "scenes/constraints/classical_systems.hpp"
+
+namespace fde {
+namespace {
+
+using namespace mechanics;
+
+// phi = omega t; along the blade the speed is (a/omega) sin phi, with a = g sin theta. Hence
+//   x = (a / 2 omega^2) sin^2 phi,   y = (a / 2 omega^2)(phi - 1/2 sin 2 phi),
+// written so that omega -> 0 is the fall along x.
+struct Slide {
+  double g, theta, omega;
+
+  template <class Real>
+  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
+    using std::abs, std::sin;
+    const Real turning = decimal<Real>(omega), phi = turning * t, slope = decimal<Real>(theta);
+    const Real a = decimal<Real>(g) * sin(slope);
+    const Real half = sine_quotient(phi), full = sine_quotient(Real(2 * phi));
+    const Real speed = 4 * abs(a) * t, place = speed * t;
+    return {{Real(a * t * t / 2 * half * half), place},
+            {Real(a * t * t * sine_defect(Real(2 * phi))), place},
+            {phi, abs(phi)},
+            {Real(a * t * full), speed},
+            {Real(a * t * half * sin(phi)), speed},
+            {turning, abs(turning)}};
+  }
+};
+
+}  // namespace
+
+// Chaplygin's skate on a slope: it does not slide down but drifts sideways.
+SceneMaker knife_edge() {
+  const std::vector<Parameter> parameters{
+      {"g", 9.81, any_number, "acceleration of gravity"},
+      {"theta", 0.5, {.low = 0.0, .high = std::numbers::pi / 2}, "slope of the plane, radians"},
+      {"omega", 1.0, any_number, "phi'(0)"}};
+  return {.id = "knife_edge",
+          .title = "Blade on an inclined plane",
+          .source = "Tarasov & Zaslavsky 2006, eqs 7, 13, with x' sin phi = y' cos phi",
+          .parameters = with_formulations(parameters, all_formulations()),
+          .make = [](const Parameters& p) -> Scene {
+            const Setting<Blade> setting{.system = {p["g"] * std::sin(p["theta"])},
+                                         .start = {Vector<double, 3>::Zero(), {0.0, 0.0, p["omega"]}},
+                                         .coordinates = {"x", "y", "phi"}};
+            Scene scene = mechanical_scene(setting, asked_of(p, all_formulations()));
+            scene.reference = closed_form(Slide{p["g"], p["theta"], p["omega"]});
+            return scene;
+          }};
+}
+
+}  // namespace fde

@@ -1,0 +1,68 @@
+#include <cmath>
+
+#include "closed_forms/closed_form.hpp"
+#include "closed_forms/quotients.hpp"
+#include "scenes/constraints/particle.hpp"
+
+namespace fde {
+namespace {
+
+using namespace mechanics;
+
+// With r = sqrt(1 + y^2), c = r x' is kept: x' = c/r, z' = y c/r, and y = y0 + b t. The integrals of these,
+//   x = (c/b)(arsinh y - arsinh y0) = (2c/b) artanh(b t / (r + r0)),
+//   z = (c/b)(r - r0) = c t (y + y0) / (r + r0),
+// are regular at b = 0. For b t beyond r + r0 the difference is the better conditioned form.
+struct ParticleMotion {
+  double y0, dx0, dy0;
+
+  template <class Real>
+  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
+    using std::abs, std::asinh, std::sqrt;
+    const Real start = decimal<Real>(y0), b = decimal<Real>(dy0), y = start + b * t;
+    const Real r0 = sqrt(Real(1 + start * start)), r = sqrt(Real(1 + y * y)), c = r0 * decimal<Real>(dx0);
+    const Real parts = abs(start) + abs(b) * t, sum = r + r0, share = b * t / sum;
+    const bool near = abs(share) <= 0.5;
+    const Real x =
+        near ? Real(2 * c * t / sum * artanh_quotient(share)) : Real(c / b * (asinh(y) - asinh(start)));
+    const Real x_size =
+        near ? Real(3 * abs(x)) : Real(abs(c / b) * (2 + abs(Real(asinh(y))) + abs(Real(asinh(start)))));
+    // d(1/r)/dy = -y/r^3 and d(y/r)/dy = 1/r^3: what a rounding of y is worth.
+    const Real along = abs(c) / r * (3 + parts * abs(y) / (r * r));
+    const Real upwards = abs(c) / r * (3 * abs(y) + parts / (r * r));
+    return {{x, Real(x_size + abs(c) * t / sum * parts / sum)},
+            {y, parts},
+            {Real(c * t * (y + start) / sum), Real(3 * abs(c) * t * parts / sum)},
+            {Real(c / r), along},
+            {b, abs(b)},
+            {Real(y * c / r), upwards}};
+  }
+};
+
+}  // namespace
+
+std::vector<Parameter> particle_parameters() {
+  return {
+      {"y0", 0.5, any_number, "y(0)"}, {"dx0", 1.0, any_number, "x'(0)"}, {"dy0", 1.0, any_number, "y'(0)"}};
+}
+
+Setting<Particle> particle_setting(const Parameters& p) {
+  return {.system = {},
+          .start = {{0.0, p["y0"], 0.0}, {p["dx0"], p["dy0"], p["y0"] * p["dx0"]}},
+          .coordinates = {"x", "y", "z"}};
+}
+
+// Its reaction does no work, and its projected motion is not a geodesic of the planes.
+SceneMaker nonholonomic_particle() {
+  return {.id = "nonholonomic_particle",
+          .title = "Free particle with the constraint z' = y x'",
+          .source = "Tarasov & Zaslavsky 2006, eqs 7, 13",
+          .parameters = with_formulations(particle_parameters(), all_formulations()),
+          .make = [](const Parameters& p) -> Scene {
+            Scene scene = mechanical_scene(particle_setting(p), asked_of(p, all_formulations()));
+            scene.reference = closed_form(ParticleMotion{p["y0"], p["dx0"], p["dy0"]});
+            return scene;
+          }};
+}
+
+}  // namespace fde

@@ -1,0 +1,65 @@
+#include "closed_forms/closed_form.hpp"
+#include "closed_forms/quotients.hpp"
+#include "mechanics/formulations/mechanical_scene.hpp"
+#include "scenes/constraints/classical_systems.hpp"
+
+namespace fde {
+namespace {
+
+using namespace mechanics;
+
+// phi = omega t, and R psi'' = a cos phi with a = pull / (1 + I / (m R^2)): the speed R psi' = s + a
+// sin(phi)/omega along the heading draws a circle, and the path of a blade on a slope on top of it.
+struct Roll {
+  double radius, mass, spin_inertia, pull, turn, spin;
+
+  template <class Real>
+  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
+    using std::abs, std::cos, std::sin;
+    const Real r = decimal<Real>(radius), m = decimal<Real>(mass), inertia = decimal<Real>(spin_inertia);
+    const Real a = decimal<Real>(pull) / (1 + inertia / (m * r * r));
+    const Real omega = decimal<Real>(turn), phi = omega * t, s = r * decimal<Real>(spin);
+    const Real half = sine_quotient(Real(phi / 2)), full = sine_quotient(phi),
+               twice = sine_quotient(Real(2 * phi));
+    const Real x = s * t * full + a * t * t / 2 * full * full;
+    const Real y = s * t * half * sin(Real(phi / 2)) + a * t * t * sine_defect(Real(2 * phi));
+    const Real rolled = s * t + a * t * t / 2 * half * half;
+    const Real speed = 2 * abs(s) + 8 * abs(a) * t, place = speed * t, turned = abs(s * phi);
+    return {{x, place},
+            {y, place},
+            {phi, abs(phi)},
+            {Real(rolled / r), Real(place / r)},
+            {Real(s * cos(phi) + a * t * twice), Real(speed + turned)},
+            {Real(s * sin(phi) + a * t * full * sin(phi)), Real(speed + turned)},
+            {omega, abs(omega)},
+            {Real((s + a * t * full) / r), Real(speed / r)}};
+  }
+};
+
+}  // namespace
+
+// Without pull it rolls in circles of radius R psi'(0) / phi'(0), whatever its mass and inertia.
+SceneMaker rolling_disc() {
+  const std::vector<Parameter> parameters{{"R", 0.5, positive, "radius"},
+                                          {"m", 1.0, positive, "mass"},
+                                          {"I", 0.125, positive, "moment of inertia about the axle"},
+                                          {"J", 0.0625, positive, "moment of inertia about a diameter"},
+                                          {"pull", 0.0, any_number, "acceleration along x"},
+                                          {"dphi0", 1.0, any_number, "phi'(0)"},
+                                          {"dpsi0", 2.0, any_number, "psi'(0)"}};
+  return {.id = "rolling_disc",
+          .title = "Vertical disc that rolls without sliding",
+          .source = "Tarasov & Zaslavsky 2006, eqs 7, 13, with x' = R psi' cos phi, y' = R psi' sin phi",
+          .parameters = with_formulations(parameters, all_formulations()),
+          .make = [](const Parameters& p) -> Scene {
+            const Setting<Disc> setting{
+                .system = {p["R"], p["m"], p["I"], p["J"], p["pull"]},
+                .start = {Vector<double, 4>::Zero(), {p["R"] * p["dpsi0"], 0.0, p["dphi0"], p["dpsi0"]}},
+                .coordinates = {"x", "y", "phi", "psi"}};
+            Scene scene = mechanical_scene(setting, asked_of(p, all_formulations()));
+            scene.reference = closed_form(Roll{p["R"], p["m"], p["I"], p["pull"], p["dphi0"], p["dpsi0"]});
+            return scene;
+          }};
+}
+
+}  // namespace fde

@@ -1,0 +1,34 @@
+#include <cmath>
+
+#include "closed_forms/power_sum.hpp"
+#include "linear/linear_equation.hpp"
+#include "numbers/log_gamma.hpp"
+#include "scenes/scene.hpp"
+
+namespace fde {
+// D^g y = Gamma(p+1)/Gamma(p+1-g) t^(p-g) + t^p - y with y = t^p: the smoothness of the solution is dialled
+// by p.
+SceneMaker power() {
+  return {.id = "power",
+          .title = "A power of time",
+          .source = "manufactured from y = t^p",
+          .parameters = {{"gamma", 0.5, order_up_to_two, "order"},
+                         {"p", 2.0, {.low = 0.0, .high = 50.0, .open_low = true}, "power, at least gamma"}},
+          .make = [](const Parameters& parameters) -> Scene {
+            const double gamma = parameters["gamma"], p = parameters["p"];
+            if (p < gamma) reject("p", p, "at least gamma: the right-hand side is infinite at 0 otherwise");
+            const double factor = std::exp(log_gamma(p + 1.0) - log_gamma(p + 1.0 - gamma));
+            return {
+                .problem = {.components = {{gamma, std::vector<double>(gamma > 1.0 ? 2 : 1, 0.0)}},
+                            .rhs =
+                                [=](double t, In y, Out f) {
+                                  f = (factor * std::pow(t, p - gamma) + std::pow(t, p) - y.array()).matrix();
+                                },
+                            .linear_part = Matrix::Constant(1, 1, -1.0)},
+                .smoothness = {{{p}}},
+                .outputs = {{"y"}},
+                .reference = power_sum({{1.0, p}})};
+          }};
+}
+
+}  // namespace fde

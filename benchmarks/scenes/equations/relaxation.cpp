@@ -1,0 +1,37 @@
+#include "linear/linear_equation.hpp"
+#include "scenes/scene.hpp"
+
+namespace fde {
+
+// D^g y = lambda y: y = y0 E_g(lambda t^g) + y'(0) t E_{g,2}(lambda t^g). Starts like t^g, so uniform grids
+// lose rate.
+SceneMaker relaxation() {
+  return {.id = "relaxation",
+          .title = "Fractional relaxation",
+          .source = "Podlubny, Fractional Differential Equations (1999), section 4.1",
+          .parameters = {{"gamma", 0.5, order_up_to_two, "order"},
+                         {"lambda", -1.0, any_number, "rate"},
+                         {"y0", 1.0, any_number, "y(0)"},
+                         {"dy0", 0.0, any_number, "y'(0), for gamma > 1"}},
+          .make = [](const Parameters& p) -> Scene {
+            const double gamma = p["gamma"], lambda = p["lambda"];
+            std::vector<double> initial{p["y0"]}, start;
+            if (lambda * p["y0"] != 0.0) start.push_back(gamma);
+            if (gamma > 1.0) {
+              initial.push_back(p["dy0"]);
+              if (lambda * p["dy0"] != 0.0) start.push_back(gamma + 1.0);
+            } else if (p["dy0"] != 0.0) {
+              reject("dy0", p["dy0"], "0 when gamma is at most 1");
+            }
+            return {.problem = {.components = {{gamma, initial}},
+                                .rhs = [=](double, In y, Out f) { f = lambda * y; },
+                                .linear_part = Matrix::Constant(1, 1, lambda)},
+                    .smoothness = {{power_lattice(start, {gamma}, gamma + 2.0)}},
+                    .outputs = {{"y"}},
+                    .reference = exact_reference({.terms = {{1.0, gamma}, {-lambda, 0.0}},
+                                                  .initial = {initial.begin(), initial.end()}},
+                                                 {0.0})};
+          }};
+}
+
+}  // namespace fde

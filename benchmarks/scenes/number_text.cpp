@@ -1,0 +1,57 @@
+#include "scenes/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+namespace fde {
+namespace {
+
+// The whole text as a number; false when it is not one.
+template <typename Number>
+bool read(std::string_view text, Number& number) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+}  // namespace
+
+void reject_text(std::string_view name, std::string_view text, std::string_view allowed) {
+  throw std::invalid_argument(fmt::format("{} = {}: must be {}", name, text, allowed));
+}
+
+double parse_number(std::string_view name, std::string_view text, const Range& allowed) {
+  double value = 0.0;
+  if (!read(text, value)) reject_text(name, text, allowed.text());
+  if (!allowed.contains(value)) reject(name, value, allowed.text());
+  return value;
+}
+
+int parse_count(std::string_view name, std::string_view text, int lowest, int highest) {
+  int value = 0;
+  if (!read(text, value) || value < lowest || value > highest) {
+    reject_text(name, text, fmt::format("a whole number from {} to {}", lowest, highest));
+  }
+  return value;
+}
+
+std::vector<std::string> split_list(std::string_view text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find(',', begin), text.size());
+    parts.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+std::vector<double> parse_numbers(std::string_view name, std::string_view text, const Range& allowed) {
+  std::vector<double> numbers;
+  for (const auto& part : split_list(text)) numbers.push_back(parse_number(name, part, allowed));
+  return numbers;
+}
+
+}  // namespace fde

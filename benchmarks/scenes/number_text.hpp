@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenes/parameters.hpp"
+
+namespace fde {
+
+// Texts into numbers. Each throws std::invalid_argument naming the argument, the text and what is allowed.
+
+double parse_number(std::string_view name, std::string_view text, const Range& allowed);
+int parse_count(std::string_view name, std::string_view text, int lowest, int highest);
+
+// "1,2,5" into its numbers.
+std::vector<double> parse_numbers(std::string_view name, std::string_view text, const Range& allowed);
+std::vector<std::string> split_list(std::string_view text);
+
+// Throws std::invalid_argument: "NAME = TEXT: must be ALLOWED".
+[[noreturn]] void reject_text(std::string_view name, std::string_view text, std::string_view allowed);
+
+}  // namespace fde

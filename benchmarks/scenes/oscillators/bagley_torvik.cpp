@@ -1,0 +1,56 @@
+#include "linear/linear_equation.hpp"
+#include "problem/chain.hpp"
+#include "scenes/scene.hpp"
+
+namespace fde {
+
+// A y'' + B D^alpha y + C y = load for t < load_until, then 0: a plate in a viscous fluid. At t = load_until
+// the load has its mean value, so that grids with this time keep their rate; on others the jump falls inside
+// a step and costs it.
+SceneMaker bagley_torvik() {
+  return {.id = "bagley_torvik",
+          .title = "Bagley-Torvik plate",
+          .source = "Torvik & Bagley 1984; load of Podlubny 1999, section 8.3.2",
+          .parameters = {{"A", 1.0, positive, "mass"},
+                         {"B", 0.5, any_number, "damping"},
+                         {"C", 0.5, any_number, "stiffness"},
+                         {"alpha",
+                          1.5,
+                          {.low = 0.0, .high = 2.0, .open_low = true, .open_high = true},
+                          "order of damping"},
+                         {"y0", 0.0, any_number, "y(0)"},
+                         {"dy0", 0.0, any_number, "y'(0)"},
+                         {"load", 8.0, any_number, "load"},
+                         {"load_until", 1.0, positive, "time at which the load ends"}},
+          .make = [](const Parameters& p) -> Scene {
+            const double stiffness = p["C"], load = p["load"], until = p["load_until"];
+            const Chain chain({p["A"], 2.0}, {{p["B"], p["alpha"]}}, {p["y0"], p["dy0"]});
+            std::vector<std::string> names{"y", "dy"};
+            std::vector<double> orders{0.0, 1.0};
+            if (p["B"] != 0.0) {
+              names.emplace_back("Dalpha_y");
+              orders.push_back(p["alpha"]);
+            }
+            std::vector<Eigen::Index> components;
+            for (const double order : orders) components.push_back(*chain.node(order));
+            Smoothness smoothness = chain_smoothness({chain});
+            if (load != 0.0) smoothness.jumps = {chain.size() - 1};
+            return {.problem = {.components = chain.components(),
+                                .rhs =
+                                    [=](double t, In y, Out f) {
+                                      const double share = t < until ? 1.0 : (t == until ? 0.5 : 0.0);
+                                      Chain::links(y, chain.highest(y, share * load - stiffness * y[0]), f);
+                                    },
+                                .linear_part = chain.linear_part(-stiffness),
+                                .end = 16.0},
+                    .smoothness = smoothness,
+                    .outputs = picked(names, components),
+                    .reference =
+                        exact_reference({.terms = {{p["A"], 2.0}, {p["B"], p["alpha"]}, {stiffness, 0.0}},
+                                         .initial = {p["y0"], p["dy0"]},
+                                         .loads = {{load}, {.coefficient = -load, .from = until}}},
+                                        orders)};
+          }};
+}
+
+}  // namespace fde

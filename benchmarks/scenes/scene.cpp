@@ -1,0 +1,66 @@
+#include "scenes/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fde {
+
+Outputs picked(std::vector<std::string> names, std::vector<Eigen::Index> components) {
+  return {std::move(names), [components = std::move(components)](double, In y, Out columns) {
+            for (std::size_t c = 0; c < components.size(); ++c)
+              columns[static_cast<Eigen::Index>(c)] = y[components[c]];
+          }};
+}
+
+double Constraint::drift(double t, In columns) const {
+  Vec f(size);
+  value(t, columns, f);
+  return f.lpNorm<Eigen::Infinity>();
+}
+
+Vec columns_at(const Outputs& outputs, double t, In y) {
+  if (!outputs.of) return y;
+  Vec columns(static_cast<Eigen::Index>(outputs.names.size()));
+  outputs.of(t, y, columns);
+  return columns;
+}
+
+std::vector<std::string> printed_names(const Scene& scene) {
+  auto names = scene.outputs.names;
+  if (scene.energy) names.emplace_back("energy");
+  if (scene.constraint) names.emplace_back("constraint");
+  return names;
+}
+
+Vec printed_values(const Scene& scene, double t, In columns) {
+  Vec values(std::ssize(printed_names(scene)));
+  values.head(columns.size()) = columns;
+  Eigen::Index next = columns.size();
+  if (scene.energy) values[next++] = scene.energy.value(columns);
+  if (scene.constraint) values[next++] = scene.constraint.drift(t, columns);
+  return values;
+}
+
+Rows columns_of(const Outputs& outputs, const Trajectory& path) {
+  if (!outputs.of) return path.y;
+  Rows columns(static_cast<Eigen::Index>(outputs.names.size()), path.y.cols());
+  for (Eigen::Index c = 0; c < path.y.cols(); ++c) {
+    outputs.of(path.grid.time(path.steps[static_cast<std::size_t>(c)]), path.y.col(c), columns.col(c));
+  }
+  return columns;
+}
+
+// The difference quotient of a column that is a component is exactly 1.
+Vec bound_of_columns(const Outputs& outputs, double t, const ReferenceValue& reference, In columns) {
+  Vec bound = Vec::Zero(columns.size()), shifted = reference.value;
+  for (Eigen::Index i = 0; i < shifted.size(); ++i) {
+    shifted[i] += 0x1p-26 * std::max(std::abs(shifted[i]), 1.0);
+    const Vec quotient = (columns_at(outputs, t, shifted) - columns) / (shifted[i] - reference.value[i]);
+    if (reference.bound[i] != 0.0) bound += quotient.cwiseAbs() * reference.bound[i];
+    shifted[i] = reference.value[i];
+  }
+  return bound;
+}
+
+}  // namespace fde

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problem/problem.hpp"
+#include "problem/smoothness.hpp"
+#include "reference.hpp"
+#include "scenes/parameters.hpp"
+#include "stepping/trajectory.hpp"
+
+namespace fde {
+
+// The columns that a scene shows of the components that its problem solves for. All that is said of a scene
+// beyond its problem, and all that is measured, is said of columns.
+struct Outputs {
+  std::vector<std::string> names{};
+  std::function<void(double t, In y, Out columns)> of{};  // empty: the components in order
+};
+
+// Components as columns: components[c] is the one under names[c].
+Outputs picked(std::vector<std::string> names, std::vector<Eigen::Index> components);
+
+// E(columns) and, where the columns tell it, its exact rate of change along a solution, dE/dt = power(t,
+// columns).
+struct Energy {
+  std::function<double(In columns)> value{};
+  std::function<double(double t, In columns)> power{};
+  explicit operator bool() const { return static_cast<bool>(value); }
+};
+
+// f(t, columns) = 0, one value a constraint.
+struct Constraint {
+  Eigen::Index size = 0;
+  std::function<void(double t, In columns, Out f)> value{};
+  explicit operator bool() const { return static_cast<bool>(value); }
+
+  // |f(t, columns)|_inf, in the unit of f.
+  [[nodiscard]] double drift(double t, In columns) const;
+};
+
+// A column that is the derivative of order in (0, 1) or (1, 2) of what another column is the first derivative
+// of, and the powers of t with which the latter leaves its value at 0.
+struct Memory {
+  Eigen::Index derivative, velocity;
+  double order;
+  std::vector<double> powers{};
+};
+
+// A problem and the columns it gives.
+struct PosedProblem {
+  Problem problem{};
+  Outputs outputs{};
+};
+
+// A problem with what is known about it. What is absent is not computed, stored or shown.
+struct Scene {
+  std::string name{};  // its id and all parameters, under which its reference is kept; empty: it is not
+  Problem problem{};
+  Smoothness smoothness{};
+  Outputs outputs{};
+  Reference reference{};  // of the columns
+  std::optional<PosedProblem>
+      reference_problem{};     // the same equations for a reference; empty: the problem itself
+  std::string no_reference{};  // why nothing is known, where nothing is
+  Energy energy{};
+  Constraint constraint{};
+  std::vector<Memory> memories{};  // the columns that the drift evaluates independently
+};
+
+// How a scene is made: one file in scenes/ and one line in scenes/list.def.
+struct SceneMaker {
+  std::string_view id, title, source;
+  std::vector<Parameter> parameters;
+  std::function<Scene(const Parameters&)> make;
+};
+
+// The columns of components at a time, or of a path.
+Vec columns_at(const Outputs& outputs, double t, In y);
+Rows columns_of(const Outputs& outputs, const Trajectory& path);
+
+// To first order: the sum over the components of |d columns / dy_i| bound_i.
+Vec bound_of_columns(const Outputs& outputs, double t, const ReferenceValue& reference, In columns);
+
+// The columns, then `energy` and `constraint` (the drift) where the scene has them.
+std::vector<std::string> printed_names(const Scene& scene);
+Vec printed_values(const Scene& scene, double t, In columns);
+
+}  // namespace fde

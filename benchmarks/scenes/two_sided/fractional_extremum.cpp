@@ -1,0 +1,85 @@
+#include <boost/math/special_functions/beta.hpp>
+#include <cmath>
+
+#include "closed_forms/extremum.hpp"
+#include "scenes/scene.hpp"
+
+namespace fde {
+namespace {
+
+// D^alpha of this is the singular part (2 alpha - 1) Gamma(alpha) (1 - t)^(alpha-1) of p, and its value at
+// t = 1 is 1:
+//   (2 alpha - 1) int_0^t ((t - s)(1 - s))^(alpha-1) ds
+//     = t^alpha - (1 - alpha) (1 - t)^(2 alpha - 1) B_t(alpha, 2 - 2 alpha),
+// B_t the incomplete beta function, by the substitution x = (t - s) / (1 - s) and one integration by parts.
+double singular_part(double alpha, double t) {
+  if (alpha == 1.0) return t;
+  const double beta = t > 0.0 ? boost::math::beta(alpha, 2.0 - 2.0 * alpha, t) : 0.0;
+  return std::pow(t, alpha) - (1.0 - alpha) * std::pow(1.0 - t, 2.0 * alpha - 1.0) * beta;
+}
+
+// Of what reference/extremum.hpp knows the first component: D^alpha y is infinite at t = 1.
+Reference extremum(double alpha) {
+  const Reference both = exact_extremum(alpha);
+  return {[both](double t) -> ReferenceValue {
+            const auto [value, bound] = both.at(t);
+            return {value.head(1), bound.head(1)};
+          },
+          [both](double t, int digits) { return std::vector{both.digits(t, digits).front()}; }};
+}
+
+// y starts like t^alpha and ends like (1 - t)^(2 alpha - 1); both sides integrate that.
+Smoothness smoothness(double alpha, double k) {
+  if (k == 0.0) return {{{}, {}, {}}};
+  const double last = alpha + 2.0;
+  return {{power_lattice({alpha}, {1.0, 2.0 * alpha}, last),
+           power_lattice({alpha}, {1.0, 2.0 * alpha - 1.0}, last),
+           {}}};
+}
+
+}  // namespace
+
+// Least of 1/2 int_0^1 (D^alpha y)^2 + k y^2 dt. With p = D^alpha y the first variation is
+//   int_0^1 p D^alpha e + k y e dt = int_0^1 e (tD_1^alpha p + k y) dt,
+// the right derivative Riemann-Liouville's, for all e with e(0) = e(1) = 0. So p = -k J_-^alpha y + c times
+// (1 - t)^(alpha-1), which that derivative does not see and which is infinite at t = 1. With K the singular
+// part of y, what is left is regular, and there Riemann's derivative is Caputo's:
+//   y = c K + eta,  D^alpha eta = pi,  tD_1^alpha pi = -k y,  c' = 0,  c + eta(1) = 1.
+// Without a spring eta = pi = 0 and c = 1: a scheme has nothing to approximate but that, to rounding.
+SceneMaker fractional_extremum() {
+  return {
+      .id = "fractional_extremum",
+      .title = "Least square of a fractional derivative, with a spring",
+      .source = "Agrawal 2002; Tarasov & Zaslavsky 2006, eq. 70 corrected",
+      .parameters = {{"alpha",
+                      0.75,
+                      {.low = 0.5, .high = 1.0, .open_low = true},
+                      "order of the derivative that is squared"},
+                     {"k", 0.0, not_negative, "stiffness of the spring"}},
+      .make = [](const Parameters& parameters) -> Scene {
+        const double alpha = parameters["alpha"], k = parameters["k"];
+        const auto singular = [=](double t) { return k == 0.0 ? 0.0 : singular_part(alpha, t); };
+        Scene scene{
+            .problem = {
+                .components = {{alpha, {0.0}}, {alpha, {0.0}, Side::right}, {1.0, {}}},
+                .rhs = [=](double t, In y, Out f) { f << y[1], -k * (y[2] * singular(t) + y[0]), 0.0; },
+                .jacobian =
+                    [=](double t, In, OutMatrix jacobian) {
+                      jacobian << 0.0, 1.0, 0.0, -k, 0.0, -k * singular(t), 0.0, 0.0, 0.0;
+                    },
+                .end = 1.0,
+                .conditions = [](In, In at_end, Out residual) { residual[0] = at_end[2] + at_end[0] - 1.0; }},
+            .smoothness = smoothness(alpha, k),
+            .outputs = {{"y"}, [=](double t, In y, Out columns) {
+                          columns[0] = y[2] * singular_part(alpha, t) + y[0];
+                        }}};
+        if (k == 0.0) {
+          scene.reference = extremum(alpha);
+        } else {
+          scene.no_reference = "with a spring no closed form is known, and the references step from the left";
+        }
+        return scene;
+      }};
+}
+
+}  // namespace fde

@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <array>
+
+#include "mechanics/derivatives.hpp"
+#include "scenes/two_sided/sum_of_powers.hpp"
+
+namespace fde {
+namespace {
+
+using Plane = Eigen::Vector2d;
+
+constexpr double end = 2.0;
+
+// f = A.q' with A = (1 + kappa q1 + epsilon w, 1), w = D^alpha q1.
+struct Coefficients {
+  double kappa, epsilon;
+
+  template <class S>
+  mechanics::Vector<S, 2> operator()(const mechanics::Vector<S, 3>& q_and_w) const {
+    return {S(1.0 + kappa * q_and_w[0] + epsilon * q_and_w[2]), S(1.0)};
+  }
+
+  // What A.v changes by with q1, q2, w.
+  template <class S>
+  [[nodiscard]] mechanics::Vector<S, 3> slope(const mechanics::Vector<S, 3>& q_and_w,
+                                              const mechanics::Vector<S, 2>& v) const {
+    const auto a = (*this)(mechanics::variables<3>(q_and_w));
+    return v[0] * a[0].derivatives() + v[1] * a[1].derivatives();
+  }
+};
+
+// The made motion, a sum of powers throughout: q1' = 15/16 t^2 (2-t)^2 starts and ends so slowly that w and r
+// have two derivatives, q2' = -A1 q1' keeps f = 0, mu = 1/2 + t/4 is chosen, p = q' + mu A.
+struct MadeMotion {
+  MadeMotion(const Coefficients& coefficients, double alpha) {
+    const auto one = SumOfPowers::polynomial({1.0});
+    q[0] = SumOfPowers::polynomial({0.5, 0.0, 0.0, 1.25, -0.9375, 0.1875});
+    v[0] = q[0].derivative(1.0);
+    w = q[0].derivative(alpha);
+    const auto a = one + coefficients.kappa * q[0] + coefficients.epsilon * w;
+    v[1] = -1.0 * a * v[0];
+    q[1] = SumOfPowers::polynomial({1.0}) + v[1].derivative(-1.0);
+    p[0] = v[0] + mu * a;
+    p[1] = v[1] + mu;
+    r = coefficients.epsilon * (mu * v[0]).reversed(end).derivative(alpha - 1.0);
+    push = {p[0].derivative(1.0) + (-coefficients.kappa) * mu * v[0], p[1].derivative(1.0)};
+    r_slope = -1.0 * r.derivative(1.0);
+  }
+
+  // What has to be added to pi' for this motion, besides grad u.
+  [[nodiscard]] Plane force(double t) const { return {push[0].at(t) + r_slope.at(end - t), push[1].at(t)}; }
+
+  std::array<SumOfPowers, 2> q, v, p, push;
+  SumOfPowers w, r, r_slope;  // the latter two in powers of end - t
+  SumOfPowers mu = SumOfPowers::polynomial({0.5, 0.25});
+};
+
+// Components q1, q2, w, r, pi1, pi2.
+struct Hamilton {
+  enum : Eigen::Index { q = 0, w = 2, r = 3, pi = 4 };
+  static constexpr int size = 6;
+  Coefficients coefficients;
+  Plane stiffness;
+  MadeMotion motion;
+
+  template <class S>
+  struct State {
+    mechanics::Vector<S, 2> v, p;
+    S mu;
+  };
+  template <class S>
+  [[nodiscard]] State<S> state(const mechanics::Vector<S, size>& y) const {
+    const mechanics::Vector<S, 2> p(S(y[pi] - y[r]), y[pi + 1]);
+    const mechanics::Vector<S, 2> a = coefficients(mechanics::Vector<S, 3>(y.template head<3>()));
+    const S mu = S(a.dot(p)) / S(a.squaredNorm());
+    return {mechanics::Vector<S, 2>(p - mu * a), p, mu};
+  }
+
+  [[nodiscard]] Plane force(double t) const {
+    return motion.force(t) + stiffness.cwiseProduct(Plane(motion.q[0].at(t), motion.q[1].at(t)));
+  }
+
+  template <class S>
+  [[nodiscard]] mechanics::Vector<S, size> rates(const mechanics::Vector<S, size>& y,
+                                                 const Plane& force) const {
+    const auto [v, p, mu] = state<S>(y);
+    const auto slope = coefficients.slope<S>(y.template head<3>(), v);
+    mechanics::Vector<S, size> f;
+    f[w] = v[0];
+    f[r] = mu * slope[2];
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      f[q + i] = v[i];
+      f[pi + i] = stiffness[i] * y[q + i] - mu * slope[i] - force[i];
+    }
+    return f;
+  }
+  void jacobian(In y, OutMatrix result) const {
+    const auto f = rates<mechanics::Dual<double, size>>(
+        mechanics::variables<size>(mechanics::Vector<double, size>(y)), Plane::Zero());
+    for (Eigen::Index i = 0; i < size; ++i) result.row(i) = f[i].derivatives().transpose();
+  }
+
+  void columns(In y, Out result) const {
+    const auto [v, p, mu] = state<double>(y);
+    result << y.head<2>(), v, y[w], y[r], p, mu;
+  }
+
+  [[nodiscard]] double energy(In columns) const {
+    return columns.segment<2>(2).squaredNorm() / 2 + stiffness.dot(columns.head<2>().cwiseAbs2()) / 2;
+  }
+  [[nodiscard]] double constraint(In columns) const {
+    return coefficients(Eigen::Vector3d(columns[0], columns[1], columns[4])).dot(columns.segment<2>(2));
+  }
+
+  [[nodiscard]] Reference exact() const {
+    const auto& m = motion;
+    return made_solution(
+        {{m.q[0]}, {m.q[1]}, {m.v[0]}, {m.v[1]}, {m.w}, {m.r, Side::right}, {m.p[0]}, {m.p[1]}, {m.mu}}, end);
+  }
+
+  // Right rows by their own time. What is left of p at the end is smooth; with r, pi has its powers too.
+  [[nodiscard]] Smoothness smoothness() const {
+    auto first = motion.r.powers();
+    first.push_back(1.0);
+    std::ranges::sort(first);
+    return {{motion.q[0].powers(),
+             motion.q[1].powers(),
+             motion.w.powers(),
+             motion.r.powers(),
+             first,
+             {1.0, 2.0, 3.0}}};
+  }
+};
+
+Scene scene_of(const Hamilton& system, double alpha) {
+  const double memory = 1.0 - alpha;
+  const auto& motion = system.motion;
+  return {
+      .problem = {.components = {{1.0, {motion.q[0].at(0.0)}},
+                                 {1.0, {motion.q[1].at(0.0)}},
+                                 {memory, {0.0}},
+                                 {memory, {0.0}, Side::right},
+                                 {1.0, {motion.p[0].at(end)}, Side::right},
+                                 {1.0, {motion.p[1].at(end)}, Side::right}},
+                  .rhs = [system](double t, In y, Out f) { f = system.rates<double>(y, system.force(t)); },
+                  .jacobian = [system](double, In y, OutMatrix result) { system.jacobian(y, result); },
+                  .end = end},
+      .smoothness = system.smoothness(),
+      .outputs = {{"q1", "q2", "v1", "v2", "w1", "r1", "p1", "p2", "mu"},
+                  [system](double, In y, Out columns) { system.columns(y, columns); }},
+      .reference = system.exact(),
+      .energy = {.value = [system](In columns) { return system.energy(columns); }},
+      .constraint = {.size = 1,
+                     .value = [system](double, In columns, Out f) { f[0] = system.constraint(columns); }},
+      .memories = {{4, 2, alpha}}};
+}
+
+}  // namespace
+
+// Extremum of int 1/2 q'^2 - u + mu f dt with q(0) and, in place of q(T), p(T) given. Its equations are
+//   q' = p - mu A,  mu = A.p / A^2,
+//   p_k' = -u_k + mu q'.dA/dq_k + tD_T^alpha g_k,  g_k = mu q'.dA/dw_k,
+// the right derivative Riemann-Liouville's, -d/dt of r_k = J_-^(1-alpha) g_k. So pi = p + r has a regular
+// right-hand side, and r is a right row: tD_T^(1-alpha) r_k = g_k, r_k(T) = 0. A force is added to p' so that
+// the motion is the made one; q' has none, so f = 0.
+SceneMaker fractional_hamilton() {
+  return {.id = "fractional_hamilton",
+          .title = "Hamilton's equations with a fractional constraint",
+          .source = "Tarasov & Zaslavsky 2006, eqs 79-86 corrected; manufactured",
+          .parameters = {{"alpha",
+                          0.5,
+                          {.low = 0.0, .high = 1.0, .open_low = true, .open_high = true},
+                          "order of the constraint"},
+                         {"kappa", 0.5, any_number, "of q1 in the constraint"},
+                         {"epsilon", 0.5, any_number, "of D^alpha q1 in the constraint"},
+                         {"k1", 1.0, any_number, "stiffness of q1"},
+                         {"k2", 2.0, any_number, "stiffness of q2"}},
+          .make = [](const Parameters& p) -> Scene {
+            const Coefficients coefficients{p["kappa"], p["epsilon"]};
+            return scene_of({.coefficients = coefficients,
+                             .stiffness = {p["k1"], p["k2"]},
+                             .motion = MadeMotion(coefficients, p["alpha"])},
+                            p["alpha"]);
+          }};
+}
+
+}  // namespace fde

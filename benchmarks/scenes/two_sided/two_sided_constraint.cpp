@@ -1,0 +1,167 @@
+#include <array>
+#include <cmath>
+
+#include "scenes/two_sided/sum_of_powers.hpp"
+
+namespace fde {
+namespace {
+
+using Plane = Eigen::Vector2d;
+
+constexpr double end = 2.0;
+
+// The made motion: q, q', q'', and w and r, its left and right derivatives of order alpha.
+// q1 = 1 + 3 t^2 - t^3 and q2 = t^2 (2 - t)^2: both velocities are 0 at both ends.
+struct MadeMotion {
+  explicit MadeMotion(double alpha)
+      : q{SumOfPowers::polynomial({1.0, 0.0, 3.0, -1.0}),
+          SumOfPowers::polynomial({0.0, 0.0, 4.0, -4.0, 1.0})} {
+    for (std::size_t i = 0; i < 2; ++i) {
+      v[i] = q[i].derivative(1.0);
+      acceleration[i] = q[i].derivative(2.0);
+      w[i] = q[i].derivative(alpha);
+      r[i] = q[i].reversed(end).derivative(alpha);
+    }
+  }
+
+  static Plane at(const std::array<SumOfPowers, 2>& sums, double t) { return {sums[0].at(t), sums[1].at(t)}; }
+
+  std::array<SumOfPowers, 2> q, v, acceleration, w, r;
+};
+
+// u = (k1 q1^2 + k2 q2^2)/2 + k3 q1^4/4; f = a.v + b.w + c.r - F(t) with w = D^alpha q and r = tD_T^alpha q.
+// Components q1, q2, z, w1, w2, r1, r2, where z = e.v with e across a: the reaction along a is not in z' =
+// e.v', and f = 0 gives the rest of v.
+struct TwoSidedConstraint {
+  enum : Eigen::Index { q = 0, z = 2, w = 3, r = 5, size = 7 };
+  Plane a, b, c;
+  double k1, k2, k3;
+  MadeMotion motion;
+
+  [[nodiscard]] Plane across() const { return Plane(-a[1], a[0]) / a.norm(); }
+  [[nodiscard]] Plane slope(const Plane& x) const { return {k1 * x[0] + k3 * x[0] * x[0] * x[0], k2 * x[1]}; }
+  [[nodiscard]] double energy(In columns) const {
+    const double x = columns[0], y = columns[1];
+    return columns.segment<2>(2).squaredNorm() / 2 + (k1 * x * x + k2 * y * y) / 2 + k3 * x * x * x * x / 4;
+  }
+
+  // F with which the made motion fulfils the constraint, and the force that makes it one.
+  [[nodiscard]] double drive(double t) const {
+    return a.dot(MadeMotion::at(motion.v, t)) + b.dot(MadeMotion::at(motion.w, t)) +
+           c.dot(MadeMotion::at(motion.r, end - t));
+  }
+  [[nodiscard]] Plane force(double t) const {
+    return MadeMotion::at(motion.acceleration, t) + slope(MadeMotion::at(motion.q, t));
+  }
+
+  [[nodiscard]] double residual(double t, const Plane& v, const Plane& left, const Plane& right) const {
+    return a.dot(v) + b.dot(left) + c.dot(right) - drive(t);
+  }
+  [[nodiscard]] Plane velocity(double t, In y) const {
+    const Plane free = across() * y[z];
+    return free - a * (residual(t, free, y.segment<2>(w), y.segment<2>(r)) / a.squaredNorm());
+  }
+
+  void rhs(double t, In y, Out f) const {
+    const Plane v = velocity(t, y);
+    f.segment<2>(q) = v;
+    f[z] = across().dot(force(t) - slope(y.segment<2>(q)));
+    f.segment<2>(w) = v;
+    f.segment<2>(r) = -v;
+  }
+
+  void jacobian(In y, OutMatrix result) const {
+    const Plane along = a / a.squaredNorm();
+    Eigen::Matrix<double, 2, size> velocities = Eigen::Matrix<double, 2, size>::Zero();
+    velocities.col(z) = across();
+    velocities.middleCols<2>(w) = -along * b.transpose();
+    velocities.middleCols<2>(r) = -along * c.transpose();
+    result.setZero();
+    result.middleRows<2>(q) = velocities;
+    result(z, q) = -across()[0] * (k1 + 3.0 * k3 * y[q] * y[q]);
+    result(z, q + 1) = -across()[1] * k2;
+    result.middleRows<2>(w) = velocities;
+    result.middleRows<2>(r) = -velocities;
+  }
+
+  [[nodiscard]] Reference exact() const {
+    std::vector<MadeColumn> columns;
+    for (const auto* sums : {&motion.q, &motion.v, &motion.w}) {
+      for (const auto& sum : *sums) columns.push_back({sum});
+    }
+    for (const auto& sum : motion.r) columns.push_back({sum, Side::right});
+    return made_solution(columns, end);
+  }
+
+  [[nodiscard]] Smoothness smoothness() const {
+    const auto free = across()[0] * motion.v[0] + across()[1] * motion.v[1];
+    return {{motion.q[0].powers(), motion.q[1].powers(), free.powers(), motion.w[0].powers(),
+             motion.w[1].powers(), motion.r[0].powers(), motion.r[1].powers()}};
+  }
+};
+
+Scene scene_of(const TwoSidedConstraint& system, double alpha) {
+  const double memory = 1.0 - alpha;
+  return {.problem = {.components = {{1.0, {system.motion.q[0].at(0.0)}},
+                                     {1.0, {system.motion.q[1].at(0.0)}},
+                                     {1.0, {0.0}},
+                                     {memory, {0.0}},
+                                     {memory, {0.0}},
+                                     {memory, {0.0}, Side::right},
+                                     {memory, {0.0}, Side::right}},
+                      .rhs = [system](double t, In y, Out f) { system.rhs(t, y, f); },
+                      .jacobian = [system](double, In y, OutMatrix result) { system.jacobian(y, result); },
+                      .end = end},
+          .smoothness = system.smoothness(),
+          .outputs = {{"q1", "q2", "v1", "v2", "w1", "w2", "r1", "r2"},
+                      [system](double t, In y, Out columns) {
+                        columns.head<2>() = y.head<2>();
+                        columns.segment<2>(2) = system.velocity(t, y);
+                        columns.tail<4>() = y.tail<4>();
+                      }},
+          .reference = system.exact(),
+          .energy = {.value = [system](In columns) { return system.energy(columns); }},
+          .constraint = {.size = 1,
+                         .value =
+                             [system](double t, In columns, Out f) {
+                               f[0] = system.residual(t, columns.segment<2>(2), columns.segment<2>(4),
+                                                      columns.segment<2>(6));
+                             }},
+          .memories = {{4, 2, alpha}, {5, 3, alpha}}};
+}
+
+}  // namespace
+
+// A mass in the plane on springs. The right derivative looks ahead: r = -J_-^(1-alpha) q' is known at all
+// times or at none. F and a force are made so that q is what it is.
+SceneMaker two_sided_constraint() {
+  return {.id = "two_sided_constraint",
+          .title = "Oscillator in the plane with left and right derivatives in its constraint",
+          .source = "Tarasov & Zaslavsky 2006, eqs 29, 38-41; manufactured",
+          .parameters = {{"alpha",
+                          0.5,
+                          {.low = 0.0, .high = 1.0, .open_low = true, .open_high = true},
+                          "order of the constraint"},
+                         {"a1", 1.0, any_number, "weight of q1'"},
+                         {"a2", 0.5, any_number, "weight of q2'"},
+                         {"b1", 0.4, any_number, "weight of the left derivative of q1"},
+                         {"b2", -0.3, any_number, "weight of the left derivative of q2"},
+                         {"c1", 0.3, any_number, "weight of the right derivative of q1"},
+                         {"c2", 0.2, any_number, "weight of the right derivative of q2"},
+                         {"k1", 1.0, any_number, "stiffness of q1"},
+                         {"k2", 2.0, any_number, "stiffness of q2"},
+                         {"k3", 0.5, any_number, "cubic stiffness of q1"}},
+          .make = [](const Parameters& p) -> Scene {
+            if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
+            return scene_of({.a = {p["a1"], p["a2"]},
+                             .b = {p["b1"], p["b2"]},
+                             .c = {p["c1"], p["c2"]},
+                             .k1 = p["k1"],
+                             .k2 = p["k2"],
+                             .k3 = p["k3"],
+                             .motion = MadeMotion(p["alpha"])},
+                            p["alpha"]);
+          }};
+}
+
+}  // namespace fde

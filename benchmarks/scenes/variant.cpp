@@ -1,0 +1,73 @@
+#include "scenes/variant.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scenes/number_text.hpp"
+#include "scenes/registry.hpp"
+
+namespace fde {
+
+std::string SceneVariant::label() const {
+  std::string text(maker->id);
+  const auto add = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("{}{}={}", text.size() == maker->id.size() ? ':' : ',', name, value);
+  };
+  for (const auto& [name, value] : values)
+    add(name, parameter_named(name, maker->id, maker->parameters).text_of(value));
+  if (until) add("until", fmt::format("{}", *until));
+  return text;
+}
+
+Scene make_scene(const SceneMaker& maker, const std::map<std::string, double>& values) {
+  const Parameters parameters(maker.id, maker.parameters, values);
+  Scene scene = maker.make(parameters);
+  scene.name = fmt::format("{} {}", maker.id, parameters.text());
+  return scene;
+}
+
+Scene make_scene(const SceneVariant& variant) {
+  Scene scene = make_scene(*variant.maker, variant.values);
+  if (!variant.until) return scene;
+  const double end = scene.problem.end;
+  if (two_sided(scene.problem) && *variant.until != end) {
+    reject("until", *variant.until,
+           fmt::format("{}: scene {} is posed at both ends", end, variant.maker->id));
+  }
+  scene.problem.end = *variant.until;
+  return scene;
+}
+
+std::map<std::string, double> parse_settings(const SceneMaker& maker,
+                                             const std::vector<std::string>& settings) {
+  std::map<std::string, double> values;
+  for (const auto& setting : settings) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0) reject_text("--set", setting, "NAME=VALUE");
+    const auto name = setting.substr(0, equals);
+    const auto& parameter = parameter_named(name, maker.id, maker.parameters);
+    const double value = parameter.read(std::string_view(setting).substr(equals + 1));
+    if (!values.emplace(name, value).second) reject_text("--set", setting, "one value for each name");
+  }
+  return values;
+}
+
+SceneVariant parse_variant(const std::string& text) {
+  constexpr std::string_view until = "until=";
+  const auto colon = text.find(':');
+  SceneVariant variant{.maker = &scene_named(text.substr(0, colon))};
+  if (colon == std::string::npos) return variant;
+  auto settings = split_list(text.substr(colon + 1));
+  const auto end =
+      std::ranges::find_if(settings, [&](const auto& setting) { return setting.starts_with(until); });
+  if (end != settings.end()) {
+    variant.until = parse_number("until", end->substr(until.size()), any_end);
+    settings.erase(end);
+  }
+  variant.values = parse_settings(*variant.maker, settings);
+  [[maybe_unused]] const Scene checked = make_scene(variant);
+  return variant;
+}
+
+}  // namespace fde

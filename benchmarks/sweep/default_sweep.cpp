@@ -1,0 +1,41 @@
+#include "sweep/default_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "scenes/registry.hpp"
+
+namespace fde {
+
+std::vector<SceneVariant> default_scenes() {
+  std::vector<SceneVariant> variants;
+  for (const auto& maker : scenes()) variants.push_back({.maker = &maker});
+  for (const auto* text :
+       {"relaxation:gamma=0.2", "relaxation:gamma=1.5", "power:p=0.7", "pendulum:alpha=1.25,beta=0.75",
+        "pendulum:alpha=1.9,beta=0.1", "fractional_diffusion:components=8"}) {
+    variants.push_back(parse_variant(text));
+  }
+  return variants;
+}
+
+std::vector<SceneVariant> sweep_scenes() {
+  auto variants = default_scenes();
+  const auto add = [&](std::string_view scene, const std::vector<std::string_view>& settings) {
+    for (const auto setting : settings)
+      variants.push_back(parse_variant(fmt::format("{}:{}", scene, setting)));
+  };
+  const std::vector<std::string_view> others{"formulation=acceleration", "formulation=stabilised",
+                                             "formulation=multiplier"};
+  add("fractional_constraint_2d",
+      {"formulation=multiplier", "alpha=0.3", "alpha=0.3,formulation=acceleration",
+       "alpha=0.3,formulation=stabilised", "alpha=0.3,formulation=multiplier"});
+  for (const auto* scene : {"nonholonomic_particle", "knife_edge", "loxodrome", "fractional_knife_edge"})
+    add(scene, others);
+  for (const auto* scene : {"isokinetic", "fractional_constraint_nonlinear"})
+    add(scene, {"formulation=stabilised", "formulation=multiplier"});
+  add("nonlinear_fractional_oscillator", {"form=integrated", "form=multiplier"});
+  return variants;
+}
+
+}  // namespace fde

@@ -1,0 +1,34 @@
+#include "sweep/in_parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace fde {
+
+void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto work = [&] {
+    try {
+      for (auto i = next++; i < count; i = next++) task(i);
+    } catch (...) {
+      const std::scoped_lock lock(mutex);
+      if (!failure) failure = std::current_exception();
+      next = count;
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    for (std::size_t worker = 0; worker < std::min<std::size_t>(count, threads); ++worker) {
+      workers.emplace_back(work);
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace fde

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "sweep/sweep.hpp"
+
+namespace fde {
+
+// A scene where schemes break, and how many steps they get.
+struct Trial {
+  std::string kind;  // a heading: "Stiff", "Extreme orders", ...
+  SceneVariant scene;
+  int steps;
+};
+
+// All of them, each label once; those of a kind are neighbours.
+std::span<const Trial> trials();
+
+}  // namespace fde

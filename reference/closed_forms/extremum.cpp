@@ -1,0 +1,120 @@
+#include "closed_forms/extremum.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "laplace/contour.hpp"
+#include "laplace/refine.hpp"
+#include "numbers/bounded.hpp"
+#include "numbers/rational.hpp"
+
+namespace fde {
+namespace {
+
+// What is small is made of decimals before it is rounded.
+struct Arguments {
+  BigReal alpha, rest, power, time, left;  // alpha, 1 - alpha, 2 alpha - 1, t, 1 - t
+
+  Arguments(double alpha_text, double t_text) : Arguments(exact_decimal(alpha_text), exact_decimal(t_text)) {}
+  Arguments(const Rational& a, const Rational& t)
+      : alpha(rounded<BigReal>(a)),
+        rest(rounded<BigReal>(Rational(1 - a))),
+        power(rounded<BigReal>(Rational(2 * a - 1))),
+        time(rounded<BigReal>(t)),
+        left(rounded<BigReal>(Rational(1 - t))) {}
+};
+
+BigReal ulps_of_power(const BigReal& base, const BigReal& exponent) {
+  return base == 0 ? BigReal(4) : BigReal(4 + 3 * abs(exponent) * (1 + abs(BigReal(log(base)))));
+}
+
+// Adds factor * (1 + first * sum_{k>0} c_k), c_1 = z, c_{k+1} = c_k z (top + k) / (bottom + k) for top <=
+// bottom and 0 <= z <= 1/2: what is left after a term is at most that term. Ulps: of the factor.
+void add_series(Sum<BigReal>& sum, const BigReal& factor, const BigReal& ulps, const BigReal& first,
+                const BigReal& top, const BigReal& bottom, const BigReal& z) {
+  BigReal series(1), term = first * z;
+  int k = 1;
+  for (; term > epsilon<BigReal>() * series; ++k) {
+    series += term;
+    term *= z * (top + k) / (bottom + k);
+  }
+  sum.add(BigComplex(BigReal(factor * series)), BigReal((ulps + 8 * k) * epsilon<BigReal>()));
+  sum.error += 2 * factor * term;
+}
+
+// With z = t up to 1/2, and from the connection formula with z = 1 - t beyond:
+//   y = (2 alpha - 1)/alpha t^alpha 2F1(1 - alpha, 1; 1 + alpha; t)
+//     = t^alpha 2F1(1 - alpha, 1; 2 - 2 alpha; 1 - t) - Gamma(alpha) Gamma(2 - 2 alpha) / Gamma(1 - alpha)
+//       (1 - t)^(2 alpha - 1),
+// where Gamma(2 d) / Gamma(d) = Gamma(1 + 2 d) / (2 Gamma(1 + d)) has no pole at d = 1 - alpha = 0.
+Sum<BigReal> value(const Arguments& x) {
+  Sum<BigReal> sum;
+  const BigReal start = pow(x.time, x.alpha), ulps = ulps_of_power(x.time, x.alpha);
+  if (x.time <= 0.5) {
+    add_series(sum, BigReal(x.power / x.alpha * start), BigReal(ulps + 4), BigReal(x.rest / (1 + x.alpha)),
+               x.rest, BigReal(1 + x.alpha), x.time);
+    return sum;
+  }
+  add_series(sum, start, ulps, BigReal(0.5), x.rest, BigReal(2 * x.rest), x.left);
+  const BigReal gammas = gamma(x.alpha) * gamma(BigReal(1 + 2 * x.rest)) / (2 * gamma(BigReal(1 + x.rest)));
+  sum.add(BigComplex(BigReal(-gammas * pow(x.left, x.power))),
+          BigReal((24 + ulps_of_power(x.left, x.power)) * epsilon<BigReal>()));
+  return sum;
+}
+
+Sum<BigReal> derivative(const Arguments& x) {
+  Sum<BigReal> sum;
+  if (x.left == 0 && x.rest > 0) {
+    sum.add_infinite(BigComplex(1), BigReal(1));
+    return sum;
+  }
+  const BigReal singular = x.rest == 0 ? BigReal(1) : BigReal(pow(x.left, -x.rest));
+  sum.add(BigComplex(BigReal(x.power * gamma(x.alpha) * singular)),
+          BigReal((16 + ulps_of_power(x.left, x.rest)) * epsilon<BigReal>()));
+  return sum;
+}
+
+std::vector<Bounded<BigReal>> evaluate(double alpha, double t, int digits) {
+  if (!(t >= 0.0 && t <= 1.0))
+    throw std::invalid_argument(fmt::format("extremum: t = {} has to be in [0, 1]", t));
+  const Precision precision(contour_precision(digits));
+  return {raise_digits(digits, 0,
+                       [&](int) {
+                         return value({alpha, t});
+                       }),
+          raise_digits(digits, 0, [&](int) {
+            return derivative({alpha, t});
+          })};
+}
+
+}  // namespace
+
+Reference exact_extremum(double alpha) {
+  if (!(alpha > 0.5 && alpha <= 1.0))
+    throw std::invalid_argument(fmt::format("extremum: alpha = {} has to be in (0.5, 1]", alpha));
+  const auto at = [alpha](double t) {
+    const Precision precision(contour_precision(double_digits));
+    ReferenceValue known{Vec(2), Vec(2)};
+    Eigen::Index j = 0;
+    for (const auto& exact : evaluate(alpha, t, double_digits)) {
+      const auto [value, bound] = to_double(exact);
+      known.value[j] = value.real();
+      known.bound[j++] = bound;
+    }
+    return known;
+  };
+  const auto digits = [alpha](double t, int wanted) {
+    if (wanted < 1) throw std::invalid_argument("extremum: the number of digits has to be positive");
+    const Precision precision(contour_precision(wanted));
+    std::vector<Decimal> texts;
+    for (const auto& [value, bound] : evaluate(alpha, t, wanted)) {
+      const DecimalText text = write_decimal(real_part<BigReal>(value), bound, wanted);
+      texts.push_back({text.value, write_bound(text.bound)});
+    }
+    return texts;
+  };
+  return {at, digits};
+}
+
+}  // namespace fde

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "collocation/panel_basis.hpp"
+#include "collocation/volterra_history.hpp"
+
+namespace fde {
+
+struct MarchOptions {
+  int points;          // Gauss points of a panel
+  double first_panel;  // its length relative to the end; what it misses of a weak singularity dies out
+  double tolerance;    // of the last Legendre coefficients of f and y on a panel, relative to their sizes
+};
+
+// A solved problem: y is a polynomial on each panel. Panels adapt to f and y and at most double, so that they
+// are graded towards 0. Throws std::runtime_error naming the time where no panel converges.
+class PiecewiseSolution {
+ public:
+  PiecewiseSolution(const Problem& problem, const MarchOptions& options);
+
+  [[nodiscard]] Vec at(double t) const;                // 0 <= t <= end
+  [[nodiscard]] std::size_t panel_of(double t) const;  // the panel that ends at or after t
+  [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
+
+ private:
+  PanelBasis basis_;
+  std::vector<Panel> panels_;
+};
+
+}  // namespace fde

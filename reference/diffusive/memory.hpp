@@ -1,0 +1,64 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "diffusive/kernel.hpp"
+#include "problem/problem.hpp"
+#include "quadrature/radau.hpp"
+
+namespace fde {
+
+// A Runge-Kutta step of length h of memory variables phi_m' = -rates[m] phi_m + f. They are linear and are
+// eliminated: with the Runge-Kutta matrix A and R_m = (1 + h rates[m] A)^-1, the values at the stages are
+//   phi_m = R_m 1 phi_m(start) + h R_m A F,   F the values of f at the stages.
+struct MemoryStep {
+  MemoryStep(const DiffusiveKernels& kernels, const RadauRule& rule, double length);
+
+  Matrix carry;               // (stage, m): R_m 1
+  Matrix gain;                // (m, stage): the last row of h R_m A
+  Vec decay;                  // 1 - (the last entry of R_m 1)
+  std::vector<Matrix> local;  // a kernel each: lumped + sum_m weights[m] h R_m A
+  Matrix plain;               // h A
+};
+
+// The memory of a problem. With an order = whole + part, part in (0, 1],
+//   v_i = initial value + sum_m weights[m] phi_im + lumped f_i    (part = 1: initial value + int f_i),
+// and y_i = v_i, or y_i' = v_i where the order is above 1.
+class DiffusiveMemory {
+ public:
+  // Good for times from shortest * end on.
+  DiffusiveMemory(const Problem& problem, RadauRule rule, double shortest);
+
+  // The values of y at the stages of a step are past + weights F, a column a component.
+  [[nodiscard]] Matrix past(double length);
+  [[nodiscard]] Matrix weights(Eigen::Index component, double length);
+
+  // Ends the step; rhs: F.
+  void advance(double length, const Matrix& rhs);
+
+ private:
+  // A sum of many small terms, with what rounding has dropped.
+  struct Sum {
+    Vec value, dropped;
+    void add(const Vec& terms);
+  };
+  struct State {
+    Eigen::Index kernel;  // -1: part = 1
+    bool twice;           // y' = v
+    double initial;       // of v
+    Sum memory;
+    Sum integral;  // y, where y' = v
+  };
+
+  const MemoryStep& step(double length);
+  [[nodiscard]] Vec carried(const State& state, const MemoryStep& step) const;
+  [[nodiscard]] static const Matrix& local(const State& state, const MemoryStep& step);
+
+  RadauRule rule_;
+  DiffusiveKernels kernels_;
+  std::vector<State> states_;
+  std::map<double, MemoryStep> steps_;  // by length
+};
+
+}  // namespace fde

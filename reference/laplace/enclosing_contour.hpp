@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+
+#include "laplace/contour.hpp"
+
+namespace fde {
+
+// Inverse Laplace transform at time 1,
+//   f = 1/(2 pi i) int e^s F(s) ds,
+// by the trapezoidal rule on one parabola that has every singularity of F that matters on its left:
+//   s(theta) = sigma + i y - c + mu (1 + i theta)^2,  theta_k = k h,  sigma = largest real part.
+// Singularities of any kind will do (poles of any order, branch points), each with a cut to the left; 0 is
+// the usual one. What is e^-depth smaller than e^sigma may be left out. The work grows linearly with the
+// distance of the singularities in imaginary direction.
+class EnclosingContour {
+ public:
+  using Point = std::complex<long double>;
+
+  struct Hints {
+    long double order = 1.0L;   // of the strongest singularity, |s - s*|^-order
+    long double growth = 0.0L;  // |F| grows like |s|^growth, or residues do with |s*|; not negative
+  };
+
+  // Good to about that many decimal digits against e^sigma times the size of F. Singularities are needed to
+  // some digits only. Throws std::runtime_error where there would be more than most_nodes on each side.
+  EnclosingContour(const std::vector<Point>& singularities, int digits, const Hints& hints);
+  EnclosingContour(const std::vector<Point>& singularities, int digits)
+      : EnclosingContour(singularities, digits, Hints{}) {}
+
+  static constexpr int most_nodes = 200000;
+
+  using Node = Contour<BigReal>::Node;  // s, its principal logarithm, weight with e^s in it
+  // f ~ sum of weight F(s). Work with working_digits() digits.
+  [[nodiscard]] std::vector<Node> nodes() const { return nodes_from(-count_); }
+  // f ~ 2 Re sum of weight F(s), for F(conj s) = conj F(s) and singularities in pairs.
+  [[nodiscard]] std::vector<Node> upper_nodes() const { return nodes_from(0); }
+  [[nodiscard]] int count() const { return count_; }  // of nodes on each side
+  [[nodiscard]] int working_digits() const { return working_digits_; }
+
+  [[nodiscard]] long double sigma() const { return sigma_; }
+  // e^s on the contour is up to e^(sigma + rise).
+  [[nodiscard]] long double rise() const { return mu_ - c_; }
+
+  struct Disc {
+    Point centre;
+    long double radius;
+  };
+  // Logarithm of an upper bound of |F| on a disc; infinity where there is none: the disc is then split.
+  using Majorant = std::function<long double(const Disc&)>;
+
+  // Logarithm of a bound of |f - sum|, rounding aside, but for one part that is an estimate. By the residue
+  // theorem the trapezoidal rule on |theta| <= L = (K + 1/2) h is off by int |e^s F ds| / |e^(2 pi |Im theta|
+  // / h) -+ 1| round a rectangle of the theta-plane, free of singularities; it is covered with discs. The
+  // integral beyond L is taken as 4 e^(Re s(L)) |F(s(L))|, and singularities that were left out as nothing:
+  // neither is a bound. Throws std::runtime_error where a disc as small as can be has no bound.
+  [[nodiscard]] long double log_bound(const Majorant& majorant) const;
+
+ private:
+  struct Shape;
+  void choose(const std::vector<Point>& enclosed, long double width, long double order);
+  [[nodiscard]] Shape shape(const std::vector<Point>& enclosed, long double width, long double margin,
+                            long double rise, long double c) const;
+  [[nodiscard]] bool in_reach(const Point& singularity) const;
+  [[nodiscard]] Point at(const Point& theta) const;
+  [[nodiscard]] std::vector<Node> nodes_from(int first) const;
+
+  class Boundary;
+
+  long double sigma_ = 0.0L, y_ = 0.0L, c_ = 0.0L, mu_ = 1.0L, step_ = 1.0L;
+  long double above_ = 0.0L, below_ = 0.0L;  // the rectangle: -below <= Im theta <= above
+  int count_ = 0, working_digits_ = 0;
+};
+
+}  // namespace fde

@@ -1,0 +1,140 @@
+#include "linear/linear_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "linear/linear_solution.hpp"
+#include "linear/linear_system_transform.hpp"
+
+namespace fde {
+namespace {
+
+constexpr const char* name = "linear system";
+constexpr std::size_t most_components = 12;  // the determinant has up to 2^components terms
+
+void require(bool holds, const char* message) {
+  if (!holds) throw std::invalid_argument(fmt::format("{}: {}", name, message));
+}
+
+void require_outputs(const std::vector<std::size_t>& outputs, std::size_t size) {
+  for (const std::size_t output : outputs) {
+    if (output < size) continue;
+    throw std::invalid_argument(fmt::format("{}: output {}: must be 0 to {}", name, output, size - 1));
+  }
+}
+
+LinearSystem checked(LinearSystem system) {
+  const std::size_t size = system.orders.size();
+  if (size < 1 || size > most_components) {
+    throw std::invalid_argument(
+        fmt::format("{}: {} components: must be 1 to {}", name, size, most_components));
+  }
+  const auto rows = static_cast<Eigen::Index>(size);
+  require(system.matrix.rows() == rows && system.matrix.cols() == rows,
+          "the matrix has to have a row and a column for each order");
+  require(system.matrix.allFinite(), "coefficients have to be finite");
+  require(system.initial.size() == size, "a list of initial values is needed for each order");
+  if (system.loads.empty()) system.loads.resize(size);
+  require(system.loads.size() == size, "there have to be no loads, or a list of them for each order");
+  for (std::size_t i = 0; i < size; ++i) {
+    require(system.orders[i] >= 0.0 && std::isfinite(system.orders[i]), "orders have to be 0 or above");
+    const std::size_t count = system.orders[i] == 0.0 ? 0 : initial_count(system.orders[i]);
+    require(system.initial[i].size() >= count, "an initial value is missing");
+    system.initial[i].resize(count);
+    require(std::ranges::all_of(system.initial[i], [](double value) { return std::isfinite(value); }),
+            "initial values have to be finite");
+    for (const auto& load : system.loads[i]) require(!fault_of(load), fault_of(load).value_or(""));
+  }
+  require_outputs(system.outputs, size);
+  if (system.outputs.empty())
+    for (std::size_t i = 0; i < size; ++i) system.outputs.push_back(i);
+  require(std::ranges::find(system.orders, 0.0) == system.orders.end() || is_regular(system),
+          "the rows of order 0 do not determine every unknown");
+  return system;
+}
+
+// For each component the set of those that it depends on, itself among them, as bits.
+std::vector<unsigned> dependences(const Matrix& matrix) {
+  const auto size = static_cast<std::size_t>(matrix.rows());
+  std::vector<unsigned> on(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    on[i] = 1U << i;
+    for (std::size_t j = 0; j < size; ++j)
+      if (matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) != 0.0) on[i] |= 1U << j;
+  }
+  for (std::size_t through = 0; through < size; ++through) {
+    for (auto& set : on)
+      if ((set >> through & 1U) != 0U) set |= on[through];
+  }
+  return on;
+}
+
+// Outputs whose components depend on the same ones, and what is known about them.
+struct Part {
+  std::vector<std::size_t> places;  // among the outputs
+  Reference exact;
+};
+
+// Of the outputs that depend on the components of the set, all of which it contains: its rows have no other
+// unknowns. The determinant of the whole is the product of those of the parts, so none of them is singular.
+Part part_of(const LinearSystem& system, unsigned set, const std::vector<unsigned>& on) {
+  std::vector<std::size_t> kept, places;
+  for (std::size_t i = 0; i < on.size(); ++i)
+    if ((set >> i & 1U) != 0U) kept.push_back(i);
+  LinearSystem part{.orders = {}, .initial = {}, .matrix = system.matrix(kept, kept)};
+  for (const std::size_t i : kept) {
+    part.orders.push_back(system.orders[i]);
+    part.initial.push_back(system.initial[i]);
+    part.loads.push_back(system.loads[i]);
+  }
+  for (std::size_t place = 0; place < system.outputs.size(); ++place) {
+    const std::size_t i = system.outputs[place];
+    if (on[i] != set) continue;
+    places.push_back(place);
+    part.outputs.push_back(static_cast<std::size_t>(std::ranges::find(kept, i) - kept.begin()));
+  }
+  return {places, exact_reference(name, [part = std::move(part)] { return transform_of(part); })};
+}
+
+// Components that do not depend on others are solved without them: a mode that grows elsewhere would have to
+// cancel.
+std::vector<Part> parts_of(const LinearSystem& system) {
+  const auto on = dependences(system.matrix);
+  std::vector<unsigned> sets;
+  for (const std::size_t i : system.outputs)
+    if (std::ranges::find(sets, on[i]) == sets.end()) sets.push_back(on[i]);
+  std::vector<Part> parts;
+  for (const unsigned set : sets) parts.push_back(part_of(system, set, on));
+  return parts;
+}
+
+}  // namespace
+
+Reference exact_reference(const LinearSystem& system) {
+  const LinearSystem posed = checked(system);
+  auto parts = parts_of(posed);
+  if (parts.size() == 1) return parts.front().exact;
+  const std::size_t size = posed.outputs.size();
+  const auto at = [parts, size](double t) {
+    ReferenceValue known{Vec(static_cast<Eigen::Index>(size)), Vec(static_cast<Eigen::Index>(size))};
+    for (const auto& [places, exact] : parts) {
+      const ReferenceValue some = exact.at(t);
+      known.value(places) = some.value;
+      known.bound(places) = some.bound;
+    }
+    return known;
+  };
+  const auto digits = [parts, size](double t, int wanted) {
+    std::vector<Decimal> texts(size);
+    for (const auto& [places, exact] : parts) {
+      const auto some = exact.digits(t, wanted);
+      for (std::size_t k = 0; k < places.size(); ++k) texts[places[k]] = some[k];
+    }
+    return texts;
+  };
+  return {at, digits};
+}
+
+}  // namespace fde

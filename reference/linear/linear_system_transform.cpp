@@ -1,0 +1,66 @@
+#include "linear/linear_system_transform.hpp"
+
+#include "transfer_functions/determinant.hpp"
+
+namespace fde {
+namespace {
+
+// (diag(s^g) - A) X = R with R_j = sum_k s^(g_j-1-k) x_j^(k)(0) + sum of loads c Gamma(power+1)
+// s^(-power-1), by Cramer's rule: X_i = N_i / P, where P is the determinant and N_i that with R for column i.
+PolynomialMatrix matrix_of(const LinearSystem& system) {
+  const std::size_t size = system.orders.size();
+  PolynomialMatrix matrix(size, std::vector<GeneralizedPolynomial>(size));
+  for (std::size_t i = 0; i < size; ++i) {
+    add_term(matrix[i][i], exact_decimal(system.orders[i]), Rational(1));
+    for (std::size_t j = 0; j < size; ++j) {
+      const double entry = system.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      add_term(matrix[i][j], 0, Rational(-exact_decimal(entry)));
+    }
+  }
+  return matrix;
+}
+
+// R for each time at which something starts, 0 first.
+struct RightSide {
+  Rational from;
+  std::vector<GeneralizedPolynomial> rows;
+};
+
+std::vector<RightSide> right_sides(const LinearSystem& system) {
+  const std::size_t size = system.orders.size();
+  std::vector<RightSide> sides{{0, std::vector<GeneralizedPolynomial>(size)}};
+  for (std::size_t j = 0; j < size; ++j) {
+    const Rational order = exact_decimal(system.orders[j]);
+    for (std::size_t k = 0; k < system.initial[j].size(); ++k)
+      add_term(sides.front().rows[j], Rational(order - 1 - k), exact_decimal(system.initial[j][k]));
+    for (const auto& [coefficient, power, from] : system.loads[j]) {
+      const Rational time = exact_decimal(from), next = exact_decimal(power) + 1;
+      auto side = std::ranges::find(sides, time, &RightSide::from);
+      if (side == sides.end()) side = sides.insert(side, {time, std::vector<GeneralizedPolynomial>(size)});
+      add_term(side->rows[j], Rational(-next), coefficient_of_gamma(next), exact_decimal(coefficient));
+    }
+  }
+  return sides;
+}
+
+}  // namespace
+
+LinearTransform transform_of(const LinearSystem& system) {
+  const PolynomialMatrix matrix = matrix_of(system);
+  LinearTransform transform;
+  for (const double order : system.orders) transform.generators.push_back(exact_decimal(order));
+  transform.characteristic = determinant(matrix);
+  for (const auto& [from, rows] : right_sides(system)) {
+    auto& numerators = transform.group_from(from, system.outputs.size()).numerators;
+    for (std::size_t k = 0; k < system.outputs.size(); ++k) {
+      PolynomialMatrix replaced = matrix;
+      for (std::size_t j = 0; j < rows.size(); ++j) replaced[j][system.outputs[k]] = rows[j];
+      numerators[k] = determinant(replaced);
+    }
+  }
+  return transform;
+}
+
+bool is_regular(const LinearSystem& system) { return !determinant(matrix_of(system)).empty(); }
+
+}  // namespace fde

@@ -1,0 +1,73 @@
+#include "mittag_leffler/decimal_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "numbers/bounded.hpp"
+
+namespace fde {
+namespace {
+
+template <class Number>
+void check_order(const std::string& function, const Number& alpha) {
+  if (alpha > 0 && alpha <= 5) return;
+  throw std::invalid_argument(
+      fmt::format("{}: alpha = {} has to be in (0, 5]", function, static_cast<double>(alpha)));
+}
+
+template <class Number>
+void check_parameter(const std::string& function, const char* argument, const Number& value) {
+  constexpr int largest = 10000;
+  if (value >= -largest && value <= largest) return;
+  throw std::invalid_argument(fmt::format("{}: {} = {} has to be in [-{}, {}]", function, argument,
+                                          static_cast<double>(value), largest, largest));
+}
+
+}  // namespace
+
+BigReal read_argument(const std::string& function, const std::string& name, const std::string& text) {
+  try {
+    return parse<BigReal>(text);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}: {}", function, name, error.what()));
+  }
+}
+
+void require_order(const std::string& function, double alpha) { check_order(function, alpha); }
+void require_order(const std::string& function, const BigReal& alpha) { check_order(function, alpha); }
+
+void require_parameter(const std::string& function, const char* argument, double value) {
+  check_parameter(function, argument, value);
+}
+void require_parameter(const std::string& function, const char* argument, const BigReal& value) {
+  check_parameter(function, argument, value);
+}
+
+void require_digits(const std::string& function, int digits) {
+  if (digits < 1)
+    throw std::invalid_argument(fmt::format("{}: digits = {} has to be positive", function, digits));
+}
+
+int decimal_places(const std::string& text) {
+  const auto e = std::min(text.find_first_of("eE"), text.size()), point = std::min(text.find('.'), e);
+  const long written = e == point ? 0 : static_cast<long>(e - point) - 1;
+  const long exponent = e == text.size() ? 0 : std::strtol(text.c_str() + e + 1, nullptr, 10);
+  return static_cast<int>(std::clamp(written - exponent, 0L, 100000L));
+}
+
+int decimal_places(double a, double b) {
+  constexpr int mantissa = std::numeric_limits<double>::digits;
+  const auto lowest_bit = [](double x) { return x == 0.0 ? 0 : std::ilogb(x) - mantissa; };
+  const int lowest = std::min(lowest_bit(a), lowest_bit(b));
+  return static_cast<int>(std::ceil(std::max(0, -lowest) * std::numbers::ln2 / std::numbers::ln10));
+}
+
+DecimalComplex write_complex(const Bounded<BigReal>& x, bool real, int digits) {
+  const DecimalText re = write_decimal(real_part<BigReal>(x.value), x.bound, digits);
+  if (real) return {re.value, "0", write_bound(re.bound)};
+  const DecimalText im = write_decimal(imag_part<BigReal>(x.value), x.bound, digits);
+  return {re.value, im.value, write_bound(BigReal(re.bound + im.bound))};
+}
+
+}  // namespace fde

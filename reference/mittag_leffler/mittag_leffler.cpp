@@ -1,0 +1,81 @@
+#include "mittag_leffler/mittag_leffler.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "laplace/contour.hpp"
+#include "mittag_leffler/decimal_arguments.hpp"
+#include "mittag_leffler/digits.hpp"
+#include "mittag_leffler/quick.hpp"
+#include "numbers/bounded.hpp"
+
+namespace fde {
+namespace {
+
+using Arguments = MittagLefflerArguments;
+
+constexpr const char* function_name = "mittag_leffler";
+
+// |z E'| from below: alpha z E'_{alpha,beta}(z) = E_{alpha,beta-1}(z) - (beta-1) E_{alpha,beta}(z).
+long double least_slope(double alpha, double beta, std::complex<double> z, const QuickValue& value) {
+  const auto before = mittag_leffler_quick(alpha, exact_sum(beta, -1.0), z);
+  if (!before) return 0.0L;
+  const long double factor = static_cast<long double>(beta) - 1.0L;
+  const long double error = before->error + std::abs(factor) * value.error;
+  return (std::abs(before->value - factor * value.value) - error) / alpha;
+}
+
+bool is_good(double alpha, double beta, std::complex<double> z, const QuickValue& value) {
+  return value.error <= quick_tolerance * std::abs(value.value) ||
+         value.error <= quick_tolerance * least_slope(alpha, beta, z, value);
+}
+
+MittagLefflerValue upper_half_plane(double alpha, double beta, std::complex<double> z) {
+  const bool real = z.imag() == 0.0;
+  const auto quick = mittag_leffler_quick(alpha, {beta, 0.0}, z);
+  if (quick && is_good(alpha, beta, z, *quick)) {
+    const auto [value, bound] = to_double(quick->value, quick->error);
+    return {real ? std::complex(value.real()) : value, bound};
+  }
+  const Precision precision(contour_precision(double_digits));
+  const auto read = [&] { return Arguments{BigReal(alpha), BigReal(beta), BigComplex(z.real(), z.imag())}; };
+  const auto [value, bound] = to_double(mittag_leffler_to(double_digits, decimal_places(alpha, beta), read));
+  return {real ? std::complex(value.real()) : value, bound};
+}
+
+}  // namespace
+
+MittagLefflerValue mittag_leffler(double alpha, double beta, std::complex<double> z) {
+  require_order(function_name, alpha);
+  require_parameter(function_name, "beta", beta);
+  if (!std::isfinite(z.real()) || !std::isfinite(z.imag())) {
+    throw std::invalid_argument(
+        fmt::format("{}: z = {} {:+} i has to be finite", function_name, z.real(), z.imag()));
+  }
+  if (z.imag() >= 0.0) return upper_half_plane(alpha, beta, std::complex(z.real(), std::abs(z.imag())));
+  const MittagLefflerValue mirrored = upper_half_plane(alpha, beta, std::conj(z));
+  return {std::conj(mirrored.value), mirrored.bound};
+}
+
+double mittag_leffler(double alpha, double beta, double z) {
+  return mittag_leffler(alpha, beta, std::complex<double>(z)).value.real();
+}
+
+DecimalComplex mittag_leffler(const std::string& alpha, const std::string& beta, const std::string& re,
+                              const std::string& im, int digits) {
+  require_digits(function_name, digits);
+  const auto read = [&] {
+    return Arguments{
+        read_argument(function_name, "alpha", alpha), read_argument(function_name, "beta", beta),
+        BigComplex(read_argument(function_name, "re z", re), read_argument(function_name, "im z", im))};
+  };
+  const Precision precision(contour_precision(digits));
+  const Arguments x = read();
+  require_order(function_name, x.alpha);
+  require_parameter(function_name, "beta", x.beta);
+  const int places = std::max(decimal_places(alpha), decimal_places(beta));
+  return write_complex(mittag_leffler_to(digits, places, read), x.real(), digits);
+}
+
+}  // namespace fde

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <complex>
+#include <optional>
+
+#include "numbers/double_double.hpp"
+
+namespace fde {
+
+// A value and a bound of the modulus of its error, before the rounding to double.
+struct QuickValue {
+  std::complex<long double> value;
+  long double error;
+};
+
+// Relative error that is good enough: with the rounding to double at most 6.5 ulp.
+inline constexpr long double quick_tolerance = 0x1.8p-51L;
+
+// E_{alpha,beta}(z) for Im z >= 0 in about a microsecond: trapezoidal sum and residues in vectors of
+// double-doubles, |z|^-1 and |z|^-2 peeled off for large |z|. Almost all errors are below 1e-20 of the terms.
+// Empty where that cannot be bounded: |beta| beyond about 50, or phases of e^s* beyond 2^39.
+std::optional<QuickValue> mittag_leffler_quick(double alpha, const DoubleDouble& beta,
+                                               std::complex<double> z);
+
+}  // namespace fde

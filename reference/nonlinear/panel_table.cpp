@@ -1,0 +1,44 @@
+#include "nonlinear/panel_table.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "collocation/panel_basis.hpp"
+
+namespace fde {
+
+namespace {
+
+class TableReference {
+ public:
+  explicit TableReference(PanelTable table)
+      : table_(std::move(table)), basis_(static_cast<int>(table_.panels.front().values.rows()) - 2) {}
+
+  [[nodiscard]] ReferenceValue at(double t) const {
+    const auto& panels = table_.panels;
+    const double end = panels.back().to;
+    if (!(t >= 0.0 && t <= end)) {
+      throw std::invalid_argument("reference solution: t = " + std::to_string(t) + " is outside [0, " +
+                                  std::to_string(end) + "]");
+    }
+    const auto panel = std::ranges::lower_bound(panels, t, {}, &ReferencePanel::to);
+    return {basis_.interpolate(panel->values, (t - panel->from) / (panel->to - panel->from)),
+            t > 0.0 ? panel->bound : Vec::Zero(panel->bound.size())};
+  }
+
+ private:
+  PanelTable table_;
+  PanelBasis basis_;
+};
+
+}  // namespace
+
+Reference panel_reference(PanelTable table) {
+  const auto reference = std::make_shared<const TableReference>(std::move(table));
+  return {.at = [reference](double t) { return reference->at(t); }};
+}
+
+}  // namespace fde

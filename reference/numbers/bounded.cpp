@@ -1,0 +1,68 @@
+#include "numbers/bounded.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace fde {
+namespace {
+
+// mpfr's own conversion: Boost takes "no digit after the point" for "all digits".
+std::string print(const char* format, int decimals, const BigReal& x) {
+  const int length = mpfr_snprintf(nullptr, 0, format, decimals, x.backend().data());
+  std::string text(static_cast<std::size_t>(length) + 1, '\0');  // and the 0 that ends it
+  mpfr_snprintf(text.data(), text.size(), format, decimals, x.backend().data());
+  text.pop_back();
+  return text;
+}
+
+std::string scientific(const BigReal& x, int digits) { return print("%.*Re", digits - 1, x); }
+
+// A number of significant digits, with an exponent only where the number would be hard to read without.
+std::string in_decimal(const BigReal& x, int digits) {
+  constexpr int most_zeros = 5;
+  const std::string text = scientific(x, digits);
+  const auto exponent = std::stoll(text.substr(text.find('e') + 1));
+  return exponent < -most_zeros || exponent >= digits
+             ? text
+             : print("%.*Rf", digits - 1 - static_cast<int>(exponent), x);
+}
+
+// A bound that was rounded to nearest, made one again.
+double upwards(double bound) { return std::nextafter(bound, std::numeric_limits<double>::infinity()); }
+
+}  // namespace
+
+std::string write_bound(const BigReal& bound) {
+  if (!isfinite(bound)) return "inf";
+  return bound == 0 ? "0"
+                    : scientific(BigReal(bound * 1.06), 2);  // two digits are then never below the bound
+}
+
+DecimalText write_decimal(const BigReal& value, const BigReal& bound, int digits) {
+  if (!isfinite(value)) return {value.str(), BigReal(std::numeric_limits<double>::infinity())};
+  if (abs(value) <= bound) return {"0", BigReal(abs(value) + bound)};
+  const auto supported = bound == 0 ? BigReal(digits) : BigReal(1 + log10(BigReal(abs(value) / bound)));
+  const std::string text = in_decimal(value, supported < digits ? static_cast<int>(supported) : digits);
+  return {text, BigReal(abs(BigReal(BigReal(text) - value)) + bound)};
+}
+
+DoubleBounded to_double(const Complex<long double>& value, long double error) {
+  const std::complex<double> rounded(static_cast<double>(value.real()), static_cast<double>(value.imag()));
+  if (!std::isfinite(rounded.real()) || !std::isfinite(rounded.imag()))
+    return {rounded, std::numeric_limits<double>::infinity()};
+  const Complex<long double> off(value.real() - rounded.real(), value.imag() - rounded.imag());
+  return {rounded, upwards(static_cast<double>(size_of(off) + error))};
+}
+
+DoubleBounded to_double(const Bounded<BigReal>& x) {
+  const auto re = real_part<BigReal>(x.value), im = imag_part<BigReal>(x.value);
+  const bool nothing = size_of(x.value) <= x.bound;
+  std::complex<double> rounded = 0.0;
+  if (!nothing) rounded = {re.convert_to<double>(), im.convert_to<double>()};
+  if (!std::isfinite(rounded.real()) || !std::isfinite(rounded.imag()))
+    return {rounded, std::numeric_limits<double>::infinity()};
+  const BigReal off = abs(BigReal(re - rounded.real())) + abs(BigReal(im - rounded.imag()));
+  return {rounded, upwards(BigReal(off + x.bound).convert_to<double>())};
+}
+
+}  // namespace fde

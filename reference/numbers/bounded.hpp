@@ -1,0 +1,34 @@
+#pragma once
+
+#include <complex>
+#include <string>
+
+#include "numbers/real.hpp"
+
+namespace fde {
+
+// A value and a bound of the modulus of its error.
+template <class Real>
+struct Bounded {
+  Complex<Real> value;
+  Real bound;
+};
+
+// A real number in decimal, with as many digits as its bound supports but at most that many, and the bound
+// with the rounding of the text included. A value within its bound is written as 0.
+struct DecimalText {
+  std::string value;
+  BigReal bound;
+};
+DecimalText write_decimal(const BigReal& value, const BigReal& bound, int digits);
+std::string write_bound(const BigReal& bound);  // rounded up
+
+// The nearest double and a bound that includes the rounding to it. A value within its bound becomes 0.
+struct DoubleBounded {
+  std::complex<double> value;
+  double bound;
+};
+DoubleBounded to_double(const Complex<long double>& value, long double error);
+DoubleBounded to_double(const Bounded<BigReal>& x);
+
+}  // namespace fde

@@ -1,0 +1,179 @@
+#include "prabhakar_and_matrix/mittag_leffler_matrix.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "laplace/enclosed_transform.hpp"
+#include "laplace/roots_on_sheet.hpp"
+#include "mittag_leffler/decimal_arguments.hpp"
+#include "numbers/bounded.hpp"
+#include "prabhakar_and_matrix/resolvent.hpp"
+#include "prabhakar_and_matrix/schur_form.hpp"
+
+namespace fde {
+namespace {
+
+using Long = long double;
+using Point = EnclosingContour::Point;
+using Node = EnclosingContour::Node;
+using Disc = EnclosingContour::Disc;
+
+constexpr Long infinity = std::numeric_limits<Long>::infinity();
+constexpr int most_rows = 64;
+constexpr const char* function_name = "mittag_leffler of a matrix";
+
+struct Arguments {
+  BigReal alpha, beta;
+  BigMatrix matrix;
+
+  [[nodiscard]] bool real() const {
+    return std::ranges::all_of(matrix.entries,
+                               [](const BigComplex& x) { return imag_part<BigReal>(x) == 0; });
+  }
+};
+using Read = std::function<Arguments()>;
+
+Long to_long(const BigReal& x) { return x.convert_to<Long>(); }
+
+// s^(alpha-beta) (s^alpha - A)^-1 at the nodes.
+void add_node(const Arguments& x, const Node& node, std::vector<Sum<BigReal>>& sums) {
+  sums.resize(x.matrix.entries.size());
+  const BigComplex s_alpha = exp(BigComplex(x.alpha * node.log_s));
+  const BigComplex weight = node.weight * exp(BigComplex((x.alpha - x.beta) * node.log_s));
+  BigMatrix shifted = x.matrix;
+  for (auto& entry : shifted.entries) entry = -entry;
+  for (int i = 0; i < shifted.size; ++i) shifted(i, i) += s_alpha;
+  const BoundedInverse resolvent = bounded_inverse(shifted);
+  const BigReal unit = epsilon<BigReal>(),
+                ulps = 8 + 4 * size_of(node.s) + (4 * x.alpha + 4 * abs(x.beta)) * (1 + size_of(node.log_s));
+  // s^alpha is off by so much
+  const BigReal shift = (4 + 4 * x.alpha * (1 + size_of(node.log_s))) * unit * size_of(s_alpha);
+  const BigReal off = size_of(weight) * (resolvent.bound + 2 * shift * resolvent.norm * resolvent.norm);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    sums[i].add(BigComplex(weight * resolvent.value.entries[i]), BigReal(ulps * unit));
+    sums[i].error += off;
+  }
+}
+
+// Of s^(alpha-beta) |(s^alpha - A)^-1| on a disc.
+EnclosingContour::Majorant majorant_of(const SchurForm& schur, Long alpha, Long power) {
+  return [=](const Disc& disc) {
+    const Long size = std::abs(disc.centre), nearest = size - disc.radius, farthest = size + disc.radius;
+    const bool whole = is_whole(alpha);
+    if (nearest <= 0.0L && (!whole || power < 0.0L)) return infinity;
+    // how far s^alpha goes, and a hair for rounding
+    const Long moved = whole ? std::pow(farthest, alpha) - std::pow(size, alpha)
+                             : std::pow(size, alpha) * std::expm1(-alpha * std::log1p(-disc.radius / size));
+    const Point z = std::exp(alpha * std::log(disc.centre));
+    const Long norm =
+        schur.resolvent_norm(z, moved + 1e-17L * (1.0L + std::abs(std::log(size))) * std::abs(z));
+    const Long log_power = power == 0.0L ? 0.0L : power * std::log(power < 0.0L ? nearest : farthest);
+    return log_power + std::log(norm) + 1e-9L;
+  };
+}
+
+EnclosedTransform transform_of(const Read& read) {
+  constexpr int enough_digits = 70;
+  const Precision precision(enough_digits);
+  const Arguments x = read();
+  const Long alpha = to_long(x.alpha), power = to_long(BigReal(x.alpha - x.beta));
+  EnclosedTransform transform{.singularities = {},
+                              .hints = {.order = static_cast<Long>(std::min(x.matrix.size, 4)),
+                                        .growth = 1.0L + alpha + std::abs(power)},
+                              .real = x.real()};
+  if (!(is_whole(x.alpha) && is_whole(x.beta) && power >= 0.0L)) transform.singularities.emplace_back(0.0L);
+  const SchurForm schur(x.matrix);
+  for (const auto& logarithm : schur.log_eigenvalues()) {
+    for (const auto& root : roots_on_sheet(alpha, logarithm)) transform.singularities.push_back(root.value);
+  }
+  transform.prepare = [read] {
+    return [x = read()](const Node& node, std::vector<Sum<BigReal>>& sums) { add_node(x, node, sums); };
+  };
+  transform.majorants = {majorant_of(schur, alpha, power)};
+  return transform;
+}
+
+std::vector<Bounded<BigReal>> evaluate(const Read& read, int digits) {
+  try {
+    return invert(transform_of(read), digits);
+  } catch (const std::runtime_error& error) {
+    const Arguments x = read();
+    throw std::runtime_error(fmt::format("{} of {} rows, alpha = {:.6g}, beta = {:.6g}: {}", function_name,
+                                         x.matrix.size, to_long(x.alpha), to_long(x.beta), error.what()));
+  }
+}
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw std::invalid_argument(fmt::format("{}: {}", function_name, message));
+}
+
+void require_size(std::size_t rows, std::size_t entries) {
+  require(rows * rows == entries,
+          fmt::format("a matrix of {} entries with {} rows has to be square", entries, rows));
+  require(rows >= 1 && rows <= most_rows,
+          fmt::format("the matrix has {} rows, but has to have 1 to {}", rows, most_rows));
+}
+
+}  // namespace
+
+MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matrix) {
+  require_order(function_name, alpha);
+  require_parameter(function_name, "beta", beta);
+  require(matrix.rows() == matrix.cols(),
+          fmt::format("a matrix of {} x {} has to be square", matrix.rows(), matrix.cols()));
+  require_size(static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.size()));
+  require(matrix.allFinite(), "entries of the matrix have to be finite");
+  const auto size = static_cast<int>(matrix.rows());
+  const Read read = [&] {
+    Arguments x{BigReal(alpha), BigReal(beta), {size, {}}};
+    for (int i = 0; i < size; ++i) {
+      for (int j = 0; j < size; ++j) x.matrix.entries.emplace_back(matrix(i, j).real(), matrix(i, j).imag());
+    }
+    return x;
+  };
+  const auto values = evaluate(read, double_digits);
+  const BigMatrix shape{size, {}};
+  MatrixValue result{ComplexMatrix(size, size), Eigen::MatrixXd(size, size)};
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j < size; ++j) {
+      const auto [value, bound] = to_double(values[shape.index(i, j)]);
+      if (!std::isfinite(bound)) {
+        throw std::runtime_error(
+            fmt::format("mittag_leffler of a matrix: entry {} {} is beyond double", i + 1, j + 1));
+      }
+      result.value(i, j) = value;
+      result.bound(i, j) = bound;
+    }
+  }
+  return result;
+}
+
+MatrixValue mittag_leffler(double alpha, double beta, const Eigen::MatrixXd& matrix) {
+  return mittag_leffler(alpha, beta, ComplexMatrix(matrix.cast<std::complex<double>>()));
+}
+
+std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::string& beta,
+                                           const std::vector<DecimalComplex>& matrix, int digits) {
+  require_digits(function_name, digits);
+  const auto size = static_cast<int>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
+  require_size(static_cast<std::size_t>(size), matrix.size());
+  const Read read = [&] {
+    Arguments x{
+        read_argument(function_name, "alpha", alpha), read_argument(function_name, "beta", beta), {size, {}}};
+    for (const auto& entry : matrix) {
+      x.matrix.entries.emplace_back(read_argument(function_name, "entry", entry.re),
+                                    read_argument(function_name, "entry", entry.im));
+    }
+    return x;
+  };
+  const Precision precision(digits + 20);
+  const Arguments x = read();
+  require_order(function_name, x.alpha);
+  require_parameter(function_name, "beta", x.beta);
+  std::vector<DecimalComplex> texts;
+  for (const auto& value : evaluate(read, digits)) texts.push_back(write_complex(value, x.real(), digits));
+  return texts;
+}
+
+}  // namespace fde

@@ -1,0 +1,156 @@
+#include "prabhakar_and_matrix/prabhakar.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "mittag_leffler/decimal_arguments.hpp"
+#include "numbers/bounded.hpp"
+#include "prabhakar_and_matrix/prabhakar_transform.hpp"
+
+namespace fde {
+namespace {
+
+using Arguments = PrabhakarArguments;
+
+// A function of the family with a name for messages, the decimal places of the parameters, and the factor k!
+// of derivatives.
+struct Request {
+  std::string name;
+  ReadPrabhakar read;
+  int places;
+  int factorial = 0;
+};
+
+void require(bool holds, const std::string& name, const std::string& message) {
+  if (!holds) throw std::invalid_argument(name + ": " + message);
+}
+
+void require_derivative(int k) {
+  require(k >= 0 && k <= most_derivatives, "mittag_leffler_derivative",
+          fmt::format("k = {} has to be in [0, {}]", k, most_derivatives));
+}
+
+bool ends_or_is_small(const Arguments& x) {
+  return (x.gamma <= 0 && is_whole(x.gamma)) ||
+         size_of(x.z) <= 0.4 * pow(std::max(BigReal(1), x.beta), x.alpha);
+}
+
+// Digits until the terms of the series, which may cancel, leave enough of the value; where nothing is left of
+// them to 40 digits more, it is 0.
+Bounded<BigReal> sum_series(const Request& request, int wanted) {
+  constexpr int zero_digits = 40;
+  const int most = 4 * wanted + 1000;
+  for (int digits = wanted + 10;;) {
+    const Precision precision(digits + request.places);
+    const Sum<BigReal> sum = prabhakar_series(request.read());
+    const bool enough = sum.error <= size_of(sum.value) * pow(BigReal(10), -wanted);
+    if (enough) return {sum.value, sum.error};
+    if (digits >= most) {
+      if (sum.error <= sum.scale * pow(BigReal(10), -wanted - zero_digits)) return {sum.value, sum.error};
+      throw out_of_digits(sum.error, digits);
+    }
+    digits = std::min(2 * digits, most);
+  }
+}
+
+Bounded<BigReal> evaluate(const Request& request, int wanted) {
+  const auto value = [&] {
+    try {
+      if (ends_or_is_small(request.read())) return sum_series(request, wanted);
+      return invert(prabhakar_transform(request.read), wanted).front();
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(fmt::format("{}: {}", request.name, error.what()));
+    }
+  }();
+  const BigReal factorial = gamma(BigReal(request.factorial + 1));
+  return {BigComplex(value.value * factorial),
+          BigReal((value.bound + 8 * epsilon<BigReal>() * size_of(value.value)) * factorial)};
+}
+
+MittagLefflerValue in_double(const Request& request) {
+  const Precision precision(2 * double_digits + 10);
+  const auto [value, bound] = to_double(evaluate(request, double_digits));
+  if (!std::isfinite(bound)) throw std::runtime_error(request.name + " is beyond double");
+  const double re = value.real() + 0.0, im = value.imag() + 0.0;  // no -0
+  return {request.read().real() ? std::complex(re) : std::complex(re, im), bound};
+}
+
+DecimalComplex in_digits(const std::string& function, const Request& request, int digits) {
+  require_digits(function, digits);
+  const Precision precision(digits + 20 + request.places);
+  const Arguments x = request.read();
+  require_order(function, x.alpha);
+  require_parameter(function, "beta", x.beta);
+  require_parameter(function, "gamma", x.gamma);
+  return write_complex(evaluate(request, digits), x.real(), digits);
+}
+
+void require_finite(const std::string& name, double alpha, double beta, double gamma,
+                    std::complex<double> z) {
+  require_order(name, alpha);
+  require_parameter(name, "beta", beta);
+  require_parameter(name, "gamma", gamma);
+  require(std::isfinite(z.real()) && std::isfinite(z.imag()), name,
+          fmt::format("z = {} {:+} i has to be finite", z.real(), z.imag()));
+}
+
+}  // namespace
+
+MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::complex<double> z) {
+  require_finite("prabhakar", alpha, beta, gamma, z);
+  return in_double(
+      {fmt::format("prabhakar({}, {}, {}, z = {} {:+} i)", alpha, beta, gamma, z.real(), z.imag()),
+       [=] {
+         return Arguments{BigReal(alpha), BigReal(beta), BigReal(gamma), BigComplex(z.real(), z.imag())};
+       },
+       std::max(decimal_places(alpha, beta), decimal_places(gamma, gamma))});
+}
+
+MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, std::complex<double> z) {
+  require_derivative(k);
+  require_finite("mittag_leffler_derivative", alpha, beta, 1.0, z);
+  return in_double(
+      {fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} {:+} i)", k, alpha, beta, z.real(),
+                   z.imag()),
+       [=] {
+         const BigReal order(alpha);
+         return Arguments{order, BigReal(beta + k * order), BigReal(k + 1), BigComplex(z.real(), z.imag())};
+       },
+       decimal_places(alpha, beta), k});
+}
+
+DecimalComplex prabhakar(const std::string& alpha, const std::string& beta, const std::string& gamma,
+                         const std::string& re, const std::string& im, int digits) {
+  const std::string function = "prabhakar";
+  return in_digits(
+      function,
+      {fmt::format("prabhakar({}, {}, {}, z = {} + {} i)", alpha, beta, gamma, re, im),
+       [=] {
+         return Arguments{
+             read_argument(function, "alpha", alpha), read_argument(function, "beta", beta),
+             read_argument(function, "gamma", gamma),
+             BigComplex(read_argument(function, "re z", re), read_argument(function, "im z", im))};
+       },
+       std::max({decimal_places(alpha), decimal_places(beta), decimal_places(gamma)})},
+      digits);
+}
+
+DecimalComplex mittag_leffler_derivative(int k, const std::string& alpha, const std::string& beta,
+                                         const std::string& re, const std::string& im, int digits) {
+  require_derivative(k);
+  const std::string function = "mittag_leffler_derivative";
+  return in_digits(
+      function,
+      {fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} + {} i)", k, alpha, beta, re, im),
+       [=] {
+         const BigReal order = read_argument(function, "alpha", alpha);
+         return Arguments{
+             order, BigReal(read_argument(function, "beta", beta) + k * order), BigReal(k + 1),
+             BigComplex(read_argument(function, "re z", re), read_argument(function, "im z", im))};
+       },
+       std::max(decimal_places(alpha), decimal_places(beta)), k},
+      digits);
+}
+
+}  // namespace fde

@@ -1,0 +1,112 @@
+#include "analysis/formulations.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "scenes/registry.hpp"
+#include "scenes/scene.hpp"
+
+namespace fde {
+namespace {
+
+constexpr std::string_view choice_of_form = "formulation";
+
+// The label without its formulation, and the formulation, of a scene that does not say it the default.
+std::pair<std::string, std::string> split(const std::string& label) {
+  const auto colon = std::min(label.find(':'), label.size());
+  std::string scene = label.substr(0, colon), formulation;
+  char before = ':';
+  for (std::size_t begin = colon + 1; begin < label.size();) {
+    const auto end = std::min(label.find(',', begin), label.size());
+    const std::string setting = label.substr(begin, end - begin);
+    const auto equals = std::min(setting.find('='), setting.size());
+    if (setting.substr(0, equals) == choice_of_form) {
+      formulation = setting.substr(std::min(equals + 1, setting.size()));
+    } else {
+      scene += std::exchange(before, ',') + setting;
+    }
+    begin = end + 1;
+  }
+  const auto* maker = scene_of_label(label);
+  if (!formulation.empty() || maker == nullptr) return {scene, formulation};
+  const auto found = std::ranges::find(maker->parameters, choice_of_form, &Parameter::name);
+  return {scene, found == maker->parameters.end() ? "" : found->text_of(found->value)};
+}
+
+template <class Items, class Name>
+auto& named(Items& items, Name name, const std::string& value) {
+  const auto found = std::ranges::find(items, value, name);
+  if (found != items.end()) return *found;
+  items.push_back({value});
+  return items.back();
+}
+
+int finest_common(const ConstrainedScene& scene) {
+  std::vector<RunSpan> lines;
+  for (const auto& formulation : scene.formulations) {
+    for (const RunSpan line : by_line(formulation.runs)) lines.push_back(line);
+  }
+  int finest = 0;
+  for (const MeasuredRun& run : lines.front()) {
+    const bool common = std::ranges::all_of(lines, [&](RunSpan line) {
+      return std::ranges::find(line, run.steps, &MeasuredRun::steps) != line.end();
+    });
+    if (common) finest = std::max(finest, run.steps);
+  }
+  return finest;
+}
+
+// What runs are ranked by.
+std::pair<double, double> rank_of(const MeasuredRun& run) {
+  return {std::max(judged_drift(run), drift_of_rounding),
+          run["error_end"].value_or(std::numeric_limits<double>::infinity())};
+}
+
+double seconds_of(const MeasuredRun& run) {
+  return run["time_minimum"].value_or(std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+std::vector<ConstrainedScene> constrained_scenes(const Runs& runs) {
+  std::vector<ConstrainedScene> scenes;
+  for (const auto* some : {&runs.finished, &runs.failed}) {
+    for (const MeasuredRun& run : *some) {
+      if (!run["drift_internal"]) continue;
+      const auto [scene, formulation] = split(run.scene);
+      auto& of = named(scenes, &ConstrainedScene::scene, scene).formulations;
+      named(of, &FormulationRuns::formulation, formulation).runs.push_back(run);
+    }
+  }
+  for (auto& scene : scenes) scene.steps = finest_common(scene);
+  return scenes;
+}
+
+double judged_drift(const MeasuredRun& run) {
+  const auto independent = run["drift_independent"];
+  return independent ? *independent : run["drift_internal"].value_or(0.0);
+}
+
+BestInTimes best_in_time(const ConstrainedScene& scene) {
+  BestInTimes best{.seconds = std::numeric_limits<double>::infinity()};
+  if (scene.formulations.size() < 2) return {};
+  for (const auto& formulation : scene.formulations) {
+    double longest = 0.0;
+    for (const auto& run : formulation.runs) longest = std::max(longest, run["time_minimum"].value_or(0.0));
+    if (longest == 0.0) return {};
+    best.seconds = std::min(best.seconds, longest);
+  }
+  for (const auto& formulation : scene.formulations) {
+    const MeasuredRun* least = nullptr;
+    for (const auto& run : formulation.runs) {
+      const bool better = least == nullptr || rank_of(run) < rank_of(*least);
+      if (seconds_of(run) <= best.seconds && better) least = &run;
+    }
+    if (least != nullptr) best.ranked.push_back({formulation.formulation, *least});
+  }
+  std::ranges::stable_sort(best.ranked, {}, [](const BestInTime& one) { return rank_of(one.run); });
+  return best;
+}
+
+}  // namespace fde

@@ -1,0 +1,66 @@
+#include "analysis/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fde {
+namespace {
+
+struct Unit {
+  double size;
+  const char* name;
+};
+
+double power_of_ten_in(double value) { return std::floor(std::log10(value)); }
+
+// Three significant digits in the largest unit that leaves at least 1; the last unit takes what is smaller.
+template <std::size_t count>
+std::string scaled(double value, const std::array<Unit, count>& units) {
+  const auto fits = [&](const Unit& unit) { return value >= unit.size; };
+  const auto found = std::ranges::find_if(units, fits);
+  const Unit& unit = found == units.end() ? units.back() : *found;
+  const double number = value / unit.size;
+  const int decimals = number < 1.0 ? 2 : std::max(0, 2 - static_cast<int>(power_of_ten_in(number)));
+  return fmt::format("{:.{}f} {}", number, decimals, unit.name);
+}
+
+}  // namespace
+
+std::string error_text(double error) {
+  if (error == 0.0) return "0";
+  const std::string text = fmt::format("{:.1e}", error);  // its exponent has two digits or more, and a plus
+  const auto exponent = text.find('e');
+  return fmt::format("{}e{}", text.substr(0, exponent), std::stoi(text.substr(exponent + 1)));
+}
+
+std::string time_text(double seconds) {
+  static constexpr std::array units{Unit{1.0, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "µs"}, Unit{1e-9, "ns"}};
+  return scaled(seconds, units);
+}
+
+std::string bytes_text(double bytes) {
+  if (bytes < 1e3) return fmt::format("{:.0f} B", bytes);
+  static constexpr std::array units{Unit{1e9, "GB"}, Unit{1e6, "MB"}, Unit{1e3, "kB"}};
+  return scaled(bytes, units);
+}
+
+std::string count_text(double count) {
+  if (count >= 1e9) return error_text(count);
+  std::string digits = fmt::format("{:.0f}", count);
+  if (count < 1e4) return digits;
+  for (auto place = static_cast<std::ptrdiff_t>(digits.size()) - 3; place > 0; place -= 3) {
+    digits.insert(static_cast<std::size_t>(place), "\u202f");
+  }
+  return digits;
+}
+
+std::string rough_count_text(double count) {
+  if (count < 100.0) return count_text(count);
+  const double unit = std::pow(10.0, power_of_ten_in(count) - 1.0);
+  return count_text(std::round(count / unit) * unit);
+}
+
+}  // namespace fde

@@ -1,0 +1,98 @@
+#include <fmt/ostream.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <ostream>
+
+#include "command/arguments.hpp"
+#include "command/command.hpp"
+#include "reference_data/reference_check.hpp"
+#include "scenes/number_text.hpp"
+#include "sweep/default_sweep.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int largest_every = 1'000'000;
+
+struct ReferenceArguments {
+  std::optional<std::string> out, check;
+  std::string every = "1";
+};
+
+void write_tables(const std::string& folder, const Streams& streams) {
+  const auto tables = planned_tables(default_scenes());
+  require_replaceable(folder, tables);
+  replace_folder(folder, make_files(tables, progress_line(streams)));
+  fmt::print(streams.out, "{}\n", std::filesystem::absolute(folder).string());
+}
+
+std::string describe(const RowVerdict& row) {
+  if (!row.failure.empty()) return fmt::format("no value: {}", row.failure);
+  return fmt::format("{}: error {}, allowed {}, ratio {:.3g}", row.column, row.error, row.allowed, row.ratio);
+}
+
+void print(const TableVerdict& verdict, std::ostream& out) {
+  fmt::print(out, "{}: {} rows, {} recomputed, {} wrong\n", verdict.table, verdict.rows, verdict.recomputed,
+             verdict.wrong);
+  if (verdict.recomputed > 0) {
+    fmt::print(out, "  worst: line {}, {}{}\n    {}\n", verdict.worst_line, describe(verdict.worst),
+               verdict.worst.holds() ? "" : " WRONG", verdict.worst_row);
+  }
+  for (const auto& what : verdict.absent) fmt::print(out, "  absent: {}\n", what);
+}
+
+std::string summary(const std::vector<TableVerdict>& tables) {
+  const auto worst =
+      std::ranges::max_element(tables, {}, [](const TableVerdict& table) { return table.worst.ratio; });
+  std::size_t rows = 0;
+  for (const auto& table : tables) rows += table.recomputed;
+  return fmt::format("{} tables, {} rows recomputed: all hold; worst ratio {:.3g}, {} line {}", tables.size(),
+                     rows, worst->worst.ratio, worst->table, worst->worst_line);
+}
+
+// A wrong number weighs more than a checksum, which it changes too.
+void check_tables(const std::string& folder, std::size_t every, const Streams& streams) {
+  const auto [tables, changed] = check_folder(folder, every, progress_line(streams));
+  for (const auto& table : tables) print(table, streams.out);
+  for (const auto& file : changed) fmt::print(streams.out, "{}: CHECKSUM DIFFERS\n", file);
+  for (const auto& table : tables) {
+    if (table.wrong == 0) continue;
+    throw NumericalFailure(fmt::format("{}: {} of {} rows wrong, the worst in line {}, {}", table.table,
+                                       table.wrong, table.recomputed, table.worst_line,
+                                       describe(table.worst)));
+  }
+  fmt::print(streams.out, "{}\n", summary(tables));
+  if (!changed.empty())
+    throw std::invalid_argument(fmt::format("{}: all rows hold, but its checksum differs", *changed.begin()));
+}
+
+void reference(const ReferenceArguments& arguments, const Streams& streams) {
+  if (arguments.out) {
+    write_tables(*arguments.out, streams);
+  } else {
+    check_tables(*arguments.check,
+                 static_cast<std::size_t>(parse_count("--every", arguments.every, 1, largest_every)),
+                 streams);
+  }
+}
+
+}  // namespace
+
+void add_data_commands(CLI::App& app, const Streams& streams) {
+  auto arguments = std::make_shared<ReferenceArguments>();
+  auto* command =
+      app.add_subcommand("reference", "Write the tables of reference data, or check a folder of them");
+  auto* action = command->add_option_group("action");
+  action->add_option("--out", arguments->out, "folder to write: CSV, JSON, index and checksums");
+  auto* check = action->add_option("--check", arguments->check, "folder to recompute, of any program");
+  action->require_option(1);
+  command->add_option("--every", arguments->every, "with --check: recompute each K-th row only")
+      ->needs(check);
+  command->callback([=] { reference(*arguments, streams); });
+}
+
+}  // namespace fde

@@ -1,0 +1,102 @@
+#include <fmt/ostream.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <ostream>
+
+#include "command/arguments.hpp"
+#include "command/command.hpp"
+#include "references/reference_of.hpp"
+#include "references/written_bound.hpp"
+#include "scenes/number_text.hpp"
+#include "scenes/registry.hpp"
+#include "sweep/experiment.hpp"
+
+namespace fde {
+namespace {
+
+struct ExactArguments {
+  std::string scene, at;
+  std::optional<std::string> digits;
+  std::vector<std::string> settings;
+};
+
+// The columns may be finite, and what is said of them not.
+void require_finite(bool finite, std::string_view what, std::string_view range, double t) {
+  if (!finite) throw NumericalFailure(fmt::format("the {} is beyond {} at t = {}", what, range, t));
+}
+
+void print_doubles(const Scene& scene, const Reference& exact, const std::vector<double>& times,
+                   std::ostream& out) {
+  constexpr std::string_view range = "double";
+  const auto names = printed_names(scene);
+  std::string rows = fmt::format("t,{},bound\n", fmt::join(names, ","));
+  for (const double t : times) {
+    const auto [value, bounds] = exact.at(t);
+    require_finite(value.allFinite(), "exact solution", range, t);
+    const Vec values = printed_values(scene, t, value);
+    for (Eigen::Index c = value.size(); c < values.size(); ++c)
+      require_finite(std::isfinite(values[c]), "exact " + names[static_cast<std::size_t>(c)], range, t);
+    const std::string bound = bound_text(bounds.maxCoeff<Eigen::PropagateNaN>());
+    require_finite(is_finite_bound(bound), "bound of the exact solution", range, t);
+    rows += fmt::format("{:.17g},{:.17g},{}\n", t, fmt::join(values, ","), bound);
+  }
+  out << rows;
+}
+
+// Energies and constraints are doubles, so with digits they have no columns.
+void print_digits(const Scene& scene, const std::vector<double>& times, int digits, std::ostream& out) {
+  std::string rows = fmt::format("t,{},bound\n", fmt::join(scene.outputs.names, ","));
+  for (const double t : times) {
+    const auto decimals = scene.reference.digits(t, digits);
+    rows += fmt::format("{}", t);
+    std::string bound = "0";
+    for (std::size_t c = 0; c < scene.outputs.names.size(); ++c) {
+      rows += "," + decimals[c].value;
+      bound = larger_bound(bound, decimals[c].bound);
+    }
+    require_finite(is_finite_bound(bound), "exact solution", "all exponents of --digits", t);
+    rows += "," + bound + "\n";
+  }
+  out << rows;
+}
+
+void exact(const ExactArguments& arguments, const Streams& streams) {
+  const auto& maker = scene_named(arguments.scene);
+  Scene scene = make_scene(maker, parse_settings(maker, arguments.settings));
+  const auto times = parse_numbers("--at", arguments.at, not_negative);
+  const double last = std::ranges::max(times);
+  const bool two_ends = two_sided(scene.problem);
+  if (two_ends && last > scene.problem.end)
+    reject("--at", last, fmt::format("in [0, {}], the time of the scene", scene.problem.end));
+  if (!arguments.digits) {
+    if (!two_ends && last > 0.0) scene.problem.end = last;
+    print_doubles(scene, reference_of(scene), times, streams.out);
+    return;
+  }
+  const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);
+  if (!scene.no_reference.empty()) throw std::runtime_error(scene.no_reference);
+  if (!scene.reference.digits) {
+    throw std::invalid_argument(
+        fmt::format("--digits = {}: scene {} has no exact solution in digits, only what is known in double",
+                    digits, maker.id));
+  }
+  print_digits(scene, times, digits, streams.out);
+}
+
+}  // namespace
+
+void add_reference_commands(CLI::App& app, const Streams& streams) {
+  auto of_exact = std::make_shared<ExactArguments>();
+  auto* exact_command =
+      app.add_subcommand("exact", "What is known about a scene: its columns and a bound; CSV");
+  exact_command->add_option("scene", of_exact->scene, "id of the scene")->required();
+  exact_command->add_option("--at", of_exact->at, "times T1,T2,...")->required();
+  exact_command->add_option("--set", of_exact->settings, "a parameter of the scene, NAME=VALUE")->take_all();
+  exact_command->add_option("--digits", of_exact->digits, "number of decimal digits; default double");
+  exact_command->callback([=] { exact(*of_exact, streams); });
+}
+
+}  // namespace fde

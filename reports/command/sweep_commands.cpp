@@ -1,0 +1,178 @@
+#include <fmt/ostream.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+
+#include "analysis/answer.hpp"
+#include "analysis/runs.hpp"
+#include "command/arguments.hpp"
+#include "command/command.hpp"
+#include "page/report.hpp"
+#include "scenes/number_text.hpp"
+#include "sweep/default_sweep.hpp"
+#include "sweep/record.hpp"
+#include "sweep/sweep.hpp"
+#include "sweep/trials.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int most_repeats = 1000;
+const std::vector<int> default_steps{64, 128, 256, 512, 1024, 2048, 4096, 8192, 32768, 131072, 524288};
+
+struct RunArguments {
+  std::vector<std::string> scenes, schemes;
+  std::optional<std::string> steps;
+  std::string repeats = "3", budget = "600", out;
+  bool trials = false;
+};
+
+struct ChooseArguments {
+  std::string scene, error;
+  std::optional<std::string> results;
+};
+
+std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts) {
+  if (texts.empty()) return sweep_scenes();
+  std::vector<SceneVariant> variants;
+  for (const auto& text : texts) variants.push_back(parse_variant(text));
+  return variants;
+}
+
+std::vector<const Scheme*> chosen_schemes(const std::vector<std::string>& ids) {
+  std::vector<const Scheme*> entries;
+  if (ids.empty()) {
+    for (const auto& scheme : schemes()) entries.push_back(&scheme);
+  }
+  for (const auto& id : ids) entries.push_back(&scheme_named(id));
+  return entries;
+}
+
+Sweep sweep_of(const RunArguments& arguments) {
+  Sweep sweep{.scenes = chosen_scenes(arguments.scenes),
+              .schemes = chosen_schemes(arguments.schemes),
+              .steps = default_steps,
+              .repeats = parse_count("--repeat", arguments.repeats, 1, most_repeats),
+              .budget = parse_number("--budget", arguments.budget, positive)};
+  if (arguments.steps) {
+    sweep.steps.clear();
+    for (const auto& text : split_list(*arguments.steps)) {
+      sweep.steps.push_back(parse_count("--steps", text, 1, most_steps));
+    }
+  }
+  return sweep;
+}
+
+// The trials as sweeps: those with the same number of steps together.
+std::vector<Sweep> sweeps_of_trials(Sweep sweep) {
+  std::map<int, Sweep> by_steps;
+  sweep.scenes.clear();
+  for (const auto& trial : trials()) {
+    auto& some = by_steps.try_emplace(trial.steps, sweep).first->second;
+    some.steps = {trial.steps};
+    some.scenes.push_back(trial.scene);
+  }
+  std::vector<Sweep> sweeps;
+  for (auto& [steps, some] : by_steps) sweeps.push_back(std::move(some));
+  return sweeps;
+}
+
+// The sweep that is asked for; the trials where no scene and no steps are, alone where they are asked for.
+void run(const RunArguments& arguments, const Streams& streams) {
+  const Sweep sweep = sweep_of(arguments);
+  const bool asked = !arguments.scenes.empty() || arguments.steps;
+  if (arguments.trials && asked)
+    throw std::invalid_argument("--trials = yes: must be without --scene and --steps, trials have their own");
+  std::vector<Sweep> sweeps;
+  if (arguments.trials || !asked) sweeps = sweeps_of_trials(sweep);
+  if (!arguments.trials) sweeps.push_back(sweep);
+  ResultsFile file(arguments.out);
+  for (const auto& some : sweeps) {
+    run_sweep(some, {.stage = [&](const auto& scene, const auto& scheme,
+                                  int steps) { return file.stage(scene, scheme, steps); },
+                     .append = [&](const auto& rows) { file.append(rows); },
+                     .progress = progress_line(streams)});
+  }
+  fmt::print(streams.out, "{}\n", std::filesystem::absolute(arguments.out).string());
+}
+
+// Whether more steps of the scheme cannot be a better answer: it has reached the error, or was far slower
+// already than what has.
+bool is_settled(const Runs& runs, const std::vector<Choice>& reached, const Scheme& scheme) {
+  constexpr double far = 10.0;
+  if (std::ranges::find(reached, scheme.id, &Choice::scheme) != reached.end()) return true;
+  return !reached.empty() && std::ranges::any_of(runs.finished, [&](const MeasuredRun& run) {
+    return run.scheme == scheme.id && run["time_minimum"].value_or(0.0) > far * reached.front().seconds;
+  });
+}
+
+// The results of the default sweep of one scene, measured now, as far as they can answer.
+Results measure(const SceneVariant& scene, double error, const Streams& streams) {
+  Results results;
+  results.sessions.push_back(this_session());
+  Sweep sweep{.scenes = {scene}, .schemes = chosen_schemes({}), .steps = {}};
+  for (const int steps : default_steps) {
+    sweep.steps = {steps};
+    run_sweep(
+        sweep,
+        {.stage = [](const auto&, const auto&, int) { return Stage::missing; },
+         .append = [&](const auto& rows) { std::ranges::copy(rows, std::back_inserter(results.records)); },
+         .progress = progress_line(streams)});
+    const Runs runs = runs_of(results);
+    const auto reached = cheapest(runs, scene.label(), error);
+    std::erase_if(sweep.schemes, [&](const Scheme* scheme) { return is_settled(runs, reached, *scheme); });
+    if (sweep.schemes.empty()) break;
+  }
+  return results;
+}
+
+void choose(const ChooseArguments& arguments, const Streams& streams) {
+  const auto scene = parse_variant(arguments.scene);
+  const double error = parse_number("--error", arguments.error, positive);
+  const Results results =
+      arguments.results ? read_results(*arguments.results) : measure(scene, error, streams);
+  const bool measured =
+      std::ranges::any_of(results.records, [&](const Record& row) { return row.scene == scene.label(); });
+  if (!measured) {
+    throw std::invalid_argument(
+        fmt::format("--results = {}: has no run of {}", *arguments.results, scene.label()));
+  }
+  streams.out << advice(results, scene.label(), error);
+}
+
+}  // namespace
+
+void add_sweep_commands(CLI::App& app, const Streams& streams) {
+  auto of_run = std::make_shared<RunArguments>();
+  auto* run_command = app.add_subcommand("run", "Measure schemes on scenes; a file that exists is continued");
+  run_command->add_option("--scene", of_run->scenes, "ids of scenes, or ID:NAME=VALUE,...; default all")
+      ->take_all();
+  run_command->add_option("--scheme", of_run->schemes, "ids of schemes; default all")->take_all();
+  run_command->add_option("--steps", of_run->steps, "numbers of steps N1,N2,...");
+  run_command->add_option("--repeat", of_run->repeats, "timed repeats of each run");
+  run_command->add_option("--budget", of_run->budget, "seconds after which a solve is ended; default 600");
+  run_command->add_flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
+  run_command->add_option("--out", of_run->out, "results file")->required();
+  run_command->callback([=] { run(*of_run, streams); });
+
+  auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
+  auto* report_command = app.add_subcommand("report", "Write the report page of a results file");
+  report_command->add_option("file", *file, "results file")->required();
+  report_command->add_option("--out", *folder, "folder of the page")->required();
+  report_command->callback(
+      [=] { fmt::print(streams.out, "{}\n", write_report(read_results(*file), *folder).string()); });
+
+  auto of_choose = std::make_shared<ChooseArguments>();
+  auto* choose_command = app.add_subcommand("choose", "The cheapest scheme for a scene and an accuracy");
+  choose_command->add_option("scene", of_choose->scene, "id of the scene, or ID:NAME=VALUE,...")->required();
+  choose_command->add_option("--error", of_choose->error, "largest error wanted at the end")->required();
+  choose_command->add_option("--results", of_choose->results, "results file; default: measure now");
+  choose_command->callback([=] { choose(*of_choose, streams); });
+}
+
+}  // namespace fde

@@ -1,0 +1,14 @@
+#include "page/assets.hpp"
+
+// Where assets.S puts each file: its first byte and the one behind its last.
+#define FDE_ASSET(id)                                             \
+  extern "C" const char fde_asset_##id[], fde_asset_##id##_end[]; \
+  std::string_view fde::assets::id() { return {fde_asset_##id, fde_asset_##id##_end}; }
+
+FDE_ASSET(page)
+FDE_ASSET(style)
+FDE_ASSET(script)
+FDE_ASSET(vega)
+FDE_ASSET(licences)
+
+#undef FDE_ASSET

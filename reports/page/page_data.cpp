@@ -1,0 +1,101 @@
+#include "page/page_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "nlohmann/json.hpp"
+#include "scenes/registry.hpp"
+#include "scenes/scene.hpp"
+#include "stepping/scheme.hpp"
+#include "sweep/trials.hpp"
+
+namespace fde {
+namespace {
+
+using nlohmann::json;
+
+json to_json(const Section& section) {
+  json shown{{"id", section.id}, {"title", section.title}, {"paragraphs", section.paragraphs}};
+  if (!section.table.empty()) shown["table"] = to_json(section.table);
+  return shown;
+}
+
+// The labels of all lines, each once, schemes in the order of their list: the order gives them their colours.
+std::vector<std::string> line_labels(const PageInput& page) {
+  std::vector<std::string> labels;
+  const auto add = [&](const MeasuredRun& run) {
+    const std::string label = page.label(run.scheme, run.history);
+    if (std::ranges::count(labels, label) == 0) labels.push_back(label);
+  };
+  for (const auto& scheme : schemes()) {
+    for (const MeasuredRun& run : page.runs.finished) {
+      if (run.scheme == scheme.id) add(run);
+    }
+  }
+  std::ranges::for_each(page.runs.finished, add);  // those of schemes that this build does not know
+  return labels;
+}
+
+bool is_trial(const MeasuredRun& run) {
+  return std::ranges::any_of(trials(), [&](const Trial& trial) {
+    return trial.steps == run.steps && trial.scene.label() == run.scene;
+  });
+}
+
+// The runs of trials; scenes that have no others leave the rest of the page to those that have.
+std::vector<MeasuredRun> take_trials(Runs& runs) {
+  std::vector<MeasuredRun> taken;
+  std::set<std::string, std::less<>> swept;
+  for (auto* some : {&runs.finished, &runs.failed}) {
+    for (const auto& run : *some) is_trial(run) ? taken.push_back(run) : void(swept.insert(run.scene));
+  }
+  for (auto* some : {&runs.finished, &runs.failed})
+    std::erase_if(*some, [&](const MeasuredRun& run) { return is_trial(run) && !swept.contains(run.scene); });
+  return taken;
+}
+
+bool has_several_histories(const Runs& runs) {
+  return std::ranges::any_of(
+      runs.finished, [&](const MeasuredRun& run) { return run.history != runs.finished.front().history; });
+}
+
+}  // namespace
+
+std::string PageInput::label(const std::string& scheme, const std::string& history) const {
+  return several_histories ? fmt::format("{}, {}", scheme, history) : scheme;
+}
+
+SceneName name_of_scene(const std::string& id) {
+  const auto* found = scene_of_label(id);
+  if (found == nullptr) return {.title = id};
+  const auto values = id.substr(found->id.size());  // of a variant: ":alpha=1.9,beta=0.1"
+  return {.title = values.empty() ? std::string(found->title)
+                                  : fmt::format("{} ({})", found->title, values.substr(1)),
+          .source = std::string(found->source)};
+}
+
+json page_data(const Results& results) {
+  PageInput page{.results = results, .runs = runs_of(results)};
+  page.trials = take_trials(page.runs);
+  page.rates = rates(page.runs);
+  page.several_histories = has_several_histories(page.runs);
+  json sections = json::array();
+  const auto add = [&](const Section& section) {
+    if (!section.table.empty()) sections.push_back(to_json(section));
+  };
+  add(answers_section(page));
+  add(stability_section(page));
+  for (auto& scene : scene_sections(page)) sections.push_back(std::move(scene));
+  add(rates_section(page));
+  add(drift_section(page));
+  add(cost_section(page));
+  add(expansion_section(page));
+  add(reference_section(page));
+  add(failures_section(page));
+  add(schemes_section(page));
+  return {{"lines", line_labels(page)}, {"sessions", to_json(sessions_table(page))}, {"sections", sections}};
+}
+
+}  // namespace fde

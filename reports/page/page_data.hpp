@@ -1,0 +1,56 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/answer.hpp"
+#include "page/table.hpp"
+#include "sweep/record.hpp"
+
+namespace fde {
+
+// All that the page shows, as its script takes it: lines, sessions, sections. Numbers in tables are text
+// already.
+nlohmann::json page_data(const Results& results);
+
+// What the sections are made from.
+struct PageInput {
+  const Results& results;
+  Runs runs;                          // but for those that only a trial asked for
+  std::vector<MeasuredRun> trials{};  // the runs of trials, finished or not
+  std::vector<RateRow> rates{};
+  bool several_histories = false;
+
+  // What a line is called on the page: its scheme, with the history where there are several.
+  [[nodiscard]] std::string label(const std::string& scheme, const std::string& history) const;
+};
+
+// A titled part of the page; what is empty is left out.
+struct Section {
+  std::string id, title;
+  std::vector<std::string> paragraphs{};
+  Table table{};
+};
+
+Table sessions_table(const PageInput& page);
+Section answers_section(const PageInput& page);
+Section rates_section(const PageInput& page);
+Section drift_section(const PageInput& page);
+Section stability_section(const PageInput& page);
+Section cost_section(const PageInput& page);
+Section expansion_section(const PageInput& page);
+Section reference_section(const PageInput& page);
+Section failures_section(const PageInput& page);
+Section schemes_section(const PageInput& page);
+
+// A section for each scene with its charts: points, guides of theoretical slope, energy.
+nlohmann::json scene_sections(const PageInput& page);
+
+// Title and source of a scene; the id alone for one that this build does not know.
+struct SceneName {
+  std::string title, source{};
+};
+SceneName name_of_scene(const std::string& id);
+
+}  // namespace fde

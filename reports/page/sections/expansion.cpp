@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/text.hpp"
+#include "page/page_data.hpp"
+
+namespace fde {
+namespace {
+
+constexpr auto expansion_id = "commensurate_adams_pc", chain_id = "decoupled_multi_order";
+
+// The same scene and steps solved both ways.
+struct Pair {
+  const MeasuredRun *chain, *expansion;
+};
+
+const MeasuredRun* find(RunSpan runs, std::string_view scheme, int steps) {
+  const auto found = std::ranges::find_if(
+      runs, [=](const MeasuredRun& run) { return run.scheme == scheme && run.steps == steps; });
+  return found == runs.end() ? nullptr : &*found;
+}
+
+// At the finest step count that both have.
+std::optional<Pair> finest_pair(RunSpan scene) {
+  std::optional<Pair> finest;
+  for (const MeasuredRun& run : scene) {
+    if (run.scheme != expansion_id || (finest && finest->expansion->steps > run.steps)) continue;
+    if (const auto* chain = find(scene, chain_id, run.steps)) finest = Pair{chain, &run};
+  }
+  return finest;
+}
+
+Cell states(const MeasuredRun& run) {
+  const auto count = run["states"];
+  return {.text = count ? count_text(*count) : ""};
+}
+
+// A time is worth nothing without its error.
+Cell time_and_error(const MeasuredRun& run) {
+  const auto seconds = run["time_minimum"], error = run["error_end"];
+  if (!seconds || !error) return {};
+  return {.text = time_text(*seconds), .detail = "error " + error_text(*error)};
+}
+
+Cell times_as_long(const Pair& pair) {
+  const auto chain = (*pair.chain)["time_minimum"], expansion = (*pair.expansion)["time_minimum"];
+  return {.text = chain && expansion && *chain > 0.0 ? fmt::format("{:.2f}", *expansion / *chain) : ""};
+}
+
+}  // namespace
+
+Section expansion_section(const PageInput& page) {
+  Section section{
+      .id = "expansion",
+      .title = "Decoupled chain or commensurate expansion",
+      .paragraphs = {"Yin, Liu & Anh 2007 hold that the expansion into equal orders (commensurate_adams_pc) "
+                     "has too many states, against their decoupled chain (decoupled_multi_order). Measured, "
+                     "at the finest step count that both have:"},
+      .table = {.caption = "States and times of the decoupled chain and the commensurate expansion",
+                .columns = {{"scene"},
+                            {"N"},
+                            {"states", "chain"},
+                            {"time", "chain"},
+                            {"states", "expansion"},
+                            {"time", "expansion"},
+                            {"time ratio"}}}};
+  RowGroup rows;
+  for (const RunSpan scene : by_scene(page.runs.finished)) {
+    const auto pair = finest_pair(scene);
+    if (!pair) continue;
+    rows.rows.push_back({{.text = name_of_scene(scene.front().scene).title, .detail = scene.front().scene},
+                         {.text = count_text(pair->chain->steps)},
+                         states(*pair->chain),
+                         time_and_error(*pair->chain),
+                         states(*pair->expansion),
+                         time_and_error(*pair->expansion),
+                         times_as_long(*pair)});
+  }
+  if (!rows.rows.empty()) section.table.groups.push_back(std::move(rows));
+  return section;
+}
+
+}  // namespace fde

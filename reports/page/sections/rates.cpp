@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/text.hpp"
+#include "page/page_data.hpp"
+
+namespace fde {
+namespace {
+
+constexpr double largest_deviation = 0.1;
+constexpr auto at_end = "error at the end", over_all = "maximum error over all steps";
+
+bool deviates(const NormRate& rate) { return std::abs(rate.deviation().value_or(0.0)) > largest_deviation; }
+
+Cell observed(const NormRate& rate) {
+  if (rate.fit.points == 0) return {.text = "no fit", .detail = "fewer than three errors above rounding"};
+  Cell cell{.text = fmt::format("{:.2f}", rate.fit.slope)};
+  if (deviates(rate)) {
+    cell.marked = true;
+    cell.detail = fmt::format("{:.2f} {} theory", std::abs(*rate.deviation()),
+                              *rate.deviation() > 0 ? "above" : "below");
+  }
+  return cell;
+}
+
+Cell expected(const NormRate& rate) {
+  return {.text = rate.expected ? fmt::format("{:.2f}", *rate.expected) : ""};
+}
+
+Cell correlation(const NormRate& rate) {
+  return {.text = rate.fit.points > 0 ? fmt::format("{:.4f}", rate.fit.correlation) : ""};
+}
+
+std::vector<Cell> row(const PageInput& page, const RateRow& rate) {
+  const std::string label = page.label(rate.scheme, rate.history);
+  return {{.text = label, .line = label},
+          {.text = fmt::format("{} to {}", count_text(rate.coarsest), count_text(rate.finest))},
+          expected(rate.end),
+          observed(rate.end),
+          correlation(rate.end),
+          expected(rate.maximum),
+          observed(rate.maximum),
+          correlation(rate.maximum)};
+}
+
+// How many fits there are, and how many of them deviate.
+std::string summary(const std::vector<RateRow>& rates) {
+  std::ptrdiff_t fits = 0, deviating = 0;
+  for (const auto norm : {&RateRow::end, &RateRow::maximum}) {
+    fits += std::ranges::count_if(rates,
+                                  [=](const RateRow& rate) { return (rate.*norm).deviation().has_value(); });
+    deviating += std::ranges::count_if(rates, [=](const RateRow& rate) { return deviates(rate.*norm); });
+  }
+  return fmt::format(
+      "Observed rates are least-squares slopes over the finest step counts, five at most; errors at "
+      "rounding are left out. {} of {} differ from the theory by more than {}. They are marked: the "
+      "fitted range may not be asymptotic, or the scene has what the theory leaves out.",
+      deviating, fits, largest_deviation);
+}
+
+// Whether the paper's scheme shows its rate at the end of this scene and, by theory, not in the maximum norm.
+bool speaks_of_the_theorem(const RateRow& rate) {
+  return rate.scheme == "decoupled_multi_order" && rate.end.deviation() && !deviates(rate.end) &&
+         *rate.end.expected > 1.0 && rate.maximum.expected.value_or(2.0) <= 1.0;
+}
+
+// What the rates say about the paper's theorem, with the scenes that show it; empty: none.
+std::string on_the_theorem(const std::vector<RateRow>& rates) {
+  std::vector<std::string> scenes;
+  for (const RateRow& rate : rates) {
+    if (speaks_of_the_theorem(rate)) scenes.push_back(rate.scene);
+  }
+  if (scenes.empty()) return {};
+  return fmt::format(
+      "At a fixed time t > 0 the decoupled chain (decoupled_multi_order) shows 1 + min γ on {}, although "
+      "the hypothesis of Theorem 4.3 of Yin, Liu & Anh 2007, D^γ u in C², fails for these scenes. In the "
+      "maximum norm over all steps it does not: the error at t₁ is O(h) or worse. A larger slope there "
+      "means that the first steps do not dominate the fitted range yet. Rates belong to (scheme, "
+      "smoothness, grid, norm).",
+      fmt::join(scenes, ", "));
+}
+
+}  // namespace
+
+Section rates_section(const PageInput& page) {
+  Section section{.id = "rates",
+                  .title = "Observed and theoretical rates",
+                  .table = {.caption = "Observed and theoretical rates by scene and scheme",
+                            .columns = {{"scheme"},
+                                        {"steps"},
+                                        {"theory", at_end},
+                                        {"observed", at_end},
+                                        {"correlation", at_end},
+                                        {"theory", over_all},
+                                        {"observed", over_all},
+                                        {"correlation", over_all}}}};
+  if (auto text = on_the_theorem(page.rates); !text.empty()) section.paragraphs.push_back(std::move(text));
+  section.paragraphs.push_back(summary(page.rates));
+  for (const RateRow& rate : page.rates) {
+    auto& groups = section.table.groups;
+    const std::string title = name_of_scene(rate.scene).title;
+    if (groups.empty() || groups.back().title != title) groups.push_back({.title = title});
+    groups.back().rows.push_back(row(page, rate));
+  }
+  return section;
+}
+
+}  // namespace fde

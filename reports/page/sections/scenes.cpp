@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cmath>
+
+#include "analysis/text.hpp"
+#include "nlohmann/json.hpp"
+#include "page/page_data.hpp"
+
+namespace fde {
+namespace {
+
+using nlohmann::json;
+
+// An error as the charts name it, as the records name it, and its rate.
+struct Shown {
+  const char *name, *quantity;
+  NormRate RateRow::*rate;
+};
+constexpr std::array norms{Shown{"end", "error_end", &RateRow::end},
+                           Shown{"maximum", "error_maximum", &RateRow::maximum}};
+
+// A logarithmic axis shows positive values only.
+std::optional<double> positive(const MeasuredRun& run, std::string_view quantity) {
+  const auto value = run[quantity];
+  return value && *value > 0.0 ? value : std::nullopt;
+}
+
+// The slope between a run and the next coarser one of its line.
+std::optional<double> rate_between(const MeasuredRun& coarse, const MeasuredRun& fine,
+                                   std::string_view quantity) {
+  const auto before = positive(coarse, quantity), now = positive(fine, quantity);
+  if (!before || !now || coarse.h == fine.h) return std::nullopt;
+  return std::log(*before / *now) / std::log(coarse.h / fine.h);
+}
+
+// The words of a tooltip, a name and a text each.
+json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* coarser) {
+  json words = json::array();
+  const auto add = [&](std::string name, std::string text) {
+    words.push_back({std::move(name), std::move(text)});
+  };
+  add("title", page.label(run.scheme, run.history));  // shown as the heading
+  add("N", count_text(run.steps));
+  add("h", fmt::format("{:.3g}", run.h));
+  if (const auto error = run["error_end"]) add("error at the end", error_text(*error));
+  if (const auto error = run["error_maximum"]) add("maximum error", error_text(*error));
+  if (const auto residual = run["energy_residual"]) add("energy residual", error_text(*residual));
+  if (const auto drift = run["drift_internal"]) add("internal drift", error_text(*drift));
+  if (const auto drift = run["drift_independent"]) add("independent drift", error_text(*drift));
+  if (const auto seconds = run["time_minimum"]) add("time", time_text(*seconds));
+  if (const auto seconds = run["time_median"]) add("median time", time_text(*seconds));
+  if (coarser != nullptr) {
+    const std::string since = fmt::format("from N = {}", count_text(coarser->steps));
+    if (const auto rate = rate_between(*coarser, run, "error_end"))
+      add("rate at the end " + since, fmt::format("{:.2f}", *rate));
+    if (const auto rate = rate_between(*coarser, run, "error_maximum"))
+      add("maximum rate " + since, fmt::format("{:.2f}", *rate));
+  }
+  if (page.results.sessions.size() > 1) add("session", std::to_string(run.session + 1));
+  return words;
+}
+
+json point(const PageInput& page, const MeasuredRun& run, const MeasuredRun* coarser) {
+  json shown{{"line", page.label(run.scheme, run.history)}, {"steps", run.steps}, {"h", run.h}};
+  for (const auto& norm : norms) {
+    if (const auto value = positive(run, norm.quantity)) shown[norm.name] = *value;
+  }
+  if (const auto value = positive(run, "time_minimum")) shown["seconds"] = *value;
+  if (const auto value = positive(run, "energy_residual")) shown["energy"] = *value;
+  shown["words"] = tooltip(page, run, coarser);
+  return shown;
+}
+
+json points(const PageInput& page, RunSpan scene) {
+  json shown = json::array();
+  for (const RunSpan line : by_line(scene)) {
+    for (auto run = line.begin(); run != line.end(); ++run) {
+      shown.push_back(point(page, *run, run == line.begin() ? nullptr : &*std::prev(run)));
+    }
+  }
+  return shown;
+}
+
+// The theoretical slope of each line and norm, from its finest point to its coarsest step.
+json guides(const PageInput& page, RunSpan scene) {
+  json shown = json::array();
+  for (const RunSpan line : by_line(scene)) {
+    const RateRow rate = rate_of(line);
+    const MeasuredRun& finest = line.back();
+    for (const auto& [name, quantity, of_norm] : norms) {
+      const auto& expected = (rate.*of_norm).expected;
+      const auto anchor = positive(finest, quantity);
+      if (!expected || !anchor || line.size() < 2) continue;
+      for (const double h : {finest.h, line.front().h}) {
+        shown.push_back({{"line", page.label(finest.scheme, finest.history)},
+                         {"norm", name},
+                         {"h", h},
+                         {"error", *anchor * std::pow(h / finest.h, *expected)}});
+      }
+    }
+  }
+  return shown;
+}
+
+// Runs that a logarithmic chart cannot show are named, not dropped in silence.
+std::string not_drawn(const PageInput& page, RunSpan scene) {
+  std::vector<std::string> names;
+  for (const MeasuredRun& run : scene) {
+    if (run["error_end"] && !positive(run, "error_end")) {
+      names.push_back(
+          fmt::format("{} at N = {}", page.label(run.scheme, run.history), count_text(run.steps)));
+    }
+  }
+  if (names.empty()) return {};
+  return fmt::format("Not in the charts, because the error at the end is exactly 0: {}.",
+                     fmt::join(names, ", "));
+}
+
+}  // namespace
+
+json scene_sections(const PageInput& page) {
+  json sections = json::array();
+  for (const RunSpan scene : by_scene(page.runs.finished)) {
+    const std::string& id = scene.front().scene;
+    const auto [title, source] = name_of_scene(id);
+    std::vector<std::string> paragraphs;
+    for (const auto& text : {source, not_drawn(page, scene)}) {
+      if (!text.empty()) paragraphs.push_back(text);
+    }
+    sections.push_back({{"id", "scene-" + id},
+                        {"title", title},
+                        {"name", id},
+                        {"paragraphs", paragraphs},
+                        {"points", points(page, scene)},
+                        {"guides", guides(page, scene)}});
+  }
+  return sections;
+}
+
+}  // namespace fde

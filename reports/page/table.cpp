@@ -1,0 +1,48 @@
+#include "page/table.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace fde {
+namespace {
+
+using nlohmann::json;
+
+bool has_text(const Table& table, std::size_t column) {
+  return std::ranges::any_of(table.groups, [=](const RowGroup& group) {
+    return std::ranges::any_of(group.rows, [=](const auto& row) { return !row[column].text.empty(); });
+  });
+}
+
+json to_json(const Cell& cell) {
+  json shown{{"text", cell.text}};
+  if (!cell.detail.empty()) shown["detail"] = cell.detail;
+  if (!cell.line.empty()) shown["line"] = cell.line;
+  if (cell.marked) shown["marked"] = true;
+  return shown;
+}
+
+}  // namespace
+
+json to_json(const Table& table) {
+  std::vector<std::size_t> kept;
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    if (has_text(table, column)) kept.push_back(column);
+  }
+  json shown{{"caption", table.caption}, {"columns", json::array()}, {"groups", json::array()}};
+  for (const auto column : kept) {
+    shown["columns"].push_back({{"text", table.columns[column].text}, {"over", table.columns[column].over}});
+  }
+  for (const auto& group : table.groups) {
+    json rows = json::array();
+    for (const auto& row : group.rows) {
+      json cells = json::array();
+      for (const auto column : kept) cells.push_back(to_json(row[column]));
+      rows.push_back(cells);
+    }
+    shown["groups"].push_back({{"title", group.title}, {"rows", rows}});
+  }
+  return shown;
+}
+
+}  // namespace fde

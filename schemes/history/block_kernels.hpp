@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "problem/problem.hpp"
+
+namespace fde {
+
+// The loops in which a history spends its time, compiled for every vector width of the architecture and
+// chosen once at run time (Highway), so that no -march flag is needed. Each entry of a result adds its terms
+// in the same order whatever the width: all widths with a fused multiply-add give the same bits; without one
+// the results differ by rounding.
+//
+// Matrices are stored by columns; their rows are a multiple of lanes and start on a multiple of 64 bytes.
+
+inline constexpr Eigen::Index lanes = 8;
+
+// A matrix, or a part of one: where it starts, and how far its columns lie apart. Whole matrices and vectors
+// convert.
+struct Block {
+  Block(double* first, Eigen::Index column_stride) : data(first), stride(column_stride) {}
+  Block(Matrix& whole) : Block(whole.data(), whole.rows()) {}
+  Block(Vec& whole) : Block(whole.data(), whole.size()) {}
+  double* data;
+  Eigen::Index stride;
+};
+struct ConstBlock {
+  ConstBlock(const double* first, Eigen::Index column_stride) : data(first), stride(column_stride) {}
+  ConstBlock(const Matrix& whole) : ConstBlock(whole.data(), whole.rows()) {}
+  ConstBlock(const Vec& whole) : ConstBlock(whole.data(), whole.size()) {}
+  const double* data;
+  Eigen::Index stride;
+};
+
+// The values, with `fill` added to make a whole number of vectors.
+Vec padded(const Vec& values, double fill);
+
+// c += a b for a of rows x inner, b of inner x columns.
+void multiply_add(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, ConstBlock a, ConstBlock b,
+                  Block c);
+
+// The first eight entries of each column j of c += a * b[j].
+void scatter(const double* a, const double* b, Eigen::Index columns, Block c);
+
+// state + carry += state * (decay - 1) + input, where state stays the rounded sum: the carry keeps what
+// rounding took, so that slow decays over many calls lose nothing. decay_minus_one and the columns of the
+// others have `rows` entries.
+void advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
+             Block state, Block carry);
+
+// The dot product of two arrays of any length and alignment.
+double dot_product(const double* a, const double* b, Eigen::Index length);
+
+// The instruction sets that this build has code for and this machine runs, the widest first: that one is
+// used.
+std::vector<std::string_view> vector_targets();
+
+// Uses another one of them from now on, for tests and benchmarks. Not while another thread computes. Throws
+// std::invalid_argument naming it when there is none of this name.
+void use_vector_target(std::string_view name);
+
+}  // namespace fde

@@ -1,0 +1,89 @@
+#include "history/exponentials.hpp"
+
+#include <algorithm>
+
+namespace fde {
+namespace {
+
+// The position of a value in a list, which takes it in where it is new.
+template <typename Value>
+Eigen::Index index_in(std::vector<Value>& list, const Value& value) {
+  const auto found = std::ranges::find(list, value);
+  const Eigen::Index index = found - list.begin();
+  if (found == list.end()) list.push_back(value);
+  return index;
+}
+
+}  // namespace
+
+ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, double tolerance)
+    : totals_(static_cast<Eigen::Index>(tables.front().size())) {
+  for (const auto& of_sum : tables) {
+    auto& sum = sums_.emplace_back();
+    for (std::size_t i = 0; i < of_sum.size(); ++i) add(sum, of_sum[i], static_cast<Eigen::Index>(i));
+  }
+  // A run shorter than a block never asks for the exponentials.
+  const double longest = std::max<double>(steps, ExponentialMemory::block) + 2.0;
+  for (auto& group : groups_) {
+    group.sample.resize(static_cast<Eigen::Index>(group.components.size()));
+    memories_.emplace_back(
+        group.tables, group.sample.size(),
+        exponential_sum(group.exponent, ExponentialMemory::shortest_lag, longest, tolerance));
+  }
+}
+
+void ExponentialHistory::add(Sum& sum, const WeightTable& table, Eigen::Index component) {
+  if (const auto constant = constant_weight(table)) {
+    needs_totals_ = true;
+    sum.constants.push_back({component, start_weight(table, 1).value_or(*constant), *constant});
+    return;
+  }
+  const long double exponent = kernel_exponent(table);
+  const bool running_sums = weighs_running_sums(table);
+  needs_totals_ = needs_totals_ || running_sums;
+  auto found = std::ranges::find_if(groups_, [&](const auto& group) {
+    return group.exponent == exponent && group.running_sums == running_sums;
+  });
+  if (found == groups_.end()) found = groups_.insert(found, {exponent, running_sums});
+  const auto group = static_cast<std::size_t>(found - groups_.begin());
+  const auto row = index_in(found->tables, table);
+  auto use = std::ranges::find_if(
+      sum.uses, [&](const auto& other) { return other.group == group && other.table == row; });
+  if (use == sum.uses.end()) use = sum.uses.insert(use, {group, row});
+  use->components.emplace_back(component, index_in(found->components, component));
+}
+
+void ExponentialHistory::push(In sample) {
+  if (first_.size() == 0) {
+    first_ = sample;
+    return;
+  }
+  if (needs_totals_) totals_.add(sample);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    auto& group = groups_[g];
+    for (Eigen::Index c = 0; c < group.sample.size(); ++c) {
+      const auto i = group.components[static_cast<std::size_t>(c)];
+      group.sample[c] = group.running_sums ? totals_[i] : sample[i];
+    }
+    memories_[g].push(group.sample);
+  }
+}
+
+void ExponentialHistory::convolve(std::size_t sum, Out result) const {
+  for (const auto& [i, start, constant] : sums_[sum].constants) {
+    result[i] = start * first_[i] + constant * totals_[i];
+  }
+  for (const auto& [group, table, components] : sums_[sum].uses) {
+    const auto convolved = memories_[group].convolved(table);
+    const double start = memories_[group].start(table);
+    for (const auto& [i, column] : components) result[i] = start * first_[i] + convolved[column];
+  }
+}
+
+std::size_t ExponentialHistory::bytes() const {
+  std::size_t bytes = 3 * sizeof(double) * static_cast<std::size_t>(totals_.size());
+  for (const auto& memory : memories_) bytes += memory.bytes();
+  return bytes;
+}
+
+}  // namespace fde

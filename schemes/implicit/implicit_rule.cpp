@@ -1,0 +1,85 @@
+#include "implicit/implicit_rule.hpp"
+
+namespace fde {
+namespace {
+
+// The past of the rows that have one: all but the algebraic ones.
+class PastOfRows {
+ public:
+  PastOfRows(const Problem& problem, const std::vector<WeightTable>& tables, const Grid& grid,
+             const Options& options) {
+    std::vector<WeightTable> remembered;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      if (algebraic(problem.components[i])) continue;
+      rows_.push_back(static_cast<Eigen::Index>(i));
+      remembered.push_back(tables[i]);
+    }
+    buffer_.resize(static_cast<Eigen::Index>(rows_.size()));
+    history_ = make_history(options.history, {remembered}, grid, options.tolerance);
+  }
+
+  [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
+
+  // Appends a sample of all rows.
+  void push(In sample) {
+    if (sample.size() == buffer_.size()) return history_->push(sample);  // nothing to pick
+    for (Eigen::Index r = 0; r < buffer_.size(); ++r) buffer_[r] = sample[row(r)];
+    history_->push(buffer_);
+  }
+
+  // The sums of the rows that have a past; the others stay as they are.
+  void convolve(Out result) {
+    if (result.size() == buffer_.size()) return history_->convolve(0, result);
+    history_->convolve(0, buffer_);
+    for (Eigen::Index r = 0; r < buffer_.size(); ++r) result[row(r)] = buffer_[r];
+  }
+
+ private:
+  [[nodiscard]] Eigen::Index row(Eigen::Index r) const { return rows_[static_cast<std::size_t>(r)]; }
+
+  std::vector<Eigen::Index> rows_;
+  Vec buffer_;
+  std::unique_ptr<History> history_;
+};
+
+}  // namespace
+
+ImplicitRule integral_rule(const Problem& problem, WeightFamily family) {
+  return {.tables = tables(problem, family),
+          .past =
+              [taylor = TaylorPart(problem)](double t, In convolved, In /*previous*/, In kappa, Out past) {
+                taylor.at(t, past);
+                past += kappa.cwiseProduct(convolved);
+              },
+          .sample = [](Run& run, double t, In y, In /*previous*/, Out sample) { sample = run.rhs(t, y); }};
+}
+
+Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,
+                          const ImplicitRule& rule) {
+  Run run(problem, grid, options);
+  NewtonSolver newton(problem, options.tolerance);
+  StepFactors factors(rule.tables, grid);
+  PastOfRows history(problem, rule.tables, grid, options);
+  run.cost().history_bytes = history.bytes();
+
+  Vec previous = run.start(), y = previous, sample(y.size()), past(y.size());
+  Vec convolved = Vec::Zero(y.size());
+  rule.sample(run, 0.0, y, previous, sample);
+  for (int n = 1; n <= grid.steps; ++n) {
+    const double t = grid.time(n);
+    history.push(sample);
+    history.convolve(convolved);
+    const Vec& kappa = factors.at(n);
+    rule.past(t, convolved, previous, kappa, past);
+    if (!newton.solve(run, t, kappa, past, y)) {
+      run.fail(y.allFinite() ? Ending::not_converged : Ending::not_finite);
+      break;
+    }
+    if (!run.accept(n, y)) break;
+    if (n < grid.steps) rule.sample(run, t, y, previous, sample);
+    previous = y;
+  }
+  return run.finish();
+}
+
+}  // namespace fde

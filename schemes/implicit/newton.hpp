@@ -1,0 +1,56 @@
+#pragma once
+
+#include "implicit/newton_matrix.hpp"
+#include "stepping/run.hpp"
+
+namespace fde {
+
+// Solves y_i = past_i + kappa_i f_i(t, y), and 0 = f_i(t, y) in algebraic rows, for y, step after step of one
+// run.
+//
+// A problem with a linear part A is solved with one factorisation of I - kappa A as long as kappa stays the
+// same. Otherwise Newton's method takes the Jacobian of the problem, or differences of rhs where it has none,
+// anew in each iteration, until the last increment is below tolerance * |y|, or has stopped to shrink below
+// 1e-10 * |y|: there it is rounding. Where three increments are no smaller than those before them, as
+// when the solution near the guess has just vanished, it starts again from where pseudo time steps lead to;
+// where these lead to nothing, it goes on from where it had come to.
+//
+// |y| is the largest of the other unknowns where there are algebraic rows. An unknown lambda_i of an
+// algebraic row counts as what it does to the equations, max_k |M_ki| |lambda_i| with M the matrix of
+// Newton's method, and relative to |y| or, where it is larger, to itself. That is about |lambda_i| where its
+// own row determines it. A multiplier, which only enters other rows with kappa, counts with kappa: it is
+// known no better than rounding / kappa, and is not asked for more. What the last increment leaves of a
+// constraint is of second order in that increment, or rounding.
+class NewtonSolver {
+ public:
+  NewtonSolver(const Problem& problem, double tolerance);
+
+  // Improves the guess y to the solution. False when 350 iterations do not suffice, a value is not finite, or
+  // the constraints of a linear problem depend on each other.
+  bool solve(Run& run, double t, const Vec& kappa, In past, Out y);
+
+ private:
+  bool solve_linear(Run& run, double t, In past, Out y);
+  // Newton's method from y on, given up at the last of so many increments that are no smaller than the one
+  // before.
+  bool iterate(Run& run, double t, In past, Out y, int most_setbacks);
+  // Brings y so close to a solution that Newton's method should converge. Follows mass y' = past + kappa f(t,
+  // y) - y in a pseudo time by linearly implicit Euler steps (Kelley & Keyes, SIAM J. Numer. Anal. 35 (1998))
+  // that grow where the equations are nearly linear along them: a step without end is one of Newton's method.
+  bool approach(Run& run, double t, In past, Out y);
+  // matrix_ at y, where f_ becomes f(t, y) and increment_ what is left of the equations.
+  void linearise(Run& run, double t, In past, In y);
+  // The largest of the last increments relative to |y|, as above.
+  [[nodiscard]] double relative_increment(In y) const;
+  // increment_ becomes what is left of the equations, where f_ is f(t, y).
+  void take_residual(In past, In y);
+
+  const Problem& problem_;
+  Vec given_kappa_, kappa_;  // the latter with the factors of algebraic rows
+  double tolerance_;
+  NewtonMatrix matrix_;
+  bool singular_ = false;
+  Vec f_, increment_;
+};
+
+}  // namespace fde

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "stepping/scheme.hpp"
+#include "stepping/splitting.hpp"
+
+namespace fde {
+
+// Theory of the rates of one scheme. A component of order g contributes its smooth rate and, for each power
+// t^p with which it starts (Smoothness), what that power costs on a uniform grid; infinity where the scheme
+// is exact for it. On a graded grid the first step is t_1 = end / N^grading, and all that a power costs,
+// which comes from the first steps, is multiplied with the grading, up to the smooth rate: so the optimal
+// grading is the smooth rate over the cost (Brunner 1985; for L1 Stynes, O'Riordan & Gracia 2017). Algebraic
+// rows hold exactly at every step and contribute nothing.
+struct RateTheory {
+  double (*smooth)(double g);
+  double (*end)(double g, double p);         // at a fixed time
+  double (*first_step)(double g, double p);  // at t_1
+};
+
+// Piecewise linear interpolation of f = D^g y, which starts like t^r, r = p - g. Reference for r = 0 and 1;
+// any other r leaves zeta(-r) h^(1+r), spread by the kernel, at a fixed time and h^(g+r) at the first step,
+// beside h^2.
+extern const RateTheory trapezoidal_theory;
+
+// The same with f taken at a prediction by the rectangle rule: off by h, multiplied with h^g by the corrector
+// (Diethelm, Ford & Freed 2004, theorem 3.2).
+extern const RateTheory predictor_corrector_theory;
+
+// Piecewise linear interpolation of y: h^(2-g); a power p other than 0 and 1 leaves h^(1+p-g) and at the
+// first step h^p.
+extern const RateTheory l1_theory;
+
+// Backward Euler convolution quadrature: h; where y leaves its Taylor part like t^p, h^p at the first step.
+extern const RateTheory grunwald_letnikov_theory;
+
+// The rate of a scheme, the smallest of all contributions.
+//
+// In a two-sided problem each row starts at its own side, a right one at the end with powers of end - t. Then
+// Norm::end speaks of fixed times inside the interval; at t = end itself a left row of order g driven by a
+// right one that starts like (end - t)^p is off by h^(g+p), which is not counted. At t_1 a right row, or a
+// unknown initial value, carries the error of the whole interval: Norm::first_step is a lower bound.
+double rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness, double grading,
+            Norm norm);
+
+// The rate of a scheme that solves the split problem: all links count at a fixed time, only the original
+// components are looked at in the first steps.
+double split_rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
+                  const Links& links, double grading, Norm norm);
+
+}  // namespace fde

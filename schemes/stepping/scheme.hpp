@@ -1,0 +1,68 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "history/history.hpp"
+#include "problem/smoothness.hpp"
+#include "stepping/trajectory.hpp"
+#include "weights/symbol.hpp"
+
+namespace fde {
+
+// Settings of a run that are not part of the problem.
+struct Options {
+  HistoryKind history = HistoryKind::automatic;
+  int corrections = 1;  // corrector iterations of predictor-corrector schemes, >= 1
+  // What a step may be off by besides the rule's own error, relative; default: rounding. It bounds the last
+  // Newton increment against |y| (see NewtonSolver), and the error of every weight of the past.
+  double tolerance = 1e-15;
+  double budget = std::numeric_limits<double>::infinity();  // seconds: a run that takes longer ends there
+  std::vector<int> keep{};                                  // steps to return, increasing; empty: all
+  std::function<void(int n, In y)> watch{};                 // hears every step from 0 on, kept or not
+};
+
+// What a scheme asks of a problem and a grid.
+struct Needs {
+  bool uniform_grid = false;
+  bool implicit = false;  // solves an equation each step: uses jacobian or linear_part where there is one
+  bool algebraic_rows = false;  // takes order 0
+  double largest_order = 2.0;
+  bool two_sided = false;  // takes right derivatives and conditions
+};
+
+// Where an error is measured: at a fixed time t > 0, at t_1 = h, or as the maximum over all grid times. A
+// solution that starts like t^g shows different rates in them.
+enum class Norm { end, first_step, maximum };
+
+// A scheme is a row of facts and one function; it has no state.
+struct Scheme {
+  std::string_view id, title, source;
+  Needs needs;
+  // The theoretical rate of convergence as steps -> infinity on grids with this grading, for the default
+  // options, of the components that are not algebraic rows.
+  std::function<double(const Problem&, const Smoothness&, double grading, Norm)> expected_rate;
+  // Runs the scheme. Preconditions: refusal(...) is empty. Never throws for numerical failure: see
+  // Trajectory::ending.
+  std::function<Trajectory(const Problem&, const Grid&, const Options&)> solve;
+  // A reason of its own to refuse, beyond its needs; empty function: none.
+  std::function<std::optional<std::string>(const Problem&)> refuses{};
+  // Its symbol with steps of this length and one correction. The problem is linear, has no algebraic
+  // rows, no right derivatives, and is not refused.
+  std::function<Symbol(const Problem&, double length)> symbol{};
+};
+
+// Why the scheme does not fit the problem or the grid, as half a sentence; nullopt: it fits.
+std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem, const Grid& grid);
+
+// All schemes, in the order of list.def.
+std::span<const Scheme> schemes();
+
+// The scheme with this id, or nullptr.
+const Scheme* find_scheme(std::string_view id);
+
+}  // namespace fde

@@ -1,0 +1,190 @@
+#include "stepping/splitting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fde {
+namespace {
+
+constexpr int largest_denominator = 64;
+
+// position[i]: where component i itself stands among the links.
+std::vector<Eigen::Index> positions(const Links& links) {
+  std::vector<Eigen::Index> position;
+  Eigen::Index next = 0;
+  for (const auto& link : links) {
+    position.push_back(next);
+    next += static_cast<Eigen::Index>(link.size());
+  }
+  return position;
+}
+
+Eigen::Index last_of(const Links& links, const std::vector<Eigen::Index>& position, Eigen::Index i) {
+  const auto index = static_cast<std::size_t>(i);
+  return position[index] + static_cast<Eigen::Index>(links[index].size()) - 1;
+}
+
+// Derivatives of the links by the states, from those of the original right-hand side.
+void spread(const Matrix& original, const Links& links, const std::vector<Eigen::Index>& position,
+            OutMatrix jacobian) {
+  jacobian.setZero();
+  jacobian.diagonal(1).setOnes();
+  for (Eigen::Index i = 0; i < original.rows(); ++i) {
+    const auto row = last_of(links, position, i);
+    jacobian.row(row).setZero();
+    for (Eigen::Index j = 0; j < original.cols(); ++j) {
+      jacobian(row, position[static_cast<std::size_t>(j)]) = original(i, j);
+    }
+  }
+}
+
+SparseMatrix spread(const SparseMatrix& original, const Links& links,
+                    const std::vector<Eigen::Index>& position) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index i = 0; i < original.rows(); ++i) {
+    for (auto link = position[static_cast<std::size_t>(i)]; link < last_of(links, position, i); ++link) {
+      entries.emplace_back(link, link + 1, 1.0);
+    }
+  }
+  for (Eigen::Index j = 0; j < original.outerSize(); ++j) {
+    for (SparseMatrix::InnerIterator entry(original, j); entry; ++entry) {
+      entries.emplace_back(last_of(links, position, entry.row()), position[static_cast<std::size_t>(j)],
+                           entry.value());
+    }
+  }
+  const auto size = position.back() + static_cast<Eigen::Index>(links.back().size());
+  SparseMatrix result(size, size);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+std::vector<Component> split_components(const Problem& problem, const Links& links) {
+  std::vector<Component> components;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const auto& initial = problem.components[i].initial;
+    double node = 0.0;
+    for (const double link : links[i]) {
+      components.push_back(
+          {link, {whole(node) ? initial[static_cast<std::size_t>(std::lround(node))] : 0.0}});
+      node += link;
+    }
+  }
+  return components;
+}
+
+// Dense ones stay dense, sparse ones sparse.
+void split_derivatives(const Problem& problem, const Links& links, const std::vector<Eigen::Index>& position,
+                       Problem& result) {
+  if (problem.jacobian) {
+    result.jacobian = [jacobian = problem.jacobian, links, position](double t, In y,
+                                                                     OutMatrix spread_jacobian) {
+      const auto size = static_cast<Eigen::Index>(position.size());
+      Matrix original(size, size);
+      jacobian(t, Vec(y(position)), original);
+      spread(original, links, position, spread_jacobian);
+    };
+  }
+  if (problem.sparse_jacobian) {
+    result.sparse_jacobian = [jacobian = problem.sparse_jacobian, links, position](
+                                 double t, In y, SparseMatrix& spread_jacobian) {
+      const auto size = static_cast<Eigen::Index>(position.size());
+      SparseMatrix original(size, size);
+      jacobian(t, Vec(y(position)), original);
+      spread_jacobian = spread(original, links, position);
+    };
+  }
+  if (problem.linear_part) {
+    result.linear_part = Matrix(result.size(), result.size());
+    spread(*problem.linear_part, links, position, *result.linear_part);
+  }
+  if (problem.sparse_linear_part) {
+    result.sparse_linear_part = spread(*problem.sparse_linear_part, links, position);
+  }
+}
+
+}  // namespace
+
+Links links_up_to_one(const Problem& problem) {
+  Links links;
+  for (const auto& component : problem.components) {
+    if (component.order > 1.0) {
+      links.push_back({1.0, component.order - 1.0});
+    } else {
+      links.push_back({component.order});
+    }
+  }
+  return links;
+}
+
+std::optional<Links> commensurate_links(const Problem& problem) {
+  for (int m = 1; m <= largest_denominator; ++m) {
+    const auto fits = [m](const Component& c) {  // an order near 0 is no multiple, it has no link
+      return algebraic(c) || (whole(c.order * m) && std::lround(c.order * m) > 0);
+    };
+    if (!std::ranges::all_of(problem.components, fits)) continue;
+    Links links;
+    for (const auto& c : problem.components) {
+      const auto count = static_cast<std::size_t>(std::lround(c.order * m));
+      links.push_back(algebraic(c) ? std::vector{0.0} : std::vector(count, 1.0 / m));
+    }
+    return links;
+  }
+  return std::nullopt;
+}
+
+Problem split(const Problem& problem, const Links& links) {
+  const auto position = positions(links);
+  Problem result{.components = split_components(problem, links), .rhs = {}, .end = problem.end};
+  result.rhs = [rhs = problem.rhs, links, position](double t, In y, Out f) {
+    const Vec original = y(position);
+    Vec driven(original.size());
+    rhs(t, original, driven);
+    f.head(f.size() - 1) = y.tail(y.size() - 1);
+    for (Eigen::Index i = 0; i < driven.size(); ++i) f[last_of(links, position, i)] = driven[i];
+  };
+  result.domain = problem.domain;
+  if (problem.domain.margin) {
+    result.domain.margin = [margin = problem.domain.margin, position](double t, In y) {
+      return margin(t, Vec(y(position)));
+    };
+  }
+  split_derivatives(problem, links, position, result);
+  return result;
+}
+
+Smoothness split(const Problem& problem, const Smoothness& smoothness, const Links& links) {
+  Smoothness result;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    std::vector<double> powers = smoothness.powers[i];
+    const auto& initial = problem.components[i].initial;
+    for (std::size_t k = 1; k < initial.size(); ++k) {
+      if (initial[k] != 0.0) powers.insert(powers.begin(), static_cast<double>(k));
+    }
+    double node = 0.0;
+    for (const double link : links[i]) {
+      auto& node_powers = result.powers.emplace_back();
+      for (const double p : powers) {
+        if (p > node && !same_order(p, node)) node_powers.push_back(p - node);
+      }
+      node += link;
+    }
+  }
+  return result;
+}
+
+Trajectory solve_split(const Problem& problem, const Grid& grid, const Options& options, const Links& links,
+                       const Solve& solve) {
+  if (std::ranges::all_of(links, [](const auto& link) { return link.size() == 1; })) {
+    return solve(problem, grid, options);
+  }
+  const auto position = positions(links);
+  Options inner = options;
+  if (options.watch) {
+    inner.watch = [&](int n, In y) { options.watch(n, Vec(y(position))); };
+  }
+  Trajectory path = solve(split(problem, links), grid, inner);
+  path.y = Rows(path.y(position, Eigen::all));
+  return path;
+}
+
+}  // namespace fde

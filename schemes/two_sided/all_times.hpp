@@ -1,0 +1,50 @@
+#pragma once
+
+#include "two_sided/side_rule.hpp"
+#include "two_sided/unknown_initial_values.hpp"
+
+namespace fde {
+
+// A candidate for the solution at all times of a grid.
+struct Guess {
+  Rows y;       // one column a time
+  Vec unknown;  // the unknown initial values
+};
+
+// By how far a guess misses the equations.
+struct Residual {
+  Rows rows;       // Taylor part - y + kappa (weighted sum of f), in algebraic rows f; one column a time
+  Vec conditions;  // those of the problem
+  Rows f;          // f(t, y) of the guess
+
+  // Root of the mean square over the times, beside the conditions.
+  [[nodiscard]] double norm() const;
+};
+
+// All equations of a two-sided problem under one integral rule: one for each component at each time, and the
+// conditions.
+class AllTimes {
+ public:
+  AllTimes(const Problem& problem, const Grid& grid, const Options& options, WeightFamily family);
+
+  // The Taylor parts, 0 for unknown initial values.
+  [[nodiscard]] Guess start() const;
+  Residual residual(Run& run, const Guess& guess) const;
+
+  // y += what the unknown initial values add to the Taylor parts.
+  void add_unknown(In unknown, Rows& y) const;
+
+  [[nodiscard]] const Problem& problem() const { return problem_; }
+  [[nodiscard]] const Grid& grid() const { return grid_; }
+  [[nodiscard]] const SideRule& left() const { return left_; }
+  [[nodiscard]] const SideRule& right() const { return right_; }
+  [[nodiscard]] Eigen::Index unknown() const { return unknown_.count(); }
+
+ private:
+  const Problem& problem_;
+  Grid grid_;
+  SideRule left_, right_;
+  UnknownInitialValues unknown_;
+};
+
+}  // namespace fde

@@ -1,0 +1,96 @@
+#include "two_sided/side_rule.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace fde {
+namespace {
+
+// The matrix in a column; a single column, or the last one, serves all times beyond.
+auto square(const Matrix& columns, Eigen::Index column, std::size_t size) {
+  const auto n = static_cast<Eigen::Index>(size);
+  return Eigen::Map<const Matrix>(columns.col(std::min(column, columns.cols() - 1)).data(), n, n);
+}
+
+}  // namespace
+
+SideRule::SideRule(const Problem& problem, Side side, WeightFamily family, const Grid& grid,
+                   const Options& options)
+    : right_(side == Side::right), grid_(grid), steps_(grid.steps) {
+  std::vector<WeightTable> own;
+  std::vector<Eigen::Index> algebraic;
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    const auto& component = problem.components[static_cast<std::size_t>(i)];
+    if (component.side != side) continue;
+    if (fde::algebraic(component)) {
+      algebraic.push_back(i);
+    } else {
+      rows_.push_back(i);
+      own.push_back({family, component.order});
+    }
+  }
+  summed_ = static_cast<Eigen::Index>(rows_.size());
+  rows_.insert(rows_.end(), algebraic.begin(), algebraic.end());
+  const auto size = static_cast<Eigen::Index>(rows_.size());
+  mass_.setOnes(size, 2);
+  mass_.col(1).tail(size - summed_).setZero();
+  kappa_.setOnes(size, grid.uniform() ? 2 : steps_ + 1);
+  kappa_.col(0).setZero();
+  if (summed_ == 0) return;
+  StepFactors factors(own, grid);
+  for (int m = 1; m < kappa_.cols(); ++m) kappa_.col(m).head(summed_) = factors.at(m);
+  unused_ = make_history(options.history, {own}, grid, options.tolerance);
+}
+
+// step(m, sum, f) is told the weighted sum of all f before own time m and sets f there.
+template <typename Step>
+void SideRule::march(Step step) const {
+  if (empty()) return;
+  const auto history = summed_ > 0 ? unused_->copy() : nullptr;
+  Vec sum = Vec::Zero(kappa_.rows()), f(kappa_.rows());
+  for (Eigen::Index m = 0; m <= steps_; ++m) {
+    if (m > 0 && history) {
+      history->push(f.head(summed_));
+      history->convolve(0, sum.head(summed_));
+    }
+    step(m, sum, f);
+  }
+}
+
+void SideRule::integrate(const Rows& f, Rows& value) const {
+  march([&](Eigen::Index m, const Vec& sum, Vec& here) {
+    const auto n = place(m);
+    here = f.col(n)(rows_);
+    value.col(n)(rows_) = mass(m).cwiseProduct(value.col(n)(rows_)) + kappa(m).cwiseProduct(sum + here);
+  });
+}
+
+void SideRule::solve(const Rows& given, const Matrix& jacobians, const Matrix& inverses, Rows& y) const {
+  Vec whole(y.rows()), own(kappa_.rows());
+  march([&](Eigen::Index m, const Vec& sum, Vec& f) {
+    const auto n = place(m);
+    const auto jacobian = square(jacobians, n, static_cast<std::size_t>(y.rows()));
+    auto here = y.col(n);
+    here(rows_).setZero();
+    whole.noalias() = jacobian * here;
+    own = given.col(n)(rows_) + kappa(m).cwiseProduct(sum + whole(rows_));
+    here(rows_) = square(inverses, m, rows_.size()) * own;
+    whole.noalias() = jacobian * here;
+    f = whole(rows_);
+  });
+}
+
+Matrix SideRule::inverses(const Matrix& jacobians) const {
+  const auto size = kappa_.rows();
+  Matrix result(size * size, jacobians.cols() == 1 ? kappa_.cols() : steps_ + 1);
+  const auto whole = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(jacobians.rows()))));
+  for (Eigen::Index m = 0; m < result.cols(); ++m) {
+    const Matrix own = square(jacobians, place(m), whole)(rows_, rows_);
+    const Matrix system = Matrix(mass(m).asDiagonal()) - kappa(m).asDiagonal() * own;
+    Eigen::Map<Matrix>(result.col(m).data(), size, size) = system.inverse();
+  }
+  return result;
+}
+
+}  // namespace fde

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+
+#include "stepping/run.hpp"
+
+namespace fde {
+
+// The integral rule of the rows of one side, over all times at once. It runs in the rows' own time, which for
+// left rows is that of the grid and for right rows the time left until its end, and there it is the rule of
+// the marching schemes: y_m = Taylor part + kappa (weighted sum of f_0 ... f_m). So the matrix of the right
+// rule is that of the left one with rows and columns in reverse order.
+//
+// An algebraic row reads 0 = f_m instead and enters no sum; where it starts it has its initial value.
+//
+// Values are held as one row a component of the whole problem, one column a time of the grid; only the rows
+// of this side are touched.
+class SideRule {
+ public:
+  // Right rows need a uniform grid.
+  SideRule(const Problem& problem, Side side, WeightFamily family, const Grid& grid, const Options& options);
+
+  [[nodiscard]] const std::vector<Eigen::Index>& rows() const { return rows_; }
+  [[nodiscard]] bool empty() const { return rows_.empty(); }
+
+  // The place in the grid of the m-th own time.
+  [[nodiscard]] Eigen::Index place(Eigen::Index m) const { return right_ ? steps_ - m : m; }
+  // The m-th own time: from where the rows start.
+  [[nodiscard]] double own_time(Eigen::Index m) const { return grid_.time(static_cast<int>(m)); }
+
+  // value = mass value + kappa (weighted sum of f), with mass 1 but in algebraic rows, which become f.
+  void integrate(const Rows& f, Rows& value) const;
+
+  // Solves mass y_m = given_m + kappa (weighted sum of g), g = J y, for the rows of this side, step after
+  // step of own time; those of the other side are in y. J has one column a time or one for all, inverses
+  // likewise, from inverses().
+  void solve(const Rows& given, const Matrix& jacobians, const Matrix& inverses, Rows& y) const;
+
+  // (mass - kappa J)^-1, J restricted to the rows of this side, one column an own time: two where steps and
+  // Jacobians are all equal, the first for the start.
+  [[nodiscard]] Matrix inverses(const Matrix& jacobians) const;
+
+  [[nodiscard]] std::size_t bytes() const { return unused_ ? unused_->bytes() : 0; }
+
+ private:
+  template <typename Step>
+  void march(Step step) const;
+
+  [[nodiscard]] auto mass(Eigen::Index m) const { return mass_.col(m > 0 ? 1 : 0); }
+  [[nodiscard]] auto kappa(Eigen::Index m) const { return kappa_.col(std::min(m, kappa_.cols() - 1)); }
+
+  bool right_;
+  Grid grid_;
+  Eigen::Index steps_;
+  std::vector<Eigen::Index> rows_;   // those with a sum before the algebraic ones
+  Eigen::Index summed_ = 0;          // how many have one
+  Matrix mass_;                      // at the start, later
+  Matrix kappa_;                     // one column an own time, 0 at the start; on uniform grids two
+  std::unique_ptr<History> unused_;  // copied for each march
+};
+
+}  // namespace fde

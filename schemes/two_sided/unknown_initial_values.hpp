@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "problem/problem.hpp"
+
+namespace fde {
+
+// The initial values that a problem leaves open, in the order of its components: value k of component i adds
+// value t^k / k! to y_i, t the time of that row; in an algebraic row it counts at t = 0 only.
+class UnknownInitialValues {
+ public:
+  explicit UnknownInitialValues(const Problem& problem);
+
+  [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(list_.size()); }
+
+  // y += what these values add at a time that is `left` from the start and `right` from the end.
+  void add(In values, double left, double right, Out y) const;
+
+ private:
+  struct Missing {
+    Eigen::Index component;
+    Side side;
+    std::size_t power;
+    bool algebraic;
+  };
+  std::vector<Missing> list_;
+};
+
+}  // namespace fde

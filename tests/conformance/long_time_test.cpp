@@ -1,0 +1,78 @@
+// Pendulums over 15000 swings, T = 1e5.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "scenes/registry.hpp"
+#include "support/testing.hpp"
+#include "sweep/experiment.hpp"
+
+namespace fde {
+namespace {
+
+constexpr double end = 1e5;
+constexpr int steps = 1 << 20;
+
+Scene pendulum(const std::map<std::string, double>& values) {
+  return make_scene({.maker = scene_of_label("pendulum"), .values = values, .until = end});
+}
+
+struct Energies {
+  Ending outcome = Ending::finished;
+  double first = 0.0, largest = 0.0, last = 0.0;
+};
+
+// Of every 16th step, above the energy of the pendulum at rest.
+Energies energies(const Scene& scene, std::string_view scheme) {
+  const Scene rest = pendulum({{"phi0", 0.0}, {"dphi0", 0.0}});
+  const double lowest = rest.energy.value(columns_at(rest.outputs, 0.0, taylor_part(rest.problem, 0.0)));
+  Energies seen;
+  Options options{.keep = {steps}};
+  options.watch = [&](int n, In y) {
+    if (n % 16 != 0) return;
+    seen.last = scene.energy.value(columns_at(scene.outputs, end * n / steps, y)) - lowest;
+    if (n == 0) seen.first = seen.last;
+    seen.largest = std::max(seen.largest, seen.last);
+  };
+  seen.ending = find_scheme(scheme)->solve(scene.problem, {end, steps}, options).ending;
+  return seen;
+}
+
+class DampedForLong : public testing::TestWithParam<std::string_view> {};
+
+// Damping takes energy: no scheme may put any in. What is left is the tail of the memory, which falls like a
+// power of t.
+TEST_P(DampedForLong, KeepsItsEnergyBounded) {
+  const auto seen = energies(pendulum({}), GetParam());
+  EXPECT_EQ(seen.ending, Ending::finished);
+  EXPECT_LE(seen.largest, seen.first);
+  EXPECT_LT(seen.last, 1e-7 * seen.first);
+}
+
+INSTANTIATE_TEST_SUITE_P(, DampedForLong,
+                         testing::Values("adams_pc", "l1", "grunwald_letnikov", "product_trapezoidal",
+                                         "decoupled_multi_order"),
+                         [](const auto& test) { return std::string(test.param); });
+
+const std::map<std::string, double> undamped{{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}};
+
+// At order 1 the product trapezoidal rule is the trapezoidal rule, which has an energy of its own, O(h^2)
+// next to that of the pendulum: it neither grows nor falls, while its phase drifts.
+TEST(UndampedForLong, TheTrapezoidalRuleKeepsTheEnergy) {
+  const auto seen = energies(pendulum(undamped), "product_trapezoidal");
+  EXPECT_EQ(seen.ending, Ending::finished);
+  EXPECT_LT(seen.largest, 1.01 * seen.first);
+  EXPECT_GT(seen.last, 0.99 * seen.first);
+}
+
+// Backward Euler takes the energy, Heun's method adds to it.
+TEST(UndampedForLong, OthersDoNot) {
+  const auto euler = energies(pendulum(undamped), "grunwald_letnikov");
+  EXPECT_EQ(euler.ending, Ending::finished);
+  EXPECT_LT(euler.last, 1e-9);
+  const auto heun = energies(pendulum(undamped), "adams_pc");
+  EXPECT_GT(heun.largest, 1.1 * heun.first);
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "scenes/registry.hpp"
+#include "support/testing.hpp"
+#include "sweep/experiment.hpp"
+
+namespace fde {
+namespace {
+
+const SceneMaker& maker(std::string_view id) { return *scene_of_label(id); }
+
+// A mass on a vertical spring that is released far out falls through the point from which it hangs: the
+// angle is not defined there, while every formula stays finite.
+class Singularity : public testing::TestWithParam<const Scheme*> {};
+
+TEST_P(Singularity, EndsTheRunWithStepAndTime) {
+  Scene scene = make_scene(maker("extensible_pendulum"),
+                           {{"phi0", 0.0}, {"xi0", 3.0}, {"K_over_m", 5.0}, {"g_over_L", 0.1}});
+  const auto path = GetParam()->solve(scene.problem, {scene.problem.end, 4096}, {});
+  ASSERT_EQ(path.ending, Ending::singular);
+  EXPECT_EQ(describe(scene.problem, path).find("ran into the singularity r = L (1 + xi) = 0 at step 1"), 0U)
+      << describe(scene.problem, path);
+  EXPECT_GT(scene.problem.domain.margin(0.0, path.y.rightCols(1)), 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Singularity,
+                         testing::Values(find_scheme("adams_pc"), find_scheme("l1"),
+                                         find_scheme("grunwald_letnikov"), find_scheme("product_trapezoidal"),
+                                         find_scheme("decoupled_multi_order")),
+                         [](const auto& test) { return std::string(test.param->id); });
+
+// Backward Euler damps the free pendulum by 5 % a step, past the smallest doubles.
+TEST(Underflow, IsNoFailureOfNewtonsMethod) {
+  Scene scene = make_scene(maker("pendulum"), {{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}});
+  const auto path = find_scheme("l1")->solve(scene.problem, {4e3, 10000}, {.keep = {10000}});
+  EXPECT_EQ(path.ending, Ending::finished) << describe(scene.problem, path);
+  EXPECT_LT(path.y.cwiseAbs().maxCoeff(), 1e-290);
+}
+
+TEST(Examination, TellsStopsAtASingularityFromWrongOnesAndFromNone) {
+  const auto status = [](const std::map<std::string, double>& values, double until, std::string_view scheme,
+                         int steps) {
+    const Scene scene =
+        make_scene({.maker = &maker("extensible_pendulum"), .values = values, .until = until});
+    WatchedReference reference(scene);
+    return examine("label", scene, reference, *find_scheme(scheme), steps).back().status;
+  };
+  const std::map<std::string, double> falls{
+      {"phi0", 0.0}, {"xi0", 3.0}, {"K_over_m", 5.0}, {"g_over_L", 0.1}};
+  EXPECT_EQ(ending_of(status(falls, 2.0, "l1", 1024)), Ending::singular);
+  EXPECT_EQ(status(falls, 2.0, "l1", 1).find("passed a singularity of the solution"), 0U);
+  EXPECT_EQ(status({{"K_over_m", 1e4}}, 1.0, "adams_pc", 100).find("unlike the solution, ran into"), 0U);
+}
+
+class Budget : public testing::TestWithParam<const Scheme*> {};
+
+TEST_P(Budget, OfNoTimeEndsTheRun) {
+  const Scene scene = make_scene(maker("relaxation"));
+  const auto path = GetParam()->solve(scene.problem, {1.0, 1000}, {.budget = 0.0});
+  EXPECT_EQ(path.ending, Ending::out_of_budget);
+  EXPECT_LT(path.reached, 100);
+  EXPECT_NE(describe(scene.problem, path).find("out of its budget of time at step"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Budget,
+                         testing::Values(find_scheme("adams_pc"), find_scheme("l1"),
+                                         find_scheme("grunwald_letnikov"), find_scheme("product_trapezoidal"),
+                                         find_scheme("decoupled_multi_order"),
+                                         find_scheme("commensurate_adams_pc")),
+                         [](const auto& test) { return std::string(test.param->id); });
+
+TEST(BudgetOfShortRuns, IsLookedAtToo) {
+  const Scene scene = make_scene(maker("relaxation"));
+  EXPECT_EQ(find_scheme("l1")->solve(scene.problem, {1.0, 2}, {.budget = 0.0}).ending, Ending::out_of_budget);
+}
+
+TEST(BudgetOfTwoSided, EndsNewtonsMethod) {
+  const Scene scene = make_scene(maker("fractional_hamilton"));
+  const auto path =
+      find_scheme("product_trapezoidal")->solve(scene.problem, {scene.problem.end, 64}, {.budget = 0.0});
+  EXPECT_EQ(path.ending, Ending::out_of_budget);
+}
+
+}  // namespace
+}  // namespace fde

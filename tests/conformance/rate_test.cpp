@@ -1,0 +1,348 @@
+// Every (scene, scheme) pair that fits shows the rate that theory gives, two-sided, at a fixed time and in
+// the maximum over all steps. Each test speaks of one norm: a solution that starts like t^g has different
+// rates in the two.
+
+#include "observers/rate.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "implicit/implicit_rule.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+// A scene with parameters and an end at which 256 ... 4096 steps are in the asymptotic range.
+struct Variant {
+  std::string name, scene;
+  std::map<std::string, double> values;
+  double end;
+  double grading = 1.0;
+};
+
+std::vector<Variant> variants() {
+  std::vector<Variant> all;
+  for (const double g : {0.2, 0.5, 0.8, 1.0, 1.3, 1.7}) {
+    const auto tag = fmt::format("{:.0f}", 10 * g);
+    all.push_back({"relaxation_" + tag, "relaxation", {{"gamma", g}}, 1.0});
+    all.push_back({"diethelm_" + tag, "diethelm", {{"gamma", g}}, 1.0});
+    all.push_back({"power_" + tag, "power", {{"gamma", g}, {"p", g + 2.0}}, 1.0});
+    if (g <= 1.0) all.push_back({"relaxation_pair_" + tag, "relaxation_pair", {{"gamma", g}}, 1.0});
+    if (g <= 1.0) all.push_back({"brusselator_" + tag, "brusselator", {{"gamma", g}, {"B", 2.0}}, 1.0});
+    if (g > 0.2 && g <= 1.0) all.push_back({"van_der_pol_" + tag, "van_der_pol", {{"gamma", g}}, 1.0});
+    if (g > 1.0) {
+      const std::map<std::string, double> loaded{{"nu", g}, {"c0", 0.5}, {"c1", 0.25}};
+      all.push_back({"fractional_oscillator_" + tag, "fractional_oscillator", loaded, 3.0});
+    }
+    if (g > 1.0) all.push_back({"bagley_torvik_" + tag, "bagley_torvik", {{"alpha", g}}, 2.0});
+  }
+  all.push_back({"bagley_torvik_5", "bagley_torvik", {{"alpha", 0.5}}, 2.0});
+  for (const auto& [first, second] : {std::pair{0.6, 1.5}, {0.5, 0.9}}) {
+    const std::map<std::string, double> orders{{"gamma1", first}, {"gamma2", second}};
+    all.push_back(
+        {fmt::format("linear_system_{:.0f}_{:.0f}", 10 * first, 10 * second), "linear_system", orders, 1.0});
+  }
+  for (const auto& [alpha, beta] : {std::pair{1.5, 0.5}, {1.25, 0.75}, {1.9, 0.1}}) {
+    const auto tag = fmt::format("{:.0f}_{:.0f}", 100 * alpha, 100 * beta);
+    for (const auto* scene : {"damped_oscillator", "pendulum", "extensible_pendulum"}) {
+      all.push_back({fmt::format("{}_{}", scene, tag), scene, {{"alpha", alpha}, {"beta", beta}}, 2.0});
+    }
+  }
+  for (const auto& [tenths, form, place] : {std::tuple{2, "integrated", 0},
+                                            {5, "integrated", 0},
+                                            {7, "integrated", 0},
+                                            {3, "acceleration", 1},
+                                            {3, "stabilised", 2},
+                                            {7, "multiplier", 3},
+                                            {15, "integrated", 0},
+                                            {15, "multiplier", 3}}) {
+    std::map<std::string, double> values{{"alpha", tenths / 10.0}, {"formulation", place}, {"kappa", 2.0}};
+    if (tenths > 10) values["b2"] = 0.3;  // a.b > 0: no mode grows
+    all.push_back({fmt::format("fractional_constraint_2d_{}_{}", tenths, form), "fractional_constraint_2d",
+                   values, 1.0});
+  }
+  // Constraints of whole order, in every form: the last is with multipliers, for implicit schemes only.
+  for (const auto* scene :
+       {"nonholonomic_particle", "knife_edge", "rolling_disc", "loxodrome", "isokinetic"}) {
+    const int forms = scene == std::string_view("isokinetic") ? 3 : 4;
+    for (int form = 0; form < forms; ++form) {
+      std::map<std::string, double> values{{"formulation", form}};
+      if (scene == std::string_view("rolling_disc")) values["pull"] = 0.6;
+      if (scene == std::string_view("loxodrome")) values["speed"] = 0.5;
+      all.push_back({fmt::format("{}_form_{}", scene, form), scene, values, 2.0});
+    }
+  }
+  all.push_back({"vakonomic_particle", "vakonomic_particle", {{"mu0", 0.5}}, 2.0});
+  for (const double alpha : {0.25, 0.5, 0.75, 2.25, 2.5, 2.75}) {
+    all.push_back({fmt::format("fractional_constraint_1d_{:.0f}", 100 * alpha),
+                   "fractional_constraint_1d",
+                   {{"alpha", alpha}, {"b", 1.0}},
+                   1.0});
+  }
+  for (const auto& [form, place, alpha] : {std::tuple{"integrated", 0, 0.3},
+                                           {"integrated", 0, 0.6},
+                                           {"acceleration", 1, 0.6},
+                                           {"multiplier", 3, 0.6}}) {
+    for (const auto& [surface, which] : {std::pair{"plane", 0}, {"sphere", 1}}) {
+      const std::map<std::string, double> values{
+          {"alpha", alpha}, {"surface", which}, {"formulation", place}};
+      all.push_back({fmt::format("fractional_knife_edge_{}_{}_{:.0f}", surface, form, 10 * alpha),
+                     "fractional_knife_edge", values, 1.0});
+    }
+  }
+  for (const auto& [form, place] : {std::pair{"acceleration", 0}, {"stabilised", 1}, {"multiplier", 2}}) {
+    all.push_back({fmt::format("fractional_constraint_nonlinear_{}", form),
+                   "fractional_constraint_nonlinear",
+                   {{"formulation", place}, {"kappa", 2.0}},
+                   1.0});
+  }
+  for (const auto& [form, place] : {std::pair{"reduced", 0}, {"integrated", 1}, {"multiplier", 2}}) {
+    all.push_back({fmt::format("nonlinear_fractional_oscillator_{}", form),
+                   "nonlinear_fractional_oscillator",
+                   {{"form", place}},
+                   2.0});
+  }
+  return all;
+}
+
+// Solutions that start like t^g, on grids whose grading makes up for it, or goes half the way.
+std::vector<Variant> graded_variants() {
+  std::vector<Variant> all;
+  for (const double g : {0.4, 0.6, 0.8, 1.5}) {
+    for (const double grading : {1.5, 2.5, 4.0}) {
+      const auto tag = fmt::format("{:.0f}__graded_{:.0f}", 10 * g, 10 * grading);
+      all.push_back({"relaxation_" + tag, "relaxation", {{"gamma", g}}, 1.0, grading});
+      if (g > 1.0) continue;
+      all.push_back({"power_" + tag, "power", {{"gamma", g}, {"p", g / 2 + 0.5}}, 1.0, grading});
+    }
+  }
+  return all;
+}
+
+struct Case {
+  Variant variant;
+  const Scheme* scheme;
+};
+
+std::string case_name(const Case& c) { return fmt::format("{}__{}", c.variant.name, c.scheme->id); }
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
+void PrintTo(const Case& c, std::ostream* out) { *out << case_name(c); }
+
+// Made once: finding the poles of an exact solution takes a millisecond.
+const Scene& make(const Variant& variant) {
+  static std::map<std::string, Scene> made;
+  auto found = made.find(variant.name);
+  if (found == made.end()) {
+    found = made.emplace(variant.name, scene_of(variant.scene, variant.values)).first;
+    found->second.problem.end = variant.end;
+  }
+  return found->second;
+}
+
+double expected(const Case& c, Norm norm) {
+  const Scene& scene = make(c.variant);
+  return c.scheme->expected_rate(scene.problem, scene.smoothness, c.variant.grading, norm);
+}
+
+// All pairs that fit and, where a condition is given, meet it.
+std::vector<Case> cases(const std::vector<Variant>& variants,
+                        const std::function<bool(const Case&)>& condition = {}) {
+  std::vector<Case> all;
+  for (const auto& variant : variants) {
+    const Scene& scene = make(variant);
+    for (const auto& scheme : schemes()) {
+      const Case pair{variant, &scheme};
+      if (refusal(scheme, scene.problem, {variant.end, 256, variant.grading})) continue;
+      if (!condition || condition(pair)) all.push_back(pair);
+    }
+  }
+  return all;
+}
+
+bool first_step_governs_the_maximum(const Case& c) {
+  return expected(c, Norm::first_step) < expected(c, Norm::end);
+}
+bool the_rest(const Case& c) {
+  return !first_step_governs_the_maximum(c) || expected(c, Norm::maximum) < expected(c, Norm::first_step);
+}
+
+// The commensurate expansion is adams_pc again, with powers of h too close to each other to tell.
+bool not_the_expansion(const Case& c) { return c.scheme->id != "commensurate_adams_pc"; }
+
+constexpr auto name_of_case = [](const auto& test) { return case_name(test.param); };
+
+// Errors y - reference of the scene's columns at every step of N steps.
+Rows errors(const Case& c, const Scene& scene, WatchedReference& reference, int steps) {
+  const Grid grid{scene.problem.end, steps, c.variant.grading};
+  const auto path = c.scheme->solve(scene.problem, grid, {});
+  EXPECT_EQ(path.ending, Ending::finished);
+  return columns_of(scene.outputs, path) - reference.at(grid, path.steps);
+}
+
+void expect_rate(const std::vector<ErrorAt>& points, double theory) {
+  std::string rows;
+  for (const auto& [h, error] : points) rows += fmt::format("h = {:.3e}: error {:.3e}\n", h, error);
+  const Fit fit = fit_rate(points);
+  ASSERT_GE(fit.points, 4U) << rows;
+  EXPECT_NEAR(fit.slope, theory, 0.1) << rows;
+  EXPECT_GT(fit.correlation, 0.999) << rows;
+}
+
+// Predictor-corrector errors have the powers 1 + g, 1 + 2g, ..., 2 of h. Where the first are close to each
+// other, or the first has a small factor, no affordable step shows it alone. The later powers are known from
+// theory, so they are taken out: e(h) - 2^q e(h/2) has no h^q.
+std::vector<double> later_powers(const Case& c) {
+  struct Close {
+    std::string_view variant;
+    std::vector<std::string_view> schemes;
+    std::vector<double> powers;
+  };
+  static const std::vector<Close> table{
+      {"relaxation_2", {"adams_pc", "decoupled_multi_order", "commensurate_adams_pc"}, {1.4, 1.6, 1.8}},
+      {"relaxation_pair_2", {"adams_pc", "decoupled_multi_order", "commensurate_adams_pc"}, {1.4, 1.6, 1.8}},
+      {"diethelm_2", {"adams_pc", "decoupled_multi_order", "commensurate_adams_pc"}, {1.4, 1.6, 1.8}},
+      {"diethelm_5", {"adams_pc", "decoupled_multi_order", "commensurate_adams_pc"}, {2.0}},
+      {"diethelm_8", {"adams_pc", "decoupled_multi_order"}, {2.0}},
+      {"diethelm_8", {"l1"}, {1.2}},
+      {"power_17", {"decoupled_multi_order"}, {2.0, 2.7}},
+      {"fractional_oscillator_13", {"adams_pc"}, {2.3}},
+      {"fractional_constraint_2d_2_integrated", {"product_trapezoidal"}, {2.0}},
+      {"fractional_constraint_2d_15_integrated", {"product_trapezoidal"}, {2.5}},
+      {"fractional_constraint_2d_3_stabilised", {"product_trapezoidal"}, {1.7, 2.0}},
+      {"fractional_constraint_1d_250", {"adams_pc", "decoupled_multi_order"}, {2.0}},
+      {"fractional_constraint_1d_275", {"adams_pc", "decoupled_multi_order"}, {2.0}},
+      {"fractional_constraint_nonlinear_acceleration", {"adams_pc", "decoupled_multi_order"}, {1.4, 1.6}},
+      {"fractional_constraint_nonlinear_stabilised", {"adams_pc", "decoupled_multi_order"}, {1.4, 1.6}},
+      {"fractional_constraint_nonlinear_stabilised", {"product_trapezoidal"}, {1.6, 1.8}},
+      {"nonlinear_fractional_oscillator_integrated", {"product_trapezoidal"}, {2.5}},
+      {"nonlinear_fractional_oscillator_reduced", {"l1"}, {1.5}},
+      {"nonlinear_fractional_oscillator_multiplier", {"l1"}, {1.5}},
+      {"relaxation_15__graded_15", {"l1"}, {1.5}},
+      {"relaxation_15__graded_25", {"adams_pc"}, {2.5}},
+      {"relaxation_15__graded_40", {"adams_pc"}, {2.5}},
+      {"relaxation_15__graded_40", {"l1"}, {1.5}},
+  };
+  for (const auto& [variant, concerned, powers] : table) {
+    if (variant == c.variant.name && std::ranges::find(concerned, c.scheme->id) != concerned.end())
+      return powers;
+  }
+  return {};
+}
+
+// The largest error at the end, or over all steps, of 256 ... 4096 steps; finer by a level for each power
+// taken out.
+std::vector<ErrorAt> error_points(const Case& c, Norm norm) {
+  const Scene& scene = make(c.variant);
+  WatchedReference reference(scene);
+  const auto powers = later_powers(c);
+  constexpr int coarsest = 256, levels = 5;
+  std::vector<Rows> by_level;
+  for (int level = 0; level < levels + static_cast<int>(powers.size()); ++level) {
+    const int steps = coarsest << level;
+    const Rows all = errors(c, scene, reference, steps);
+    if (norm == Norm::end) {
+      by_level.emplace_back(all.rightCols(1));
+    } else {
+      // Errors of several levels are combined at the times they share.
+      by_level.push_back(powers.empty() ? all
+                                        : Rows(all(Eigen::all, Eigen::seq(0, steps, steps / coarsest))));
+    }
+  }
+  for (const double q : powers) {
+    for (std::size_t level = 0; level + 1 < by_level.size(); ++level) {
+      by_level[level] -= std::pow(2.0, q) * by_level[level + 1];
+    }
+    by_level.pop_back();
+  }
+  std::vector<ErrorAt> points;
+  for (int level = 0; level < levels; ++level) {
+    points.push_back({scene.problem.end / (coarsest << level),
+                      by_level[static_cast<std::size_t>(level)].cwiseAbs().maxCoeff()});
+  }
+  return points;
+}
+
+class EndRate : public testing::TestWithParam<Case> {};
+
+TEST_P(EndRate, MatchesTheory) {
+  expect_rate(error_points(GetParam(), Norm::end), expected(GetParam(), Norm::end));
+}
+
+INSTANTIATE_TEST_SUITE_P(, EndRate, testing::ValuesIn(cases(variants())), name_of_case);
+INSTANTIATE_TEST_SUITE_P(OnGradedGrids, EndRate,
+                         testing::ValuesIn(cases(graded_variants(), not_the_expansion)), name_of_case);
+
+// Where the solution starts like t^g, the first step is the worst of all: one step of length h, h -> 0.
+class FirstStepRate : public testing::TestWithParam<Case> {};
+
+TEST_P(FirstStepRate, MatchesTheory) {
+  const double theory = expected(GetParam(), Norm::first_step);
+  const Scene& scene = make(GetParam().variant);
+  WatchedReference reference(scene);
+  std::vector<ErrorAt> points;
+  const double shortest = std::min(9.0 / theory, 16.0), longest = std::min(5.0 / theory, 10.0);  // -log10 h
+  for (int k = 0; k < 5; ++k) {
+    Scene first = scene;
+    first.problem.end = std::pow(10.0, -(longest + k * (shortest - longest) / 4));
+    const Grid grid{first.problem.end, 1};
+    const auto path = GetParam().scheme->solve(first.problem, grid, {});
+    points.push_back(
+        {grid.end, (columns_of(scene.outputs, path) - reference.at(grid, path.steps)).cwiseAbs().maxCoeff()});
+  }
+  expect_rate(points, theory);
+}
+
+INSTANTIATE_TEST_SUITE_P(, FirstStepRate,
+                         testing::ValuesIn(cases(variants(), first_step_governs_the_maximum)), name_of_case);
+
+// Elsewhere the maximum over all steps falls like the error at the end, or like that beside a jump.
+class MaximumRate : public testing::TestWithParam<Case> {};
+
+TEST_P(MaximumRate, MatchesTheory) {
+  expect_rate(error_points(GetParam(), Norm::maximum), expected(GetParam(), Norm::maximum));
+}
+
+INSTANTIATE_TEST_SUITE_P(, MaximumRate, testing::ValuesIn(cases(variants(), the_rest)), name_of_case);
+INSTANTIATE_TEST_SUITE_P(OnGradedGrids, MaximumRate,
+                         testing::ValuesIn(cases(graded_variants(), not_the_expansion)), name_of_case);
+
+// f = 1.5 sqrt(pi)/2 t + t^1.5 - y starts like t: the corrector is exact for it, the prediction is off by
+// h^(1+g).
+TEST(FirstStep, OfThePredictorCorrectorForALinearStart) {
+  const Case pair{{"power_linear", "power", {{"gamma", 0.5}, {"p", 1.5}}, 1.0}, find_scheme("adams_pc")};
+  std::vector<ErrorAt> points;
+  for (double h = 1e-2; h > 1e-5; h /= 4) {
+    const auto path = pair.scheme->solve(make(pair.variant).problem, {h, 1}, {});
+    points.push_back({h, std::abs(path.y(0, 1) - std::pow(h, 1.5))});
+  }
+  EXPECT_EQ(expected(pair, Norm::first_step), 2.0);
+  expect_rate(points, 2.0);
+}
+
+// The trapezoidal weight of the last value off by one percent: the method still converges, but like h^g.
+TEST(AWrongWeight, IsCaughtByTheRate) {
+  Scheme wrong = *find_scheme("product_trapezoidal");
+  wrong.solve = [](const Problem& problem, const Grid& grid, const Options& options) {
+    Vec last = Vec::Zero(problem.size());
+    return solve_implicit(
+        problem, grid, options,
+        {.tables = tables(problem, WeightFamily::trapezoid),
+         .past =
+             [&](double t, In convolved, In, In kappa, Out past) {
+               past = taylor_part(problem, t) + kappa.cwiseProduct(convolved + 0.01 * last);
+             },
+         .sample = [&](fde::Run& run, double t, In y, In, Out sample) { last = sample = run.rhs(t, y); }});
+  };
+  const Variant smooth{"power_5", "power", {{"gamma", 0.5}, {"p", 2.5}}, 1.0};
+  const Fit right = fit_rate(error_points({smooth, find_scheme("product_trapezoidal")}, Norm::end));
+  const Fit caught = fit_rate(error_points({smooth, &wrong}, Norm::end));
+  EXPECT_NEAR(right.slope, 2.0, 0.1);
+  EXPECT_NEAR(caught.slope, 0.5, 0.1);
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,215 @@
+// What every scene in the list must be, and what single ones promise.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+#include <stdexcept>
+
+#include "references/reference_of.hpp"
+#include "scenes/registry.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+std::vector<const SceneMaker*> scenes_with(bool (*capability)(const Scene&)) {
+  std::vector<const SceneMaker*> some;
+  for (const auto& maker : scenes()) {
+    if (capability(make_scene(maker))) some.push_back(&maker);
+  }
+  return some;
+}
+
+bool any(const Scene& /*scene*/) { return true; }
+// Right rows have their initial values at the end: what they are at t = 0 is for a scheme to find.
+bool exact_start(const Scene& scene) { return scene.reference.at && !two_sided(scene.problem); }
+bool derivatives(const Scene& scene) { return has_jacobian(scene.problem); }
+bool power(const Scene& scene) { return static_cast<bool>(scene.energy.power); }
+
+class EveryScene : public testing::TestWithParam<const SceneMaker*> {
+ protected:
+  const Scene scene_ = make_scene(*GetParam());
+
+  // Points near the initial values.
+  [[nodiscard]] std::vector<Vec> points() const {
+    std::mt19937 generator(11);
+    std::uniform_real_distribution<double> uniform(-0.4, 0.4);
+    std::vector<Vec> result;
+    for (int i = 0; i < 5; ++i) {
+      result.emplace_back(taylor_part(scene_.problem, 0.0) +
+                          Vec::NullaryExpr(scene_.problem.size(), [&] { return uniform(generator); }));
+    }
+    return result;
+  }
+
+  [[nodiscard]] Vec rhs(double t, In y) const {
+    Vec f(y.size());
+    scene_.problem.rhs(t, y, f);
+    return f;
+  }
+};
+
+class SceneWithExactStart : public EveryScene {};
+class SceneWithDerivatives : public EveryScene {};
+class SceneWithEnergy : public EveryScene {};
+
+TEST_P(EveryScene, FitsEverySchemeOrIsRefusedWithAReason) {
+  for (const auto& scheme : schemes()) {
+    const auto reason = refusal(scheme, scene_.problem, {scene_.problem.end, 16});
+    if (reason) {
+      EXPECT_GT(reason->size(), 10U);
+    } else {
+      EXPECT_GT(scheme.expected_rate(scene_.problem, scene_.smoothness, 1.0, Norm::end), 0.0) << scheme.id;
+    }
+  }
+}
+
+TEST_P(EveryScene, HasConsistentShapes) {
+  const auto size = static_cast<std::size_t>(scene_.problem.size());
+  EXPECT_EQ(scene_.smoothness.powers.size(), size);
+  if (!scene_.outputs.of) {
+    EXPECT_EQ(scene_.outputs.names.size(), size);
+  }
+  for (const auto& component : scene_.problem.components) {
+    const auto count = initial_count(component.order);
+    if (scene_.problem.conditions) {
+      EXPECT_LE(component.initial.size(), count);
+    } else {
+      EXPECT_EQ(component.initial.size(), count);
+    }
+  }
+}
+
+TEST_P(SceneWithDerivatives, HasThoseOfTheRightHandSide) {
+  const auto& problem = scene_.problem;
+  for (const Vec& y : points()) {
+    Matrix declared(y.size(), y.size());
+    evaluate_jacobian(problem, 0.3, y, declared);
+    for (Eigen::Index i = 0; i < y.size(); ++i) {
+      Vec above = y, below = y;
+      above[i] += 1e-5;
+      below[i] -= 1e-5;
+      const Vec differenced = (rhs(0.3, above) - rhs(0.3, below)) / (above[i] - below[i]);
+      const double size = std::max(1.0, differenced.cwiseAbs().maxCoeff());
+      const double rounding = 1e-10 * rhs(0.3, y).cwiseAbs().maxCoeff();
+      EXPECT_LT((declared.col(i) - differenced).cwiseAbs().maxCoeff(), 1e-8 * size + rounding)
+          << "column " << i;
+    }
+  }
+}
+
+TEST_P(SceneWithExactStart, StartsThere) {
+  EXPECT_LT(
+      (scene_.reference.at(0.0).value - columns_at(scene_.outputs, 0.0, taylor_part(scene_.problem, 0.0)))
+          .cwiseAbs()
+          .maxCoeff(),
+      1e-15);
+}
+
+TEST_P(EveryScene, IsApproachedByTheMostAccurateScheme) {
+  Scene scene = scene_;
+  scene.problem.end = std::min(scene.problem.end, 8.0);
+  const auto path = solve("product_trapezoidal", scene.problem, 4096);
+  ASSERT_EQ(path.ending, Ending::finished);
+  const ReferenceValue known = reference_of(scene).at(scene.problem.end);
+  EXPECT_LT((columns_of(scene.outputs, path).rightCols(1) - known.value).cwiseAbs().maxCoeff(), 2e-4);
+  EXPECT_LT(known.bound.maxCoeff(), 1e-9);
+}
+
+// dE/dt = power along solutions: the chain rule with y' taken from the reference solution.
+TEST_P(SceneWithEnergy, ItsPowerIsTheRateOfEnergy) {
+  const Reference reference = reference_of(scene_);
+  for (const double t : {0.7, 3.0, 9.0}) {
+    constexpr double h = 1e-3;
+    const auto energy_at = [&](double at) { return scene_.energy.value(reference.at(at).value); };
+    const double slope =
+        (8.0 * (energy_at(t + h) - energy_at(t - h)) - (energy_at(t + 2 * h) - energy_at(t - 2 * h))) /
+        (12.0 * h);
+    EXPECT_NEAR(slope, scene_.energy.power(t, reference.at(t).value), 1e-9) << "t = " << t;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, EveryScene, testing::ValuesIn(scenes_with(any)), id_of_param);
+INSTANTIATE_TEST_SUITE_P(, SceneWithExactStart, testing::ValuesIn(scenes_with(exact_start)), id_of_param);
+INSTANTIATE_TEST_SUITE_P(, SceneWithDerivatives, testing::ValuesIn(scenes_with(derivatives)), id_of_param);
+INSTANTIATE_TEST_SUITE_P(, SceneWithEnergy, testing::ValuesIn(scenes_with(power)), id_of_param);
+
+TEST(Scenes, HaveTheColumnsOfTheContract) {
+  const std::vector<std::string> chain{"phi", "Dbeta_phi", "dphi", "Dalpha_phi"};
+  EXPECT_EQ(scene_of("pendulum").outputs.names, chain);
+  EXPECT_EQ(scene_of("bagley_torvik").outputs.names, (std::vector<std::string>{"y", "dy", "Dalpha_y"}));
+  EXPECT_EQ(scene_of("extensible_pendulum").outputs.names,
+            (std::vector<std::string>{"phi", "Dbeta_phi", "dphi", "Dalpha_phi", "xi", "Dbeta_xi", "dxi",
+                                      "Dalpha_xi"}));
+}
+
+// D^0.5 x = -x + y, D^1.5 y = -4 x - 4: from x(0) = 1 and y(0) = 0 x has the powers 1/2, 1, 3/2, but y has
+// none of its own before 3/2, which leads x to 2; at (-1, -1) the system is at rest.
+TEST(Scenes, ALinearSystemStartsWithThePowersOfItsSeries) {
+  const std::map<std::string, double> values{{"gamma1", 0.5}, {"gamma2", 1.5}, {"a21", -4.0},
+                                             {"a22", 0.0},    {"c2", -4.0},    {"y0", 0.0}};
+  const auto powers = scene_of("linear_system", values).smoothness.powers;
+  EXPECT_EQ(powers[0], (std::vector{0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5}));
+  EXPECT_EQ(powers[1], (std::vector{1.5, 2.0, 2.5, 3.0, 3.5}));
+  auto rest = values;
+  rest["x0"] = rest["y0"] = -1.0;
+  for (const auto& none : scene_of("linear_system", rest).smoothness.powers) EXPECT_TRUE(none.empty());
+}
+
+TEST(Scenes, LeaveOutTheColumnsOfDroppedTerms) {
+  EXPECT_EQ(scene_of("pendulum", {{"mu", 0.0}}).outputs.names,
+            (std::vector<std::string>{"phi", "Dbeta_phi", "dphi"}));
+  EXPECT_EQ(scene_of("pendulum", {{"mu", 0.0}, {"nu", 0.0}}).problem.components.size(), 2U);
+}
+
+// With alpha = 1 and beta = 0 the pendulum is u'' + (lambda + mu) tau u' + nu u + sin u = 0: no memory is
+// left.
+TEST(Scenes, AtWholeOrdersThePendulumIsAnOrdinaryEquation) {
+  const auto scene = scene_of("pendulum", {{"alpha", 1.0}, {"beta", 0.0}});
+  ASSERT_EQ(scene.problem.components.size(), 2U);
+  for (const auto& component : scene.problem.components) EXPECT_EQ(component.order, 1.0);
+}
+
+struct Bad {
+  const char *scene, *name;
+  double value;
+  const char* message;
+};
+
+class BadParameter : public testing::TestWithParam<Bad> {};
+
+TEST_P(BadParameter, IsNamedWithWhatIsAllowed) {
+  const auto& [scene, name, value, message] = GetParam();
+  try {
+    scene_of(scene, {{name, value}});
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), message);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , BadParameter,
+    testing::Values(Bad{"relaxation", "gamma", 0.0, "gamma = 0: must be a number in (0, 2]"},
+                    Bad{"relaxation", "gamma", 2.5, "gamma = 2.5: must be a number in (0, 2]"},
+                    Bad{"relaxation", "gamma", std::nan(""), "gamma = nan: must be a number in (0, 2]"},
+                    Bad{"relaxation", "dy0", 1.0, "dy0 = 1: must be 0 when gamma is at most 1"},
+                    Bad{"linear_system", "dx0", 1.0, "dx0 = 1: must be 0 when gamma1 is at most 1"},
+                    Bad{"relaxation", "lambda", INFINITY, "lambda = inf: must be a finite number"},
+                    Bad{"relaxation", "gama", 0.5,
+                        "gama: scene relaxation has no such parameter, did you mean 'gamma'?; it has gamma, "
+                        "lambda, y0, dy0"},
+                    Bad{"pendulum", "tau", -1.0, "tau = -1: must be a finite number above 0"},
+                    Bad{"pendulum", "alpha", 2.0, "alpha = 2: must be a number in [1, 2)"},
+                    Bad{"power", "p", 0.25,
+                        "p = 0.25: must be at least gamma: the right-hand side is infinite at 0 otherwise"},
+                    Bad{"extensible_pendulum", "xi0", -1.0, "xi0 = -1: must be a finite number above -1"}),
+    [](const auto& test) {
+      return std::string(test.param.scene) + "__" + test.param.name + "__" + std::to_string(test.index);
+    });
+
+}  // namespace
+}  // namespace fde

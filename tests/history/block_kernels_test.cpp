@@ -1,0 +1,193 @@
+#include "history/block_kernels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "problem/problem.hpp"
+
+namespace fde {
+namespace {
+
+using Real = long double;
+
+// Half a unit in the last place of a double, relative to it.
+constexpr Real unit = std::numeric_limits<double>::epsilon() / 2;
+
+// Of both signs, so that what is lost shows.
+Matrix random_matrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  return Matrix::NullaryExpr(rows, columns, [&] { return uniform(generator); });
+}
+
+ConstBlock reading(const Matrix& matrix) { return {matrix.data(), matrix.rows()}; }
+Block writing(Matrix& matrix) { return {matrix.data(), matrix.rows()}; }
+
+bool multiplies_and_adds_at_once(std::string_view target) { return target.starts_with("AVX"); }
+
+std::string test_name(const testing::TestParamInfo<std::string_view>& test) {
+  return std::string(test.param);
+}
+
+// A plain sum of products, and how far any order of adding them may be off: one rounding of the whole for
+// each term.
+struct Sum {
+  Real value = 0, absolute = 0;
+  int terms = 0;
+  void add(Real a, Real b) {
+    value += a * b;
+    absolute += std::abs(a * b);
+    ++terms;
+  }
+  [[nodiscard]] bool agrees(double result) const {
+    return std::abs(static_cast<Real>(result) - value) <= terms * unit * absolute;
+  }
+};
+
+class BlockKernels : public testing::TestWithParam<std::string_view> {
+ protected:
+  void SetUp() override { use_vector_target(GetParam()); }
+  void TearDown() override { use_vector_target(vector_targets().front()); }
+
+  // result(target) has the same bits as with the widest target, where both fuse multiply and add.
+  template <typename Compute>
+  static void expect_the_bits_of_the_widest(Compute compute) {
+    if (!multiplies_and_adds_at_once(GetParam())) return;
+    const auto here = compute();
+    use_vector_target(vector_targets().front());
+    EXPECT_EQ(here, compute());
+    use_vector_target(GetParam());
+  }
+};
+
+// c has a border of rows and a column that are not to be touched.
+TEST_P(BlockKernels, MultiplyAddAddsTheProduct) {
+  constexpr Eigen::Index border = lanes;
+  for (Eigen::Index rows = lanes; rows <= 40; rows += lanes) {
+    for (Eigen::Index columns = 1; columns <= 9; ++columns) {
+      for (Eigen::Index inner = 0; inner <= 40; ++inner) {
+        const Matrix a = random_matrix(rows + border, inner, 1), b = random_matrix(inner + 3, columns, 2),
+                     c = random_matrix(rows + border, columns + 1, 3);
+        const auto product = [&] {
+          Matrix result = c;
+          multiply_add(rows, inner, columns, reading(a), reading(b), writing(result));
+          return result;
+        };
+        const Matrix result = product();
+        bool agrees =
+            result.bottomRows(border) == c.bottomRows(border) && result.col(columns) == c.col(columns);
+        for (Eigen::Index j = 0; j < columns; ++j) {
+          for (Eigen::Index i = 0; i < rows; ++i) {
+            Sum sum;
+            sum.add(c(i, j), 1);
+            for (Eigen::Index k = 0; k < inner; ++k) sum.add(a(i, k), b(k, j));
+            agrees = agrees && sum.agrees(result(i, j));
+          }
+        }
+        ASSERT_TRUE(agrees) << rows << " x " << inner << " x " << columns;
+        expect_the_bits_of_the_widest(product);
+      }
+    }
+  }
+}
+
+TEST_P(BlockKernels, ScatterAddsEightEntriesAColumn) {
+  for (Eigen::Index columns = 0; columns <= 9; ++columns) {
+    const Matrix a = random_matrix(lanes, 1, 1), b = random_matrix(columns + 1, 1, 2),
+                 c = random_matrix(2 * lanes, columns + 1, 3);
+    const auto scattered = [&] {
+      Matrix result = c;
+      scatter(a.data(), b.data(), columns, writing(result));
+      return result;
+    };
+    const Matrix result = scattered();
+    EXPECT_EQ(result.bottomRows(lanes), c.bottomRows(lanes));
+    EXPECT_EQ(result.col(columns), c.col(columns));
+    for (Eigen::Index j = 0; j < columns; ++j) {
+      for (Eigen::Index i = 0; i < lanes; ++i) {
+        Sum sum;
+        sum.add(c(i, j), 1);
+        sum.add(a(i), b(j));
+        EXPECT_TRUE(sum.agrees(result(i, j))) << i << ", " << j;
+      }
+    }
+    expect_the_bits_of_the_widest(scattered);
+  }
+}
+
+TEST_P(BlockKernels, DotProductTakesAnyLengthAndAlignment) {
+  constexpr Eigen::Index longest = 200, farthest = 7;
+  const Matrix a = random_matrix(longest + farthest, 1, 1), b = random_matrix(longest + farthest, 1, 2);
+  for (Eigen::Index offset = 0; offset <= farthest; ++offset) {
+    for (Eigen::Index length = 0; length <= longest; ++length) {
+      const double *const first = a.data() + offset, *const second = b.data() + (farthest - offset);
+      const auto product = [=] { return dot_product(first, second, length); };
+      Sum sum;
+      for (Eigen::Index k = 0; k < length; ++k) sum.add(first[k], second[k]);
+      EXPECT_TRUE(sum.agrees(product())) << length << " from " << offset;
+      expect_the_bits_of_the_widest(product);
+    }
+  }
+}
+
+// The change has three roundings, each at most a unit of what goes into it; the sum has none that the carry
+// does not keep.
+TEST_P(BlockKernels, AdvanceKeepsInTheCarryWhatRoundingTook) {
+  for (Eigen::Index rows = lanes; rows <= 40; rows += lanes) {
+    for (Eigen::Index columns = 1; columns <= 9; ++columns) {
+      const Matrix decay = random_matrix(rows, 1, 1), input = random_matrix(rows, columns, 2),
+                   state = random_matrix(rows, columns, 3), carry = 1e-17 * random_matrix(rows, columns, 4);
+      const auto advanced = [&] {
+        Matrix both(rows, 2 * columns);
+        both << state, carry;
+        advance(rows, columns, decay.data(), reading(input), {both.data(), rows},
+                {both.data() + columns * rows, rows});
+        return both;
+      };
+      const Matrix result = advanced();
+      for (Eigen::Index j = 0; j < columns; ++j) {
+        for (Eigen::Index i = 0; i < rows; ++i) {
+          const double total = result(i, j), rest = result(i, columns + j);
+          const Real change = static_cast<Real>(decay(i)) * state(i, j) + input(i, j) + carry(i, j);
+          const Real size = std::abs(decay(i) * state(i, j)) + std::abs(input(i, j)) + std::abs(carry(i, j));
+          EXPECT_LE(std::abs((static_cast<Real>(total) - state(i, j)) + rest - change), 3 * unit * size);
+          EXPECT_EQ(total + rest, total);
+        }
+      }
+      expect_the_bits_of_the_widest(advanced);
+    }
+  }
+}
+
+// Each change is off by three units of itself at most, and the changes add up to the state; without a carry
+// the rounding of a million sums is left, a hundred units and more.
+TEST_P(BlockKernels, AdvanceLosesNothingOverAMillionSlowDecays) {
+  constexpr int calls = 1'000'000;
+  const Matrix decay = Matrix::Constant(lanes, 1, -1e-9);
+  const Matrix input = Vec::LinSpaced(lanes, 0.1, 1.7);
+  Matrix state = Matrix::Zero(lanes, 1), carry = state;
+  for (int n = 0; n < calls; ++n) {
+    advance(lanes, 1, decay.data(), reading(input), writing(state), writing(carry));
+  }
+  const Real d = decay(0), exact = std::expm1(calls * std::log1p(d)) / d;
+  for (Eigen::Index i = 0; i < lanes; ++i) {
+    EXPECT_LE(std::abs((state(i) + static_cast<Real>(carry(i))) / (input(i) * exact) - 1), 3 * unit) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, BlockKernels, testing::ValuesIn(vector_targets()), test_name);
+
+TEST(VectorTargets, ThatFuseMultiplyAndAddAreTheWidest) {
+  const auto targets = vector_targets();
+  ASSERT_FALSE(targets.empty());
+  EXPECT_TRUE(std::ranges::is_partitioned(targets, multiplies_and_adds_at_once));
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <boost/multiprecision/mpfr.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "weights/weights.hpp"
+
+namespace fde {
+
+// 50 digits are left after the 1e18-fold cancellation at k = 1e9.
+using Exact = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<70>>;
+
+inline Exact power(const Exact& base, const Exact& exponent) {
+  return base == 0 ? Exact(0) : pow(base, exponent);
+}
+
+// The families as they are printed.
+inline Exact printed(const WeightTable& table, std::int64_t lag) {
+  const Exact g = table.order, k = lag;
+  switch (table.family) {
+    case WeightFamily::rectangle:
+      return power(k, g) - power(k - 1, g);
+    case WeightFamily::trapezoid:
+      return power(k + 1, g + 1) - 2 * power(k, g + 1) + power(k - 1, g + 1);
+    case WeightFamily::grunwald_letnikov:
+      return exp(lgamma(k + g) - lgamma(g) - lgamma(k + 1));
+    case WeightFamily::l1:
+      return pow(k + 1, 1 - g) - pow(k, 1 - g);
+  }
+  return 0;
+}
+
+inline Exact printed_start(double order, std::int64_t n) {
+  const Exact g = order, k = n;
+  return power(k - 1, g + 1) - (k - 1 - g) * power(k, g);
+}
+
+// |value - exact| in units of the last place of exact.
+inline double ulps(double value, const Exact& exact) {
+  const auto rounded = std::abs(static_cast<double>(exact));
+  const double ulp = std::nextafter(rounded, std::numeric_limits<double>::infinity()) - rounded;
+  return static_cast<double>(abs(Exact(value) - exact) / ulp);
+}
+
+}  // namespace fde

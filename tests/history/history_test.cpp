@@ -1,0 +1,237 @@
+#include "history/history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "history/block_kernels.hpp"
+#include "history/direct.hpp"
+#include "history/exponentials.hpp"
+#include "history/graded_direct.hpp"
+#include "history/graded_exponentials.hpp"
+#include "stepping/trajectory.hpp"
+
+namespace fde {
+namespace {
+
+// Half a unit in the last place of a double, relative to it.
+constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+
+// All families, of orders below, at and above 1.
+const WeightTables every_family{
+    {{WeightFamily::rectangle, 0.3}, {WeightFamily::rectangle, 1.0}, {WeightFamily::rectangle, 1.7}},
+    {{WeightFamily::trapezoid, 0.3}, {WeightFamily::trapezoid, 1.0}, {WeightFamily::trapezoid, 1.7}},
+    {{WeightFamily::grunwald_letnikov, 0.3}, {WeightFamily::grunwald_letnikov, 1.0}, {WeightFamily::l1, 0.4}},
+    {{WeightFamily::l1, 0.3}, {WeightFamily::l1, 1.0}, {WeightFamily::trapezoid, 0.01}}};
+
+// Those of them that live on other than uniform grids, too.
+const WeightTables interpolating_families{
+    {{WeightFamily::rectangle, 0.3}, {WeightFamily::rectangle, 1.0}, {WeightFamily::rectangle, 1.7}},
+    {{WeightFamily::trapezoid, 0.3}, {WeightFamily::trapezoid, 1.0}, {WeightFamily::trapezoid, 1.7}},
+    {{WeightFamily::l1, 0.3}, {WeightFamily::l1, 1.0}, {WeightFamily::trapezoid, 2.0}}};
+
+// w(1), w(2), ...
+Vec weights_of(const WeightTable& table, Eigen::Index count) {
+  return Vec::NullaryExpr(count, [&](Eigen::Index k) { return weight(table, k + 1); });
+}
+
+// The definition at step n, term by term in extended precision, and the sum of the absolute terms.
+struct Defined {
+  double value, size;
+};
+Defined by_definition(const WeightTable& table, const Vec& weights, const Rows& samples,
+                      Eigen::Index component, Eigen::Index n) {
+  const long double first =
+      start_weight(table, n).value_or(weight(table, n)) * static_cast<long double>(samples(component, 0));
+  long double sum = first, size = std::abs(first);
+  for (Eigen::Index j = 1; j < n; ++j) {
+    const long double term = static_cast<long double>(weights[n - j - 1]) * samples(component, j);
+    sum += term;
+    size += std::abs(term);
+  }
+  return {static_cast<double>(sum), static_cast<double>(size)};
+}
+
+Rows random_samples(Eigen::Index components, Eigen::Index count, double lowest = 0.5) {
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(lowest, 1.5);
+  return Rows::NullaryExpr(components, count, [&] { return uniform(generator); });
+}
+
+// What a history says of these samples: one column a step, the components of its sums below each other.
+Matrix convolutions(History& history, std::size_t sums, const Rows& samples) {
+  const auto components = samples.rows();
+  Matrix results(static_cast<Eigen::Index>(sums) * components, samples.cols());
+  for (Eigen::Index n = 0; n < samples.cols(); ++n) {
+    history.push(samples.col(n));
+    for (std::size_t sum = 0; sum < sums; ++sum) {
+      history.convolve(sum, results.col(n).segment(static_cast<Eigen::Index>(sum) * components, components));
+    }
+  }
+  return results;
+}
+
+// |a - b| <= tolerance * size in every entry, up to the first that is not.
+void expect_near(const Matrix& a, const Matrix& b, const Matrix& size, double tolerance) {
+  for (Eigen::Index n = 1; n <= a.cols(); ++n) {
+    for (Eigen::Index row = 0; row < a.rows(); ++row) {
+      ASSERT_NEAR(a(row, n - 1), b(row, n - 1), tolerance * size(row, n - 1)) << "row " << row << ", n " << n;
+    }
+  }
+}
+
+class Histories : public testing::TestWithParam<HistoryKind> {
+ protected:
+  // From first_step on, within 1e-14 of the sum of the absolute terms. That is ninety units: nine for the
+  // tolerance of the exponentials, the others for the rounding of long sums, most of which cancels.
+  static void expect_as_defined(const Rows& samples, Eigen::Index first_step) {
+    const auto steps = samples.cols();
+    const auto history = make_history(GetParam(), every_family, {1.0, static_cast<int>(steps)}, 1e-15);
+    const Matrix results = convolutions(*history, every_family.size(), samples);
+    for (Eigen::Index row = 0; row < results.rows(); ++row) {
+      const auto component = row % samples.rows();
+      const auto& table =
+          every_family[static_cast<std::size_t>(row / samples.rows())][static_cast<std::size_t>(component)];
+      const Vec weights = weights_of(table, steps);
+      for (Eigen::Index n = first_step; n <= steps; ++n) {
+        const auto [value, size] = by_definition(table, weights, samples, component, n);
+        EXPECT_NEAR(results(row, n - 1), value, 1e-14 * size) << "row " << row << ", n " << n;
+      }
+    }
+  }
+};
+
+TEST_P(Histories, ConvolveAsDefinedAtEveryStep) { expect_as_defined(random_samples(3, 300), 1); }
+
+TEST_P(Histories, ConvolveAsDefinedAfterManySteps) { expect_as_defined(random_samples(3, 5000), 4901); }
+
+TEST_P(Histories, ConvolveSamplesOfChangingSignAsDefined) {
+  expect_as_defined(random_samples(3, 5000, -1.5), 4901);
+}
+
+TEST_P(Histories, OrderOneNeedsNoMemoryForItsPast) {
+  const WeightTables order_one{{{WeightFamily::trapezoid, 1.0}}},
+      order_half{{{WeightFamily::trapezoid, 0.5}}};
+  EXPECT_LT(make_history(GetParam(), order_one, {1.0, 1000}, 1e-15)->bytes(), 100U);
+  EXPECT_GT(make_history(GetParam(), order_half, {1.0, 1000}, 1e-15)->bytes(), 1000U);
+}
+
+TEST_P(Histories, EqualOrdersShareTheirWeights) {
+  const WeightTable half{WeightFamily::trapezoid, 0.5}, third{WeightFamily::trapezoid, 0.3};
+  EXPECT_LT(make_history(GetParam(), {{half, half}}, {1.0, 1000}, 1e-15)->bytes(),
+            make_history(GetParam(), {{half, third}}, {1.0, 1000}, 1e-15)->bytes());
+}
+
+INSTANTIATE_TEST_SUITE_P(, Histories,
+                         testing::Values(HistoryKind::automatic, HistoryKind::direct,
+                                         HistoryKind::exponentials),
+                         [](const auto& test) { return std::string(name(test.param)); });
+
+class HistoriesOnVectorTargets : public testing::TestWithParam<std::string_view> {
+ protected:
+  void TearDown() override { use_vector_target(vector_targets().front()); }
+};
+
+// Without fused multiply-add each term has one more rounding.
+TEST_P(HistoriesOnVectorTargets, DifferByRoundingOnly) {
+  const Rows samples = random_samples(3, 1000);
+  const auto on = [&](HistoryKind kind, std::string_view target) {
+    use_vector_target(target);
+    return convolutions(*make_history(kind, every_family, {1.0, 1000}, 1e-15), every_family.size(), samples);
+  };
+  for (const auto kind : {HistoryKind::direct, HistoryKind::exponentials}) {
+    const Matrix here = on(kind, GetParam()), widest = on(kind, vector_targets().front());
+    expect_near(here, widest, widest, 1e-14);
+    if (GetParam().starts_with("AVX")) {
+      EXPECT_EQ(here, widest) << name(kind);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, HistoriesOnVectorTargets, testing::ValuesIn(vector_targets()),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST(ExponentialHistory, NeedsMemoryForTheLogarithmOfTheStepsOnly) {
+  const auto bytes = [](int steps) { return ExponentialHistory(every_family, steps, 1e-15).bytes(); };
+  EXPECT_LT(bytes(100'000'000), 2 * bytes(10'000));
+  EXPECT_LT(bytes(100'000'000), 1'000'000U);
+}
+
+// The samples are positive, so that a tolerance of every weight is one of the sum.
+TEST(ExponentialHistory, IsSmallerForALooserToleranceAndWithinIt) {
+  constexpr int steps = 2000;
+  const Rows samples = random_samples(3, steps);
+  DirectHistory direct(every_family, steps);
+  ExponentialHistory fine(every_family, steps, 1e-15), coarse(every_family, steps, 1e-6);
+  const Matrix exact = convolutions(direct, every_family.size(), samples);
+  expect_near(convolutions(coarse, every_family.size(), samples), exact, exact, 1e-6);
+  EXPECT_LT(coarse.bytes(), fine.bytes());
+}
+
+// A plain sum has as many roundings as steps. Two interval weights good to 8 ulp, the tolerance of the
+// exponentials and the few products around them have 48 units more.
+constexpr double rounding_of_plain_sums(int steps) { return (steps + 48) * unit; }
+
+// On this one, where all times are exact.
+TEST(GradedHistories, GiveTheSumsOfTheOthersOnAUniformGrid) {
+  constexpr Grid grid{.end = 50.0, .steps = 200};
+  const Rows samples = random_samples(3, grid.steps);
+  DirectHistory direct(interpolating_families, grid.steps);
+  GradedDirectHistory graded(interpolating_families, grid);
+  GradedExponentialHistory exponentials(interpolating_families, grid, 1e-15);
+  const auto sums = interpolating_families.size();
+  const Matrix expected = convolutions(direct, sums, samples);
+  constexpr double tolerance = rounding_of_plain_sums(grid.steps);
+  expect_near(convolutions(graded, sums, samples), expected, expected, tolerance);
+  expect_near(convolutions(exponentials, sums, samples), expected, expected, tolerance);
+}
+
+class HistoriesOnGradedGrids : public testing::TestWithParam<double> {
+ protected:
+  static constexpr int steps = 200;
+  static Matrix direct(const Rows& samples) {
+    GradedDirectHistory history(interpolating_families, grid());
+    return convolutions(history, interpolating_families.size(), samples);
+  }
+  static Matrix exponentials(const Rows& samples, double tolerance) {
+    GradedExponentialHistory history(interpolating_families, grid(), tolerance);
+    return convolutions(history, interpolating_families.size(), samples);
+  }
+  static Grid grid() { return {.end = 3.0, .steps = steps, .grading = GetParam()}; }
+};
+
+TEST_P(HistoriesOnGradedGrids, Agree) {
+  for (const double lowest : {0.5, -1.5}) {
+    const Rows samples = random_samples(3, steps, lowest);
+    expect_near(exponentials(samples, 1e-15), direct(samples), direct(samples.cwiseAbs()),
+                rounding_of_plain_sums(steps));
+  }
+}
+
+TEST_P(HistoriesOnGradedGrids, AreSmallerForALooserToleranceAndWithinIt) {
+  const Rows samples = random_samples(3, steps);
+  const Matrix exact = direct(samples);
+  expect_near(exponentials(samples, 1e-6), exact, exact, 1e-6);
+  EXPECT_LT(GradedExponentialHistory(interpolating_families, grid(), 1e-6).bytes(),
+            GradedExponentialHistory(interpolating_families, grid(), 1e-15).bytes());
+}
+
+INSTANTIATE_TEST_SUITE_P(, HistoriesOnGradedGrids, testing::Values(1.5, 3.0, 6.0));
+
+// Below, the tables of the exponentials cost more than the whole direct sum (fde_histories measures it).
+TEST(AutomaticHistory, IsDirectForShortRunsOnly) {
+  const auto resolved = [](int steps, double grading) {
+    return resolve(HistoryKind::automatic, {1.0, steps, grading});
+  };
+  EXPECT_EQ(resolved(16, 1.0), HistoryKind::direct);
+  EXPECT_EQ(resolved(512, 1.0), HistoryKind::exponentials);
+  EXPECT_EQ(resolved(4, 2.0), HistoryKind::direct);
+  EXPECT_EQ(resolved(64, 2.0), HistoryKind::exponentials);
+  EXPECT_EQ(resolve(HistoryKind::direct, {1.0, 512}), HistoryKind::direct);
+}
+
+}  // namespace
+}  // namespace fde

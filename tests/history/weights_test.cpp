@@ -1,0 +1,101 @@
+#include "weights/weights.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "history/exact_weights.hpp"
+
+namespace fde {
+namespace {
+
+std::vector<std::int64_t> lags() {
+  std::vector<std::int64_t> result;
+  for (std::int64_t k = 1; k <= 40; ++k) result.push_back(k);
+  for (double k = 50; k < 1e9; k *= 1.7) result.push_back(static_cast<std::int64_t>(k));
+  result.insert(result.end(), {1000, 1'000'000, 999'999'999, 1'000'000'000});
+  return result;
+}
+
+const std::vector<double> orders{0.01, 0.05, 0.1, 0.2, 0.3,  0.4, 0.5, 0.6, 0.7,  0.8, 0.9,  0.95, 0.99, 1.0,
+                                 1.01, 1.1,  1.2, 1.3, 1.35, 1.5, 1.6, 1.7, 1.85, 1.9, 1.95, 1.99, 2.0};
+
+// Where long double has no more digits than double, the rounding of each operation is left.
+constexpr double allowed_ulps = std::numeric_limits<long double>::digits > 60 ? 1.0 : 4.0;
+
+struct Worst {
+  double ulps = 0.0;
+  double order = 0.0;
+  std::int64_t lag = 0;
+  void see(double error, double at_order, std::int64_t at_lag) {
+    if (error > ulps) *this = {error, at_order, at_lag};
+  }
+  void print(const char* what) const {
+    fmt::print("{}: worst error {:.2f} ulp, at order {}, k = {}\n", what, ulps, order, lag);
+  }
+};
+
+class WeightFamilies : public testing::TestWithParam<std::pair<const char*, WeightFamily>> {};
+
+TEST_P(WeightFamilies, AreGoodToOneUlpUpToABillion) {
+  const auto [name, family] = GetParam();
+  Worst worst;
+  for (const double order : orders) {
+    if (family == WeightFamily::l1 && order >= 1.0) continue;
+    for (const auto lag : lags())
+      worst.see(ulps(weight({family, order}, lag), printed({family, order}, lag)), order, lag);
+  }
+  worst.print(name);
+  EXPECT_LE(worst.ulps, allowed_ulps) << "order " << worst.order << ", k = " << worst.lag;
+}
+
+INSTANTIATE_TEST_SUITE_P(, WeightFamilies,
+                         testing::Values(std::pair{"rectangle", WeightFamily::rectangle},
+                                         std::pair{"trapezoid", WeightFamily::trapezoid},
+                                         std::pair{"grunwald_letnikov", WeightFamily::grunwald_letnikov},
+                                         std::pair{"l1", WeightFamily::l1}),
+                         [](const auto& test) { return test.param.first; });
+
+TEST(StartWeight, IsGoodToOneUlpUpToABillion) {
+  Worst worst;
+  for (const double order : orders) {
+    for (const auto n : lags()) {
+      worst.see(ulps(*start_weight({WeightFamily::trapezoid, order}, n), printed_start(order, n)), order, n);
+    }
+  }
+  worst.print("trapezoid start");
+  EXPECT_LE(worst.ulps, allowed_ulps) << "order " << worst.order << ", n = " << worst.lag;
+}
+
+TEST(StartWeight, IsNoneForGrunwaldLetnikovAndL1AndThePlainOneForTheRectangleRule) {
+  EXPECT_EQ(start_weight({WeightFamily::rectangle, 0.3}, 7), std::nullopt);
+  EXPECT_EQ(start_weight({WeightFamily::grunwald_letnikov, 0.3}, 7), 0.0);
+  EXPECT_EQ(start_weight({WeightFamily::l1, 0.3}, 7), 0.0);
+}
+
+TEST(ConstantWeight, OrderOneHasNoMemory) {
+  EXPECT_EQ(constant_weight({WeightFamily::rectangle, 1.0}), 1.0);
+  EXPECT_EQ(constant_weight({WeightFamily::trapezoid, 1.0}), 2.0);
+  EXPECT_EQ(constant_weight({WeightFamily::grunwald_letnikov, 1.0}), 1.0);
+  EXPECT_EQ(constant_weight({WeightFamily::l1, 1.0}), 0.0);
+  EXPECT_EQ(constant_weight({WeightFamily::trapezoid, 0.999}), std::nullopt);
+  for (const auto lag : lags()) EXPECT_EQ(weight({WeightFamily::trapezoid, 1.0}, lag), 2.0) << lag;
+}
+
+// sum of all weights over n steps of f = 1 is the integral of the kernel: n^g, (g+1) n^g, Gamma ratio.
+TEST(Weights, OfTheProductRulesIntegrateConstantsExactly) {
+  for (const double g : orders) {
+    constexpr std::int64_t n = 200;
+    double rectangle = 0.0, trapezoid = 1.0 + *start_weight({WeightFamily::trapezoid, g}, n);
+    for (std::int64_t k = 1; k <= n; ++k) rectangle += weight({WeightFamily::rectangle, g}, k);
+    for (std::int64_t k = 1; k < n; ++k) trapezoid += weight({WeightFamily::trapezoid, g}, k);
+    EXPECT_NEAR(rectangle / std::pow(n, g), 1.0, 1e-14) << g;
+    EXPECT_NEAR(trapezoid / ((g + 1) * std::pow(n, g)), 1.0, 1e-14) << g;
+  }
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,104 @@
+// Full disks: one line naming the path, nothing half written, and what was there stays.
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+#include <sstream>
+
+#include "hostile/unwritable_testing.hpp"
+#include "reference_data/reference_folder.hpp"
+#include "references/cache.hpp"
+#include "support/testing.hpp"
+#include "sweep/experiment.hpp"
+
+namespace fde {
+namespace {
+
+// A limit on the size of files stands for a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit full{.rlim_cur = bytes, .rlim_max = before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &full);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+using FullDisks = Unwritable;
+
+TEST_F(FullDisks, HoldNoResults) {
+  const FullDisk full(100);
+  const auto [code, out, err] = run_into(file_);
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(err, "fdebench: " + file_.string() + ": cannot be written: File too large\n");
+  EXPECT_EQ(fs::file_size(file_), 0U);
+}
+
+TEST_F(FullDisks, LeaveTheOldReport) {
+  ASSERT_EQ(run_into(file_).code, 0);
+  folder_.write("report/index.html", "old");
+  const FullDisk full(1000);
+  const auto [code, out, err] =
+      fdebench({"report", file_.string(), "--out", (folder_.path() / "report").string()});
+  EXPECT_EQ(code, 2);
+  EXPECT_THAT(err,
+              testing::MatchesRegex("fdebench: .*/report/index.html.*: cannot be written: File too large\n"));
+  EXPECT_THAT(names(), testing::ElementsAre("report", "report/index.html", "results.jsonl"));
+  EXPECT_EQ(fs::file_size(folder_.path() / "report" / "index.html"), 3U);
+}
+
+TEST_F(FullDisks, LeaveTheOldPanelTables) {
+  folder_.write("data/a.csv", "old");
+  const FullDisk full(1000);
+  const fs::path data = folder_.path() / "data";
+  EXPECT_THAT(
+      [&] {
+        replace_folder(data, {{"a.csv", std::string(5000, '1')}});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(data.string() + ": cannot be written: File too large"));
+  EXPECT_THAT(names(), testing::ElementsAre("data", "data/a.csv"));
+}
+
+// What is known does not depend on where it can be kept.
+TEST_F(FullDisks, AreNoHarmToWhatACacheFinds) {
+  const Scene scene = scene_of("brusselator");
+  Problem problem = scene.problem;
+  problem.end = 1.0;
+  const auto known = cached_reference("r", problem, ReferenceCache(std::nullopt)).at(1.0);
+  const FullDisk full(100);
+  const auto found = cached_reference("r", problem, ReferenceCache(folder_.path() / "cache")).at(1.0);
+  EXPECT_EQ(found.value, known.value);
+  EXPECT_THAT(names(), testing::ElementsAre("cache"));
+}
+
+TEST_F(FullDisks, MayBeTheStandardOutput) {
+  std::ofstream full("/dev/full");
+  if (!full) GTEST_SKIP() << "there is no /dev/full";
+  for (const auto& words :
+       std::vector<std::vector<std::string>>{{"--help"},
+                                             {"scenes"},
+                                             {"schemes", "--json"},
+                                             {"exact", "power", "--at", "1"},
+                                             {"mittag-leffler", "1", "1", "1"},
+                                             {"solve", "power", "--scheme", "l1", "--steps", "8"}}) {
+    full.clear();
+    std::ostringstream err;
+    EXPECT_EQ(run_fdebench(words, {.out = full, .err = err}), 2) << words[0];
+    EXPECT_EQ(err.str(), "fdebench: standard output: cannot be written\n") << words[0];
+  }
+}
+
+}  // namespace
+}  // namespace fde

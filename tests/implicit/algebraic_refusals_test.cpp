@@ -1,0 +1,51 @@
+// Who does not take rows 0 = f_i(t, y), and who leaves them alone.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "diffusive/march.hpp"
+#include "nonlinear/collocation.hpp"
+#include "problem/linear_smoothness.hpp"
+#include "stepping/splitting.hpp"
+#include "support/algebraic_problems.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(AlgebraicRefusals, ExplicitSchemesRefuseWithTheReason) {
+  int refused = 0;
+  for (const Scheme& scheme : schemes()) {
+    if (scheme.needs.implicit) continue;
+    ++refused;
+    EXPECT_EQ(refusal(scheme, decay_through(0.5), {2.0, 8}),
+              "steps explicitly: component 0 is an algebraic row (order 0)");
+  }
+  EXPECT_EQ(refused, 3);
+}
+
+TEST(AlgebraicRefusals, ReferencesRefuseNamingComponentAndOrder) {
+  const auto refuses = [](const auto& make) {
+    EXPECT_THAT(make, testing::ThrowsMessage<std::invalid_argument>(
+                          HasSubstr("component 0 needs an order in (0, 2], it has 0")));
+  };
+  refuses([] { reference_table(decay_through(0.5)); });
+  refuses([] { diffusive_solution(decay_through(0.5)); });
+  EXPECT_THAT([] { linear_smoothness(decay_through(0.5).components, Matrix::Ones(2, 2)); },
+              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("component 0 has order 0")));
+}
+
+TEST(AlgebraicRefusals, SplittingLeavesThemAlone) {
+  const auto problem = decay_through(1.5);
+  EXPECT_EQ(links_up_to_one(problem), (Links{{0.0}, {1.0, 0.5}}));
+  EXPECT_EQ(commensurate_links(problem), (Links{{0.0}, {0.5, 0.5, 0.5}}));
+  const Problem all = split(problem, *commensurate_links(problem));
+  EXPECT_EQ(all.size(), 4);
+  EXPECT_EQ(all.components[0].order, 0.0);
+  EXPECT_EQ(all.components[0].initial, std::vector{1.0});
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,77 @@
+// The equation of a step where Newton's method alone loses its way, or the unknowns have unusual sizes.
+
+#include <gtest/gtest.h>
+
+#include "support/implicit_schemes.hpp"
+
+namespace fde {
+namespace {
+
+class RobustNewton : public testing::TestWithParam<const Scheme*> {
+ protected:
+  static Trajectory run(const Problem& problem, const Grid& grid) {
+    return GetParam()->solve(problem, grid, {});
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(, RobustNewton, testing::ValuesIn(implicit_schemes()), id_of_param);
+
+// The concentrations jump where the solution of a step vanishes near the previous one.
+TEST_P(RobustNewton, FollowsTheJumpsOfTheBrusselator) {
+  const Problem problem = scene_of("brusselator").problem;
+  for (int steps = 16; steps <= 1024; steps *= 2) {
+    const auto path = run(problem, {problem.end, steps});
+    EXPECT_EQ(path.ending, Ending::finished) << steps << ": " << path.reached;
+    EXPECT_LT(path.cost.newton_iterations, 40 * steps) << steps;
+  }
+}
+
+TEST_P(RobustNewton, AnUnsolvableStepTakesBoundedWork) {
+  const Problem problem{.components = {{0.5, {1.0}}},
+                        .rhs = [](double, In y, Out f) { f[0] = 1e6 + y[0] * y[0]; }};
+  const auto path = run(problem, {1.0, 8});
+  EXPECT_EQ(path.ending, Ending::not_converged);
+  EXPECT_LT(path.cost.newton_iterations, 400);
+}
+
+// Robertson's reaction in units of `unit`, whose second unknown is 1e-5 of the others, and whose equations
+// are of degree 2.
+Problem robertson(double unit, bool jacobian) {
+  Problem problem{.components = {{0.9, {unit}}, {0.9, {0.0}}, {0.9, {0.0}}},
+                  .rhs =
+                      [=](double, In y, Out f) {
+                        const double slow = 0.04 * y[0], back = 1e4 * (y[1] / unit) * y[2],
+                                     fast = 3e7 * (y[1] / unit) * y[1];
+                        f[0] = -slow + back;
+                        f[1] = slow - back - fast;
+                        f[2] = fast;
+                      },
+                  .end = 40.0};
+  if (jacobian) {
+    problem.jacobian = [=](double, In y, OutMatrix j) {
+      const double b = 1e4 * y[1] / unit, c = 1e4 * y[2] / unit, a = 6e7 * y[1] / unit;
+      j << -0.04, c, b, 0.04, -c - a, -b, 0.0, a, 0.0;
+    };
+  }
+  return problem;
+}
+
+TEST_P(RobustNewton, SizesOfTheUnknownsDoNotMatter) {
+  constexpr int steps = 64;
+  const auto once = run(robertson(1.0, true), {40.0, steps});
+  ASSERT_EQ(once.ending, Ending::finished);
+  for (const double unit : {1e-150, 1.0, 1e150}) {
+    for (const bool jacobian : {true, false}) {
+      const auto path = run(robertson(unit, jacobian), {40.0, steps});
+      ASSERT_EQ(path.ending, Ending::finished) << unit;
+      EXPECT_LE(path.cost.newton_iterations, once.cost.newton_iterations + steps / 2) << unit;
+      for (int i = 0; i < 3; ++i) {  // the small one to as many digits as the others
+        const double size = once.y.row(i).cwiseAbs().maxCoeff();
+        EXPECT_LT((path.y.row(i) / unit - once.y.row(i)).cwiseAbs().maxCoeff(), 1e-12 * size) << unit;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "observers/drift.hpp"
+#include "observers/independent_memory.hpp"
+#include "references/reference_of.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+Scene constrained(double alpha, const std::string& formulation = "integrated") {
+  const auto& maker = scene_maker("fractional_constraint_2d");
+  const auto& choices = parameter_named("formulation", maker.id, maker.parameters);
+  return scene_of(maker.id, {{"alpha", alpha}, {"formulation", choices.read(formulation)}});
+}
+
+struct Drifts {
+  Drift internal;
+  std::optional<Drift> independent;
+};
+
+// Of a scheme, or of what `columns` makes of each step.
+Drifts drifts_of(const Scene& scene, std::string_view scheme, int steps) {
+  DriftWatch watch(scene, {scene.problem.end, steps});
+  Options options{.keep = {steps}};
+  options.watch = [&](int n, In y) {
+    watch.see(n, columns_at(scene.outputs, scene.problem.end * n / steps, y));
+  };
+  solve(scheme, scene.problem, steps, options);
+  return {watch.internal(), watch.independent()};
+}
+
+// A path on the constraint v + w = 0 but for what is added to it: v = 1, so w = -1, while D^(1/2) q is
+// 2 sqrt(t/pi).
+Scene made_scene() {
+  Scene scene;
+  scene.outputs.names = {"q", "v", "w"};
+  scene.constraint = {1, [](double, In columns, Out f) { f[0] = columns[1] + columns[2]; }};
+  scene.memories = {{2, 1, 0.5, {}}};
+  return scene;
+}
+
+TEST(DriftWatch, TellsWhatTheSchemeSaysFromWhatItsVelocitiesSay) {
+  const Scene scene = made_scene();
+  const Grid grid{.end = 4.0, .steps = 1000};
+  DriftWatch watch(scene, grid);
+  for (int n = 0; n <= grid.steps; ++n) watch.see(n, Vec{{grid.time(n), 1.0, n == 333 ? -1.5 : -1.0}});
+  EXPECT_EQ(watch.internal().largest, 0.5);  // at step 333 only: every step is looked at
+  EXPECT_NEAR(watch.independent()->largest, 1.0 + 4.0 / std::sqrt(std::acos(-1.0)), 1e-13);
+}
+
+TEST(DriftWatch, HasNoIndependentDriftWithoutMemoriesOrSteps) {
+  Scene scene = made_scene();
+  EXPECT_FALSE(DriftWatch(scene, {.end = 1.0, .steps = 15}).independent().has_value());
+  scene.memories.clear();
+  EXPECT_FALSE(DriftWatch(scene, {.end = 1.0, .steps = 64}).independent().has_value());
+}
+
+// The judge is far better than the judged: on the exact velocities it gives w to so much more than what the
+// schemes' own w are off by.
+TEST(IndependentMemory, IsFarBelowTheErrorsOfTheSchemes) {
+  for (const double alpha : {0.3, 0.5, 0.8}) {
+    const Scene scene = constrained(alpha);
+    const Reference reference = reference_of(scene);
+    const Grid grid{scene.problem.end, 512};
+    Matrix exact(6, grid.steps + 1);
+    for (int n = 0; n <= grid.steps; ++n) exact.col(n) = reference.at(grid.time(n)).value;
+    double judge = 0.0;
+    const IndependentMemory memory(grid, alpha, scene.memories[0].powers);
+    for (int n = 1; n <= grid.steps; ++n)
+      judge = std::max(judge, std::abs(memory.at(n, exact.row(2)) - exact(4, n)));
+    for (const auto* scheme : {"adams_pc", "product_trapezoidal", "l1", "grunwald_letnikov"}) {
+      const auto path = solve(scheme, scene.problem, grid.steps);
+      const double error = (columns_of(scene.outputs, path).row(4) - exact.row(4)).cwiseAbs().maxCoeff();
+      RecordProperty("ratio_" + std::to_string(int(100 * alpha)) + "_" + scheme,
+                     std::to_string(error / judge));
+      EXPECT_GT(error, 50.0 * judge) << "alpha = " << alpha << ", " << scheme << ", " << error << " "
+                                     << judge;
+    }
+  }
+}
+
+// a.z = C0 is linear and every scheme keeps it, whatever its w is.
+TEST(Drift, OfTheIntegratedFormIsInternallyRounding) {
+  for (const double alpha : {0.3, 0.5, 0.8}) {
+    const Scene scene = constrained(alpha);
+    for (const auto& scheme : schemes()) {
+      const auto drift = drifts_of(scene, scheme.id, 1024).internal;
+      EXPECT_LT(drift.largest, 1e-14) << scheme.id << " " << alpha;
+      EXPECT_FALSE(drift.growth.has_value());
+    }
+  }
+}
+
+class IndependentDrift : public testing::TestWithParam<const Scheme*> {};
+
+// What is left is that of w against D^alpha of the computed q: a quadrature error of the scheme's.
+TEST_P(IndependentDrift, FallsAtTheRateOfTheScheme) {
+  const Scheme& scheme = *GetParam();
+  const Scene scene = constrained(0.5);
+  std::vector<ErrorAt> points;
+  for (const int steps : {256, 512, 1024, 2048})
+    points.push_back({scene.problem.end / steps, drifts_of(scene, scheme.id, steps).independent->largest});
+  const double expected = scheme.expected_rate(scene.problem, scene.smoothness, 1.0, Norm::maximum);
+  const Fit fit = fit_rate(points);
+  EXPECT_GT(fit.slope, expected - 0.15) << points.back().error;
+  EXPECT_GT(fit.correlation, 0.99);
+}
+
+INSTANTIATE_TEST_SUITE_P(, IndependentDrift, testing::ValuesIn(all_schemes()), id_of_param);
+
+TEST(Drift, OfTheAccelerationFormIsNotRoundingAndFallsWithTheStep) {
+  const Scene scene = constrained(0.3, "acceleration");
+  const auto coarse = drifts_of(scene, "product_trapezoidal", 512);
+  const auto fine = drifts_of(scene, "product_trapezoidal", 1024);
+  EXPECT_GT(fine.internal.largest, 1e-8);
+  EXPECT_LT(fine.internal.largest, 0.7 * coarse.internal.largest);
+  EXPECT_TRUE(fine.internal.growth.has_value());
+}
+
+TEST(Drift, IsRecordedWithItsGrowthAlsoWithoutAReference) {
+  Scene scene = constrained(0.5);
+  scene.reference.at = [](double) -> ReferenceValue { throw std::runtime_error("none is known"); };
+  WatchedReference reference(scene);
+  const auto rows = examine("made", scene, reference, *find_scheme("l1"), 64);
+  EXPECT_EQ(rows.back().status, "no reference: none is known");
+  const auto has = [&](std::string_view quantity) {
+    return std::ranges::count(rows, quantity, &Record::quantity) == 1;
+  };
+  EXPECT_TRUE(has("drift_internal"));
+  EXPECT_TRUE(has("drift_independent"));
+  EXPECT_TRUE(has("drift_independent_growth"));
+  EXPECT_FALSE(has("drift_internal_growth"));  // at rounding
+  EXPECT_FALSE(has("error_end"));
+}
+
+}  // namespace
+}  // namespace fde

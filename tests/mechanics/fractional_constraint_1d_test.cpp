@@ -1,0 +1,100 @@
+// a q' + b D^alpha q = C0 (Tarasov & Zaslavsky 2006, eqs 44-48) in its three ranges of alpha.
+
+#include "support/linear_system_testing.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+using Values = std::map<std::string, double>;
+
+Scene line(const Values& values) { return scene_of("fractional_constraint_1d", values); }
+double at(const Scene& scene, double t) { return scene.reference.at(t).value[0]; }
+
+// q0 + q1 t E_{1-alpha,2}(-(b/a) t^(1-alpha)) with a = 0.3, b = 0.6, at t = 1.
+TEST(FractionalConstraint1D, BelowOneIsAMittagLefflerFunction) {
+  const auto precision = test_precision();
+  const Scene scene = line({{"alpha", 0.3}, {"a", 0.3}, {"b", 0.6}, {"q0", 0.1}, {"q1", 0.7}});
+  const auto e = real_part<BigReal>(mittag_leffler_digits("0.7", "2", "-2"));
+  expect_equal(digits_at(scene.reference, 1.0)[0], BigReal("0.1") + BigReal("0.7") * e, "alpha = 0.3");
+}
+
+// q0 + q1 t + q2 t^2 E_{alpha-1,3}(-(a/b) t^(alpha-1)).
+TEST(FractionalConstraint1D, AboveTwoIsAnother) {
+  const auto precision = test_precision();
+  const Scene scene = line({{"alpha", 2.3}, {"a", 0.6}, {"b", 0.3}, {"q0", 0.1}, {"q1", 0.7}, {"q2", -0.4}});
+  const auto e = real_part<BigReal>(mittag_leffler_digits("1.3", "3", "-2"));
+  expect_equal(digits_at(scene.reference, 1.0)[0], BigReal("0.8") - BigReal("0.4") * e, "alpha = 2.3");
+}
+
+// The corrected eq. 49: D^(alpha-1) q + w2 q = q''(0) t^(3-alpha)/Gamma(4-alpha) + w2 (q(0) + q'(0) t).
+TEST(FractionalConstraint1D, AboveTwoIsTheFractionalOscillator) {
+  for (const double alpha : {2.25, 2.5, 2.75}) {
+    const double a = 2.0, b = 0.5, q0 = 1.0, q1 = 0.5, q2 = 0.3;
+    const Reference oscillator = exact_reference(
+        LinearEquation{{{1.0, alpha - 1.0}, {a / b, 0.0}},
+                       {q0, q1},
+                       {{q2 / std::tgamma(4.0 - alpha), 3.0 - alpha}, {a / b * q0}, {a / b * q1, 1.0}}},
+        {0.0});
+    const Scene scene = line({{"alpha", alpha}, {"a", a}, {"b", b}, {"q0", q0}, {"q1", q1}, {"q2", q2}});
+    for (const double t : {0.3, 2.0, 9.0})
+      EXPECT_NEAR(at(scene, t), oscillator.at(t).value[0], 1e-14 * (1.0 + t)) << alpha << ' ' << t;
+  }
+}
+
+TEST(FractionalConstraint1D, BetweenOneAndTwoIsUniformMotion) {
+  for (const double alpha : {1.1, 1.5, 1.9, 2.0}) {
+    const Scene scene = line({{"alpha", alpha}, {"a", 0.3}, {"b", 0.7}, {"q1", 0.9}});
+    for (const auto& powers : scene.smoothness.powers) EXPECT_LE(powers.size(), 1U);
+    EXPECT_NEAR(at(scene, 3.0), 1.0 + 0.9 * 3.0, 1e-15);
+    const auto path = solve("product_trapezoidal", scene.problem, 64);
+    EXPECT_NEAR(path.y(0, 64), 10.0, 2e-14) << alpha;
+  }
+}
+
+// Every scheme that takes the chain, in every range: two rates of 1 apart, errors are at most halved.
+TEST(FractionalConstraint1D, SchemesApproachIt) {
+  for (const double alpha : {0.25, 0.5, 0.75, 2.25, 2.5, 2.75}) {
+    Scene scene = line({{"alpha", alpha}});
+    scene.problem.end = 4.0;
+    for (const auto* scheme : all_schemes()) {
+      ASSERT_FALSE(refusal(*scheme, scene.problem, {4.0, 512})) << alpha << scheme->id;
+      const auto error = [&](int steps) {
+        return std::abs(solve(scheme->id, scene.problem, steps).y(0, steps) - at(scene, 4.0));
+      };
+      EXPECT_LT(error(1024), 0.55 * error(512)) << alpha << scheme->id;
+      EXPECT_LT(error(1024), 4e-3) << alpha << scheme->id;
+    }
+  }
+}
+
+TEST(FractionalConstraint1D, AlphaToOneFromBelow) {
+  const Values at_one{{"alpha", 1.0}, {"a", 0.8}, {"b", 0.6}, {"q1", 0.7}};
+  Values below = at_one;
+  below["alpha"] = 1.0 - 0x1p-53;
+  for (const double t : {0.5, 8.0}) {
+    EXPECT_NEAR(at(line(at_one), t), 1.0 + 0.8 * 0.7 * t / 1.4, 2e-15);
+    EXPECT_NEAR(at(line(below), t), at(line(at_one), t), 2e-15);
+  }
+}
+
+TEST(FractionalConstraint1D, WithoutMemoryIsUniformMotion) {
+  for (const double alpha : {0.4, 1.0, 1.6})
+    EXPECT_NEAR(at(line({{"alpha", alpha}, {"b", 0.0}}), 2.0), 2.0, 1e-15) << alpha;
+}
+
+TEST(FractionalConstraint1D, OppositeSignsGrow) {
+  EXPECT_GT(at(line({{"b", -2.0}}), 10.0), 1e10);
+  EXPECT_GT(at(line({{"b", -2.0}, {"alpha", 2.5}}), 10.0), 1e2);
+}
+
+TEST(FractionalConstraint1D, RefusesWhatIsNoMotion) {
+  expect_message([] { line({{"a", 0.0}}); }, "a = 0: must be other than 0 for alpha up to 1");
+  expect_message([] { line({{"alpha", 1.0}, {"b", -1.0}}); }, "b = -1: must be other than -a for alpha = 1");
+  expect_message([] { line({{"alpha", 2.5}, {"b", 0.0}}); }, "b = 0: must be other than 0 for alpha above 2");
+  expect_message([] { line({{"alpha", 1.5}, {"a", 0.0}, {"b", 0.0}}); }, "a = 0: must be other than 0");
+  expect_message([] { line({{"alpha", 3.0}}); }, "alpha");
+}
+
+}  // namespace
+}  // namespace fde

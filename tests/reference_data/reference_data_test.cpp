@@ -1,0 +1,78 @@
+// What the reference data holds: every scene, descriptions, the same bytes each time.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "reference_data/data_table.hpp"
+#include "reference_data/some_tables.hpp"
+#include "reference_data/tables/mittag_leffler_points.hpp"
+#include "references/checksum.hpp"
+#include "scenes/registry.hpp"
+
+namespace fde {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// Two hundred columns are nothing to read; a variant of the scene with few of them has a table.
+TEST(ReferenceData, HasATableOfEveryKindAndScene) {
+  std::vector<SceneVariant> all;
+  for (const auto& maker : scenes()) all.push_back({.maker = &maker});
+  const auto tables = planned_tables(all);
+  EXPECT_EQ(tables.size(), 1 + 2 * scenes().size() - 1);  // no trajectories of fractional_diffusion
+  EXPECT_EQ(tables[0].stem(), "mittag_leffler");
+  EXPECT_EQ(some_tables().at(1).stem(), "trajectories/relaxation,gamma=0.2");
+}
+
+TEST(ReferenceData, IsTheSameBytesEachTime) {
+  const auto again = make_files(some_tables(), [](std::size_t, std::size_t, const std::string&) {});
+  EXPECT_EQ(again, some_files());
+}
+
+TEST(ReferenceData, IsDescribed) {
+  const auto json = nlohmann::json::parse(some_files().at("trajectories/relaxation,gamma=0.2.json"));
+  EXPECT_EQ(json["schema"]["id"], "fdebench.trajectory");
+  EXPECT_EQ(json["schema"]["columns"][1]["name"], "y");
+  EXPECT_EQ(json["parameters"]["gamma"], 0.2);
+  EXPECT_EQ(json["parameters"]["lambda"], -1.0);
+  EXPECT_EQ(json["digits"], 50);
+  for (const auto* field : {"bound", "method", "source"}) EXPECT_NE(json[field], "") << field;
+  EXPECT_EQ(json["generator"]["version"], this_session().version);
+  const auto& csv = some_files().at("trajectories/relaxation,gamma=0.2.csv");
+  EXPECT_EQ(json["rows"], std::ranges::count(csv, '\n') - 1);
+  EXPECT_EQ(json["sha256"], sha256(csv));
+  EXPECT_EQ(nlohmann::json::parse(some_files().at("index.json"))["tables"].size(), some_tables().size());
+  EXPECT_THAT(some_files().at("SHA256SUMS"),
+              HasSubstr(sha256(csv) + "  trajectories/relaxation,gamma=0.2.csv\n"));
+}
+
+// t^2 at t = 12 is 144 whatever the number of digits.
+TEST(ReferenceData, HasFiftyDigits) {
+  EXPECT_THAT(some_files().at("trajectories/power.csv"), HasSubstr("\n12,144." + std::string(47, '0') + ","));
+}
+
+// What the page shows is what ctest runs.
+TEST(ReferenceDocs, ShowTheExamplesThatAreTested) {
+  const fs::path docs = fs::path(FDE_SOURCE_DIR) / "docs";
+  const auto page = read_file(docs / "reference_data.md");
+  for (const auto* name : {"read.py", "read.jl", "read.m"})
+    EXPECT_THAT(page, HasSubstr("\n" + read_file(docs / "reading" / name) + "```\n")) << name;
+}
+
+TEST(MittagLefflerPoints, AreManyAndDifferent) {
+  const auto points = mittag_leffler_points();
+  EXPECT_GT(points.size(), 1500U);
+  std::set<std::string> different;
+  for (const auto& [alpha, beta, re, im] : points)
+    different.insert(fmt::format("{},{},{},{}", alpha, beta, re, im));
+  EXPECT_EQ(different.size(), points.size());
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,314 @@
+// The command line from the outside, in this process: what it prints, where, and its exit code.
+
+#include "command/command.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "scenes/registry.hpp"
+#include "support/answer_of.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// The words of a command, separated by single spaces.
+Answer fdebench(const std::string& words) {
+  std::istringstream stream(words);
+  return fde::fdebench(std::vector<std::string>(std::istream_iterator<std::string>(stream), {}));
+}
+
+std::vector<std::vector<double>> rows(const std::string& csv) {
+  std::vector<std::vector<double>> result;
+  std::istringstream lines(csv);
+  std::string line, cell;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    result.emplace_back();
+    while (std::getline(cells, cell, ',')) result.back().push_back(std::stod(cell));
+  }
+  return result;
+}
+
+TEST(Lists, NameEverySceneAndScheme) {
+  const auto all_scenes = nlohmann::json::parse(fdebench("scenes --json").out);
+  ASSERT_EQ(all_scenes.size(), scenes().size());
+  EXPECT_EQ(all_scenes[0]["id"], "relaxation");
+  EXPECT_EQ(all_scenes[0]["parameters"][0]["default"], 0.5);
+  EXPECT_EQ(all_scenes[0]["columns"], std::vector<std::string>{"y"});
+  const auto all_schemes = nlohmann::json::parse(fdebench("schemes --json").out);
+  ASSERT_EQ(all_schemes.size(), schemes().size());
+  EXPECT_THAT(fdebench("scenes").out, HasSubstr("brusselator"));
+  EXPECT_THAT(fdebench("schemes").out, HasSubstr("decoupled_multi_order"));
+}
+
+TEST(Solve, PrintsAllGridTimesWithSeventeenDigits) {
+  const auto answer = fdebench("solve relaxation --scheme adams_pc --steps 4");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_THAT(answer.out, StartsWith("t,y\n0,1\n0.25,"));
+  EXPECT_EQ(rows(answer.out).size(), 5U);
+  const auto path = solve("adams_pc", scene_of("relaxation").problem, 4);
+  EXPECT_EQ(rows(answer.out)[4][1], path.y(0, 4));
+  EXPECT_EQ(answer.err, "");
+}
+
+TEST(Solve, PrintsTheTimesAskedForAndTheEnergy) {
+  const auto answer = fdebench("solve pendulum --scheme decoupled_multi_order --steps 8192 --until 5 --at 5");
+  EXPECT_THAT(answer.out, StartsWith("t,phi,Dbeta_phi,dphi,Dalpha_phi,energy\n"));
+  const auto row = rows(answer.out).at(0);
+  EXPECT_NEAR(row[1], 0.2609182055, 1e-9);
+  EXPECT_NEAR(row[3], 0.5600178020, 1e-9);
+  EXPECT_NEAR(row[5], 0.5 * row[3] * row[3] + 1.0 - std::cos(row[1]), 1e-15);
+}
+
+TEST(Solve, TellsItsCostAsOneJsonLine) {
+  const auto answer =
+      fdebench("solve brusselator --scheme product_trapezoidal --steps 512 --until 5 --at 5 --cost");
+  const auto cost = nlohmann::json::parse(answer.err);
+  EXPECT_GT(cost["seconds"], 0.0);
+  EXPECT_GT(cost["newton"], 512);
+  EXPECT_EQ(cost["history"], "exponentials");
+  EXPECT_DOUBLE_EQ(cost["expected_rate"], 1.8);
+  EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1);
+}
+
+TEST(Solve, ReportsNumericalFailureWithSchemeStepAndTime) {
+  const auto answer = fdebench("solve brusselator --scheme adams_pc --steps 256");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_EQ(answer.out, "");
+  EXPECT_THAT(answer.err, StartsWith("fdebench: adams_pc: not finite at step 94, t = "));
+}
+
+TEST(Solve, DoesNotPrintAnInfiniteEnergy) {
+  const auto answer =
+      fdebench("solve damped_oscillator --scheme adams_pc --steps 60 --until 60 --set w2=1000000");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_EQ(answer.out, "");
+  EXPECT_THAT(answer.err, StartsWith("fdebench: adams_pc: energy not finite at step "));
+}
+
+TEST(Exact, PrintsTheColumnsAndABound) {
+  const auto answer = fdebench("exact relaxation --at 0,1");
+  EXPECT_THAT(answer.out, StartsWith("t,y,bound\n0,1,"));
+  EXPECT_NEAR(rows(answer.out)[1][1], 0.427583576155807, 1e-15);
+  EXPECT_LT(rows(answer.out)[1][2], 1e-15);
+}
+
+TEST(Exact, OfANonlinearSceneIsTheReferenceWithItsEstimate) {
+  const auto answer = fdebench("exact pendulum --at 5");
+  EXPECT_THAT(answer.out, StartsWith("t,phi,Dbeta_phi,dphi,Dalpha_phi,energy,bound\n"));
+  EXPECT_LT(rows(answer.out)[0][6], 1e-10);
+  EXPECT_NEAR(rows(answer.out)[0][1], 0.26091, 1e-4);
+}
+
+// e erfc(1), the first 50 digits by mpmath.
+TEST(Exact, GivesAnyNumberOfDigits) {
+  EXPECT_THAT(fdebench("exact relaxation --at 1 --digits 50").out,
+              HasSubstr("0.42758357615580700441075034449051518082015950316"));
+}
+
+// nu tau^beta and its like are put together at the precision asked for. By mpmath's Talbot inversion at 60
+// digits.
+TEST(Exact, TakesDecimalsAtTheirWord) {
+  EXPECT_THAT(fdebench("exact damped_oscillator --at 1 --digits 40").out,
+              HasSubstr("0.33194262273616016761353451367782687069"));
+  EXPECT_THAT(fdebench("exact diethelm --at 3 --set gamma=0.123456789012345 --digits 19").out,
+              HasSubstr("6303.526028522351357"));
+}
+
+TEST(Exact, OfATwoSidedSceneWithoutOneIsAFailure) {
+  const auto answer = fdebench("exact fractional_extremum --set k=1 --at 0.5");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_EQ(answer.err,
+            "fdebench: with a spring no closed form is known, and the references step from the left\n");
+}
+
+TEST(Exact, BeyondDoubleIsANumericalFailure) {
+  const auto answer = fdebench("exact relaxation --set lambda=10 --at 50");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_EQ(answer.err, "fdebench: the exact solution is beyond double at t = 50\n");
+}
+
+TEST(Values, ThatAreEmptyAreNotTheDefault) {
+  const std::vector<std::string> solve{"solve",   "relaxation", "--scheme", "l1",
+                                       "--steps", "8",          "--until",  ""};
+  const auto [code, out, err] = fde::fdebench(solve);
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(err, "fdebench: argument 8 is empty\n");
+}
+
+TEST(MittagLeffler, PrintsValueAndBound) {
+  std::istringstream words(fdebench("mittag-leffler 1 1 -1").out);
+  double re = 0.0, im = 1.0, bound = 1.0;
+  words >> re >> im >> bound;
+  EXPECT_NEAR(re, std::exp(-1.0), 1e-16);
+  EXPECT_EQ(im, 0.0);
+  EXPECT_LT(bound, 1e-15);
+  EXPECT_THAT(fdebench("mittag-leffler 2 1 0,1").out, HasSubstr(" 0.4"));
+  EXPECT_THAT(fdebench("mittag-leffler 0.5 1 -1 --digits 30").out,
+              StartsWith("0.42758357615580700441075034449"));
+}
+
+// e^2 and E^(-1)_{1,1}(z) = 1 - z.
+TEST(MittagLeffler, TakesDerivativesAndAThirdParameter) {
+  EXPECT_THAT(fdebench("mittag-leffler 1 1 2 --derivative 3 --digits 20").out,
+              StartsWith("7.3890560989306502272 0 "));
+  EXPECT_THAT(fdebench("mittag-leffler 1 1 2,1 --gamma -1").out, StartsWith("-1 -1 "));
+  EXPECT_EQ(fdebench("mittag-leffler 2 1 -1e13 --derivative 1").code, 3);
+}
+
+// Of a nilpotent one, of (e^z - 1) / z, and of cosh of a root of -i.
+TEST(MittagLeffler, PrintsAMatrixEntryByEntry) {
+  EXPECT_THAT(
+      fdebench("mittag-leffler 1 1 --matrix 0,1;0,0 --digits 9").out,
+      testing::ContainsRegex(
+          "^1 1 1.00000000 0 [^\n]*\n1 2 1.00000000 0 [^\n]*\n2 1 0 0 [^\n]*\n2 2 1.00000000 0 [^\n]*\n$"));
+  EXPECT_THAT(fdebench("mittag-leffler 1 2 --matrix -2.5e+0-1e-3i").out, StartsWith("1 1 0.3671659713544"));
+  EXPECT_THAT(fdebench("mittag-leffler 2 1 --matrix -i --digits 5").out,
+              testing::MatchesRegex("1 1 0.95836 -0.49861 .*\n"));
+}
+
+struct Mistake {
+  const char *words, *message;
+};
+
+class Mistakes : public testing::TestWithParam<Mistake> {};
+
+TEST_P(Mistakes, AreOneLineAndExitCodeTwo) {
+  const auto answer = fdebench(GetParam().words);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(answer.out, "");
+  EXPECT_THAT(answer.err, HasSubstr(GetParam().message));
+  EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , Mistakes,
+    testing::Values(
+        Mistake{"solve pendulm --scheme l1 --steps 8",
+                "scene pendulm: no such scene, did you mean 'pendulum'?"},
+        Mistake{"solve pendulum --scheme adams --steps 8",
+                "scheme adams: no such scheme, did you mean 'adams_pc'?"},
+        Mistake{"solve pendulum --scheme l1 --steps 0",
+                "--steps = 0: must be a whole number from 1 to 1000000000"},
+        Mistake{"solve pendulum --scheme l1 --steps -5", "--steps = -5: must be"},
+        Mistake{"solve pendulum --scheme l1 --steps 1e3", "--steps = 1e3: must be"},
+        Mistake{"solve pendulum --scheme l1 --steps 99999999999", "--steps = 99999999999: must be"},
+        Mistake{"solve pendulum --scheme l1", "--steps is required"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --until nan",
+                "--until = nan: must be a number in (0, 1e+290]"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --until -1",
+                "--until = -1: must be a number in (0, 1e+290]"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --at 21",
+                "--at = 21: must be in [0, 20], the times of the run"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --at 3", "its neighbours are 2.5 and 5"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --at 1,,2",
+                "--at = : must be a finite number of at least 0"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha", "--set = alpha: must be NAME=VALUE"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha=x", "--set alpha = x: must be a number"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha=2.5",
+                "alpha = 2.5: must be a number in [1, 2)"},
+        Mistake{"solve relaxation --scheme l1 --steps 8 --set gamma=nan",
+                "gamma = nan: must be a number in (0, 2]"},
+        Mistake{"solve relaxation --scheme grunwald_letnikov --steps 8 --grid graded:2",
+                "grunwald_letnikov needs a uniform grid, not one graded with 2"},
+        Mistake{"solve relaxation --scheme l1 --steps 100000 --grid graded:80",
+                "l1 needs a first step above 1e-290, not 0"},
+        Mistake{"run --trials --steps 64 --out x", "--trials = yes: must be without --scene and --steps"},
+        Mistake{"solve power --set gamma=2 --scheme product_trapezoidal --steps 8 --until 1e-170",
+                "product_trapezoidal needs a first step above 1e-145, not 1.25e-171"},
+        Mistake{"solve relaxation --scheme l1 --steps 3000000 --at 1 --history direct",
+                "--history = direct: takes up to 2097152 steps"},
+        Mistake{
+            "solve relaxation --scheme l1 --steps 1000 --grid graded:5 --at 3e-14",
+            "--at = 3e-14: must be a time of the grid: its neighbours are 1.0000000000000001e-15 and 3.2"},
+        Mistake{"solve fractional_hamilton --scheme product_trapezoidal --steps 8 --until 5",
+                "until = 5: must be 2: scene fractional_hamilton is posed at both ends"},
+        Mistake{"solve fractional_extremum --scheme l1 --steps 8",
+                "l1 steps from the left: component 1 has a right derivative"},
+        Mistake{"exact fractional_extremum --at 0.5,2", "--at = 2: must be in [0, 1], the time of the scene"},
+        Mistake{"exact two_sided_constraint --at 1 --digits 40", "has no exact solution in digits"},
+        Mistake{"solve relaxation --scheme l1 --steps 20000000", "--at is needed beyond 10000000 steps"},
+        Mistake{"solve relaxation --scheme l1 --steps 8 --grid curved",
+                "--grid = curved: must be uniform or graded:R"},
+        Mistake{"solve relaxation --scheme l1 --steps 8 --history fft",
+                "--history = fft: must be auto, direct or exponentials"},
+        Mistake{"solve relaxation --scheme l1 --steps 8 --fast", "--fast"},
+        Mistake{"solve relaxation --scheme commensurate_adams_pc --steps 8 --set gamma=0.123456789",
+                "needs orders that are multiples of one 1/M"},
+        Mistake{"exact relaxation --at 1,", "--at = : must be"},
+        Mistake{"exact relaxation --at -1", "--at = -1: must be a finite number of at least 0"},
+        Mistake{"exact relaxation --at 1 --digits 0", "--digits = 0: must be a whole number from 1"},
+        Mistake{"exact pendulum --at 1 --digits 50", "scene pendulum has no exact solution"},
+        Mistake{"mittag-leffler 0 1 1", "ALPHA = 0: must be a number in (0, 5]"},
+        Mistake{"mittag-leffler 1 1 nan", "Z = nan: must be a finite number"},
+        Mistake{"mittag-leffler 1 1", "Z is missing: must be RE or RE,IM, or --matrix"},
+        Mistake{"mittag-leffler 1 1 1 --derivative 1.5", "--derivative = 1.5: must be a whole number from 0"},
+        Mistake{"mittag-leffler 1 1 1 --gamma x", "--gamma = x: must be a finite number"},
+        Mistake{"mittag-leffler 1 1 1 --gamma 2 --derivative 1", "--gamma = 2: must be without --derivative"},
+        Mistake{"mittag-leffler 1 1 --matrix 1 --gamma 2", "--gamma = 2: must be without --matrix"},
+        Mistake{"mittag-leffler 1 1 1 --matrix 1", "Z = 1: must be left out with --matrix"},
+        Mistake{"mittag-leffler 1 1 --matrix 1,2;3", "--matrix = 1,2;3: must be square"},
+        Mistake{"mittag-leffler 1 1 --matrix 1,2;3,4j", "--matrix = 4j: must be a finite number"},
+        Mistake{"run --scene relaxation --out /nonexistent/r.jsonl",
+                "/nonexistent/r.jsonl: cannot be written"},
+        Mistake{"run --scene relaxation --steps 8,0 --out /tmp/never", "--steps = 0: must be"},
+        Mistake{"report /nonexistent.jsonl --out /tmp/never", "/nonexistent.jsonl: cannot be read"},
+        Mistake{"run --scene pendulum:alpha=2 --out /tmp/never", "alpha = 2: must be a number in [1, 2)"},
+        Mistake{"choose relaxation --error 0", "--error = 0: must be a finite number above 0"},
+        Mistake{"solv pendulum", "command solv: no such command, did you mean 'solve'?"},
+        Mistake{"", "subcommand"}),
+    [](const auto& test) { return "mistake_" + std::to_string(test.index); });
+
+TEST(Run, ThenReportThenChoose) {
+  const auto folder = std::filesystem::temp_directory_path() / ("fdebench_run_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  const auto file = (folder / "r.jsonl").string(), page = (folder / "page").string();
+  const std::string sweep =
+      "run --scene relaxation --scheme l1 --scheme adams_pc --steps 16,32,64,128 --out " + file;
+  EXPECT_EQ(fdebench(sweep).out, file + "\n");
+  const auto size = std::filesystem::file_size(file);
+  EXPECT_EQ(fdebench(sweep).code, 0);
+  EXPECT_EQ(std::filesystem::file_size(file), size) << "a second run has nothing left to do";
+
+  const auto report = fdebench("report " + file + " --out " + page);
+  EXPECT_EQ(report.code, 0) << report.err;
+  EXPECT_GT(std::filesystem::file_size(page + "/index.html"), 500'000U);
+
+  const auto choice = fdebench("choose relaxation --error 1e-4 --results " + file);
+  EXPECT_THAT(choice.out, StartsWith("adams_pc"));
+  EXPECT_THAT(fdebench("choose relaxation --error 1e-9 --results " + file).out,
+              HasSubstr("no run of relaxation reaches"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Run, TakesVariantsOfScenes) {
+  const auto file =
+      (std::filesystem::temp_directory_path() / ("fdebench_variant_" + std::to_string(getpid()))).string();
+  const auto answer = fdebench(
+      "run --scene pendulum:beta=0.1,alpha=1.9 --scheme commensurate_adams_pc --steps 16 --out " + file);
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  EXPECT_THAT(text.str(), HasSubstr(R"("scene":"pendulum:alpha=1.9,beta=0.1")"));
+  std::filesystem::remove(file);
+}
+
+TEST(Help, IsPrintedOnStandardOutput) {
+  EXPECT_EQ(fdebench("--help").code, 0);
+  EXPECT_THAT(fdebench("solve --help").out, HasSubstr("--steps"));
+}
+
+}  // namespace
+}  // namespace fde

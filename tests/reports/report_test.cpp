@@ -1,0 +1,245 @@
+#include "page/report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "analysis/answer.hpp"
+#include "analysis/text.hpp"
+#include "nlohmann/json.hpp"
+
+namespace fde {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double end_time = 8.0;
+const std::vector<int> all_steps{64, 128, 256, 512};
+
+Results empty_results() {
+  return {.sessions = {{.date = "2025-01-02T03:04:05Z",
+                        .machine = "the machine",
+                        .system = "",
+                        .compiler = "the compiler",
+                        .flags = "-O3",
+                        .commit = "0123abc",
+                        .version = ""}},
+          .records = {}};
+}
+
+struct Run {
+  std::string scene, scheme;
+  int steps;
+};
+
+void add_row(Results& results, const Run& run, const std::string& quantity, double value,
+             const std::string& status = "finished") {
+  results.records.push_back({.scene = run.scene,
+                             .scheme = run.scheme,
+                             .history = "direct",
+                             .steps = run.steps,
+                             .h = end_time / run.steps,
+                             .quantity = quantity,
+                             .value = value,
+                             .unit = "",
+                             .status = status,
+                             .session = results.sessions.size() - 1});
+}
+
+void add_run(Results& results, const Run& run, double error, double seconds) {
+  add_row(results, run, "error_end", error);
+  add_row(results, run, "time_minimum", seconds);
+  add_row(results, run, "outcome", end_time);
+}
+
+// Errors 0.01 h^rate at the end and h in the maximum norm, a time proportional to the steps.
+void add_line(Results& results, const std::string& scheme, double rate, double seconds_a_step) {
+  for (const int steps : all_steps) {
+    const Run run{"pendulum", scheme, steps};
+    const double h = end_time / steps;
+    add_row(results, run, "error_maximum", h);
+    add_row(results, run, "reference_bound", 1e-15);
+    add_row(results, run, "expected_rate_end", rate);
+    add_row(results, run, "expected_rate_maximum", 2.0);
+    add_run(results, run, 0.01 * std::pow(h, rate), seconds_a_step * steps);
+  }
+}
+
+// At the end l1 has 4.4e-4, 1.6e-4, 5.5e-5, 2.0e-5 and adams_pc 1.6e-4, 3.9e-5, 9.8e-6, 2.4e-6.
+Results two_lines() {
+  Results results = empty_results();
+  add_line(results, "l1", 1.5, 1e-6);
+  add_line(results, "adams_pc", 2.0, 3e-6);
+  return results;
+}
+
+TEST(Cheapest, RanksTheMeasuredRunsThatReachTheError) {
+  const auto ranked = cheapest(runs_of(two_lines()), "pendulum", 3e-5);
+  ASSERT_EQ(ranked.size(), 2);
+  EXPECT_EQ(ranked[0].scheme, "l1");
+  EXPECT_EQ(ranked[0].steps, 512);
+  EXPECT_DOUBLE_EQ(ranked[0].seconds, 512e-6);
+  EXPECT_EQ(ranked[1].scheme, "adams_pc");
+  EXPECT_EQ(ranked[1].steps, 256);
+}
+
+TEST(Cheapest, LeavesOutSchemesThatDoNotReachTheError) {
+  const auto ranked = cheapest(runs_of(two_lines()), "pendulum", 1e-5);
+  ASSERT_EQ(ranked.size(), 1);
+  EXPECT_EQ(ranked[0].scheme, "adams_pc");
+}
+
+TEST(Cheapest, PrefersTheSmallerErrorAtEqualTimes) {
+  Results results = empty_results();
+  add_run(results, {"pendulum", "adams_pc", 64}, 2e-3, 1.0);
+  add_run(results, {"pendulum", "l1", 64}, 1e-3, 1.0);
+  const auto ranked = cheapest(runs_of(results), "pendulum", 1e-2);
+  ASSERT_EQ(ranked.size(), 2);
+  EXPECT_EQ(ranked[0].scheme, "l1");
+}
+
+TEST(Cheapest, CountsARunMeasuredAgainWithItsLastSession) {
+  Results results = empty_results();
+  add_run(results, {"pendulum", "l1", 64}, 1e-3, 1.0);
+  results.sessions.push_back(results.sessions.front());
+  add_run(results, {"pendulum", "l1", 64}, 1e-3, 2.0);
+  const auto ranked = cheapest(runs_of(results), "pendulum", 1e-2);
+  ASSERT_EQ(ranked.size(), 1);
+  EXPECT_EQ(ranked[0].seconds, 2.0);
+  EXPECT_EQ(ranked[0].session, 1);
+}
+
+TEST(Shortfall, NamesTheBestErrorAndExtrapolatesTheBestRate) {
+  const Runs runs = runs_of(two_lines());
+  EXPECT_TRUE(cheapest(runs, "pendulum", 1e-9).empty());
+  const auto missed = shortfall(runs, "pendulum", 1e-9);
+  ASSERT_TRUE(missed && missed->needed);
+  EXPECT_EQ(missed->best.scheme, "adams_pc");
+  EXPECT_EQ(missed->best.steps, 512);
+  EXPECT_EQ(missed->needed->scheme, "adams_pc");
+  EXPECT_NEAR(missed->needed->steps, 512 * std::sqrt(0.01 / 4096 / 1e-9), 1.0);
+  EXPECT_THAT(advice(two_lines(), "pendulum", 1e-9), HasSubstr("extrapolated"));
+  EXPECT_FALSE(shortfall(runs, "brusselator", 1e-9));
+}
+
+TEST(Rates, AreThoseOfExactPowers) {
+  const auto rows = rates(runs_of(two_lines()));
+  ASSERT_EQ(rows.size(), 2);
+  EXPECT_EQ(rows[0].scheme, "adams_pc");  // in the order of the list of schemes
+  EXPECT_NEAR(rows[0].end.fit.slope, 2.0, 1e-12);
+  EXPECT_NEAR(rows[1].end.fit.slope, 1.5, 1e-12);
+  EXPECT_NEAR(rows[1].end.deviation().value(), 0.0, 1e-12);
+  EXPECT_NEAR(rows[1].maximum.deviation().value(), -1.0, 1e-12);
+  EXPECT_NEAR(rows[1].maximum.fit.correlation, 1.0, 1e-12);
+}
+
+TEST(Text, RoundsForReaders) {
+  EXPECT_EQ(error_text(1.23e-7), "1.2e-7");
+  EXPECT_EQ(error_text(9.96e-8), "1.0e-7");
+  EXPECT_EQ(error_text(0.0), "0");
+  EXPECT_EQ(time_text(3.456e-3), "3.46 ms");
+  EXPECT_EQ(time_text(1.2345e-5), "12.3 µs");
+  EXPECT_EQ(bytes_text(65536), "65.5 kB");
+  EXPECT_EQ(count_text(1234567), "1\u202f234\u202f567");
+  EXPECT_EQ(rough_count_text(34567), "35\u202f000");
+}
+
+// A folder of this test alone that does not exist yet.
+fs::path fresh_folder() {
+  auto folder = fs::path(testing::TempDir()) / "fdebench_report_test" /
+                testing::UnitTest::GetInstance()->current_test_info()->name();
+  fs::remove_all(folder);
+  return folder;
+}
+
+std::string written(const Results& results) {
+  std::ostringstream text;
+  text << std::ifstream(write_report(results, fresh_folder())).rdbuf();
+  return text.str();
+}
+
+// The data of a page, as its script reads it.
+nlohmann::json data_of(const std::string& page) {
+  const std::string open = R"(<script type="application/json" id="data">)";
+  const auto start = page.find(open) + open.size();
+  return nlohmann::json::parse(page.substr(start, page.find("</script>", start) - start));
+}
+
+std::vector<std::string> section_ids(const nlohmann::json& data) {
+  std::vector<std::string> ids;
+  for (const auto& section : data["sections"]) ids.push_back(section["id"]);
+  return ids;
+}
+
+TEST(Report, HoldsEverySceneSchemeSessionAndFailure) {
+  Results results = two_lines();
+  add_run(results, {"brusselator", "grunwald_letnikov", 64}, 1e-3, 1.0);
+  add_row(results, {"diethelm", "product_trapezoidal", 64}, "outcome", 0.0,
+          "refused: takes </script> for an order");
+  add_row(results, {"diethelm", "l1", 64}, "outcome", 1.5, "not finite at step 13, t = 1.5");
+  const auto data = data_of(written(results));
+  const std::string shown = data.dump();
+  for (const auto* text :
+       {"adams_pc", "l1", "grunwald_letnikov", "product_trapezoidal", "Fractional Brusselator",
+        "refused: takes </script> for an order", "not finite at step 13, t = 1.5", "the machine",
+        "the compiler", "-O3", "0123abc", "2025-01-02T03:04:05Z"}) {
+    EXPECT_THAT(shown, HasSubstr(text));
+  }
+  EXPECT_THAT(section_ids(data), testing::ElementsAre("answer", "scene-pendulum", "scene-brusselator",
+                                                      "rates", "cost", "reference", "failures", "schemes"));
+}
+
+TEST(Report, MarksRatesThatDeviate) {
+  EXPECT_THAT(data_of(written(two_lines())).dump(), HasSubstr("1.00 below theory"));
+}
+
+TEST(Report, LeavesOutWhatHasNoData) {
+  const auto data = data_of(written(two_lines()));
+  EXPECT_THAT(section_ids(data), Not(testing::Contains("failures")));
+  EXPECT_THAT(data["sessions"].dump(), Not(HasSubstr("version")));
+  EXPECT_THAT(data.dump(), Not(HasSubstr("history")));
+  EXPECT_THAT(data.dump(), Not(HasSubstr("n/a")));
+}
+
+TEST(Report, LoadsNothingFromANetwork) {
+  const std::string page = written(two_lines());
+  EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)\s*=\s*["']?(https?:)?//)")));
+  EXPECT_FALSE(std::regex_search(page, std::regex(R"(@import|url\(\s*["']?http)")));
+  EXPECT_THAT(page, HasSubstr("vegaEmbed"));
+  EXPECT_THAT(page, HasSubstr("University of Washington Interactive Data Lab"));
+}
+
+TEST(Report, LeavesOneFileAndReplacesAnOlderOne) {
+  const fs::path folder = fresh_folder() / "new" / "folder";
+  const fs::path path = write_report(empty_results(), folder);
+  EXPECT_EQ(path, folder / "index.html");
+  const auto before = fs::file_size(path);
+  write_report(two_lines(), folder);
+  EXPECT_GT(fs::file_size(path), before);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+}
+
+TEST(Report, NamesThePathThatCannotBeWritten) {
+  const fs::path folder = fresh_folder(), file = folder / "a_file";
+  fs::create_directories(folder);
+  std::ofstream(file) << "x";
+  try {
+    write_report(two_lines(), file / "below");
+    FAIL() << "a folder below a file";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr((file / "below").string()));
+  }
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,65 @@
+#include "analysis/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "command/arguments.hpp"
+#include "sweep/trials.hpp"
+
+namespace fde {
+namespace {
+
+MeasuredRun finished(double relative) {
+  return {.status = "finished", .values = {{"error_relative", relative}, {"time_minimum", 0.0123}}};
+}
+
+TEST(Verdict, SurvivesWithinAHundredthOfTheValue) {
+  EXPECT_EQ(verdict(finished(0.01)), Verdict::survives);
+  EXPECT_EQ(because(finished(0.01)), "1.0e-2 of the value, 12.3 ms");
+  EXPECT_EQ(verdict(finished(0.011)), Verdict::inaccurate);
+}
+
+TEST(Verdict, SaysFromWhereRoundingDominates) {
+  MeasuredRun run = finished(1e-9);
+  run.values["rounding_from"] = 2.0;
+  EXPECT_EQ(because(run), "1.0e-9 of the value, rounding from t = 2 on, 12.3 ms");
+}
+
+TEST(Verdict, OfEveryEndSaysWhy) {
+  const MeasuredRun blown{.status = "not finite at step 3, t = 0.5"};
+  EXPECT_EQ(verdict(blown), Verdict::fails);
+  EXPECT_EQ(because(blown), "not finite at step 3, t = 0.5");
+  const MeasuredRun refused{.status = "refused: takes orders in (0, 2], component 0 has 3"};
+  EXPECT_EQ(verdict(refused), Verdict::refuses);
+  EXPECT_EQ(because(refused), "takes orders in (0, 2], component 0 has 3");
+  const auto of = [](const char* status) { return verdict({.status = status}); };
+  EXPECT_EQ(of("no reference: the two methods do not agree"), Verdict::unknown);
+  EXPECT_EQ(of("the solution is beyond double at step 3, t = 0.5"), Verdict::unknown);
+  EXPECT_EQ(of("accuracy lost at step 3, t = 0.5"), Verdict::fails);
+  EXPECT_EQ(of("ran into the singularity r = 0 at step 3, t = 0.5"), Verdict::stops);
+  EXPECT_EQ(of("unlike the solution, ran into the singularity r = 0 at step 3, t = 0.5"), Verdict::fails);
+  EXPECT_EQ(of("passed a singularity of the solution (r = 0 at t = 0.5)"), Verdict::fails);
+  EXPECT_EQ(of("finished"), Verdict::unknown) << "without an error";
+}
+
+TEST(Variant, TakesItsEndAnywhere) {
+  const auto variant = parse_variant("pendulum:until=5,beta=0.1");
+  EXPECT_EQ(variant.until, 5.0);
+  EXPECT_EQ(variant.label(), "pendulum:beta=0.1,until=5");
+}
+
+TEST(Trials, AreNamedOnce) {
+  std::set<std::string> labels, kinds;
+  std::string last;
+  for (const Trial& trial : trials()) {
+    EXPECT_TRUE(labels.insert(trial.scene.label()).second) << trial.scene.label();
+    if (trial.kind != last) {
+      EXPECT_TRUE(kinds.insert(trial.kind).second) << trial.kind;
+    }
+    last = trial.kind;
+  }
+}
+
+}  // namespace
+}  // namespace fde

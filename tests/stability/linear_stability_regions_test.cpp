@@ -1,0 +1,162 @@
+// Regions of linear stability against the exact sector |arg z| > g pi/2.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "problem/scalar_equation.hpp"
+#include "stability/stability_region.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+const Scheme& scheme(std::string_view id) { return *find_scheme(id); }
+
+// Lubich, IMA J. Numer. Anal. 6 (1986); see the_stability.md, section 7.
+TEST(StabilityRegion, OfImplicitRulesUpToOrderOneHoldsTheSector) {
+  for (const auto* id : {"l1", "grunwald_letnikov", "product_trapezoidal"}) {
+    for (const double order : {0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 1.0}) {
+      EXPECT_EQ(real_interval(scheme(id), order), infinity) << id << order;
+      EXPECT_NEAR(stability_angle(scheme(id), order), pi - 0.5 * order * pi, 1e-12) << id << order;
+    }
+  }
+}
+
+// |arg (1 - zeta)^g| <= g pi/2, and L1 multiplies this of order 1 with L1 of g - 1.
+TEST(StabilityRegion, OfFirstOrderRulesHoldsTheSectorAboveOrderOneToo) {
+  for (const auto* id : {"l1", "grunwald_letnikov"}) {
+    for (const double order : {1.01, 1.1, 1.5, 1.9, 1.99}) {
+      EXPECT_EQ(real_interval(scheme(id), order), infinity) << id << order;
+      EXPECT_NEAR(stability_angle(scheme(id), order), pi - 0.5 * order * pi, 1e-12) << id << order;
+    }
+  }
+}
+
+// Dirichlet's eta function, by Euler's transformation.
+double eta(double s) {
+  double sum = 0.0;
+  for (int n = 0; n < 60; ++n) {
+    double binomial = 1.0, inner = 0.0;
+    for (int k = 0; k <= n; ++k) {
+      inner += (k % 2 == 0 ? 1.0 : -1.0) * binomial * std::pow(k + 1.0, -s);
+      binomial *= (n - k) / (k + 1.0);
+    }
+    sum += std::ldexp(inner, -n - 1);
+    if (std::abs(std::ldexp(inner, -n - 1)) < 1e-15) break;
+  }
+  return sum;
+}
+
+// W(-1) = 4 eta(-g-1) changes its sign at g = 1.
+TEST(StabilityRegion, OfTheTrapezoidalRuleIsFiniteAboveOrderOne) {
+  for (const double order : {1.01, 1.1, 1.3, 1.5, 1.7, 1.9, 1.99}) {
+    const double end = std::tgamma(order + 2.0) / (-4.0 * eta(-order - 1.0));
+    EXPECT_NEAR(real_interval(scheme("product_trapezoidal"), order) / end, 1.0, 1e-10) << order;
+    EXPECT_EQ(stability_angle(scheme("product_trapezoidal"), order), 0.0);
+  }
+}
+
+// A mode stands at zeta = 1 where the correction undoes the prediction, 1 + z / Gamma(g+2) = 0.
+TEST(StabilityRegion, OfPredictCorrectEndsWhereTheCorrectionUndoesThePrediction) {
+  for (const double order : {0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0, 1.1, 1.3, 1.5}) {
+    EXPECT_NEAR(real_interval(scheme("adams_pc"), order), std::tgamma(order + 2.0), 1e-9) << order;
+  }
+}
+
+// From order 1.7 or so on the end is at zeta = -1, with eta values as above.
+// Next to order 1 the chain's curve crosses the axis next to zeta = -1, at pi - theta = 0.015 for 1.0001.
+// Ends by independent tracking of the roots.
+TEST(StabilityRegion, OfTheChainIsContinuousAtOrderOne) {
+  const Scheme& chain = *find_scheme("decoupled_multi_order");
+  for (const auto& [order, end] : {std::pair{1.0001, 1.999934}, {1.001, 1.999344}, {1.0018, 1.998821}}) {
+    EXPECT_NEAR(real_interval(chain, order), end, 1e-6) << order;
+    EXPECT_EQ(stability_angle(chain, order), 0.0) << order;
+  }
+  EXPECT_NEAR(real_interval(chain, 1.0 + 1e-7), 2.0, 1e-6);
+}
+
+TEST(StabilityRegion, OfPredictCorrectNearOrderTwoEndsAtMinusOne) {
+  for (const double order : {1.75, 1.8, 1.9, 1.99}) {
+    const double k = 1.0 / std::tgamma(order + 2.0),
+                 predictor = -2.0 * eta(-order) / std::tgamma(order + 1.0);
+    const double past = k * (4.0 * eta(-order - 1.0) - 1.0);
+    const double x = real_interval(scheme("adams_pc"), order);
+    EXPECT_NEAR(1.0 + past * x - k * predictor * x * x, 0.0, 1e-10) << order;
+    EXPECT_LT(x, std::tgamma(order + 2.0));
+  }
+}
+
+TEST(StabilityRegion, AtOrderOneIsTheClassicalOne) {
+  EXPECT_NEAR(real_interval(scheme("adams_pc"), 1.0), 2.0, 1e-10);  // Heun's method
+  EXPECT_TRUE(stable(scheme("adams_pc"), scalar_equation(1.0, {-1.0, 1.7}), 1.0));
+  EXPECT_FALSE(
+      stable(scheme("adams_pc"), scalar_equation(1.0, {-1.0, 1.8}), 1.0));   // |1 + z + z^2/2| = 1: 1.732
+  EXPECT_TRUE(stable(scheme("l1"), scalar_equation(1.0, {2.1, 0.0}), 1.0));  // outside the disc about 1
+  EXPECT_FALSE(stable(scheme("l1"), scalar_equation(1.0, {1.9, 0.0}), 1.0));
+  EXPECT_EQ(growing_modes(scheme("product_trapezoidal"), scalar_equation(1.0, {0.5, 3.0}), 1.0), 2);
+}
+
+// The same modes whether counted or met on the boundary, at angles where both roots of z are simple.
+TEST(StabilityRegion, CountChangesAcrossTheBoundary) {
+  for (const auto* one : all_schemes()) {
+    for (const double order : {0.3, 0.8, 1.4}) {
+      for (const double theta : {0.3, 1.0, 2.0}) {
+        for (const ComplexValue z : boundary(*one, order, theta)) {
+          const auto count = [&](double factor) {
+            return growing_modes(*one, scalar_equation(order, factor * z), 1.0).value();
+          };
+          EXPECT_EQ(std::abs(count(1.0 - 1e-6) - count(1.0 + 1e-6)), 2) << one->id << order << ' ' << theta;
+        }
+      }
+    }
+  }
+}
+
+TEST(StabilityRegion, StepAndRateEnterAsOneNumber) {
+  for (const auto* one : all_schemes()) {
+    const double order = 1.5, x = real_interval(scheme("adams_pc"), order);
+    for (const double h : {1e-3, 7.0}) {
+      const Problem problem = scalar_equation(order, -1.2 * x * std::pow(h, -order));
+      EXPECT_EQ(growing_modes(*one, problem, h), growing_modes(*one, scalar_equation(order, -1.2 * x), 1.0));
+    }
+  }
+}
+
+// The trapezoidal rule weighs f_0, whatever has become of it: from R = -S/W,
+//   y_n / y_0 -> zeta(-g) sin(pi g)/pi n^(-1-g);  zeta(-1/2) = -0.2078862249773545.
+TEST(ResponseAtInfinity, OfTheTrapezoidalRuleDecaysSlowly) {
+  const Vec y = response_at_infinity(scheme("product_trapezoidal"), 0.5, 4000).value();
+  EXPECT_NEAR(y[1], -0.5, 1e-14);
+  EXPECT_NEAR(y[4000] * std::pow(4000.0, 1.5), -0.2078862249773545 / pi, 1e-4);
+  EXPECT_NEAR(response_at_infinity(scheme("product_trapezoidal"), 1.0, 9).value()[9], -1.0, 1e-14);
+  EXPECT_GT(std::abs(response_at_infinity(scheme("product_trapezoidal"), 1.2, 10).value()[10]), 20.0);
+}
+
+TEST(ResponseAtInfinity, OfTheFirstOrderRulesIsZero) {
+  for (const auto* id : {"l1", "grunwald_letnikov"}) {
+    for (const double order : {0.1, 0.9, 1.5})
+      EXPECT_EQ(response_at_infinity(scheme(id), order, 10)->tail(10).cwiseAbs().maxCoeff(), 0.0) << id;
+  }
+  EXPECT_FALSE(response_at_infinity(scheme("adams_pc"), 0.5, 3).has_value());
+}
+
+TEST(GrowingModes, RefusesWhatHasNoSymbol) {
+  const auto& l1 = scheme("l1");
+  expect_message([&] { growing_modes(l1, scene_of("brusselator").problem, 0.1); }, "no linear part");
+  expect_message(
+      [&] {
+        growing_modes(l1, scene_of("fractional_constraint_2d", {{"formulation", 3}}).problem, 0.1);
+      },
+      "linear stability of l1");
+  expect_message([&] { stable(scheme("commensurate_adams_pc"), scalar_equation(0.987654321, -1.0), 1.0); },
+                 "multiples of one 1/M");
+  expect_message([&] { real_interval(l1, 2.5); }, "takes orders in");
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,122 @@
+// What the regions say, seen in runs.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "problem/scalar_equation.hpp"
+#include "programs/stability/across.hpp"
+#include "programs/stability/late.hpp"
+#include "stability/stability_region.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+// Above order 1.8 rounding stops the decay at about 1e-9.
+bool decays(const Late& x) { return x.size < 1e-6 || (x.size < 1.0 && x.growth < 1.0); }
+bool grows(const Late& x) { return x.growth > 1.1; }
+
+struct Case {
+  std::string_view scheme;
+  double tolerance;
+  int steps;
+};
+
+class Interval : public testing::TestWithParam<Case> {};
+
+TEST_P(Interval, EndsWhereRunsBeginToGrow) {
+  const double tolerance = GetParam().tolerance;
+  const int steps = GetParam().steps;
+  const Scheme& scheme = *find_scheme(GetParam().scheme);
+  for (int i = 1; i < 20; ++i) {
+    const double order = 0.1 * i, x = real_interval(scheme, order);
+    if (std::isinf(x)) {
+      EXPECT_TRUE(decays(late(scheme, scalar_equation(order, -1e3), 1.0, steps))) << order;
+      continue;
+    }
+    const auto at = [&](double factor) {
+      return late(scheme, scalar_equation(order, -factor * x), 1.0, steps);
+    };
+    EXPECT_TRUE(decays(at(1.0 - tolerance))) << order;
+    EXPECT_TRUE(grows(at(1.0 + tolerance))) << order;
+  }
+}
+
+// The split scheme's modes near its boundary are slower: it takes more steps to see them.
+INSTANTIATE_TEST_SUITE_P(Schemes, Interval,
+                         testing::Values(Case{"adams_pc", 1e-3, 10000},
+                                         Case{"decoupled_multi_order", 1e-3, 20000},
+                                         Case{"product_trapezoidal", 1e-3, 10000}, Case{"l1", 1e-3, 3000},
+                                         Case{"grunwald_letnikov", 1e-3, 3000},
+                                         Case{"commensurate_adams_pc", 5e-2, 6000}),
+                         [](const auto& test) { return std::string(test.param.scheme); });
+
+// Complex rates on both sides of the boundary. Which side is which is for growing_modes to say.
+class Boundary : public testing::TestWithParam<const Scheme*> {};
+
+TEST_P(Boundary, IsWhereRunsBeginToGrow) {
+  int decaying = 0, growing = 0;
+  for (const double order : {0.3, 0.7, 1.3}) {
+    for (const double theta : {0.5, 1.5, 2.5}) {
+      for (const ComplexValue z : boundary(*GetParam(), order, theta)) {
+        for (const double side : {1.0, -1.0}) {
+          const Problem problem =
+              scalar_equation(order, z + side * across(*GetParam(), order, theta, z, 0.01));
+          const bool expected = stable(*GetParam(), problem, 1.0);
+          const Late x = late(*GetParam(), problem, 1.0, 4000);
+          EXPECT_TRUE(expected ? decays(x) : grows(x)) << order << ' ' << theta << ' ' << side;
+          ++(expected ? decaying : growing);
+        }
+      }
+    }
+  }
+  EXPECT_GE(decaying, 3);
+  EXPECT_GE(growing, 9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, Boundary, testing::ValuesIn(all_schemes()), id_of_param);
+
+// The damped chain of Yin, Liu & Anh: its largest stable step, and runs on both sides of it.
+TEST(Chain, LargestStableStepIsWhereRunsBeginToGrow) {
+  for (const auto& orders : {std::pair{1.5, 0.5}, {1.25, 0.75}, {1.9, 0.1}}) {
+    const Problem problem =
+        scene_of("damped_oscillator",
+                 {{"alpha", orders.first}, {"beta", orders.second}, {"mu", 1.0}, {"nu", 1.0}})
+            .problem;
+    const Scheme& scheme = *find_scheme("decoupled_multi_order");
+    const double h = largest_stable_step(scheme, problem, 0.1, 10.0);
+    EXPECT_TRUE(decays(late(scheme, problem, 0.98 * h, 6000))) << orders.first;
+    EXPECT_TRUE(grows(late(scheme, problem, 1.02 * h, 6000))) << orders.first;
+  }
+}
+
+// The last link alone, D^(2-alpha) v = -mu tau^alpha v, decides where mu is large.
+TEST(Chain, StrongDampingEndsAsItsLinkDoes) {
+  constexpr double mu = 100.0, tau = 0.8;
+  for (const double alpha : {1.25, 1.5}) {
+    const Problem problem =
+        scene_of("damped_oscillator", {{"alpha", alpha}, {"beta", 0.5}, {"mu", mu}, {"tau", tau}}).problem;
+    const double end = std::pow(std::tgamma(4.0 - alpha) / (mu * std::pow(tau, alpha)), 1.0 / (2.0 - alpha));
+    EXPECT_NEAR(largest_stable_step(*find_scheme("adams_pc"), problem, 0.5 * end, 10.0) / end, 1.0, 0.02);
+  }
+}
+
+// Each link's 1/K lies in its sector, so the terms of det M lie in one half plane: no step is too long.
+TEST(Chain, ImplicitRulesAreStableWithAnyStep) {
+  for (const auto& orders : {std::pair{1.5, 0.5}, {1.25, 0.75}, {1.9, 0.1}}) {
+    for (const auto& strengths : {std::pair{0.06, 0.1}, {0.0, 100.0}, {100.0, 0.1}}) {
+      const Problem problem = scene_of("damped_oscillator", {{"alpha", orders.first},
+                                                             {"beta", orders.second},
+                                                             {"mu", strengths.first},
+                                                             {"nu", strengths.second}})
+                                  .problem;
+      for (const auto* id : {"l1", "grunwald_letnikov", "product_trapezoidal"}) {
+        for (const double h : {0.1, 3.0, 1e3}) EXPECT_TRUE(stable(*find_scheme(id), problem, h)) << id << h;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,109 @@
+// Growing modes of systems, from what is known of their parts.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <random>
+
+#include "problem/scalar_equation.hpp"
+#include "stability/stability_region.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+// Equations that do not know of each other.
+Problem side_by_side(const std::vector<Problem>& parts) {
+  Problem all{.linear_part = Matrix()};
+  Eigen::Index size = 0;
+  for (const auto& part : parts) size += part.size();
+  all.linear_part->setZero(size, size);
+  Eigen::Index first = 0;
+  for (const auto& part : parts) {
+    all.components.insert(all.components.end(), part.components.begin(), part.components.end());
+    all.linear_part->block(first, first, part.size(), part.size()) = *part.linear_part;
+    first += part.size();
+  }
+  return all;
+}
+
+class Systems : public testing::TestWithParam<const Scheme*> {};
+
+// Odd multiples of 1/4: the commensurate scheme splits them alike, alone and together.
+TEST_P(Systems, OfSeparateEquationsHaveTheModesOfAll) {
+  std::mt19937 random(7);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  const int most = GetParam()->id == "commensurate_adams_pc" ? 2 : 5;  // each has up to 14 links there
+  int growing = 0;
+  for (int i = 0; i < 8; ++i) {
+    std::vector<Problem> parts;
+    int sum = 0;
+    for (int left = std::uniform_int_distribution(1, most)(random); left > 0; --left) {
+      const double order = 0.5 * std::uniform_int_distribution(0, 3)(random) + 0.25;
+      parts.push_back(
+          scalar_equation(order, std::polar(std::pow(10.0, uniform(-2.0, 1.5)), uniform(-3.14, 3.14))));
+      sum += growing_modes(*GetParam(), parts.back(), 1.0).value();
+    }
+    EXPECT_EQ(growing_modes(*GetParam(), side_by_side(parts), 1.0), sum) << i;
+    growing += sum;
+  }
+  EXPECT_GT(growing, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, Systems, testing::ValuesIn(all_schemes()), id_of_param);
+
+// Small link orders are felt where 1 - zeta is 1e-300: powers of it leave double.
+TEST(Systems, OfLinksNearOrdersZeroAndOneAreStableUnderImplicitRules) {
+  for (const auto& orders : {std::pair{1.99, 0.01}, {1.999, 0.001}}) {
+    const Problem problem =
+        scene_of("damped_oscillator", {{"alpha", orders.first}, {"beta", orders.second}}).problem;
+    for (const auto* id : {"l1", "grunwald_letnikov", "product_trapezoidal"}) {
+      for (const double h : {0.1, 1e9})
+        EXPECT_EQ(growing_modes(*find_scheme(id), problem, h), 0) << id << orders.first << ' ' << h;
+    }
+  }
+}
+
+// Equal equations: each has the modes of one. Their determinant at 1 - zeta = 1e-12 would be 1e456.
+TEST(Systems, MayBeLarge) {
+  constexpr int count = 20;
+  const auto modes = [](int n, double rate) {
+    return growing_modes(*find_scheme("grunwald_letnikov"),
+                         side_by_side(std::vector(static_cast<std::size_t>(n), scalar_equation(1.9, rate))),
+                         1.0)
+        .value();
+  };
+  EXPECT_EQ(modes(count, -1.0), 0);
+  EXPECT_EQ(modes(count, 0.5), count * modes(1, 0.5));
+}
+
+// A sparse linear part. The fastest rate is the first to leave the real interval.
+TEST(Systems, OfDiffusionAreStableAsTheirFastestRate) {
+  const Problem problem = scene_of("fractional_diffusion", {{"gamma", 0.5}, {"components", 9.0}}).problem;
+  const double fastest =
+      -Matrix(*problem.sparse_linear_part).selfadjointView<Eigen::Lower>().eigenvalues()[0];
+  const double end = std::pow(real_interval(*find_scheme("adams_pc"), 0.5) / fastest, 2.0);
+  EXPECT_EQ(growing_modes(*find_scheme("adams_pc"), problem, 0.99 * end), 0);
+  EXPECT_EQ(growing_modes(*find_scheme("adams_pc"), problem, 1.01 * end), 1);
+  EXPECT_EQ(growing_modes(*find_scheme("l1"), problem, 1e3 * end), 0);
+}
+
+// Slow modes are those below max(1e-6, 1e-300^g).
+TEST(GrowingModes, OfSmallOrdersAreCountedFromTheirLimitOn) {
+  const auto& scheme = *find_scheme("l1");
+  EXPECT_EQ(growing_modes(scheme, scalar_equation(0.5, 2e-6), 1.0), 1);
+  EXPECT_EQ(growing_modes(scheme, scalar_equation(0.5, 5e-7), 1.0), 0);
+  EXPECT_EQ(growing_modes(scheme, scalar_equation(0.01, 1.1e-3), 1.0), 1);
+  EXPECT_EQ(growing_modes(scheme, scalar_equation(0.01, 9e-4), 1.0), 0);
+}
+
+TEST(GrowingModes, AreNotCountedBeyondDouble) {
+  expect_message([] { growing_modes(*find_scheme("l1"), scalar_equation(1.5, -1e300), 1e10); },
+                 "beyond double");
+}
+
+}  // namespace
+}  // namespace fde

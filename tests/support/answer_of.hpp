@@ -1,0 +1,23 @@
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command/command.hpp"
+
+namespace fde {
+
+// What the command did with its arguments, in this process.
+struct Answer {
+  int code;
+  std::string out, err;
+};
+
+inline Answer fdebench(const std::vector<std::string>& arguments) {
+  std::ostringstream out, err;
+  const int code = run_fdebench(arguments, {.out = out, .err = err});
+  return {code, out.str(), err.str()};
+}
+
+}  // namespace fde

@@ -1,0 +1,65 @@
+#pragma once
+
+// Fractional calculus straight from the definitions, with nothing from the library but Gamma.
+
+#include <fmt/format.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+
+#include "numbers/real.hpp"
+
+namespace fde {
+
+using Function = std::function<double(double)>;
+
+// int_from^to f(s) (s - from)^at_from (to - s)^at_to ds, powers above -1, by GSL. Throws std::runtime_error
+// where its estimate of the error is above 1e-11.
+inline double integral(const Function& f, double from, double to, double at_from = 0.0, double at_to = 0.0) {
+  constexpr std::size_t intervals = 2000;
+  gsl_set_error_handler_off();
+  const std::unique_ptr<gsl_integration_qaws_table, decltype(&gsl_integration_qaws_table_free)> powers(
+      gsl_integration_qaws_table_alloc(at_from, at_to, 0, 0), gsl_integration_qaws_table_free);
+  const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> workspace(
+      gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free);
+  gsl_function integrand{[](double s, void* of) { return (*static_cast<const Function*>(of))(s); },
+                         const_cast<Function*>(&f)};
+  double value = 0.0, error = 0.0;
+  gsl_integration_qaws(&integrand, from, to, powers.get(), 1e-14, 1e-13, intervals, workspace.get(), &value,
+                       &error);
+  if (!(error <= 1e-11 * (1.0 + std::abs(value)))) {
+    throw std::runtime_error(fmt::format("the integral {} is off by {}", value, error));
+  }
+  return value;
+}
+
+// D^order x^power from 0, a fractional integral for orders below 0: whole powers below the order vanish.
+inline double caputo_of_power(double power, double order, double x) {
+  if (is_whole(power) && power < order) return 0.0;
+  return gamma(power + 1.0) * reciprocal_gamma(power + 1.0 - order) * std::pow(x, power - order);
+}
+
+// J^order f from 0 to t, of an f that is s^start times something smooth.
+inline double fractional_integral(const Function& over_power, double order, double t, double start = 0.0) {
+  return integral(over_power, 0.0, t, start, order - 1.0) * reciprocal_gamma(order);
+}
+
+// tD_to^order f with the sign (-1)^m and the kernel (s - t)^(m - order - 1); derivative is f^(m), m =
+// ceil(order).
+inline double right_caputo(const Function& derivative, double order, double t, double to) {
+  const double m = std::ceil(order);
+  return std::pow(-1.0, m) * integral(derivative, t, to, m - order - 1.0) * reciprocal_gamma(m - order);
+}
+
+// The right Riemann-Liouville derivative for orders in (0, 1): it also has the value at the right end.
+inline double right_riemann_liouville(const Function& derivative, double at_end, double order, double t,
+                                      double to) {
+  return right_caputo(derivative, order, t, to) +
+         at_end * std::pow(to - t, -order) * reciprocal_gamma(1.0 - order);
+}
+
+}  // namespace fde

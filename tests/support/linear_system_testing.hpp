@@ -1,0 +1,41 @@
+#pragma once
+
+// Reference solutions compared at 40 digits: most of these tests are identities between them.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "linear/linear_equation.hpp"
+#include "linear/linear_system.hpp"
+#include "mittag_leffler/mittag_leffler.hpp"
+#include "numbers/real.hpp"
+
+namespace fde {
+
+inline constexpr int tested_digits = 40;
+
+// Sets the precision that the numbers below need; one in each test.
+inline Precision test_precision() { return Precision(tested_digits + 30); }
+
+inline std::vector<BigReal> digits_at(const Reference& solution, double t) {
+  std::vector<BigReal> values;
+  for (const auto& [value, bound] : solution.digits(t, tested_digits)) values.emplace_back(value);
+  return values;
+}
+
+// E_{alpha,beta}(re + i im) of decimals.
+inline BigComplex mittag_leffler_digits(const std::string& alpha, const std::string& beta,
+                                        const std::string& re, const std::string& im = "0") {
+  const auto value = mittag_leffler(alpha, beta, re, im, tested_digits + 5);
+  return {BigReal(value.re), BigReal(value.im)};
+}
+
+// Equal to 39 digits or so, relative to the size given or the value's own.
+inline void expect_equal(const BigReal& value, const BigReal& exact, const std::string& what,
+                         const BigReal& size = BigReal(0)) {
+  const BigReal scale = std::max(BigReal(abs(exact)), size);
+  EXPECT_LE(abs(BigReal(value - exact)), scale * pow(BigReal(10), 2 - tested_digits))
+      << what << ": " << value.str(45) << " for " << exact.str(45);
+}
+
+}  // namespace fde

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "scenes/registry.hpp"
+#include "sweep/experiment.hpp"
+
+namespace fde {
+
+inline const SceneMaker& scene_maker(std::string_view id) {
+  return *std::ranges::find(scenes(), id, &SceneMaker::id);
+}
+
+inline Scene scene_of(std::string_view id, const std::map<std::string, double>& values = {}) {
+  return make_scene(scene_maker(id), values);
+}
+
+inline Trajectory solve(std::string_view scheme, const Problem& problem, int steps,
+                        const Options& options = {}) {
+  return find_scheme(scheme)->solve(problem, {problem.end, steps}, options);
+}
+
+// Names of parameterised tests: the id of the scheme or scene.
+inline constexpr auto id_of_param = [](const auto& test) { return std::string(test.param->id); };
+
+inline std::vector<const Scheme*> all_schemes() {
+  std::vector<const Scheme*> all;
+  for (const auto& scheme : schemes()) all.push_back(&scheme);
+  return all;
+}
+
+// The call throws, with this part in its message.
+template <class Call>
+void expect_message(const Call& call, const std::string& part) {
+  try {
+    call();
+    FAIL() << part;
+  } catch (const std::exception& error) {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace fde

@@ -1,0 +1,216 @@
+#include "measures/measures.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_odeiv2.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "observers/energy_balance.hpp"
+#include "observers/rate.hpp"
+#include "observers/watched_steps.hpp"
+#include "references/reference_of.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+// A trajectory y(t_n) = values.col(n) with a reference beside it.
+struct Made {
+  Scene scene{};
+  Trajectory path{};
+  Rows reference{};
+  Vec bound = Vec::Constant(1, 1e-15);
+
+  [[nodiscard]] Observation observe() const {
+    return {scene, *find_scheme("l1"), path, path.y, reference, bound};
+  }
+};
+
+Made made(const Rows& values, const Rows& reference) {
+  Made result{.path = {.grid = {1.0, static_cast<int>(values.cols()) - 1}, .y = values},
+              .reference = reference};
+  for (int n = 0; n < values.cols(); ++n) result.path.steps.push_back(n);
+  return result;
+}
+
+double time_measure(std::string_view id, const std::vector<double>& seconds) {
+  return std::ranges::find(time_measures(), id, &TimeMeasure::id)->value(seconds);
+}
+
+TEST(Measures, OfAHandMadeTrajectory) {
+  const Rows values = (Rows(2, 3) << 1.0, 2.0, 3.0, 0.0, 0.0, 10.0).finished();
+  const Rows reference = (Rows(2, 3) << 1.0, 4.5, 3.25, 0.0, 0.0, 9.0).finished();
+  const Made run = made(values, reference);
+  EXPECT_EQ(error_end(run.observe()), 1.0);
+  EXPECT_EQ(error_maximum(run.observe()), 2.5);
+  EXPECT_NEAR(mescd(run.observe()), -std::log10(0.1), 1e-15);
+}
+
+TEST(Measures, OfTimes) {
+  EXPECT_EQ(time_measure("time_minimum", {3.0, 1.0, 2.0}), 1.0);
+  EXPECT_EQ(time_measure("time_median", {3.0, 1.0, 2.0}), 2.0);
+  EXPECT_EQ(time_measure("time_median", {3.0, 1.0, 10.0, 2.0}), 2.5);
+}
+
+TEST(WatchedSteps, AreAllUpToALimitAndThenSpread) {
+  EXPECT_EQ(watched_steps(3), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(watched_steps(8192).size(), 8193U);
+  const auto some = watched_steps(1'000'000'000);
+  EXPECT_EQ(some.front(), 0);
+  EXPECT_EQ(some[16], 16);
+  EXPECT_EQ(some[17], 1'000'000'000 / 8192);
+  EXPECT_EQ(some.back(), 1'000'000'000);
+}
+
+TEST(Measures, ANumberWithoutErrorHasSeventeenDigits) {
+  const auto run = made(Rows::Ones(1, 3), Rows::Ones(1, 3));
+  EXPECT_EQ(mescd(run.observe()), 17.0);
+}
+
+// What the balance makes of a path given as rows.
+std::optional<double> residual(const Energy& energy, const Trajectory& path) {
+  EnergyBalance balance(energy);
+  for (Eigen::Index n = 0; n < path.y.cols(); ++n) {
+    balance.see(path.grid.time(path.steps[static_cast<std::size_t>(n)]), path.y.col(n));
+  }
+  return balance.residual();
+}
+
+TEST(EnergyResidual, VanishesWithTheScheme) {
+  const auto scene = scene_of("pendulum");
+  const auto of = [&](int steps) {
+    return residual(scene.energy, solve("product_trapezoidal", scene.problem, steps)).value();
+  };
+  EXPECT_LT(of(4096), 1e-4);
+  EXPECT_GT(std::log2(of(1024) / of(2048)), 1.4);
+}
+
+TEST(EnergyResidual, IsTheDriftOfAConservedEnergy) {
+  const auto scene = scene_of("pendulum", {{"mu", 0.0}, {"lambda", 0.0}, {"nu", 0.0}});
+  const auto path = solve("l1", scene.problem, 500);
+  double drift = 0.0;
+  for (const auto& y : path.y.colwise())
+    drift = std::max(drift, std::abs(scene.energy.value(Vec(y)) - scene.energy.value(path.y.col(0))));
+  EXPECT_DOUBLE_EQ(residual(scene.energy, path).value(), drift);
+}
+
+// E = t^3 has the power 3 t^2, a parabola, on uneven times too.
+TEST(EnergyResidual, IsExactForAParabolicPower) {
+  const Energy cubic{.value = [](In y) { return y[0] * y[0] * y[0]; },
+                     .power = [](double t, In) { return 3.0 * t * t; }};
+  Trajectory path{.grid = {2.0, 40, 1.7}};
+  path.y.resize(1, 41);
+  for (int n = 0; n <= 40; ++n) {
+    path.steps.push_back(n);
+    path.y(0, n) = path.grid.time(n);
+  }
+  EXPECT_LT(residual(cubic, path).value(), 1e-14);
+}
+
+TEST(EnergyResidual, NeedsThreeSteps) {
+  const auto scene = scene_of("pendulum");
+  EXPECT_FALSE(residual(scene.energy, solve("l1", scene.problem, 1)).has_value());
+  EXPECT_TRUE(residual(scene.energy, solve("l1", scene.problem, 2)).has_value());
+}
+
+TEST(EnergyResidual, OfAnInfiniteEnergyIsNotZero) {
+  const auto scene = scene_of("pendulum");
+  auto path = solve("l1", scene.problem, 8);
+  path.y(2, 4) = 1e200;
+  EXPECT_FALSE(std::isfinite(residual(scene.energy, path).value()));
+}
+
+TEST(FitRate, RecoversAPowerLaw) {
+  std::vector<ErrorAt> points;
+  for (int k = 0; k < 6; ++k) points.push_back({std::pow(2.0, -k), 3.0 * std::pow(2.0, -1.25 * k)});
+  const Fit fit = fit_rate(points);
+  EXPECT_NEAR(fit.slope, 1.25, 1e-14);
+  EXPECT_NEAR(fit.correlation, 1.0, 1e-14);
+  EXPECT_EQ(fit.points, 6U);
+}
+
+TEST(FitRate, StopsAtRounding) {
+  const std::vector<ErrorAt> points{{1, 1e-6}, {0.1, 1e-8}, {0.01, 1e-10}, {0.001, 3e-13}, {0.0001, 2e-13}};
+  EXPECT_NEAR(fit_rate(points).slope, 2.0, 1e-12);
+  EXPECT_EQ(fit_rate(points).points, 3U);
+  EXPECT_EQ(fit_rate(std::span(points).first(2)).points, 0U);
+}
+
+// GSL as the judge: nothing of ours below.
+
+// A problem of whole orders by GSL's Runge-Kutta-Prince-Dormand (8,9).
+Vec integrate_by_gsl(const Problem& problem) {
+  const auto function = [](double t, const double* y, double* f, void* data) {
+    const auto& of = *static_cast<const Problem*>(data);
+    Eigen::Map<Vec> out(f, of.size());
+    of.rhs(t, Eigen::Map<const Vec>(y, of.size()), out);
+    return static_cast<int>(GSL_SUCCESS);
+  };
+  auto copy = problem;
+  gsl_odeiv2_system system{function, nullptr, copy.components.size(), &copy};
+  auto* driver = gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-4, 1e-13, 1e-13);
+  Vec y = taylor_part(problem, 0.0);
+  double t = 0.0;
+  EXPECT_EQ(gsl_odeiv2_driver_apply(driver, &t, problem.end, y.data()), GSL_SUCCESS);
+  gsl_odeiv2_driver_free(driver);
+  return y;
+}
+
+class WholeOrders : public testing::TestWithParam<std::string> {
+ protected:
+  static Scene scene() {
+    Scene scene = GetParam() == "brusselator" ? scene_of("brusselator", {{"gamma", 1.0}})
+                                              : scene_of(GetParam(), {{"alpha", 1.0}, {"beta", 0.0}});
+    scene.problem.end = 5.0;
+    return scene;
+  }
+};
+
+TEST_P(WholeOrders, TheReferenceIsGslsRungeKuttaSolution) {
+  EXPECT_LT((reference_of(scene()).at(5.0).value -
+             columns_at(scene().outputs, 5.0, integrate_by_gsl(scene().problem)))
+                .cwiseAbs()
+                .maxCoeff(),
+            2e-11);
+}
+
+TEST_P(WholeOrders, EverySchemeTendsToGslsSolution) {
+  const Vec exact = integrate_by_gsl(scene().problem);
+  for (const auto& scheme : schemes()) {
+    const auto error = [&](int steps) {
+      return (solve(scheme.id, scene().problem, steps).y.rightCols(1) - exact).cwiseAbs().maxCoeff();
+    };
+    const double expected = scheme.expected_rate(scene().problem, scene().smoothness, 1.0, Norm::end);
+    EXPECT_NEAR(std::log2(error(4000) / error(8000)), expected, 0.1) << scheme.id;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, WholeOrders, testing::Values("pendulum", "extensible_pendulum", "brusselator"),
+                         [](const auto& test) { return test.param; });
+
+// J^(1-beta) of phi', with GSL's quadrature for algebraic endpoint singularities on a spline of the
+// reference, is the chain's D^beta phi.
+TEST(GslQuadrature, OfThePendulumsVelocityIsItsFractionalDerivative) {
+  const double beta = 0.5, t = 3.0;
+  const auto scene = scene_of("pendulum");
+  const Reference reference = reference_of(scene);
+  struct Data {
+    const Reference& reference;
+  } data{reference};
+  gsl_function velocity{[](double s, void* d) { return static_cast<Data*>(d)->reference.at(s).value[2]; },
+                        &data};
+  auto* table = gsl_integration_qaws_table_alloc(0.0, -beta, 0, 0);
+  auto* workspace = gsl_integration_workspace_alloc(1000);
+  double integral = 0.0, estimate = 0.0;
+  ASSERT_EQ(
+      gsl_integration_qaws(&velocity, 0.0, t, table, 1e-12, 1e-11, 1000, workspace, &integral, &estimate),
+      GSL_SUCCESS);
+  gsl_integration_workspace_free(workspace);
+  gsl_integration_qaws_table_free(table);
+  EXPECT_NEAR(integral / std::tgamma(1.0 - beta), reference.at(t).value[1], 1e-10);
+}
+
+}  // namespace
+}  // namespace fde

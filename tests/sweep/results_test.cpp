@@ -1,0 +1,282 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "support/testing.hpp"
+#include "sweep/record.hpp"
+#include "sweep/sweep.hpp"
+
+namespace fde {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ResultsFiles : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string text() const {
+    std::ostringstream all;
+    all << std::ifstream(file_).rdbuf();
+    return all.str();
+  }
+  void write(const std::string& content) const { std::ofstream(file_) << content; }
+
+  static std::vector<Record> rows(const std::string& scheme, int steps) {
+    const Record row{
+        .scene = "relaxation", .scheme = scheme, .history = "direct", .steps = steps, .h = 1.0 / steps};
+    Record error = row, outcome = row;
+    error.quantity = "error_end";
+    error.value = 0.1 / steps;
+    outcome.quantity = "outcome";
+    outcome.status = "finished";
+    return {error, outcome};
+  }
+
+  static std::string message(const fs::path& file) {
+    try {
+      const ResultsFile opened(file);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "opened";
+  }
+
+  const fs::path folder_ = fs::temp_directory_path() / ("fdebench_results_" + std::to_string(getpid()));
+  const fs::path file_ = folder_ / "results.jsonl";
+};
+
+TEST_F(ResultsFiles, ReturnWhatWasAppended) {
+  ResultsFile(file_).append(rows("l1", 64));
+  const auto results = read_results(file_);
+  ASSERT_EQ(results.records.size(), 2U);
+  EXPECT_EQ(results.records[0].quantity, "error_end");
+  EXPECT_EQ(results.records[0].value, 0.1 / 64);
+  const ResultsFile again(file_);
+  EXPECT_EQ(again.stage("relaxation", "l1", 64), Stage::examined);
+  EXPECT_EQ(again.stage("relaxation", "l1", 128), Stage::missing);
+  EXPECT_FALSE(results.sessions.at(0).compiler.empty());
+}
+
+TEST_F(ResultsFiles, AreContinuedWithANewSession) {
+  ResultsFile(file_).append(rows("l1", 64));
+  ResultsFile(file_).append(rows("l1", 128));
+  const auto results = read_results(file_);
+  EXPECT_EQ(results.sessions.size(), 2U);
+  EXPECT_EQ(results.records.back().session, 1U);
+}
+
+// A number belongs to the program that made it: another commit measures again.
+TEST_F(ResultsFiles, OfAnotherBuildDoNotCount) {
+  ResultsFile(file_).append(rows("l1", 64));
+  auto other = text();
+  const std::string commit = R"("commit":")";
+  other.insert(other.find(commit) + commit.size(), "x");
+  write(other);
+  EXPECT_EQ(ResultsFile(file_).stage("relaxation", "l1", 64), Stage::missing);
+  EXPECT_EQ(read_results(file_).records.size(), 2U);
+}
+
+TEST_F(ResultsFiles, WithoutRunsAreLeftAsTheyAre) {
+  ResultsFile(file_).append(rows("l1", 64));
+  const auto before = text();
+  { const ResultsFile opened(file_); }
+  EXPECT_EQ(text(), before);
+}
+
+// A sweep that dies may leave any prefix of its file: whole runs are kept, the run in flight is measured
+// again.
+TEST_F(ResultsFiles, CutAnywhereKeepTheirWholeRuns) {
+  {
+    ResultsFile file(file_);
+    file.append(rows("l1", 64));
+    file.append(rows("l1", 128));
+  }
+  const auto whole = text();
+  for (std::size_t length = 30; length <= whole.size(); length += 7) {
+    write(whole.substr(0, length));
+    { ResultsFile(file_).append(rows("l1", 256)); }
+    const auto results = read_results(file_);
+    EXPECT_EQ(results.records.back().steps, 256) << length;
+    EXPECT_EQ(results.records.size() % 2, 0U) << length;
+  }
+}
+
+TEST_F(ResultsFiles, OfSomethingElseAreRefusedAndLeftAlone) {
+  write("scene,scheme\nrelaxation,l1\n");
+  EXPECT_EQ(message(file_), file_.string() + ": line 1 is not a row of fdebench results");
+  EXPECT_EQ(text(), "scene,scheme\nrelaxation,l1\n");
+  write("no line end");
+  EXPECT_EQ(message(file_), file_.string() + ": line 1 is not a row of fdebench results");
+  EXPECT_EQ(text(), "no line end");
+}
+
+TEST_F(ResultsFiles, BelongToOneRunAtATime) {
+  const ResultsFile first(file_);
+  EXPECT_EQ(message(file_), file_.string() + ": cannot be written: another run is writing to it");
+}
+
+TEST_F(ResultsFiles, WithImpossibleStepsAreRefused) {
+  ResultsFile(file_).append(rows("l1", 64));
+  for (const auto* steps : {"0", "-5", "64.5", "1000000000000"}) {
+    auto changed = text();
+    changed.replace(changed.find(R"("steps":64)"), 10, std::string(R"("steps":)") + steps);
+    const auto other = folder_ / "changed.jsonl";
+    std::ofstream(other) << changed;
+    EXPECT_EQ(message(other), other.string() + ": line 2 is not a row of fdebench results") << steps;
+  }
+}
+
+TEST_F(ResultsFiles, ThatCannotBeWrittenAreNamed) {
+  EXPECT_EQ(message(folder_ / "missing" / "r.jsonl"),
+            (folder_ / "missing" / "r.jsonl").string() + ": cannot be written: No such file or directory");
+  EXPECT_EQ(message(folder_), folder_.string() + ": cannot be read: is not a file");
+}
+
+// A limit on the size of files stands for a full disk.
+TEST_F(ResultsFiles, OnAFullDiskSaySoAndKeepTheirWholeRuns) {
+  ResultsFile file(file_);
+  file.append(rows("l1", 64));
+  const auto before = text();
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit unlimited{};
+  getrlimit(RLIMIT_FSIZE, &unlimited);
+  const rlimit full{.rlim_cur = before.size() + 10, .rlim_max = unlimited.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &full);
+  std::string message;
+  try {
+    file.append(rows("l1", 128));
+  } catch (const std::system_error& error) {
+    message = error.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &unlimited);
+  EXPECT_EQ(message, file_.string() + ": cannot be written: File too large");
+  EXPECT_EQ(text(), before);
+}
+
+TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
+  const Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
+                    .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
+                    .steps = {16, 32},
+                    .repeats = 2};
+  std::vector<Record> all;
+  std::size_t calls = 0;
+  run_sweep(sweep,
+            {.stage = [](const auto&, const auto& scheme,
+                         int steps) { return scheme == "l1" && steps == 16 ? Stage::done : Stage::missing; },
+             .append =
+                 [&](const auto& rows) {
+                   ++calls;
+                   all.insert(all.end(), rows.begin(), rows.end());
+                 },
+             .progress = [](std::size_t, std::size_t, const auto&) {}});
+  EXPECT_EQ(calls, 6U);  // an examination and its times
+  const auto count = [&](std::string_view quantity) {
+    return std::ranges::count(all, quantity, &Record::quantity);
+  };
+  EXPECT_EQ(count("error_end"), 3);
+  EXPECT_EQ(count("outcome"), 3);
+  EXPECT_EQ(count("newton_iterations"), 1);
+  EXPECT_EQ(count("energy_residual"), 0);
+}
+
+TEST(Sweeps, MeasureOnceWhatIsAskedForTwice) {
+  const SceneVariant power{&scene_maker("power")};
+  const auto* l1 = find_scheme("l1");
+  int calls = 0;
+  run_sweep({.scenes = {power, power}, .schemes = {l1, l1}, .steps = {16, 16}, .repeats = 1},
+            {.stage = [](const auto&, const auto&, int) { return Stage::missing; },
+             .append = [&](const auto&) { ++calls; },
+             .progress = [](std::size_t, std::size_t, const auto&) {}});
+  EXPECT_EQ(calls, 2);  // its examination and its times
+}
+
+TEST(Sweeps, StopAtTheFirstFailureToWrite) {
+  int calls = 0;
+  const auto write = [&](const auto&) {
+    ++calls;
+    throw std::runtime_error("disk full");
+  };
+  EXPECT_THROW(
+      run_sweep({.scenes = {{&scene_maker("power")}}, .schemes = {find_scheme("l1")}, .steps = {16, 32}},
+                {.stage = [](const auto&, const auto&, int) { return Stage::missing; },
+                 .append = write,
+                 .progress = [](std::size_t, std::size_t, const auto&) {}}),
+      std::runtime_error);
+  EXPECT_EQ(calls, 1);
+}
+
+// All but the times.
+std::vector<std::string> rows_with_threads(unsigned threads) {
+  const Sweep sweep{
+      .scenes = {{&scene_maker("relaxation")}, {&scene_maker("brusselator")}, {&scene_maker("pendulum")}},
+      .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
+      .steps = {16, 600},
+      .repeats = 1,
+      .threads = threads};
+  std::vector<std::string> rows;
+  run_sweep(sweep, {.stage = [](const auto&, const auto&, int) { return Stage::missing; },
+                    .append =
+                        [&](const auto& run) {
+                          for (const auto& row : run) {
+                            if (row.unit == "s") continue;
+                            rows.push_back(fmt::format(
+                                "{} {} {} {} {} {}", row.scene, row.scheme, row.steps, row.quantity,
+                                row.value, row.status));  // the shortest text that gives the same double
+                          }
+                        },
+                    .progress = [](std::size_t, std::size_t, const auto&) {}});
+  std::ranges::stable_sort(rows, {}, [](const auto& row) { return row.substr(0, row.find(' ')); });
+  return rows;
+}
+
+// The rows of a scene keep their order, those of scenes side by side mix.
+TEST(Sweeps, GiveTheSameBitsWithAnyNumberOfThreads) {
+  const auto alone = rows_with_threads(1);
+  EXPECT_GT(alone.size(), 100U);
+  EXPECT_EQ(rows_with_threads(2), alone);
+  EXPECT_EQ(rows_with_threads(7), alone);
+}
+
+TEST(Sweeps, RecordAMissingReferenceAndGoOn) {
+  Scene scene = scene_of("brusselator");
+  scene.problem.rhs = [rhs = scene.problem.rhs](double t, In y, Out f) {
+    rhs(t, y, f);
+    if (t > 1.0) f[0] += 1.0;  // the collocation reference does not step over a jump
+  };
+  WatchedReference reference(scene);
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    const auto rows = examine("brusselator", scene, reference, *find_scheme("l1"), 64);
+    EXPECT_EQ(rows.back().status.substr(0, 14), "no reference: ");
+    EXPECT_EQ(std::ranges::count(rows, "rhs_calls", &Record::quantity), 1);  // needs no reference
+    EXPECT_EQ(std::ranges::count(rows, "error_end", &Record::quantity), 0);
+  }
+}
+
+TEST(Sweeps, RecordRefusalsAndFailuresWithTheirReason) {
+  const auto outcome = [](const Scene& scene, std::string_view scheme) {
+    WatchedReference reference(scene);
+    return examine("brusselator", scene, reference, *find_scheme(scheme), 256);
+  };
+  const auto failed = outcome(scene_of("brusselator"), "adams_pc");
+  ASSERT_EQ(failed.size(), 1U);
+  EXPECT_EQ(failed[0].status.substr(0, 19), "not finite at step ");
+  EXPECT_GT(failed[0].value, 0.0);
+  Scene odd = scene_of("brusselator");
+  odd.problem.components[0].order = 0.123456789;
+  EXPECT_EQ(outcome(odd, "commensurate_adams_pc")[0].status,
+            "refused: needs orders that are multiples of one 1/M with M at most 64");
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "support/testing.hpp"
+
+namespace fde {
+
+inline constexpr std::array both_schemes{"product_trapezoidal", "grunwald_letnikov"};
+
+// Largest error of any column at any time.
+inline double largest_error(const Scene& scene, std::string_view scheme, int steps) {
+  const auto path = solve(scheme, scene.problem, steps);
+  EXPECT_EQ(path.ending, Ending::finished);
+  WatchedReference reference(scene);
+  return (columns_of(scene.outputs, path) - reference.at(path.grid, path.steps)).cwiseAbs().maxCoeff();
+}
+
+}  // namespace fde

@@ -1,0 +1,180 @@
+// Problems with right derivatives or conditions at both ends, solved all at once.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "observers/rate.hpp"
+#include "scenes/two_sided/made_problem.hpp"
+#include "support/testing.hpp"
+#include "two_sided/all_at_once.hpp"
+
+namespace fde {
+namespace {
+
+std::vector<const Scheme*> two_sided_schemes() {
+  auto some = all_schemes();
+  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.two_sided; });
+  return some;
+}
+
+WeightFamily family_of(const Scheme& scheme) {
+  return scheme.id == "grunwald_letnikov" ? WeightFamily::grunwald_letnikov : WeightFamily::trapezoid;
+}
+
+class TwoSided : public testing::TestWithParam<const Scheme*> {
+ protected:
+  static Trajectory run(const Problem& problem, int steps, const Options& options = {}) {
+    const Grid grid{.end = problem.end, .steps = steps};
+    EXPECT_EQ(refusal(*GetParam(), problem, grid), std::nullopt);
+    auto path = GetParam()->solve(problem, grid, options);
+    EXPECT_EQ(path.ending, Ending::finished);
+    EXPECT_EQ(path.reached, steps);
+    return path;
+  }
+
+  // Largest error of any component at these fractions of the interval.
+  static Fit fit(const Made& made, const std::vector<double>& fractions) {
+    std::vector<ErrorAt> errors;
+    for (int steps = 128; steps <= 2048; steps *= 2) {
+      Options options;
+      for (const double fraction : fractions) options.keep.push_back(static_cast<int>(fraction * steps));
+      const auto path = run(made.problem, steps, options);
+      double error = 0.0;
+      for (std::size_t k = 0; k < path.steps.size(); ++k) {
+        const Vec off = path.y.col(static_cast<Eigen::Index>(k)) - made.exact(path.grid.time(path.steps[k]));
+        error = std::max(error, off.cwiseAbs().maxCoeff());
+      }
+      errors.push_back({path.grid.step(), error});
+    }
+    return fit_rate(errors);
+  }
+};
+
+TEST_P(TwoSided, SmoothSolutionsShowTheRate) {
+  const Made made = smooth_two_sided();
+  const double expected = GetParam()->expected_rate(made.problem, made.smoothness, 1.0, Norm::end);
+  EXPECT_EQ(expected, GetParam()->id == "grunwald_letnikov" ? 1.0 : 2.0);
+  const auto observed = fit(made, {0.0, 0.25, 0.5, 0.75, 1.0});
+  EXPECT_EQ(observed.points, 5U);
+  EXPECT_NEAR(observed.slope, expected, 0.1);
+  EXPECT_GT(observed.correlation, 0.999);
+}
+
+// The right row starts like (T - t)^0.9 with order 0.5, f like (T - t)^0.4.
+TEST_P(TwoSided, ARightRowCostsWhatItsStartCosts) {
+  const Made made = made_problem({{0.7, 3.0, Side::left}, {0.5, 0.9, Side::right}}, 1.0);
+  const double expected = GetParam()->expected_rate(made.problem, made.smoothness, 1.0, Norm::end);
+  EXPECT_NEAR(expected, GetParam()->id == "grunwald_letnikov" ? 1.0 : 1.4, 1e-12);
+  EXPECT_NEAR(fit(made, {0.25, 0.5, 0.75}).slope, expected, 0.1);
+}
+
+// (T - t)^0.9 is off by h^0.9 in its own first step, the last of the grid.
+TEST_P(TwoSided, TheWorstErrorIsInTheFirstStepOfARightRow) {
+  const Made made = made_problem({{0.7, 3.0, Side::left}, {0.5, 0.9, Side::right}}, 1.0);
+  const auto rate = [&](Norm norm) {
+    return GetParam()->expected_rate(made.problem, made.smoothness, 1.0, norm);
+  };
+  EXPECT_NEAR(rate(Norm::maximum), 0.9, 1e-12);
+  std::vector<ErrorAt> errors;
+  for (int steps = 128; steps <= 2048; steps *= 2) {
+    const auto path = run(made.problem, steps, {.keep = {steps - 1}});
+    const Vec off = path.y.col(0) - made.exact(path.grid.time(steps - 1));
+    errors.push_back({path.grid.step(), off.cwiseAbs().maxCoeff()});
+  }
+  EXPECT_NEAR(fit_rate(errors).slope, rate(Norm::maximum), 0.1);
+}
+
+// Time reversed, left rows are right ones.
+TEST_P(TwoSided, TheMirroredProblemHasTheMirroredSolution) {
+  const Made made = smooth_two_sided();
+  Problem mirrored = made.problem;
+  for (auto& [order, initial, side] : mirrored.components)
+    side = side == Side::left ? Side::right : Side::left;
+  mirrored.rhs = [&made](double t, In y, Out f) { made.problem.rhs(made.problem.end - t, y, f); };
+  const Rows y = run(made.problem, 256).y, back = run(mirrored, 256).y.rowwise().reverse();
+  EXPECT_LT((y - back).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST_P(TwoSided, WithoutRightRowsTheSolutionIsThatOfStepping) {
+  for (const auto* id : {"pendulum", "brusselator", "bagley_torvik"}) {
+    const auto scene = scene_of(id);
+    const double end = std::min(scene.problem.end, 5.0);
+    const Grid grid{.end = end, .steps = 700};
+    const Rows marched = GetParam()->solve(scene.problem, grid, {}).y;
+    const auto path = solve_all_at_once(scene.problem, grid, {}, family_of(*GetParam()));
+    ASSERT_EQ(path.ending, Ending::finished) << id;
+    EXPECT_LT((path.y - marched).cwiseAbs().maxCoeff(), 1e-12 * marched.cwiseAbs().maxCoeff()) << id;
+  }
+}
+
+TEST_P(TwoSided, PermutingComponentsPermutesTheAnswer) {
+  const Made made = smooth_two_sided();
+  const std::vector<Eigen::Index> order{3, 5, 0, 1, 4, 2};
+  Problem permuted{.end = made.problem.end};
+  for (const auto i : order)
+    permuted.components.push_back(made.problem.components[static_cast<std::size_t>(i)]);
+  permuted.rhs = [&](double t, In y, Out f) {
+    Vec back(6), g(6);
+    back(order) = y;
+    made.problem.rhs(t, back, g);
+    f = g(order);
+  };
+  const Rows straight = run(made.problem, 100).y;
+  EXPECT_LT((run(permuted, 100).y - Rows(straight(order, Eigen::all))).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST_P(TwoSided, EnginesAndJacobiansAgree) {
+  const Made made = made_problem({{0.7, 3.0, Side::left}, {0.5, 2.0, Side::right}}, 2.0);
+  Problem with_jacobian = made.problem;
+  with_jacobian.jacobian = [](double, In y, OutMatrix jacobian) {
+    const auto row = [&](Eigen::Index i) {
+      jacobian(i, i) = std::sin(y[1 - i]) / 2 - 1.0;
+      jacobian(i, 1 - i) = std::cos(y[1 - i]) * y[i] / 2;
+    };
+    row(0);
+    row(1);
+  };
+  const auto direct = run(made.problem, 500, {.history = HistoryKind::direct});
+  const auto exponentials = run(with_jacobian, 500, {.history = HistoryKind::exponentials});
+  EXPECT_LT((direct.y - exponentials.y).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT(exponentials.cost.rhs_calls, direct.cost.rhs_calls);
+}
+
+TEST_P(TwoSided, CallsAreCountedAndStepsHeardInOrder) {
+  const Made made = smooth_two_sided();
+  std::int64_t calls = 0;
+  Problem problem = made.problem;
+  problem.rhs = [&](double t, In y, Out f) {
+    ++calls;
+    made.problem.rhs(t, y, f);
+  };
+  std::vector<int> heard;
+  const auto path =
+      run(problem, 40, {.keep = {0, 7, 40}, .watch = [&](int n, In /*y*/) { heard.push_back(n); }});
+  EXPECT_EQ(path.cost.rhs_calls, calls);
+  EXPECT_GT(path.cost.newton_iterations, 1);
+  EXPECT_EQ(path.steps, (std::vector<int>{0, 7, 40}));
+  ASSERT_EQ(heard.size(), 41U);
+  for (int n = 0; n <= 40; ++n) EXPECT_EQ(heard[static_cast<std::size_t>(n)], n);
+  EXPECT_EQ(path.y, Rows(run(problem, 40).y(Eigen::all, path.steps)));
+}
+
+// y = past + kappa (1e6 + y^2) has no real solution.
+TEST_P(TwoSided, AnImpossibleProblemIsAnOutcome) {
+  const Problem problem{.components = {{0.5, {0.0}}, {0.5, {0.25}, Side::right}},
+                        .rhs = [](double, In y, Out f) {
+                          f[0] = 1e6 + y[0] * y[0];
+                          f[1] = y[0];
+                        }};
+  const auto path = GetParam()->solve(problem, {1.0, 16}, {});
+  EXPECT_EQ(path.ending, Ending::not_converged);
+  EXPECT_EQ(path.reached, 0);
+  EXPECT_EQ(path.steps, std::vector<int>{0});
+  EXPECT_EQ(path.y, (Rows(2, 1) << 0.0, 0.25).finished());
+}
+
+INSTANTIATE_TEST_SUITE_P(, TwoSided, testing::ValuesIn(two_sided_schemes()), id_of_param);
+
+}  // namespace
+}  // namespace fde
