@@ -28,28 +28,26 @@ struct SolveArguments {
   bool cost = false;
 };
 
-// The step whose time is t to rounding. Throws std::invalid_argument naming the neighbours of a time off the
-// grid.
-int step_at(const Grid& grid, double t) {
+// The time of the grid that is t to rounding. Throws std::invalid_argument naming the neighbours of a time
+// off the grid.
+double time_at(const Grid& grid, double t) {
   constexpr double rounding = 1e-12;
   if (t > grid.end * (1 + rounding))
     reject("--at", t, fmt::format("in [0, {}], the times of the run", grid.end));
-  const double guess = grid.steps * std::pow(t / grid.end, 1.0 / grid.grading);
-  const int nearest_step = std::clamp(static_cast<int>(std::lround(guess)), 0, grid.steps);
-  if (std::abs(grid.time(nearest_step) - t) <= rounding * t) return nearest_step;
-  const int below =
-      std::clamp(grid.time(nearest_step) < t ? nearest_step : nearest_step - 1, 0, grid.steps - 1);
+  const int nearest = grid.number(t);
+  if (std::abs(grid.time(nearest) - t) <= rounding * t) return grid.time(nearest);
+  const int below = std::clamp(grid.time(nearest) < t ? nearest : nearest - 1, 0, grid.steps - 1);
   reject("--at", t,
          fmt::format("a time of the grid: its neighbours are {:.17g} and {:.17g}", grid.time(below),
                      grid.time(below + 1)));
 }
 
-std::vector<int> steps_at(const Grid& grid, const std::string& times) {
-  std::vector<int> steps;
-  for (const double t : parse_numbers("--at", times, not_negative)) steps.push_back(step_at(grid, t));
-  std::ranges::sort(steps);
-  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
-  return steps;
+std::vector<double> times_at(const Grid& grid, const std::string& text) {
+  std::vector<double> times;
+  for (const double t : parse_numbers("--at", text, not_negative)) times.push_back(time_at(grid, t));
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
 }
 
 HistoryKind parse_history(const std::string& text) {
@@ -59,19 +57,18 @@ HistoryKind parse_history(const std::string& text) {
   throw std::invalid_argument(fmt::format("--history = {}: must be auto, direct or exponentials", text));
 }
 
-// The columns to print, one row a column, one column a step. A state may be finite and its energy not: throws
+// The columns to print, one row a column, one column a time. A state may be finite and its energy not: throws
 // NumericalFailure then.
-Rows printed(const Scene& scene, const Scheme& scheme, const Trajectory& path) {
+Rows printed(const Scene& scene, const Scheme& scheme, const Grid& grid, const Trajectory& path) {
   const auto names = printed_names(scene);
   Rows values(std::ssize(names), path.y.cols());
   for (Eigen::Index c = 0; c < values.cols(); ++c) {
-    const int n = path.steps[static_cast<std::size_t>(c)];
-    const double t = path.grid.time(n);
+    const double t = path.times[static_cast<std::size_t>(c)];
     values.col(c) = printed_values(scene, t, columns_at(scene.outputs, t, path.y.col(c)));
     for (Eigen::Index i = 0; i < values.rows(); ++i) {
       if (std::isfinite(values(i, c))) continue;
-      throw NumericalFailure(fmt::format("{}: {} not finite at step {}, t = {:.6g}", scheme.id,
-                                         names[static_cast<std::size_t>(i)], n, t));
+      const auto what = names[static_cast<std::size_t>(i)] + " not finite";
+      throw NumericalFailure(fmt::format("{}: {}", scheme.id, at_step(what, grid.number(t), t)));
     }
   }
   return values;
@@ -80,23 +77,27 @@ Rows printed(const Scene& scene, const Scheme& scheme, const Trajectory& path) {
 void print_rows(const Scene& scene, const Rows& values, const Trajectory& path, std::ostream& out) {
   fmt::print(out, "t,{}\n", fmt::join(printed_names(scene), ","));
   for (Eigen::Index c = 0; c < values.cols(); ++c) {
-    fmt::print(out, "{:.17g}", path.grid.time(path.steps[static_cast<std::size_t>(c)]));
+    fmt::print(out, "{:.17g}", path.times[static_cast<std::size_t>(c)]);
     for (const double value : values.col(c)) fmt::print(out, ",{:.17g}", value);
     fmt::print(out, "\n");
   }
 }
 
-void print_cost(const Scene& scene, const Scheme& scheme, const Trajectory& path, HistoryKind history,
-                double seconds, std::ostream& err) {
-  const nlohmann::ordered_json cost{
-      {"seconds", seconds},
-      {"rhs", path.cost.rhs_calls},
-      {"newton", path.cost.newton_iterations},
-      {"history", name(resolve(history, path.grid))},
-      {"history_bytes", path.cost.history_bytes},
-      {"states", path.cost.states},
-      {"expected_rate", scheme.expected_rate(scene.problem, scene.smoothness, path.grid.grading, Norm::end)}};
-  fmt::print(err, "{}\n", cost.dump());
+// What was not counted is left out, and so is the history where none is held.
+void print_cost(const Scene& scene, const Scheme& scheme, const Grid& grid, const Cost& cost,
+                HistoryKind history, double seconds, std::ostream& err) {
+  nlohmann::ordered_json shown{{"seconds", seconds}};
+  const auto add = [&shown](const char* key, const auto& count) {
+    if (count) shown[key] = *count;
+  };
+  add("rhs", cost.rhs_calls);
+  add("newton", cost.newton_iterations);
+  if (cost.history_bytes) shown["history"] = name(resolve(history, grid));
+  add("history_bytes", cost.history_bytes);
+  add("states", cost.states);
+  if (scheme.expected_rate)
+    shown["expected_rate"] = scheme.expected_rate(scene.problem, scene.smoothness, grid.grading, Norm::end);
+  fmt::print(err, "{}\n", shown.dump());
 }
 
 void solve(const SolveArguments& arguments, const Streams& streams) {
@@ -117,7 +118,7 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
     throw std::invalid_argument(
         fmt::format("--at is needed beyond {} steps, not all {} are printed", most_rows, grid.steps));
   }
-  if (arguments.at) options.keep = steps_at(grid, *arguments.at);
+  if (arguments.at) options.at = times_at(grid, *arguments.at);
   if (arguments.tolerance) {
     options.tolerance = parse_number("--tolerance", *arguments.tolerance, {.low = 0.0, .high = 1.0});
   }
@@ -131,8 +132,9 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (path.ending != Ending::finished)
     throw NumericalFailure(fmt::format("{}: {}", scheme.id, describe(scene.problem, path)));
-  print_rows(scene, printed(scene, scheme, path), path, streams.out);
-  if (arguments.cost) print_cost(scene, scheme, path, options.history, elapsed.count(), streams.err);
+  print_rows(scene, printed(scene, scheme, grid, path), path, streams.out);
+  if (arguments.cost)
+    print_cost(scene, scheme, grid, path.cost, options.history, elapsed.count(), streams.err);
 }
 
 }  // namespace
