@@ -34,7 +34,7 @@ class ClosedMotion : public testing::TestWithParam<Motion> {
   const Scene scene_ = accelerated();
 
   [[nodiscard]] Vec at(double t) const { return scene_.reference.at(t).value; }
-  // Five points, error h^4 in reference and 1e-16/h in rounding.
+  // Five points, error h^4 in theory and 1e-16/h in rounding.
   [[nodiscard]] Vec slope(double t) const {
     constexpr double h = 0x1p-9;
     return (8.0 * (at(t + h) - at(t - h)) - (at(t + 2 * h) - at(t - 2 * h))) / (12.0 * h);
