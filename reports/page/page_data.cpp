@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
-#include "nlohmann/json.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/scene.hpp"
 #include "stepping/scheme.hpp"

@@ -18,7 +18,7 @@ Scene pendulum(const std::map<std::string, double>& values) {
 }
 
 struct Energies {
-  Ending outcome = Ending::finished;
+  Ending ending = Ending::finished;
   double first = 0.0, largest = 0.0, last = 0.0;
 };
 

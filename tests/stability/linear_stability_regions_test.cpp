@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const Scheme& scheme(std::string_view id) { return *find_scheme(id); }
 
-// Lubich, IMA J. Numer. Anal. 6 (1986); see the_stability.md, section 7.
+// Lubich, IMA J. Numer. Anal. 6 (1986); see docs/stability.md, section 7.
 TEST(StabilityRegion, OfImplicitRulesUpToOrderOneHoldsTheSector) {
   for (const auto* id : {"l1", "grunwald_letnikov", "product_trapezoidal"}) {
     for (const double order : {0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 1.0}) {

@@ -1,4 +1,4 @@
-// The tables of docs/the_stability.md, as Markdown. Argument: intervals, damping or reversal.
+// The tables of docs/stability.md, as Markdown. Argument: intervals, damping or reversal.
 
 #include <fmt/format.h>
 

@@ -72,7 +72,7 @@ Section stability_section(const PageInput& page) {
            "judged where there is no reference or the solution itself is beyond double. Below the "
            "verdict: the error at the end as a part of the value, from when on rounding is at least "
            "a quarter of it, and the time of the solve. Why each scheme fares as it does: "
-           "docs/the_stability.md."},
+           "docs/stability.md."},
       .table = {.caption = "Verdicts by scene and scheme", .columns = {{"scene"}}}};
   const auto ids = schemes_of(page.trials);
   std::vector<Cell> counts{{.text = "survived"}};
