@@ -67,8 +67,7 @@ bool has_rounding_from(const Observation& run) {
          rounding_dominates(run.values, run.rounded, run.reference).has_value();
 }
 double rounding_from(const Observation& run) {
-  const auto column = *rounding_dominates(run.values, run.rounded, run.reference);
-  return run.path.times[static_cast<std::size_t>(column)];
+  return run.path.time(*rounding_dominates(run.values, run.rounded, run.reference));
 }
 
 constexpr std::array all{

@@ -63,7 +63,7 @@ Rows printed(const Scene& scene, const Scheme& scheme, const Grid& grid, const T
   const auto names = printed_names(scene);
   Rows values(std::ssize(names), path.y.cols());
   for (Eigen::Index c = 0; c < values.cols(); ++c) {
-    const double t = path.times[static_cast<std::size_t>(c)];
+    const double t = path.time(c);
     values.col(c) = printed_values(scene, t, columns_at(scene.outputs, t, path.y.col(c)));
     for (Eigen::Index i = 0; i < values.rows(); ++i) {
       if (std::isfinite(values(i, c))) continue;
@@ -77,7 +77,7 @@ Rows printed(const Scene& scene, const Scheme& scheme, const Grid& grid, const T
 void print_rows(const Scene& scene, const Rows& values, const Trajectory& path, std::ostream& out) {
   fmt::print(out, "t,{}\n", fmt::join(printed_names(scene), ","));
   for (Eigen::Index c = 0; c < values.cols(); ++c) {
-    fmt::print(out, "{:.17g}", path.times[static_cast<std::size_t>(c)]);
+    fmt::print(out, "{:.17g}", path.time(c));
     for (const double value : values.col(c)) fmt::print(out, ",{:.17g}", value);
     fmt::print(out, "\n");
   }

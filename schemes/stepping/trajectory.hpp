@@ -43,6 +43,9 @@ struct Trajectory {
   std::optional<double> failed_at{};     // the time of the step that has no result, where one failed
   std::int64_t steps = 0;                // with a result; 0 where nothing was stepped
   Cost cost{};
+
+  // Of this column of y.
+  [[nodiscard]] double time(Eigen::Index column) const { return times[static_cast<std::size_t>(column)]; }
 };
 
 }  // namespace fde
