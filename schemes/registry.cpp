@@ -48,7 +48,7 @@ std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem
 }
 
 std::optional<std::string> refusal(const Needs& needs, const Problem& problem, const Grid& grid) {
-  if (!needs.takes_grid) return "chooses its times itself: it takes an accuracy, not a grid";
+  if (!needs.takes_grid) return "takes an accuracy, not a grid";
   if (needs.uniform_grid && !grid.uniform()) {
     return fmt::format("needs a uniform grid, not one graded with {}", grid.grading);
   }
@@ -60,7 +60,7 @@ std::optional<std::string> refusal(const Needs& needs, const Problem& problem, c
 }
 
 std::optional<std::string> refusal(const Needs& needs, const Accuracy& accuracy) {
-  if (!needs.takes_accuracy) return "steps over the times it is given: it takes a grid, not an accuracy";
+  if (!needs.takes_accuracy) return "takes a grid, not an accuracy";
   const auto& [relative, absolute] = accuracy;
   if (relative >= 0.0 && absolute >= 0.0 && std::max(relative, absolute) > 0.0) return std::nullopt;
   return fmt::format("needs an accuracy above 0, not {} relative and {} absolute", relative, absolute);
