@@ -63,4 +63,9 @@ std::string at_step(std::string_view what, std::int64_t step, double t) {
   return fmt::format("{} at step {}, t = {:.6g}", what, step, t);
 }
 
+std::string at_time(std::string_view what, const Resolution& resolution, double t) {
+  if (const auto* grid = std::get_if<Grid>(&resolution)) return at_step(what, grid->number(t), t);
+  return fmt::format("{} at t = {:.6g}", what, t);
+}
+
 }  // namespace fde

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "problem/resolution.hpp"
 #include "stepping/trajectory.hpp"
 
 namespace fde {
@@ -23,5 +24,8 @@ std::string describe(const Problem& problem, const Trajectory& path);
 
 // "WHAT at step N, t = T".
 std::string at_step(std::string_view what, std::int64_t step, double t);
+
+// The same for a time of a run; "WHAT at t = T" where it chose its times itself.
+std::string at_time(std::string_view what, const Resolution& resolution, double t);
 
 }  // namespace fde

@@ -106,10 +106,11 @@ End end_of_stopped(const Scene& scene, const Trajectory& path, WatchedReference&
 }
 
 // Of a run that came to its end.
-End end_of_finished(const Grid& grid, const Trajectory& path, const Rows& values, const Known& known) {
+End end_of_finished(const Resolution& resolution, const Trajectory& path, const Rows& values,
+                    const Known& known) {
   const auto from = [&](Ending ending, Eigen::Index column) -> End {
     const double t = path.time(column);
-    return {at_step(words(ending), grid.number(t), t), t};
+    return {at_time(words(ending), resolution, t), t};
   };
   if (!known.missing.empty()) return {known.missing, path.reached};
   if (const auto lost = accuracy_lost(values, known.reference)) {
