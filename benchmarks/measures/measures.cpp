@@ -11,13 +11,24 @@
 namespace fde {
 namespace {
 
-bool always(const Observation& /*run*/) { return true; }
 bool has_reference(const Observation& run) { return run.reference.cols() > 0; }
-bool implicit(const Observation& run) { return run.scheme.needs.implicit; }
 
+template <auto count>
+bool counted(const Observation& run) {
+  return (run.path.cost.*count).has_value();
+}
+template <auto count>
+double cost(const Observation& run) {
+  return static_cast<double>(*(run.path.cost.*count));
+}
+bool newton_counted(const Observation& run) {
+  return run.scheme.needs.implicit && counted<&Cost::newton_iterations>(run);
+}
+
+bool has_rate(const Observation& run) { return static_cast<bool>(run.scheme.expected_rate); }
 template <Norm norm>
 double expected_rate(const Observation& run) {
-  return run.scheme.expected_rate(run.scene.problem, run.scene.smoothness, run.path.grid.grading, norm);
+  return run.scheme.expected_rate(run.scene.problem, run.scene.smoothness, run.grading, norm);
 }
 
 using OneDrift = std::optional<Drift> Observation::*;
@@ -56,8 +67,7 @@ bool has_rounding_from(const Observation& run) {
          rounding_dominates(run.values, run.rounded, run.reference).has_value();
 }
 double rounding_from(const Observation& run) {
-  const auto column = *rounding_dominates(run.values, run.rounded, run.reference);
-  return run.path.grid.time(run.path.steps[static_cast<std::size_t>(column)]);
+  return run.path.time(*rounding_dominates(run.values, run.rounded, run.reference));
 }
 
 constexpr std::array all{
@@ -81,16 +91,12 @@ constexpr std::array all{
     Measure{"drift_internal_growth", "", has_growth<internal>, growth<internal>},
     Measure{"drift_independent", "", has_drift<independent>, largest<independent>},
     Measure{"drift_independent_growth", "", has_growth<independent>, growth<independent>},
-    Measure{"rhs_calls", "", always,
-            [](const Observation& run) { return static_cast<double>(run.path.cost.rhs_calls); }},
-    Measure{"newton_iterations", "", implicit,
-            [](const Observation& run) { return static_cast<double>(run.path.cost.newton_iterations); }},
-    Measure{"history_bytes", "B", always,
-            [](const Observation& run) { return static_cast<double>(run.path.cost.history_bytes); }},
-    Measure{"states", "", always,
-            [](const Observation& run) { return static_cast<double>(run.path.cost.states); }},
-    Measure{"expected_rate_end", "", always, expected_rate<Norm::end>},
-    Measure{"expected_rate_maximum", "", always, expected_rate<Norm::maximum>},
+    Measure{"rhs_calls", "", counted<&Cost::rhs_calls>, cost<&Cost::rhs_calls>},
+    Measure{"newton_iterations", "", newton_counted, cost<&Cost::newton_iterations>},
+    Measure{"history_bytes", "B", counted<&Cost::history_bytes>, cost<&Cost::history_bytes>},
+    Measure{"states", "", counted<&Cost::states>, cost<&Cost::states>},
+    Measure{"expected_rate_end", "", has_rate, expected_rate<Norm::end>},
+    Measure{"expected_rate_maximum", "", has_rate, expected_rate<Norm::maximum>},
 };
 
 constexpr std::array all_of_time{

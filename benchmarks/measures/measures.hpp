@@ -12,7 +12,7 @@
 namespace fde {
 
 // One finished run with all that a measure may look at. Rows hold the scene's columns as rows, one column a
-// step of watched_steps; reference has none where there is no reference.
+// time of watched_times; reference has none where there is no reference.
 struct Observation {
   const Scene& scene;
   const Scheme& scheme;
@@ -20,8 +20,9 @@ struct Observation {
   const Rows& values;
   const Rows& reference;  // no columns where there is no reference
   const Vec&
-      reference_bound;  // of the reference at the end: a bound, or an estimate where that is all there is
-  Rows rounded{};       // the same values with other rounding; no columns where that run did not finish
+      reference_bound;   // of the reference at the end: a bound, or an estimate where that is all there is
+  Rows rounded{};        // the same values with other rounding; no columns where that run did not finish
+  double grading = 1.0;  // of the grid
   std::optional<double> energy_residual{};                     // EnergyBalance, which saw every step
   std::optional<Drift> internal_drift{}, independent_drift{};  // DriftWatch, which saw every step
 };

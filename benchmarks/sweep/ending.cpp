@@ -56,11 +56,16 @@ bool is_compared(Ending ending) { return ending == Ending::finished || ending ==
 
 std::string describe(const Problem& problem, const Trajectory& path) {
   const auto why = reason(problem, path.ending);
-  return path.ending == Ending::finished ? why : at_step(why, path.grid, path.reached + 1);
+  return path.failed_at ? at_step(why, path.steps + 1, *path.failed_at) : why;
 }
 
-std::string at_step(std::string_view what, const Grid& grid, int step) {
-  return fmt::format("{} at step {}, t = {:.6g}", what, step, grid.time(step));
+std::string at_step(std::string_view what, std::int64_t step, double t) {
+  return fmt::format("{} at step {}, t = {:.6g}", what, step, t);
+}
+
+std::string at_time(std::string_view what, const Resolution& resolution, double t) {
+  if (const auto* grid = std::get_if<Grid>(&resolution)) return at_step(what, grid->number(t), t);
+  return fmt::format("{} at t = {:.6g}", what, t);
 }
 
 }  // namespace fde

@@ -27,7 +27,7 @@ constexpr double least_seconds = 0.02, enough_seconds = 10.0;
 
 std::vector<double> solve_repeatedly(const Scheme& scheme, const Problem& problem, const Grid& grid,
                                      int repeats) {
-  const Options options{.keep = {grid.steps}};
+  const Options options{.at = {grid.end}};
   std::vector<double> seconds;
   double total = 0.0;
   while (total < least_seconds || (std::ssize(seconds) < repeats && total < enough_seconds)) {
@@ -73,7 +73,7 @@ struct Known {
 };
 Known what_is_known(WatchedReference& reference, const Trajectory& path) {
   try {
-    return {reference.at(path.grid, path.steps), reference.bound(path.grid)};
+    return {reference.at(path.times), reference.bound(path.reached)};
   } catch (const Singularity& failure) {
     return {.missing = fmt::format("passed a singularity of the solution ({})", failure.what())};
   } catch (const std::runtime_error& failure) {
@@ -84,7 +84,7 @@ Known what_is_known(WatchedReference& reference, const Trajectory& path) {
 // The columns at the same steps, computed in other units; none where that run does not finish.
 Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Grid& grid, Options options) {
   constexpr double unit = 0.7;
-  options.watch = {};
+  options.observer = {};
   auto path = scheme.solve(in_units_of(unit, scene.problem), grid, options);
   if (path.ending != Ending::finished) return {};
   path.y *= unit;
@@ -102,21 +102,22 @@ End end_of_stopped(const Scene& scene, const Trajectory& path, WatchedReference&
   std::string status = describe(scene.problem, path);
   if (path.ending == Ending::singular && what_is_known(reference, path).missing.empty())
     status = "unlike the solution, " + status;
-  return {std::move(status), path.grid.time(path.reached)};
+  return {std::move(status), path.reached};
 }
 
 // Of a run that came to its end.
-End end_of_finished(const Trajectory& path, const Rows& values, const Known& known) {
+End end_of_finished(const Resolution& resolution, const Trajectory& path, const Rows& values,
+                    const Known& known) {
   const auto from = [&](Ending ending, Eigen::Index column) -> End {
-    const int step = path.steps[static_cast<std::size_t>(column)];
-    return {at_step(words(ending), path.grid, step), path.grid.time(step)};
+    const double t = path.time(column);
+    return {at_time(words(ending), resolution, t), t};
   };
-  if (!known.missing.empty()) return {known.missing, path.grid.end};
+  if (!known.missing.empty()) return {known.missing, path.reached};
   if (const auto lost = accuracy_lost(values, known.reference)) {
     const bool until_beyond = lost == first_overflow(known.reference);
     return from(until_beyond ? Ending::overflow : Ending::accuracy_lost, *lost);
   }
-  return {std::string(words(Ending::finished)), path.grid.end};
+  return {std::string(words(Ending::finished)), path.reached};
 }
 
 Record outcome(const Record& row, const End& end) {
@@ -130,17 +131,17 @@ Record outcome(const Record& row, const End& end) {
 std::vector<Record> examine(const std::string& label, const Scene& scene, WatchedReference& reference,
                             const Scheme& scheme, int steps, double budget) {
   const Grid grid{.end = scene.problem.end, .steps = steps};
-  Options options{.budget = budget, .keep = watched_steps(steps)};
+  Options options{.budget = budget, .at = watched_times(grid)};
   const Record row = row_of(label, scheme, grid, options);
   if (const auto reason = refusal(scheme, scene.problem, grid))
     return {outcome(row, {fmt::format("{}{}", words(Ending::refused), *reason), 0.0})};
   EnergyBalance balance(scene.energy);
   DriftWatch drift(scene, grid);
   if (scene.energy.power || scene.constraint) {
-    options.watch = [&](int n, In y) {
-      const Vec columns = columns_at(scene.outputs, grid.time(n), y);
-      if (scene.energy.power) balance.see(grid.time(n), columns);
-      if (scene.constraint) drift.see(n, columns);
+    options.observer = [&](double t, In y) {
+      const Vec columns = columns_at(scene.outputs, t, y);
+      if (scene.energy.power) balance.see(t, columns);
+      if (scene.constraint) drift.see(t, columns);
     };
   }
   const auto path = scheme.solve(scene.problem, grid, options);
@@ -148,7 +149,7 @@ std::vector<Record> examine(const std::string& label, const Scene& scene, Watche
 
   const Known known = what_is_known(reference, path);
   const Rows values = columns_of(scene.outputs, path);
-  const End end = end_of_finished(path, values, known);
+  const End end = end_of_finished(grid, path, values, known);
   if (!known.reference.allFinite()) return {outcome(row, end)};  // no measure is finite
   try {
     Observation run{scene,
@@ -158,6 +159,7 @@ std::vector<Record> examine(const std::string& label, const Scene& scene, Watche
                     known.reference,
                     known.bound,
                     rounded_otherwise(scene, scheme, grid, options),
+                    grid.grading,
                     balance.residual()};
     if (scene.constraint) {
       run.internal_drift = drift.internal();

@@ -12,7 +12,7 @@
 namespace fde {
 
 // Everything of one (scene, scheme, steps) of a sweep but its time: solves once within the budget (seconds),
-// compares with the reference at watched_steps and takes every measure that applies; the rows carry the label
+// compares with the reference at watched_times and takes every measure that applies; the rows carry the label
 // as their scene. The last row is the outcome; a run that is refused or stops early has this one only.
 // Without a reference the outcome says why, and the measures that need none are there all the same. May go on
 // side by side, each scene with a WatchedReference of its own.

@@ -4,9 +4,9 @@
 #include <charconv>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <stdexcept>
 
+#include "observers/watched_steps.hpp"
 #include "reference_data/table_kind.hpp"
 #include "references/written_bound.hpp"
 #include "sweep/experiment.hpp"
@@ -65,6 +65,7 @@ class Runs {
   };
 
   Run operator()(const Scheme& scheme, int steps) {
+    if (!scheme.expected_rate) return {.values = {}, .status = "no theoretical rate"};
     const auto rows = examine(label_, scene_, reference_, scheme, steps);
     Run run{.values = {{"h", rows.back().h}}, .status = {}};
     const std::string& status = rows.back().status;
@@ -75,12 +76,8 @@ class Runs {
 
   // max |y| over the time of the scene.
   double size() {
-    std::array<int, table_steps.front() + 1> steps{};
-    std::iota(steps.begin(), steps.end(), 0);
-    return reference_
-        .at({.end = scene_.problem.end, .steps = table_steps.front()}, {steps.begin(), steps.end()})
-        .cwiseAbs()
-        .maxCoeff();
+    const Grid grid{.end = scene_.problem.end, .steps = table_steps.front()};
+    return reference_.at(watched_times(grid)).cwiseAbs().maxCoeff();
   }
 
  private:
@@ -97,7 +94,7 @@ MadeTable make(const SceneVariant& of) {
     for (const int steps : table_steps) {
       const auto [values, status] = runs(scheme, steps);
       if (!status.empty()) {
-        const bool refused = ending_of(status) == Ending::refused;
+        const bool refused = ending_of(status) == Ending::refused || !scheme.expected_rate;
         const std::string id(scheme.id);
         made.left_out.push_back({refused ? id : fmt::format("{}, {} steps", id, steps), status});
         if (refused) break;
