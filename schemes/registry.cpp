@@ -77,8 +77,6 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
   if (!(grid.step(1) > shortest)) {
     return fmt::format("needs a first step above {:.3g}, not {}", shortest, grid.step(1));
   }
-  const bool dense = problem.jacobian || problem.linear_part;
-  if (sparse(problem) && dense) return "takes derivatives dense or sparse, the problem tells both";
   if (sparse(problem) && std::ranges::any_of(problem.components, algebraic)) {
     return "takes algebraic rows with a dense Jacobian only";
   }

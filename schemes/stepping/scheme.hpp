@@ -29,7 +29,7 @@ struct Options {
 // What a scheme asks of a problem and a grid.
 struct Needs {
   bool uniform_grid = false;
-  bool implicit = false;  // solves an equation each step: uses jacobian or linear_part where there is one
+  bool implicit = false;        // solves an equation each step: uses the derivatives that the problem tells
   bool algebraic_rows = false;  // takes order 0
   double largest_order = 2.0;
   bool two_sided = false;  // takes right derivatives and conditions
