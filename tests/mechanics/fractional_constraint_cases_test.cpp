@@ -113,7 +113,7 @@ TEST(ConstraintCases, TheMultiplierFormApproachesTheReducedEquation) {
 // digits.
 TEST(FractionalConstraint2d, AGreatForceLeavesTheMatrixOfASmallStiffness) {
   const auto scene = scene_of("fractional_constraint_2d", {{"g", 1e12}, {"k2", 1e-9}});
-  const Matrix& part = scene.problem.linear_part.value();
+  const Matrix& part = std::get<DenseLinearPart>(scene.problem.derivatives).matrix;
   EXPECT_NEAR(part(2, 1), 0.4e-9, 1e-24);
   EXPECT_NEAR(part(3, 1), -0.2e-9, 1e-24);
 }

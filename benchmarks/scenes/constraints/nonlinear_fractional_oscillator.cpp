@@ -36,10 +36,9 @@ Scene reduced(const Parameters& p) {
                             const double force = -0.5 * (k1 + k3 * y[0] * y[0]) * y[0];
                             Chain::links(y, chain.highest(y, force), f);
                           },
-                      .jacobian =
-                          [=](double, In y, OutMatrix jacobian) {
-                            jacobian = chain.linear_part(-0.5 * (k1 + 3.0 * k3 * y[0] * y[0]));
-                          },
+                      .derivatives = DenseJacobian{[=](double, In y, OutMatrix jacobian) {
+                        jacobian = chain.linear_part(-0.5 * (k1 + 3.0 * k3 * y[0] * y[0]));
+                      }},
                       .end = 10.0},
           .smoothness = smoothness,
           .outputs = picked({"x", "dx"}, {0, 1})};

@@ -143,7 +143,8 @@ Scene scene_of(const Hamilton& system, double alpha) {
                                  {1.0, {motion.p[0].at(end)}, Side::right},
                                  {1.0, {motion.p[1].at(end)}, Side::right}},
                   .rhs = [system](double t, In y, Out f) { f = system.rates<double>(y, system.force(t)); },
-                  .jacobian = [system](double, In y, OutMatrix result) { system.jacobian(y, result); },
+                  .derivatives =
+                      DenseJacobian{[system](double, In y, OutMatrix result) { system.jacobian(y, result); }},
                   .end = end},
       .smoothness = system.smoothness(),
       .outputs = {{"q1", "q2", "v1", "v2", "w1", "r1", "p1", "p2", "mu"},

@@ -110,7 +110,9 @@ Scene scene_of(const TwoSidedConstraint& system, double alpha) {
                                      {memory, {0.0}, Side::right},
                                      {memory, {0.0}, Side::right}},
                       .rhs = [system](double t, In y, Out f) { system.rhs(t, y, f); },
-                      .jacobian = [system](double, In y, OutMatrix result) { system.jacobian(y, result); },
+                      .derivatives = DenseJacobian{[system](double, In y, OutMatrix result) {
+                        system.jacobian(y, result);
+                      }},
                       .end = end},
           .smoothness = system.smoothness(),
           .outputs = {{"q1", "q2", "v1", "v2", "w1", "w2", "r1", "r2"},
