@@ -31,7 +31,7 @@ std::pair<std::string, std::string> split(const std::string& label) {
   const auto* maker = scene_of_label(label);
   if (!formulation.empty() || maker == nullptr) return {scene, formulation};
   const auto found = std::ranges::find(maker->parameters, choice_of_form, &Parameter::name);
-  return {scene, found == maker->parameters.end() ? "" : found->text_of(found->value)};
+  return {scene, found == maker->parameters.end() ? "" : text_of(found->value)};
 }
 
 template <class Items, class Name>

@@ -20,8 +20,10 @@ std::ptrdiff_t position_of_scheme(std::string_view id) {
 }
 
 std::ptrdiff_t position_of_scene(std::string_view label) {
-  const SceneMaker* scene = scene_of_label(label);
-  return scene == nullptr ? std::ssize(scenes()) : scene - scenes().data();
+  const auto& known = scenes();
+  const auto found = std::ranges::find_if(
+      known, [scene = scene_of_label(label)](const auto& maker) { return &maker == scene; });
+  return found - known.begin();
 }
 
 using Key = std::tuple<std::ptrdiff_t, std::string, std::ptrdiff_t, std::string, std::string, int>;

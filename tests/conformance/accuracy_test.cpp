@@ -94,7 +94,7 @@ std::vector<const SceneMaker*> makers() {
 INSTANTIATE_TEST_SUITE_P(, OtherUnits, testing::ValuesIn(makers()),
                          [](const auto& test) { return std::string(test.param->id); });
 
-std::string status(const std::map<std::string, double>& values, std::string_view scheme, int steps) {
+std::string status(const ParameterValues& values, std::string_view scheme, int steps) {
   const Scene scene = make_scene(*scene_of_label("relaxation"), values);
   WatchedReference reference(scene);
   return examine("relaxation", scene, reference, *find_scheme(scheme), steps).back().status;
