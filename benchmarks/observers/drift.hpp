@@ -15,7 +15,7 @@ class DriftCourse {
   explicit DriftCourse(double end) : next_(end / 8.0) {}
 
   // Takes |f|_inf at increasing times.
-  void see(double t, double drift);
+  void observe(double t, double drift);
 
   // max |f|, in the unit of f; not finite where a drift was not.
   [[nodiscard]] double largest() const { return largest_; }
@@ -39,13 +39,13 @@ struct Drift {
 // Both drifts of a scene with a constraint, while it is solved on a uniform grid. The internal one is
 // |f(t, columns)|_inf at every step, with the scheme's own w. The independent one takes in its place D^order
 // q of the computed velocities by IndependentMemory; for this the velocities are kept.
-class DriftWatch {
+class DriftObserver {
  public:
   // The scene must live as long.
-  DriftWatch(const Scene& scene, const Grid& grid);
+  DriftObserver(const Scene& scene, const Grid& grid);
 
   // Takes the steps 0, 1, 2, ... in order.
-  void see(int n, In columns);
+  void observe(int n, In columns);
 
   [[nodiscard]] Drift internal() const;
 

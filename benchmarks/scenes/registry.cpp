@@ -22,6 +22,11 @@ const SceneMaker* scene_of_label(std::string_view label) {
   return found == scenes().end() ? nullptr : &*found;
 }
 
+const SceneMaker* find_scene(std::string_view id) {
+  const auto found = std::ranges::find(scenes(), id, &SceneMaker::id);
+  return found == scenes().end() ? nullptr : &*found;
+}
+
 const SceneMaker& scene_named(std::string_view id) { return entry_named(scenes(), "scene", id); }
 
 }  // namespace fde

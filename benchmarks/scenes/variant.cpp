@@ -9,15 +9,13 @@
 
 namespace fde {
 
-std::string SceneVariant::label() const {
-  std::string text(maker->id);
-  const auto add = [&](std::string_view name, const std::string& value) {
-    text += fmt::format("{}{}={}", text.size() == maker->id.size() ? ':' : ',', name, value);
-  };
-  for (const auto& [name, value] : values)
-    add(name, parameter_named(name, maker->id, maker->parameters).text_of(value));
-  if (until) add("until", fmt::format("{}", *until));
-  return text;
+SceneSettings SceneVariant::key() const {
+  SceneSettings scene{.id = std::string(maker->id), .until = until};
+  for (const auto& [name, value] : values) {
+    const auto& parameter = parameter_named(name, maker->id, maker->parameters);
+    scene.values.emplace(name, parameter.choices.empty() ? Setting(value) : parameter.text_of(value));
+  }
+  return scene;
 }
 
 Scene make_scene(const SceneMaker& maker, const std::map<std::string, double>& values) {

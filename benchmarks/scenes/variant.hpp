@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenes/registry.hpp"
+#include "scenes/scene_settings.hpp"
 
 namespace fde {
 
@@ -16,7 +17,8 @@ struct SceneVariant {
   std::map<std::string, double> values{};
   std::optional<double> until{};  // the end of the time interval
 
-  [[nodiscard]] std::string label() const;
+  [[nodiscard]] SceneSettings key() const;
+  [[nodiscard]] std::string label() const { return label_of(key()); }
 };
 
 // The scene made from its defaults with some values replaced.

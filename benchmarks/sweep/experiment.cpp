@@ -1,33 +1,118 @@
 #include "sweep/experiment.hpp"
 
-#include <fmt/format.h>
-
 #include <chrono>
-#include <cmath>
 #include <iterator>
-#include <stdexcept>
+#include <optional>
 #include <utility>
 
-#include "march/singularity.hpp"
-#include "measures/accuracy.hpp"
-#include "measures/measures.hpp"
+#include "measures/judge.hpp"
 #include "measures/rounding.hpp"
 #include "observers/drift.hpp"
 #include "observers/energy_balance.hpp"
 #include "observers/watched_steps.hpp"
-#include "sweep/ending.hpp"
 
 namespace fde {
 
 namespace {
+
+Grid grid_of(const Scene& scene, const Setup& setup) {
+  return {.end = scene.problem.end, .steps = std::get<int>(setup.resolution), .grading = setup.grading};
+}
+
+// What hears every step of a run.
+class Observers {
+ public:
+  Observers(const Scene& scene, const Grid& grid) : scene_(scene), grid_(grid) {
+    if (scene.energy.power) energy_.emplace(scene.energy);
+    if (scene.constraint) drift_.emplace(scene, grid);
+  }
+
+  [[nodiscard]] bool empty() const { return !energy_ && !drift_; }
+
+  void observe(int n, In y) {
+    const Vec columns = columns_at(scene_.outputs, grid_.time(n), y);
+    if (energy_) energy_->observe(grid_.time(n), columns);
+    if (drift_) drift_->observe(n, columns);
+  }
+
+  void tell(Observed& observed) const {
+    if (energy_) observed.energy_residual = energy_->residual();
+    if (!drift_) return;
+    observed.internal_drift = drift_->internal();
+    observed.independent_drift = drift_->independent();
+  }
+
+ private:
+  const Scene& scene_;
+  Grid grid_;
+  std::optional<EnergyObserver> energy_{};
+  std::optional<DriftObserver> drift_{};
+};
+
+// The columns at the same times, computed in other units; none where that run does not finish.
+Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Grid& grid, const Options& options) {
+  constexpr double unit = 0.7;
+  auto path = scheme.solve(in_units_of(unit, scene.problem), grid, options);
+  if (path.ending != Ending::finished) return {};
+  path.y *= unit;
+  return columns_of(scene.outputs, path);
+}
+
+void tell_rates(const Scene& scene, const Scheme& scheme, double grading, Observed& observed) {
+  const auto rate = [&](Norm norm) {
+    return scheme.expected_rate(scene.problem, scene.smoothness, grading, norm);
+  };
+  observed.expected_rate_end = rate(Norm::end);
+  observed.expected_rate_maximum = rate(Norm::maximum);
+}
+
+Judgement solve_and_judge(const Scene& scene, WatchedReference& reference, const Scheme& scheme,
+                          const Setup& setup) {
+  const Grid grid = grid_of(scene, setup);
+  if (auto reason = refusal(scheme, scene.problem, grid)) return {{Ending::refused, std::move(*reason)}};
+  Options options = setup.options();
+  options.keep = watched_steps(grid.steps);
+  Options observing = options;
+  Observers observers(scene, grid);
+  if (!observers.empty()) observing.watch = [&](int n, In y) { observers.observe(n, y); };
+  const auto path = scheme.solve(scene.problem, grid, observing);
+  if (path.ending != Ending::finished) return judge(scene, path, reference);
+  Observed observed{.steps = options.keep, .rounded = rounded_otherwise(scene, scheme, grid, options)};
+  observers.tell(observed);
+  tell_rates(scene, scheme, grid.grading, observed);
+  return judge(scene, path, reference, observed);
+}
+
+// A row without its number.
+Record row_of(const SceneSettings& name, const Scene& scene, const Scheme& scheme, const Setup& setup) {
+  const int steps = std::get<int>(setup.resolution);
+  return {.key = {.scene = name, .scheme = std::string(scheme.id), .setup = setup},
+          .steps = steps,
+          .h = scene.problem.end / steps};
+}
+
+Record with_value(Record row, const Measured& measured) {
+  row.quantity = measured.id;
+  row.value = measured.value;
+  row.unit = measured.unit;
+  return row;
+}
+
+std::vector<Record> records_of(const Record& row, Judgement judgement) {
+  std::vector<Record> rows;
+  for (const auto& measured : judgement.measured) rows.push_back(with_value(row, measured));
+  rows.push_back(with_value(row, {"ending", "t", judgement.until}));
+  rows.back().ending = std::move(judgement.ending);
+  return rows;
+}
 
 // `repeats` solves, more where short ones do not add up to something a clock can tell, fewer where they are
 // long.
 constexpr double least_seconds = 0.02, enough_seconds = 10.0;
 
 std::vector<double> solve_repeatedly(const Scheme& scheme, const Problem& problem, const Grid& grid,
-                                     int repeats) {
-  const Options options{.keep = {grid.steps}};
+                                     Options options, int repeats) {
+  options.keep = {grid.steps};
   std::vector<double> seconds;
   double total = 0.0;
   while (total < least_seconds || (std::ssize(seconds) < repeats && total < enough_seconds)) {
@@ -39,148 +124,21 @@ std::vector<double> solve_repeatedly(const Scheme& scheme, const Problem& proble
   return seconds;
 }
 
-Record row_of(const std::string& label, const Scheme& scheme, const Grid& grid, const Options& options) {
-  return {.scene = label,
-          .scheme = std::string(scheme.id),
-          .history = std::string(name(options.history)),
-          .steps = grid.steps,
-          .h = grid.step(),
-          .tolerance = options.tolerance};
-}
-
-Record with_value(Record row, std::string_view quantity, double value, std::string_view unit) {
-  if (!std::isfinite(value)) throw std::range_error(fmt::format("{} is not finite", quantity));
-  row.quantity = quantity;
-  row.value = value;
-  row.unit = unit;
-  return row;
-}
-
-// A row for every measure that applies; throws std::range_error where one is not finite.
-std::vector<Record> measure(const Observation& run, const Record& row) {
-  std::vector<Record> rows;
-  for (const auto& measure : measures()) {
-    if (measure.applies(run)) rows.push_back(with_value(row, measure.id, measure.value(run), measure.unit));
-  }
-  return rows;
-}
-
-// The reference beside a path, or why there is none, as a status.
-struct Known {
-  Rows reference{};
-  Vec bound{};
-  std::string missing{};
-};
-Known what_is_known(WatchedReference& reference, const Trajectory& path) {
-  try {
-    return {reference.at(path.grid, path.steps), reference.bound(path.grid)};
-  } catch (const Singularity& failure) {
-    return {.missing = fmt::format("passed a singularity of the solution ({})", failure.what())};
-  } catch (const std::runtime_error& failure) {
-    return {.missing = fmt::format("{}{}", words(Ending::no_reference), failure.what())};
-  }
-}
-
-// The columns at the same steps, computed in other units; none where that run does not finish.
-Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Grid& grid, Options options) {
-  constexpr double unit = 0.7;
-  options.watch = {};
-  auto path = scheme.solve(in_units_of(unit, scene.problem), grid, options);
-  if (path.ending != Ending::finished) return {};
-  path.y *= unit;
-  return columns_of(scene.outputs, path);
-}
-
-// How a run ended, and where.
-struct End {
-  std::string status;
-  double t;
-};
-
-// Of a run that stopped. One that left the domain of its problem was right, unless the solution stays inside.
-End end_of_stopped(const Scene& scene, const Trajectory& path, WatchedReference& reference) {
-  std::string status = describe(scene.problem, path);
-  if (path.ending == Ending::singular && what_is_known(reference, path).missing.empty())
-    status = "unlike the solution, " + status;
-  return {std::move(status), path.grid.time(path.reached)};
-}
-
-// Of a run that came to its end.
-End end_of_finished(const Trajectory& path, const Rows& values, const Known& known) {
-  const auto from = [&](Ending ending, Eigen::Index column) -> End {
-    const int step = path.steps[static_cast<std::size_t>(column)];
-    return {at_step(words(ending), path.grid, step), path.grid.time(step)};
-  };
-  if (!known.missing.empty()) return {known.missing, path.grid.end};
-  if (const auto lost = accuracy_lost(values, known.reference)) {
-    const bool until_beyond = lost == first_overflow(known.reference);
-    return from(until_beyond ? Ending::overflow : Ending::accuracy_lost, *lost);
-  }
-  return {std::string(words(Ending::finished)), path.grid.end};
-}
-
-Record outcome(const Record& row, const End& end) {
-  Record last = with_value(row, "outcome", end.t, "t");
-  last.status = end.status;
-  return last;
-}
-
 }  // namespace
 
-std::vector<Record> examine(const std::string& label, const Scene& scene, WatchedReference& reference,
-                            const Scheme& scheme, int steps, double budget) {
-  const Grid grid{.end = scene.problem.end, .steps = steps};
-  Options options{.budget = budget, .keep = watched_steps(steps)};
-  const Record row = row_of(label, scheme, grid, options);
-  if (const auto reason = refusal(scheme, scene.problem, grid))
-    return {outcome(row, {fmt::format("{}{}", words(Ending::refused), *reason), 0.0})};
-  EnergyBalance balance(scene.energy);
-  DriftWatch drift(scene, grid);
-  if (scene.energy.power || scene.constraint) {
-    options.watch = [&](int n, In y) {
-      const Vec columns = columns_at(scene.outputs, grid.time(n), y);
-      if (scene.energy.power) balance.see(grid.time(n), columns);
-      if (scene.constraint) drift.see(n, columns);
-    };
-  }
-  const auto path = scheme.solve(scene.problem, grid, options);
-  if (path.ending != Ending::finished) return {outcome(row, end_of_stopped(scene, path, reference))};
-
-  const Known known = what_is_known(reference, path);
-  const Rows values = columns_of(scene.outputs, path);
-  const End end = end_of_finished(path, values, known);
-  if (!known.reference.allFinite()) return {outcome(row, end)};  // no measure is finite
-  try {
-    Observation run{scene,
-                    scheme,
-                    path,
-                    values,
-                    known.reference,
-                    known.bound,
-                    rounded_otherwise(scene, scheme, grid, options),
-                    balance.residual()};
-    if (scene.constraint) {
-      run.internal_drift = drift.internal();
-      run.independent_drift = drift.independent();
-    }
-    auto rows = measure(run, row);
-    rows.push_back(outcome(row, end));
-    return rows;
-  } catch (const std::runtime_error& failure) {  // of a measure
-    return {outcome(row, {failure.what(), grid.end})};
-  }
+std::vector<Record> examine(const SceneSettings& name, const Scene& scene, WatchedReference& reference,
+                            const Scheme& scheme, const Setup& setup) {
+  return records_of(row_of(name, scene, scheme, setup), solve_and_judge(scene, reference, scheme, setup));
 }
 
-std::vector<Record> time_solves(const std::string& label, const Scene& scene, const Scheme& scheme, int steps,
-                                int repeats) {
-  const Grid grid{.end = scene.problem.end, .steps = steps};
-  const auto seconds = solve_repeatedly(scheme, scene.problem, grid, repeats);
-  const Record row = row_of(label, scheme, grid, {});
+std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
+                                const Setup& setup, int repeats) {
+  const auto seconds =
+      solve_repeatedly(scheme, scene.problem, grid_of(scene, setup), setup.options(), repeats);
   std::vector<Record> rows;
   for (const auto& measure : time_measures()) {
-    rows.push_back(with_value(row, measure.id, measure.value(seconds), "s"));
+    rows.push_back(with_value(row_of(name, scene, scheme, setup), {measure.id, "s", measure.value(seconds)}));
   }
-  rows.back().status = "timed";
   return rows;
 }
 

@@ -21,9 +21,9 @@ constexpr int most_direct_steps = 1 << 21;  // beyond, hours
 constexpr int most_rows = 10'000'000;
 
 struct SolveArguments {
-  std::string scene, scheme, steps, grid = "uniform", history = "auto";
-  std::optional<std::string> until, at, tolerance;
-  std::string budget = "3600";
+  std::string scene, scheme, steps;
+  std::optional<std::string> until, at;
+  MeansArguments means{.budget = "3600"};
   std::vector<std::string> settings;
   bool cost = false;
 };
@@ -50,13 +50,6 @@ std::vector<int> steps_at(const Grid& grid, const std::string& times) {
   std::ranges::sort(steps);
   steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
   return steps;
-}
-
-HistoryKind parse_history(const std::string& text) {
-  if (text == "auto") return HistoryKind::automatic;
-  if (text == "direct") return HistoryKind::direct;
-  if (text == "exponentials") return HistoryKind::exponentials;
-  throw std::invalid_argument(fmt::format("--history = {}: must be auto, direct or exponentials", text));
 }
 
 // The columns to print, one row a column, one column a step. A state may be finite and its energy not: throws
@@ -105,9 +98,10 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
   SceneVariant variant{.maker = &maker, .values = parse_settings(maker, arguments.settings)};
   if (arguments.until) variant.until = parse_number("--until", *arguments.until, any_end);
   const Scene scene = make_scene(variant);
-  const Grid grid =
-      parse_grid(arguments.grid, scene.problem.end, parse_count("--steps", arguments.steps, 1, most_steps));
-  Options options{.history = parse_history(arguments.history)};
+  const int steps = parse_count("--steps", arguments.steps, 1, most_steps);
+  const Setup setup = parse_means(arguments.means);
+  const Grid grid{.end = scene.problem.end, .steps = steps, .grading = setup.grading};
+  Options options = setup.options();
   if (resolve(options.history, grid) == HistoryKind::direct && grid.steps > most_direct_steps) {
     throw std::invalid_argument(
         fmt::format("--history = direct: takes up to {} steps, its work grows with their square, not {}",
@@ -118,10 +112,6 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
         fmt::format("--at is needed beyond {} steps, not all {} are printed", most_rows, grid.steps));
   }
   if (arguments.at) options.keep = steps_at(grid, *arguments.at);
-  if (arguments.tolerance) {
-    options.tolerance = parse_number("--tolerance", *arguments.tolerance, {.low = 0.0, .high = 1.0});
-  }
-  options.budget = parse_number("--budget", arguments.budget, positive);
   if (const auto reason = refusal(scheme, scene.problem, grid)) {
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
   }
@@ -146,11 +136,7 @@ void add_solve_command(CLI::App& app, const Streams& streams) {
   command->add_option("--until", arguments->until, "end of the time interval");
   command->add_option("--set", arguments->settings, "a parameter of the scene, NAME=VALUE")->take_all();
   command->add_option("--at", arguments->at, "grid times to print, T1,T2,...; default all");
-  command->add_option("--grid", arguments->grid, "uniform or graded:R");
-  command->add_option("--history", arguments->history, "auto, direct or exponentials");
-  command->add_option("--tolerance", arguments->tolerance,
-                      "relative, of Newton's method and of the weights of the past; default rounding");
-  command->add_option("--budget", arguments->budget, "seconds after which the run ends; default 3600");
+  add_options(*command, arguments->means);
   command->add_flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");
   command->callback([=] { solve(*arguments, streams); });
 }

@@ -24,10 +24,10 @@ struct Drifts {
 
 // Of a scheme, or of what `columns` makes of each step.
 Drifts drifts_of(const Scene& scene, std::string_view scheme, int steps) {
-  DriftWatch watch(scene, {scene.problem.end, steps});
+  DriftObserver watch(scene, {scene.problem.end, steps});
   Options options{.keep = {steps}};
   options.watch = [&](int n, In y) {
-    watch.see(n, columns_at(scene.outputs, scene.problem.end * n / steps, y));
+    watch.observe(n, columns_at(scene.outputs, scene.problem.end * n / steps, y));
   };
   solve(scheme, scene.problem, steps, options);
   return {watch.internal(), watch.independent()};
@@ -43,20 +43,20 @@ Scene made_scene() {
   return scene;
 }
 
-TEST(DriftWatch, TellsWhatTheSchemeSaysFromWhatItsVelocitiesSay) {
+TEST(DriftObserver, TellsWhatTheSchemeSaysFromWhatItsVelocitiesSay) {
   const Scene scene = made_scene();
   const Grid grid{.end = 4.0, .steps = 1000};
-  DriftWatch watch(scene, grid);
-  for (int n = 0; n <= grid.steps; ++n) watch.see(n, Vec{{grid.time(n), 1.0, n == 333 ? -1.5 : -1.0}});
+  DriftObserver watch(scene, grid);
+  for (int n = 0; n <= grid.steps; ++n) watch.observe(n, Vec{{grid.time(n), 1.0, n == 333 ? -1.5 : -1.0}});
   EXPECT_EQ(watch.internal().largest, 0.5);  // at step 333 only: every step is looked at
   EXPECT_NEAR(watch.independent()->largest, 1.0 + 4.0 / std::sqrt(std::acos(-1.0)), 1e-13);
 }
 
-TEST(DriftWatch, HasNoIndependentDriftWithoutMemoriesOrSteps) {
+TEST(DriftObserver, HasNoIndependentDriftWithoutMemoriesOrSteps) {
   Scene scene = made_scene();
-  EXPECT_FALSE(DriftWatch(scene, {.end = 1.0, .steps = 15}).independent().has_value());
+  EXPECT_FALSE(DriftObserver(scene, {.end = 1.0, .steps = 15}).independent().has_value());
   scene.memories.clear();
-  EXPECT_FALSE(DriftWatch(scene, {.end = 1.0, .steps = 64}).independent().has_value());
+  EXPECT_FALSE(DriftObserver(scene, {.end = 1.0, .steps = 64}).independent().has_value());
 }
 
 // The judge is far better than the judged: on the exact velocities it gives w to so much more than what the
@@ -125,8 +125,8 @@ TEST(Drift, IsRecordedWithItsGrowthAlsoWithoutAReference) {
   Scene scene = constrained(0.5);
   scene.reference.at = [](double) -> ReferenceValue { throw std::runtime_error("none is known"); };
   WatchedReference reference(scene);
-  const auto rows = examine("made", scene, reference, *find_scheme("l1"), 64);
-  EXPECT_EQ(rows.back().status, "no reference: none is known");
+  const auto rows = examine({}, scene, reference, *find_scheme("l1"), {64});
+  EXPECT_EQ(rows.back().ending, (RunEnding{Ending::no_reference, "none is known"}));
   const auto has = [&](std::string_view quantity) {
     return std::ranges::count(rows, quantity, &Record::quantity) == 1;
   };

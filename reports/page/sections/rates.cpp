@@ -35,7 +35,7 @@ Cell correlation(const NormRate& rate) {
 }
 
 std::vector<Cell> row(const PageInput& page, const RateRow& rate) {
-  const std::string label = page.label(rate.scheme, rate.history);
+  const std::string label = page.label(rate);
   return {{.text = label, .line = label},
           {.text = fmt::format("{} to {}", count_text(rate.coarsest), count_text(rate.finest))},
           expected(rate.end),
@@ -71,7 +71,7 @@ bool speaks_of_the_theorem(const RateRow& rate) {
 std::string on_the_theorem(const std::vector<RateRow>& rates) {
   std::vector<std::string> scenes;
   for (const RateRow& rate : rates) {
-    if (speaks_of_the_theorem(rate)) scenes.push_back(rate.scene);
+    if (speaks_of_the_theorem(rate)) scenes.push_back(label_of(rate.scene));
   }
   if (scenes.empty()) return {};
   return fmt::format(

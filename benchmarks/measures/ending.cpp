@@ -1,0 +1,61 @@
+#include "measures/ending.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace fde {
+namespace {
+
+struct Words {
+  Ending ending;
+  std::string_view name, words;  // the detail follows the words
+};
+constexpr std::array all_words{
+    Words{Ending::finished, "finished", "finished"},
+    Words{Ending::not_finite, "not_finite", "not finite"},
+    Words{Ending::not_converged, "not_converged", "Newton's method did not converge"},
+    Words{Ending::singular, "singular", "ran into the singularity"},
+    Words{Ending::out_of_budget, "out_of_budget", "out of its budget of time"},
+    Words{Ending::accuracy_lost, "accuracy_lost", "accuracy lost"},
+    Words{Ending::overflow, "overflow", "the solution overflows"},
+    Words{Ending::no_reference, "no_reference", "no reference:"},
+    Words{Ending::passed_singularity, "passed_singularity", "passed a singularity of the solution:"},
+    Words{Ending::false_singularity, "false_singularity", "unlike the solution, ran into the singularity"},
+    Words{Ending::refused, "refused", "refused:"}};
+
+const Words& words_of(Ending ending) { return *std::ranges::find(all_words, ending, &Words::ending); }
+
+}  // namespace
+
+std::string_view name(Ending ending) { return words_of(ending).name; }
+
+std::optional<Ending> ending_named(std::string_view name) {
+  const auto* found = std::ranges::find(all_words, name, &Words::name);
+  return found == all_words.end() ? std::nullopt : std::optional(found->ending);
+}
+
+std::string sentence(const RunEnding& ending) {
+  const auto words = words_of(ending.kind).words;
+  return ending.detail.empty() ? std::string(words) : fmt::format("{} {}", words, ending.detail);
+}
+
+bool is_compared(Ending ending) { return ending == Ending::finished || ending == Ending::accuracy_lost; }
+
+RunEnding ending_of(const Problem& problem, const Trajectory& path) {
+  if (path.ending == Ending::finished) return {};
+  const auto where = at_step(path.grid, path.reached + 1);
+  if (path.ending != Ending::singular) return {path.ending, where};
+  return {path.ending, fmt::format("{} {}", problem.domain.edge, where)};
+}
+
+std::string describe(const Problem& problem, const Trajectory& path) {
+  return sentence(ending_of(problem, path));
+}
+
+std::string at_step(const Grid& grid, int step) {
+  return fmt::format("at step {}, t = {:.6g}", step, grid.time(step));
+}
+
+}  // namespace fde
