@@ -16,13 +16,12 @@ Scheme grunwald_letnikov() {
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return rate(grunwald_letnikov_theory, problem, smoothness, grading, norm);
               },
-          .solve =
-              [](const Problem& problem, const Grid& grid, const Options& options) {
-                if (two_sided(problem))
-                  return solve_all_at_once(problem, grid, options, WeightFamily::grunwald_letnikov);
-                return solve_implicit(problem, grid, options,
-                                      integral_rule(problem, WeightFamily::grunwald_letnikov));
-              },
+          .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
+            if (two_sided(problem))
+              return solve_all_at_once(problem, grid, options, WeightFamily::grunwald_letnikov);
+            return solve_implicit(problem, grid, options,
+                                  integral_rule(problem, WeightFamily::grunwald_letnikov));
+          }),
           .symbol =
               [](const Problem& problem, double length) {
                 return implicit_symbol(problem, WeightFamily::grunwald_letnikov, length);

@@ -29,10 +29,7 @@ Scheme l1() {
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return split_rate(l1_theory, problem, smoothness, links_up_to_one(problem), grading, norm);
               },
-          .solve =
-              [](const Problem& problem, const Grid& grid, const Options& options) {
-                return solve_split(problem, grid, options, links_up_to_one(problem), solve_l1);
-              },
+          .solve = split_into(links_up_to_one, on_grid(solve_l1)),
           .symbol =
               [](const Problem& problem, double length) {
                 return implicit_symbol(split(problem, links_up_to_one(problem)), WeightFamily::l1, length);

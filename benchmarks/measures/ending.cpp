@@ -44,8 +44,7 @@ std::string sentence(const RunEnding& ending) {
 bool is_compared(Ending ending) { return ending == Ending::finished || ending == Ending::accuracy_lost; }
 
 RunEnding ending_of(const Problem& problem, const Trajectory& path) {
-  if (path.ending == Ending::finished) return {};
-  const auto where = at_step(path.grid, path.reached + 1);
+  const auto where = path.failed_at ? at_step(path.steps + 1, *path.failed_at) : "";
   if (path.ending != Ending::singular) return {path.ending, where};
   return {path.ending, fmt::format("{} {}", problem.domain.edge, where)};
 }
@@ -54,8 +53,12 @@ std::string describe(const Problem& problem, const Trajectory& path) {
   return sentence(ending_of(problem, path));
 }
 
-std::string at_step(const Grid& grid, int step) {
-  return fmt::format("at step {}, t = {:.6g}", step, grid.time(step));
+std::string at_step(std::int64_t step, double t) {
+  return fmt::format("at step {}, t = {:.6g}", step, t);
+}
+
+std::string at_time(const std::optional<Grid>& grid, double t) {
+  return grid ? at_step(grid->number(t), t) : fmt::format("at t = {:.6g}", t);
 }
 
 }  // namespace fde

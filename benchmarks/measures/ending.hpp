@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "problem/grid.hpp"
 #include "stepping/trajectory.hpp"
 
 namespace fde {
@@ -30,7 +32,8 @@ bool is_compared(Ending ending);
 RunEnding ending_of(const Problem& problem, const Trajectory& path);
 std::string describe(const Problem& problem, const Trajectory& path);  // as a sentence
 
-// "at step N, t = T".
-std::string at_step(const Grid& grid, int step);
+// "at step N, t = T"; "at t = T" where it is not known to be a step of a grid.
+std::string at_step(std::int64_t step, double t);
+std::string at_time(const std::optional<Grid>& grid, double t);
 
 }  // namespace fde

@@ -21,7 +21,7 @@ struct Known {
 };
 Known known_beside(const Trajectory& path, WatchedReference& reference) {
   try {
-    return {reference.at(path.grid, path.steps), reference.bound(path.grid)};
+    return {reference.at(path.times), reference.bound(path.times.back())};
   } catch (const Singularity& failure) {
     return {.missing = RunEnding{Ending::passed_singularity, failure.what()}};
   } catch (const std::runtime_error& failure) {
@@ -34,26 +34,19 @@ Judgement judge_stopped(const Scene& scene, const Trajectory& path, WatchedRefer
   RunEnding ending = ending_of(scene.problem, path);
   if (ending.kind == Ending::singular && !known_beside(path, reference).missing)
     ending.kind = Ending::false_singularity;
-  return {std::move(ending), path.grid.time(path.reached)};
-}
-
-std::string at_column(const Trajectory& path, const Observed& observed, Eigen::Index column) {
-  const auto c = static_cast<std::size_t>(column);
-  const double t = path.grid.time(path.steps[c]);
-  if (observed.steps.empty()) return fmt::format("at t = {:.6g}", t);
-  return at_step(path.grid, observed.steps[c]);
+  return {std::move(ending), path.reached};
 }
 
 // Of a run that came to its end, without the measures.
 Judgement judge_finished(const Trajectory& path, const Rows& values, const Known& known,
                          const Observed& observed) {
-  const double end = path.grid.end;
+  const double end = path.times.back();
   if (known.missing) return {*known.missing, end};
   const auto lost = accuracy_lost(values, known.reference);
   if (!lost) return {{}, end};
   const bool overflows = lost == first_overflow(known.reference);
-  return {{overflows ? Ending::overflow : Ending::accuracy_lost, at_column(path, observed, *lost)},
-          path.grid.time(path.steps[static_cast<std::size_t>(*lost)])};
+  const double t = path.time(*lost);
+  return {{overflows ? Ending::overflow : Ending::accuracy_lost, at_time(observed.grid, t)}, t};
 }
 
 void take_measures(const FinishedRun& run, Judgement& judgement) {
@@ -61,7 +54,7 @@ void take_measures(const FinishedRun& run, Judgement& judgement) {
     const auto value = measure.value(run);
     if (!value) continue;
     if (!std::isfinite(*value)) {
-      judgement = {{Ending::not_finite, fmt::format("in {}", measure.id)}, run.path.grid.end};
+      judgement = {{Ending::not_finite, fmt::format("in {}", measure.id)}, run.path.times.back()};
       return;
     }
     judgement.measured.push_back({measure.id, measure.unit, *value});

@@ -16,7 +16,9 @@ struct Judgement {
   std::vector<Measured> measured{};
 };
 
-// Judges a trajectory of the scene, of a scheme here or of another program, by the scene's reference. A run
+// Judges a trajectory of the scene, with at least one time, by the scene's reference. A scheme here may have
+// made it, or another program: then it may have nothing but times and y, which are components as the problem
+// has them. A run
 // that stopped has no measures, nor has one beside a reference that is not finite, or of which a measure is
 // not finite. Without a reference there are those that need none.
 Judgement judge(const Scene& scene, const Trajectory& path, WatchedReference& reference,

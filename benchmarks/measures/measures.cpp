@@ -32,7 +32,7 @@ Value rounding_from(const FinishedRun& run) {
   if (!has_reference(run) || !has_rounding(run)) return std::nullopt;
   const auto column = rounding_dominates(run.values, run.observed.rounded, run.reference);
   if (!column) return std::nullopt;
-  return run.path.grid.time(run.path.steps[static_cast<std::size_t>(*column)]);
+  return run.path.time(*column);
 }
 
 Value bound_of_reference(const FinishedRun& run) {
@@ -58,7 +58,8 @@ Value growth(const FinishedRun& run) {
 
 template <auto count>
 Value cost(const FinishedRun& run) {
-  return static_cast<double>(run.path.cost.*count);
+  const auto& counted = run.path.cost.*count;
+  return counted ? Value(static_cast<double>(*counted)) : std::nullopt;
 }
 
 double minimum(const std::vector<double>& seconds) { return std::ranges::min(seconds); }

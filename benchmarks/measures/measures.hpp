@@ -14,8 +14,8 @@ namespace fde {
 // What a trajectory does not tell of itself. All of it may be absent: nobody knows it of a trajectory that
 // another program wrote.
 struct Observed {
-  std::vector<int> steps{};  // the numbers of the steps that the trajectory has
-  Rows rounded{};            // the scene's columns with other rounding, one column a time of the trajectory
+  std::optional<Grid> grid{};  // over which it was stepped
+  Rows rounded{};              // the scene's columns with other rounding, one column a time of the trajectory
   std::optional<double> energy_residual{};                             // by an EnergyObserver
   std::optional<Drift> internal_drift{}, independent_drift{};          // by a DriftObserver
   std::optional<double> expected_rate_end{}, expected_rate_maximum{};  // of the scheme

@@ -27,20 +27,19 @@ std::optional<double> DriftCourse::growth() const {
   return fit.slope;
 }
 
-DriftObserver::DriftObserver(const Scene& scene, const Grid& grid)
-    : scene_(scene),
-      grid_(grid),
-      internal_(grid.end),
-      independent_(!scene.memories.empty() && grid.uniform() &&
-                   grid.steps >= IndependentMemory::fewest_steps) {
-  if (!independent_) return;
-  looked_at_ = watched_steps(grid.steps, most_looked_at);
-  velocities_.resize(grid.steps + 1, std::ssize(scene.memories));
+DriftObserver::DriftObserver(const Scene& scene, const std::optional<Grid>& grid)
+    : scene_(scene), internal_(scene.problem.end) {
+  if (scene.memories.empty() || !grid || !grid->uniform() || grid->steps < IndependentMemory::fewest_steps)
+    return;
+  grid_ = grid;
+  looked_at_ = watched_steps(grid->steps, most_looked_at);
+  velocities_.resize(grid->steps + 1, std::ssize(scene.memories));
 }
 
-void DriftObserver::observe(int n, In columns) {
-  internal_.observe(grid_.time(n), scene_.constraint.drift(grid_.time(n), columns));
-  if (!independent_) return;
+void DriftObserver::observe(double t, In columns) {
+  internal_.observe(t, scene_.constraint.drift(t, columns));
+  if (!grid_) return;
+  const int n = seen_++;
   for (std::size_t m = 0; m < scene_.memories.size(); ++m)
     velocities_(n, static_cast<Eigen::Index>(m)) = columns[scene_.memories[m].velocity];
   if (columns_.size() < looked_at_.size() && n == looked_at_[columns_.size()]) columns_.emplace_back(columns);
@@ -49,18 +48,18 @@ void DriftObserver::observe(int n, In columns) {
 Drift DriftObserver::internal() const { return drift_of(internal_); }
 
 std::optional<Drift> DriftObserver::independent() const {
-  if (!independent_) return std::nullopt;
+  if (!grid_) return std::nullopt;
   auto columns = columns_;
   for (std::size_t m = 0; m < scene_.memories.size(); ++m) {
     const auto& [derivative, velocity, order, powers] = scene_.memories[m];
-    const IndependentMemory memory(grid_, order, powers);
+    const IndependentMemory memory(*grid_, order, powers);
     const Vec velocities = velocities_.col(static_cast<Eigen::Index>(m));
     for (std::size_t c = 1; c < columns.size(); ++c)
       columns[c][derivative] = memory.at(looked_at_[c], velocities);
   }
-  DriftCourse course(grid_.end);
+  DriftCourse course(grid_->end);
   for (std::size_t c = 1; c < columns.size(); ++c) {
-    const double t = grid_.time(looked_at_[c]);
+    const double t = grid_->time(looked_at_[c]);
     course.observe(t, scene_.constraint.drift(t, columns[c]));
   }
   return drift_of(course);

@@ -1,7 +1,9 @@
 #include "sweep/experiment.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -15,24 +17,20 @@ namespace fde {
 
 namespace {
 
-Grid grid_of(const Scene& scene, const Setup& setup) {
-  return {.end = scene.problem.end, .steps = std::get<int>(setup.resolution), .grading = setup.grading};
-}
-
 // What hears every step of a run.
 class Observers {
  public:
-  Observers(const Scene& scene, const Grid& grid) : scene_(scene), grid_(grid) {
+  Observers(const Scene& scene, const std::optional<Grid>& grid) : scene_(scene) {
     if (scene.energy.power) energy_.emplace(scene.energy);
     if (scene.constraint) drift_.emplace(scene, grid);
   }
 
   [[nodiscard]] bool empty() const { return !energy_ && !drift_; }
 
-  void observe(int n, In y) {
-    const Vec columns = columns_at(scene_.outputs, grid_.time(n), y);
-    if (energy_) energy_->observe(grid_.time(n), columns);
-    if (drift_) drift_->observe(n, columns);
+  void observe(double t, In y) {
+    const Vec columns = columns_at(scene_.outputs, t, y);
+    if (energy_) energy_->observe(t, columns);
+    if (drift_) drift_->observe(t, columns);
   }
 
   void tell(Observed& observed) const {
@@ -44,21 +42,22 @@ class Observers {
 
  private:
   const Scene& scene_;
-  Grid grid_;
   std::optional<EnergyObserver> energy_{};
   std::optional<DriftObserver> drift_{};
 };
 
-// The columns at the same times, computed in other units; none where that run does not finish.
-Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Grid& grid, const Options& options) {
+// The columns at the times of a path, computed in other units; none where that run has others.
+Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Resolution& resolution,
+                       const Options& options, const std::vector<double>& times) {
   constexpr double unit = 0.7;
-  auto path = scheme.solve(in_units_of(unit, scene.problem), grid, options);
-  if (path.ending != Ending::finished) return {};
+  auto path = scheme.solve(in_units_of(unit, scene.problem), resolution, options);
+  if (path.ending != Ending::finished || path.times != times) return {};
   path.y *= unit;
   return columns_of(scene.outputs, path);
 }
 
 void tell_rates(const Scene& scene, const Scheme& scheme, double grading, Observed& observed) {
+  if (!scheme.expected_rate) return;
   const auto rate = [&](Norm norm) {
     return scheme.expected_rate(scene.problem, scene.smoothness, grading, norm);
   };
@@ -66,29 +65,41 @@ void tell_rates(const Scene& scene, const Scheme& scheme, double grading, Observ
   observed.expected_rate_maximum = rate(Norm::maximum);
 }
 
-Judgement solve_and_judge(const Scene& scene, WatchedReference& reference, const Scheme& scheme,
-                          const Setup& setup) {
-  const Grid grid = grid_of(scene, setup);
-  if (auto reason = refusal(scheme, scene.problem, grid)) return {{Ending::refused, std::move(*reason)}};
+// How a run was made, and what is said of it.
+struct Examined {
+  std::int64_t steps = 0;
+  Judgement judgement{};
+};
+
+Examined solve_and_judge(const Scene& scene, WatchedReference& reference, const Scheme& scheme,
+                         const Setup& setup) {
+  const Resolution resolution = resolution_of(setup, scene.problem.end);
+  if (auto reason = refusal(scheme, scene.problem, resolution))
+    return {.judgement = {{Ending::refused, std::move(*reason)}}};
+  Observed observed;
+  if (const auto* grid = std::get_if<Grid>(&resolution)) observed.grid = *grid;
   Options options = setup.options();
-  options.keep = watched_steps(grid.steps);
+  if (observed.grid) options.at = watched_times(*observed.grid);
   Options observing = options;
-  Observers observers(scene, grid);
-  if (!observers.empty()) observing.watch = [&](int n, In y) { observers.observe(n, y); };
-  const auto path = scheme.solve(scene.problem, grid, observing);
-  if (path.ending != Ending::finished) return judge(scene, path, reference);
-  Observed observed{.steps = options.keep, .rounded = rounded_otherwise(scene, scheme, grid, options)};
+  Observers observers(scene, observed.grid);
+  if (!observers.empty()) observing.observer = [&](double t, In y) { observers.observe(t, y); };
+  auto path = scheme.solve(scene.problem, resolution, observing);
+  if (!scheme.needs.implicit) path.cost.newton_iterations.reset();  // it has none to count
+  if (path.ending != Ending::finished) return {path.steps, judge(scene, path, reference)};
+  observed.rounded = rounded_otherwise(scene, scheme, resolution, options, path.times);
   observers.tell(observed);
-  tell_rates(scene, scheme, grid.grading, observed);
-  return judge(scene, path, reference, observed);
+  if (observed.grid) tell_rates(scene, scheme, observed.grid->grading, observed);
+  return {path.steps, judge(scene, path, reference, observed)};
 }
 
-// A row without its number.
-Record row_of(const SceneSettings& name, const Scene& scene, const Scheme& scheme, const Setup& setup) {
-  const int steps = std::get<int>(setup.resolution);
+// A row without its number. The steps of a run over a grid are those asked for, also where it stopped.
+Record row_of(const SceneSettings& name, const Scene& scene, const Scheme& scheme, const Setup& setup,
+              std::int64_t made) {
+  const auto* asked = std::get_if<int>(&setup.resolution);
+  const int steps = asked != nullptr ? *asked : static_cast<int>(made);
   return {.key = {.scene = name, .scheme = std::string(scheme.id), .setup = setup},
           .steps = steps,
-          .h = scene.problem.end / steps};
+          .h = steps > 0 ? scene.problem.end / steps : 0.0};
 }
 
 Record with_value(Record row, const Measured& measured) {
@@ -110,35 +121,45 @@ std::vector<Record> records_of(const Record& row, Judgement judgement) {
 // long.
 constexpr double least_seconds = 0.02, enough_seconds = 10.0;
 
-std::vector<double> solve_repeatedly(const Scheme& scheme, const Problem& problem, const Grid& grid,
-                                     Options options, int repeats) {
-  options.keep = {grid.steps};
-  std::vector<double> seconds;
+struct Timed {
+  std::int64_t steps = 0;
+  std::vector<double> seconds{};
+};
+
+Timed solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resolution& resolution,
+                       const Options& options, int repeats) {
+  Timed timed;
   double total = 0.0;
-  while (total < least_seconds || (std::ssize(seconds) < repeats && total < enough_seconds)) {
+  while (total < least_seconds || (std::ssize(timed.seconds) < repeats && total < enough_seconds)) {
     const auto start = std::chrono::steady_clock::now();
-    const auto path = scheme.solve(problem, grid, options);
-    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    total += seconds.back();
+    const auto path = scheme.solve(problem, resolution, options);
+    timed.seconds.push_back(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    total += timed.seconds.back();
+    timed.steps = path.steps;
   }
-  return seconds;
+  return timed;
 }
 
 }  // namespace
 
 std::vector<Record> examine(const SceneSettings& name, const Scene& scene, WatchedReference& reference,
                             const Scheme& scheme, const Setup& setup) {
-  return records_of(row_of(name, scene, scheme, setup), solve_and_judge(scene, reference, scheme, setup));
+  auto [steps, judgement] = solve_and_judge(scene, reference, scheme, setup);
+  return records_of(row_of(name, scene, scheme, setup, steps), std::move(judgement));
 }
 
 std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
                                 const Setup& setup, int repeats) {
-  const auto seconds =
-      solve_repeatedly(scheme, scene.problem, grid_of(scene, setup), setup.options(), repeats);
+  Options options = setup.options();
+  options.budget = std::numeric_limits<double>::infinity();  // the run is known to come to its end
+  options.at = {scene.problem.end};
+  const auto [steps, seconds] = solve_repeatedly(
+      scheme, scene.problem, resolution_of(setup, scene.problem.end), options, repeats);
+  const Record row = row_of(name, scene, scheme, setup, steps);
   std::vector<Record> rows;
-  for (const auto& measure : time_measures()) {
-    rows.push_back(with_value(row_of(name, scene, scheme, setup), {measure.id, "s", measure.value(seconds)}));
-  }
+  for (const auto& measure : time_measures())
+    rows.push_back(with_value(row, {measure.id, "s", measure.value(seconds)}));
   return rows;
 }
 

@@ -9,7 +9,7 @@
 
 namespace fde {
 
-// Everything of one run but its time: solves once within the budget, judges the run at watched_steps by the
+// Everything of one run but its time: solves once within the budget, judges the run at watched_times by the
 // reference, and makes a row of every measure and the last one of the ending. The name is that of the scene
 // in the rows. May go on side by side, each scene with a WatchedReference of its own.
 std::vector<Record> examine(const SceneSettings& name, const Scene& scene, WatchedReference& reference,

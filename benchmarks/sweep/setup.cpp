@@ -15,6 +15,12 @@ constexpr std::string_view uniform = "uniform", graded = "graded:";
 
 Options Setup::options() const { return {.history = history, .tolerance = tolerance, .budget = budget}; }
 
+Resolution resolution_of(const Setup& setup, double end) {
+  if (const auto* steps = std::get_if<int>(&setup.resolution))
+    return Grid{.end = end, .steps = *steps, .grading = setup.grading};
+  return std::get<Accuracy>(setup.resolution);
+}
+
 bool same_line(Setup a, const Setup& b) {
   if (a.resolution.index() != b.resolution.index()) return false;
   a.resolution = b.resolution;

@@ -24,6 +24,9 @@ struct Setup {
   [[nodiscard]] Options options() const;
 };
 
+// What the scheme is asked for up to this time.
+Resolution resolution_of(const Setup& setup, double end);
+
 // Whether two setups differ in their number of steps at most, or in their accuracy: their runs are of one
 // line of a chart.
 bool same_line(Setup a, const Setup& b);

@@ -56,7 +56,7 @@ ImplicitRule integral_rule(const Problem& problem, WeightFamily family) {
 
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,
                           const ImplicitRule& rule) {
-  Run run(problem, grid, options);
+  Run run(problem, options, grid.steps);
   NewtonSolver newton(problem, options.tolerance);
   StepFactors factors(rule.tables, grid);
   PastOfRows history(problem, rule.tables, grid, options);
@@ -72,10 +72,10 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
     const Vec& kappa = factors.at(n);
     rule.past(t, convolved, previous, kappa, past);
     if (!newton.solve(run, t, kappa, past, y)) {
-      run.fail(y.allFinite() ? Ending::not_converged : Ending::not_finite);
+      run.fail(y.allFinite() ? Ending::not_converged : Ending::not_finite, t);
       break;
     }
-    if (!run.accept(n, y)) break;
+    if (!run.accept(t, y)) break;
     if (n < grid.steps) rule.sample(run, t, y, previous, sample);
     previous = y;
   }

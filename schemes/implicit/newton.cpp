@@ -53,7 +53,7 @@ bool NewtonSolver::iterate(Run& run, double t, In past, Out y, int most_setbacks
     linearise(run, t, past, y);
     matrix_.factorise_and_solve(increment_);
     y += increment_;
-    ++run.cost().newton_iterations;
+    ++*run.cost().newton_iterations;
     const double now = relative_increment(y);
     if (std::isnan(now)) return false;
     if (now <= tolerance_ || (now >= last / 2 && now <= stagnation)) return true;
@@ -71,7 +71,7 @@ bool NewtonSolver::approach(Run& run, double t, In past, Out y) {
     matrix_.add_to_diagonal(inverse_step * matrix_.mass());
     matrix_.factorise();
     matrix_.solve(increment_);
-    ++run.cost().newton_iterations;
+    ++*run.cost().newton_iterations;
     increment = increment_;
     trial = y + increment;
     f_ = run.rhs(t, trial);
@@ -111,7 +111,7 @@ bool NewtonSolver::solve_linear(Run& run, double t, In past, Out y) {
   take_residual(past, y);
   matrix_.solve(increment_);
   y += increment_;
-  ++run.cost().newton_iterations;
+  ++*run.cost().newton_iterations;
   return y.allFinite();
 }
 

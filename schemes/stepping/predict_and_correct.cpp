@@ -5,7 +5,7 @@
 namespace fde {
 
 Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const Options& options) {
-  Run run(problem, grid, options);
+  Run run(problem, options, grid.steps);
   const auto predictor = tables(problem, WeightFamily::rectangle);
   const auto corrector = tables(problem, WeightFamily::trapezoid);
   const auto history = make_history(options.history, {predictor, corrector}, grid, options.tolerance);
@@ -25,7 +25,7 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
     for (int correction = 0; correction < options.corrections; ++correction) {
       y = taylor + kappa.cwiseProduct(corrected + run.rhs(t, y));
     }
-    if (!run.accept(n, y)) break;
+    if (!run.accept(t, y)) break;
   }
   return run.finish();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fde {
 namespace {
@@ -102,6 +103,24 @@ void split_derivatives(const Problem& problem, const Links& links, const std::ve
   }
 }
 
+Trajectory solve_split(const Problem& problem, const Resolution& resolution, const Options& options,
+                       const Links& links, const Solve& solve) {
+  if (std::ranges::all_of(links, [](const auto& link) { return link.size() == 1; })) {
+    return solve(problem, resolution, options);
+  }
+  const auto position = positions(links);
+  Options inner = options;
+  if (options.observer) {
+    inner.observer = [&](double t, In y) { options.observer(t, Vec(y(position))); };
+  }
+  Trajectory path = solve(split(problem, links), resolution, inner);
+  path.y = Rows(path.y(position, Eigen::all));
+  if (path.dense) {
+    path.dense = [dense = std::move(path.dense), position](double t) -> Vec { return dense(t)(position); };
+  }
+  return path;
+}
+
 }  // namespace
 
 Links links_up_to_one(const Problem& problem) {
@@ -172,19 +191,11 @@ Smoothness split(const Problem& problem, const Smoothness& smoothness, const Lin
   return result;
 }
 
-Trajectory solve_split(const Problem& problem, const Grid& grid, const Options& options, const Links& links,
-                       const Solve& solve) {
-  if (std::ranges::all_of(links, [](const auto& link) { return link.size() == 1; })) {
-    return solve(problem, grid, options);
-  }
-  const auto position = positions(links);
-  Options inner = options;
-  if (options.watch) {
-    inner.watch = [&](int n, In y) { options.watch(n, Vec(y(position))); };
-  }
-  Trajectory path = solve(split(problem, links), grid, inner);
-  path.y = Rows(path.y(position, Eigen::all));
-  return path;
+Solve split_into(std::function<Links(const Problem&)> links, Solve solve) {
+  return [links = std::move(links), solve = std::move(solve)](
+             const Problem& problem, const Resolution& resolution, const Options& options) {
+    return solve_split(problem, resolution, options, links(problem), solve);
+  };
 }
 
 }  // namespace fde

@@ -37,7 +37,7 @@ inline std::vector<EndOfRun> endings() {
       for (const int steps : {64, 1500}) {
         const Grid grid{.end = scene.problem.end, .steps = steps};
         if (refusal(scheme, scene.problem, grid)) continue;
-        const auto path = scheme.solve(scene.problem, grid, {.keep = {steps}});
+        const auto path = scheme.solve(scene.problem, grid, {.at = {grid.end}});
         if (path.ending != Ending::finished) continue;
         const Vec last = path.y.col(0);
         found.push_back({fmt::format("{} {} {}", id, scheme.id, steps), {last.begin(), last.end()}});

@@ -12,7 +12,7 @@ namespace fde {
 namespace {
 
 ReferenceValue exact_at(std::string_view scene, const std::map<std::string, double>& values, double t) {
-  return scene_of(scene, values).exact.at(t);
+  return scene_of(scene, values).reference.at(t);
 }
 
 // Linear scenes of no load: the solution is as large as it starts.

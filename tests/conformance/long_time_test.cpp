@@ -18,7 +18,7 @@ Scene pendulum(const std::map<std::string, double>& values) {
 }
 
 struct Energies {
-  Ending outcome = Ending::finished;
+  Ending ending = Ending::finished;
   double first = 0.0, largest = 0.0, last = 0.0;
 };
 
@@ -27,14 +27,14 @@ Energies energies(const Scene& scene, std::string_view scheme) {
   const Scene rest = pendulum({{"phi0", 0.0}, {"dphi0", 0.0}});
   const double lowest = rest.energy.value(columns_at(rest.outputs, 0.0, taylor_part(rest.problem, 0.0)));
   Energies seen;
-  Options options{.keep = {steps}};
-  options.watch = [&](int n, In y) {
-    if (n % 16 != 0) return;
-    seen.last = scene.energy.value(columns_at(scene.outputs, end * n / steps, y)) - lowest;
-    if (n == 0) seen.first = seen.last;
+  Options options{.at = {end}};
+  options.observer = [&, n = 0](double t, In y) mutable {
+    if (n++ % 16 != 0) return;
+    seen.last = scene.energy.value(columns_at(scene.outputs, t, y)) - lowest;
+    if (t == 0.0) seen.first = seen.last;
     seen.largest = std::max(seen.largest, seen.last);
   };
-  seen.ending = find_scheme(scheme)->solve(scene.problem, {end, steps}, options).ending;
+  seen.ending = find_scheme(scheme)->solve(scene.problem, Grid{end, steps}, options).ending;
   return seen;
 }
 

@@ -154,9 +154,9 @@ std::vector<Case> cases(const std::vector<Variant>& variants,
   std::vector<Case> all;
   for (const auto& variant : variants) {
     const Scene& scene = make(variant);
-    for (const auto& scheme : schemes()) {
-      const Case pair{variant, &scheme};
-      if (refusal(scheme, scene.problem, {variant.end, 256, variant.grading})) continue;
+    for (const auto* scheme : grid_schemes()) {
+      const Case pair{variant, scheme};
+      if (refusal(*scheme, scene.problem, Grid{variant.end, 256, variant.grading})) continue;
       if (!condition || condition(pair)) all.push_back(pair);
     }
   }
@@ -171,7 +171,7 @@ bool the_rest(const Case& c) {
 }
 
 // The commensurate expansion is adams_pc again, with powers of h too close to each other to tell.
-bool not_the_expansion(const Case& c) { return c.scheme->id != "commensurate_adams_pc"; }
+bool not_the_expansion(const Case& c) { return c.scheme->expansion_of.empty(); }
 
 constexpr auto name_of_case = [](const auto& test) { return case_name(test.param); };
 
@@ -180,7 +180,7 @@ Rows errors(const Case& c, const Scene& scene, WatchedReference& reference, int 
   const Grid grid{scene.problem.end, steps, c.variant.grading};
   const auto path = c.scheme->solve(scene.problem, grid, {});
   EXPECT_EQ(path.ending, Ending::finished);
-  return columns_of(scene.outputs, path) - reference.at(grid, path.steps);
+  return columns_of(scene.outputs, path) - reference.at(path.times);
 }
 
 void expect_rate(const std::vector<ErrorAt>& points, double theory) {
@@ -291,7 +291,7 @@ TEST_P(FirstStepRate, MatchesTheory) {
     const Grid grid{first.problem.end, 1};
     const auto path = GetParam().scheme->solve(first.problem, grid, {});
     points.push_back(
-        {grid.end, (columns_of(scene.outputs, path) - reference.at(grid, path.steps)).cwiseAbs().maxCoeff()});
+        {grid.end, (columns_of(scene.outputs, path) - reference.at(path.times)).cwiseAbs().maxCoeff()});
   }
   expect_rate(points, theory);
 }
@@ -316,7 +316,7 @@ TEST(FirstStep, OfThePredictorCorrectorForALinearStart) {
   const Case pair{{"power_linear", "power", {{"gamma", 0.5}, {"p", 1.5}}, 1.0}, find_scheme("adams_pc")};
   std::vector<ErrorAt> points;
   for (double h = 1e-2; h > 1e-5; h /= 4) {
-    const auto path = pair.scheme->solve(make(pair.variant).problem, {h, 1}, {});
+    const auto path = pair.scheme->solve(make(pair.variant).problem, Grid{h, 1}, {});
     points.push_back({h, std::abs(path.y(0, 1) - std::pow(h, 1.5))});
   }
   EXPECT_EQ(expected(pair, Norm::first_step), 2.0);
@@ -326,7 +326,7 @@ TEST(FirstStep, OfThePredictorCorrectorForALinearStart) {
 // The trapezoidal weight of the last value off by one percent: the method still converges, but like h^g.
 TEST(AWrongWeight, IsCaughtByTheRate) {
   Scheme wrong = *find_scheme("product_trapezoidal");
-  wrong.solve = [](const Problem& problem, const Grid& grid, const Options& options) {
+  wrong.solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
     Vec last = Vec::Zero(problem.size());
     return solve_implicit(
         problem, grid, options,
@@ -336,7 +336,7 @@ TEST(AWrongWeight, IsCaughtByTheRate) {
                past = taylor_part(problem, t) + kappa.cwiseProduct(convolved + 0.01 * last);
              },
          .sample = [&](fde::Run& run, double t, In y, In, Out sample) { last = sample = run.rhs(t, y); }});
-  };
+  });
   const Variant smooth{"power_5", "power", {{"gamma", 0.5}, {"p", 2.5}}, 1.0};
   const Fit right = fit_rate(error_points({smooth, find_scheme("product_trapezoidal")}, Norm::end));
   const Fit caught = fit_rate(error_points({smooth, &wrong}, Norm::end));

@@ -110,12 +110,12 @@ TEST_P(Multiplier, DependentConstraintsAreAnOutcome) {
                   .linear_part = linear};
     twice.components.push_back({0.0, {0.0}});
     for (int steps = 100; steps < 120; ++steps) {
-      EXPECT_NE(GetParam()->solve(twice, {2.0, steps}, {}).ending, Ending::finished);
+      EXPECT_NE(GetParam()->solve(twice, Grid{2.0, steps}, {}).ending, Ending::finished);
     }
     twice.linear_part.reset();
     if (second == 3.0) continue;  // Newton's method may find one of the many multipliers
     for (int steps = 100; steps < 120; ++steps) {
-      EXPECT_NE(GetParam()->solve(twice, {2.0, steps}, {}).ending, Ending::finished);
+      EXPECT_NE(GetParam()->solve(twice, Grid{2.0, steps}, {}).ending, Ending::finished);
     }
   }
 }

@@ -84,7 +84,7 @@ TEST_P(Sparse, AlgebraicRowsAreRefused) {
   Problem problem{.components = {{0.5, {1.0}}, {0.0, {1.0}}},
                   .rhs = [](double, In y, Out f) { f = -y; },
                   .sparse_linear_part = Matrix(-Matrix::Identity(2, 2)).sparseView()};
-  EXPECT_EQ(refusal(*GetParam(), problem, {1.0, 8}), "takes algebraic rows with a dense Jacobian only");
+  EXPECT_EQ(refusal(*GetParam(), problem, Grid{1.0, 8}), "takes algebraic rows with a dense Jacobian only");
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ TEST(Isokinetic, EnergyBalanceClosesAtTheRateOfTheScheme) {
   const auto residual = [&](int steps) {
     EnergyObserver balance(scene.energy);
     const auto path = solve("product_trapezoidal", scene.problem, steps);
-    for (int n = 0; n <= steps; ++n) balance.observe(path.grid.time(n), path.y.col(n));
+    for (int n = 0; n <= steps; ++n) balance.observe(path.time(n), path.y.col(n));
     return *balance.residual();
   };
   const Vec first = reference_of(scene).at(0.0).value;

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "analysis/formulations.hpp"
-#include "nlohmann/json.hpp"
 #include "page/page_data.hpp"
 
 namespace fde {

@@ -1,7 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "nlohmann/json.hpp"
+#include <nlohmann/json.hpp>
+
 #include "page/page_data.hpp"
 #include "sweep/trials.hpp"
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -14,7 +15,6 @@
 
 #include "analysis/answer.hpp"
 #include "analysis/text.hpp"
-#include "nlohmann/json.hpp"
 
 namespace fde {
 namespace {

@@ -106,7 +106,8 @@ Value response_on_circle(const Scheme& scheme, double order, double theta, int d
                         .rhs = [](double t, In, Out f) { f[0] = t == 1.0 ? 1.0 : 0.0; },
                         .linear_part = Matrix::Zero(1, 1),
                         .end = steps};
-  Vec y = scheme.solve(problem, {problem.end, steps}, {.history = HistoryKind::direct}).y.row(0).tail(steps);
+  Vec y =
+      scheme.solve(problem, Grid{problem.end, steps}, {.history = HistoryKind::direct}).y.row(0).tail(steps);
   for (int m = 0; m < differences; ++m) {
     for (Eigen::Index n = steps - 1; n > 0; --n) y[n] -= y[n - 1];
   }

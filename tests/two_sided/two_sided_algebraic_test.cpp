@@ -62,7 +62,7 @@ TEST_P(TwoSidedAlgebraic, AMultiplierKeepsItsConstraint) {
     for (int n = 0; n <= steps; ++n) {
       const Eigen::Vector2d v = path.y.col(n).head<2>();
       drift = std::max(drift, std::abs(a.dot(v)));
-      off = std::max(off, (v - (force + a * lambda) * path.grid.time(n)).norm());
+      off = std::max(off, (v - (force + a * lambda) * path.time(n)).norm());
       multiplier = std::max(multiplier, std::abs(path.y(2, n) - lambda));
     }
     EXPECT_LT(drift, 1e-14);

@@ -7,7 +7,7 @@
 
 namespace fde::mechanics {
 
-// Four forms of the same equations. They differ in what they do to the constraint: see docs/the_mechanics.md.
+// Four forms of the same equations. They differ in what they do to the constraint: see docs/mechanics.md.
 enum class Formulation {
   integrated,    // velocities from projected ones and the constraint: no singular term, no drift of its own
   acceleration,  // the constraint differentiated and solved for the multiplier (Tarasov & Zaslavsky 37)

@@ -4,9 +4,9 @@
 #include <charconv>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <stdexcept>
 
+#include "observers/watched_steps.hpp"
 #include "reference_data/table_kind.hpp"
 #include "references/written_bound.hpp"
 #include "sweep/experiment.hpp"
@@ -65,6 +65,7 @@ class Runs {
   };
 
   Run operator()(const Scheme& scheme, int steps) {
+    if (!scheme.expected_rate) return {.values = {}, .ending = {Ending::refused, "has no theoretical rate"}};
     const auto rows = examine(name_, scene_, reference_, scheme, {steps});
     Run run{.values = {{"h", rows.back().h}}, .ending = *rows.back().ending};
     for (const auto& row : rows) run.values.emplace(row.quantity, row.value);
@@ -73,12 +74,8 @@ class Runs {
 
   // max |y| over the time of the scene.
   double size() {
-    std::array<int, table_steps.front() + 1> steps{};
-    std::iota(steps.begin(), steps.end(), 0);
-    return reference_
-        .at({.end = scene_.problem.end, .steps = table_steps.front()}, {steps.begin(), steps.end()})
-        .cwiseAbs()
-        .maxCoeff();
+    const Grid grid{.end = scene_.problem.end, .steps = table_steps.front()};
+    return reference_.at(watched_times(grid)).cwiseAbs().maxCoeff();
   }
 
  private:

@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "analysis/text.hpp"
-#include "nlohmann/json.hpp"
 #include "page/page_data.hpp"
 
 namespace fde {

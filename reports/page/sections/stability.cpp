@@ -75,7 +75,7 @@ Section stability_section(const PageInput& page) {
            "judged where there is no reference or the solution itself overflows. Below the "
            "verdict: the error at the end as a part of the value, from when on rounding is at least "
            "a quarter of it, and the time of the solve. Why each scheme fares as it does: "
-           "docs/the_stability.md."},
+           "docs/stability.md."},
       .table = {.caption = "Verdicts by scene and scheme", .columns = {{"scene"}}}};
   const auto lines = lines_of(page);
   std::vector<Cell> counts{{.text = "survived"}};
