@@ -32,6 +32,11 @@ void add_options(CLI::App& command, MeansArguments& arguments) {
                      fmt::format("seconds after which the run ends; default {}", arguments.budget));
 }
 
+Accuracy parse_accuracy(std::string_view text) {
+  const double error = parse_number("--accuracy", text, positive);
+  return {.relative = error, .absolute = error};
+}
+
 Setup parse_means(const MeansArguments& arguments) {
   Setup setup{.grading = parse_grading(arguments.grid), .history = parse_history(arguments.history)};
   if (arguments.tolerance)

@@ -33,6 +33,8 @@ struct MeansArguments {
 void add_options(CLI::App& command, MeansArguments& arguments);
 Setup parse_means(const MeansArguments& arguments);
 
+Accuracy parse_accuracy(std::string_view text);  // one number, relative and absolute
+
 inline constexpr int most_digits = 100'000;
 inline constexpr int most_steps = 1'000'000'000;  // weights are checked up to this lag
 

@@ -25,7 +25,7 @@ constexpr int most_repeats = 1000;
 
 struct RunArguments {
   std::vector<std::string> scenes, schemes;
-  std::optional<std::string> steps;
+  std::optional<std::string> steps, accuracies;
   MeansArguments means{.budget = "600"};
   std::string repeats = "3", out;
   bool trials = false;
@@ -50,27 +50,28 @@ std::vector<const Scheme*> chosen_schemes(const std::vector<std::string>& ids) {
   return entries;
 }
 
-std::vector<int> chosen_steps(const std::optional<std::string>& texts) {
-  if (!texts) return sweep_steps();
-  std::vector<int> steps;
-  for (const auto& text : split_list(*texts)) steps.push_back(parse_count("--steps", text, 1, most_steps));
-  return steps;
+std::vector<std::variant<int, Accuracy>> chosen_resolutions(const RunArguments& arguments) {
+  std::vector<std::variant<int, Accuracy>> chosen;
+  if (!arguments.steps && !arguments.accuracies) std::ranges::copy(sweep_steps(), std::back_inserter(chosen));
+  for (const auto& text : arguments.steps ? split_list(*arguments.steps) : std::vector<std::string>{})
+    chosen.emplace_back(parse_count("--steps", text, 1, most_steps));
+  for (const auto& text : arguments.accuracies ? split_list(*arguments.accuracies) : std::vector<std::string>{})
+    chosen.emplace_back(parse_accuracy(text));
+  return chosen;
 }
 
 Sweep sweep_of(const RunArguments& arguments) {
-  Sweep sweep{.scenes = chosen_scenes(arguments.scenes),
-              .schemes = chosen_schemes(arguments.schemes),
-              .resolutions = {},
-              .setup = parse_means(arguments.means),
-              .repeats = parse_count("--repeat", arguments.repeats, 1, most_repeats)};
-  for (const int steps : chosen_steps(arguments.steps)) sweep.resolutions.emplace_back(steps);
-  return sweep;
+  return {.scenes = chosen_scenes(arguments.scenes),
+          .schemes = chosen_schemes(arguments.schemes),
+          .resolutions = chosen_resolutions(arguments),
+          .setup = parse_means(arguments.means),
+          .repeats = parse_count("--repeat", arguments.repeats, 1, most_repeats)};
 }
 
 // The sweep that is asked for; the trials where no scene and no steps are, alone where they are asked for.
 void run(const RunArguments& arguments, const Streams& streams) {
   const Sweep sweep = sweep_of(arguments);
-  const bool asked = !arguments.scenes.empty() || arguments.steps;
+  const bool asked = !arguments.scenes.empty() || arguments.steps || arguments.accuracies;
   if (arguments.trials && asked)
     throw std::invalid_argument("--trials = yes: must be without --scene and --steps, trials have their own");
   std::vector<Sweep> sweeps;
@@ -138,6 +139,8 @@ void add_sweep_commands(CLI::App& app, const Streams& streams) {
       ->take_all();
   run_command->add_option("--scheme", of_run->schemes, "ids of schemes; default all")->take_all();
   run_command->add_option("--steps", of_run->steps, "numbers of steps N1,N2,...");
+  run_command->add_option("--accuracy", of_run->accuracies,
+                          "accuracies E1,E2,... of schemes that choose their steps");
   run_command->add_option("--repeat", of_run->repeats, "timed repeats of each run");
   add_options(*run_command, of_run->means);
   run_command->add_flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
