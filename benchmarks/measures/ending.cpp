@@ -1,9 +1,11 @@
 #include "measures/ending.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace fde {
 namespace {
@@ -44,18 +46,17 @@ std::string sentence(const RunEnding& ending) {
 bool is_compared(Ending ending) { return ending == Ending::finished || ending == Ending::accuracy_lost; }
 
 RunEnding ending_of(const Problem& problem, const Trajectory& path) {
-  const auto where = path.failed_at ? at_step(path.steps + 1, *path.failed_at) : "";
-  if (path.ending != Ending::singular) return {path.ending, where};
-  return {path.ending, fmt::format("{} {}", problem.domain.edge, where)};
+  std::vector<std::string> detail;
+  if (path.ending == Ending::singular) detail.push_back(problem.domain.edge);
+  if (path.failed_at) detail.push_back(at_step(path.steps + 1, *path.failed_at));
+  return {path.ending, fmt::format("{}", fmt::join(detail, " "))};
 }
 
 std::string describe(const Problem& problem, const Trajectory& path) {
   return sentence(ending_of(problem, path));
 }
 
-std::string at_step(std::int64_t step, double t) {
-  return fmt::format("at step {}, t = {:.6g}", step, t);
-}
+std::string at_step(std::int64_t step, double t) { return fmt::format("at step {}, t = {:.6g}", step, t); }
 
 std::string at_time(const std::optional<Grid>& grid, double t) {
   return grid ? at_step(grid->number(t), t) : fmt::format("at t = {:.6g}", t);

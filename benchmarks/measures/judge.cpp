@@ -61,17 +61,26 @@ void take_measures(const FinishedRun& run, Judgement& judgement) {
   }
 }
 
+Judgement judge_values(const Trajectory& path, const Rows& values, WatchedReference& reference,
+                       const Observed& observed) {
+  const Known known = known_beside(path, reference);
+  Judgement judgement = judge_finished(path, values, known, observed);
+  if (known.reference.allFinite())
+    take_measures({path, values, known.reference, known.bound, observed}, judgement);
+  return judgement;
+}
+
 }  // namespace
 
 Judgement judge(const Scene& scene, const Trajectory& path, WatchedReference& reference,
                 const Observed& observed) {
   if (path.ending != Ending::finished) return judge_stopped(scene, path, reference);
-  const Known known = known_beside(path, reference);
-  const Rows values = columns_of(scene.outputs, path);
-  Judgement judgement = judge_finished(path, values, known, observed);
-  if (known.reference.allFinite())
-    take_measures({path, values, known.reference, known.bound, observed}, judgement);
-  return judgement;
+  return judge_values(path, columns_of(scene.outputs, path), reference, observed);
+}
+
+Judgement judge_columns(const std::vector<double>& times, const Rows& columns, WatchedReference& reference,
+                        const Observed& observed) {
+  return judge_values({.times = times, .y = columns}, columns, reference, observed);
 }
 
 }  // namespace fde

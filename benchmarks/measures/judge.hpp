@@ -16,12 +16,15 @@ struct Judgement {
   std::vector<Measured> measured{};
 };
 
-// Judges a trajectory of the scene, with at least one time, by the scene's reference. A scheme here may have
-// made it, or another program: then it may have nothing but times and y, which are components as the problem
-// has them. A run
-// that stopped has no measures, nor has one beside a reference that is not finite, or of which a measure is
-// not finite. Without a reference there are those that need none.
+// Judges a trajectory of the scene, with one time at least, by the scene's reference. A run that stopped has
+// no measures, nor has one beside a reference that is not finite, or of which a measure is not finite.
+// Without a reference there are those that need none.
 Judgement judge(const Scene& scene, const Trajectory& path, WatchedReference& reference,
                 const Observed& observed = {});
+
+// The same for the columns of the scene at some times, one column a time: what another program writes. They
+// have come to their end.
+Judgement judge_columns(const std::vector<double>& times, const Rows& columns, WatchedReference& reference,
+                        const Observed& observed = {});
 
 }  // namespace fde

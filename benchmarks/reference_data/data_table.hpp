@@ -10,8 +10,8 @@
 
 namespace fde {
 
-// A file that is not what it should be: its message begins with the name of the file, and says line and column
-// where there is one.
+// A file that is not what it should be: its message begins with the name of the file, and says line and
+// column where there is one.
 struct BadTable : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };

@@ -133,8 +133,7 @@ Timed solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resol
   while (total < least_seconds || (std::ssize(timed.seconds) < repeats && total < enough_seconds)) {
     const auto start = std::chrono::steady_clock::now();
     const auto path = scheme.solve(problem, resolution, options);
-    timed.seconds.push_back(
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    timed.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     total += timed.seconds.back();
     timed.steps = path.steps;
   }
@@ -154,8 +153,8 @@ std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, c
   Options options = setup.options();
   options.budget = std::numeric_limits<double>::infinity();  // the run is known to come to its end
   options.at = {scene.problem.end};
-  const auto [steps, seconds] = solve_repeatedly(
-      scheme, scene.problem, resolution_of(setup, scene.problem.end), options, repeats);
+  const auto [steps, seconds] =
+      solve_repeatedly(scheme, scene.problem, resolution_of(setup, scene.problem.end), options, repeats);
   const Record row = row_of(name, scene, scheme, setup, steps);
   std::vector<Record> rows;
   for (const auto& measure : time_measures())

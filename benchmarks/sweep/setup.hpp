@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <variant>
 
 #include "problem/resolution.hpp"
@@ -11,10 +12,17 @@
 
 namespace fde {
 
+inline auto operator<=>(const Accuracy& a, const Accuracy& b) {
+  return std::tie(a.relative, a.absolute) <=> std::tie(b.relative, b.absolute);
+}
+inline bool operator==(const Accuracy& a, const Accuracy& b) { return (a <=> b) == 0; }
+
+using StepsOrAccuracy = std::variant<int, Accuracy>;
+
 // How a run is made. With its scene and its scheme it names the run: a sweep does each one once.
 struct Setup {
-  std::variant<int, Accuracy> resolution = 1;  // a number of steps, or an accuracy
-  double grading = 1.0;                        // of the grid
+  StepsOrAccuracy resolution = 1;
+  double grading = 1.0;  // of the grid
   HistoryKind history = HistoryKind::automatic;
   double tolerance = Options{}.tolerance;
   double budget = std::numeric_limits<double>::infinity();  // seconds for each solve

@@ -15,7 +15,7 @@ namespace fde {
 struct Sweep {
   std::vector<SceneVariant> scenes;
   std::vector<const Scheme*> schemes;
-  std::vector<std::variant<int, Accuracy>> resolutions;
+  std::vector<StepsOrAccuracy> resolutions;
   Setup setup{.budget = 600.0};  // of all runs, but for the resolution
   int repeats = 3;
   unsigned threads = std::thread::hardware_concurrency();  // of the part that is not timed

@@ -28,7 +28,7 @@ std::tuple<int, double, double> fineness(const Setup& setup) {
 // What runs are ordered by: those of a line are neighbours.
 auto order_of(const RunKey& key) {
   Setup line = key.setup;
-  line.resolution = std::holds_alternative<int>(line.resolution) ? decltype(line.resolution)(0) : Accuracy{};
+  line.resolution = std::holds_alternative<int>(line.resolution) ? StepsOrAccuracy(0) : Accuracy{};
   return std::tuple(position(scenes(), &SceneMaker::id, key.scene.id), key.scene,
                     position(schemes(), &Scheme::id, key.scheme), key.scheme, line, fineness(key.setup));
 }

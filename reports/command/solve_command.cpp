@@ -31,7 +31,7 @@ struct SolveArguments {
 constexpr double rounding = 1e-12;
 
 Setup parse_setup(const SolveArguments& arguments) {
-  std::variant<int, Accuracy> resolution;
+  StepsOrAccuracy resolution;
   if (arguments.accuracy) {
     resolution = parse_accuracy(*arguments.accuracy);
   } else {
@@ -89,9 +89,9 @@ Rows printed(const Scene& scene, const Scheme& scheme, const Resolution& resolut
     for (Eigen::Index i = 0; i < values.rows(); ++i) {
       if (std::isfinite(values(i, c))) continue;
       const auto* grid = std::get_if<Grid>(&resolution);
-      throw NumericalFailure(
-          fmt::format("{}: {} not finite {}", scheme.id, names[static_cast<std::size_t>(i)],
-                      at_time(grid == nullptr ? std::nullopt : std::optional(*grid), t)));
+      throw NumericalFailure(fmt::format("{}: {} not finite {}", scheme.id,
+                                         names[static_cast<std::size_t>(i)],
+                                         at_time(grid == nullptr ? std::nullopt : std::optional(*grid), t)));
     }
   }
   return values;

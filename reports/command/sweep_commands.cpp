@@ -50,12 +50,13 @@ std::vector<const Scheme*> chosen_schemes(const std::vector<std::string>& ids) {
   return entries;
 }
 
-std::vector<std::variant<int, Accuracy>> chosen_resolutions(const RunArguments& arguments) {
-  std::vector<std::variant<int, Accuracy>> chosen;
+std::vector<StepsOrAccuracy> chosen_resolutions(const RunArguments& arguments) {
+  std::vector<StepsOrAccuracy> chosen;
   if (!arguments.steps && !arguments.accuracies) std::ranges::copy(sweep_steps(), std::back_inserter(chosen));
   for (const auto& text : arguments.steps ? split_list(*arguments.steps) : std::vector<std::string>{})
     chosen.emplace_back(parse_count("--steps", text, 1, most_steps));
-  for (const auto& text : arguments.accuracies ? split_list(*arguments.accuracies) : std::vector<std::string>{})
+  for (const auto& text :
+       arguments.accuracies ? split_list(*arguments.accuracies) : std::vector<std::string>{})
     chosen.emplace_back(parse_accuracy(text));
   return chosen;
 }

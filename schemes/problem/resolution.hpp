@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <variant>
 
 #include "problem/grid.hpp"
@@ -11,8 +10,6 @@ namespace fde {
 // as it can tell.
 struct Accuracy {
   double relative, absolute;
-
-  auto operator<=>(const Accuracy&) const = default;
 };
 
 // How finely a problem is solved, which is what a sweep varies: at the times of a grid, or as an accuracy

@@ -112,8 +112,8 @@ const Scheme& scheme_at(const DataTable& given, std::size_t row) {
   if (const Scheme* scheme = find_scheme(id)) return *scheme;
   std::vector<std::string_view> ids;
   for (const auto& scheme : schemes()) ids.push_back(scheme.id);
-  throw BadTable(fmt::format("{}: no such scheme '{}'; there are {}", given.place(row, "scheme"),
-                                          id, fmt::join(ids, ", ")));
+  throw BadTable(fmt::format("{}: no such scheme '{}'; there are {}", given.place(row, "scheme"), id,
+                             fmt::join(ids, ", ")));
 }
 
 int steps_at(const DataTable& given, std::size_t row) {
@@ -122,8 +122,8 @@ int steps_at(const DataTable& given, std::size_t row) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
   if (error == std::errc{} && end == text.data() + text.size() && steps >= 1 && steps <= most_steps)
     return steps;
-  throw BadTable(fmt::format("{}: '{}' must be a whole number from 1 to {}",
-                                          given.place(row, "steps"), text, most_steps));
+  throw BadTable(fmt::format("{}: '{}' must be a whole number from 1 to {}", given.place(row, "steps"), text,
+                             most_steps));
 }
 
 RowCheck check(const SceneVariant& of, const DataTable& given) {

@@ -22,9 +22,8 @@ struct Pair {
 };
 
 const MeasuredRun* find(RunSpan runs, std::string_view scheme, const Setup& setup) {
-  const auto found = std::ranges::find_if(runs, [&](const MeasuredRun& run) {
-    return run.key.scheme == scheme && run.key.setup == setup;
-  });
+  const auto found = std::ranges::find_if(
+      runs, [&](const MeasuredRun& run) { return run.key.scheme == scheme && run.key.setup == setup; });
   return found == runs.end() ? nullptr : &*found;
 }
 
