@@ -54,12 +54,23 @@ const TableKind& kind_of(const DataTable& table) {
          fmt::format("line 1: must have a column {}, by which a table is known", fmt::join(known, " or ")));
 }
 
+// Tables of fdebench 0.1 give a choice by its place among the words.
+ParameterValues with_words(ParameterValues values, const SceneMaker& maker) {
+  for (const auto& parameter : maker.parameters) {
+    const auto given = values.find(parameter.name);
+    for (std::size_t i = 0; given != values.end() && i < parameter.choices.size(); ++i) {
+      if (given->second == ParameterValue(static_cast<double>(i))) given->second = parameter.choices[i];
+    }
+  }
+  return values;
+}
+
 // The scene of the description, or else the one that the file is named after.
 SceneVariant scene_of(const GivenTable& given, const fs::path& file) {
   const auto& name = given.description.scene.empty() ? file.stem().string() : given.description.scene;
   std::vector<std::string_view> ids;
   for (const auto& maker : scenes()) {
-    if (maker.id == name) return {.maker = &maker, .values = given.description.parameters};
+    if (maker.id == name) return {.maker = &maker, .values = with_words(given.description.parameters, maker)};
     ids.push_back(maker.id);
   }
   reject(given.table.name, fmt::format("scene {}: no such scene{}; there are {}", name, nearest(name, ids),

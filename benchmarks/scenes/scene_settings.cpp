@@ -1,18 +1,17 @@
 #include "scenes/scene_settings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
 
 namespace fde {
 
 std::string settings_text(const SceneSettings& scene) {
-  std::string text;
-  const auto add = [&](const std::string& name, const auto& value) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : ",", name, value);
-  };
-  for (const auto& [name, setting] : scene.values)
-    std::visit([&, &of = name](const auto& value) { add(of, value); }, setting);
-  if (scene.until) add("until", *scene.until);
-  return text;
+  std::vector<std::string> texts;
+  for (const auto& [name, value] : scene.values) texts.push_back(fmt::format("{}={}", name, text_of(value)));
+  if (scene.until) texts.push_back(fmt::format("until={}", *scene.until));
+  return fmt::format("{}", fmt::join(texts, ","));
 }
 
 std::string label_of(const SceneSettings& scene) {

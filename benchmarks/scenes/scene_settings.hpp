@@ -1,19 +1,17 @@
 #pragma once
 
 #include <compare>
-#include <map>
 #include <optional>
 #include <string>
-#include <variant>
+
+#include "scenes/parameters.hpp"
 
 namespace fde {
-
-using Setting = std::variant<double, std::string>;  // a number, or the word of a choice
 
 // What names a scene in results: its id and what was replaced in it. This build need not know it.
 struct SceneSettings {
   std::string id{};
-  std::map<std::string, Setting> values{};
+  ParameterValues values{};
   std::optional<double> until{};  // the end of the time interval
 
   auto operator<=>(const SceneSettings&) const = default;

@@ -27,7 +27,7 @@ std::string formulation_of(const SceneSettings& scene) {
   const auto* maker = find_scene(scene.id);
   if (maker == nullptr) return {};
   const auto found = std::ranges::find(maker->parameters, choice_of_form, &Parameter::name);
-  return found == maker->parameters.end() ? "" : found->text_of(found->value);
+  return found == maker->parameters.end() ? "" : text_of(found->value);
 }
 
 template <class Items, class Name, class Value>

@@ -90,7 +90,7 @@ NewtonMatrix::~NewtonMatrix() = default;
 
 void NewtonMatrix::update(Run& run, double t, In y, In f, In sizes, Vec& kappa) {
   if (sparse_) {
-    problem_.sparse_jacobian(t, y, sparse_->derivatives);
+    std::get<SparseJacobian>(problem_.derivatives).at(t, y, sparse_->derivatives);
   } else {
     differentiate(run, problem_, t, y, f, sizes, dense_);
   }
@@ -99,9 +99,9 @@ void NewtonMatrix::update(Run& run, double t, In y, In f, In sizes, Vec& kappa) 
 
 void NewtonMatrix::update(Vec& kappa) {
   if (sparse_) {
-    sparse_->derivatives = *problem_.sparse_linear_part;
+    sparse_->derivatives = std::get<SparseLinearPart>(problem_.derivatives).matrix;
   } else {
-    dense_ = *problem_.linear_part;
+    dense_ = std::get<DenseLinearPart>(problem_.derivatives).matrix;
   }
   assemble(kappa);
 }

@@ -8,12 +8,6 @@
 
 namespace fde {
 
-// One term coefficient * D^order u of a multi-term equation.
-struct Term {
-  double coefficient;
-  double order;
-};
-
 // The chain of links of a multi-term equation
 //   a D^leading u + factor * sum_k c_k D^(a_k) u = force        (Yin, Liu & Anh 2007, eqs 1.1, 2.1, 3.9)
 // Its nodes are 0, the orders a_k and the whole orders below leading, increasing; component i is D^(node i) u

@@ -94,8 +94,8 @@ std::vector<const SceneMaker*> makers() {
 INSTANTIATE_TEST_SUITE_P(, OtherUnits, testing::ValuesIn(makers()),
                          [](const auto& test) { return std::string(test.param->id); });
 
-std::string ending(const std::map<std::string, double>& values, std::string_view scheme, int steps) {
-  const Scene scene = make_scene(*scene_of_label("relaxation"), values);
+std::string ending(const ParameterValues& values, std::string_view scheme, int steps) {
+  const Scene scene = make_scene(*find_scene("relaxation"), values);
   WatchedReference reference(scene);
   return sentence(*examine({}, scene, reference, *find_scheme(scheme), {steps}).back().ending);
 }
@@ -108,7 +108,7 @@ TEST(Examination, SaysWhereTheAccuracyIsLost) {
 
 // Backward Euler from differences of y: the rounding of each stays, at most N units in the last place.
 TEST(Examination, MeasuresWhatRoundingDoes) {
-  const Scene scene = make_scene(*scene_of_label("power"), {{"gamma", 1.0}, {"p", 2.0}});
+  const Scene scene = make_scene(*find_scene("power"), {{"gamma", 1.0}, {"p", 2.0}});
   WatchedReference reference(scene);
   const auto rounding = [&](int steps) {
     const auto rows = examine({}, scene, reference, *find_scheme("l1"), {steps});

@@ -12,9 +12,7 @@ namespace fde {
 namespace {
 
 Scene constrained(double alpha, const std::string& formulation = "integrated") {
-  const auto& maker = scene_maker("fractional_constraint_2d");
-  const auto& choices = parameter_named("formulation", maker.id, maker.parameters);
-  return scene_of(maker.id, {{"alpha", alpha}, {"formulation", choices.read(formulation)}});
+  return scene_of("fractional_constraint_2d", {{"alpha", alpha}, {"formulation", formulation}});
 }
 
 struct Drifts {

@@ -49,7 +49,7 @@ void add_line(Results& results, const Line& line) {
 }
 
 // The scene with these settings.
-SceneSettings with(std::map<std::string, Setting> values) {
+SceneSettings with(ParameterValues values) {
   return {.id = "fractional_constraint_2d", .values = std::move(values)};
 }
 

@@ -106,7 +106,7 @@ SceneMaker fractional_constraint_1d() {
             return {.problem = {.components = chain.components(),
                                 .rhs = [=](double, In y,
                                            Out f) { Chain::links(y, chain.highest(y, constant), f); },
-                                .linear_part = chain.linear_part(0.0),
+                                .derivatives = DenseLinearPart{chain.linear_part(0.0)},
                                 .end = 10.0},
                     .smoothness = starts_of(chain, constant),
                     .outputs = picked({"q"}, {0}),

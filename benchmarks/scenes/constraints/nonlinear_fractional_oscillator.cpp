@@ -36,10 +36,9 @@ Scene reduced(const Parameters& p) {
                             const double force = -0.5 * (k1 + k3 * y[0] * y[0]) * y[0];
                             Chain::links(y, chain.highest(y, force), f);
                           },
-                      .jacobian =
-                          [=](double, In y, OutMatrix jacobian) {
-                            jacobian = chain.linear_part(-0.5 * (k1 + 3.0 * k3 * y[0] * y[0]));
-                          },
+                      .derivatives = DenseJacobian{[=](double, In y, OutMatrix jacobian) {
+                        jacobian = chain.linear_part(-0.5 * (k1 + 3.0 * k3 * y[0] * y[0]));
+                      }},
                       .end = 10.0},
           .smoothness = smoothness,
           .outputs = picked({"x", "dx"}, {0, 1})};
@@ -93,14 +92,8 @@ SceneMaker nonlinear_fractional_oscillator() {
           .make = [](const Parameters& p) -> Scene {
             if (p["c"] == 0.0) reject("c", 0.0, "other than 0");
             if (p["b2"] == 0.0) reject("b2", 0.0, "other than 0");
-            switch (p.choice("form")) {
-              case 0:
-                return reduced(p);
-              case 1:
-                return pair_of_points(p, Formulation::integrated);
-              default:
-                return pair_of_points(p, Formulation::multiplier);
-            }
+            const std::string& form = p.choice("form");
+            return form == "reduced" ? reduced(p) : pair_of_points(p, formulation_named(form));
           }};
 }
 

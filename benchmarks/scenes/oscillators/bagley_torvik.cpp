@@ -41,7 +41,7 @@ SceneMaker bagley_torvik() {
                                       const double share = t < until ? 1.0 : (t == until ? 0.5 : 0.0);
                                       Chain::links(y, chain.highest(y, share * load - stiffness * y[0]), f);
                                     },
-                                .linear_part = chain.linear_part(-stiffness),
+                                .derivatives = DenseLinearPart{chain.linear_part(-stiffness)},
                                 .end = 16.0},
                     .smoothness = smoothness,
                     .outputs = picked(names, components),

@@ -32,7 +32,7 @@ SceneMaker damped_oscillator() {
         return {
             .problem = {.components = chain.components(),
                         .rhs = [=](double, In y, Out f) { Chain::links(y, chain.highest(y, -w2 * y[0]), f); },
-                        .linear_part = chain.linear_part(-w2),
+                        .derivatives = DenseLinearPart{chain.linear_part(-w2)},
                         .end = 20.0},
             .smoothness = chain_smoothness({chain}),
             .outputs = picked(columns.names, columns.components(chain)),

@@ -73,37 +73,38 @@ SceneMaker extensible_pendulum() {
                                        {"nu1", 0.1, not_negative, "damping of xi, order beta"},
                                        {"xi0", 0.0, {.low = -1.0, .open_low = true}, "xi(0)"},
                                        {"dxi0", 0.0, any_number, "xi'(0)"}});
-  return {
-      .id = "extensible_pendulum",
-      .title = "Extensible pendulum with fractional damping",
-      .source = "Yin, Liu & Anh 2007, eqs 6.1-6.8, example 2; energy eq. 6.4 (corrected)",
-      .parameters = parameters,
-      .make = [](const Parameters& p) -> Scene {
-        const auto of_phi = damping_terms(p, p["mu"], p["lambda"], p["nu"]);
-        const auto of_xi = damping_terms(p, p["mu1"], p["lambda1"], p["nu1"]);
-        const Spring spring{.phi = Chain({1.0, 2.0}, of_phi, {p["phi0"], p["dphi0"]}),
-                            .xi = Chain({1.0, 2.0}, of_xi, {p["xi0"], p["dxi0"]}),
-                            .gravity = p["g_over_L"],
-                            .stiffness = p["K_over_m"]};
-        auto components = spring.phi.components();
-        std::ranges::copy(spring.xi.components(), std::back_inserter(components));
-        const DampedColumns phi(of_phi, "phi"), xi(of_xi, "xi", std::ssize(phi.names));
-        auto names = phi.names;
-        auto picks = phi.components(spring.phi);
-        std::ranges::copy(xi.names, std::back_inserter(names));
-        std::ranges::copy(xi.components(spring.xi, spring.phi.size()), std::back_inserter(picks));
-        return {
-            .problem = {.components = components,
-                        .rhs = [=](double, In y, Out f) { spring.rhs(y, f); },
-                        .jacobian = [=](double, In y, OutMatrix jacobian) { spring.jacobian(y, jacobian); },
-                        .end = 20.0,
-                        .domain = {.edge = "r = L (1 + xi) = 0",
-                                   .margin = [=](double, In y) { return 1.0 + spring.of_xi(y)[0]; }}},
-            .smoothness = chain_smoothness({spring.phi, spring.xi}),
-            .outputs = picked(names, picks),
-            .energy = {.value = [=](In c) { return spring.energy(phi.u(c), phi.du(c), xi.u(c), xi.du(c)); },
-                       .power = [=](double, In c) { return phi.power(c) + xi.power(c); }}};
-      }};
+  return {.id = "extensible_pendulum",
+          .title = "Extensible pendulum with fractional damping",
+          .source = "Yin, Liu & Anh 2007, eqs 6.1-6.8, example 2; energy eq. 6.4 (corrected)",
+          .parameters = parameters,
+          .make = [](const Parameters& p) -> Scene {
+            const auto of_phi = damping_terms(p, p["mu"], p["lambda"], p["nu"]);
+            const auto of_xi = damping_terms(p, p["mu1"], p["lambda1"], p["nu1"]);
+            const Spring spring{.phi = Chain({1.0, 2.0}, of_phi, {p["phi0"], p["dphi0"]}),
+                                .xi = Chain({1.0, 2.0}, of_xi, {p["xi0"], p["dxi0"]}),
+                                .gravity = p["g_over_L"],
+                                .stiffness = p["K_over_m"]};
+            auto components = spring.phi.components();
+            std::ranges::copy(spring.xi.components(), std::back_inserter(components));
+            const DampedColumns phi(of_phi, "phi"), xi(of_xi, "xi", std::ssize(phi.names));
+            auto names = phi.names;
+            auto picks = phi.components(spring.phi);
+            std::ranges::copy(xi.names, std::back_inserter(names));
+            std::ranges::copy(xi.components(spring.xi, spring.phi.size()), std::back_inserter(picks));
+            return {.problem = {.components = components,
+                                .rhs = [=](double, In y, Out f) { spring.rhs(y, f); },
+                                .derivatives = DenseJacobian{[=](double, In y, OutMatrix jacobian) {
+                                  spring.jacobian(y, jacobian);
+                                }},
+                                .end = 20.0,
+                                .domain = {.edge = "r = L (1 + xi) = 0",
+                                           .margin = [=](double, In y) { return 1.0 + spring.of_xi(y)[0]; }}},
+                    .smoothness = chain_smoothness({spring.phi, spring.xi}),
+                    .outputs = picked(names, picks),
+                    .energy = {
+                        .value = [=](In c) { return spring.energy(phi.u(c), phi.du(c), xi.u(c), xi.du(c)); },
+                        .power = [=](double, In c) { return phi.power(c) + xi.power(c); }}};
+          }};
 }
 
 }  // namespace fde

@@ -31,10 +31,9 @@ SceneMaker pendulum() {
                 .problem = {.components = chain.components(),
                             .rhs = [=](double, In y,
                                        Out f) { Chain::links(y, chain.highest(y, -g * std::sin(y[0])), f); },
-                            .jacobian =
-                                [=](double, In y, OutMatrix jacobian) {
-                                  jacobian = chain.linear_part(-g * std::cos(y[0]));
-                                },
+                            .derivatives = DenseJacobian{[=](double, In y, OutMatrix jacobian) {
+                              jacobian = chain.linear_part(-g * std::cos(y[0]));
+                            }},
                             .end = 20.0},
                 .smoothness = chain_smoothness({chain}),
                 .outputs = picked(columns.names, columns.components(chain)),
