@@ -34,10 +34,6 @@ const SceneMaker* find_scene(std::string_view id, const Scenes& among) {
   return found == among.end() ? nullptr : &*found;
 }
 
-const SceneMaker* scene_of_label(std::string_view label, const Scenes& among) {
-  return find_scene(label.substr(0, label.find(':')), among);
-}
-
 const SceneMaker& scene_named(std::string_view id, const Scenes& among) {
   return entry_named(among, "scene", id);
 }

@@ -30,9 +30,6 @@ class Scenes {
 // Those of the list alone.
 const Scenes& scenes();
 
-// The scene that a label of results names: "pendulum:alpha=1.9" is a pendulum. nullptr: none does.
-const SceneMaker* scene_of_label(std::string_view label, const Scenes& among = scenes());
-
 // The scene with this id, or nullptr.
 const SceneMaker* find_scene(std::string_view id, const Scenes& among = scenes());
 

@@ -10,17 +10,7 @@
 
 namespace fde {
 
-std::string SceneVariant::settings() const {
-  std::vector<std::string> texts;
-  for (const auto& [name, value] : values) texts.push_back(fmt::format("{}={}", name, text_of(value)));
-  if (until) texts.push_back(fmt::format("until={}", *until));
-  return fmt::format("{}", fmt::join(texts, ","));
-}
-
-std::string SceneVariant::label() const {
-  const std::string behind = settings();
-  return behind.empty() ? maker->id : fmt::format("{}:{}", maker->id, behind);
-}
+SceneSettings SceneVariant::key() const { return {.id = maker->id, .values = values, .until = until}; }
 
 Scene make_scene(const SceneMaker& maker, const ParameterValues& values) {
   const Parameters parameters(maker.id, maker.parameters, values);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scenes/registry.hpp"
+#include "scenes/scene_settings.hpp"
 
 namespace fde {
 
@@ -15,8 +16,8 @@ struct SceneVariant {
   ParameterValues values{};
   std::optional<double> until{};  // the end of the time interval
 
-  [[nodiscard]] std::string settings() const;  // "alpha=1.9,beta=0.1,until=100"
-  [[nodiscard]] std::string label() const;     // the id, and the settings if any behind ':'
+  [[nodiscard]] SceneSettings key() const;
+  [[nodiscard]] std::string label() const { return label_of(key()); }
 };
 
 // The scene made from its defaults with some values replaced.

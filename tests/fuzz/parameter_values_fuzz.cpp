@@ -64,7 +64,7 @@ void solve(const Scene& scene, const Scheme& scheme, const Grid& grid) {
   const auto path = scheme.solve(scene.problem, grid, {.budget = 0.5});
   const auto shown = fmt::format("{} {} N = {} T = {}", scene.name, scheme.id, grid.steps, grid.end);
   fuzz::require(path.ending != Ending::finished || path.y.allFinite(), "what finished is finite", shown);
-  fuzz::require(!describe(scene.problem, path).empty(), "an outcome has a description", shown);
+  fuzz::require(!describe(scene.problem, path).empty(), "an ending has a description", shown);
 }
 
 // Closed forms and inverse transforms; the other references take up to minutes.

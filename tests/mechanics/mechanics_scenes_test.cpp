@@ -158,9 +158,9 @@ TEST(Isokinetic, IsFreeMotionWithoutForces) {
 TEST(Isokinetic, EnergyBalanceClosesAtTheRateOfTheScheme) {
   const Scene scene = scene_of("isokinetic");
   const auto residual = [&](int steps) {
-    EnergyBalance balance(scene.energy);
+    EnergyObserver balance(scene.energy);
     const auto path = solve("product_trapezoidal", scene.problem, steps);
-    for (int n = 0; n <= steps; ++n) balance.see(path.time(n), path.y.col(n));
+    for (int n = 0; n <= steps; ++n) balance.observe(path.time(n), path.y.col(n));
     return *balance.residual();
   };
   const Vec first = reference_of(scene).at(0.0).value;
