@@ -100,8 +100,6 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
   auto of_resolution =
       grid ? refusal(scheme.needs, problem, *grid) : refusal(scheme.needs, std::get<Accuracy>(resolution));
   if (of_resolution) return of_resolution;
-  const bool dense = problem.jacobian || problem.linear_part;
-  if (sparse(problem) && dense) return "takes derivatives dense or sparse, the problem tells both";
   if (sparse(problem) && std::ranges::any_of(problem.components, algebraic)) {
     return "takes algebraic rows with a dense Jacobian only";
   }

@@ -14,7 +14,7 @@ Drift drift_of(const DriftCourse& course) { return {course.largest(), course.gro
 
 }  // namespace
 
-void DriftCourse::see(double t, double drift) {
+void DriftCourse::observe(double t, double drift) {
   if (!(drift <= largest_) && !std::isnan(largest_)) largest_ = drift;  // also when it is no number
   if (t < next_) return;
   course_.push_back({t, largest_});
@@ -27,7 +27,7 @@ std::optional<double> DriftCourse::growth() const {
   return fit.slope;
 }
 
-DriftWatch::DriftWatch(const Scene& scene, const std::optional<Grid>& grid)
+DriftObserver::DriftObserver(const Scene& scene, const std::optional<Grid>& grid)
     : scene_(scene), internal_(scene.problem.end) {
   if (scene.memories.empty() || !grid || !grid->uniform() || grid->steps < IndependentMemory::fewest_steps)
     return;
@@ -36,8 +36,8 @@ DriftWatch::DriftWatch(const Scene& scene, const std::optional<Grid>& grid)
   velocities_.resize(grid->steps + 1, std::ssize(scene.memories));
 }
 
-void DriftWatch::see(double t, In columns) {
-  internal_.see(t, scene_.constraint.drift(t, columns));
+void DriftObserver::observe(double t, In columns) {
+  internal_.observe(t, scene_.constraint.drift(t, columns));
   if (!grid_) return;
   const int n = seen_++;
   for (std::size_t m = 0; m < scene_.memories.size(); ++m)
@@ -45,9 +45,9 @@ void DriftWatch::see(double t, In columns) {
   if (columns_.size() < looked_at_.size() && n == looked_at_[columns_.size()]) columns_.emplace_back(columns);
 }
 
-Drift DriftWatch::internal() const { return drift_of(internal_); }
+Drift DriftObserver::internal() const { return drift_of(internal_); }
 
-std::optional<Drift> DriftWatch::independent() const {
+std::optional<Drift> DriftObserver::independent() const {
   if (!grid_) return std::nullopt;
   auto columns = columns_;
   for (std::size_t m = 0; m < scene_.memories.size(); ++m) {
@@ -60,7 +60,7 @@ std::optional<Drift> DriftWatch::independent() const {
   DriftCourse course(grid_->end);
   for (std::size_t c = 1; c < columns.size(); ++c) {
     const double t = grid_->time(looked_at_[c]);
-    course.see(t, scene_.constraint.drift(t, columns[c]));
+    course.observe(t, scene_.constraint.drift(t, columns[c]));
   }
   return drift_of(course);
 }

@@ -15,7 +15,7 @@ class DriftCourse {
   explicit DriftCourse(double end) : next_(end / 8.0) {}
 
   // Takes |f|_inf at increasing times.
-  void see(double t, double drift);
+  void observe(double t, double drift);
 
   // max |f|, in the unit of f; not finite where a drift was not.
   [[nodiscard]] double largest() const { return largest_; }
@@ -39,13 +39,13 @@ struct Drift {
 // Both drifts of a scene with a constraint, while it is solved. The internal one is |f(t, columns)|_inf at
 // every step, with the scheme's own w. The independent one, on uniform grids, takes in its place D^order q of
 // the computed velocities by IndependentMemory; for this the velocities are kept.
-class DriftWatch {
+class DriftObserver {
  public:
   // The scene must live as long. No grid: the times are a scheme's own.
-  DriftWatch(const Scene& scene, const std::optional<Grid>& grid);
+  DriftObserver(const Scene& scene, const std::optional<Grid>& grid);
 
   // Takes the steps in order, from t = 0 on.
-  void see(double t, In columns);
+  void observe(double t, In columns);
 
   [[nodiscard]] Drift internal() const;
 

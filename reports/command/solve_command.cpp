@@ -21,20 +21,25 @@ constexpr int most_direct_steps = 1 << 21;  // beyond, hours
 constexpr int most_rows = 10'000'000;
 
 struct SolveArguments {
-  std::string scene, scheme, grid = "uniform", history = "auto";
-  std::optional<std::string> steps, accuracy, until, at, tolerance;
-  std::string budget = "3600";
+  std::string scene, scheme;
+  std::optional<std::string> steps, accuracy, until, at;
+  MeansArguments means{.budget = "3600"};
   std::vector<std::string> settings;
   bool cost = false;
 };
 
 constexpr double rounding = 1e-12;
 
-Resolution parse_resolution(const SolveArguments& arguments, double end) {
-  if (!arguments.accuracy)
-    return parse_grid(arguments.grid, end, parse_count("--steps", *arguments.steps, 1, most_steps));
-  const double error = parse_number("--accuracy", *arguments.accuracy, positive);
-  return Accuracy{.relative = error, .absolute = error};
+Setup parse_setup(const SolveArguments& arguments) {
+  StepsOrAccuracy resolution;
+  if (arguments.accuracy) {
+    resolution = parse_accuracy(*arguments.accuracy);
+  } else {
+    resolution = parse_count("--steps", *arguments.steps, 1, most_steps);
+  }
+  Setup setup = parse_means(arguments.means);
+  setup.resolution = resolution;
+  return setup;
 }
 
 // Throws std::invalid_argument where the run would take hours or print too much.
@@ -73,13 +78,6 @@ std::vector<double> parse_times(const std::string& text, const Resolution& resol
   return times;
 }
 
-HistoryKind parse_history(const std::string& text) {
-  if (text == "auto") return HistoryKind::automatic;
-  if (text == "direct") return HistoryKind::direct;
-  if (text == "exponentials") return HistoryKind::exponentials;
-  throw std::invalid_argument(fmt::format("--history = {}: must be auto, direct or exponentials", text));
-}
-
 // The columns to print, one row a column, one column a time. A state may be finite and its energy not: throws
 // NumericalFailure then.
 Rows printed(const Scene& scene, const Scheme& scheme, const Resolution& resolution, const Trajectory& path) {
@@ -90,8 +88,10 @@ Rows printed(const Scene& scene, const Scheme& scheme, const Resolution& resolut
     values.col(c) = printed_values(scene, t, columns_at(scene.outputs, t, path.y.col(c)));
     for (Eigen::Index i = 0; i < values.rows(); ++i) {
       if (std::isfinite(values(i, c))) continue;
-      const auto what = names[static_cast<std::size_t>(i)] + " not finite";
-      throw NumericalFailure(fmt::format("{}: {}", scheme.id, at_time(what, resolution, t)));
+      const auto* grid = std::get_if<Grid>(&resolution);
+      throw NumericalFailure(fmt::format("{}: {} not finite {}", scheme.id,
+                                         names[static_cast<std::size_t>(i)],
+                                         at_time(grid == nullptr ? std::nullopt : std::optional(*grid), t)));
     }
   }
   return values;
@@ -130,15 +130,12 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
   SceneVariant variant{.maker = &maker, .values = parse_settings(maker, arguments.settings)};
   if (arguments.until) variant.until = parse_number("--until", *arguments.until, any_end);
   const Scene scene = make_scene(variant);
-  const Resolution resolution = parse_resolution(arguments, scene.problem.end);
-  Options options{.history = parse_history(arguments.history)};
+  const Setup setup = parse_setup(arguments);
+  const Resolution resolution = resolution_of(setup, scene.problem.end);
+  Options options = setup.options();
   if (const auto* grid = std::get_if<Grid>(&resolution))
     require_affordable(arguments, *grid, options.history);
   if (arguments.at) options.at = parse_times(*arguments.at, resolution, scene.problem.end);
-  if (arguments.tolerance) {
-    options.tolerance = parse_number("--tolerance", *arguments.tolerance, {.low = 0.0, .high = 1.0});
-  }
-  options.budget = parse_number("--budget", arguments.budget, positive);
   if (const auto reason = refusal(scheme, scene.problem, resolution)) {
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
   }
@@ -168,11 +165,7 @@ void add_solve_command(CLI::App& app, const Streams& streams) {
   command->add_option("--until", arguments->until, "end of the time interval");
   command->add_option("--set", arguments->settings, "a parameter of the scene, NAME=VALUE")->take_all();
   command->add_option("--at", arguments->at, "grid times to print, T1,T2,...; default all");
-  command->add_option("--grid", arguments->grid, "uniform or graded:R");
-  command->add_option("--history", arguments->history, "auto, direct or exponentials");
-  command->add_option("--tolerance", arguments->tolerance,
-                      "relative, of Newton's method and of the weights of the past; default rounding");
-  command->add_option("--budget", arguments->budget, "seconds after which the run ends; default 3600");
+  add_options(*command, arguments->means);
   command->add_flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");
   command->callback([=] {
     if (!arguments->steps && !arguments->accuracy) throw CLI::RequiredError("--steps");

@@ -34,7 +34,7 @@ struct Needs {
   bool takes_accuracy = false;
   bool discretises_equations = false;  // Problem::equations, in place of its rows
   bool uniform_grid = false;
-  bool implicit = false;  // solves an equation each step: uses jacobian or linear_part where there is one
+  bool implicit = false;        // solves an equation each step: uses the derivatives that the problem tells
   bool algebraic_rows = false;  // takes order 0
   double largest_order = 2.0;
   bool two_sided = false;  // takes right derivatives and conditions

@@ -25,6 +25,10 @@ Eigen::Index last_of(const Links& links, const std::vector<Eigen::Index>& positi
   return position[index] + static_cast<Eigen::Index>(links[index].size()) - 1;
 }
 
+Eigen::Index size_of(const Links& links, const std::vector<Eigen::Index>& position) {
+  return position.back() + static_cast<Eigen::Index>(links.back().size());
+}
+
 // Derivatives of the links by the states, from those of the original right-hand side.
 void spread(const Matrix& original, const Links& links, const std::vector<Eigen::Index>& position,
             OutMatrix jacobian) {
@@ -53,7 +57,7 @@ SparseMatrix spread(const SparseMatrix& original, const Links& links,
                            entry.value());
     }
   }
-  const auto size = position.back() + static_cast<Eigen::Index>(links.back().size());
+  const auto size = size_of(links, position);
   SparseMatrix result(size, size);
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
@@ -73,34 +77,39 @@ std::vector<Component> split_components(const Problem& problem, const Links& lin
   return components;
 }
 
-// Dense ones stay dense, sparse ones sparse.
-void split_derivatives(const Problem& problem, const Links& links, const std::vector<Eigen::Index>& position,
-                       Problem& result) {
-  if (problem.jacobian) {
-    result.jacobian = [jacobian = problem.jacobian, links, position](double t, In y,
-                                                                     OutMatrix spread_jacobian) {
-      const auto size = static_cast<Eigen::Index>(position.size());
-      Matrix original(size, size);
-      jacobian(t, Vec(y(position)), original);
-      spread(original, links, position, spread_jacobian);
-    };
-  }
-  if (problem.sparse_jacobian) {
-    result.sparse_jacobian = [jacobian = problem.sparse_jacobian, links, position](
-                                 double t, In y, SparseMatrix& spread_jacobian) {
-      const auto size = static_cast<Eigen::Index>(position.size());
-      SparseMatrix original(size, size);
-      jacobian(t, Vec(y(position)), original);
-      spread_jacobian = spread(original, links, position);
-    };
-  }
-  if (problem.linear_part) {
-    result.linear_part = Matrix(result.size(), result.size());
-    spread(*problem.linear_part, links, position, *result.linear_part);
-  }
-  if (problem.sparse_linear_part) {
-    result.sparse_linear_part = spread(*problem.sparse_linear_part, links, position);
-  }
+// The derivatives of the split problem, of the kind of the original ones.
+Derivatives split(const NoDerivatives& none, const Links& /*links*/,
+                  const std::vector<Eigen::Index>& /*position*/) {
+  return none;
+}
+Derivatives split(const DenseJacobian& original, const Links& links,
+                  const std::vector<Eigen::Index>& position) {
+  return DenseJacobian{[original, links, position](double t, In y, OutMatrix jacobian) {
+    const auto size = static_cast<Eigen::Index>(position.size());
+    Matrix inner(size, size);
+    original.at(t, Vec(y(position)), inner);
+    spread(inner, links, position, jacobian);
+  }};
+}
+Derivatives split(const SparseJacobian& original, const Links& links,
+                  const std::vector<Eigen::Index>& position) {
+  return SparseJacobian{[original, links, position](double t, In y, SparseMatrix& jacobian) {
+    const auto size = static_cast<Eigen::Index>(position.size());
+    SparseMatrix inner(size, size);
+    original.at(t, Vec(y(position)), inner);
+    jacobian = spread(inner, links, position);
+  }};
+}
+Derivatives split(const DenseLinearPart& original, const Links& links,
+                  const std::vector<Eigen::Index>& position) {
+  const auto size = size_of(links, position);
+  DenseLinearPart result{Matrix(size, size)};
+  spread(original.matrix, links, position, result.matrix);
+  return result;
+}
+Derivatives split(const SparseLinearPart& original, const Links& links,
+                  const std::vector<Eigen::Index>& position) {
+  return SparseLinearPart{spread(original.matrix, links, position)};
 }
 
 Trajectory solve_split(const Problem& problem, const Resolution& resolution, const Options& options,
@@ -167,7 +176,8 @@ Problem split(const Problem& problem, const Links& links) {
       return margin(t, Vec(y(position)));
     };
   }
-  split_derivatives(problem, links, position, result);
+  result.derivatives =
+      std::visit([&](const auto& told) { return split(told, links, position); }, problem.derivatives);
   return result;
 }
 

@@ -11,18 +11,19 @@ namespace fde {
 
 using Rows = Matrix;  // one row a component, one column a time
 
-// How a run ended. A scheme says the first five; who compares a run with its reference says the others.
+// How a run ended. A scheme says the first five; who compares the run with its reference says the others.
 enum class Ending {
   finished,
   not_finite,
   not_converged,  // Newton's method
   singular,       // left the domain of its problem
   out_of_budget,
-  accuracy_lost,  // finished, but see accuracy_lost()
-  overflow,       // finished where the solution itself is infinite
-  no_reference,   // finished, and there is nothing to compare with
-  failed,         // stopped, or passed a singularity
-  refused,        // did not begin
+  accuracy_lost,       // finished, but see accuracy_lost()
+  overflow,            // finished where the solution itself is infinite
+  no_reference,        // finished, and there is nothing to compare with
+  passed_singularity,  // finished beyond a singularity of the solution
+  false_singularity,   // singular, and the solution is not
+  refused,             // did not begin
 };
 
 // What a run used, apart from time. What was not counted is absent.

@@ -31,7 +31,7 @@ inline std::vector<EndOfRun> endings() {
   for (const std::string_view id :
        {"relaxation", "relaxation_pair", "diethelm", "bagley_torvik", "pendulum", "brusselator", "knife_edge",
         "fractional_constraint_2d", "two_sided_constraint"}) {
-    const SceneMaker& maker = *scene_of_label(id);
+    const SceneMaker& maker = *find_scene(id);
     const Scene scene = make_scene(maker);
     for (const auto& scheme : schemes()) {
       for (const int steps : {64, 1500}) {

@@ -145,9 +145,9 @@ TEST_P(Conformance, ALinearPartAJacobianAndDifferencesGiveTheSameAnswer) {
   Problem problem{.components = {component(0.5, 1.0), component(1.5, 0.0)},
                   .rhs = [=](double t, In y, Out f) { f = a * y + Vec::Constant(2, std::cos(t)); }};
   const Rows differenced = run(problem, 64).y;
-  problem.jacobian = [=](double, In, OutMatrix jacobian) { jacobian = a; };
+  problem.derivatives = DenseJacobian{[=](double, In, OutMatrix jacobian) { jacobian = a; }};
   const Rows newton = run(problem, 64).y;
-  problem.linear_part = a;
+  problem.derivatives = DenseLinearPart{a};
   const Rows linear = run(problem, 64).y;
   EXPECT_LT((differenced - newton).cwiseAbs().maxCoeff(), 1e-13);
   EXPECT_LT((linear - newton).cwiseAbs().maxCoeff(), 1e-13);

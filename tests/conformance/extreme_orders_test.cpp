@@ -76,7 +76,7 @@ TEST(ExtremeOrders, PendulumsOfMixedOrdersSwingLikeOscillatorsWhenTheySwingLittl
   constexpr double small = 1e-7, t = 5.0;
   for (const auto& [alpha, beta] :
        {std::pair{1.99, 0.01}, {1.001, 0.99}, {1.01, 0.01}, {1.99, 0.99}, {1.999, 0.001}}) {
-    const std::map<std::string, double> orders{{"alpha", alpha}, {"beta", beta}};
+    const ParameterValues orders{{"alpha", alpha}, {"beta", beta}};
     auto swing = orders, line = orders;
     swing.insert({{"phi0", small}, {"dphi0", 0.0}});
     line.insert({{"u0", small}, {"du0", 0.0}});

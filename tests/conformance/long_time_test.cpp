@@ -13,8 +13,8 @@ namespace {
 constexpr double end = 1e5;
 constexpr int steps = 1 << 20;
 
-Scene pendulum(const std::map<std::string, double>& values) {
-  return make_scene({.maker = scene_of_label("pendulum"), .values = values, .until = end});
+Scene pendulum(const ParameterValues& values) {
+  return make_scene({.maker = find_scene("pendulum"), .values = values, .until = end});
 }
 
 struct Energies {
@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(, DampedForLong,
                                          "decoupled_multi_order"),
                          [](const auto& test) { return std::string(test.param); });
 
-const std::map<std::string, double> undamped{{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}};
+const ParameterValues undamped{{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}};
 
 // At order 1 the product trapezoidal rule is the trapezoidal rule, which has an energy of its own, O(h^2)
 // next to that of the pendulum: it neither grows nor falls, while its phase drifts.

@@ -28,7 +28,7 @@ TEST_P(AlgebraicRows, AnUnknownThatCanBeEliminatedChangesNothing) {
     for (const Grid& grid : grids_of(*GetParam(), 2.0, 300)) {
       auto problem = decay_through(order);
       const Rows alone = run(decay(order), grid).y, newton = run(problem, grid).y;
-      problem.linear_part = a;
+      problem.derivatives = DenseLinearPart{a};
       const Rows linear = run(problem, grid).y;
       for (const Rows& both : {newton, linear}) {
         EXPECT_LT((both.row(1) - alone).cwiseAbs().maxCoeff(), 1e-14) << order;

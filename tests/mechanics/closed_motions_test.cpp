@@ -14,13 +14,13 @@ namespace {
 
 struct Motion {
   std::string scene;
-  std::map<std::string, double> values;
+  ParameterValues values;
 };
 
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
 void PrintTo(const Motion& motion, std::ostream* out) {
   *out << motion.scene;
-  for (const auto& [name, value] : motion.values) *out << ' ' << name << '=' << value;
+  for (const auto& [name, value] : motion.values) *out << ' ' << name << '=' << text_of(value);
 }
 
 class ClosedMotion : public testing::TestWithParam<Motion> {
@@ -28,7 +28,7 @@ class ClosedMotion : public testing::TestWithParam<Motion> {
   // The form whose state is its columns.
   static Scene accelerated() {
     auto values = GetParam().values;
-    values["formulation"] = 1.0;
+    values["formulation"] = "acceleration";
     return scene_of(GetParam().scene, values);
   }
   const Scene scene_ = accelerated();

@@ -94,7 +94,7 @@ TEST(ExtremumResidual, IsZeroWithTwoCoordinates) {
 // mu = (pz - y px)/(1 + y^2) stays 0 where y or x stands still.
 TEST(VakonomicParticle, IsTheMotionWhereTheMultiplierStaysZero) {
   for (const auto* still : {"dx0", "dy0"}) {
-    const std::map<std::string, double> values{{still, 0.0}};
+    const ParameterValues values{{still, 0.0}};
     const Vec motion = scene_of("nonholonomic_particle", values).reference.at(3.0).value;
     const Vec extremum = reference_of(scene_of("vakonomic_particle", values)).at(3.0).value;
     EXPECT_LT((extremum - motion).cwiseAbs().maxCoeff(), 1e-14) << still;

@@ -12,9 +12,7 @@ namespace fde {
 namespace {
 
 Scene constrained(double alpha, const std::string& formulation = "integrated") {
-  const auto& maker = scene_maker("fractional_constraint_2d");
-  const auto& choices = parameter_named("formulation", maker.id, maker.parameters);
-  return scene_of(maker.id, {{"alpha", alpha}, {"formulation", choices.read(formulation)}});
+  return scene_of("fractional_constraint_2d", {{"alpha", alpha}, {"formulation", formulation}});
 }
 
 struct Drifts {
@@ -24,9 +22,9 @@ struct Drifts {
 
 // Of a scheme, or of what `columns` makes of each step.
 Drifts drifts_of(const Scene& scene, std::string_view scheme, int steps) {
-  DriftWatch watch(scene, Grid{scene.problem.end, steps});
+  DriftObserver watch(scene, Grid{scene.problem.end, steps});
   Options options{.at = {scene.problem.end}};
-  options.observer = [&](double t, In y) { watch.see(t, columns_at(scene.outputs, t, y)); };
+  options.observer = [&](double t, In y) { watch.observe(t, columns_at(scene.outputs, t, y)); };
   solve(scheme, scene.problem, steps, options);
   return {watch.internal(), watch.independent()};
 }
@@ -42,23 +40,23 @@ Scene made_scene() {
   return scene;
 }
 
-TEST(DriftWatch, TellsWhatTheSchemeSaysFromWhatItsVelocitiesSay) {
+TEST(DriftObserver, TellsWhatTheSchemeSaysFromWhatItsVelocitiesSay) {
   const Scene scene = made_scene();
   const Grid grid{.end = scene.problem.end, .steps = 1000};
-  DriftWatch watch(scene, grid);
+  DriftObserver watch(scene, grid);
   for (int n = 0; n <= grid.steps; ++n)
-    watch.see(grid.time(n), Vec{{grid.time(n), 1.0, n == 333 ? -1.5 : -1.0}});
+    watch.observe(grid.time(n), Vec{{grid.time(n), 1.0, n == 333 ? -1.5 : -1.0}});
   EXPECT_EQ(watch.internal().largest, 0.5);  // at step 333 only: every step is looked at
   EXPECT_NEAR(watch.independent()->largest, 1.0 + 4.0 / std::sqrt(std::acos(-1.0)), 1e-13);
 }
 
-TEST(DriftWatch, HasNoIndependentDriftWithoutMemoriesOrSteps) {
+TEST(DriftObserver, HasNoIndependentDriftWithoutMemoriesOrSteps) {
   Scene scene = made_scene();
-  EXPECT_FALSE(DriftWatch(scene, Grid{.end = 4.0, .steps = 15}).independent().has_value());
-  EXPECT_FALSE(DriftWatch(scene, Grid{.end = 4.0, .steps = 64, .grading = 2.0}).independent().has_value());
-  EXPECT_FALSE(DriftWatch(scene, std::nullopt).independent().has_value());
+  EXPECT_FALSE(DriftObserver(scene, Grid{.end = 4.0, .steps = 15}).independent().has_value());
+  EXPECT_FALSE(DriftObserver(scene, Grid{.end = 4.0, .steps = 64, .grading = 2.0}).independent().has_value());
+  EXPECT_FALSE(DriftObserver(scene, std::nullopt).independent().has_value());
   scene.memories.clear();
-  EXPECT_FALSE(DriftWatch(scene, Grid{.end = 4.0, .steps = 64}).independent().has_value());
+  EXPECT_FALSE(DriftObserver(scene, Grid{.end = 4.0, .steps = 64}).independent().has_value());
 }
 
 // The judge is far better than the judged: on the exact velocities it gives w to so much more than what the

@@ -6,7 +6,7 @@
 namespace fde {
 namespace {
 
-using Values = std::map<std::string, double>;
+using Values = ParameterValues;
 
 Scene line(const Values& values) { return scene_of("fractional_constraint_1d", values); }
 double at(const Scene& scene, double t) { return scene.reference.at(t).value[0]; }

@@ -150,7 +150,7 @@ TEST(GrowingModes, RefusesWhatHasNoSymbol) {
   expect_message([&] { growing_modes(l1, scene_of("brusselator").problem, 0.1); }, "no linear part");
   expect_message(
       [&] {
-        growing_modes(l1, scene_of("fractional_constraint_2d", {{"formulation", 3}}).problem, 0.1);
+        growing_modes(l1, scene_of("fractional_constraint_2d", {{"formulation", "multiplier"}}).problem, 0.1);
       },
       "linear stability of l1");
   expect_message([&] { stable(scheme("commensurate_adams_pc"), scalar_equation(0.987654321, -1.0), 1.0); },

@@ -104,7 +104,7 @@ Value response_on_circle(const Scheme& scheme, double order, double theta, int d
   constexpr int steps = 500;
   const Problem problem{.components = {{order, std::vector<double>(initial_count(order), 0.0)}},
                         .rhs = [](double t, In, Out f) { f[0] = t == 1.0 ? 1.0 : 0.0; },
-                        .linear_part = Matrix::Zero(1, 1),
+                        .derivatives = DenseLinearPart{Matrix::Zero(1, 1)},
                         .end = steps};
   Vec y =
       scheme.solve(problem, Grid{problem.end, steps}, {.history = HistoryKind::direct}).y.row(0).tail(steps);

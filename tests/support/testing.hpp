@@ -16,7 +16,7 @@ inline const SceneMaker& scene_maker(std::string_view id) {
   return *std::ranges::find(scenes(), id, &SceneMaker::id);
 }
 
-inline Scene scene_of(std::string_view id, const std::map<std::string, double>& values = {}) {
+inline Scene scene_of(std::string_view id, const ParameterValues& values = {}) {
   return make_scene(scene_maker(id), values);
 }
 

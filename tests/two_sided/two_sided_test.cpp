@@ -129,14 +129,14 @@ TEST_P(TwoSided, PermutingComponentsPermutesTheAnswer) {
 TEST_P(TwoSided, EnginesAndJacobiansAgree) {
   const Made made = made_problem({{0.7, 3.0, Side::left}, {0.5, 2.0, Side::right}}, 2.0);
   Problem with_jacobian = made.problem;
-  with_jacobian.jacobian = [](double, In y, OutMatrix jacobian) {
+  with_jacobian.derivatives = DenseJacobian{[](double, In y, OutMatrix jacobian) {
     const auto row = [&](Eigen::Index i) {
       jacobian(i, i) = std::sin(y[1 - i]) / 2 - 1.0;
       jacobian(i, 1 - i) = std::cos(y[1 - i]) * y[i] / 2;
     };
     row(0);
     row(1);
-  };
+  }};
   const auto direct = run(made.problem, 500, {.history = HistoryKind::direct});
   const auto exponentials = run(with_jacobian, 500, {.history = HistoryKind::exponentials});
   EXPECT_LT((direct.y - exponentials.y).cwiseAbs().maxCoeff(), 1e-13);

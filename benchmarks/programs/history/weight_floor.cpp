@@ -44,7 +44,7 @@ Equation relaxation() {
   const auto maker = std::ranges::find(scenes(), std::string_view("relaxation"), &SceneMaker::id);
   Scene scene = make_scene(*maker);
   const Component component = scene.problem.components.front();
-  const double rate = (*scene.problem.linear_part)(0, 0);
+  const double rate = std::get<DenseLinearPart>(scene.problem.derivatives).matrix(0, 0);
   const double end_value = scene.reference.at(scene.problem.end).value[0];
   return {std::move(scene), component.order, rate, component.initial[0], end_value};
 }

@@ -21,18 +21,18 @@ struct Pair {
   const MeasuredRun *chain, *expansion;
 };
 
-const MeasuredRun* find(RunSpan runs, std::string_view scheme, int steps) {
+const MeasuredRun* find(RunSpan runs, std::string_view scheme, const Setup& setup) {
   const auto found = std::ranges::find_if(
-      runs, [=](const MeasuredRun& run) { return run.scheme == scheme && run.steps == steps; });
+      runs, [&](const MeasuredRun& run) { return run.key.scheme == scheme && run.key.setup == setup; });
   return found == runs.end() ? nullptr : &*found;
 }
 
-// At the finest step count that both have.
+// At the finest step count that both have, otherwise set up alike.
 std::optional<Pair> finest_pair(const Scheme& expansion, RunSpan scene) {
   std::optional<Pair> finest;
   for (const MeasuredRun& run : scene) {
-    if (run.scheme != expansion.id || (finest && finest->expansion->steps > run.steps)) continue;
-    if (const auto* chain = find(scene, expansion.expansion_of, run.steps)) finest = Pair{chain, &run};
+    if (run.key.scheme != expansion.id || (finest && finest->expansion->steps > run.steps)) continue;
+    if (const auto* chain = find(scene, expansion.expansion_of, run.key.setup)) finest = Pair{chain, &run};
   }
   return finest;
 }
@@ -78,7 +78,8 @@ Section expansion_section(const PageInput& page) {
   for (const RunSpan scene : by_scene(page.runs.finished)) {
     const auto pair = finest_pair(*expansion, scene);
     if (!pair) continue;
-    rows.rows.push_back({{.text = name_of_scene(scene.front().scene).title, .detail = scene.front().scene},
+    const SceneSettings& solved = scene.front().key.scene;
+    rows.rows.push_back({{.text = name_of_scene(solved).title, .detail = label_of(solved)},
                          {.text = count_text(pair->chain->steps)},
                          states(*pair->chain),
                          time_and_error(*pair->chain),

@@ -36,7 +36,7 @@ Cell correlation(const NormRate& rate) {
 }
 
 std::vector<Cell> row(const PageInput& page, const RateRow& rate) {
-  const std::string label = page.label(rate.scheme, rate.history);
+  const std::string label = page.label(rate);
   return {{.text = label, .line = label},
           {.text = fmt::format("{} to {}", count_text(rate.coarsest), count_text(rate.finest))},
           expected(rate.end),
@@ -72,7 +72,7 @@ bool speaks_of_a_theorem(const RateRow& rate) {
 std::string on_the_theorem(const Scheme& scheme, const std::vector<RateRow>& rates) {
   std::vector<std::string> scenes;
   for (const RateRow& rate : rates) {
-    if (rate.scheme == scheme.id && speaks_of_a_theorem(rate)) scenes.push_back(rate.scene);
+    if (rate.scheme == scheme.id && speaks_of_a_theorem(rate)) scenes.push_back(label_of(rate.scene));
   }
   if (scenes.empty()) return {};
   return fmt::format(
