@@ -50,13 +50,22 @@ TEST(DriftObserver, TellsWhatTheSchemeSaysFromWhatItsVelocitiesSay) {
   EXPECT_NEAR(watch.independent()->largest, 1.0 + 4.0 / std::sqrt(std::acos(-1.0)), 1e-13);
 }
 
-TEST(DriftObserver, HasNoIndependentDriftWithoutMemoriesOrSteps) {
+bool has_independent_drift(const Scene& scene, const std::optional<Grid>& grid, const Grid& seen) {
+  DriftObserver watch(scene, grid);
+  for (int n = 0; n <= seen.steps; ++n) watch.observe(seen.time(n), Vec{{seen.time(n), 1.0, -1.0}});
+  return watch.independent().has_value();
+}
+
+TEST(DriftObserver, HasAnIndependentDriftWithMemoriesAndTheStepsOfAUniformGrid) {
   Scene scene = made_scene();
-  EXPECT_FALSE(DriftObserver(scene, Grid{.end = 4.0, .steps = 15}).independent().has_value());
-  EXPECT_FALSE(DriftObserver(scene, Grid{.end = 4.0, .steps = 64, .grading = 2.0}).independent().has_value());
-  EXPECT_FALSE(DriftObserver(scene, std::nullopt).independent().has_value());
+  const Grid grid{.end = 4.0, .steps = 64}, few{.end = 4.0, .steps = 15}, graded{4.0, 64, 2.0}, more{4.0, 65};
+  EXPECT_TRUE(has_independent_drift(scene, grid, grid));
+  EXPECT_FALSE(has_independent_drift(scene, few, few));
+  EXPECT_FALSE(has_independent_drift(scene, graded, graded));
+  EXPECT_FALSE(has_independent_drift(scene, grid, more));
+  EXPECT_FALSE(has_independent_drift(scene, std::nullopt, grid));
   scene.memories.clear();
-  EXPECT_FALSE(DriftObserver(scene, Grid{.end = 4.0, .steps = 64}).independent().has_value());
+  EXPECT_FALSE(has_independent_drift(scene, grid, grid));
 }
 
 // The judge is far better than the judged: on the exact velocities it gives w to so much more than what the
