@@ -134,8 +134,8 @@ TEST(Drift, IsRecordedWithItsGrowthAlsoWithoutAReference) {
   Scene scene = constrained(0.5);
   scene.reference.at = [](double) -> ReferenceValue { throw std::runtime_error("none is known"); };
   WatchedReference reference(scene);
-  const auto rows = examine("made", scene, reference, *find_scheme("l1"), 64);
-  EXPECT_EQ(rows.back().status, "no reference: none is known");
+  const auto rows = examine({}, scene, reference, *find_scheme("l1"), {64});
+  EXPECT_EQ(sentence(*rows.back().ending), "no reference: none is known");
   const auto has = [&](std::string_view quantity) {
     return std::ranges::count(rows, quantity, &Record::quantity) == 1;
   };
