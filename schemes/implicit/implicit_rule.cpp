@@ -71,7 +71,7 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
     history.convolve(convolved);
     const Vec& kappa = factors.at(n);
     rule.past(t, convolved, previous, kappa, past);
-    if (!newton.solve(run, t, kappa, past, y)) {
+    if (!newton.solve(run, {t, kappa, past}, y)) {
       run.fail(y.allFinite() ? Ending::not_converged : Ending::not_finite, t);
       break;
     }

@@ -108,8 +108,7 @@ TEST(FractionalOscillator, IsSolvedByMittagLefflerFunctions) {
                          0.25 * power * t * mittag_leffler(nu, nu + 2.0, z);
     const ReferenceValue known = solution.at(t);
     worst.see(known.value[0], exact, 1e-15 * (1.0 + std::abs(exact)), fmt::format("q({})", t));
-    worst.see(known.value[1], 1.0 + 0.25 * t - w2 * exact, 2e-15 * (2.0 + t),
-              fmt::format("D^nu q({})", t));
+    worst.see(known.value[1], 1.0 + 0.25 * t - w2 * exact, 2e-15 * (2.0 + t), fmt::format("D^nu q({})", t));
   }
   expect_within(worst);
 }
