@@ -92,7 +92,7 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Trajectory& path
       {"seconds", seconds},
       {"rhs", path.cost.rhs_calls},
       {"newton", path.cost.newton_iterations},
-      {"history", name(resolve(history, path.grid))},
+      {"history", name(resolve(history, step_plan(path.grid)))},
       {"history_bytes", path.cost.history_bytes},
       {"states", path.cost.states},
       {"expected_rate", scheme.expected_rate(scene.problem, scene.smoothness, path.grid.grading, Norm::end)}};
@@ -108,7 +108,7 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
   const Grid grid =
       parse_grid(arguments.grid, scene.problem.end, parse_count("--steps", arguments.steps, 1, most_steps));
   Options options{.history = parse_history(arguments.history)};
-  if (resolve(options.history, grid) == HistoryKind::direct && grid.steps > most_direct_steps) {
+  if (resolve(options.history, step_plan(grid)) == HistoryKind::direct && grid.steps > most_direct_steps) {
     throw std::invalid_argument(
         fmt::format("--history = direct: takes up to {} steps, its work grows with their square, not {}",
                     most_direct_steps, grid.steps));
