@@ -38,7 +38,7 @@ struct KernelStep {
 
 // The past of functions that share one kernel, on steps of any length. Each exponential carries one integral
 // a function, z(t) = int_0^t exp(-node (t - s)) u(s) ds, from step to step. Work and memory do not depend on
-// the number of steps done. docs/the_past.md derives it.
+// the number of steps done. docs/history.md derives it.
 //
 // An exponential that decays to nothing within a step is dropped there. Where a shorter step needs it again,
 // its integral over that one step is all there is of it: the kernel of anything older is within the tolerance
