@@ -36,7 +36,7 @@ SceneMaker damped_oscillator() {
                         .end = 20.0},
             .smoothness = chain_smoothness({chain}),
             .outputs = picked(columns.names, columns.components(chain)),
-            .reference = exact_reference(equation, columns.orders),
+            .reference = linear_reference(equation, columns.orders),
             .energy = {.value =
                            [=](In c) {
                              const double u = columns.u(c), du = columns.du(c);
