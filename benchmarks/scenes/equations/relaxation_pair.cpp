@@ -23,7 +23,7 @@ SceneMaker relaxation_pair() {
                                 .end = 5.0},
                     .smoothness = {{powers, powers}},
                     .outputs = {{"x", "y"}},
-                    .reference = exact_reference(
+                    .reference = linear_reference(
                         {.orders = {gamma, gamma}, .initial = {{p["x0"]}, {p["y0"]}}, .matrix = rotation})};
           }};
 }
