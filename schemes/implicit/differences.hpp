@@ -8,9 +8,8 @@
 
 namespace fde {
 
-// df/dy at y by forward differences, where evaluate(y) gives f; one column a component of y. A component that
-// is small beside its size, as it is where it changes its sign, is moved by a part of that; sizes of 0 and
-// values of 0 leave |y|, or 1.
+// df/dy at y by forward differences, where evaluate(y) gives f. A component that is small beside its size, as
+// it is where it changes its sign, is moved by a part of that; sizes of 0 and values of 0 leave |y|, or 1.
 template <class Evaluate>
 void forward_differences(Evaluate evaluate, Vec y, In f, In sizes, OutMatrix result) {
   const double relative_step = std::sqrt(std::numeric_limits<double>::epsilon());

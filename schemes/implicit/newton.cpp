@@ -38,7 +38,8 @@ bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {
     solvable_ = matrix_->factorise_linear(step.kappa);
   }
   if (!solvable_) return false;
-  Vec increment = residual(step, matrix_->rows(), run.rhs(step.t, y), y);
+  Vec increment(y.size());
+  take_residual(step, matrix_->rows(), run.rhs(step.t, y), y, increment);
   matrix_->solve(increment);
   y += increment;
   ++*run.cost().newton_iterations;
@@ -48,8 +49,9 @@ bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {
 bool NewtonSolver::iterate(Run& run, const StepEquations& step, Out y, int most_setbacks) {
   double last = std::numeric_limits<double>::infinity();
   int setbacks = 0;
+  Vec f(y.size()), increment(y.size());
   for (int iteration = 0; iteration < most_iterations && setbacks < most_setbacks; ++iteration) {
-    Vec increment = linearise(run, step, y);
+    linearise(run, step, y, f, increment);
     matrix_->factorise_and_solve(increment);
     y += increment;
     ++*run.cost().newton_iterations;
@@ -64,8 +66,9 @@ bool NewtonSolver::iterate(Run& run, const StepEquations& step, Out y, int most_
 
 bool NewtonSolver::approach(Run& run, const StepEquations& step, Out y) {
   double inverse_step = 1.0;
+  Vec f(y.size()), increment(y.size());
   for (int work = 0; work < most_pseudo_steps && inverse_step < shortest_inverse; ++work) {
-    Vec increment = linearise(run, step, y);
+    linearise(run, step, y, f, increment);
     matrix_->add_to_diagonal(inverse_step * matrix_->rows().mass);
     matrix_->factorise();
     matrix_->solve(increment);
@@ -86,16 +89,17 @@ double NewtonSolver::bend(Run& run, const StepEquations& step, In y, const Vec& 
                           double inverse_step) {
   const auto& rows = matrix_->rows();
   const Vec trial = y + increment;
-  Vec next = residual(step, rows, run.rhs(step.t, trial), trial);
+  Vec next(y.size());
+  take_residual(step, rows, run.rhs(step.t, trial), trial, next);
   next -= inverse_step * rows.mass.cwiseProduct(increment);
   matrix_->solve(next);
   return next.lpNorm<Eigen::Infinity>() / increment.lpNorm<Eigen::Infinity>();
 }
 
-Vec NewtonSolver::linearise(Run& run, const StepEquations& step, In y) {
-  const Vec f = run.rhs(step.t, y);
+void NewtonSolver::linearise(Run& run, const StepEquations& step, In y, Vec& f, Vec& rest) {
+  f = run.rhs(step.t, y);
   matrix_->linearise(run, step, y, f);
-  return residual(step, matrix_->rows(), f, y);
+  take_residual(step, matrix_->rows(), f, y, rest);
 }
 
 }  // namespace fde

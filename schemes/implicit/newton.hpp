@@ -44,8 +44,8 @@ class NewtonSolver {
   // How far the equations are from linear along an increment of a pseudo time step: the next one, relative to
   // it.
   double bend(Run& run, const StepEquations& step, In y, const Vec& increment, double inverse_step);
-  // The matrix becomes that at y; the result is what is left of the equations there.
-  Vec linearise(Run& run, const StepEquations& step, In y);
+  // f becomes f(t, y), the matrix that at y, and rest what y leaves of the equations.
+  void linearise(Run& run, const StepEquations& step, In y, Vec& f, Vec& rest);
 
   const Problem& problem_;
   double tolerance_;

@@ -15,10 +15,9 @@ RowScales::RowScales(const Problem& problem)
   }
 }
 
-Vec residual(const StepEquations& step, const RowScales& rows, In f, In y) {
-  Vec rest = step.past + rows.scale.cwiseProduct(f) - y;
+void take_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest) {
+  rest = step.past + rows.scale.cwiseProduct(f) - y;
   for (const auto i : rows.algebraic) rest[i] = rows.scale[i] * f[i];
-  return rest;
 }
 
 double relative_size(const RowScales& rows, In increment, In y) {

@@ -26,8 +26,8 @@ struct RowScales {
                // M the matrix of Newton's method
 };
 
-// What y leaves of the equations, where f is f(t, y).
-Vec residual(const StepEquations& step, const RowScales& rows, In f, In y);
+// rest becomes what y leaves of the equations, where f is f(t, y).
+void take_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest);
 
 // The largest increment relative to |y|, both as Newton's method takes them (newton.hpp).
 double relative_size(const RowScales& rows, In increment, In y);

@@ -7,13 +7,13 @@ namespace fde {
 
 // A candidate for the solution at all times of a grid.
 struct Guess {
-  Rows y;       // one column a time
+  Rows y;
   Vec unknown;  // the unknown initial values
 };
 
 // By how far a guess misses the equations.
 struct Residual {
-  Rows rows;       // Taylor part - y + kappa (weighted sum of f), in algebraic rows f; one column a time
+  Rows rows;       // Taylor part - y + kappa (weighted sum of f), in algebraic rows f
   Vec conditions;  // those of the problem
   Rows f;          // f(t, y) of the guess
 
