@@ -44,7 +44,7 @@ Setup parse_setup(const SolveArguments& arguments) {
 
 // Throws std::invalid_argument where the run would take hours or print too much.
 void require_affordable(const SolveArguments& arguments, const Grid& grid, HistoryKind history) {
-  if (resolve(history, grid) == HistoryKind::direct && grid.steps > most_direct_steps) {
+  if (resolve(history, step_plan(grid)) == HistoryKind::direct && grid.steps > most_direct_steps) {
     throw std::invalid_argument(
         fmt::format("--history = direct: takes up to {} steps, its work grows with their square, not {}",
                     most_direct_steps, grid.steps));
@@ -116,7 +116,7 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Resolution& reso
   };
   add("rhs", cost.rhs_calls);
   add("newton", cost.newton_iterations);
-  if (grid && cost.history_bytes) shown["history"] = name(resolve(history, *grid));
+  if (grid && cost.history_bytes) shown["history"] = name(resolve(history, step_plan(*grid)));
   add("history_bytes", cost.history_bytes);
   add("states", cost.states);
   if (grid && scheme.expected_rate)

@@ -293,7 +293,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"solve pendulum --scheme l1 --steps 1e3", "--steps = 1e3: must be"},
         Mistake{"solve pendulum --scheme l1 --steps 99999999999", "--steps = 99999999999: must be"},
         Mistake{"solve pendulum --scheme l1", "--steps is required"},
-        Mistake{"solve pendulum --scheme l1 --steps 8 --accuracy 1e-6", "--accuracy excludes --steps"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --accuracy 1e-6", "--steps excludes --accuracy"},
         Mistake{"solve pendulum --scheme l1 --accuracy 0", "--accuracy = 0: must be"},
         Mistake{"solve pendulum --scheme l1 --accuracy 1e-6",
                 "--scheme = l1: l1 takes a grid, not an accuracy"},

@@ -58,7 +58,7 @@ double printed_start_weight(double g, double n) {
 }
 
 double naive_last_sum(const Equation& equation, const Grid& grid, const Trajectory& path) {
-  const WeightTable table{WeightFamily::trapezoid, equation.order};
+  const WeightTable table{&families::trapezoid, equation.order};
   const int n = grid.steps;
   double sum = (printed_start_weight(equation.order, n) - *start_weight(table, n)) * path.y(0, 0);
   for (int k = 1; k < n; ++k) {
@@ -70,7 +70,7 @@ double naive_last_sum(const Equation& equation, const Grid& grid, const Trajecto
 // The rule with any weights: past(n, y) is the sum over the past of step n, in units of 1/Gamma(order + 2).
 template <typename Past>
 double error_of_loop(const Equation& equation, const Grid& grid, const Past& past) {
-  const WeightTable table{WeightFamily::trapezoid, equation.order};
+  const WeightTable table{&families::trapezoid, equation.order};
   const double scale = equation.rate / std::tgamma(equation.order + 2);
   Vec y(grid.steps + 1);
   y[0] = equation.start;

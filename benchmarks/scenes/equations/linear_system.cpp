@@ -34,10 +34,10 @@ SceneMaker linear_system() {
                                 .end = 5.0},
                     .smoothness = linear_smoothness(components, matrix, {{0.0, load}}),
                     .outputs = {{"x", "y"}},
-                    .reference = exact_reference({.orders = {components[0].order, components[1].order},
-                                                  .initial = {components[0].initial, components[1].initial},
-                                                  .matrix = matrix,
-                                                  .loads = {{{load[0]}}, {{load[1]}}}})};
+                    .reference = linear_reference({.orders = {components[0].order, components[1].order},
+                                                   .initial = {components[0].initial, components[1].initial},
+                                                   .matrix = matrix,
+                                                   .loads = {{{load[0]}}, {{load[1]}}}})};
           }};
 }
 

@@ -25,9 +25,9 @@ SceneMaker relaxation() {
                                 .derivatives = DenseLinearPart{Matrix::Constant(1, 1, lambda)}},
                     .smoothness = {{power_lattice(start, {gamma}, gamma + 2.0)}},
                     .outputs = {{"y"}},
-                    .reference = exact_reference({.terms = {{1.0, gamma}, {-lambda, 0.0}},
-                                                  .initial = {initial.begin(), initial.end()}},
-                                                 {0.0})};
+                    .reference = linear_reference({.terms = {{1.0, gamma}, {-lambda, 0.0}},
+                                                   .initial = {initial.begin(), initial.end()}},
+                                                  {0.0})};
           }};
 }
 

@@ -29,9 +29,9 @@ SceneMaker relaxation_pair() {
                                 .end = 5.0},
                     .smoothness = linear_smoothness(components, rotation),
                     .outputs = {{"x", "y"}},
-                    .reference = exact_reference({.orders = {gamma, gamma},
-                                                  .initial = {components[0].initial, components[1].initial},
-                                                  .matrix = rotation})};
+                    .reference = linear_reference({.orders = {gamma, gamma},
+                                                   .initial = {components[0].initial, components[1].initial},
+                                                   .matrix = rotation})};
           }};
 }
 
