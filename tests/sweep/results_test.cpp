@@ -218,7 +218,7 @@ TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
   run_sweep(sweep, {.recorded =
                         [](const RunKey& run) {
                           const bool first =
-                              run.scheme == "l1" && run.setup.resolution == Setup{16}.resolution;
+                              run.scheme == "l1" && run.setup.resolution == StepsOrAccuracy(16);
                           return first ? Recorded::everything : Recorded::nothing;
                         },
                     .append =
