@@ -11,8 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "records/record.hpp"
 #include "scenes/parameters.hpp"
-#include "sweep/record.hpp"
 
 namespace fde {
 namespace {

@@ -12,9 +12,9 @@
 #include "command/arguments.hpp"
 #include "command/command.hpp"
 #include "page/report.hpp"
+#include "records/results_file.hpp"
 #include "scenes/number_text.hpp"
 #include "sweep/default_sweep.hpp"
-#include "sweep/results_file.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep/trials.hpp"
 

@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "records/record_text.hpp"
+#include "records/results_file.hpp"
 #include "support/testing.hpp"
-#include "sweep/record_text.hpp"
-#include "sweep/results_file.hpp"
 #include "sweep/sweep.hpp"
 
 namespace fde {

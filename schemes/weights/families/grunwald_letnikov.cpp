@@ -1,7 +1,7 @@
 #include <array>
 
+#include "weights/families/product_rules.hpp"
 #include "weights/family.hpp"
-#include "weights/product_rules.hpp"
 
 namespace fde {
 namespace {

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "build_facts.hpp"
-#include "sweep/record.hpp"
+#include "records/record.hpp"
 
 namespace fde {
 namespace {

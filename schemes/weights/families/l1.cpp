@@ -1,5 +1,5 @@
+#include "weights/families/product_rules.hpp"
 #include "weights/family.hpp"
-#include "weights/product_rules.hpp"
 
 namespace fde {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "measures/ending.hpp"
+#include "records/setup.hpp"
 #include "scenes/scene_settings.hpp"
-#include "sweep/setup.hpp"
 
 namespace fde {
 

@@ -1,8 +1,8 @@
-#include "weights/symbol.hpp"
+#include "symbols/symbol.hpp"
 
 #include <vector>
 
-#include "weights/generating_function.hpp"
+#include "symbols/generating_function.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "sweep/setup.hpp"
+#include "records/setup.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "sweep/results_file.hpp"
+#include "records/results_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 #include <tuple>
 #include <utility>
 
-#include "sweep/record_text.hpp"
+#include "records/record_text.hpp"
 
 namespace fde {
 

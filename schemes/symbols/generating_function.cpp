@@ -1,4 +1,4 @@
-#include "weights/generating_function.hpp"
+#include "symbols/generating_function.hpp"
 
 namespace fde {
 

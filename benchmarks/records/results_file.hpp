@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sweep/record.hpp"
+#include "records/record.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "sweep/record_text.hpp"
+#include "records/record_text.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

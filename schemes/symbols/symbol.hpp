@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "problem/problem.hpp"
-#include "weights/generating_function.hpp"
+#include "symbols/generating_function.hpp"
 
 namespace fde {
 

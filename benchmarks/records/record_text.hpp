@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sweep/record.hpp"
+#include "records/record.hpp"
 
 namespace fde {
 
