@@ -12,7 +12,7 @@ Scheme adams_pc() {
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return rate(predictor_corrector_theory, problem, smoothness, grading, norm);
               },
-          .solve = predict_and_correct,
+          .solve = on_grid(predict_and_correct),
           .symbol = predictor_corrector_symbol};
 }
 

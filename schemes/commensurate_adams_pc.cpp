@@ -3,6 +3,11 @@
 #include "stepping/splitting.hpp"
 
 namespace fde {
+namespace {
+
+Links expansion(const Problem& problem) { return commensurate_links(problem).value(); }
+
+}  // namespace
 
 // adams_pc on the expansion in which every order is the same 1/M. Yin, Liu & Anh argue against it because of
 // its many states (Cost::states); this row measures by how much.
@@ -13,23 +18,19 @@ Scheme commensurate_adams_pc() {
           .needs = {},
           .expected_rate =
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
-                return split_rate(predictor_corrector_theory, problem, smoothness,
-                                  commensurate_links(problem).value(), grading, norm);
+                return split_rate(predictor_corrector_theory, problem, smoothness, expansion(problem),
+                                  grading, norm);
               },
-          .solve =
-              [](const Problem& problem, const Grid& grid, const Options& options) {
-                return solve_split(problem, grid, options, commensurate_links(problem).value(),
-                                   predict_and_correct);
-              },
+          .solve = split_into(expansion, on_grid(predict_and_correct)),
           .refuses = [](const Problem& problem) -> std::optional<std::string> {
             if (commensurate_links(problem)) return std::nullopt;
             return "needs orders that are multiples of one 1/M with M at most 64";
           },
           .symbol =
               [](const Problem& problem, double length) {
-                return predictor_corrector_symbol(split(problem, commensurate_links(problem).value()),
-                                                  length);
-              }};
+                return predictor_corrector_symbol(split(problem, expansion(problem)), length);
+              },
+          .expansion_of = "decoupled_multi_order"};
 }
 
 }  // namespace fde

@@ -18,14 +18,14 @@ Scheme decoupled_multi_order() {
                 return split_rate(predictor_corrector_theory, problem, smoothness, links_up_to_one(problem),
                                   grading, norm);
               },
-          .solve =
-              [](const Problem& problem, const Grid& grid, const Options& options) {
-                return solve_split(problem, grid, options, links_up_to_one(problem), predict_and_correct);
-              },
+          .solve = split_into(links_up_to_one, on_grid(predict_and_correct)),
           .symbol =
               [](const Problem& problem, double length) {
                 return predictor_corrector_symbol(split(problem, links_up_to_one(problem)), length);
-              }};
+              },
+          .theorem = Theorem{.name = "Theorem 4.3 of Yin, Liu & Anh 2007",
+                             .hypothesis = "D^γ u in C²",
+                             .rate = "1 + min γ"}};
 }
 
 }  // namespace fde

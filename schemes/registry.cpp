@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "stepping/scheme.hpp"
 
@@ -25,25 +26,44 @@ std::optional<std::string> refusal(const Needs& needs, const Component& componen
                      count == 1 ? "" : "s", order, i, given);
 }
 
-std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem& problem, const Grid& grid) {
+std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem& problem, const Grid* grid) {
   if (!two_sided(problem)) return std::nullopt;
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
     const bool right = problem.components[i].side == Side::right;
     if (right && !scheme.needs.two_sided) {
       return fmt::format("steps from the left: component {} has a right derivative", i);
     }
-    if (right && !grid.uniform()) {
+    if (right && grid && !grid->uniform()) {
       return fmt::format("needs a uniform grid for the right derivative of component {}", i);
     }
   }
   if (!scheme.needs.two_sided) return "steps from the left: the problem has conditions at both ends";
   if (problem.conditions && unknown_count(problem) == 0) {
-    return "needs a unknown initial value for each condition, none is unknown";
+    return "needs an unknown initial value for each condition, none is unknown";
   }
-  if (grid.end != problem.end) {
-    return fmt::format("needs a grid that ends with the problem, at {} and not {}", problem.end, grid.end);
+  if (grid && grid->end != problem.end) {
+    return fmt::format("needs a grid that ends with the problem, at {} and not {}", problem.end, grid->end);
   }
   return std::nullopt;
+}
+
+std::optional<std::string> refusal(const Needs& needs, const Problem& problem, const Grid& grid) {
+  if (!needs.takes_grid) return "takes an accuracy, not a grid";
+  if (needs.uniform_grid && !grid.uniform()) {
+    return fmt::format("needs a uniform grid, not one graded with {}", grid.grading);
+  }
+  double largest_order = 1.0;
+  for (const auto& component : problem.components) largest_order = std::max(largest_order, component.order);
+  const double shortest = std::pow(1e-290, 1.0 / largest_order);  // its inverse and powers are doubles
+  if (grid.step(1) > shortest) return std::nullopt;
+  return fmt::format("needs a first step above {:.3g}, not {}", shortest, grid.step(1));
+}
+
+std::optional<std::string> refusal(const Needs& needs, const Accuracy& accuracy) {
+  if (!needs.takes_accuracy) return "takes a grid, not an accuracy";
+  const auto& [relative, absolute] = accuracy;
+  if (relative >= 0.0 && absolute >= 0.0 && std::max(relative, absolute) > 0.0) return std::nullopt;
+  return fmt::format("needs an accuracy above 0, not {} relative and {} absolute", relative, absolute);
 }
 
 }  // namespace
@@ -67,18 +87,21 @@ const Scheme* find_scheme(std::string_view id) {
   return found == schemes().end() ? nullptr : &*found;
 }
 
-std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem, const Grid& grid) {
-  if (scheme.needs.uniform_grid && !grid.uniform()) {
-    return fmt::format("needs a uniform grid, not one graded with {}", grid.grading);
-  }
-  double largest_order = 1.0;
-  for (const auto& component : problem.components) largest_order = std::max(largest_order, component.order);
-  const double shortest = std::pow(1e-290, 1.0 / largest_order);  // its inverse and powers are doubles
-  if (!(grid.step(1) > shortest)) {
-    return fmt::format("needs a first step above {:.3g}, not {}", shortest, grid.step(1));
-  }
-  const bool dense = problem.jacobian || problem.linear_part;
-  if (sparse(problem) && dense) return "takes derivatives dense or sparse, the problem tells both";
+Solve on_grid(GridSolve solve) {
+  return [solve = std::move(solve)](const Problem& problem, const Resolution& resolution,
+                                    const Options& options) {
+    return solve(problem, std::get<Grid>(resolution), options);
+  };
+}
+
+std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
+                                   const Resolution& resolution) {
+  const auto* grid = std::get_if<Grid>(&resolution);
+  auto of_resolution =
+      grid ? refusal(scheme.needs, problem, *grid) : refusal(scheme.needs, std::get<Accuracy>(resolution));
+  if (of_resolution) return of_resolution;
+  if (scheme.needs.discretises_equations && problem.equations.empty())
+    return "discretises multi-term equations, and the problem is not told as one";
   if (sparse(problem) && std::ranges::any_of(problem.components, algebraic)) {
     return "takes algebraic rows with a dense Jacobian only";
   }

@@ -3,42 +3,66 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <numeric>
 
 #include "measures/accuracy.hpp"
 
 namespace fde {
 namespace {
 
-bool always(const Observation& /*run*/) { return true; }
-bool has_reference(const Observation& run) { return run.reference.cols() > 0; }
-bool implicit(const Observation& run) { return run.scheme.needs.implicit; }
+using Value = std::optional<double>;
 
-template <Norm norm>
-double expected_rate(const Observation& run) {
-  return run.scheme.expected_rate(run.scene.problem, run.scene.smoothness, run.path.grid.grading, norm);
+bool has_reference(const FinishedRun& run) { return run.reference.cols() > 0; }
+bool has_rounding(const FinishedRun& run) { return run.observed.rounded.cols() > 0; }
+
+template <double (*error)(const Rows& values, const Rows& reference)>
+Value against_reference(const FinishedRun& run) {
+  return has_reference(run) ? Value(error(run.values, run.reference)) : std::nullopt;
 }
 
-using OneDrift = std::optional<Drift> Observation::*;
-constexpr OneDrift internal = &Observation::internal_drift, independent = &Observation::independent_drift;
+Value relative(const FinishedRun& run) {
+  return has_reference(run) ? relative_error(run.values, run.reference, run.reference_bound) : std::nullopt;
+}
 
+Value rounding(const FinishedRun& run) {
+  if (!has_rounding(run)) return std::nullopt;
+  return error_end(run.values, run.observed.rounded);
+}
+
+Value rounding_from(const FinishedRun& run) {
+  if (!has_reference(run) || !has_rounding(run)) return std::nullopt;
+  const auto column = rounding_dominates(run.values, run.observed.rounded, run.reference);
+  if (!column) return std::nullopt;
+  return run.path.time(*column);
+}
+
+Value bound_of_reference(const FinishedRun& run) {
+  return has_reference(run) ? Value(run.reference_bound.maxCoeff()) : std::nullopt;
+}
+
+template <Value Observed::*seen>
+Value observed(const FinishedRun& run) {
+  return run.observed.*seen;
+}
+
+using OneDrift = std::optional<Drift> Observed::*;
 template <OneDrift drift>
-bool has_drift(const Observation& run) {
-  return (run.*drift).has_value();
+Value largest(const FinishedRun& run) {
+  const auto& seen = run.observed.*drift;
+  return seen ? Value(seen->largest) : std::nullopt;
 }
 template <OneDrift drift>
-double largest(const Observation& run) {
-  return (run.*drift)->largest;
+Value growth(const FinishedRun& run) {
+  const auto& seen = run.observed.*drift;
+  return seen ? seen->growth : std::nullopt;
 }
-template <OneDrift drift>
-bool has_growth(const Observation& run) {
-  return has_drift<drift>(run) && (run.*drift)->growth.has_value();
+
+template <auto count>
+Value cost(const FinishedRun& run) {
+  const auto& counted = run.path.cost.*count;
+  return counted ? Value(static_cast<double>(*counted)) : std::nullopt;
 }
-template <OneDrift drift>
-double growth(const Observation& run) {
-  return *(run.*drift)->growth;
-}
+
+double minimum(const std::vector<double>& seconds) { return std::ranges::min(seconds); }
 
 double median(const std::vector<double>& seconds) {
   auto values = seconds;
@@ -47,54 +71,29 @@ double median(const std::vector<double>& seconds) {
   return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-bool has_relative_error(const Observation& run) {
-  return has_reference(run) && relative_error(run.values, run.reference, run.reference_bound).has_value();
-}
-bool has_rounding(const Observation& run) { return run.rounded.cols() > 0; }
-bool has_rounding_from(const Observation& run) {
-  return has_reference(run) && has_rounding(run) &&
-         rounding_dominates(run.values, run.rounded, run.reference).has_value();
-}
-double rounding_from(const Observation& run) {
-  const auto column = *rounding_dominates(run.values, run.rounded, run.reference);
-  return run.path.grid.time(run.path.steps[static_cast<std::size_t>(column)]);
-}
-
 constexpr std::array all{
-    Measure{"error_end", "", has_reference, error_end},
-    Measure{"error_maximum", "", has_reference, error_maximum},
-    Measure{"error_relative", "", has_relative_error,
-            [](const Observation& run) {
-              return *relative_error(run.values, run.reference, run.reference_bound);
-            }},
-    Measure{"rounding", "", has_rounding,
-            [](const Observation& run) {
-              return (run.values.rightCols(1) - run.rounded.rightCols(1)).cwiseAbs().maxCoeff();
-            }},
-    Measure{"rounding_from", "t", has_rounding_from, rounding_from},
-    Measure{"mescd", "digits", has_reference, mescd},
-    Measure{"reference_bound", "", has_reference,
-            [](const Observation& run) { return run.reference_bound.maxCoeff(); }},
-    Measure{"energy_residual", "", [](const Observation& run) { return run.energy_residual.has_value(); },
-            [](const Observation& run) { return *run.energy_residual; }},
-    Measure{"drift_internal", "", has_drift<internal>, largest<internal>},
-    Measure{"drift_internal_growth", "", has_growth<internal>, growth<internal>},
-    Measure{"drift_independent", "", has_drift<independent>, largest<independent>},
-    Measure{"drift_independent_growth", "", has_growth<independent>, growth<independent>},
-    Measure{"rhs_calls", "", always,
-            [](const Observation& run) { return static_cast<double>(run.path.cost.rhs_calls); }},
-    Measure{"newton_iterations", "", implicit,
-            [](const Observation& run) { return static_cast<double>(run.path.cost.newton_iterations); }},
-    Measure{"history_bytes", "B", always,
-            [](const Observation& run) { return static_cast<double>(run.path.cost.history_bytes); }},
-    Measure{"states", "", always,
-            [](const Observation& run) { return static_cast<double>(run.path.cost.states); }},
-    Measure{"expected_rate_end", "", always, expected_rate<Norm::end>},
-    Measure{"expected_rate_maximum", "", always, expected_rate<Norm::maximum>},
+    Measure{"error_end", "", against_reference<error_end>},
+    Measure{"error_maximum", "", against_reference<error_maximum>},
+    Measure{"error_relative", "", relative},
+    Measure{"rounding", "", rounding},
+    Measure{"rounding_from", "t", rounding_from},
+    Measure{"mescd", "digits", against_reference<mescd>},
+    Measure{"reference_bound", "", bound_of_reference},
+    Measure{"energy_residual", "", observed<&Observed::energy_residual>},
+    Measure{"drift_internal", "", largest<&Observed::internal_drift>},
+    Measure{"drift_internal_growth", "", growth<&Observed::internal_drift>},
+    Measure{"drift_independent", "", largest<&Observed::independent_drift>},
+    Measure{"drift_independent_growth", "", growth<&Observed::independent_drift>},
+    Measure{"rhs_calls", "", cost<&Cost::rhs_calls>},
+    Measure{"newton_iterations", "", cost<&Cost::newton_iterations>},
+    Measure{"history_bytes", "B", cost<&Cost::history_bytes>},
+    Measure{"states", "", cost<&Cost::states>},
+    Measure{"expected_rate_end", "", observed<&Observed::expected_rate_end>},
+    Measure{"expected_rate_maximum", "", observed<&Observed::expected_rate_maximum>},
 };
 
 constexpr std::array all_of_time{
-    TimeMeasure{"time_minimum", [](const std::vector<double>& seconds) { return std::ranges::min(seconds); }},
+    TimeMeasure{"time_minimum", minimum},
     TimeMeasure{"time_median", median},
 };
 
@@ -103,15 +102,17 @@ constexpr std::array all_of_time{
 std::span<const Measure> measures() { return all; }
 std::span<const TimeMeasure> time_measures() { return all_of_time; }
 
-double error_end(const Observation& run) {
-  return (run.values.rightCols(1) - run.reference.rightCols(1)).cwiseAbs().maxCoeff();
+double error_end(const Rows& values, const Rows& reference) {
+  return (values.rightCols(1) - reference.rightCols(1)).cwiseAbs().maxCoeff();
 }
 
-double error_maximum(const Observation& run) { return (run.values - run.reference).cwiseAbs().maxCoeff(); }
+double error_maximum(const Rows& values, const Rows& reference) {
+  return (values - reference).cwiseAbs().maxCoeff();
+}
 
-double mescd(const Observation& run) {
-  const auto error = (run.values.rightCols(1) - run.reference.rightCols(1)).array().abs();
-  const double relative = (error / (1.0 + run.reference.rightCols(1).array().abs())).maxCoeff();
+double mescd(const Rows& values, const Rows& reference) {
+  const auto error = (values.rightCols(1) - reference.rightCols(1)).array().abs();
+  const double relative = (error / (1.0 + reference.rightCols(1).array().abs())).maxCoeff();
   return -std::log10(std::max(relative, 1e-17));
 }
 

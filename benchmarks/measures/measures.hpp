@@ -7,30 +7,34 @@
 
 #include "observers/drift.hpp"
 #include "scenes/scene.hpp"
-#include "stepping/scheme.hpp"
+#include "stepping/trajectory.hpp"
 
 namespace fde {
 
-// One finished run with all that a measure may look at. Rows hold the scene's columns as rows, one column a
-// step of watched_steps; reference has none where there is no reference.
-struct Observation {
-  const Scene& scene;
-  const Scheme& scheme;
-  const Trajectory& path;
-  const Rows& values;
-  const Rows& reference;  // no columns where there is no reference
-  const Vec&
-      reference_bound;  // of the reference at the end: a bound, or an estimate where that is all there is
-  Rows rounded{};       // the same values with other rounding; no columns where that run did not finish
-  std::optional<double> energy_residual{};                     // EnergyBalance, which saw every step
-  std::optional<Drift> internal_drift{}, independent_drift{};  // DriftWatch, which saw every step
+// What a trajectory does not tell of itself. All of it may be absent: nobody knows it of a trajectory that
+// another program wrote.
+struct Observed {
+  std::optional<Grid> grid{};  // over which it was stepped
+  Rows rounded{};              // the scene's columns with other rounding, one column a time of the trajectory
+  std::optional<double> energy_residual{};                             // by an EnergyObserver
+  std::optional<Drift> internal_drift{}, independent_drift{};          // by a DriftObserver
+  std::optional<double> expected_rate_end{}, expected_rate_maximum{};  // of the scheme
 };
 
-// One number taken from a run. Where it does not apply it is not computed and has no row.
+// One finished run with all that a measure may look at. Rows hold the scene's columns as rows, one column a
+// time of the trajectory.
+struct FinishedRun {
+  const Trajectory& path;
+  const Rows& values;
+  const Rows& reference;       // no columns where there is no reference
+  const Vec& reference_bound;  // at the end: a bound, or an estimate where that is all there is
+  const Observed& observed;
+};
+
+// One number taken from a run; nullopt where it does not apply.
 struct Measure {
   std::string_view id, unit;
-  bool (*applies)(const Observation&);
-  double (*value)(const Observation&);
+  std::optional<double> (*value)(const FinishedRun&);
 };
 
 std::span<const Measure> measures();
@@ -42,12 +46,18 @@ struct TimeMeasure {
 };
 std::span<const TimeMeasure> time_measures();
 
-// max_i |y_i - reference_i| at the last step; over all watched steps.
-double error_end(const Observation& run);
-double error_maximum(const Observation& run);
+// A measured number.
+struct Measured {
+  std::string_view id, unit;
+  double value;
+};
 
-// -log10 max_i |y_i - reference_i| / (1 + |reference_i|) at the last step: the significant digits of the IVP
+// max_i |y_i - reference_i| at the last time; over all times.
+double error_end(const Rows& values, const Rows& reference);
+double error_maximum(const Rows& values, const Rows& reference);
+
+// -log10 max_i |y_i - reference_i| / (1 + |reference_i|) at the last time: the significant digits of the IVP
 // test set (Bari) and FDE-Testset (Brugnano et al. 2025). At most 17, where the two are equal.
-double mescd(const Observation& run);
+double mescd(const Rows& values, const Rows& reference);
 
 }  // namespace fde

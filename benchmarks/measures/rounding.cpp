@@ -1,6 +1,28 @@
 #include "measures/rounding.hpp"
 
 namespace fde {
+namespace {
+
+// A matrix of derivatives has no unit; it is the point that has one.
+template <class Told>
+Derivatives derivatives_in_units_of(double /*unit*/, const Told& linear) {
+  return linear;
+}
+Derivatives derivatives_in_units_of(double unit, const DenseJacobian& told) {
+  return DenseJacobian{[unit, told](double t, In u, OutMatrix jacobian) { told.at(t, unit * u, jacobian); }};
+}
+Derivatives derivatives_in_units_of(double unit, const SparseJacobian& told) {
+  return SparseJacobian{
+      [unit, told](double t, In u, SparseMatrix& jacobian) { told.at(t, unit * u, jacobian); }};
+}
+
+Equation equation_in_units_of(double unit, Equation equation) {
+  equation.force = [unit, force = equation.force](double t, In u) { return force(t, unit * u) / unit; };
+  equation.factor = [unit, factor = equation.factor](double t, In u) { return factor(t, unit * u); };
+  return equation;
+}
+
+}  // namespace
 
 Problem in_units_of(double unit, const Problem& problem) {
   Problem other = problem;
@@ -11,16 +33,9 @@ Problem in_units_of(double unit, const Problem& problem) {
     rhs(t, unit * u, f);
     f /= unit;
   };
-  if (problem.jacobian) {
-    other.jacobian = [unit, jacobian = problem.jacobian](double t, In u, OutMatrix by_u) {
-      jacobian(t, unit * u, by_u);
-    };
-  }
-  if (problem.sparse_jacobian) {
-    other.sparse_jacobian = [unit, jacobian = problem.sparse_jacobian](double t, In u, SparseMatrix& by_u) {
-      jacobian(t, unit * u, by_u);
-    };
-  }
+  other.derivatives =
+      std::visit([&](const auto& told) { return derivatives_in_units_of(unit, told); }, problem.derivatives);
+  for (auto& equation : other.equations) equation = equation_in_units_of(unit, equation);
   if (problem.conditions) {
     other.conditions = [unit, conditions = problem.conditions](In start, In end, Out residual) {
       conditions(unit * start, unit * end, residual);

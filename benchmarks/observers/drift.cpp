@@ -14,7 +14,7 @@ Drift drift_of(const DriftCourse& course) { return {course.largest(), course.gro
 
 }  // namespace
 
-void DriftCourse::see(double t, double drift) {
+void DriftCourse::observe(double t, double drift) {
   if (!(drift <= largest_) && !std::isnan(largest_)) largest_ = drift;  // also when it is no number
   if (t < next_) return;
   course_.push_back({t, largest_});
@@ -27,41 +27,41 @@ std::optional<double> DriftCourse::growth() const {
   return fit.slope;
 }
 
-DriftWatch::DriftWatch(const Scene& scene, const Grid& grid)
-    : scene_(scene),
-      grid_(grid),
-      internal_(grid.end),
-      independent_(!scene.memories.empty() && grid.uniform() &&
-                   grid.steps >= IndependentMemory::fewest_steps) {
-  if (!independent_) return;
-  looked_at_ = watched_steps(grid.steps, most_looked_at);
-  velocities_.resize(grid.steps + 1, std::ssize(scene.memories));
+DriftObserver::DriftObserver(const Scene& scene, const std::optional<Grid>& grid)
+    : scene_(scene), internal_(scene.problem.end) {
+  if (scene.memories.empty() || !grid || !grid->uniform() || grid->steps < IndependentMemory::fewest_steps)
+    return;
+  grid_ = grid;
+  looked_at_ = watched_steps(grid->steps, most_looked_at);
+  velocities_.resize(grid->steps + 1, std::ssize(scene.memories));
 }
 
-void DriftWatch::see(int n, In columns) {
-  internal_.see(grid_.time(n), scene_.constraint.drift(grid_.time(n), columns));
-  if (!independent_) return;
+void DriftObserver::observe(double t, In columns) {
+  internal_.observe(t, scene_.constraint.drift(t, columns));
+  if (grid_ && t != grid_->time(seen_)) grid_.reset();  // the scheme has times of its own
+  if (!grid_) return;
+  const int n = seen_++;
   for (std::size_t m = 0; m < scene_.memories.size(); ++m)
     velocities_(n, static_cast<Eigen::Index>(m)) = columns[scene_.memories[m].velocity];
   if (columns_.size() < looked_at_.size() && n == looked_at_[columns_.size()]) columns_.emplace_back(columns);
 }
 
-Drift DriftWatch::internal() const { return drift_of(internal_); }
+Drift DriftObserver::internal() const { return drift_of(internal_); }
 
-std::optional<Drift> DriftWatch::independent() const {
-  if (!independent_) return std::nullopt;
+std::optional<Drift> DriftObserver::independent() const {
+  if (!grid_ || seen_ <= grid_->steps) return std::nullopt;
   auto columns = columns_;
   for (std::size_t m = 0; m < scene_.memories.size(); ++m) {
     const auto& [derivative, velocity, order, powers] = scene_.memories[m];
-    const IndependentMemory memory(grid_, order, powers);
+    const IndependentMemory memory(*grid_, order, powers);
     const Vec velocities = velocities_.col(static_cast<Eigen::Index>(m));
     for (std::size_t c = 1; c < columns.size(); ++c)
       columns[c][derivative] = memory.at(looked_at_[c], velocities);
   }
-  DriftCourse course(grid_.end);
+  DriftCourse course(grid_->end);
   for (std::size_t c = 1; c < columns.size(); ++c) {
-    const double t = grid_.time(looked_at_[c]);
-    course.see(t, scene_.constraint.drift(t, columns[c]));
+    const double t = grid_->time(looked_at_[c]);
+    course.observe(t, scene_.constraint.drift(t, columns[c]));
   }
   return drift_of(course);
 }

@@ -15,7 +15,7 @@ class DriftCourse {
   explicit DriftCourse(double end) : next_(end / 8.0) {}
 
   // Takes |f|_inf at increasing times.
-  void see(double t, double drift);
+  void observe(double t, double drift);
 
   // max |f|, in the unit of f; not finite where a drift was not.
   [[nodiscard]] double largest() const { return largest_; }
@@ -36,28 +36,29 @@ struct Drift {
   std::optional<double> growth{};
 };
 
-// Both drifts of a scene with a constraint, while it is solved on a uniform grid. The internal one is
-// |f(t, columns)|_inf at every step, with the scheme's own w. The independent one takes in its place D^order
-// q of the computed velocities by IndependentMemory; for this the velocities are kept.
-class DriftWatch {
+// Both drifts of a scene with a constraint, while it is solved. The internal one is |f(t, columns)|_inf at
+// every step, with the scheme's own w. The independent one, on uniform grids, takes in its place D^order q of
+// the computed velocities by IndependentMemory; for this the velocities are kept.
+class DriftObserver {
  public:
-  // The scene must live as long.
-  DriftWatch(const Scene& scene, const Grid& grid);
+  // The scene must live as long. No grid: the times are a scheme's own.
+  DriftObserver(const Scene& scene, const std::optional<Grid>& grid);
 
-  // Takes the steps 0, 1, 2, ... in order.
-  void see(int n, In columns);
+  // Takes the steps in order, from t = 0 on.
+  void observe(double t, In columns);
 
   [[nodiscard]] Drift internal() const;
 
   // To be asked after the last step; looks at the first 16 steps and 256 spread evenly, t = 0 apart.
-  // Nothing where the scene has no memories or the grid has too few steps.
+  // Nothing where the scene has no memories, the steps are not those of the grid, or it is not uniform or has
+  // too few of them.
   [[nodiscard]] std::optional<Drift> independent() const;
 
  private:
   const Scene& scene_;
-  Grid grid_;
+  std::optional<Grid> grid_;  // empty: no independent drift
   DriftCourse internal_;
-  bool independent_;
+  int seen_ = 0;
   std::vector<int> looked_at_{};
   std::vector<Vec> columns_{};  // at these
   Matrix velocities_{};         // a row a step, a column a memory

@@ -5,7 +5,7 @@
 
 namespace fde {
 
-void EnergyBalance::see(double t, In y) {
+void EnergyObserver::observe(double t, In y) {
   std::rotate(last_.begin(), last_.begin() + 1, last_.end());
   last_[2] = {t, energy_.value(y), energy_.power(t, y)};
   if (seen_++ == 0) start_ = last_[2].energy;
@@ -26,12 +26,12 @@ void EnergyBalance::see(double t, In y) {
   add(second, third);
 }
 
-void EnergyBalance::compare(const Point& at) {
+void EnergyObserver::compare(const Point& at) {
   const double off = std::abs(at.energy - start_ - work_[0]);
   if (!(off <= largest_)) largest_ = off;  // also when it is no number
 }
 
-std::optional<double> EnergyBalance::residual() const {
+std::optional<double> EnergyObserver::residual() const {
   if (seen_ < 3) return std::nullopt;
   return largest_;
 }

@@ -10,12 +10,12 @@ namespace fde {
 
 // max_n |E(t_n) - E(0) - int_0^(t_n) power dt|, step after step: nothing of the path is kept. The integral is
 // that of the parabola through the last three steps, of third order, which is more than any scheme here has.
-class EnergyBalance {
+class EnergyObserver {
  public:
-  explicit EnergyBalance(const Energy& energy) : energy_(energy) {}
+  explicit EnergyObserver(const Energy& energy) : energy_(energy) {}
 
   // Takes the steps 0, 1, 2, ... in order.
-  void see(double t, In y);
+  void observe(double t, In y);
 
   // Nothing before three steps. Not finite where an energy was not.
   [[nodiscard]] std::optional<double> residual() const;

@@ -19,4 +19,10 @@ std::vector<int> watched_steps(int steps, int most) {
   return watched;
 }
 
+std::vector<double> watched_times(const Grid& grid, int most) {
+  std::vector<double> times;
+  for (const int n : watched_steps(grid.steps, most)) times.push_back(grid.time(n));
+  return times;
+}
+
 }  // namespace fde

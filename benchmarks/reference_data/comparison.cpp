@@ -21,8 +21,8 @@ WrittenNumber number_at(const DataTable& table, std::size_t row, std::size_t col
   const auto& text = table.rows[row][column];
   const auto number = read_written(text);
   if (number && number->digits <= most_digits) return *number;
-  throw std::invalid_argument(fmt::format("{}: '{}' must be a decimal number of at most {} digits",
-                                          table.place(row, table.columns[column]), text, most_digits));
+  throw BadTable(fmt::format("{}: '{}' must be a decimal number of at most {} digits",
+                             table.place(row, table.columns[column]), text, most_digits));
 }
 
 BigReal power_of_ten(int exponent) { return pow(BigReal(10), exponent); }
@@ -72,14 +72,13 @@ Comparison::Comparison(const DataTable& given, const std::vector<std::string>& v
     digits_ = std::max(digits_, columns_.back().digits);
   }
   if (columns_.empty()) {
-    throw std::invalid_argument(
-        fmt::format("{}: has none of the columns {}", given.name, fmt::join(value_columns, ", ")));
+    throw BadTable(fmt::format("{}: has none of the columns {}", given.name, fmt::join(value_columns, ", ")));
   }
   for (std::size_t row = 0; bound_ && row < given.rows.size(); ++row) {
     number_at(given, row, *bound_);
     const auto& text = given.rows[row][*bound_];
     if (!text.starts_with('-')) continue;
-    throw std::invalid_argument(fmt::format("{}: {} must not be negative", given.place(row, "bound"), text));
+    throw BadTable(fmt::format("{}: {} must not be negative", given.place(row, "bound"), text));
   }
 }
 

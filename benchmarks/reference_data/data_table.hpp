@@ -3,11 +3,18 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace fde {
+
+// A file that is not what it should be: its message begins with the name of the file, and says line and
+// column where there is one.
+struct BadTable : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
 
 // A table of texts under named columns, as it stands in a CSV file: the header in line 1, rows from line 2
 // on.

@@ -48,10 +48,16 @@ Json schema_of(const TableKind& kind, const TableFacts& facts) {
 Json parameters_of(const SceneVariant& of) {
   Json parameters = Json::object();
   for (const auto& parameter : of.maker->parameters) {
-    const auto given = of.values.find(std::string(parameter.name));
-    parameters[std::string(parameter.name)] = given == of.values.end() ? parameter.value : given->second;
+    const auto given = of.values.find(parameter.name);
+    const auto& value = given == of.values.end() ? parameter.value : given->second;
+    std::visit([&](const auto& one) { parameters[parameter.name] = one; }, value);
   }
   return parameters;
+}
+
+ParameterValue parameter_value(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  return value.get<double>();
 }
 
 std::string text_of(const Json& json) { return json.dump(2) + "\n"; }
@@ -122,7 +128,7 @@ Description parse_description(const std::string& name, std::string_view text) {
       description.columns.push_back(column.at("name"));
     const Json parameters = json.value("parameters", Json::object());
     for (const auto& [parameter, value] : parameters.items())
-      description.parameters[parameter] = value.get<double>();
+      description.parameters[parameter] = parameter_value(value);
     if (json.contains("rows")) description.rows = json.at("rows").get<std::size_t>();
     return description;
   });

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,7 +17,7 @@ std::string write_description(const TableKind& kind, const SceneVariant& of, con
 // What such a file of any program says; what it does not say is empty.
 struct Description {
   std::string schema{}, scene{}, checksum{};
-  std::map<std::string, double> parameters{};
+  ParameterValues parameters{};
   std::vector<std::string> columns{};
   std::optional<std::size_t> rows{};
 };

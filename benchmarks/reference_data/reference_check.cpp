@@ -11,7 +11,6 @@
 #include "reference_data/description.hpp"
 #include "references/checksum.hpp"
 #include "scenes/registry.hpp"
-#include "sweep/experiment.hpp"
 #include "sweep/in_parallel.hpp"
 
 namespace fde {
@@ -30,7 +29,7 @@ struct GivenTable {
 };
 
 [[noreturn]] void reject(const std::string& file, const std::string& what) {
-  throw std::invalid_argument(fmt::format("{}: {}", file, what));
+  throw BadTable(fmt::format("{}: {}", file, what));
 }
 
 std::vector<fs::path> tables_in(const fs::path& folder) {
@@ -55,12 +54,23 @@ const TableKind& kind_of(const DataTable& table) {
          fmt::format("line 1: must have a column {}, by which a table is known", fmt::join(known, " or ")));
 }
 
+// Tables of fdebench 0.1 give a choice by its place among the words.
+ParameterValues with_words(ParameterValues values, const SceneMaker& maker) {
+  for (const auto& parameter : maker.parameters) {
+    const auto given = values.find(parameter.name);
+    for (std::size_t i = 0; given != values.end() && i < parameter.choices.size(); ++i) {
+      if (given->second == ParameterValue(static_cast<double>(i))) given->second = parameter.choices[i];
+    }
+  }
+  return values;
+}
+
 // The scene of the description, or else the one that the file is named after.
 SceneVariant scene_of(const GivenTable& given, const fs::path& file) {
   const auto& name = given.description.scene.empty() ? file.stem().string() : given.description.scene;
   std::vector<std::string_view> ids;
   for (const auto& maker : scenes()) {
-    if (maker.id == name) return {.maker = &maker, .values = given.description.parameters};
+    if (maker.id == name) return {.maker = &maker, .values = with_words(given.description.parameters, maker)};
     ids.push_back(maker.id);
   }
   reject(given.table.name, fmt::format("scene {}: no such scene{}; there are {}", name, nearest(name, ids),
@@ -96,8 +106,9 @@ GivenTable read_table(const fs::path& file) {
   try {
     if (given.kind->of_scenes()) given.of = scene_of(given, file);
     require_columns(given);
-  } catch (const std::invalid_argument& error) {
-    if (std::string_view(error.what()).starts_with(file.string())) throw;
+  } catch (const BadTable&) {
+    throw;
+  } catch (const std::invalid_argument& error) {  // of a parameter
     reject(description.string(), error.what());
   }
   auto& verdict = given.verdict;
@@ -127,8 +138,9 @@ std::string cells_of(const DataTable& table, std::size_t row) {
 RowVerdict verdict_of(const DataTable& table, const RowCheck& check, std::size_t row) {
   try {
     return check(row);
-  } catch (const std::invalid_argument& error) {
-    if (std::string_view(error.what()).starts_with(table.name)) throw;
+  } catch (const BadTable&) {
+    throw;
+  } catch (const std::invalid_argument& error) {  // of an argument
     reject(table.name, fmt::format("line {}: {}", row + 2, error.what()));
   } catch (const std::runtime_error& failure) {
     return {.ratio = std::numeric_limits<double>::infinity(), .failure = failure.what()};

@@ -6,11 +6,11 @@
 
 namespace fde {
 
-Rows WatchedReference::at(const Grid& grid, const std::vector<int>& steps) {
+Rows WatchedReference::at(const std::vector<double>& times) {
   Rows columns(static_cast<Eigen::Index>(scene_.outputs.names.size()),
-               static_cast<Eigen::Index>(steps.size()));
-  for (std::size_t c = 0; c < steps.size(); ++c) {
-    const double t = grid.time(steps[c]);
+               static_cast<Eigen::Index>(times.size()));
+  for (std::size_t c = 0; c < times.size(); ++c) {
+    const double t = times[c];
     auto found = known_.find(t);
     if (found == known_.end()) found = known_.emplace(t, reference(t).value).first;
     columns.col(static_cast<Eigen::Index>(c)) = found->second;
@@ -18,7 +18,7 @@ Rows WatchedReference::at(const Grid& grid, const std::vector<int>& steps) {
   return columns;
 }
 
-Vec WatchedReference::bound(const Grid& grid) { return reference(grid.end).bound; }
+Vec WatchedReference::bound(double t) { return reference(t).bound; }
 
 ReferenceValue WatchedReference::reference(double t) {
   if (failure_) std::rethrow_exception(failure_);

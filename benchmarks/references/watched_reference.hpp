@@ -8,18 +8,18 @@
 
 namespace fde {
 
-// The reference of one scene at grid times, each time evaluated once: refined grids share their times. The
-// scene must live as long.
+// The reference of one scene at the times of its runs, each time evaluated once: refined grids share their
+// times. The scene must live as long.
 class WatchedReference {
  public:
   explicit WatchedReference(const Scene& scene) : scene_(scene) {}
 
-  // The scene's columns at the steps of a grid, one column a step. Throws std::runtime_error where there is
-  // no reference to be had, a Singularity where that is why.
-  Rows at(const Grid& grid, const std::vector<int>& steps);
+  // The scene's columns at these times, one column a time. Throws std::runtime_error where there is no
+  // reference to be had, a Singularity where that is why.
+  Rows at(const std::vector<double>& times);
 
-  // The bound of the reference at the end of the grid, one value a column of the scene.
-  Vec bound(const Grid& grid);
+  // The bound of the reference at this time, one value a column of the scene.
+  Vec bound(double t);
 
  private:
   ReferenceValue reference(double t);

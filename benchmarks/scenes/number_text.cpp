@@ -9,12 +9,13 @@
 namespace fde {
 namespace {
 
-// The whole text as a number; false when it is not one.
 template <typename Number>
-bool read(std::string_view text, Number& number) {
+std::optional<Number> read(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
+  Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size();
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
 }
 
 }  // namespace
@@ -23,19 +24,21 @@ void reject_text(std::string_view name, std::string_view text, std::string_view 
   throw std::invalid_argument(fmt::format("{} = {}: must be {}", name, text, allowed));
 }
 
+std::optional<double> number_in(std::string_view text) { return read<double>(text); }
+
 double parse_number(std::string_view name, std::string_view text, const Range& allowed) {
-  double value = 0.0;
-  if (!read(text, value)) reject_text(name, text, allowed.text());
-  if (!allowed.contains(value)) reject(name, value, allowed.text());
-  return value;
+  const auto value = number_in(text);
+  if (!value) reject_text(name, text, allowed.text());
+  if (!allowed.contains(*value)) reject_text(name, fmt::format("{}", *value), allowed.text());
+  return *value;
 }
 
 int parse_count(std::string_view name, std::string_view text, int lowest, int highest) {
-  int value = 0;
-  if (!read(text, value) || value < lowest || value > highest) {
+  const auto value = read<int>(text);
+  if (!value || *value < lowest || *value > highest) {
     reject_text(name, text, fmt::format("a whole number from {} to {}", lowest, highest));
   }
-  return value;
+  return *value;
 }
 
 std::vector<std::string> split_list(std::string_view text) {

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "scenes/parameters.hpp"
+#include "scenes/range.hpp"
 
 namespace fde {
+
+// The whole text as a number; none where it is not one.
+std::optional<double> number_in(std::string_view text);
 
 // Texts into numbers. Each throws std::invalid_argument naming the argument, the text and what is allowed.
 

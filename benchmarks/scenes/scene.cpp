@@ -46,7 +46,7 @@ Rows columns_of(const Outputs& outputs, const Trajectory& path) {
   if (!outputs.of) return path.y;
   Rows columns(static_cast<Eigen::Index>(outputs.names.size()), path.y.cols());
   for (Eigen::Index c = 0; c < path.y.cols(); ++c) {
-    outputs.of(path.grid.time(path.steps[static_cast<std::size_t>(c)]), path.y.col(c), columns.col(c));
+    outputs.of(path.time(c), path.y.col(c), columns.col(c));
   }
   return columns;
 }

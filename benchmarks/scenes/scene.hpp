@@ -71,9 +71,9 @@ struct Scene {
   std::vector<Memory> memories{};  // the columns that the drift evaluates independently
 };
 
-// How a scene is made: one file in scenes/ and one line in scenes/list.def.
+// How a scene is made: one file in scenes/ and one line in scenes/list.def, or at run time.
 struct SceneMaker {
-  std::string_view id, title, source;
+  std::string id, title, source;
   std::vector<Parameter> parameters;
   std::function<Scene(const Parameters&)> make;
 };

@@ -3,24 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "scenes/number_text.hpp"
 #include "scenes/registry.hpp"
 
 namespace fde {
 
-std::string SceneVariant::label() const {
-  std::string text(maker->id);
-  const auto add = [&](std::string_view name, const std::string& value) {
-    text += fmt::format("{}{}={}", text.size() == maker->id.size() ? ':' : ',', name, value);
-  };
-  for (const auto& [name, value] : values)
-    add(name, parameter_named(name, maker->id, maker->parameters).text_of(value));
-  if (until) add("until", fmt::format("{}", *until));
-  return text;
-}
+SceneSettings SceneVariant::key() const { return {.id = maker->id, .values = values, .until = until}; }
 
-Scene make_scene(const SceneMaker& maker, const std::map<std::string, double>& values) {
+Scene make_scene(const SceneMaker& maker, const ParameterValues& values) {
   const Parameters parameters(maker.id, maker.parameters, values);
   Scene scene = maker.make(parameters);
   scene.name = fmt::format("{} {}", maker.id, parameters.text());
@@ -39,24 +31,24 @@ Scene make_scene(const SceneVariant& variant) {
   return scene;
 }
 
-std::map<std::string, double> parse_settings(const SceneMaker& maker,
-                                             const std::vector<std::string>& settings) {
-  std::map<std::string, double> values;
+ParameterValues parse_settings(const SceneMaker& maker, const std::vector<std::string>& settings) {
+  ParameterValues values;
   for (const auto& setting : settings) {
     const auto equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) reject_text("--set", setting, "NAME=VALUE");
     const auto name = setting.substr(0, equals);
     const auto& parameter = parameter_named(name, maker.id, maker.parameters);
-    const double value = parameter.read(std::string_view(setting).substr(equals + 1));
-    if (!values.emplace(name, value).second) reject_text("--set", setting, "one value for each name");
+    auto value = parameter.read(std::string_view(setting).substr(equals + 1));
+    if (!values.emplace(name, std::move(value)).second)
+      reject_text("--set", setting, "one value for each name");
   }
   return values;
 }
 
-SceneVariant parse_variant(const std::string& text) {
+SceneVariant parse_variant(const std::string& text, const Scenes& among) {
   constexpr std::string_view until = "until=";
   const auto colon = text.find(':');
-  SceneVariant variant{.maker = &scene_named(text.substr(0, colon))};
+  SceneVariant variant{.maker = &scene_named(text.substr(0, colon), among)};
   if (colon == std::string::npos) return variant;
   auto settings = split_list(text.substr(colon + 1));
   const auto end =

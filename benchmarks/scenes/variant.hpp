@@ -1,38 +1,38 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "scenes/registry.hpp"
+#include "scenes/scene_settings.hpp"
 
 namespace fde {
 
 // A scene with some parameters, or its end, replaced. In results and on the command line:
 // "pendulum:alpha=1.9,beta=0.1,until=100".
 struct SceneVariant {
-  const SceneMaker* maker;
-  std::map<std::string, double> values{};
+  const SceneMaker* maker;  // of a registry that lives as long
+  ParameterValues values{};
   std::optional<double> until{};  // the end of the time interval
 
-  [[nodiscard]] std::string label() const;
+  [[nodiscard]] SceneSettings key() const;
+  [[nodiscard]] std::string label() const { return label_of(key()); }
 };
 
 // The scene made from its defaults with some values replaced.
-Scene make_scene(const SceneMaker& maker, const std::map<std::string, double>& values = {});
+Scene make_scene(const SceneMaker& maker, const ParameterValues& values = {});
 
 // The same, up to the end that the variant gives. Throws std::invalid_argument where the scene is posed at
 // both ends and has another.
 Scene make_scene(const SceneVariant& variant);
 
 // NAME=VALUE texts, for this scene.
-std::map<std::string, double> parse_settings(const SceneMaker& maker,
-                                             const std::vector<std::string>& settings);
+ParameterValues parse_settings(const SceneMaker& maker, const std::vector<std::string>& settings);
 
 // "pendulum" or "pendulum:alpha=1.9,beta=0.1", "pendulum:beta=0.1,until=100" with another end. Throws
 // std::invalid_argument naming what is wrong and what is allowed.
-SceneVariant parse_variant(const std::string& text);
+SceneVariant parse_variant(const std::string& text, const Scenes& among = scenes());
 
 // Ends of time intervals: their products with a number of steps are doubles.
 inline constexpr Range any_end{.low = 0.0, .high = 1e290, .open_low = true};

@@ -38,4 +38,12 @@ std::vector<SceneVariant> sweep_scenes() {
   return variants;
 }
 
+std::vector<int> sweep_steps() { return {64, 128, 256, 512, 1024, 2048, 4096, 8192, 32768, 131072, 524288}; }
+
+std::vector<const Scheme*> sweep_schemes() {
+  std::vector<const Scheme*> all;
+  for (const auto& scheme : schemes()) all.push_back(&scheme);
+  return all;
+}
+
 }  // namespace fde

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "scenes/variant.hpp"
+#include "stepping/scheme.hpp"
 
 namespace fde {
 
@@ -13,5 +14,11 @@ std::vector<SceneVariant> default_scenes();
 // What a sweep takes: the default scenes, and some mechanical ones in all formulations that are well posed
 // for them. These share a solution and differ in what they do to the constraint.
 std::vector<SceneVariant> sweep_scenes();
+
+// The default numbers of steps of a sweep, increasing.
+std::vector<int> sweep_steps();
+
+// Every scheme.
+std::vector<const Scheme*> sweep_schemes();
 
 }  // namespace fde

@@ -1,186 +1,165 @@
 #include "sweep/experiment.hpp"
 
-#include <fmt/format.h>
-
 #include <chrono>
-#include <cmath>
+#include <cstdint>
 #include <iterator>
-#include <stdexcept>
+#include <limits>
+#include <optional>
 #include <utility>
 
-#include "march/singularity.hpp"
-#include "measures/accuracy.hpp"
-#include "measures/measures.hpp"
+#include "measures/judge.hpp"
 #include "measures/rounding.hpp"
 #include "observers/drift.hpp"
 #include "observers/energy_balance.hpp"
 #include "observers/watched_steps.hpp"
-#include "sweep/ending.hpp"
 
 namespace fde {
 
 namespace {
 
-// `repeats` solves, more where short ones do not add up to something a clock can tell, fewer where they are
-// long.
-constexpr double least_seconds = 0.02, enough_seconds = 10.0;
-
-std::vector<double> solve_repeatedly(const Scheme& scheme, const Problem& problem, const Grid& grid,
-                                     int repeats) {
-  const Options options{.keep = {grid.steps}};
-  std::vector<double> seconds;
-  double total = 0.0;
-  while (total < least_seconds || (std::ssize(seconds) < repeats && total < enough_seconds)) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto path = scheme.solve(problem, grid, options);
-    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    total += seconds.back();
+// What hears every step of a run.
+class Observers {
+ public:
+  Observers(const Scene& scene, const std::optional<Grid>& grid) : scene_(scene) {
+    if (scene.energy.power) energy_.emplace(scene.energy);
+    if (scene.constraint) drift_.emplace(scene, grid);
   }
-  return seconds;
-}
 
-Record row_of(const std::string& label, const Scheme& scheme, const Grid& grid, const Options& options) {
-  return {.scene = label,
-          .scheme = std::string(scheme.id),
-          .history = std::string(name(options.history)),
-          .steps = grid.steps,
-          .h = grid.step(),
-          .tolerance = options.tolerance};
-}
+  [[nodiscard]] bool empty() const { return !energy_ && !drift_; }
 
-Record with_value(Record row, std::string_view quantity, double value, std::string_view unit) {
-  if (!std::isfinite(value)) throw std::range_error(fmt::format("{} is not finite", quantity));
-  row.quantity = quantity;
-  row.value = value;
-  row.unit = unit;
-  return row;
-}
-
-// A row for every measure that applies; throws std::range_error where one is not finite.
-std::vector<Record> measure(const Observation& run, const Record& row) {
-  std::vector<Record> rows;
-  for (const auto& measure : measures()) {
-    if (measure.applies(run)) rows.push_back(with_value(row, measure.id, measure.value(run), measure.unit));
+  void observe(double t, In y) {
+    const Vec columns = columns_at(scene_.outputs, t, y);
+    if (energy_) energy_->observe(t, columns);
+    if (drift_) drift_->observe(t, columns);
   }
-  return rows;
-}
 
-// The reference beside a path, or why there is none, as a status.
-struct Known {
-  Rows reference{};
-  Vec bound{};
-  std::string missing{};
+  void tell(Observed& observed) const {
+    if (energy_) observed.energy_residual = energy_->residual();
+    if (!drift_) return;
+    observed.internal_drift = drift_->internal();
+    observed.independent_drift = drift_->independent();
+  }
+
+ private:
+  const Scene& scene_;
+  std::optional<EnergyObserver> energy_{};
+  std::optional<DriftObserver> drift_{};
 };
-Known what_is_known(WatchedReference& reference, const Trajectory& path) {
-  try {
-    return {reference.at(path.grid, path.steps), reference.bound(path.grid)};
-  } catch (const Singularity& failure) {
-    return {.missing = fmt::format("passed a singularity of the solution ({})", failure.what())};
-  } catch (const std::runtime_error& failure) {
-    return {.missing = fmt::format("{}{}", words(Ending::no_reference), failure.what())};
-  }
-}
 
-// The columns at the same steps, computed in other units; none where that run does not finish.
-Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Grid& grid, Options options) {
+// The columns at the times of a path, computed in other units; none where that run has others.
+Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Resolution& resolution,
+                       const Options& options, const std::vector<double>& times) {
   constexpr double unit = 0.7;
-  options.watch = {};
-  auto path = scheme.solve(in_units_of(unit, scene.problem), grid, options);
-  if (path.ending != Ending::finished) return {};
+  auto path = scheme.solve(in_units_of(unit, scene.problem), resolution, options);
+  if (path.ending != Ending::finished || path.times != times) return {};
   path.y *= unit;
   return columns_of(scene.outputs, path);
 }
 
-// How a run ended, and where.
-struct End {
-  std::string status;
-  double t;
+void tell_rates(const Scene& scene, const Scheme& scheme, double grading, Observed& observed) {
+  if (!scheme.expected_rate) return;
+  const auto rate = [&](Norm norm) {
+    return scheme.expected_rate(scene.problem, scene.smoothness, grading, norm);
+  };
+  observed.expected_rate_end = rate(Norm::end);
+  observed.expected_rate_maximum = rate(Norm::maximum);
+}
+
+// How a run was made, and what is said of it.
+struct Examined {
+  std::int64_t steps = 0;
+  Judgement judgement{};
 };
 
-// Of a run that stopped. One that left the domain of its problem was right, unless the solution stays inside.
-End end_of_stopped(const Scene& scene, const Trajectory& path, WatchedReference& reference) {
-  std::string status = describe(scene.problem, path);
-  if (path.ending == Ending::singular && what_is_known(reference, path).missing.empty())
-    status = "unlike the solution, " + status;
-  return {std::move(status), path.grid.time(path.reached)};
-}
-
-// Of a run that came to its end.
-End end_of_finished(const Trajectory& path, const Rows& values, const Known& known) {
-  const auto from = [&](Ending ending, Eigen::Index column) -> End {
-    const int step = path.steps[static_cast<std::size_t>(column)];
-    return {at_step(words(ending), path.grid, step), path.grid.time(step)};
-  };
-  if (!known.missing.empty()) return {known.missing, path.grid.end};
-  if (const auto lost = accuracy_lost(values, known.reference)) {
-    const bool until_beyond = lost == first_overflow(known.reference);
-    return from(until_beyond ? Ending::overflow : Ending::accuracy_lost, *lost);
+Examined solve_and_judge(const Scene& scene, WatchedReference& reference, const Scheme& scheme,
+                         const Setup& setup) {
+  const Resolution resolution = resolution_of(setup, scene.problem.end);
+  if (auto reason = refusal(scheme, scene.problem, resolution))
+    return {.judgement = {{Ending::refused, std::move(*reason)}}};
+  Observed observed;
+  if (const auto* grid = std::get_if<Grid>(&resolution)) observed.grid = *grid;
+  Options options = setup.options();
+  if (observed.grid) options.at = watched_times(*observed.grid);
+  Options observing = options;
+  Observers observers(scene, observed.grid);
+  if (!observers.empty()) observing.observer = [&](double t, In y) { observers.observe(t, y); };
+  auto path = scheme.solve(scene.problem, resolution, observing);
+  if (!scheme.needs.implicit) path.cost.newton_iterations.reset();  // it has none to count
+  if (path.ending == Ending::finished) {
+    observed.rounded = rounded_otherwise(scene, scheme, resolution, options, path.times);
+    observers.tell(observed);
+    if (observed.grid) tell_rates(scene, scheme, observed.grid->grading, observed);
   }
-  return {std::string(words(Ending::finished)), path.grid.end};
+  return {path.steps, judge(scene, path, reference, observed)};
 }
 
-Record outcome(const Record& row, const End& end) {
-  Record last = with_value(row, "outcome", end.t, "t");
-  last.status = end.status;
-  return last;
+// A row without its number. The steps of a run over a grid are those asked for, also where it stopped.
+Record row_of(const SceneSettings& name, const Scene& scene, const Scheme& scheme, const Setup& setup,
+              std::int64_t made) {
+  const auto* asked = std::get_if<int>(&setup.resolution);
+  const int steps = asked != nullptr ? *asked : static_cast<int>(made);
+  return {.key = {.scene = name, .scheme = std::string(scheme.id), .setup = setup},
+          .steps = steps,
+          .h = steps > 0 ? scene.problem.end / steps : 0.0};
+}
+
+Record with_value(Record row, const Measured& measured) {
+  row.quantity = measured.id;
+  row.value = measured.value;
+  row.unit = measured.unit;
+  return row;
+}
+
+std::vector<Record> records_of(const Record& row, Judgement judgement) {
+  std::vector<Record> rows;
+  for (const auto& measured : judgement.measured) rows.push_back(with_value(row, measured));
+  rows.push_back(with_value(row, {"ending", "t", judgement.until}));
+  rows.back().ending = std::move(judgement.ending);
+  return rows;
+}
+
+// `repeats` solves, more where short ones do not add up to something a clock can tell, fewer where they are
+// long.
+constexpr double least_seconds = 0.02, enough_seconds = 10.0;
+
+struct Timed {
+  std::int64_t steps = 0;
+  std::vector<double> seconds{};
+};
+
+Timed solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resolution& resolution,
+                       const Options& options, int repeats) {
+  Timed timed;
+  double total = 0.0;
+  while (total < least_seconds || (std::ssize(timed.seconds) < repeats && total < enough_seconds)) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto path = scheme.solve(problem, resolution, options);
+    timed.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    total += timed.seconds.back();
+    timed.steps = path.steps;
+  }
+  return timed;
 }
 
 }  // namespace
 
-std::vector<Record> examine(const std::string& label, const Scene& scene, WatchedReference& reference,
-                            const Scheme& scheme, int steps, double budget) {
-  const Grid grid{.end = scene.problem.end, .steps = steps};
-  Options options{.budget = budget, .keep = watched_steps(steps)};
-  const Record row = row_of(label, scheme, grid, options);
-  if (const auto reason = refusal(scheme, scene.problem, grid))
-    return {outcome(row, {fmt::format("{}{}", words(Ending::refused), *reason), 0.0})};
-  EnergyBalance balance(scene.energy);
-  DriftWatch drift(scene, grid);
-  if (scene.energy.power || scene.constraint) {
-    options.watch = [&](int n, In y) {
-      const Vec columns = columns_at(scene.outputs, grid.time(n), y);
-      if (scene.energy.power) balance.see(grid.time(n), columns);
-      if (scene.constraint) drift.see(n, columns);
-    };
-  }
-  const auto path = scheme.solve(scene.problem, grid, options);
-  if (path.ending != Ending::finished) return {outcome(row, end_of_stopped(scene, path, reference))};
-
-  const Known known = what_is_known(reference, path);
-  const Rows values = columns_of(scene.outputs, path);
-  const End end = end_of_finished(path, values, known);
-  if (!known.reference.allFinite()) return {outcome(row, end)};  // no measure is finite
-  try {
-    Observation run{scene,
-                    scheme,
-                    path,
-                    values,
-                    known.reference,
-                    known.bound,
-                    rounded_otherwise(scene, scheme, grid, options),
-                    balance.residual()};
-    if (scene.constraint) {
-      run.internal_drift = drift.internal();
-      run.independent_drift = drift.independent();
-    }
-    auto rows = measure(run, row);
-    rows.push_back(outcome(row, end));
-    return rows;
-  } catch (const std::runtime_error& failure) {  // of a measure
-    return {outcome(row, {failure.what(), grid.end})};
-  }
+std::vector<Record> examine(const SceneSettings& name, const Scene& scene, WatchedReference& reference,
+                            const Scheme& scheme, const Setup& setup) {
+  auto [steps, judgement] = solve_and_judge(scene, reference, scheme, setup);
+  return records_of(row_of(name, scene, scheme, setup, steps), std::move(judgement));
 }
 
-std::vector<Record> time_solves(const std::string& label, const Scene& scene, const Scheme& scheme, int steps,
-                                int repeats) {
-  const Grid grid{.end = scene.problem.end, .steps = steps};
-  const auto seconds = solve_repeatedly(scheme, scene.problem, grid, repeats);
-  const Record row = row_of(label, scheme, grid, {});
+std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
+                                const Setup& setup, int repeats) {
+  Options options = setup.options();
+  options.budget = std::numeric_limits<double>::infinity();  // the run is known to come to its end
+  options.at = {scene.problem.end};
+  const auto [steps, seconds] =
+      solve_repeatedly(scheme, scene.problem, resolution_of(setup, scene.problem.end), options, repeats);
+  const Record row = row_of(name, scene, scheme, setup, steps);
   std::vector<Record> rows;
-  for (const auto& measure : time_measures()) {
-    rows.push_back(with_value(row, measure.id, measure.value(seconds), "s"));
-  }
-  rows.back().status = "timed";
+  for (const auto& measure : time_measures())
+    rows.push_back(with_value(row, {measure.id, "s", measure.value(seconds)}));
   return rows;
 }
 

@@ -18,22 +18,24 @@ namespace {
 struct SceneRuns {
   struct Run {
     const Scheme* scheme;
-    int steps;
-    Stage stage;
+    Setup setup;
+    Recorded recorded;
   };
-  std::string label;
+  SceneSettings name;
   Scene scene;
   std::vector<Run> runs{};
 };
 
 SceneRuns missing_runs(const SceneVariant& variant, const Sweep& sweep, const SweepHooks& hooks) {
-  SceneRuns missing{variant.label(), make_scene(variant)};
+  SceneRuns missing{variant.key(), make_scene(variant)};
   for (const auto* scheme : sweep.schemes) {
-    for (const int steps : sweep.steps) {
+    for (const auto& resolution : sweep.resolutions) {
+      Setup setup = sweep.setup;
+      setup.resolution = resolution;
       const bool listed = std::ranges::any_of(
-          missing.runs, [&](const auto& run) { return run.scheme == scheme && run.steps == steps; });
-      const Stage stage = hooks.stage(missing.label, std::string(scheme->id), steps);
-      if (!listed && stage != Stage::done) missing.runs.push_back({scheme, steps, stage});
+          missing.runs, [&](const auto& run) { return run.scheme == scheme && run.setup == setup; });
+      const auto recorded = hooks.recorded({missing.name, std::string(scheme->id), setup});
+      if (!listed && recorded != Recorded::everything) missing.runs.push_back({scheme, setup, recorded});
     }
   }
   return missing;
@@ -46,8 +48,9 @@ class SweepLog {
 
   void tell(const SceneRuns& of, const SceneRuns::Run& run, std::string_view what) {
     const std::scoped_lock lock(mutex_);
-    hooks_.progress(done_++, total_,
-                    fmt::format("{} {} N = {}{}", of.label, run.scheme->id, run.steps, what));
+    hooks_.progress(
+        done_++, total_,
+        fmt::format("{} {} {}{}", label_of(of.name), run.scheme->id, resolution_text(run.setup), what));
   }
   void pass(std::size_t count) {
     const std::scoped_lock lock(mutex_);
@@ -72,27 +75,28 @@ class SweepLog {
   std::atomic<bool> failed_ = false;
 };
 
-void examine_runs(SceneRuns& of, double budget, SweepLog& log) {
+void examine_runs(SceneRuns& of, SweepLog& log) {
   WatchedReference reference(of.scene);
   for (auto& run : of.runs) {
     if (log.failed()) return;
-    if (run.stage == Stage::examined) {
+    if (run.recorded == Recorded::all_but_times) {
       log.pass(1);
       continue;
     }
     log.tell(of, run, "");
-    const auto rows = examine(of.label, of.scene, reference, *run.scheme, run.steps, budget);
+    const auto rows = examine(of.name, of.scene, reference, *run.scheme, run.setup);
     log.append(rows);
-    run.stage = is_compared(ending_of(rows.back().status)) ? Stage::examined : Stage::done;
-    if (run.stage == Stage::done) log.pass(1);
+    const bool compared = is_compared(rows.back().ending->kind);
+    run.recorded = compared ? Recorded::all_but_times : Recorded::everything;
+    if (!compared) log.pass(1);
   }
 }
 
 void time_runs(const SceneRuns& of, int repeats, SweepLog& log) {
   for (const auto& run : of.runs) {
-    if (run.stage != Stage::examined) continue;
+    if (run.recorded != Recorded::all_but_times) continue;
     log.tell(of, run, ", time");
-    log.append(time_solves(of.label, of.scene, *run.scheme, run.steps, repeats));
+    log.append(time_solves(of.name, of.scene, *run.scheme, run.setup, repeats));
   }
 }
 
@@ -102,7 +106,7 @@ void run_sweep(const Sweep& sweep, const SweepHooks& hooks) {
   std::vector<SceneRuns> scenes;
   std::size_t total = 0;
   for (const auto& variant : sweep.scenes) {
-    if (std::ranges::find(scenes, variant.label(), &SceneRuns::label) != scenes.end()) continue;
+    if (std::ranges::find(scenes, variant.key(), &SceneRuns::name) != scenes.end()) continue;
     scenes.push_back(missing_runs(variant, sweep, hooks));
     total += 2 * scenes.back().runs.size();
   }
@@ -110,7 +114,7 @@ void run_sweep(const Sweep& sweep, const SweepHooks& hooks) {
   const std::size_t batch = std::max(1U, sweep.threads);
   for (std::size_t first = 0; first < scenes.size(); first += batch) {
     const auto some = std::span(scenes).subspan(first, std::min(batch, scenes.size() - first));
-    in_parallel(some.size(), sweep.threads, [&](std::size_t i) { examine_runs(some[i], sweep.budget, log); });
+    in_parallel(some.size(), sweep.threads, [&](std::size_t i) { examine_runs(some[i], log); });
     for (const auto& of : some) time_runs(of, sweep.repeats, log);
   }
   hooks.progress(total, total, "done");

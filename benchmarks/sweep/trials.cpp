@@ -1,6 +1,8 @@
 #include "sweep/trials.hpp"
 
 #include <initializer_list>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace fde {
@@ -46,6 +48,19 @@ std::vector<Trial> all_trials() {
 std::span<const Trial> trials() {
   static const std::vector<Trial> all = all_trials();
   return all;
+}
+
+std::vector<Sweep> sweeps_of_trials(Sweep like) {
+  std::map<int, Sweep> by_steps;
+  like.scenes.clear();
+  for (const auto& trial : trials()) {
+    auto& sweep = by_steps.try_emplace(trial.steps, like).first->second;
+    sweep.resolutions = {trial.steps};
+    sweep.scenes.push_back(trial.scene);
+  }
+  std::vector<Sweep> sweeps;
+  for (auto& [steps, sweep] : by_steps) sweeps.push_back(std::move(sweep));
+  return sweeps;
 }
 
 }  // namespace fde

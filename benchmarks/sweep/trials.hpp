@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "sweep/sweep.hpp"
 
@@ -16,5 +17,8 @@ struct Trial {
 
 // All of them, each label once; those of a kind are neighbours.
 std::span<const Trial> trials();
+
+// The trials as sweeps with these schemes and means, those with the same number of steps together.
+std::vector<Sweep> sweeps_of_trials(Sweep like);
 
 }  // namespace fde

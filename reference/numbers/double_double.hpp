@@ -14,7 +14,7 @@ struct DoubleDouble {
 // The two doubles next to x; call under a Precision of at least 40 digits.
 DoubleDouble to_double_double(const BigReal& x);
 
-// Reference: a + b, and a b.
+// Exact: a + b, and a b.
 DoubleDouble exact_sum(double a, double b);
 DoubleDouble exact_product(double a, double b);
 DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b);

@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// Reference fractions: orders and coefficients given as decimals add, multiply and cancel without rounding.
+// Exact fractions: orders and coefficients given as decimals add, multiply and cancel without rounding.
 using Rational =
     boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 

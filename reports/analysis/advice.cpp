@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "analysis/answer.hpp"
+#include "analysis/line_names.hpp"
 #include "analysis/text.hpp"
 
 namespace fde {
@@ -15,17 +16,19 @@ std::string describe(const Extrapolation& needed) {
                      rough_count_text(needed.steps), needed.rate);
 }
 
-std::string advice(const Results& results, std::string_view scene, double error) {
+std::string advice(const Results& results, const SceneSettings& scene, double error) {
   const Runs runs = runs_of(results);
-  const auto ranked = cheapest(runs, scene, error);
+  const LineNames names(runs);
+  const auto line = [&](const Choice& choice) {
+    return fmt::format("{}: {}\n", names.name_with_history(choice.scheme, choice.setup), describe(choice));
+  };
   std::string text;
-  for (const Choice& choice : ranked)
-    text += fmt::format("{} ({}): {}\n", choice.scheme, choice.history, describe(choice));
-  if (!ranked.empty()) return text;
+  for (const Choice& choice : cheapest(runs, scene, error)) text += line(choice);
+  if (!text.empty()) return text;
   const auto missed = shortfall(runs, scene, error);
-  if (!missed) return fmt::format("no run of {} finished\n", scene);
-  text = fmt::format("no run of {} reaches {}; best: {} ({}): {}\n", scene, error_text(error),
-                     missed->best.scheme, missed->best.history, describe(missed->best));
+  if (!missed) return fmt::format("no run of {} finished\n", label_of(scene));
+  text = fmt::format("no run of {} reaches {}; best: {}", label_of(scene), error_text(error),
+                     line(missed->best));
   if (missed->needed) text += describe(*missed->needed) + "\n";
   return text;
 }

@@ -13,8 +13,8 @@ constexpr std::size_t most_fitted = 5;
 std::optional<Choice> choice_of(const MeasuredRun& run) {
   const auto error = run["error_end"], seconds = run["time_minimum"];
   if (!error || !seconds) return std::nullopt;
-  return Choice{.scheme = run.scheme,
-                .history = run.history,
+  return Choice{.scheme = run.key.scheme,
+                .setup = run.key.setup,
                 .steps = run.steps,
                 .error = *error,
                 .seconds = *seconds,
@@ -46,15 +46,14 @@ std::optional<Extrapolation> extrapolate(RunSpan line, double error) {
   const auto reached = finest["error_end"];
   if (end.fit.points == 0 || end.fit.slope <= 0.0 || !reached) return std::nullopt;
   const double rate = std::min(end.fit.slope, end.expected.value_or(end.fit.slope));
-  return Extrapolation{.scheme = finest.scheme,
-                       .history = finest.history,
+  return Extrapolation{.scheme = finest.key.scheme,
                        .rate = rate,
                        .steps = std::ceil(finest.steps * std::pow(*reached / error, 1.0 / rate))};
 }
 
 }  // namespace
 
-std::vector<Choice> cheapest(const Runs& runs, std::string_view scene, double error) {
+std::vector<Choice> cheapest(const Runs& runs, const SceneSettings& scene, double error) {
   std::vector<Choice> ranked;
   for (const RunSpan line : by_line(of_scene(runs.finished, scene))) {
     if (const auto best = cheapest_of(line, error)) ranked.push_back(*best);
@@ -63,7 +62,7 @@ std::vector<Choice> cheapest(const Runs& runs, std::string_view scene, double er
   return ranked;
 }
 
-std::optional<Shortfall> shortfall(const Runs& runs, std::string_view scene, double error) {
+std::optional<Shortfall> shortfall(const Runs& runs, const SceneSettings& scene, double error) {
   const RunSpan of_this = of_scene(runs.finished, scene);
   std::optional<Choice> best;
   for (const MeasuredRun& run : of_this) {
@@ -87,16 +86,18 @@ std::optional<double> NormRate::deviation() const {
 Fit observed_rate(RunSpan line, std::string_view quantity) {
   std::vector<ErrorAt> points;
   for (const MeasuredRun& run : finest(line)) {
-    if (const auto value = run[quantity]) points.push_back({run.h, *value});
+    const auto value = run[quantity];
+    if (value && run.h > 0.0) points.push_back({run.h, *value});
   }
   return fit_rate(points);
 }
 
 RateRow rate_of(RunSpan line) {
   const RunSpan fitted = finest(line);
-  return {.scene = fitted.back().scene,
-          .scheme = fitted.back().scheme,
-          .history = fitted.back().history,
+  const RunKey& key = fitted.back().key;
+  return {.scene = key.scene,
+          .scheme = key.scheme,
+          .setup = key.setup,
           .coarsest = fitted.front().steps,
           .finest = fitted.back().steps,
           .end = norm_rate(fitted, "error_end", "expected_rate_end"),

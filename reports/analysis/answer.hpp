@@ -12,21 +12,22 @@ namespace fde {
 
 // A measured run, offered as an answer.
 struct Choice {
-  std::string scheme, history;
+  std::string scheme;
+  Setup setup;
   int steps = 0;
   double error = 0.0;    // measured, at the end
   double seconds = 0.0;  // least time of its repeats
   std::size_t session = 0;
 };
 
-// The cheapest run of each scheme (and history) whose error at the end is at most `error`, the fastest first;
+// The cheapest run of each line whose error at the end is at most `error`, the fastest first;
 // equal times: the more accurate first. Measured runs only, nothing is interpolated. Empty: none reaches it.
-std::vector<Choice> cheapest(const Runs& runs, std::string_view scene, double error);
+std::vector<Choice> cheapest(const Runs& runs, const SceneSettings& scene, double error);
 
 // How many steps a scheme would need if its error went on falling at its observed rate, or at its theoretical
 // one where that is less.
 struct Extrapolation {
-  std::string scheme, history;
+  std::string scheme;
   double rate = 0.0;
   double steps = 0.0;  // whole, but possibly beyond any int
 };
@@ -39,7 +40,7 @@ struct Shortfall {
 };
 
 // nullopt: the scene has no finished run.
-std::optional<Shortfall> shortfall(const Runs& runs, std::string_view scene, double error);
+std::optional<Shortfall> shortfall(const Runs& runs, const SceneSettings& scene, double error);
 
 // Theoretical and observed rate of one line in one norm. fit.points = 0: too few errors above rounding.
 struct NormRate {
@@ -52,7 +53,9 @@ struct NormRate {
 
 // The rates of one line, observed over its finest step counts, five at most.
 struct RateRow {
-  std::string scene, scheme, history;
+  SceneSettings scene;
+  std::string scheme;
+  Setup setup;
   int coarsest = 0, finest = 0;  // steps
   NormRate end{}, maximum{};
 };
@@ -71,6 +74,6 @@ std::string describe(const Extrapolation& needed);
 
 // The answer for one scene as lines of text: the schemes that reach the error, the cheapest first, or what
 // there is to say where none does.
-std::string advice(const Results& results, std::string_view scene, double error);
+std::string advice(const Results& results, const SceneSettings& scene, double error);
 
 }  // namespace fde

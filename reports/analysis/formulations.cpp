@@ -12,30 +12,26 @@ namespace {
 
 constexpr std::string_view choice_of_form = "formulation";
 
-// The label without its formulation, and the formulation, of a scene that does not say it the default.
-std::pair<std::string, std::string> split(const std::string& label) {
-  const auto colon = std::min(label.find(':'), label.size());
-  std::string scene = label.substr(0, colon), formulation;
-  char before = ':';
-  for (std::size_t begin = colon + 1; begin < label.size();) {
-    const auto end = std::min(label.find(',', begin), label.size());
-    const std::string setting = label.substr(begin, end - begin);
-    const auto equals = std::min(setting.find('='), setting.size());
-    if (setting.substr(0, equals) == choice_of_form) {
-      formulation = setting.substr(std::min(equals + 1, setting.size()));
-    } else {
-      scene += std::exchange(before, ',') + setting;
-    }
-    begin = end + 1;
-  }
-  const auto* maker = scene_of_label(label);
-  if (!formulation.empty() || maker == nullptr) return {scene, formulation};
-  const auto found = std::ranges::find(maker->parameters, choice_of_form, &Parameter::name);
-  return {scene, found == maker->parameters.end() ? "" : found->text_of(found->value)};
+SceneSettings without_formulation(SceneSettings scene) {
+  scene.values.erase(std::string(choice_of_form));
+  return scene;
 }
 
-template <class Items, class Name>
-auto& named(Items& items, Name name, const std::string& value) {
+// Of a scene that does not say it the default; empty: the scene has no choice of it.
+std::string formulation_of(const SceneSettings& scene) {
+  const auto said = scene.values.find(std::string(choice_of_form));
+  if (said != scene.values.end()) {
+    const auto* word = std::get_if<std::string>(&said->second);
+    return word == nullptr ? "" : *word;
+  }
+  const auto* maker = find_scene(scene.id);
+  if (maker == nullptr) return {};
+  const auto found = std::ranges::find(maker->parameters, choice_of_form, &Parameter::name);
+  return found == maker->parameters.end() ? "" : text_of(found->value);
+}
+
+template <class Items, class Name, class Value>
+auto& named(Items& items, Name name, const Value& value) {
   const auto found = std::ranges::find(items, value, name);
   if (found != items.end()) return *found;
   items.push_back({value});
@@ -74,9 +70,9 @@ std::vector<ConstrainedScene> constrained_scenes(const Runs& runs) {
   for (const auto* some : {&runs.finished, &runs.failed}) {
     for (const MeasuredRun& run : *some) {
       if (!run["drift_internal"]) continue;
-      const auto [scene, formulation] = split(run.scene);
-      auto& of = named(scenes, &ConstrainedScene::scene, scene).formulations;
-      named(of, &FormulationRuns::formulation, formulation).runs.push_back(run);
+      const SceneSettings& scene = run.key.scene;
+      auto& of = named(scenes, &ConstrainedScene::scene, without_formulation(scene)).formulations;
+      named(of, &FormulationRuns::formulation, formulation_of(scene)).runs.push_back(run);
     }
   }
   for (auto& scene : scenes) scene.steps = finest_common(scene);

@@ -14,9 +14,9 @@ struct FormulationRuns {
   std::vector<MeasuredRun> runs{};
 };
 
-// A scene with its parameters but for the formulation: "fractional_constraint_2d:alpha=0.3".
+// A scene in all its formulations, which its settings do not name.
 struct ConstrainedScene {
-  std::string scene;
+  SceneSettings scene;
   std::vector<FormulationRuns> formulations{};
   int steps = 0;  // the finest step count that all lines have; 0: there is none
 };

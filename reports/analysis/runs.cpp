@@ -8,32 +8,31 @@
 #include "scenes/registry.hpp"
 #include "scenes/scene.hpp"
 #include "stepping/scheme.hpp"
-#include "sweep/ending.hpp"
 
 namespace fde {
 namespace {
 
-// Where a scheme stands in the list; ids that this build does not know come last, as do scenes.
-std::ptrdiff_t position_of_scheme(std::string_view id) {
-  const Scheme* scheme = find_scheme(id);
-  return scheme == nullptr ? std::ssize(schemes()) : scheme - schemes().data();
+// Where an id stands in a list; one that this build does not know comes last.
+template <class List, class Id>
+std::ptrdiff_t position(const List& list, Id id, const std::string& of) {
+  return std::ranges::find(list, of, id) - list.begin();
 }
 
-std::ptrdiff_t position_of_scene(std::string_view label) {
-  const SceneMaker* scene = scene_of_label(label);
-  return scene == nullptr ? std::ssize(scenes()) : scene - scenes().data();
+// The coarser resolution is less: fewer steps, or a larger tolerance.
+std::tuple<int, double, double> fineness(const Setup& setup) {
+  if (const auto* steps = std::get_if<int>(&setup.resolution)) return {*steps, 0.0, 0.0};
+  const auto& [relative, absolute] = std::get<Accuracy>(setup.resolution);
+  return {0, -relative, -absolute};
 }
 
-using Key = std::tuple<std::ptrdiff_t, std::string, std::ptrdiff_t, std::string, std::string, int>;
-
-Key key_of(const Record& row) {
-  return {position_of_scene(row.scene),
-          row.scene,
-          position_of_scheme(row.scheme),
-          row.scheme,
-          row.history,
-          row.steps};
+// What runs are ordered by: those of a line are neighbours.
+auto order_of(const RunKey& key) {
+  Setup line = key.setup;
+  line.resolution = std::holds_alternative<int>(line.resolution) ? StepsOrAccuracy(0) : Accuracy{};
+  return std::tuple(position(scenes(), &SceneMaker::id, key.scene.id), key.scene,
+                    position(schemes(), &Scheme::id, key.scheme), key.scheme, line, fineness(key.setup));
 }
+using Order = decltype(order_of({}));
 
 // For each session the first one of the same build on the same machine.
 std::vector<std::size_t> builds_of(const std::vector<Session>& sessions) {
@@ -46,31 +45,32 @@ std::vector<std::size_t> builds_of(const std::vector<Session>& sessions) {
   return builds;
 }
 
+// One run as one build made it.
+struct MadeRun {
+  MeasuredRun run{};
+  bool begun = false, ended = false;
+};
+
 // The times of a run may be of a later session than its examination. Any other row of a later session begins
 // the run again.
-void add(MeasuredRun& run, const Record& row) {
-  if (run.scene.empty() || (row.session != run.session && !is_time(row))) {
-    run = {.scene = row.scene,
-           .scheme = row.scheme,
-           .history = row.history,
-           .steps = row.steps,
-           .h = row.h,
-           .tolerance = row.tolerance,
-           .session = row.session};
-  }
-  if (row.quantity == "outcome") {
-    run.status = row.status;
+void add(MadeRun& made, const Record& row) {
+  auto& run = made.run;
+  if (!made.begun || (row.session != run.session && !is_time(row)))
+    made = {.run = {.key = row.key, .steps = row.steps, .h = row.h, .session = row.session}, .begun = true};
+  if (row.ending) {
+    run.ending = *row.ending;
+    made.ended = true;
   } else {
     run.values[row.quantity] = row.value;
   }
 }
 
 // One run as each build made it, the latest last.
-using Made = std::vector<std::pair<std::size_t, MeasuredRun>>;
+using Made = std::vector<std::pair<std::size_t, MadeRun>>;
 
-MeasuredRun& run_of(Made& made, std::size_t build) {
+MadeRun& run_of(Made& made, std::size_t build) {
   const auto found = std::ranges::find(made, build, &Made::value_type::first);
-  std::pair<std::size_t, MeasuredRun> one{build, {}};
+  std::pair<std::size_t, MadeRun> one{build, {}};
   if (found != made.end()) {
     one = std::move(*found);
     made.erase(found);
@@ -90,7 +90,7 @@ std::vector<RunSpan> chunks(RunSpan runs, Same same) {
   return found;
 }
 
-bool same_scene(const MeasuredRun& a, const MeasuredRun& b) { return a.scene == b.scene; }
+bool same_scene(const MeasuredRun& a, const MeasuredRun& b) { return a.key.scene == b.key.scene; }
 
 }  // namespace
 
@@ -101,14 +101,14 @@ std::optional<double> MeasuredRun::operator[](std::string_view quantity) const {
 
 Runs runs_of(const Results& results) {
   const auto builds = builds_of(results.sessions);
-  std::map<Key, Made> all;
-  for (const Record& row : results.records) add(run_of(all[key_of(row)], builds[row.session]), row);
+  std::map<Order, Made> all;
+  for (const Record& row : results.records) add(run_of(all[order_of(row.key)], builds[row.session]), row);
   Runs runs;
-  for (auto& [key, made] : all) {
-    std::erase_if(made, [](const auto& one) { return one.second.status.empty(); });  // times of no run
+  for (auto& [order, made] : all) {
+    std::erase_if(made, [](const auto& one) { return !one.second.ended; });  // times of no run
     if (made.empty()) continue;
-    auto& run = made.back().second;
-    (ending_of(run.status) == Ending::finished ? runs.finished : runs.failed).push_back(std::move(run));
+    auto& run = made.back().second.run;
+    (run.ending.kind == Ending::finished ? runs.finished : runs.failed).push_back(std::move(run));
   }
   return runs;
 }
@@ -117,13 +117,13 @@ std::vector<RunSpan> by_scene(RunSpan runs) { return chunks(runs, same_scene); }
 
 std::vector<RunSpan> by_line(RunSpan runs) {
   return chunks(runs, [](const MeasuredRun& a, const MeasuredRun& b) {
-    return same_scene(a, b) && a.scheme == b.scheme && a.history == b.history;
+    return same_scene(a, b) && a.key.scheme == b.key.scheme && same_line(a.key.setup, b.key.setup);
   });
 }
 
-RunSpan of_scene(RunSpan runs, std::string_view scene) {
+RunSpan of_scene(RunSpan runs, const SceneSettings& scene) {
   for (const RunSpan found : by_scene(runs)) {
-    if (found.front().scene == scene) return found;
+    if (found.front().key.scene == scene) return found;
   }
   return {};
 }

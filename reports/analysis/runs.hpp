@@ -13,32 +13,33 @@ namespace fde {
 
 // All rows of one run side by side.
 struct MeasuredRun {
-  std::string scene{}, scheme{}, history{};
+  RunKey key{};
   int steps = 0;
-  double h = 0.0, tolerance = 0.0;
-  std::size_t session = 0;                              // of its examination; index into Results::sessions
-  std::string status{};                                 // of its outcome row
+  double h = 0.0;
+  std::size_t session = 0;  // of its examination; index into Results::sessions
+  RunEnding ending{};
   std::map<std::string, double, std::less<>> values{};  // by quantity
 
   // The value of a quantity; nullopt: not measured.
   [[nodiscard]] std::optional<double> operator[](std::string_view quantity) const;
 };
 
-// The runs of a results file, ordered by scene, scheme (as in their lists), history and steps. A run that was
-// made in several sessions counts with the last one; its times may be of a later session of the same build.
+// The runs of a results file, ordered by scene, scheme (as in their lists) and setup, the coarsest first. A
+// run that was made in several sessions counts with the last one; its times may be of a later session of the
+// same build.
 struct Runs {
-  std::vector<MeasuredRun> finished, failed;  // failed: refused, or stopped on the way
+  std::vector<MeasuredRun> finished, failed;  // failed: refused, or with another ending than finished
 };
 
 Runs runs_of(const Results& results);
 
-// Neighbouring runs of the same scene; of the same scene, scheme and history: a line of a chart, coarsest
-// first.
+// Neighbouring runs of the same scene; of the same scene, scheme and setup but for the resolution: a line of
+// a chart, the coarsest first.
 using RunSpan = std::span<const MeasuredRun>;
 std::vector<RunSpan> by_scene(RunSpan runs);
 std::vector<RunSpan> by_line(RunSpan runs);
 
 // The neighbouring runs of this scene; empty: none.
-RunSpan of_scene(RunSpan runs, std::string_view scene);
+RunSpan of_scene(RunSpan runs, const SceneSettings& scene);
 
 }  // namespace fde

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "analysis/text.hpp"
-#include "sweep/ending.hpp"
 
 namespace fde {
 namespace {
@@ -24,53 +23,36 @@ std::string with_measures(std::string text, const MeasuredRun& run) {
 
 Verdict verdict(const MeasuredRun& run) {
   const auto error = run["error_relative"];
-  switch (ending_of(run.status)) {
+  switch (run.ending.kind) {
     case Ending::finished:
-      if (!error) return Verdict::unknown;
-      return *error <= surviving ? Verdict::survives : Verdict::inaccurate;
+      if (!error) return not_judged;
+      return *error <= surviving ? survives : inaccurate;
     case Ending::singular:
-      return Verdict::stops;
+      return stops;
     case Ending::not_finite:
     case Ending::not_converged:
     case Ending::out_of_budget:
     case Ending::accuracy_lost:
-    case Ending::failed:
-      return Verdict::fails;
+    case Ending::passed_singularity:
+    case Ending::false_singularity:
+      return fails;
     case Ending::refused:
-      return Verdict::refuses;
+      return refuses;
     case Ending::overflow:
     case Ending::no_reference:
-      return Verdict::unknown;
+      return not_judged;
   }
   throw std::logic_error("an ending without a verdict");
 }
 
-std::string name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::survives:
-      return "survives";
-    case Verdict::stops:
-      return "stops rightly";
-    case Verdict::inaccurate:
-      return "inaccurate";
-    case Verdict::fails:
-      return "fails";
-    case Verdict::refuses:
-      return "refuses";
-    case Verdict::unknown:
-      return "not judged";
-  }
-  throw std::logic_error("a verdict without a name");
-}
-
 std::string because(const MeasuredRun& run) {
-  switch (ending_of(run.status)) {
+  switch (run.ending.kind) {
     case Ending::refused:
-      return run.status.substr(words(Ending::refused).size());
+      return run.ending.detail;
     case Ending::finished:
       return with_measures("", run);
     default:
-      return with_measures(run.status, run);
+      return with_measures(sentence(run.ending), run);
   }
 }
 

@@ -1,19 +1,27 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "analysis/runs.hpp"
 
 namespace fde {
 
-// What became of a run. It survives when every value at the end is within a hundredth of its size of the
-// reference, the bound of the reference included; it stops where the solution has a singularity.
-enum class Verdict { survives, stops, inaccurate, fails, refuses, unknown };
+// What the page says of a trial in a word. A run survives when every value at the end is within a hundredth
+// of its size of the reference, the bound of the reference included; it stops where the solution has a
+// singularity.
+struct Verdict {
+  std::string_view word;
+  bool bad = false;
+
+  auto operator<=>(const Verdict&) const = default;
+};
+inline constexpr Verdict survives{"survives"}, inaccurate{"inaccurate", true}, stops{"stops rightly"},
+    fails{"fails", true}, refuses{"refuses"}, not_judged{"not judged"};
 
 Verdict verdict(const MeasuredRun& run);
 
-// "survives"; the sentence that says why, with error, rounding and time where they were measured.
-std::string name(Verdict verdict);
+// The sentence that says why, with error, rounding and time where they were measured.
 std::string because(const MeasuredRun& run);
 
 }  // namespace fde

@@ -1,5 +1,9 @@
 #include "command/arguments.hpp"
 
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
 #include "scenes/number_text.hpp"
 
 namespace fde {
@@ -17,17 +21,28 @@ ComplexText split_complex(std::string_view text) {
   return {begin == 0 ? "0" : std::string(text.substr(0, begin)), im};
 }
 
-Grid parse_grid(std::string_view text, double end, int steps) {
-  constexpr std::string_view graded = "graded:";
-  Grid grid{.end = end, .steps = steps};
-  if (text.starts_with(graded)) {
-    grid.grading = parse_number("--grid graded", text.substr(graded.size()), {.low = 1.0, .high = 100.0});
-  } else if (text != "uniform") {
-    reject_text("--grid", text, "uniform or graded:R with R in [1, 100]");
-  }
-  return grid;
+const Scheme& scheme_named(std::string_view id) { return entry_named(schemes(), "scheme", id); }
+
+void add_options(CLI::App& command, MeansArguments& arguments) {
+  command.add_option("--grid", arguments.grid, "uniform or graded:R");
+  command.add_option("--history", arguments.history, "auto, direct or exponentials");
+  command.add_option("--tolerance", arguments.tolerance,
+                     "relative, of Newton's method and of the weights of the past; default rounding");
+  command.add_option("--budget", arguments.budget,
+                     fmt::format("seconds after which the run ends; default {}", arguments.budget));
 }
 
-const Scheme& scheme_named(std::string_view id) { return entry_named(schemes(), "scheme", id); }
+Accuracy parse_accuracy(std::string_view text) {
+  const double error = parse_number("--accuracy", text, positive);
+  return {.relative = error, .absolute = error};
+}
+
+Setup parse_means(const MeansArguments& arguments) {
+  Setup setup{.grading = parse_grading(arguments.grid), .history = parse_history(arguments.history)};
+  if (arguments.tolerance)
+    setup.tolerance = parse_number("--tolerance", *arguments.tolerance, {.low = 0.0, .high = 1.0});
+  setup.budget = parse_number("--budget", arguments.budget, positive);
+  return setup;
+}
 
 }  // namespace fde

@@ -1,10 +1,16 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
+#include "sweep/setup.hpp"
+
+namespace CLI {  // NOLINT(readability-identifier-naming)
+class App;
+}
 
 namespace fde {
 
@@ -17,10 +23,17 @@ struct ComplexText {
 };
 ComplexText split_complex(std::string_view text);
 
-// "uniform" or "graded:R", R >= 1.
-Grid parse_grid(std::string_view text, double end, int steps);
-
 const Scheme& scheme_named(std::string_view id);
+
+// What `solve` and `run` say of how a scheme runs.
+struct MeansArguments {
+  std::string grid = "uniform", history = "auto", budget;
+  std::optional<std::string> tolerance{};
+};
+void add_options(CLI::App& command, MeansArguments& arguments);
+Setup parse_means(const MeansArguments& arguments);
+
+Accuracy parse_accuracy(std::string_view text);  // one number, relative and absolute
 
 inline constexpr int most_digits = 100'000;
 inline constexpr int most_steps = 1'000'000'000;  // weights are checked up to this lag

@@ -29,9 +29,9 @@ Json describe(const SceneMaker& maker) {
   const Scene scene = make_scene(maker);
   Json parameters = Json::array();
   for (const auto& parameter : maker.parameters) {
+    const auto as_json = [](const auto& value) -> Json { return value; };
     parameters.push_back({{"name", parameter.name},
-                          {"default", parameter.choices.empty() ? Json(parameter.value)
-                                                                : Json(parameter.text_of(parameter.value))},
+                          {"default", std::visit(as_json, parameter.value)},
                           {"allowed", parameter.allowed()},
                           {"meaning", parameter.meaning}});
   }

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -15,7 +14,7 @@
 #include "page/report.hpp"
 #include "scenes/number_text.hpp"
 #include "sweep/default_sweep.hpp"
-#include "sweep/record.hpp"
+#include "sweep/results_file.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep/trials.hpp"
 
@@ -23,12 +22,12 @@ namespace fde {
 namespace {
 
 constexpr int most_repeats = 1000;
-const std::vector<int> default_steps{64, 128, 256, 512, 1024, 2048, 4096, 8192, 32768, 131072, 524288};
 
 struct RunArguments {
   std::vector<std::string> scenes, schemes;
-  std::optional<std::string> steps;
-  std::string repeats = "3", budget = "600", out;
+  std::optional<std::string> steps, accuracies;
+  MeansArguments means{.budget = "600"};
+  std::string repeats = "3", out;
   bool trials = false;
 };
 
@@ -45,47 +44,35 @@ std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts) {
 }
 
 std::vector<const Scheme*> chosen_schemes(const std::vector<std::string>& ids) {
+  if (ids.empty()) return sweep_schemes();
   std::vector<const Scheme*> entries;
-  if (ids.empty()) {
-    for (const auto& scheme : schemes()) entries.push_back(&scheme);
-  }
   for (const auto& id : ids) entries.push_back(&scheme_named(id));
   return entries;
 }
 
-Sweep sweep_of(const RunArguments& arguments) {
-  Sweep sweep{.scenes = chosen_scenes(arguments.scenes),
-              .schemes = chosen_schemes(arguments.schemes),
-              .steps = default_steps,
-              .repeats = parse_count("--repeat", arguments.repeats, 1, most_repeats),
-              .budget = parse_number("--budget", arguments.budget, positive)};
-  if (arguments.steps) {
-    sweep.steps.clear();
-    for (const auto& text : split_list(*arguments.steps)) {
-      sweep.steps.push_back(parse_count("--steps", text, 1, most_steps));
-    }
-  }
-  return sweep;
+std::vector<StepsOrAccuracy> chosen_resolutions(const RunArguments& arguments) {
+  std::vector<StepsOrAccuracy> chosen;
+  if (!arguments.steps && !arguments.accuracies) std::ranges::copy(sweep_steps(), std::back_inserter(chosen));
+  for (const auto& text : arguments.steps ? split_list(*arguments.steps) : std::vector<std::string>{})
+    chosen.emplace_back(parse_count("--steps", text, 1, most_steps));
+  for (const auto& text :
+       arguments.accuracies ? split_list(*arguments.accuracies) : std::vector<std::string>{})
+    chosen.emplace_back(parse_accuracy(text));
+  return chosen;
 }
 
-// The trials as sweeps: those with the same number of steps together.
-std::vector<Sweep> sweeps_of_trials(Sweep sweep) {
-  std::map<int, Sweep> by_steps;
-  sweep.scenes.clear();
-  for (const auto& trial : trials()) {
-    auto& some = by_steps.try_emplace(trial.steps, sweep).first->second;
-    some.steps = {trial.steps};
-    some.scenes.push_back(trial.scene);
-  }
-  std::vector<Sweep> sweeps;
-  for (auto& [steps, some] : by_steps) sweeps.push_back(std::move(some));
-  return sweeps;
+Sweep sweep_of(const RunArguments& arguments) {
+  return {.scenes = chosen_scenes(arguments.scenes),
+          .schemes = chosen_schemes(arguments.schemes),
+          .resolutions = chosen_resolutions(arguments),
+          .setup = parse_means(arguments.means),
+          .repeats = parse_count("--repeat", arguments.repeats, 1, most_repeats)};
 }
 
 // The sweep that is asked for; the trials where no scene and no steps are, alone where they are asked for.
 void run(const RunArguments& arguments, const Streams& streams) {
   const Sweep sweep = sweep_of(arguments);
-  const bool asked = !arguments.scenes.empty() || arguments.steps;
+  const bool asked = !arguments.scenes.empty() || arguments.steps || arguments.accuracies;
   if (arguments.trials && asked)
     throw std::invalid_argument("--trials = yes: must be without --scene and --steps, trials have their own");
   std::vector<Sweep> sweeps;
@@ -93,8 +80,7 @@ void run(const RunArguments& arguments, const Streams& streams) {
   if (!arguments.trials) sweeps.push_back(sweep);
   ResultsFile file(arguments.out);
   for (const auto& some : sweeps) {
-    run_sweep(some, {.stage = [&](const auto& scene, const auto& scheme,
-                                  int steps) { return file.stage(scene, scheme, steps); },
+    run_sweep(some, {.recorded = [&](const RunKey& key) { return file.recorded(key); },
                      .append = [&](const auto& rows) { file.append(rows); },
                      .progress = progress_line(streams)});
   }
@@ -107,7 +93,7 @@ bool is_settled(const Runs& runs, const std::vector<Choice>& reached, const Sche
   constexpr double far = 10.0;
   if (std::ranges::find(reached, scheme.id, &Choice::scheme) != reached.end()) return true;
   return !reached.empty() && std::ranges::any_of(runs.finished, [&](const MeasuredRun& run) {
-    return run.scheme == scheme.id && run["time_minimum"].value_or(0.0) > far * reached.front().seconds;
+    return run.key.scheme == scheme.id && run["time_minimum"].value_or(0.0) > far * reached.front().seconds;
   });
 }
 
@@ -115,16 +101,16 @@ bool is_settled(const Runs& runs, const std::vector<Choice>& reached, const Sche
 Results measure(const SceneVariant& scene, double error, const Streams& streams) {
   Results results;
   results.sessions.push_back(this_session());
-  Sweep sweep{.scenes = {scene}, .schemes = chosen_schemes({}), .steps = {}};
-  for (const int steps : default_steps) {
-    sweep.steps = {steps};
+  Sweep sweep{.scenes = {scene}, .schemes = sweep_schemes(), .resolutions = {}};
+  for (const int steps : sweep_steps()) {
+    sweep.resolutions = {steps};
     run_sweep(
         sweep,
-        {.stage = [](const auto&, const auto&, int) { return Stage::missing; },
+        {.recorded = [](const auto&) { return Recorded::nothing; },
          .append = [&](const auto& rows) { std::ranges::copy(rows, std::back_inserter(results.records)); },
          .progress = progress_line(streams)});
     const Runs runs = runs_of(results);
-    const auto reached = cheapest(runs, scene.label(), error);
+    const auto reached = cheapest(runs, scene.key(), error);
     std::erase_if(sweep.schemes, [&](const Scheme* scheme) { return is_settled(runs, reached, *scheme); });
     if (sweep.schemes.empty()) break;
   }
@@ -137,12 +123,12 @@ void choose(const ChooseArguments& arguments, const Streams& streams) {
   const Results results =
       arguments.results ? read_results(*arguments.results) : measure(scene, error, streams);
   const bool measured =
-      std::ranges::any_of(results.records, [&](const Record& row) { return row.scene == scene.label(); });
+      std::ranges::any_of(results.records, [&](const Record& row) { return row.key.scene == scene.key(); });
   if (!measured) {
     throw std::invalid_argument(
         fmt::format("--results = {}: has no run of {}", *arguments.results, scene.label()));
   }
-  streams.out << advice(results, scene.label(), error);
+  streams.out << advice(results, scene.key(), error);
 }
 
 }  // namespace
@@ -154,8 +140,10 @@ void add_sweep_commands(CLI::App& app, const Streams& streams) {
       ->take_all();
   run_command->add_option("--scheme", of_run->schemes, "ids of schemes; default all")->take_all();
   run_command->add_option("--steps", of_run->steps, "numbers of steps N1,N2,...");
+  run_command->add_option("--accuracy", of_run->accuracies,
+                          "accuracies E1,E2,... of schemes that choose their steps");
   run_command->add_option("--repeat", of_run->repeats, "timed repeats of each run");
-  run_command->add_option("--budget", of_run->budget, "seconds after which a solve is ended; default 600");
+  add_options(*run_command, of_run->means);
   run_command->add_flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
   run_command->add_option("--out", of_run->out, "results file")->required();
   run_command->callback([=] { run(*of_run, streams); });

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
-#include "nlohmann/json.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/scene.hpp"
 #include "stepping/scheme.hpp"
@@ -26,12 +27,12 @@ json to_json(const Section& section) {
 std::vector<std::string> line_labels(const PageInput& page) {
   std::vector<std::string> labels;
   const auto add = [&](const MeasuredRun& run) {
-    const std::string label = page.label(run.scheme, run.history);
+    const std::string label = page.label(run.key);
     if (std::ranges::count(labels, label) == 0) labels.push_back(label);
   };
   for (const auto& scheme : schemes()) {
     for (const MeasuredRun& run : page.runs.finished) {
-      if (run.scheme == scheme.id) add(run);
+      if (run.key.scheme == scheme.id) add(run);
     }
   }
   std::ranges::for_each(page.runs.finished, add);  // those of schemes that this build does not know
@@ -40,47 +41,40 @@ std::vector<std::string> line_labels(const PageInput& page) {
 
 bool is_trial(const MeasuredRun& run) {
   return std::ranges::any_of(trials(), [&](const Trial& trial) {
-    return trial.steps == run.steps && trial.scene.label() == run.scene;
+    return trial.steps == run.steps && trial.scene.key() == run.key.scene;
   });
 }
 
 // The runs of trials; scenes that have no others leave the rest of the page to those that have.
 std::vector<MeasuredRun> take_trials(Runs& runs) {
   std::vector<MeasuredRun> taken;
-  std::set<std::string, std::less<>> swept;
+  std::set<SceneSettings> swept;
   for (auto* some : {&runs.finished, &runs.failed}) {
-    for (const auto& run : *some) is_trial(run) ? taken.push_back(run) : void(swept.insert(run.scene));
+    for (const auto& run : *some) is_trial(run) ? taken.push_back(run) : void(swept.insert(run.key.scene));
   }
   for (auto* some : {&runs.finished, &runs.failed})
-    std::erase_if(*some, [&](const MeasuredRun& run) { return is_trial(run) && !swept.contains(run.scene); });
+    std::erase_if(*some,
+                  [&](const MeasuredRun& run) { return is_trial(run) && !swept.contains(run.key.scene); });
   return taken;
-}
-
-bool has_several_histories(const Runs& runs) {
-  return std::ranges::any_of(
-      runs.finished, [&](const MeasuredRun& run) { return run.history != runs.finished.front().history; });
 }
 
 }  // namespace
 
-std::string PageInput::label(const std::string& scheme, const std::string& history) const {
-  return several_histories ? fmt::format("{}, {}", scheme, history) : scheme;
-}
-
-SceneName name_of_scene(const std::string& id) {
-  const auto* found = scene_of_label(id);
-  if (found == nullptr) return {.title = id};
-  const auto values = id.substr(found->id.size());  // of a variant: ":alpha=1.9,beta=0.1"
-  return {.title = values.empty() ? std::string(found->title)
-                                  : fmt::format("{} ({})", found->title, values.substr(1)),
-          .source = std::string(found->source)};
+SceneName name_of_scene(const SceneSettings& scene) {
+  const auto* found = find_scene(scene.id);
+  if (found == nullptr) return {.title = label_of(scene)};
+  const auto settings = settings_text(scene);
+  return {
+      .title = settings.empty() ? std::string(found->title) : fmt::format("{} ({})", found->title, settings),
+      .source = std::string(found->source)};
 }
 
 json page_data(const Results& results) {
-  PageInput page{.results = results, .runs = runs_of(results)};
+  Runs runs = runs_of(results);
+  PageInput page{.results = results, .names = LineNames(runs)};
+  page.runs = std::move(runs);
   page.trials = take_trials(page.runs);
   page.rates = rates(page.runs);
-  page.several_histories = has_several_histories(page.runs);
   json sections = json::array();
   const auto add = [&](const Section& section) {
     if (!section.table.empty()) sections.push_back(to_json(section));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/answer.hpp"
+#include "analysis/line_names.hpp"
 #include "page/table.hpp"
 #include "sweep/record.hpp"
 
@@ -17,13 +18,15 @@ nlohmann::json page_data(const Results& results);
 // What the sections are made from.
 struct PageInput {
   const Results& results;
-  Runs runs;                          // but for those that only a trial asked for
+  Runs runs{};                        // but for those that only a trial asked for
   std::vector<MeasuredRun> trials{};  // the runs of trials, finished or not
   std::vector<RateRow> rates{};
-  bool several_histories = false;
+  LineNames names;
 
-  // What a line is called on the page: its scheme, with the history where there are several.
-  [[nodiscard]] std::string label(const std::string& scheme, const std::string& history) const;
+  // What the run's line is called on the page.
+  [[nodiscard]] std::string label(const RunKey& run) const { return names.name(run.scheme, run.setup); }
+  [[nodiscard]] std::string label(const Choice& of) const { return names.name(of.scheme, of.setup); }
+  [[nodiscard]] std::string label(const RateRow& of) const { return names.name(of.scheme, of.setup); }
 };
 
 // A titled part of the page; what is empty is left out.
@@ -51,6 +54,6 @@ nlohmann::json scene_sections(const PageInput& page);
 struct SceneName {
   std::string title, source{};
 };
-SceneName name_of_scene(const std::string& id);
+SceneName name_of_scene(const SceneSettings& scene);
 
 }  // namespace fde

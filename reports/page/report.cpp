@@ -6,12 +6,12 @@
 #include <cerrno>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
 
-#include "nlohmann/json.hpp"
 #include "page/assets.hpp"
 #include "page/page_data.hpp"
 

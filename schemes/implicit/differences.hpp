@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "problem/problem.hpp"
+#include "stepping/run.hpp"
 
 namespace fde {
 
@@ -23,6 +23,12 @@ void forward_differences(Evaluate evaluate, Vec y, In f, In sizes, OutMatrix res
     result.col(i) = (evaluate(y) - f) / (y[i] - value);
     y[i] = value;
   }
+}
+
+// The same of a run's right-hand side at t.
+inline void difference_rhs(Run& run, double t, In y, In f, In sizes, OutMatrix result) {
+  forward_differences([&](const Vec& shifted) -> const Vec& { return run.rhs(t, shifted); }, y, f, sizes,
+                      result);
 }
 
 }  // namespace fde

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <optional>
+
 #include "implicit/newton_matrix.hpp"
 #include "stepping/run.hpp"
 
@@ -27,30 +30,29 @@ class NewtonSolver {
 
   // Improves the guess y to the solution. False when 350 iterations do not suffice, a value is not finite, or
   // the constraints of a linear problem depend on each other.
-  bool solve(Run& run, double t, const Vec& kappa, In past, Out y);
+  bool solve(Run& run, const StepEquations& step, Out y);
 
  private:
-  bool solve_linear(Run& run, double t, In past, Out y);
+  bool solve_linear(Run& run, const StepEquations& step, Out y);
   // Newton's method from y on, given up at the last of so many increments that are no smaller than the one
   // before.
-  bool iterate(Run& run, double t, In past, Out y, int most_setbacks);
+  bool iterate(Run& run, const StepEquations& step, Out y, int most_setbacks);
   // Brings y so close to a solution that Newton's method should converge. Follows mass y' = past + kappa f(t,
   // y) - y in a pseudo time by linearly implicit Euler steps (Kelley & Keyes, SIAM J. Numer. Anal. 35 (1998))
   // that grow where the equations are nearly linear along them: a step without end is one of Newton's method.
-  bool approach(Run& run, double t, In past, Out y);
-  // matrix_ at y, where f_ becomes f(t, y) and increment_ what is left of the equations.
-  void linearise(Run& run, double t, In past, In y);
-  // The largest of the last increments relative to |y|, as above.
-  [[nodiscard]] double relative_increment(In y) const;
-  // increment_ becomes what is left of the equations, where f_ is f(t, y).
-  void take_residual(In past, In y);
+  bool approach(Run& run, const StepEquations& step, Out y);
+  // How far the equations are from linear along an increment of a pseudo time step: the next one, relative to
+  // it.
+  double bend(Run& run, const StepEquations& step, In y, const Vec& increment, double inverse_step);
+  // The matrix becomes that at y; the result is what is left of the equations there.
+  Vec linearise(Run& run, const StepEquations& step, In y);
 
   const Problem& problem_;
-  Vec given_kappa_, kappa_;  // the latter with the factors of algebraic rows
   double tolerance_;
-  NewtonMatrix matrix_;
-  bool singular_ = false;
-  Vec f_, increment_;
+  std::unique_ptr<NewtonMatrix> matrix_;
+  // Of a linear problem: the kappa for which the matrix is factorised, and whether it has a solution then.
+  std::optional<Vec> factorised_for_;
+  bool solvable_ = false;
 };
 
 }  // namespace fde

@@ -1,56 +1,41 @@
 #pragma once
 
-#include <Eigen/LU>
 #include <memory>
-#include <vector>
 
+#include "implicit/step_equations.hpp"
 #include "stepping/run.hpp"
 
 namespace fde {
 
-// df/dy at y, where f is f(t, y): what the problem tells of it, or forward differences of rhs, for which
-// sizes tells how large the components of y are when they are not 0.
-void differentiate(Run& run, const Problem& problem, double t, In y, In f, In sizes, OutMatrix jacobian);
-
-// The matrix that Newton's method solves with at a step, mass - kappa df/dy: dense, or sparse where the
-// problem tells its derivatives that way. mass is 1, and 0 in algebraic rows, which a sparse matrix has none
-// of.
+// The matrix that Newton's method solves with at a step, mass - scale df/dy: dense, or sparse where the
+// problem tells its derivatives that way. A sparse one has no algebraic rows.
 class NewtonMatrix {
  public:
-  explicit NewtonMatrix(const Problem& problem);
-  ~NewtonMatrix();
+  NewtonMatrix() = default;
   NewtonMatrix(const NewtonMatrix&) = delete;
   NewtonMatrix& operator=(const NewtonMatrix&) = delete;
+  virtual ~NewtonMatrix() = default;
 
-  // Takes df/dy at y, as above. Algebraic rows are divided by their largest entry, which sets kappa there.
-  void update(Run& run, double t, In y, In f, In sizes, Vec& kappa);
-  // The same of a linear problem, where df/dy does not depend on y.
-  void update(Vec& kappa);
+  // Becomes the matrix at y, where f is f(t, y).
+  virtual void linearise(Run& run, const StepEquations& step, In y, In f) = 0;
 
-  void add_to_diagonal(const Vec& values);
-  void factorise();
+  // Becomes the factorised matrix of a linear problem. False where rounding decides about the solution of its
+  // algebraic rows, in whatever units these and the unknowns are: so it is where constraints depend on each
+  // other.
+  virtual bool factorise_linear(const Vec& kappa) = 0;
+
+  virtual void add_to_diagonal(const Vec& values) = 0;
+  virtual void factorise() = 0;
+
   // b becomes the solution x of (this matrix) x = b; the second of them factorises for this b alone.
-  void solve(Vec& b) const;
-  void factorise_and_solve(Vec& b);
+  virtual void solve(Vec& b) const = 0;
+  virtual void factorise_and_solve(Vec& b) = 0;
 
-  // Whether rounding decides about the solution, in whatever units the equations and unknowns are; of dense
-  // matrices. Constraints that depend on each other have such a matrix, however they round.
-  [[nodiscard]] bool singular() const;
-  // The largest entry of a column; of dense matrices.
-  [[nodiscard]] double column_size(Eigen::Index i) const { return dense_.col(i).lpNorm<Eigen::Infinity>(); }
-  [[nodiscard]] const std::vector<Eigen::Index>& algebraic_rows() const { return algebraic_; }
-  [[nodiscard]] const Vec& mass() const { return mass_; }
-
- private:
-  struct Sparse;
-  void assemble(Vec& kappa);  // from df/dy in its place
-
-  const Problem& problem_;
-  std::vector<Eigen::Index> algebraic_;
-  Vec mass_;
-  Matrix dense_;
-  Eigen::PartialPivLU<Matrix> factors_;
-  std::unique_ptr<Sparse> sparse_;  // null: the matrix is dense
+  // Those of the equations that have been linearised last.
+  [[nodiscard]] virtual const RowScales& rows() const = 0;
 };
+
+// Of the kind of the problem's derivatives. The problem has to outlive it.
+std::unique_ptr<NewtonMatrix> make_newton_matrix(const Problem& problem);
 
 }  // namespace fde

@@ -8,8 +8,9 @@
 #include <utility>
 
 namespace fde {
-Chain::Chain(Term leading, const std::vector<Term>& terms, std::vector<double> initial)
-    : leading_(leading), initial_(std::move(initial)) {
+
+Chain::Chain(Term leading, const std::vector<Term>& terms, std::vector<double> initial, Eigen::Index first)
+    : leading_(leading), initial_(std::move(initial)), first_(first) {
   if (leading_.coefficient == 0.0)
     throw std::invalid_argument("the coefficient of the leading derivative is 0");
   for (int whole = 0; whole < leading_.order; ++whole) nodes_.push_back(whole);
@@ -17,13 +18,27 @@ Chain::Chain(Term leading, const std::vector<Term>& terms, std::vector<double> i
     if (!(order >= 0.0 && order < leading_.order)) {
       throw std::invalid_argument(fmt::format("order {} of a term is not in [0, {})", order, leading_.order));
     }
-    if (coefficient != 0.0 && !node(order)) nodes_.push_back(order);
+    if (coefficient != 0.0 && !row(order)) nodes_.push_back(order);
   }
   std::ranges::sort(nodes_);
   coefficients_.setZero(size());
   for (const auto& [coefficient, order] : terms) {
-    if (coefficient != 0.0) coefficients_[*node(order)] += coefficient;
+    if (coefficient != 0.0) coefficients_[*row(order) - first_] += coefficient;
   }
+}
+
+std::vector<Term> Chain::terms() const {
+  std::vector<Term> terms;
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    if (coefficients_[i] != 0.0) terms.push_back({coefficients_[i], nodes_[static_cast<std::size_t>(i)]});
+  }
+  return terms;
+}
+
+std::optional<Eigen::Index> Chain::row(double order) const {
+  const auto found = std::ranges::find(nodes_, order);
+  if (found == nodes_.end()) return std::nullopt;
+  return first_ + (found - nodes_.begin());
 }
 
 std::vector<Component> Chain::components() const {
@@ -37,48 +52,14 @@ std::vector<Component> Chain::components() const {
   return components;
 }
 
-std::optional<Eigen::Index> Chain::node(double order) const {
-  const auto found = std::ranges::find(nodes_, order);
-  if (found == nodes_.end()) return std::nullopt;
-  return found - nodes_.begin();
-}
-
-double Chain::terms(In y) const { return coefficients_.dot(y); }
-
-double Chain::highest(In y, double force, double factor) const {
-  return (force - factor * terms(y)) / leading_.coefficient;
-}
-
-void Chain::links(In y, double highest, Out f) {
-  f.head(f.size() - 1) = y.tail(y.size() - 1);
-  f[f.size() - 1] = highest;
-}
-
-Matrix Chain::linear_part(double stiffness) const {
-  Matrix jacobian = Matrix::Zero(size(), size());
-  jacobian.diagonal(1).setOnes();
-  Vec gradient(size());
-  highest_gradient(stiffness, 1.0, gradient);
-  jacobian.row(size() - 1) = gradient.transpose();
-  return jacobian;
-}
-
-void Chain::highest_gradient(double force_by_u, double factor, Out gradient) const {
-  gradient = -factor * coefficients_;
-  gradient[0] += force_by_u;
-  gradient /= leading_.coefficient;
-}
-
 Smoothness chain_smoothness(const std::vector<Chain>& chains) {
-  const double leading = chains.front().leading_.order;
+  const double leading = chains.front().leading().order;
   std::vector<double> orders, start{leading};
   for (const auto& chain : chains) {
-    for (std::size_t i = 0; i < chain.nodes_.size(); ++i) {
-      if (i == 0 || chain.coefficients_[static_cast<Eigen::Index>(i)] != 0.0)
-        orders.push_back(chain.nodes_[i]);
-    }
-    for (std::size_t k = 1; k < chain.initial_.size(); ++k) {
-      if (chain.initial_[k] != 0.0) start.push_back(static_cast<double>(k));
+    orders.push_back(0.0);
+    for (const auto& term : chain.terms()) orders.push_back(term.order);
+    for (std::size_t k = 1; k < chain.initial().size(); ++k) {
+      if (chain.initial()[k] != 0.0) start.push_back(static_cast<double>(k));
     }
   }
 
@@ -95,7 +76,7 @@ Smoothness chain_smoothness(const std::vector<Chain>& chains) {
 
   Smoothness smoothness;
   for (const auto& chain : chains) {
-    for (const double node : chain.nodes_) {
+    for (const double node : chain.nodes()) {
       auto& of_node = smoothness.powers.emplace_back();
       for (const double p : powers) {
         if (p > node && !same_order(p, node)) of_node.push_back(p - node);

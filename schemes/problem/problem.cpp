@@ -5,26 +5,37 @@
 
 namespace fde {
 
-bool linear(const Problem& problem) { return problem.linear_part || problem.sparse_linear_part; }
+namespace {
 
-bool sparse(const Problem& problem) { return problem.sparse_jacobian || problem.sparse_linear_part; }
-
-bool has_jacobian(const Problem& problem) {
-  return linear(problem) || problem.jacobian || problem.sparse_jacobian;
+template <class... Alternatives>
+bool tells(const Problem& problem) {
+  return (std::holds_alternative<Alternatives>(problem.derivatives) || ...);
 }
 
+void evaluate(const NoDerivatives& /*told*/, double /*t*/, In /*y*/, OutMatrix /*jacobian*/) {}
+void evaluate(const DenseJacobian& told, double t, In y, OutMatrix jacobian) { told.at(t, y, jacobian); }
+void evaluate(const SparseJacobian& told, double t, In y, OutMatrix jacobian) {
+  SparseMatrix entries(y.size(), y.size());
+  told.at(t, y, entries);
+  jacobian = Matrix(entries);
+}
+void evaluate(const DenseLinearPart& told, double /*t*/, In /*y*/, OutMatrix jacobian) {
+  jacobian = told.matrix;
+}
+void evaluate(const SparseLinearPart& told, double /*t*/, In /*y*/, OutMatrix jacobian) {
+  jacobian = Matrix(told.matrix);
+}
+
+}  // namespace
+
+bool linear(const Problem& problem) { return tells<DenseLinearPart, SparseLinearPart>(problem); }
+
+bool sparse(const Problem& problem) { return tells<SparseJacobian, SparseLinearPart>(problem); }
+
+bool has_jacobian(const Problem& problem) { return !tells<NoDerivatives>(problem); }
+
 bool evaluate_jacobian(const Problem& problem, double t, In y, OutMatrix jacobian) {
-  if (problem.linear_part) {
-    jacobian = *problem.linear_part;
-  } else if (problem.sparse_linear_part) {
-    jacobian = Matrix(*problem.sparse_linear_part);
-  } else if (problem.jacobian) {
-    problem.jacobian(t, y, jacobian);
-  } else if (problem.sparse_jacobian) {
-    SparseMatrix entries(y.size(), y.size());
-    problem.sparse_jacobian(t, y, entries);
-    jacobian = Matrix(entries);
-  }
+  std::visit([&](const auto& told) { evaluate(told, t, y, jacobian); }, problem.derivatives);
   return has_jacobian(problem);
 }
 

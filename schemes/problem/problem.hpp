@@ -1,21 +1,13 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-namespace fde {
+#include "problem/derivatives.hpp"
+#include "problem/equation.hpp"
 
-using Vec = Eigen::VectorXd;
-using Matrix = Eigen::MatrixXd;
-using ComplexMatrix = Eigen::MatrixXcd;
-using SparseMatrix = Eigen::SparseMatrix<double>;
-using In = const Eigen::Ref<const Vec>&;
-using Out = Eigen::Ref<Vec>;
-using OutMatrix = Eigen::Ref<Matrix>;
+namespace fde {
 
 // Where the Caputo derivative of a row starts: left, from t = 0; right, from t = end backwards.
 enum class Side { left, right };
@@ -45,29 +37,29 @@ struct Domain {
 // in mechanics with a multiplier lambda (index 2):
 //   q' = v, v' = a(t, q, v) + R(q, v)^T lambda, 0 = g(t, q, v).
 // With conditions the last values of an `initial` may be missing: they are unknown initial values.
+//
+// y, f and what is said of every row have size() entries; a Jacobian has size() rows and columns, row i the
+// derivatives of f_i.
 struct Problem {
   std::vector<Component> components{};
   std::function<void(double t, In y, Out f)> rhs{};
-  std::function<void(double t, In y, OutMatrix jacobian)>
-      jacobian{};                       // df/dy; empty: implicit schemes difference rhs
-  std::optional<Matrix> linear_part{};  // A, where f(t, y) = A y + b(t): solved with one factorisation
-  // The same where most entries are 0, in place of the above; for rows with left derivatives.
-  std::function<void(double t, In y, SparseMatrix& jacobian)> sparse_jacobian{};
-  std::optional<SparseMatrix> sparse_linear_part{};
+  Derivatives derivatives{};
+  // The multi-term equations whose chains are among the rows, where rhs says the same; empty: none is.
+  std::vector<Equation> equations{};
   double end = 1.0;
-  // One equation 0 = residual for each unknown initial value; empty: none is unknown.
+  // residual = 0, as many numbers as there are unknown initial values; empty: none is unknown.
   std::function<void(In at_start, In at_end, Out residual)> conditions{};
   Domain domain{};  // a step out of it has crossed a singularity
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };
 
-// Whether a linear part is told, dense or sparse.
+// What kind of derivatives the problem tells: those of a linear right-hand side; as a sparse matrix; any.
 bool linear(const Problem& problem);
-// Whether derivatives are told as a sparse matrix, linear or not.
 bool sparse(const Problem& problem);
-// Whether derivatives are told at all; if so, jacobian becomes df/dy as a dense matrix.
 bool has_jacobian(const Problem& problem);
+
+// jacobian becomes df/dy, dense, where the problem tells it; otherwise the result is false.
 bool evaluate_jacobian(const Problem& problem, double t, In y, OutMatrix jacobian);
 
 // Number of initial values that a row of this order needs: ceil(order), and 1 for order 0.

@@ -10,7 +10,7 @@ Problem scalar_equation(double order, std::complex<double> rate, double end) {
   start.front() = 1.0;
   return {.components = std::vector<Component>(real ? 1 : 2, {order, start}),
           .rhs = [=](double, In u, Out f) { f = matrix * u; },
-          .linear_part = matrix,
+          .derivatives = DenseLinearPart{matrix},
           .end = end};
 }
 

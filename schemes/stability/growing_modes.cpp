@@ -115,7 +115,7 @@ Symbol symbol_of(const Scheme& scheme, const Problem& problem, double length) {
   if (!linear(problem)) reject("the problem has no linear part");
   if (two_sided(problem)) reject("the problem is posed at both ends");
   if (std::ranges::any_of(problem.components, algebraic)) reject("the problem has an algebraic row");
-  if (const auto reason = refusal(scheme, problem, {length, 1})) reject(*reason);
+  if (const auto reason = refusal(scheme, problem, Grid{length, 1})) reject(*reason);
   return scheme.symbol(problem, length);
 }
 

@@ -155,7 +155,7 @@ std::optional<Vec> response_at_infinity(const Scheme& scheme, double order, int 
   const Problem problem = scalar_equation(order, infinite, steps);
   symbol_of(scheme, problem, 1.0);
   if (!scheme.needs.implicit) return std::nullopt;
-  const Rows y = scheme.solve(problem, {problem.end, steps}, {}).y;
+  const Rows y = scheme.solve(problem, Grid{problem.end, steps}, {}).y;
   Vec response = Vec::Constant(steps + 1, std::numeric_limits<double>::infinity());
   // What is left of the order of 1/z.
   response.head(y.cols()) =

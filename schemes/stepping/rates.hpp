@@ -17,7 +17,7 @@ struct RateTheory {
   double (*first_step)(double g, double p);  // at t_1
 };
 
-// Piecewise linear interpolation of f = D^g y, which starts like t^r, r = p - g. Reference for r = 0 and 1;
+// Piecewise linear interpolation of f = D^g y, which starts like t^r, r = p - g. Exact for r = 0 and 1;
 // any other r leaves zeta(-r) h^(1+r), spread by the kernel, at a fixed time and h^(g+r) at the first step,
 // beside h^2.
 extern const RateTheory trapezoidal_theory;

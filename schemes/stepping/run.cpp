@@ -1,40 +1,47 @@
 #include "stepping/run.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace fde {
 
-Run::Run(const Problem& problem, const Grid& grid, const Options& options)
+Run::Run(const Problem& problem, const Options& options, int steps)
     : problem_(problem), options_(options), start_(taylor_part(problem, 0.0)), f_(problem.size()) {
-  path_.grid = grid;
-  path_.cost.states = static_cast<int>(problem.size());
-  const std::size_t kept =
-      options.keep.empty() ? static_cast<std::size_t>(grid.steps) + 1 : options.keep.size();
-  path_.steps.reserve(kept);
-  path_.y.resize(problem.size(), static_cast<Eigen::Index>(kept));
-  if (!two_sided(problem)) record(0, start_);
+  path_.cost = {
+      .rhs_calls = 0, .newton_iterations = 0, .history_bytes = 0, .states = static_cast<int>(problem.size())};
+  const std::size_t expected = options.at.empty() ? static_cast<std::size_t>(steps) + 1 : options.at.size();
+  path_.times.reserve(expected);
+  path_.y.resize(problem.size(), static_cast<Eigen::Index>(expected));
+  if (!two_sided(problem)) record(0.0, start_);
 }
 
 const Vec& Run::rhs(double t, In y) {
-  ++path_.cost.rhs_calls;
+  ++*path_.cost.rhs_calls;
   problem_.rhs(t, y, f_);
   return f_;
 }
 
-bool Run::accept(int n, In y) {
+bool Run::accept(double t, In y) {
   // At every step a look at the clock would be a quarter of the cheapest step.
   constexpr int steps_between_looks = 16;
+  const std::int64_t n = t > 0.0 ? path_.steps + 1 : 0;
   if (!y.allFinite()) {
-    fail(Ending::not_finite);
-  } else if (!problem_.domain.contains(path_.grid.time(n), y)) {
-    fail(Ending::singular);
+    fail(Ending::not_finite, t);
+  } else if (!problem_.domain.contains(t, y)) {
+    fail(Ending::singular, t);
   } else if ((n < steps_between_looks || n % steps_between_looks == 0) && out_of_budget()) {
-    fail(Ending::out_of_budget);
+    fail(Ending::out_of_budget, t);
   }
   if (path_.ending != Ending::finished) return false;
-  path_.reached = n;
-  record(n, y);
+  path_.steps = n;
+  path_.reached = t;
+  record(t, y);
   return true;
+}
+
+void Run::fail(Ending ending, double t) {
+  path_.ending = ending;
+  path_.failed_at = t;
 }
 
 bool Run::out_of_budget() const {
@@ -42,24 +49,30 @@ bool Run::out_of_budget() const {
   return taken.count() > options_.budget;
 }
 
-void Run::record(int n, In y) {
-  if (options_.watch) options_.watch(n, y);
-  if (!options_.keep.empty()) {
-    if (next_kept_ == options_.keep.size() || options_.keep[next_kept_] != n) return;
-    ++next_kept_;
-  }
-  path_.y.col(static_cast<Eigen::Index>(path_.steps.size())) = y;
-  path_.steps.push_back(n);
+void Run::record(double t, In y) {
+  if (options_.observer) options_.observer(t, y);
+  if (!options_.at.empty() && !asked_for(t)) return;
+  const auto column = std::ssize(path_.times);
+  if (column == path_.y.cols()) path_.y.conservativeResize(Eigen::NoChange, 2 * column + 1);
+  path_.y.col(column) = y;
+  path_.times.push_back(t);
+}
+
+bool Run::asked_for(double t) {
+  constexpr double rounding = 1e-12;
+  const auto& at = options_.at;
+  while (next_at_ < at.size() && at[next_at_] < t * (1 - rounding)) ++next_at_;
+  return next_at_ < at.size() && at[next_at_] <= t * (1 + rounding);
 }
 
 Trajectory Run::finish() {
-  path_.y.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(path_.steps.size()));
+  path_.y.conservativeResize(Eigen::NoChange, std::ssize(path_.times));
   return std::move(path_);
 }
 
-std::vector<WeightTable> tables(const Problem& problem, WeightFamily family) {
+std::vector<WeightTable> tables(const Problem& problem, const WeightFamily& family) {
   std::vector<WeightTable> result;
-  for (const auto& component : problem.components) result.push_back({family, component.order});
+  for (const auto& component : problem.components) result.push_back({&family, component.order});
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fde {
 namespace {
@@ -22,6 +23,10 @@ std::vector<Eigen::Index> positions(const Links& links) {
 Eigen::Index last_of(const Links& links, const std::vector<Eigen::Index>& position, Eigen::Index i) {
   const auto index = static_cast<std::size_t>(i);
   return position[index] + static_cast<Eigen::Index>(links[index].size()) - 1;
+}
+
+Eigen::Index size_of(const Links& links, const std::vector<Eigen::Index>& position) {
+  return position.back() + static_cast<Eigen::Index>(links.back().size());
 }
 
 // Derivatives of the links by the states, from those of the original right-hand side.
@@ -52,7 +57,7 @@ SparseMatrix spread(const SparseMatrix& original, const Links& links,
                            entry.value());
     }
   }
-  const auto size = position.back() + static_cast<Eigen::Index>(links.back().size());
+  const auto size = size_of(links, position);
   SparseMatrix result(size, size);
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
@@ -72,34 +77,57 @@ std::vector<Component> split_components(const Problem& problem, const Links& lin
   return components;
 }
 
-// Dense ones stay dense, sparse ones sparse.
-void split_derivatives(const Problem& problem, const Links& links, const std::vector<Eigen::Index>& position,
-                       Problem& result) {
-  if (problem.jacobian) {
-    result.jacobian = [jacobian = problem.jacobian, links, position](double t, In y,
-                                                                     OutMatrix spread_jacobian) {
-      const auto size = static_cast<Eigen::Index>(position.size());
-      Matrix original(size, size);
-      jacobian(t, Vec(y(position)), original);
-      spread(original, links, position, spread_jacobian);
-    };
+// The derivatives of the split problem, of the kind of the original ones.
+Derivatives split(const NoDerivatives& none, const Links& /*links*/,
+                  const std::vector<Eigen::Index>& /*position*/) {
+  return none;
+}
+Derivatives split(const DenseJacobian& original, const Links& links,
+                  const std::vector<Eigen::Index>& position) {
+  return DenseJacobian{[original, links, position](double t, In y, OutMatrix jacobian) {
+    const auto size = static_cast<Eigen::Index>(position.size());
+    Matrix inner(size, size);
+    original.at(t, Vec(y(position)), inner);
+    spread(inner, links, position, jacobian);
+  }};
+}
+Derivatives split(const SparseJacobian& original, const Links& links,
+                  const std::vector<Eigen::Index>& position) {
+  return SparseJacobian{[original, links, position](double t, In y, SparseMatrix& jacobian) {
+    const auto size = static_cast<Eigen::Index>(position.size());
+    SparseMatrix inner(size, size);
+    original.at(t, Vec(y(position)), inner);
+    jacobian = spread(inner, links, position);
+  }};
+}
+Derivatives split(const DenseLinearPart& original, const Links& links,
+                  const std::vector<Eigen::Index>& position) {
+  const auto size = size_of(links, position);
+  DenseLinearPart result{Matrix(size, size)};
+  spread(original.matrix, links, position, result.matrix);
+  return result;
+}
+Derivatives split(const SparseLinearPart& original, const Links& links,
+                  const std::vector<Eigen::Index>& position) {
+  return SparseLinearPart{spread(original.matrix, links, position)};
+}
+
+Trajectory solve_split(const Problem& problem, const Resolution& resolution, const Options& options,
+                       const Links& links, const Solve& solve) {
+  if (std::ranges::all_of(links, [](const auto& link) { return link.size() == 1; })) {
+    return solve(problem, resolution, options);
   }
-  if (problem.sparse_jacobian) {
-    result.sparse_jacobian = [jacobian = problem.sparse_jacobian, links, position](
-                                 double t, In y, SparseMatrix& spread_jacobian) {
-      const auto size = static_cast<Eigen::Index>(position.size());
-      SparseMatrix original(size, size);
-      jacobian(t, Vec(y(position)), original);
-      spread_jacobian = spread(original, links, position);
-    };
+  const auto position = positions(links);
+  Options inner = options;
+  if (options.observer) {
+    inner.observer = [&](double t, In y) { options.observer(t, Vec(y(position))); };
   }
-  if (problem.linear_part) {
-    result.linear_part = Matrix(result.size(), result.size());
-    spread(*problem.linear_part, links, position, *result.linear_part);
+  Trajectory path = solve(split(problem, links), resolution, inner);
+  path.y = Rows(path.y(position, Eigen::all));
+  if (path.dense) {
+    path.dense = [dense = std::move(path.dense), position](double t) -> Vec { return dense(t)(position); };
   }
-  if (problem.sparse_linear_part) {
-    result.sparse_linear_part = spread(*problem.sparse_linear_part, links, position);
-  }
+  return path;
 }
 
 }  // namespace
@@ -148,7 +176,8 @@ Problem split(const Problem& problem, const Links& links) {
       return margin(t, Vec(y(position)));
     };
   }
-  split_derivatives(problem, links, position, result);
+  result.derivatives =
+      std::visit([&](const auto& told) { return split(told, links, position); }, problem.derivatives);
   return result;
 }
 
@@ -172,19 +201,11 @@ Smoothness split(const Problem& problem, const Smoothness& smoothness, const Lin
   return result;
 }
 
-Trajectory solve_split(const Problem& problem, const Grid& grid, const Options& options, const Links& links,
-                       const Solve& solve) {
-  if (std::ranges::all_of(links, [](const auto& link) { return link.size() == 1; })) {
-    return solve(problem, grid, options);
-  }
-  const auto position = positions(links);
-  Options inner = options;
-  if (options.watch) {
-    inner.watch = [&](int n, In y) { options.watch(n, Vec(y(position))); };
-  }
-  Trajectory path = solve(split(problem, links), grid, inner);
-  path.y = Rows(path.y(position, Eigen::all));
-  return path;
+Solve split_into(std::function<Links(const Problem&)> links, Solve solve) {
+  return [links = std::move(links), solve = std::move(solve)](
+             const Problem& problem, const Resolution& resolution, const Options& options) {
+    return solve_split(problem, resolution, options, links(problem), solve);
+  };
 }
 
 }  // namespace fde

@@ -29,9 +29,7 @@ Problem split(const Problem& problem, const Links& links);
 // How the components of the split problem start.
 Smoothness split(const Problem& problem, const Smoothness& smoothness, const Links& links);
 
-// Solves the split problem with solve and returns the original components.
-using Solve = std::function<Trajectory(const Problem&, const Grid&, const Options&)>;
-Trajectory solve_split(const Problem& problem, const Grid& grid, const Options& options, const Links& links,
-                       const Solve& solve);
+// A scheme's solve that splits the problem into these links, solves that and returns the original components.
+Solve split_into(std::function<Links(const Problem&)> links, Solve solve);
 
 }  // namespace fde

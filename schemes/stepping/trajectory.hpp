@@ -1,45 +1,52 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
-#include "problem/grid.hpp"
 #include "problem/problem.hpp"
 
 namespace fde {
 
 using Rows = Matrix;  // one row a component, one column a time
 
-// How a run ended. A scheme says the first five; who compares a run with its reference says the others.
+// How a run ended. A scheme says the first five; who compares the run with its reference says the others.
 enum class Ending {
   finished,
   not_finite,
   not_converged,  // Newton's method
   singular,       // left the domain of its problem
   out_of_budget,
-  accuracy_lost,  // finished, but see accuracy_lost()
-  overflow,       // finished where the solution itself is infinite
-  no_reference,   // finished, and there is nothing to compare with
-  failed,         // stopped, or passed a singularity
-  refused,        // did not begin
+  accuracy_lost,       // finished, but see accuracy_lost()
+  overflow,            // finished where the solution itself is infinite
+  no_reference,        // finished, and there is nothing to compare with
+  passed_singularity,  // finished beyond a singularity of the solution
+  false_singularity,   // singular, and the solution is not
+  refused,             // did not begin
 };
 
-// What a run used, apart from time.
+// What a run used, apart from time. What was not counted is absent.
 struct Cost {
-  std::int64_t rhs_calls = 0;
-  std::int64_t newton_iterations = 0;
-  std::size_t history_bytes = 0;
-  int states = 0;  // components actually stepped; more than the problem's where a scheme splits orders
+  std::optional<std::int64_t> rhs_calls{}, newton_iterations{};
+  std::optional<std::size_t> history_bytes{};
+  // Components actually stepped; more than the problem's where a scheme splits orders.
+  std::optional<int> states{};
 };
 
-// What a scheme returns: y at the steps that were asked for, as far as the run came.
+// What a scheme returns: y at the times that were asked for, otherwise at its own, as far as the run came.
 struct Trajectory {
-  Grid grid{};
-  std::vector<int> steps{};  // y.col(c) belongs to grid.time(steps[c])
-  Rows y{};
-  Ending ending = Ending::finished;
-  int reached = 0;  // the last step with a result; the next one failed unless ending is finished
+  std::vector<double> times{};           // increasing
+  Rows y{};                              // y.col(c) belongs to times[c]
+  std::function<Vec(double t)> dense{};  // y at any time up to `reached`; empty: not known between times
+  Ending ending = Ending::finished;      // how the run ended
+  double reached = 0.0;                  // the last time with a result, asked for or not
+  std::optional<double> failed_at{};     // the time of the step that has no result, where one failed
+  std::int64_t steps = 0;                // with a result; 0 where nothing was stepped
   Cost cost{};
+
+  // Of this column of y.
+  [[nodiscard]] double time(Eigen::Index column) const { return times[static_cast<std::size_t>(column)]; }
 };
 
 }  // namespace fde

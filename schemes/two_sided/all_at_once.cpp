@@ -31,7 +31,7 @@ class Newton {
     for (int iteration = 0; iteration < most_iterations && !run_.out_of_budget(); ++iteration) {
       linearisation_.update(run_, guess_, residual_);
       const Guess increment = linearisation_.increment(residual_);
-      ++run_.cost().newton_iterations;
+      ++*run_.cost().newton_iterations;
       const double now = largest(increment.y);
       if (!std::isfinite(now)) return std::nullopt;
       const bool whole = advance(increment);
@@ -82,20 +82,20 @@ class Newton {
 }  // namespace
 
 Trajectory solve_all_at_once(const Problem& problem, const Grid& grid, const Options& options,
-                             WeightFamily family) {
-  Run run(problem, grid, options);
+                             const WeightFamily& family) {
+  Run run(problem, options, grid.steps);
   const AllTimes equations(problem, grid, options, family);
   Newton newton(equations, run, options.tolerance);
   const auto y = newton.solve();
   run.cost().history_bytes = newton.bytes();
   if (!y) {
-    // The guess at the start stands for a step, as in every run that fails before the first one.
-    if (two_sided(problem)) run.accept(0, run.start());
-    run.fail(run.out_of_budget() ? Ending::out_of_budget : Ending::not_converged);
+    // The guess at the start stands for a result, as in every run that fails at its first step.
+    if (two_sided(problem)) run.accept(0.0, run.start());
+    run.fail(run.out_of_budget() ? Ending::out_of_budget : Ending::not_converged, grid.time(1));
     return run.finish();
   }
   for (int n = two_sided(problem) ? 0 : 1; n <= grid.steps; ++n) {
-    if (!run.accept(n, y->col(n))) break;
+    if (!run.accept(grid.time(n), y->col(n))) break;
   }
   return run.finish();
 }

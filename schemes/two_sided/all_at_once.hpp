@@ -9,10 +9,10 @@ namespace fde {
 // rows and conditions the result is that of stepping.
 //
 // The last increment is below tolerance * |y|, or has stopped to shrink below 1e-10 * |y|. Otherwise the
-// ending is not_converged, with no step reached. Stored are a few values a component and time, the
+// ending is not_converged, at the first step. Stored are a few values a component and time, the
 // Jacobians, and 20 to 200 vectors of right rows, a quarter of a gigabyte where these bounds allow it;
 // Cost::history_bytes counts them.
 Trajectory solve_all_at_once(const Problem& problem, const Grid& grid, const Options& options,
-                             WeightFamily family);
+                             const WeightFamily& family);
 
 }  // namespace fde

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "implicit/differences.hpp"
-#include "implicit/newton_matrix.hpp"
 #include "two_sided/gmres.hpp"
 
 namespace fde {
@@ -28,8 +27,10 @@ void Linearisation::update(Run& run, const Guess& guess, const Residual& residua
   jacobians_.resize(size * size, linear(problem) ? 1 : guess.y.cols());
   const Vec sizes = guess.y.cwiseAbs().rowwise().maxCoeff();
   for (Eigen::Index n = 0; n < jacobians_.cols(); ++n) {
-    differentiate(run, problem, equations_.grid().time(static_cast<int>(n)), guess.y.col(n),
-                  residual.f.col(n), sizes, Eigen::Map<Matrix>(jacobians_.col(n).data(), size, size));
+    const double t = equations_.grid().time(static_cast<int>(n));
+    Eigen::Map<Matrix> jacobian(jacobians_.col(n).data(), size, size);
+    if (evaluate_jacobian(problem, t, guess.y.col(n), jacobian)) continue;
+    difference_rhs(run, t, guess.y.col(n), residual.f.col(n), sizes, jacobian);
   }
   left_inverses_ = equations_.left().inverses(jacobians_);
   right_inverses_ = equations_.right().inverses(jacobians_);

@@ -18,13 +18,13 @@ class UnknownInitialValues {
   void add(In values, double left, double right, Out y) const;
 
  private:
-  struct Missing {
+  struct Unknown {
     Eigen::Index component;
     Side side;
     std::size_t power;
     bool algebraic;
   };
-  std::vector<Missing> list_;
+  std::vector<Unknown> list_;
 };
 
 }  // namespace fde

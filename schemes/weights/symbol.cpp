@@ -10,9 +10,9 @@ namespace {
 // Regular parts and step factors of one family in all rows; rows of equal order are evaluated once.
 class Convolutions {
  public:
-  Convolutions(const Problem& problem, WeightFamily family, double length) : factors_(problem.size()) {
+  Convolutions(const Problem& problem, const WeightFamily& family, double length) : factors_(problem.size()) {
     for (Eigen::Index i = 0; i < factors_.size(); ++i) {
-      tables_.push_back({family, problem.components[static_cast<std::size_t>(i)].order});
+      tables_.push_back({&family, problem.components[static_cast<std::size_t>(i)].order});
       factors_[i] = step_factor(tables_.back(), length);
     }
   }
@@ -54,7 +54,7 @@ ComplexMatrix linear_part(const Problem& problem) {
 
 }  // namespace
 
-Symbol implicit_symbol(const Problem& problem, WeightFamily family, double length) {
+Symbol implicit_symbol(const Problem& problem, const WeightFamily& family, double length) {
   return [rule = Convolutions(problem, family, length), a = linear_part(problem)](ComplexValue log_zeta) {
     ComplexMatrix s = -a * rule.at(log_zeta).asDiagonal();
     s.diagonal() += rule.difference_powers(log_zeta);
@@ -63,11 +63,11 @@ Symbol implicit_symbol(const Problem& problem, WeightFamily family, double lengt
 }
 
 Symbol predictor_corrector_symbol(const Problem& problem, double length) {
-  const Convolutions corrector(problem, WeightFamily::trapezoid, length);
+  const Convolutions corrector(problem, families::trapezoid, length);
   const ComplexMatrix a = linear_part(problem);
   // A k A, the same at all points.
   const ComplexMatrix corrected = a * corrector.step_factors().cast<ComplexValue>().asDiagonal() * a;
-  return [=, predictor = Convolutions(problem, WeightFamily::rectangle, length)](ComplexValue log_zeta) {
+  return [=, predictor = Convolutions(problem, families::rectangle, length)](ComplexValue log_zeta) {
     const Eigen::VectorXcd powers = corrector.difference_powers(log_zeta);
     const Eigen::VectorXcd newest = corrector.step_factors().cast<ComplexValue>().cwiseProduct(powers);
     const Eigen::VectorXcd past = corrector.at(log_zeta) - newest;

@@ -22,9 +22,10 @@ namespace fde {
 // Schemes that split orders have the symbol of the split problem.
 using Symbol = std::function<ComplexMatrix(ComplexValue log_zeta)>;
 
-// L1 is inverted for this: K is 1 / ((1-zeta) W) times its step factor. Of a scheme that splits orders, this
-// takes the split problem. Preconditions: linear(problem), no algebraic rows, no right derivatives.
-Symbol implicit_symbol(const Problem& problem, WeightFamily family, double length);
+// Where the family weighs increments of y, K is the inverse 1 / ((1-zeta) W) times the step factor. A scheme
+// that splits orders passes the split problem. Preconditions: linear(problem), no algebraic rows, no right
+// derivatives.
+Symbol implicit_symbol(const Problem& problem, const WeightFamily& family, double length);
 Symbol predictor_corrector_symbol(const Problem& problem, double length);
 
 }  // namespace fde

@@ -94,24 +94,24 @@ std::vector<const SceneMaker*> makers() {
 INSTANTIATE_TEST_SUITE_P(, OtherUnits, testing::ValuesIn(makers()),
                          [](const auto& test) { return std::string(test.param->id); });
 
-std::string status(const std::map<std::string, double>& values, std::string_view scheme, int steps) {
-  const Scene scene = make_scene(*scene_of_label("relaxation"), values);
+std::string ending(const ParameterValues& values, std::string_view scheme, int steps) {
+  const Scene scene = make_scene(*find_scene("relaxation"), values);
   WatchedReference reference(scene);
-  return examine("relaxation", scene, reference, *find_scheme(scheme), steps).back().status;
+  return sentence(*examine({}, scene, reference, *find_scheme(scheme), {steps}).back().ending);
 }
 
 // D^0.5 y = -1e6 y: what a scheme shows after ten steps may be further from the reference than 0 is.
 TEST(Examination, SaysWhereTheAccuracyIsLost) {
-  EXPECT_EQ(status({{"lambda", -1e6}}, "product_trapezoidal", 64), "accuracy lost at step 1, t = 0.015625");
-  EXPECT_EQ(status({{"lambda", -1e6}}, "grunwald_letnikov", 64), "finished");
+  EXPECT_EQ(ending({{"lambda", -1e6}}, "product_trapezoidal", 64), "accuracy lost at step 1, t = 0.015625");
+  EXPECT_EQ(ending({{"lambda", -1e6}}, "grunwald_letnikov", 64), "finished");
 }
 
 // Backward Euler from differences of y: the rounding of each stays, at most N units in the last place.
 TEST(Examination, MeasuresWhatRoundingDoes) {
-  const Scene scene = make_scene(*scene_of_label("power"), {{"gamma", 1.0}, {"p", 2.0}});
+  const Scene scene = make_scene(*find_scene("power"), {{"gamma", 1.0}, {"p", 2.0}});
   WatchedReference reference(scene);
   const auto rounding = [&](int steps) {
-    const auto rows = examine("power", scene, reference, *find_scheme("l1"), steps);
+    const auto rows = examine({}, scene, reference, *find_scheme("l1"), {steps});
     return std::ranges::find(rows, "rounding", &Record::quantity)->value;
   };
   constexpr double epsilon = std::numeric_limits<double>::epsilon();

@@ -31,13 +31,13 @@ inline std::vector<EndOfRun> endings() {
   for (const std::string_view id :
        {"relaxation", "relaxation_pair", "diethelm", "bagley_torvik", "pendulum", "brusselator", "knife_edge",
         "fractional_constraint_2d", "two_sided_constraint"}) {
-    const SceneMaker& maker = *scene_of_label(id);
+    const SceneMaker& maker = *find_scene(id);
     const Scene scene = make_scene(maker);
     for (const auto& scheme : schemes()) {
       for (const int steps : {64, 1500}) {
         const Grid grid{.end = scene.problem.end, .steps = steps};
         if (refusal(scheme, scene.problem, grid)) continue;
-        const auto path = scheme.solve(scene.problem, grid, {.keep = {steps}});
+        const auto path = scheme.solve(scene.problem, grid, {.at = {grid.end}});
         if (path.ending != Ending::finished) continue;
         const Vec last = path.y.col(0);
         found.push_back({fmt::format("{} {} {}", id, scheme.id, steps), {last.begin(), last.end()}});

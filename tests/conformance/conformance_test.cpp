@@ -145,9 +145,9 @@ TEST_P(Conformance, ALinearPartAJacobianAndDifferencesGiveTheSameAnswer) {
   Problem problem{.components = {component(0.5, 1.0), component(1.5, 0.0)},
                   .rhs = [=](double t, In y, Out f) { f = a * y + Vec::Constant(2, std::cos(t)); }};
   const Rows differenced = run(problem, 64).y;
-  problem.jacobian = [=](double, In, OutMatrix jacobian) { jacobian = a; };
+  problem.derivatives = DenseJacobian{[=](double, In, OutMatrix jacobian) { jacobian = a; }};
   const Rows newton = run(problem, 64).y;
-  problem.linear_part = a;
+  problem.derivatives = DenseLinearPart{a};
   const Rows linear = run(problem, 64).y;
   EXPECT_LT((differenced - newton).cwiseAbs().maxCoeff(), 1e-13);
   EXPECT_LT((linear - newton).cwiseAbs().maxCoeff(), 1e-13);
@@ -175,9 +175,9 @@ TEST_P(Conformance, ALinearProblemTakesOneNewtonIterationAStep) {
 }
 
 TEST_P(Conformance, OnlyTheStepsAskedForAreKept) {
-  const auto all = run(mixed_problem(), 64), some = run(mixed_problem(), 64, {.keep = {0, 7, 64}});
-  EXPECT_EQ(some.steps, (std::vector<int>{0, 7, 64}));
-  EXPECT_EQ(some.y, Rows(all.y(Eigen::all, some.steps)));
+  const auto all = run(mixed_problem(), 64), some = run(mixed_problem(), 64, {.at = {0.0, 0.21875, 2.0}});
+  EXPECT_EQ(some.times, (std::vector{0.0, 0.21875, 2.0}));
+  EXPECT_EQ(some.y, Rows(all.y(Eigen::all, std::vector{0, 7, 64})));
 }
 
 TEST_P(Conformance, TheSameInputGivesTheSameBits) {
@@ -190,8 +190,10 @@ TEST_P(Conformance, BlowUpIsAnOutcomeWithItsStep) {
                          .end = 50.0},
                         100);
   EXPECT_NE(path.ending, Ending::finished);
-  EXPECT_LT(path.reached, 100);
-  EXPECT_EQ(path.y.cols(), path.reached + 1);
+  EXPECT_LT(path.steps, 100);
+  EXPECT_EQ(path.y.cols(), path.steps + 1);
+  EXPECT_EQ(path.reached, path.times.back());
+  EXPECT_DOUBLE_EQ(path.failed_at.value(), path.reached + 0.5);
   EXPECT_TRUE(path.y.allFinite());
 }
 
@@ -200,7 +202,8 @@ TEST_P(ImplicitConformance, AnImpossibleStepIsAnOutcome) {
   const auto path =
       run({.components = {{0.5, {0.0}}}, .rhs = [](double, In y, Out f) { f[0] = 1e6 + y[0] * y[0]; }}, 4);
   EXPECT_EQ(path.ending, Ending::not_converged);
-  EXPECT_EQ(path.reached, 0);
+  EXPECT_EQ(path.reached, 0.0);
+  EXPECT_EQ(path.failed_at, 0.25);
 }
 
 TEST_P(Conformance, RefusalsNameTheReason) {
@@ -224,14 +227,14 @@ TEST_P(Conformance, RefusalsNameTheReason) {
             needs.uniform_grid ? "needs a uniform grid, not one graded with 2" : "accepted");
 }
 
-INSTANTIATE_TEST_SUITE_P(, Conformance, testing::ValuesIn(all_schemes()), id_of_param);
+INSTANTIATE_TEST_SUITE_P(, Conformance, testing::ValuesIn(grid_schemes()), id_of_param);
 INSTANTIATE_TEST_SUITE_P(, ImplicitConformance, testing::ValuesIn(implicit_schemes()), id_of_param);
 
 // Whole trajectories. The brusselator amplifies rounding, so its bound is ten times the others'.
 TEST_P(Conformance, HistoriesAgreeOnScenes) {
   for (const auto* id : {"pendulum", "extensible_pendulum", "brusselator", "fractional_oscillator"}) {
     const auto scene = scene_of(id);
-    if (refusal(*GetParam(), scene.problem, {scene.problem.end, 1})) continue;
+    if (refusal(*GetParam(), scene.problem, Grid{scene.problem.end, 1})) continue;
     const Rows direct = run(scene.problem, 4096, {.history = HistoryKind::direct}).y;
     const Rows exponentials = run(scene.problem, 4096, {.history = HistoryKind::exponentials}).y;
     const auto relative = (exponentials - direct).rowwise().lpNorm<Eigen::Infinity>().array() /
@@ -285,7 +288,7 @@ TEST(Identities, OfOrderOneL1AndGrunwaldLetnikovAreTheSameMethod) {
 
 TEST(Refusal, OrdersWithoutACommonDenominator) {
   const auto scene = scene_of("relaxation", {{"gamma", 1.0 / std::numbers::pi}});
-  EXPECT_EQ(refusal(*find_scheme("commensurate_adams_pc"), scene.problem, {1.0, 8}),
+  EXPECT_EQ(refusal(*find_scheme("commensurate_adams_pc"), scene.problem, Grid{1.0, 8}),
             "needs orders that are multiples of one 1/M with M at most 64");
 }
 

@@ -21,7 +21,7 @@ class ExtremeOrder : public testing::TestWithParam<Extreme> {};
 TEST_P(ExtremeOrder, RelaxationIsTheMittagLefflerFunction) {
   const auto [gamma, lambda, value] = GetParam();
   const ReferenceValue reference =
-      scene_of("relaxation", {{"gamma", gamma}, {"lambda", lambda}}).exact.at(1.0);
+      scene_of("relaxation", {{"gamma", gamma}, {"lambda", lambda}}).reference.at(1.0);
   EXPECT_NEAR(reference.value[0], value, reference.bound[0]);
   EXPECT_LT(reference.bound[0], 2e-16);
 }
@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(, ExtremeOrder,
 
 // E_g(-z) = 1 - z t^g / Gamma(1+g) + ... where t^g is far from 0 at the smallest times.
 TEST(ExtremeOrders, AStartLikeATwentiethPowerIsKnownAtEveryTime) {
-  const Reference exact = scene_of("relaxation", {{"gamma", 0.05}}).exact;
+  const Reference exact = scene_of("relaxation", {{"gamma", 0.05}}).reference;
   const double small = 1e-15 / std::tgamma(1.05);
   EXPECT_NEAR(exact.at(1e-300).value[0], 1.0 - small, 2e-16);
   double series = 0.0;
@@ -76,7 +76,7 @@ TEST(ExtremeOrders, PendulumsOfMixedOrdersSwingLikeOscillatorsWhenTheySwingLittl
   constexpr double small = 1e-7, t = 5.0;
   for (const auto& [alpha, beta] :
        {std::pair{1.99, 0.01}, {1.001, 0.99}, {1.01, 0.01}, {1.99, 0.99}, {1.999, 0.001}}) {
-    const std::map<std::string, double> orders{{"alpha", alpha}, {"beta", beta}};
+    const ParameterValues orders{{"alpha", alpha}, {"beta", beta}};
     auto swing = orders, line = orders;
     swing.insert({{"phi0", small}, {"dphi0", 0.0}});
     line.insert({{"u0", small}, {"du0", 0.0}});
@@ -84,7 +84,7 @@ TEST(ExtremeOrders, PendulumsOfMixedOrdersSwingLikeOscillatorsWhenTheySwingLittl
     scene.name.clear();
     scene.problem.end = t;
     const ReferenceValue known = reference_of(scene).at(t),
-                         linear = scene_of("damped_oscillator", line).exact.at(t);
+                         linear = scene_of("damped_oscillator", line).reference.at(t);
     for (Eigen::Index c = 0; c < known.value.size(); ++c) {
       EXPECT_NEAR(known.value[c], linear.value[c], known.bound[c] + small * small * small)
           << alpha << " " << c;

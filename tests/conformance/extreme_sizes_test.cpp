@@ -11,8 +11,8 @@
 namespace fde {
 namespace {
 
-ReferenceValue exact_at(std::string_view scene, const std::map<std::string, double>& values, double t) {
-  return scene_of(scene, values).exact.at(t);
+ReferenceValue exact_at(std::string_view scene, const ParameterValues& values, double t) {
+  return scene_of(scene, values).reference.at(t);
 }
 
 // Linear scenes of no load: the solution is as large as it starts.
@@ -56,7 +56,7 @@ TEST(ExtremeSizes, ATinySwingHasRelativeAccuracy) {
 
 // u = cos t - 0.3 sin t at t = 1e5 with 40 digits in mpmath; with damping it ends in the memory's tail.
 TEST(ExtremeTimes, TheOscillatorKeepsItsPhase) {
-  const std::map<std::string, double> free{{"mu", 0.0}, {"lambda", 0.0}, {"nu", 0.0}};
+  const ParameterValues free{{"mu", 0.0}, {"lambda", 0.0}, {"nu", 0.0}};
   const ReferenceValue known = exact_at("damped_oscillator", free, 1e5);
   EXPECT_NEAR(known.value[0], -1.0100854468298174047, known.bound[0]);
   EXPECT_LT(known.bound.maxCoeff(), 1e-12);

@@ -13,12 +13,12 @@ namespace {
 constexpr double end = 1e5;
 constexpr int steps = 1 << 20;
 
-Scene pendulum(const std::map<std::string, double>& values) {
-  return make_scene({.maker = scene_of_label("pendulum"), .values = values, .until = end});
+Scene pendulum(const ParameterValues& values) {
+  return make_scene({.maker = find_scene("pendulum"), .values = values, .until = end});
 }
 
 struct Energies {
-  Ending outcome = Ending::finished;
+  Ending ending = Ending::finished;
   double first = 0.0, largest = 0.0, last = 0.0;
 };
 
@@ -27,14 +27,14 @@ Energies energies(const Scene& scene, std::string_view scheme) {
   const Scene rest = pendulum({{"phi0", 0.0}, {"dphi0", 0.0}});
   const double lowest = rest.energy.value(columns_at(rest.outputs, 0.0, taylor_part(rest.problem, 0.0)));
   Energies seen;
-  Options options{.keep = {steps}};
-  options.watch = [&](int n, In y) {
-    if (n % 16 != 0) return;
-    seen.last = scene.energy.value(columns_at(scene.outputs, end * n / steps, y)) - lowest;
-    if (n == 0) seen.first = seen.last;
+  Options options{.at = {end}};
+  options.observer = [&, n = 0](double t, In y) mutable {
+    if (n++ % 16 != 0) return;
+    seen.last = scene.energy.value(columns_at(scene.outputs, t, y)) - lowest;
+    if (t == 0.0) seen.first = seen.last;
     seen.largest = std::max(seen.largest, seen.last);
   };
-  seen.ending = find_scheme(scheme)->solve(scene.problem, {end, steps}, options).ending;
+  seen.ending = find_scheme(scheme)->solve(scene.problem, Grid{end, steps}, options).ending;
   return seen;
 }
 
@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(, DampedForLong,
                                          "decoupled_multi_order"),
                          [](const auto& test) { return std::string(test.param); });
 
-const std::map<std::string, double> undamped{{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}};
+const ParameterValues undamped{{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}};
 
 // At order 1 the product trapezoidal rule is the trapezoidal rule, which has an energy of its own, O(h^2)
 // next to that of the pendulum: it neither grows nor falls, while its phase drifts.

@@ -19,7 +19,7 @@ namespace {
 // A scene with parameters and an end at which 256 ... 4096 steps are in the asymptotic range.
 struct Variant {
   std::string name, scene;
-  std::map<std::string, double> values;
+  ParameterValues values;
   double end;
   double grading = 1.0;
 };
@@ -35,14 +35,14 @@ std::vector<Variant> variants() {
     if (g <= 1.0) all.push_back({"brusselator_" + tag, "brusselator", {{"gamma", g}, {"B", 2.0}}, 1.0});
     if (g > 0.2 && g <= 1.0) all.push_back({"van_der_pol_" + tag, "van_der_pol", {{"gamma", g}}, 1.0});
     if (g > 1.0) {
-      const std::map<std::string, double> loaded{{"nu", g}, {"c0", 0.5}, {"c1", 0.25}};
+      const ParameterValues loaded{{"nu", g}, {"c0", 0.5}, {"c1", 0.25}};
       all.push_back({"fractional_oscillator_" + tag, "fractional_oscillator", loaded, 3.0});
     }
     if (g > 1.0) all.push_back({"bagley_torvik_" + tag, "bagley_torvik", {{"alpha", g}}, 2.0});
   }
   all.push_back({"bagley_torvik_5", "bagley_torvik", {{"alpha", 0.5}}, 2.0});
   for (const auto& [first, second] : {std::pair{0.6, 1.5}, {0.5, 0.9}}) {
-    const std::map<std::string, double> orders{{"gamma1", first}, {"gamma2", second}};
+    const ParameterValues orders{{"gamma1", first}, {"gamma2", second}};
     all.push_back(
         {fmt::format("linear_system_{:.0f}_{:.0f}", 10 * first, 10 * second), "linear_system", orders, 1.0});
   }
@@ -52,15 +52,15 @@ std::vector<Variant> variants() {
       all.push_back({fmt::format("{}_{}", scene, tag), scene, {{"alpha", alpha}, {"beta", beta}}, 2.0});
     }
   }
-  for (const auto& [tenths, form, place] : {std::tuple{2, "integrated", 0},
-                                            {5, "integrated", 0},
-                                            {7, "integrated", 0},
-                                            {3, "acceleration", 1},
-                                            {3, "stabilised", 2},
-                                            {7, "multiplier", 3},
-                                            {15, "integrated", 0},
-                                            {15, "multiplier", 3}}) {
-    std::map<std::string, double> values{{"alpha", tenths / 10.0}, {"formulation", place}, {"kappa", 2.0}};
+  for (const auto& [tenths, form] : {std::pair{2, "integrated"},
+                                     {5, "integrated"},
+                                     {7, "integrated"},
+                                     {3, "acceleration"},
+                                     {3, "stabilised"},
+                                     {7, "multiplier"},
+                                     {15, "integrated"},
+                                     {15, "multiplier"}}) {
+    ParameterValues values{{"alpha", tenths / 10.0}, {"formulation", form}, {"kappa", 2.0}};
     if (tenths > 10) values["b2"] = 0.3;  // a.b > 0: no mode grows
     all.push_back({fmt::format("fractional_constraint_2d_{}_{}", tenths, form), "fractional_constraint_2d",
                    values, 1.0});
@@ -68,12 +68,11 @@ std::vector<Variant> variants() {
   // Constraints of whole order, in every form: the last is with multipliers, for implicit schemes only.
   for (const auto* scene :
        {"nonholonomic_particle", "knife_edge", "rolling_disc", "loxodrome", "isokinetic"}) {
-    const int forms = scene == std::string_view("isokinetic") ? 3 : 4;
-    for (int form = 0; form < forms; ++form) {
-      std::map<std::string, double> values{{"formulation", form}};
+    for (const auto& form : parameter_named("formulation", scene, scene_maker(scene).parameters).choices) {
+      ParameterValues values{{"formulation", form}};
       if (scene == std::string_view("rolling_disc")) values["pull"] = 0.6;
       if (scene == std::string_view("loxodrome")) values["speed"] = 0.5;
-      all.push_back({fmt::format("{}_form_{}", scene, form), scene, values, 2.0});
+      all.push_back({fmt::format("{}_{}", scene, form), scene, values, 2.0});
     }
   }
   all.push_back({"vakonomic_particle", "vakonomic_particle", {{"mu0", 0.5}}, 2.0});
@@ -83,27 +82,24 @@ std::vector<Variant> variants() {
                    {{"alpha", alpha}, {"b", 1.0}},
                    1.0});
   }
-  for (const auto& [form, place, alpha] : {std::tuple{"integrated", 0, 0.3},
-                                           {"integrated", 0, 0.6},
-                                           {"acceleration", 1, 0.6},
-                                           {"multiplier", 3, 0.6}}) {
-    for (const auto& [surface, which] : {std::pair{"plane", 0}, {"sphere", 1}}) {
-      const std::map<std::string, double> values{
-          {"alpha", alpha}, {"surface", which}, {"formulation", place}};
+  for (const auto& [form, alpha] :
+       {std::pair{"integrated", 0.3}, {"integrated", 0.6}, {"acceleration", 0.6}, {"multiplier", 0.6}}) {
+    for (const auto* surface : {"plane", "sphere"}) {
+      const ParameterValues values{{"alpha", alpha}, {"surface", surface}, {"formulation", form}};
       all.push_back({fmt::format("fractional_knife_edge_{}_{}_{:.0f}", surface, form, 10 * alpha),
                      "fractional_knife_edge", values, 1.0});
     }
   }
-  for (const auto& [form, place] : {std::pair{"acceleration", 0}, {"stabilised", 1}, {"multiplier", 2}}) {
+  for (const auto* form : {"acceleration", "stabilised", "multiplier"}) {
     all.push_back({fmt::format("fractional_constraint_nonlinear_{}", form),
                    "fractional_constraint_nonlinear",
-                   {{"formulation", place}, {"kappa", 2.0}},
+                   {{"formulation", form}, {"kappa", 2.0}},
                    1.0});
   }
-  for (const auto& [form, place] : {std::pair{"reduced", 0}, {"integrated", 1}, {"multiplier", 2}}) {
+  for (const auto* form : {"reduced", "integrated", "multiplier"}) {
     all.push_back({fmt::format("nonlinear_fractional_oscillator_{}", form),
                    "nonlinear_fractional_oscillator",
-                   {{"form", place}},
+                   {{"form", form}},
                    2.0});
   }
   return all;
@@ -154,9 +150,9 @@ std::vector<Case> cases(const std::vector<Variant>& variants,
   std::vector<Case> all;
   for (const auto& variant : variants) {
     const Scene& scene = make(variant);
-    for (const auto& scheme : schemes()) {
-      const Case pair{variant, &scheme};
-      if (refusal(scheme, scene.problem, {variant.end, 256, variant.grading})) continue;
+    for (const auto* scheme : grid_schemes()) {
+      const Case pair{variant, scheme};
+      if (refusal(*scheme, scene.problem, Grid{variant.end, 256, variant.grading})) continue;
       if (!condition || condition(pair)) all.push_back(pair);
     }
   }
@@ -171,7 +167,7 @@ bool the_rest(const Case& c) {
 }
 
 // The commensurate expansion is adams_pc again, with powers of h too close to each other to tell.
-bool not_the_expansion(const Case& c) { return c.scheme->id != "commensurate_adams_pc"; }
+bool not_the_expansion(const Case& c) { return c.scheme->expansion_of.empty(); }
 
 constexpr auto name_of_case = [](const auto& test) { return case_name(test.param); };
 
@@ -180,7 +176,7 @@ Rows errors(const Case& c, const Scene& scene, WatchedReference& reference, int 
   const Grid grid{scene.problem.end, steps, c.variant.grading};
   const auto path = c.scheme->solve(scene.problem, grid, {});
   EXPECT_EQ(path.ending, Ending::finished);
-  return columns_of(scene.outputs, path) - reference.at(grid, path.steps);
+  return columns_of(scene.outputs, path) - reference.at(path.times);
 }
 
 void expect_rate(const std::vector<ErrorAt>& points, double theory) {
@@ -291,7 +287,7 @@ TEST_P(FirstStepRate, MatchesTheory) {
     const Grid grid{first.problem.end, 1};
     const auto path = GetParam().scheme->solve(first.problem, grid, {});
     points.push_back(
-        {grid.end, (columns_of(scene.outputs, path) - reference.at(grid, path.steps)).cwiseAbs().maxCoeff()});
+        {grid.end, (columns_of(scene.outputs, path) - reference.at(path.times)).cwiseAbs().maxCoeff()});
   }
   expect_rate(points, theory);
 }
@@ -316,7 +312,7 @@ TEST(FirstStep, OfThePredictorCorrectorForALinearStart) {
   const Case pair{{"power_linear", "power", {{"gamma", 0.5}, {"p", 1.5}}, 1.0}, find_scheme("adams_pc")};
   std::vector<ErrorAt> points;
   for (double h = 1e-2; h > 1e-5; h /= 4) {
-    const auto path = pair.scheme->solve(make(pair.variant).problem, {h, 1}, {});
+    const auto path = pair.scheme->solve(make(pair.variant).problem, Grid{h, 1}, {});
     points.push_back({h, std::abs(path.y(0, 1) - std::pow(h, 1.5))});
   }
   EXPECT_EQ(expected(pair, Norm::first_step), 2.0);
@@ -326,17 +322,17 @@ TEST(FirstStep, OfThePredictorCorrectorForALinearStart) {
 // The trapezoidal weight of the last value off by one percent: the method still converges, but like h^g.
 TEST(AWrongWeight, IsCaughtByTheRate) {
   Scheme wrong = *find_scheme("product_trapezoidal");
-  wrong.solve = [](const Problem& problem, const Grid& grid, const Options& options) {
+  wrong.solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
     Vec last = Vec::Zero(problem.size());
     return solve_implicit(
         problem, grid, options,
-        {.tables = tables(problem, WeightFamily::trapezoid),
+        {.tables = tables(problem, families::trapezoid),
          .past =
              [&](double t, In convolved, In, In kappa, Out past) {
                past = taylor_part(problem, t) + kappa.cwiseProduct(convolved + 0.01 * last);
              },
          .sample = [&](fde::Run& run, double t, In y, In, Out sample) { last = sample = run.rhs(t, y); }});
-  };
+  });
   const Variant smooth{"power_5", "power", {{"gamma", 0.5}, {"p", 2.5}}, 1.0};
   const Fit right = fit_rate(error_points({smooth, find_scheme("product_trapezoidal")}, Norm::end));
   const Fit caught = fit_rate(error_points({smooth, &wrong}, Norm::end));

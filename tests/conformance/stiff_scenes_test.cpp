@@ -12,7 +12,7 @@
 namespace fde {
 namespace {
 
-ReferenceValue reference_at(std::string_view scene, const std::map<std::string, double>& values, double t) {
+ReferenceValue reference_at(std::string_view scene, const ParameterValues& values, double t) {
   Scene made = scene_of(scene, values);
   made.name.clear();  // computed here, whatever is in the cache
   made.problem.end = t;
@@ -81,8 +81,7 @@ TEST(VanDerPol, CreepsForEveryStiffness) {
     const ReferenceValue known = reference_at("van_der_pol", {{"mu", mu}}, t);
     const double x = known.value[0], v = known.value[1];
     const double remembered = v * std::pow(t, -gamma) / std::tgamma(1.0 - gamma);
-    EXPECT_NEAR(v * mu * (1.0 - x * x) / (x + remembered), 1.0, 2.0 / (mu * mu) - known.bound[1] / v)
-        << mu;
+    EXPECT_NEAR(v * mu * (1.0 - x * x) / (x + remembered), 1.0, 2.0 / (mu * mu) - known.bound[1] / v) << mu;
     EXPECT_LT(known.bound.maxCoeff(), 1e-12);
   }
 }

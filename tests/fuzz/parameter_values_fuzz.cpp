@@ -18,7 +18,8 @@ using namespace fde;
 template <class List>
 const auto& named(const List& list, std::string_view id) {
   const auto found = std::ranges::find(list, id, [](const auto& one) { return one.id; });
-  return found != list.end() ? *found : list[std::hash<std::string_view>{}(id) % list.size()];
+  if (found != list.end()) return *found;
+  return *std::next(list.begin(), std::hash<std::string_view>{}(id) % list.size());
 }
 
 double number(fuzz::Bytes& bytes, const Parameter& parameter) {
@@ -50,6 +51,11 @@ double number(fuzz::Bytes& bytes, const Parameter& parameter) {
   }
 }
 
+ParameterValue value(fuzz::Bytes& bytes, const Parameter& parameter) {
+  if (parameter.choices.empty()) return number(bytes, parameter);
+  return parameter.choices[bytes.place(parameter.choices.size())];
+}
+
 void solve(const Scene& scene, const Scheme& scheme, const Grid& grid) {
   if (const auto reason = refusal(scheme, scene.problem, grid)) {
     fuzz::require(!reason->empty(), "a refusal has a reason");
@@ -58,7 +64,7 @@ void solve(const Scene& scene, const Scheme& scheme, const Grid& grid) {
   const auto path = scheme.solve(scene.problem, grid, {.budget = 0.5});
   const auto shown = fmt::format("{} {} N = {} T = {}", scene.name, scheme.id, grid.steps, grid.end);
   fuzz::require(path.ending != Ending::finished || path.y.allFinite(), "what finished is finite", shown);
-  fuzz::require(!describe(scene.problem, path).empty(), "an outcome has a description", shown);
+  fuzz::require(!describe(scene.problem, path).empty(), "an ending has a description", shown);
 }
 
 // Closed forms and inverse transforms; the other references take up to minutes.
@@ -81,10 +87,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto& scheme = named(schemes(), bytes.line());
   const int steps = 1 + static_cast<int>(bytes.place(24));
   const bool exact = bytes.place(4) == 0;
-  std::map<std::string, double> values;
+  ParameterValues values;
   while (!bytes.empty() && !maker.parameters.empty()) {
     const auto& parameter = maker.parameters[bytes.place(maker.parameters.size())];
-    values[std::string(parameter.name)] = number(bytes, parameter);
+    values[parameter.name] = value(bytes, parameter);
   }
   fuzz::answers([&] {
     const Scene scene = make_scene(maker, values);

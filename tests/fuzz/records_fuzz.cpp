@@ -9,7 +9,7 @@
 #include "fuzz/fuzzing.hpp"
 #include "page/page_data.hpp"
 #include "support/temporary_folder.hpp"
-#include "sweep/record.hpp"
+#include "sweep/results_file.hpp"
 
 namespace {
 
@@ -22,7 +22,7 @@ void show(const Results& results) {
                 "numbers of the charts are finite", page);
   if (results.records.empty()) return;
   for (const double error : {1e-3, 1e-12}) {
-    const std::string text = advice(results, results.records.front().scene, error);
+    const std::string text = advice(results, results.records.front().key.scene, error);
     fuzz::require(!text.empty() && !fuzz::shows_no_number(text), "numbers of the advice", text);
   }
 }
@@ -44,8 +44,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   show(results);
   const auto count = results.records.size();
-  Record row{
-      .scene = "power", .scheme = "l1", .history = "auto", .steps = 1, .h = 1.0, .quantity = "outcome"};
+  const Record row{.key = {.scene = {"power"}, .scheme = "l1", .setup = {1}},
+                   .steps = 1,
+                   .h = 1.0,
+                   .quantity = "ending",
+                   .ending = RunEnding{}};
   ResultsFile(file).append({row});
   fuzz::require(read_results(file).records.size() == count + 1, "a file that was read can be continued");
   return 0;

@@ -29,7 +29,7 @@ void check_table(const std::string& text) {
 
 // Behind its checksum, so that what is parsed is not what a damaged disk leaves but worse.
 void load_from_cache(const std::string& text) {
-  static const Scene scene = make_scene(*scene_of_label("brusselator"));
+  static const Scene scene = make_scene(*find_scene("brusselator"));
   const ReferenceCache cache(folder().path() / "cache");
   const auto name = cache.file_of("key").filename();
   folder().write(std::filesystem::path("cache") / name, sha256(text) + text);

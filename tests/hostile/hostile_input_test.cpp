@@ -116,7 +116,8 @@ TEST(HostileInput, AnEmptyArgumentIsNamed) {
 // Such an order rounds to 0/M, a chain without links.
 TEST(HostileInput, AnOrderNextToZeroIsNoMultipleOfOneOverM) {
   const Scene scene = scene_of("pendulum", {{"alpha", 1.0}, {"beta", 5e-324}});
-  const auto reason = refusal(*find_scheme("commensurate_adams_pc"), scene.problem, {.end = 1.0, .steps = 8});
+  const auto reason =
+      refusal(*find_scheme("commensurate_adams_pc"), scene.problem, Grid{.end = 1.0, .steps = 8});
   EXPECT_EQ(reason, "needs orders that are multiples of one 1/M with M at most 64");
 }
 

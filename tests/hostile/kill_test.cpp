@@ -20,7 +20,8 @@
 #include <thread>
 
 #include "support/temporary_folder.hpp"
-#include "sweep/record.hpp"
+#include "sweep/record_text.hpp"
+#include "sweep/results_file.hpp"
 
 namespace {
 
@@ -62,10 +63,9 @@ void require(bool holds, const std::string& what) {
 // What does not depend on the clock.
 std::vector<std::string> values(const Results& results) {
   std::vector<std::string> rows;
-  for (const Record& row : results.records) {
-    const std::string value = is_time(row) ? "" : fmt::format("{}", row.value);
-    rows.push_back(fmt::format("{} {} {} {} {} {} {} {} {} {}", row.scene, row.scheme, row.history, row.steps,
-                               row.h, row.tolerance, row.quantity, value, row.unit, row.status));
+  for (Record row : results.records) {
+    if (is_time(row)) row.value = 0.0;
+    rows.push_back(line_of(row, false));
   }
   return rows;
 }

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "hostile/unwritable_testing.hpp"
-#include "sweep/record.hpp"
+#include "sweep/results_file.hpp"
 
 namespace fde {
 namespace {
@@ -56,11 +56,14 @@ TEST_F(Unwritable, AFolderThatVanishesDuringARun) {
   folder_.write("here/nothing", "");
   const fs::path file = folder_.path() / "here" / "r.jsonl";
   ResultsFile results(file);
-  const Record outcome{
-      .scene = "power", .scheme = "l1", .history = "auto", .steps = 8, .h = 1.0, .quantity = "outcome"};
-  results.append({outcome});
+  const Record ending{.key = {.scene = {"power"}, .scheme = "l1", .setup = {8}},
+                      .steps = 8,
+                      .h = 1.0,
+                      .quantity = "ending",
+                      .ending = RunEnding{}};
+  results.append({ending});
   fs::remove_all(folder_.path() / "here");
-  EXPECT_THAT([&] { results.append({outcome}); },
+  EXPECT_THAT([&] { results.append({ending}); },
               testing::ThrowsMessage<std::system_error>(file.string() +
                                                         ": cannot be written: No such file or directory"));
 }

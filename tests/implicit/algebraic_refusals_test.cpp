@@ -20,7 +20,7 @@ TEST(AlgebraicRefusals, ExplicitSchemesRefuseWithTheReason) {
   for (const Scheme& scheme : schemes()) {
     if (scheme.needs.implicit) continue;
     ++refused;
-    EXPECT_EQ(refusal(scheme, decay_through(0.5), {2.0, 8}),
+    EXPECT_EQ(refusal(scheme, decay_through(0.5), Grid{2.0, 8}),
               "steps explicitly: component 0 is an algebraic row (order 0)");
   }
   EXPECT_EQ(refused, 3);

@@ -28,7 +28,7 @@ TEST_P(AlgebraicRows, AnUnknownThatCanBeEliminatedChangesNothing) {
     for (const Grid& grid : grids_of(*GetParam(), 2.0, 300)) {
       auto problem = decay_through(order);
       const Rows alone = run(decay(order), grid).y, newton = run(problem, grid).y;
-      problem.linear_part = a;
+      problem.derivatives = DenseLinearPart{a};
       const Rows linear = run(problem, grid).y;
       for (const Rows& both : {newton, linear}) {
         EXPECT_LT((both.row(1) - alone).cwiseAbs().maxCoeff(), 1e-14) << order;
@@ -86,16 +86,17 @@ TEST_P(AlgebraicRows, AnImpossibleOneIsAnOutcome) {
                           }};
     const auto path = run(problem, {1.0, 8});
     EXPECT_NE(path.ending, Ending::finished);
-    EXPECT_EQ(path.reached, 0);
+    EXPECT_EQ(path.reached, 0.0);
   }
 }
 
 TEST_P(AlgebraicRows, NeedOneInitialValue) {
   auto problem = decay_through(0.5);
   problem.components[0].initial = {};
-  EXPECT_EQ(refusal(*GetParam(), problem, {2.0, 8}), "needs 1 initial value for order 0, component 0 has 0");
+  EXPECT_EQ(refusal(*GetParam(), problem, Grid{2.0, 8}),
+            "needs 1 initial value for order 0, component 0 has 0");
   problem.components[0] = {-0.5, {1.0}};
-  EXPECT_EQ(refusal(*GetParam(), problem, {2.0, 8}), "takes orders in [0, 2], component 0 has -0.5");
+  EXPECT_EQ(refusal(*GetParam(), problem, Grid{2.0, 8}), "takes orders in [0, 2], component 0 has -0.5");
 }
 
 }  // namespace

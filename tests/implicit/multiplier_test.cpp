@@ -64,20 +64,21 @@ TEST_P(Multiplier, IsAsAccurateForShortSteps) {
 TEST_P(Multiplier, ALinearPartAndDifferencesGiveTheSameAnswer) {
   Problem problem = Plane{}.multiplier(0.0);
   const Rows linear = run(problem, {2.0, 200});
-  problem.linear_part = std::nullopt;
+  problem.derivatives = NoDerivatives{};
   const Rows differenced = run(problem, {2.0, 200});
   EXPECT_LT(largest((linear - differenced).topRows(6)), 1e-13);
   EXPECT_LT(largest((linear - differenced).row(6)), 1e-13 * 200);  // rounding / h
 }
 
 TEST_P(Multiplier, TheUnitsOfARowDoNotMatter) {
-  Matrix linear = *Plane{}.multiplier(0.0).linear_part;
+  Matrix linear = Plane{}.linear_part();
   linear(6, 0) = 1e-9;  // small, but in other units the largest number of its column
   const auto in_unit = [&](double unit) {
     Problem problem = Plane{}.multiplier(0.0);
-    problem.linear_part = linear;
-    problem.linear_part->row(6) *= unit;
-    problem.rhs = [unit, a = *problem.linear_part](double, In y, Out f) {
+    Matrix a = linear;
+    a.row(6) *= unit;
+    problem.derivatives = DenseLinearPart{a};
+    problem.rhs = [unit, a](double, In y, Out f) {
       f = a * y;
       f[6] -= unit;  // a.v + b.w + 1e-9 q_1 = 1 at t = 0, up to 1e-9
     };
@@ -87,7 +88,7 @@ TEST_P(Multiplier, TheUnitsOfARowDoNotMatter) {
   for (const double unit : {1e-9, 1e12}) {
     Problem scaled = in_unit(unit);
     EXPECT_LT(largest((run(scaled, {2.0, 200}) - once).topRows(6)), 1e-14) << unit;
-    scaled.linear_part = std::nullopt;
+    scaled.derivatives = NoDerivatives{};
     EXPECT_LT(largest((run(scaled, {2.0, 200}) - once).topRows(6)), 1e-13) << unit;
   }
 }
@@ -96,7 +97,7 @@ TEST_P(Multiplier, TheUnitsOfARowDoNotMatter) {
 TEST_P(Multiplier, DependentConstraintsAreAnOutcome) {
   const Problem once = Plane{}.multiplier(0.0);
   Matrix linear = Matrix::Zero(8, 8);
-  linear.topLeftCorner(7, 7) = *once.linear_part;
+  linear.topLeftCorner(7, 7) = Plane{}.linear_part();
   linear.col(7) = 3.0 * linear.col(6);
   linear.row(7) = 3.0 * linear.row(6);
   for (const double second : {3.0, 4.0}) {
@@ -107,15 +108,15 @@ TEST_P(Multiplier, DependentConstraintsAreAnOutcome) {
                         f[6] -= 1.0;
                         f[7] -= second;
                       },
-                  .linear_part = linear};
+                  .derivatives = DenseLinearPart{linear}};
     twice.components.push_back({0.0, {0.0}});
     for (int steps = 100; steps < 120; ++steps) {
-      EXPECT_NE(GetParam()->solve(twice, {2.0, steps}, {}).ending, Ending::finished);
+      EXPECT_NE(GetParam()->solve(twice, Grid{2.0, steps}, {}).ending, Ending::finished);
     }
-    twice.linear_part.reset();
+    twice.derivatives = NoDerivatives{};
     if (second == 3.0) continue;  // Newton's method may find one of the many multipliers
     for (int steps = 100; steps < 120; ++steps) {
-      EXPECT_NE(GetParam()->solve(twice, {2.0, steps}, {}).ending, Ending::finished);
+      EXPECT_NE(GetParam()->solve(twice, Grid{2.0, steps}, {}).ending, Ending::finished);
     }
   }
 }

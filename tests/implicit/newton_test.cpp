@@ -48,10 +48,10 @@ Problem robertson(double unit, bool jacobian) {
                       },
                   .end = 40.0};
   if (jacobian) {
-    problem.jacobian = [=](double, In y, OutMatrix j) {
+    problem.derivatives = DenseJacobian{[=](double, In y, OutMatrix j) {
       const double b = 1e4 * y[1] / unit, c = 1e4 * y[2] / unit, a = 6e7 * y[1] / unit;
       j << -0.04, c, b, 0.04, -c - a, -b, 0.0, a, 0.0;
-    };
+    }};
   }
   return problem;
 }

@@ -43,8 +43,8 @@ TEST_P(Sparse, ALinearPartIsTheDenseOne) {
   problem.rhs = [a = ring()](double t, In y, Out f) { f = a * y + Vec::Constant(size, std::cos(t)); };
   for (const Grid& grid : grids_of(*GetParam(), 2.0, 100)) {
     Problem dense = problem, few = problem;
-    dense.linear_part = ring();
-    few.sparse_linear_part = ring().sparseView();
+    dense.derivatives = DenseLinearPart{ring()};
+    few.derivatives = SparseLinearPart{ring().sparseView()};
     EXPECT_LT((run(dense, grid) - run(few, grid)).cwiseAbs().maxCoeff(), 1e-14);
   }
 }
@@ -56,8 +56,8 @@ TEST_P(Sparse, AJacobianIsTheDenseOne) {
     return a - Matrix((3.0 * y.array().square()).matrix().asDiagonal());
   };
   Problem dense = problem, few = problem;
-  dense.jacobian = [=](double, In y, OutMatrix j) { j = jacobian(y); };
-  few.sparse_jacobian = [=](double, In y, SparseMatrix& j) { j = jacobian(y).sparseView(); };
+  dense.derivatives = DenseJacobian{[=](double, In y, OutMatrix j) { j = jacobian(y); }};
+  few.derivatives = SparseJacobian{[=](double, In y, SparseMatrix& j) { j = jacobian(y).sparseView(); }};
   for (const Grid& grid : grids_of(*GetParam(), 2.0, 100)) {
     EXPECT_LT((run(dense, grid) - run(few, grid)).cwiseAbs().maxCoeff(), 1e-14);
   }
@@ -73,18 +73,17 @@ TEST_P(Sparse, ManyUnknownsAreAsManyTimesTheWork) {
   }
   Problem problem{.components = {static_cast<std::size_t>(many), Component{0.5, {1.0}}},
                   .rhs = [=](double, In y, Out f) { f = a * y; },
-                  .sparse_linear_part = a};
+                  .derivatives = SparseLinearPart{a}};
   const Rows linear = run(problem, {1.0, 4});
-  problem.sparse_linear_part.reset();
-  problem.sparse_jacobian = [=](double, In, SparseMatrix& j) { j = a; };
+  problem.derivatives = SparseJacobian{[=](double, In, SparseMatrix& j) { j = a; }};
   EXPECT_LT((linear - run(problem, {1.0, 4})).cwiseAbs().maxCoeff(), 1e-13);
 }
 
 TEST_P(Sparse, AlgebraicRowsAreRefused) {
   Problem problem{.components = {{0.5, {1.0}}, {0.0, {1.0}}},
                   .rhs = [](double, In y, Out f) { f = -y; },
-                  .sparse_linear_part = Matrix(-Matrix::Identity(2, 2)).sparseView()};
-  EXPECT_EQ(refusal(*GetParam(), problem, {1.0, 8}), "takes algebraic rows with a dense Jacobian only");
+                  .derivatives = SparseLinearPart{Matrix(-Matrix::Identity(2, 2)).sparseView()}};
+  EXPECT_EQ(refusal(*GetParam(), problem, Grid{1.0, 8}), "takes algebraic rows with a dense Jacobian only");
 }
 
 }  // namespace

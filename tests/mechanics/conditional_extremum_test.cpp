@@ -94,8 +94,8 @@ TEST(ExtremumResidual, IsZeroWithTwoCoordinates) {
 // mu = (pz - y px)/(1 + y^2) stays 0 where y or x stands still.
 TEST(VakonomicParticle, IsTheMotionWhereTheMultiplierStaysZero) {
   for (const auto* still : {"dx0", "dy0"}) {
-    const std::map<std::string, double> values{{still, 0.0}};
-    const Vec motion = scene_of("nonholonomic_particle", values).exact.at(3.0).value;
+    const ParameterValues values{{still, 0.0}};
+    const Vec motion = scene_of("nonholonomic_particle", values).reference.at(3.0).value;
     const Vec extremum = reference_of(scene_of("vakonomic_particle", values)).at(3.0).value;
     EXPECT_LT((extremum - motion).cwiseAbs().maxCoeff(), 1e-14) << still;
   }
@@ -104,7 +104,7 @@ TEST(VakonomicParticle, IsTheMotionWhereTheMultiplierStaysZero) {
 // At first by t^2/2 times the residual at the start, mu0 (y', -x', y y') with y' and y y' over 1 + y^2.
 TEST(VakonomicParticle, LeavesTheMotionWithTheResidual) {
   const double t = 1e-3, mu = 2.0;
-  const Vec motion = scene_of("nonholonomic_particle").exact.at(t).value;
+  const Vec motion = scene_of("nonholonomic_particle").reference.at(t).value;
   const Vec extremum = reference_of(scene_of("vakonomic_particle", {{"mu0", mu}})).at(t).value;
   const Vector<double, 3> left = (extremum - motion).head<3>() / (t * t / 2);
   EXPECT_LT((left - mu * Vector<double, 3>(0.8, -1.0, 0.4)).norm(), 2e-3);
@@ -122,8 +122,9 @@ TEST(VakonomicParticle, KeepsConstraintEnergyAndMomenta) {
   const Reference reference = reference_of(scene);
   const double start = scene.energy.value(reference.at(0.0).value);
   EXPECT_NEAR(scene.energy.value(reference.at(5.0).value), start, 1e-13);
-  EXPECT_GT(std::abs(reference.at(5.0).value[0] - scene_of("nonholonomic_particle").exact.at(5.0).value[0]),
-            0.1);
+  EXPECT_GT(
+      std::abs(reference.at(5.0).value[0] - scene_of("nonholonomic_particle").reference.at(5.0).value[0]),
+      0.1);
 }
 
 }  // namespace

@@ -12,9 +12,7 @@ namespace fde {
 namespace {
 
 Scene constrained(double alpha, const std::string& formulation = "integrated") {
-  const auto& maker = scene_maker("fractional_constraint_2d");
-  const auto& choices = parameter_named("formulation", maker.id, maker.parameters);
-  return scene_of(maker.id, {{"alpha", alpha}, {"formulation", choices.read(formulation)}});
+  return scene_of("fractional_constraint_2d", {{"alpha", alpha}, {"formulation", formulation}});
 }
 
 struct Drifts {
@@ -24,11 +22,9 @@ struct Drifts {
 
 // Of a scheme, or of what `columns` makes of each step.
 Drifts drifts_of(const Scene& scene, std::string_view scheme, int steps) {
-  DriftWatch watch(scene, {scene.problem.end, steps});
-  Options options{.keep = {steps}};
-  options.watch = [&](int n, In y) {
-    watch.see(n, columns_at(scene.outputs, scene.problem.end * n / steps, y));
-  };
+  DriftObserver watch(scene, Grid{scene.problem.end, steps});
+  Options options{.at = {scene.problem.end}};
+  options.observer = [&](double t, In y) { watch.observe(t, columns_at(scene.outputs, t, y)); };
   solve(scheme, scene.problem, steps, options);
   return {watch.internal(), watch.independent()};
 }
@@ -37,26 +33,39 @@ Drifts drifts_of(const Scene& scene, std::string_view scheme, int steps) {
 // 2 sqrt(t/pi).
 Scene made_scene() {
   Scene scene;
+  scene.problem.end = 4.0;
   scene.outputs.names = {"q", "v", "w"};
   scene.constraint = {1, [](double, In columns, Out f) { f[0] = columns[1] + columns[2]; }};
   scene.memories = {{2, 1, 0.5, {}}};
   return scene;
 }
 
-TEST(DriftWatch, TellsWhatTheSchemeSaysFromWhatItsVelocitiesSay) {
+TEST(DriftObserver, TellsWhatTheSchemeSaysFromWhatItsVelocitiesSay) {
   const Scene scene = made_scene();
-  const Grid grid{.end = 4.0, .steps = 1000};
-  DriftWatch watch(scene, grid);
-  for (int n = 0; n <= grid.steps; ++n) watch.see(n, Vec{{grid.time(n), 1.0, n == 333 ? -1.5 : -1.0}});
+  const Grid grid{.end = scene.problem.end, .steps = 1000};
+  DriftObserver watch(scene, grid);
+  for (int n = 0; n <= grid.steps; ++n)
+    watch.observe(grid.time(n), Vec{{grid.time(n), 1.0, n == 333 ? -1.5 : -1.0}});
   EXPECT_EQ(watch.internal().largest, 0.5);  // at step 333 only: every step is looked at
   EXPECT_NEAR(watch.independent()->largest, 1.0 + 4.0 / std::sqrt(std::acos(-1.0)), 1e-13);
 }
 
-TEST(DriftWatch, HasNoIndependentDriftWithoutMemoriesOrSteps) {
+bool has_independent_drift(const Scene& scene, const std::optional<Grid>& grid, const Grid& seen) {
+  DriftObserver watch(scene, grid);
+  for (int n = 0; n <= seen.steps; ++n) watch.observe(seen.time(n), Vec{{seen.time(n), 1.0, -1.0}});
+  return watch.independent().has_value();
+}
+
+TEST(DriftObserver, HasAnIndependentDriftWithMemoriesAndTheStepsOfAUniformGrid) {
   Scene scene = made_scene();
-  EXPECT_FALSE(DriftWatch(scene, {.end = 1.0, .steps = 15}).independent().has_value());
+  const Grid grid{.end = 4.0, .steps = 64}, few{.end = 4.0, .steps = 15}, graded{4.0, 64, 2.0}, more{4.0, 65};
+  EXPECT_TRUE(has_independent_drift(scene, grid, grid));
+  EXPECT_FALSE(has_independent_drift(scene, few, few));
+  EXPECT_FALSE(has_independent_drift(scene, graded, graded));
+  EXPECT_FALSE(has_independent_drift(scene, grid, more));
+  EXPECT_FALSE(has_independent_drift(scene, std::nullopt, grid));
   scene.memories.clear();
-  EXPECT_FALSE(DriftWatch(scene, {.end = 1.0, .steps = 64}).independent().has_value());
+  EXPECT_FALSE(has_independent_drift(scene, grid, grid));
 }
 
 // The judge is far better than the judged: on the exact velocities it gives w to so much more than what the
@@ -87,9 +96,9 @@ TEST(IndependentMemory, IsFarBelowTheErrorsOfTheSchemes) {
 TEST(Drift, OfTheIntegratedFormIsInternallyRounding) {
   for (const double alpha : {0.3, 0.5, 0.8}) {
     const Scene scene = constrained(alpha);
-    for (const auto& scheme : schemes()) {
-      const auto drift = drifts_of(scene, scheme.id, 1024).internal;
-      EXPECT_LT(drift.largest, 1e-14) << scheme.id << " " << alpha;
+    for (const auto* scheme : grid_schemes()) {
+      const auto drift = drifts_of(scene, scheme->id, 1024).internal;
+      EXPECT_LT(drift.largest, 1e-14) << scheme->id << " " << alpha;
       EXPECT_FALSE(drift.growth.has_value());
     }
   }
@@ -110,7 +119,7 @@ TEST_P(IndependentDrift, FallsAtTheRateOfTheScheme) {
   EXPECT_GT(fit.correlation, 0.99);
 }
 
-INSTANTIATE_TEST_SUITE_P(, IndependentDrift, testing::ValuesIn(all_schemes()), id_of_param);
+INSTANTIATE_TEST_SUITE_P(, IndependentDrift, testing::ValuesIn(grid_schemes()), id_of_param);
 
 TEST(Drift, OfTheAccelerationFormIsNotRoundingAndFallsWithTheStep) {
   const Scene scene = constrained(0.3, "acceleration");
@@ -125,8 +134,8 @@ TEST(Drift, IsRecordedWithItsGrowthAlsoWithoutAReference) {
   Scene scene = constrained(0.5);
   scene.reference.at = [](double) -> ReferenceValue { throw std::runtime_error("none is known"); };
   WatchedReference reference(scene);
-  const auto rows = examine("made", scene, reference, *find_scheme("l1"), 64);
-  EXPECT_EQ(rows.back().status, "no reference: none is known");
+  const auto rows = examine({}, scene, reference, *find_scheme("l1"), {64});
+  EXPECT_EQ(sentence(*rows.back().ending), "no reference: none is known");
   const auto has = [&](std::string_view quantity) {
     return std::ranges::count(rows, quantity, &Record::quantity) == 1;
   };

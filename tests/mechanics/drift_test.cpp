@@ -100,7 +100,7 @@ TEST(IndependentMemory, NamesWhatItDoesNotTake) {
 DriftCourse course_of(const std::function<double(double)>& drift, int steps = 1000) {
   DriftCourse course(5.0);
   const Grid grid{.end = 5.0, .steps = steps};
-  for (int n = 0; n <= steps; ++n) course.see(grid.time(n), drift(grid.time(n)));
+  for (int n = 0; n <= steps; ++n) course.observe(grid.time(n), drift(grid.time(n)));
   return course;
 }
 

@@ -12,7 +12,7 @@
 namespace fde {
 namespace {
 
-using Values = std::map<std::string, double>;
+using Values = ParameterValues;
 
 // Eq. 57: the constraint does not move q1, which is a harmonic oscillator.
 TEST(ConstraintCases, A1ZeroLeavesQ1Free) {
@@ -35,7 +35,7 @@ TEST(ConstraintCases, A1AndB2ZeroDriveQ2ByQ1) {
   }
 }
 
-Scene oscillator(Values values, double form) {
+Scene oscillator(Values values, const std::string& form) {
   values["form"] = form;
   return scene_of("nonlinear_fractional_oscillator", values);
 }
@@ -49,8 +49,8 @@ Vec own_reference(const Scene& scene, double t) {
 // Eqs 63-66: (66) and the system (59), (60) are different equations with one motion.
 TEST(ConstraintCases, TheReducedEquationIsTheSystem) {
   for (const double alpha : {1.25, 1.5, 1.75}) {
-    Scene system = oscillator({{"alpha", alpha}}, 1);
-    Scene reduced = oscillator({{"alpha", alpha}}, 0);
+    Scene system = oscillator({{"alpha", alpha}}, "integrated");
+    Scene reduced = oscillator({{"alpha", alpha}}, "reduced");
     system.problem.end = reduced.problem.end = 2.0;
     const Reference of_reduced = reference_solution(reduced.problem),
                     of_system = reference_solution(system.problem);
@@ -69,7 +69,7 @@ TEST(ConstraintCases, TheReducedEquationIsTheSystem) {
 // For K = k1 x it is x'' + (2/g) D^(3-alpha) x + (k1/2) x = 0, exactly solvable.
 TEST(ConstraintCases, TheLinearOneIsExact) {
   const double alpha = 1.25, k1 = 3.0, g = 0.8;
-  Scene system = oscillator({{"alpha", alpha}, {"k1", k1}, {"k3", 0.0}}, 1);
+  Scene system = oscillator({{"alpha", alpha}, {"k1", k1}, {"k3", 0.0}}, "integrated");
   system.problem.end = 2.0;
   const Reference exact = linear_reference(
       LinearEquation{{{1.0, 2.0}, {2.0 / g, 3.0 - alpha}, {k1 / 2.0, 0.0}}, {0.7, 0.3}}, {0.0, 1.0});
@@ -89,7 +89,7 @@ TEST(ConstraintCases, ThePlaneHasTheSameCase) {
 
 // The initial data of y are in the system only, and move nothing of x.
 TEST(ConstraintCases, XDoesNotDependOnY) {
-  Scene one = oscillator({}, 1), other = oscillator({{"y0", 3.0}, {"dy0", -1.0}}, 1);
+  Scene one = oscillator({}, "integrated"), other = oscillator({{"y0", 3.0}, {"dy0", -1.0}}, "integrated");
   const auto at_end = [](const Scene& scene) {
     const auto path = solve("product_trapezoidal", scene.problem, 400);
     return Vec(columns_of(scene.outputs, path).rightCols(1));
@@ -98,8 +98,8 @@ TEST(ConstraintCases, XDoesNotDependOnY) {
 }
 
 TEST(ConstraintCases, TheMultiplierFormApproachesTheReducedEquation) {
-  const Vec reference = reference_of(oscillator({}, 0)).at(2.0).value;
-  Scene scene = oscillator({}, 2);
+  const Vec reference = reference_of(oscillator({}, "reduced")).at(2.0).value;
+  Scene scene = oscillator({}, "multiplier");
   scene.problem.end = 2.0;
   const auto error = [&](int steps) {
     const auto path = solve("product_trapezoidal", scene.problem, steps);
@@ -113,7 +113,7 @@ TEST(ConstraintCases, TheMultiplierFormApproachesTheReducedEquation) {
 // digits.
 TEST(FractionalConstraint2d, AGreatForceLeavesTheMatrixOfASmallStiffness) {
   const auto scene = scene_of("fractional_constraint_2d", {{"g", 1e12}, {"k2", 1e-9}});
-  const Matrix& part = scene.problem.linear_part.value();
+  const Matrix& part = std::get<DenseLinearPart>(scene.problem.derivatives).matrix;
   EXPECT_NEAR(part(2, 1), 0.4e-9, 1e-24);
   EXPECT_NEAR(part(3, 1), -0.2e-9, 1e-24);
 }

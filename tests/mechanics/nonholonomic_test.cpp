@@ -13,7 +13,7 @@ namespace {
 class Nonholonomic : public testing::TestWithParam<const Scheme*> {
  protected:
   static Trajectory run(const Problem& problem, int steps, const Options& options = {}) {
-    auto path = GetParam()->solve(problem, {problem.end, steps}, options);
+    auto path = GetParam()->solve(problem, Grid{problem.end, steps}, options);
     EXPECT_EQ(path.ending, Ending::finished) << path.reached;
     return path;
   }
@@ -65,7 +65,7 @@ TEST_P(Nonholonomic, TheParticleHasItsRate) {
 TEST_P(Nonholonomic, TheMultiplierOfTheParticleIsFound) {
   const auto path = run(particle(1.0), 2048);
   for (const int n : {512, 1024, 2048}) {
-    const double t = path.grid.time(n);
+    const double t = path.time(n);
     EXPECT_NEAR(path.y(6, n), std::pow(1.0 + t * t, -1.5), 1e-3) << n;
   }
 }
@@ -100,7 +100,7 @@ TEST_P(Nonholonomic, ANonlinearConstraintIsHeldAtEveryStep) {
     for (int steps = 64; steps <= 4096; steps *= 4) {
       const Thermostat thermostat{coupling};
       double drift = 0.0;
-      run(thermostat.problem(2.0), steps, {.keep = {steps}, .watch = [&](int, In u) {
+      run(thermostat.problem(2.0), steps, {.at = {2.0}, .observer = [&](double, In u) {
                                              drift = std::max(drift, std::abs(thermostat.constraint(u)));
                                            }});
       EXPECT_LT(drift, 4e-15) << coupling << ' ' << steps;

@@ -33,11 +33,11 @@ Problem brusselator() {
     const double reaction = y[0] * y[0] * y[1];
     f << 1.0 - 5.0 * y[0] + reaction, 4.0 * y[0] - reaction;
   };
-  const auto jacobian = [](double, In y, OutMatrix j) {
+  const DenseJacobian jacobian{[](double, In y, OutMatrix j) {
     const double xy = 2.0 * y[0] * y[1], xx = y[0] * y[0];
     j << xy - 5.0, xx, 4.0 - xy, -xx;
-  };
-  return {.components = {{0.8, {1.2}}, {0.8, {2.8}}}, .rhs = rhs, .jacobian = jacobian, .end = 50.0};
+  }};
+  return {.components = {{0.8, {1.2}}, {0.8, {2.8}}}, .rhs = rhs, .derivatives = jacobian, .end = 50.0};
 }
 
 // Damped fractional pendulum: orders beta, 1 - beta, alpha - 1, 2 - alpha of angle to acceleration.
@@ -190,8 +190,8 @@ TEST(ReferenceSolution, TakesAnyFormOfTheJacobian) {
   const Matrix matrix{{0.0, 1.0}, {-4.0, -1.0}};
   const Problem differences{.components = {{0.6, {1.0}}, {0.9, {0.0}}}, .rhs = rhs, .end = 10.0};
   Problem linear = differences, analytic = differences;
-  linear.linear_part = matrix;
-  analytic.jacobian = [matrix](double, In, OutMatrix jacobian) { jacobian = matrix; };
+  linear.derivatives = DenseLinearPart{matrix};
+  analytic.derivatives = DenseJacobian{[matrix](double, In, OutMatrix jacobian) { jacobian = matrix; }};
   const Vec expected = reference_solution(differences).at(10.0).value;
   EXPECT_LT((reference_solution(linear).at(10.0).value - expected).cwiseAbs().maxCoeff(), 1e-14);
   EXPECT_LT((reference_solution(analytic).at(10.0).value - expected).cwiseAbs().maxCoeff(), 1e-14);

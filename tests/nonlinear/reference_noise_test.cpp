@@ -82,13 +82,13 @@ TEST(ReferenceOfNoise, PassesItOnWithinTheBound) {
   }
 }
 
-class SphericalKnifeEdge : public testing::TestWithParam<std::map<std::string, double>> {};
+class SphericalKnifeEdge : public testing::TestWithParam<ParameterValues> {};
 
 // Without gravity and memory, or with all of it in the velocity, theta' and phi' sin theta / k are the same
 // constant: phi = k log(tan(theta / 2) / tan(theta(0) / 2)).
 TEST_P(SphericalKnifeEdge, WithoutGravityIsALoxodrome) {
   auto values = GetParam();
-  values.insert({{"surface", 1.0}, {"g", 0.0}});
+  values.insert({{"surface", "sphere"}, {"g", 0.0}});
   const Reference reference = reference_of(scene_of("fractional_knife_edge", values));
   for (const double t : {1e-6, 0.5, 1.0, 2.0}) {
     const ReferenceValue known = reference.at(t);
@@ -101,13 +101,14 @@ TEST_P(SphericalKnifeEdge, WithoutGravityIsALoxodrome) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, SphericalKnifeEdge,
-                         testing::Values(std::map<std::string, double>{{"b", 0.0}},
-                                         std::map<std::string, double>{{"b", 0.0}, {"alpha", 0.3}},
-                                         std::map<std::string, double>{{"alpha", 1.0}}));
+                         testing::Values(ParameterValues{{"b", 0.0}},
+                                         ParameterValues{{"b", 0.0}, {"alpha", 0.3}},
+                                         ParameterValues{{"alpha", 1.0}}));
 
 // The speed is not kept, but there is a reference.
 TEST(ReferenceOfNoise, TakesMemoryOnASphereWithoutGravity) {
-  const Reference reference = reference_of(scene_of("fractional_knife_edge", {{"surface", 1.0}, {"g", 0.0}}));
+  const Reference reference =
+      reference_of(scene_of("fractional_knife_edge", {{"surface", "sphere"}, {"g", 0.0}}));
   EXPECT_LT(reference.at(1.0).bound.maxCoeff(), 2e-14);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 struct Agreement {
   const char* scene;
-  std::map<std::string, double> values;
+  ParameterValues values;
   double end;
   double difference, bound;  // at most, relative to 1 + |y|
 };
@@ -72,7 +72,7 @@ TEST(BoundOfAReference, IsSmallOnSpikesWhereTheMethodsDifferMost) {
 
 struct Undamped {
   const char* scene;
-  std::map<std::string, double> values;
+  ParameterValues values;
 };
 
 class Energies : public testing::TestWithParam<Undamped> {};

@@ -117,7 +117,7 @@ TEST(ReferenceCheck, ANonlinearTrajectoryIsRecomputed) {
 TEST(ReferenceCheck, AConvergenceTableIsRecomputed) {
   const Scene scene = scene_of("relaxation");
   WatchedReference reference(scene);
-  const auto rows = examine("relaxation", scene, reference, *find_scheme("l1"), 64);
+  const auto rows = examine({}, scene, reference, *find_scheme("l1"), {64});
   const double error = std::ranges::find(rows, "error_end", &Record::quantity)->value;
   const auto table = [](double e) { return fmt::format("scheme,steps,error_end\nl1,64,{:.7g}\n", e); };
   EXPECT_EQ(verdict_of("relaxation.csv", table(error)).wrong, 0U);

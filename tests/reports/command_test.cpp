@@ -206,6 +206,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"solve pendulum --scheme l1 --steps 1e3", "--steps = 1e3: must be"},
         Mistake{"solve pendulum --scheme l1 --steps 99999999999", "--steps = 99999999999: must be"},
         Mistake{"solve pendulum --scheme l1", "--steps is required"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --accuracy 1e-6", "--steps excludes --accuracy"},
+        Mistake{"solve pendulum --scheme l1 --accuracy 0", "--accuracy = 0: must be"},
+        Mistake{"solve pendulum --scheme l1 --accuracy 1e-6",
+                "--scheme = l1: l1 takes a grid, not an accuracy"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --until nan",
                 "--until = nan: must be a number in (0, 1e+290]"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --until -1",
@@ -263,6 +267,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"mittag-leffler 1 1 --matrix 1,2;3,4j", "--matrix = 4j: must be a finite number"},
         Mistake{"run --scene relaxation --out /nonexistent/r.jsonl",
                 "/nonexistent/r.jsonl: cannot be written"},
+        Mistake{"run --scene relaxation --grid curved --out /tmp/never",
+                "--grid = curved: must be uniform or graded:R"},
         Mistake{"run --scene relaxation --steps 8,0 --out /tmp/never", "--steps = 0: must be"},
         Mistake{"report /nonexistent.jsonl --out /tmp/never", "/nonexistent.jsonl: cannot be read"},
         Mistake{"run --scene pendulum:alpha=2 --out /tmp/never", "alpha = 2: must be a number in [1, 2)"},
@@ -301,7 +307,28 @@ TEST(Run, TakesVariantsOfScenes) {
   EXPECT_EQ(answer.code, 0) << answer.err;
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
-  EXPECT_THAT(text.str(), HasSubstr(R"("scene":"pendulum:alpha=1.9,beta=0.1")"));
+  EXPECT_THAT(text.str(), HasSubstr(R"("scene":"pendulum")"));
+  EXPECT_THAT(text.str(), HasSubstr(R"("settings":{"alpha":1.9,"beta":0.1})"));
+  std::filesystem::remove(file);
+}
+
+// A graded grid, another history and another tolerance are other runs: they are measured beside the first.
+TEST(Run, WritesTheWholeSetupAndContinuesByIt) {
+  const auto file =
+      (std::filesystem::temp_directory_path() / ("fdebench_setup_" + std::to_string(getpid()))).string();
+  const std::string sweep = "run --scene relaxation --scheme l1 --steps 16 --out " + file;
+  EXPECT_EQ(fdebench(sweep).code, 0);
+  const auto size = std::filesystem::file_size(file);
+  EXPECT_EQ(fdebench(sweep + " --grid graded:2 --history direct --tolerance 1e-8 --budget 60").code, 0);
+  EXPECT_GT(std::filesystem::file_size(file), size);
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  EXPECT_THAT(text.str(), HasSubstr(R"("grid":"uniform","h":0.0625,"history":"auto")"));
+  EXPECT_THAT(text.str(), HasSubstr(R"("budget":60.0,)"));
+  EXPECT_THAT(text.str(), HasSubstr(R"("grid":"graded:2","h":0.0625,"history":"direct")"));
+  EXPECT_THAT(text.str(), HasSubstr(R"("tolerance":1e-08)"));
+  EXPECT_THAT(fdebench("choose relaxation --error 1 --results " + file).out,
+              HasSubstr("l1 (direct, graded:2, tolerance 1e-08, budget 60 s): N = 16"));
   std::filesystem::remove(file);
 }
 

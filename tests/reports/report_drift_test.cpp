@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "analysis/formulations.hpp"
-#include "nlohmann/json.hpp"
 #include "page/page_data.hpp"
 
 namespace fde {
@@ -18,44 +18,48 @@ constexpr double end_time = 8.0;
 
 // One line of four step counts whose drifts fall like h^rate, and times that double.
 struct Line {
-  std::string scene;
+  SceneSettings scene;
   double internal, independent, rate, seconds_a_step;
-  std::string status = "finished";
+  RunEnding ending{};
   int finest = 512;
 };
 
 void add_line(Results& results, const Line& line) {
   for (int steps = 64; steps <= line.finest; steps *= 2) {
     const double h = end_time / steps, fallen = std::pow(h, line.rate);
-    Record row{.scene = line.scene, .scheme = "l1", .history = "direct", .steps = steps, .h = h};
-    const auto add = [&](const std::string& quantity, double value, const std::string& status = {}) {
-      row.quantity = quantity;
-      row.value = value;
-      row.status = status;
+    const Record row{
+        .key = {.scene = line.scene, .scheme = "l1", .setup = {.resolution = steps}}, .steps = steps, .h = h};
+    const auto add = [&](const std::string& quantity, double value) -> Record& {
       results.records.push_back(row);
+      results.records.back().quantity = quantity;
+      results.records.back().value = value;
+      return results.records.back();
     };
     add("drift_internal", line.internal * fallen);
     if (line.independent > 0.0) {
       add("drift_independent", line.independent * fallen);
       add("drift_independent_growth", 1.25);
     }
-    if (line.status == "finished") {
+    if (line.ending == RunEnding{}) {
       add("error_end", 0.01 * h);
       add("time_minimum", line.seconds_a_step * steps);
     }
-    add("outcome", end_time, line.status);
+    add("ending", end_time).ending = line.ending;
   }
 }
 
-const std::string scene = "fractional_constraint_2d";
+// The scene with these settings.
+SceneSettings with(ParameterValues values) {
+  return {.id = "fractional_constraint_2d", .values = std::move(values)};
+}
 
 Results empty_results() { return {.sessions = {Session{}}, .records = {}}; }
 
 Results three_formulations() {
   Results results = empty_results();
-  add_line(results, {scene + ":alpha=0.3", 1e-16, 1e-3, 1.5, 1e-6});
-  add_line(results, {scene + ":alpha=0.3,formulation=acceleration", 1e-2, 2e-2, 1.0, 1e-6});
-  add_line(results, {scene + ":alpha=0.3,formulation=multiplier", 1e-16, 1e-3, 1.5, 4e-6});
+  add_line(results, {with({{"alpha", 0.3}}), 1e-16, 1e-3, 1.5, 1e-6});
+  add_line(results, {with({{"alpha", 0.3}, {"formulation", "acceleration"}}), 1e-2, 2e-2, 1.0, 1e-6});
+  add_line(results, {with({{"alpha", 0.3}, {"formulation", "multiplier"}}), 1e-16, 1e-3, 1.5, 4e-6});
   return results;
 }
 
@@ -104,8 +108,8 @@ TEST(DriftSection, SaysWhichFormulationIsBestInTheSameTime) {
 
 TEST(DriftSection, FollowsTheNumbers) {
   Results results = empty_results();
-  add_line(results, {scene, 1e-2, 1e-2, 1.0, 1e-6});
-  add_line(results, {scene + ":formulation=multiplier", 1e-3, 1e-3, 1.0, 1e-6});
+  add_line(results, {with({}), 1e-2, 1e-2, 1.0, 1e-6});
+  add_line(results, {with({{"formulation", "multiplier"}}), 1e-3, 1e-3, 1.0, 1e-6});
   const std::string text = section_of(results)["paragraphs"].dump();
   EXPECT_THAT(text, HasSubstr("kept best by multiplier"));
   EXPECT_THAT(text, Not(HasSubstr("to rounding (1e-12)")));
@@ -113,13 +117,13 @@ TEST(DriftSection, FollowsTheNumbers) {
 
 TEST(DriftSection, ComparesAtTheFinestCommonStepCount) {
   Results results = three_formulations();
-  add_line(results, {scene + ":alpha=0.3,formulation=stabilised", 1e-3, 1e-3, 1.0, 1e-6, "finished", 256});
+  add_line(results, {with({{"alpha", 0.3}, {"formulation", "stabilised"}}), 1e-3, 1e-3, 1.0, 1e-6, {}, 256});
   EXPECT_THAT(column(section_of(results), "N", ""), ElementsAre("256", "256", "256", "256"));
 }
 
 TEST(DriftSection, TakesRunsWithoutAReference) {
   Results results = empty_results();
-  add_line(results, {scene, 1e-2, 0.0, 1.0, 1e-6, "no reference: none is known"});
+  add_line(results, {with({}), 1e-2, 0.0, 1.0, 1e-6, {Ending::no_reference, "none is known"}});
   const auto section = section_of(results);
   EXPECT_THAT(column(section, "largest", "internal drift"), ElementsAre("1.6e-4"));
   EXPECT_TRUE(column(section, "time", "").empty());
@@ -128,8 +132,10 @@ TEST(DriftSection, TakesRunsWithoutAReference) {
 
 TEST(DriftSection, IsThereOnlyWithDrift) {
   Results results = empty_results();
-  results.records.push_back(
-      {.scene = "pendulum", .scheme = "l1", .steps = 64, .quantity = "outcome", .status = "finished"});
+  results.records.push_back({.key = {.scene = {"pendulum"}, .scheme = "l1", .setup = {64}},
+                             .steps = 64,
+                             .quantity = "ending",
+                             .ending = RunEnding{}});
   EXPECT_TRUE(section_of(results).is_null());
 }
 

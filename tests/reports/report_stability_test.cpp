@@ -1,7 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "nlohmann/json.hpp"
+#include <nlohmann/json.hpp>
+
 #include "page/page_data.hpp"
 #include "sweep/trials.hpp"
 
@@ -10,22 +11,25 @@ namespace {
 
 using testing::ElementsAre;
 
-// A run of a scene's label: its outcome and, where it came to its end, its error and time.
-void add_run(Results& results, const std::string& scene, const std::string& scheme, int steps,
-             const std::string& status, double error) {
-  Record row{.scene = scene, .scheme = scheme, .history = "auto", .steps = steps, .h = 1.0 / steps};
-  const auto add = [&](const std::string& quantity, double value, const std::string& text = {}) {
-    row.quantity = quantity;
-    row.value = value;
-    row.status = text;
+// A run of a scene: its ending and, where it came to its end, its error and time.
+void add_run(Results& results, const SceneSettings& scene, const std::string& scheme, int steps,
+             const RunEnding& ending, double error) {
+  const Record row{.key = {.scene = scene, .scheme = scheme, .setup = {.resolution = steps}},
+                   .steps = steps,
+                   .h = 1.0 / steps};
+  const auto add = [&](const std::string& quantity, double value) -> Record& {
     results.records.push_back(row);
+    results.records.back().quantity = quantity;
+    results.records.back().value = value;
+    return results.records.back();
   };
-  if (status == "finished") {
+  const bool finished = ending == RunEnding{};
+  if (finished) {
     add("error_end", error);
     add("error_relative", error);
   }
-  add("outcome", 1.0, status);
-  if (status == "finished") add("time_minimum", 1e-3, "timed");
+  add("ending", 1.0).ending = ending;
+  if (finished) add("time_minimum", 1e-3);
 }
 
 nlohmann::json section(const nlohmann::json& page, const std::string& id) {
@@ -44,9 +48,10 @@ std::vector<std::string> texts(const nlohmann::json& row) {
 TEST(StabilitySection, HasAVerdictInEveryCell) {
   const Trial& first = trials().front();
   Results results{.sessions = {Session{}}, .records = {}};
-  add_run(results, first.scene.label(), "adams_pc", first.steps, "not finite at step 7, t = 0.5", 0.0);
-  add_run(results, first.scene.label(), "l1", first.steps, "finished", 1e-4);
-  add_run(results, trials()[1].scene.label(), "l1", trials()[1].steps, "finished", 0.5);
+  add_run(results, first.scene.key(), "adams_pc", first.steps, {Ending::not_finite, "at step 7, t = 0.5"},
+          0.0);
+  add_run(results, first.scene.key(), "l1", first.steps, {}, 1e-4);
+  add_run(results, trials()[1].scene.key(), "l1", trials()[1].steps, {}, 0.5);
   const auto table = section(page_data(results), "stability")["table"];
   const auto& groups = table["groups"];
   ASSERT_EQ(groups.size(), 2U);
@@ -60,16 +65,16 @@ TEST(StabilitySection, HasAVerdictInEveryCell) {
 TEST(StabilitySection, LeavesScenesWithTrialsOnlyToItself) {
   const Trial& first = trials().front();
   Results results{.sessions = {Session{}}, .records = {}};
-  add_run(results, first.scene.label(), "l1", first.steps, "finished", 1e-4);
+  add_run(results, first.scene.key(), "l1", first.steps, {}, 1e-4);
   EXPECT_TRUE(section(page_data(results), "answer").is_null());
-  add_run(results, first.scene.label(), "l1", first.steps / 2, "finished", 1e-4);
+  add_run(results, first.scene.key(), "l1", first.steps / 2, {}, 1e-4);
   EXPECT_FALSE(section(page_data(results), "answer").is_null());
   EXPECT_FALSE(section(page_data(results), "stability").is_null());
 }
 
 TEST(StabilitySection, IsLeftOutWithoutTrials) {
   Results results{.sessions = {Session{}}, .records = {}};
-  add_run(results, "relaxation", "l1", 64, "finished", 1e-4);
+  add_run(results, {"relaxation"}, "l1", 64, {}, 1e-4);
   EXPECT_TRUE(section(page_data(results), "stability").is_null());
 }
 

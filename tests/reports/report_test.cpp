@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -14,7 +15,6 @@
 
 #include "analysis/answer.hpp"
 #include "analysis/text.hpp"
-#include "nlohmann/json.hpp"
 
 namespace fde {
 namespace {
@@ -42,24 +42,25 @@ struct Run {
   int steps;
 };
 
-void add_row(Results& results, const Run& run, const std::string& quantity, double value,
-             const std::string& status = "finished") {
-  results.records.push_back({.scene = run.scene,
-                             .scheme = run.scheme,
-                             .history = "direct",
-                             .steps = run.steps,
-                             .h = end_time / run.steps,
-                             .quantity = quantity,
-                             .value = value,
-                             .unit = "",
-                             .status = status,
-                             .session = results.sessions.size() - 1});
+void add_row(Results& results, const Run& run, const std::string& quantity, double value) {
+  results.records.push_back(
+      {.key = {.scene = {run.scene}, .scheme = run.scheme, .setup = {.resolution = run.steps}},
+       .steps = run.steps,
+       .h = end_time / run.steps,
+       .quantity = quantity,
+       .value = value,
+       .session = results.sessions.size() - 1});
+}
+
+void add_ending(Results& results, const Run& run, double until, const RunEnding& ending = {}) {
+  add_row(results, run, "ending", until);
+  results.records.back().ending = ending;
 }
 
 void add_run(Results& results, const Run& run, double error, double seconds) {
   add_row(results, run, "error_end", error);
   add_row(results, run, "time_minimum", seconds);
-  add_row(results, run, "outcome", end_time);
+  add_ending(results, run, end_time);
 }
 
 // Errors 0.01 h^rate at the end and h in the maximum norm, a time proportional to the steps.
@@ -84,7 +85,7 @@ Results two_lines() {
 }
 
 TEST(Cheapest, RanksTheMeasuredRunsThatReachTheError) {
-  const auto ranked = cheapest(runs_of(two_lines()), "pendulum", 3e-5);
+  const auto ranked = cheapest(runs_of(two_lines()), {"pendulum"}, 3e-5);
   ASSERT_EQ(ranked.size(), 2);
   EXPECT_EQ(ranked[0].scheme, "l1");
   EXPECT_EQ(ranked[0].steps, 512);
@@ -94,7 +95,7 @@ TEST(Cheapest, RanksTheMeasuredRunsThatReachTheError) {
 }
 
 TEST(Cheapest, LeavesOutSchemesThatDoNotReachTheError) {
-  const auto ranked = cheapest(runs_of(two_lines()), "pendulum", 1e-5);
+  const auto ranked = cheapest(runs_of(two_lines()), {"pendulum"}, 1e-5);
   ASSERT_EQ(ranked.size(), 1);
   EXPECT_EQ(ranked[0].scheme, "adams_pc");
 }
@@ -103,7 +104,7 @@ TEST(Cheapest, PrefersTheSmallerErrorAtEqualTimes) {
   Results results = empty_results();
   add_run(results, {"pendulum", "adams_pc", 64}, 2e-3, 1.0);
   add_run(results, {"pendulum", "l1", 64}, 1e-3, 1.0);
-  const auto ranked = cheapest(runs_of(results), "pendulum", 1e-2);
+  const auto ranked = cheapest(runs_of(results), {"pendulum"}, 1e-2);
   ASSERT_EQ(ranked.size(), 2);
   EXPECT_EQ(ranked[0].scheme, "l1");
 }
@@ -113,7 +114,7 @@ TEST(Cheapest, CountsARunMeasuredAgainWithItsLastSession) {
   add_run(results, {"pendulum", "l1", 64}, 1e-3, 1.0);
   results.sessions.push_back(results.sessions.front());
   add_run(results, {"pendulum", "l1", 64}, 1e-3, 2.0);
-  const auto ranked = cheapest(runs_of(results), "pendulum", 1e-2);
+  const auto ranked = cheapest(runs_of(results), {"pendulum"}, 1e-2);
   ASSERT_EQ(ranked.size(), 1);
   EXPECT_EQ(ranked[0].seconds, 2.0);
   EXPECT_EQ(ranked[0].session, 1);
@@ -121,15 +122,15 @@ TEST(Cheapest, CountsARunMeasuredAgainWithItsLastSession) {
 
 TEST(Shortfall, NamesTheBestErrorAndExtrapolatesTheBestRate) {
   const Runs runs = runs_of(two_lines());
-  EXPECT_TRUE(cheapest(runs, "pendulum", 1e-9).empty());
-  const auto missed = shortfall(runs, "pendulum", 1e-9);
+  EXPECT_TRUE(cheapest(runs, {"pendulum"}, 1e-9).empty());
+  const auto missed = shortfall(runs, {"pendulum"}, 1e-9);
   ASSERT_TRUE(missed && missed->needed);
   EXPECT_EQ(missed->best.scheme, "adams_pc");
   EXPECT_EQ(missed->best.steps, 512);
   EXPECT_EQ(missed->needed->scheme, "adams_pc");
   EXPECT_NEAR(missed->needed->steps, 512 * std::sqrt(0.01 / 4096 / 1e-9), 1.0);
-  EXPECT_THAT(advice(two_lines(), "pendulum", 1e-9), HasSubstr("extrapolated"));
-  EXPECT_FALSE(shortfall(runs, "brusselator", 1e-9));
+  EXPECT_THAT(advice(two_lines(), {"pendulum"}, 1e-9), HasSubstr("extrapolated"));
+  EXPECT_FALSE(shortfall(runs, {"brusselator"}, 1e-9));
 }
 
 TEST(Rates, AreThoseOfExactPowers) {
@@ -184,9 +185,9 @@ std::vector<std::string> section_ids(const nlohmann::json& data) {
 TEST(Report, HoldsEverySceneSchemeSessionAndFailure) {
   Results results = two_lines();
   add_run(results, {"brusselator", "grunwald_letnikov", 64}, 1e-3, 1.0);
-  add_row(results, {"diethelm", "product_trapezoidal", 64}, "outcome", 0.0,
-          "refused: takes </script> for an order");
-  add_row(results, {"diethelm", "l1", 64}, "outcome", 1.5, "not finite at step 13, t = 1.5");
+  add_ending(results, {"diethelm", "product_trapezoidal", 64}, 0.0,
+             {Ending::refused, "takes </script> for an order"});
+  add_ending(results, {"diethelm", "l1", 64}, 1.5, {Ending::not_finite, "at step 13, t = 1.5"});
   const auto data = data_of(written(results));
   const std::string shown = data.dump();
   for (const auto* text :
@@ -197,6 +198,20 @@ TEST(Report, HoldsEverySceneSchemeSessionAndFailure) {
   }
   EXPECT_THAT(section_ids(data), testing::ElementsAre("answer", "scene-pendulum", "scene-brusselator",
                                                       "rates", "cost", "reference", "failures", "schemes"));
+}
+
+// The same runs with another grid, history or tolerance are other lines, and say so.
+TEST(Report, NamesALineByWhatTellsItsSetupFromOthers) {
+  Results results = two_lines();
+  for (const auto& row : two_lines().records) {
+    if (row.key.scheme != "l1") continue;
+    results.records.push_back(row);
+    results.records.back().key.setup.grading = 2.0;
+  }
+  const auto lines = data_of(written(results))["lines"];
+  EXPECT_THAT(lines, testing::UnorderedElementsAre("adams_pc, uniform", "l1, uniform", "l1, graded:2"));
+  EXPECT_THAT(advice(results, {"pendulum"}, 3e-5), HasSubstr("l1 (auto, graded:2): N = 512"));
+  EXPECT_THAT(data_of(written(two_lines()))["lines"], testing::UnorderedElementsAre("adams_pc", "l1"));
 }
 
 TEST(Report, MarksRatesThatDeviate) {

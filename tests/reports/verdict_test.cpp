@@ -11,13 +11,13 @@ namespace fde {
 namespace {
 
 MeasuredRun finished(double relative) {
-  return {.status = "finished", .values = {{"error_relative", relative}, {"time_minimum", 0.0123}}};
+  return {.values = {{"error_relative", relative}, {"time_minimum", 0.0123}}};
 }
 
 TEST(Verdict, SurvivesWithinAHundredthOfTheValue) {
-  EXPECT_EQ(verdict(finished(0.01)), Verdict::survives);
+  EXPECT_EQ(verdict(finished(0.01)), survives);
   EXPECT_EQ(because(finished(0.01)), "1.0e-2 of the value, 12.3 ms");
-  EXPECT_EQ(verdict(finished(0.011)), Verdict::inaccurate);
+  EXPECT_EQ(verdict(finished(0.011)), inaccurate);
 }
 
 TEST(Verdict, SaysFromWhereRoundingDominates) {
@@ -27,20 +27,20 @@ TEST(Verdict, SaysFromWhereRoundingDominates) {
 }
 
 TEST(Verdict, OfEveryEndSaysWhy) {
-  const MeasuredRun blown{.status = "not finite at step 3, t = 0.5"};
-  EXPECT_EQ(verdict(blown), Verdict::fails);
+  const MeasuredRun blown{.ending = {Ending::not_finite, "at step 3, t = 0.5"}};
+  EXPECT_EQ(verdict(blown), fails);
   EXPECT_EQ(because(blown), "not finite at step 3, t = 0.5");
-  const MeasuredRun refused{.status = "refused: takes orders in (0, 2], component 0 has 3"};
-  EXPECT_EQ(verdict(refused), Verdict::refuses);
+  const MeasuredRun refused{.ending = {Ending::refused, "takes orders in (0, 2], component 0 has 3"}};
+  EXPECT_EQ(verdict(refused), refuses);
   EXPECT_EQ(because(refused), "takes orders in (0, 2], component 0 has 3");
-  const auto of = [](const char* status) { return verdict({.status = status}); };
-  EXPECT_EQ(of("no reference: the two methods do not agree"), Verdict::unknown);
-  EXPECT_EQ(of("the solution is beyond double at step 3, t = 0.5"), Verdict::unknown);
-  EXPECT_EQ(of("accuracy lost at step 3, t = 0.5"), Verdict::fails);
-  EXPECT_EQ(of("ran into the singularity r = 0 at step 3, t = 0.5"), Verdict::stops);
-  EXPECT_EQ(of("unlike the solution, ran into the singularity r = 0 at step 3, t = 0.5"), Verdict::fails);
-  EXPECT_EQ(of("passed a singularity of the solution (r = 0 at t = 0.5)"), Verdict::fails);
-  EXPECT_EQ(of("finished"), Verdict::unknown) << "without an error";
+  const auto of = [](Ending ending) { return verdict({.ending = {ending}}); };
+  EXPECT_EQ(of(Ending::no_reference), not_judged);
+  EXPECT_EQ(of(Ending::overflow), not_judged);
+  EXPECT_EQ(of(Ending::accuracy_lost), fails);
+  EXPECT_EQ(of(Ending::singular), stops);
+  EXPECT_EQ(of(Ending::false_singularity), fails);
+  EXPECT_EQ(of(Ending::passed_singularity), fails);
+  EXPECT_EQ(of(Ending::finished), not_judged) << "without an error";
 }
 
 TEST(Variant, TakesItsEndAnywhere) {

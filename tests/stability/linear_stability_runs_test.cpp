@@ -75,7 +75,7 @@ TEST_P(Boundary, IsWhereRunsBeginToGrow) {
   EXPECT_GE(growing, 9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, Boundary, testing::ValuesIn(all_schemes()), id_of_param);
+INSTANTIATE_TEST_SUITE_P(Schemes, Boundary, testing::ValuesIn(schemes_with_symbol()), id_of_param);
 
 // The damped chain of Yin, Liu & Anh: its largest stable step, and runs on both sides of it.
 TEST(Chain, LargestStableStepIsWhereRunsBeginToGrow) {

@@ -33,12 +33,13 @@ struct Plane {
   double end = 2.0;
   Eigen::Vector2d a{1.0, 2.0}, b{0.5, -0.3}, k{1.0, 2.0}, q0{0.8, -0.5};
 
+  [[nodiscard]] Matrix linear_part() const;  // of the problem with the multiplier
   [[nodiscard]] Problem multiplier(double initial_multiplier) const;
   [[nodiscard]] Problem integrated() const;
 };
 
 // q' = v, v' = -k q + a lambda, D^(1-alpha) w = v, 0 = a.v + b.w - c0; y = (q, v, w, lambda).
-inline Problem Plane::multiplier(double initial_multiplier) const {
+inline Matrix Plane::linear_part() const {
   Matrix linear = Matrix::Zero(7, 7);
   linear.block<2, 2>(0, 2).setIdentity();
   linear.block<2, 2>(2, 0) = -Matrix(k.asDiagonal());
@@ -46,6 +47,11 @@ inline Problem Plane::multiplier(double initial_multiplier) const {
   linear.block<2, 2>(4, 2).setIdentity();
   linear.block<1, 2>(6, 2) = a.transpose();
   linear.block<1, 2>(6, 4) = b.transpose();
+  return linear;
+}
+
+inline Problem Plane::multiplier(double initial_multiplier) const {
+  const Matrix linear = linear_part();
   const double c0 = a.dot(velocity);
   return {.components = {{1.0, {q0[0]}},
                          {1.0, {q0[1]}},
@@ -59,7 +65,7 @@ inline Problem Plane::multiplier(double initial_multiplier) const {
                 f = linear * y;
                 f[6] -= c0;
               },
-          .linear_part = linear,
+          .derivatives = DenseLinearPart{linear},
           .end = end};
 }
 
@@ -81,7 +87,7 @@ inline Problem Plane::integrated() const {
                          {1.0 - alpha, {0.0}},
                          {1.0 - alpha, {0.0}}},
           .rhs = [=](double, In y, Out f) { f = linear * y; },
-          .linear_part = linear,
+          .derivatives = DenseLinearPart{linear},
           .end = end};
 }
 

@@ -8,7 +8,7 @@ namespace fde {
 
 // The schemes that take algebraic rows: exactly those that solve an equation each step.
 inline std::vector<const Scheme*> implicit_schemes() {
-  auto some = all_schemes();
+  auto some = grid_schemes();
   std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.implicit; });
   return some;
 }

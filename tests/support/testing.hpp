@@ -16,13 +16,13 @@ inline const SceneMaker& scene_maker(std::string_view id) {
   return *std::ranges::find(scenes(), id, &SceneMaker::id);
 }
 
-inline Scene scene_of(std::string_view id, const std::map<std::string, double>& values = {}) {
+inline Scene scene_of(std::string_view id, const ParameterValues& values = {}) {
   return make_scene(scene_maker(id), values);
 }
 
 inline Trajectory solve(std::string_view scheme, const Problem& problem, int steps,
                         const Options& options = {}) {
-  return find_scheme(scheme)->solve(problem, {problem.end, steps}, options);
+  return find_scheme(scheme)->solve(problem, Grid{problem.end, steps}, options);
 }
 
 // Names of parameterised tests: the id of the scheme or scene.
@@ -32,6 +32,21 @@ inline std::vector<const Scheme*> all_schemes() {
   std::vector<const Scheme*> all;
   for (const auto& scheme : schemes()) all.push_back(&scheme);
   return all;
+}
+
+// Those that step over a grid with a rate that theory knows.
+inline std::vector<const Scheme*> grid_schemes() {
+  auto some = all_schemes();
+  std::erase_if(some,
+                [](const Scheme* scheme) { return !scheme->needs.takes_grid || !scheme->expected_rate; });
+  return some;
+}
+
+// Those whose stability on linear problems is known.
+inline std::vector<const Scheme*> schemes_with_symbol() {
+  auto some = all_schemes();
+  std::erase_if(some, [](const Scheme* scheme) { return !scheme->symbol; });
+  return some;
 }
 
 // The call throws, with this part in its message.

@@ -16,36 +16,16 @@
 namespace fde {
 namespace {
 
-// A trajectory y(t_n) = values.col(n) with a reference beside it.
-struct Made {
-  Scene scene{};
-  Trajectory path{};
-  Rows reference{};
-  Vec bound = Vec::Constant(1, 1e-15);
-
-  [[nodiscard]] Observation observe() const {
-    return {scene, *find_scheme("l1"), path, path.y, reference, bound};
-  }
-};
-
-Made made(const Rows& values, const Rows& reference) {
-  Made result{.path = {.grid = {1.0, static_cast<int>(values.cols()) - 1}, .y = values},
-              .reference = reference};
-  for (int n = 0; n < values.cols(); ++n) result.path.steps.push_back(n);
-  return result;
-}
-
 double time_measure(std::string_view id, const std::vector<double>& seconds) {
   return std::ranges::find(time_measures(), id, &TimeMeasure::id)->value(seconds);
 }
 
-TEST(Measures, OfAHandMadeTrajectory) {
+TEST(Measures, OfValuesBesideAReference) {
   const Rows values = (Rows(2, 3) << 1.0, 2.0, 3.0, 0.0, 0.0, 10.0).finished();
   const Rows reference = (Rows(2, 3) << 1.0, 4.5, 3.25, 0.0, 0.0, 9.0).finished();
-  const Made run = made(values, reference);
-  EXPECT_EQ(error_end(run.observe()), 1.0);
-  EXPECT_EQ(error_maximum(run.observe()), 2.5);
-  EXPECT_NEAR(mescd(run.observe()), -std::log10(0.1), 1e-15);
+  EXPECT_EQ(error_end(values, reference), 1.0);
+  EXPECT_EQ(error_maximum(values, reference), 2.5);
+  EXPECT_NEAR(mescd(values, reference), -std::log10(0.1), 1e-15);
 }
 
 TEST(Measures, OfTimes) {
@@ -62,18 +42,18 @@ TEST(WatchedSteps, AreAllUpToALimitAndThenSpread) {
   EXPECT_EQ(some[16], 16);
   EXPECT_EQ(some[17], 1'000'000'000 / 8192);
   EXPECT_EQ(some.back(), 1'000'000'000);
+  EXPECT_EQ(watched_times({.end = 0.75, .steps = 3}), (std::vector{0.0, 0.25, 0.5, 0.75}));
 }
 
 TEST(Measures, ANumberWithoutErrorHasSeventeenDigits) {
-  const auto run = made(Rows::Ones(1, 3), Rows::Ones(1, 3));
-  EXPECT_EQ(mescd(run.observe()), 17.0);
+  EXPECT_EQ(mescd(Rows::Ones(1, 3), Rows::Ones(1, 3)), 17.0);
 }
 
 // What the balance makes of a path given as rows.
 std::optional<double> residual(const Energy& energy, const Trajectory& path) {
-  EnergyBalance balance(energy);
+  EnergyObserver balance(energy);
   for (Eigen::Index n = 0; n < path.y.cols(); ++n) {
-    balance.see(path.grid.time(path.steps[static_cast<std::size_t>(n)]), path.y.col(n));
+    balance.observe(path.time(n), path.y.col(n));
   }
   return balance.residual();
 }
@@ -100,12 +80,8 @@ TEST(EnergyResidual, IsTheDriftOfAConservedEnergy) {
 TEST(EnergyResidual, IsExactForAParabolicPower) {
   const Energy cubic{.value = [](In y) { return y[0] * y[0] * y[0]; },
                      .power = [](double t, In) { return 3.0 * t * t; }};
-  Trajectory path{.grid = {2.0, 40, 1.7}};
-  path.y.resize(1, 41);
-  for (int n = 0; n <= 40; ++n) {
-    path.steps.push_back(n);
-    path.y(0, n) = path.grid.time(n);
-  }
+  Trajectory path{.times = watched_times({2.0, 40, 1.7})};
+  path.y = Eigen::Map<const Eigen::RowVectorXd>(path.times.data(), 41);
   EXPECT_LT(residual(cubic, path).value(), 1e-14);
 }
 
@@ -178,12 +154,12 @@ TEST_P(WholeOrders, TheReferenceIsGslsRungeKuttaSolution) {
 
 TEST_P(WholeOrders, EverySchemeTendsToGslsSolution) {
   const Vec exact = integrate_by_gsl(scene().problem);
-  for (const auto& scheme : schemes()) {
+  for (const auto* scheme : grid_schemes()) {
     const auto error = [&](int steps) {
-      return (solve(scheme.id, scene().problem, steps).y.rightCols(1) - exact).cwiseAbs().maxCoeff();
+      return (solve(scheme->id, scene().problem, steps).y.rightCols(1) - exact).cwiseAbs().maxCoeff();
     };
-    const double expected = scheme.expected_rate(scene().problem, scene().smoothness, 1.0, Norm::end);
-    EXPECT_NEAR(std::log2(error(4000) / error(8000)), expected, 0.1) << scheme.id;
+    const double expected = scheme->expected_rate(scene().problem, scene().smoothness, 1.0, Norm::end);
+    EXPECT_NEAR(std::log2(error(4000) / error(8000)), expected, 0.1) << scheme->id;
   }
 }
 

@@ -12,7 +12,8 @@
 #include <system_error>
 
 #include "support/testing.hpp"
-#include "sweep/record.hpp"
+#include "sweep/record_text.hpp"
+#include "sweep/results_file.hpp"
 #include "sweep/sweep.hpp"
 
 namespace fde {
@@ -33,14 +34,17 @@ class ResultsFiles : public testing::Test {
   void write(const std::string& content) const { std::ofstream(file_) << content; }
 
   static std::vector<Record> rows(const std::string& scheme, int steps) {
-    const Record row{
-        .scene = "relaxation", .scheme = scheme, .history = "direct", .steps = steps, .h = 1.0 / steps};
-    Record error = row, outcome = row;
+    const Record row{.key = key(scheme, steps), .steps = steps, .h = 1.0 / steps};
+    Record error = row, ending = row;
     error.quantity = "error_end";
     error.value = 0.1 / steps;
-    outcome.quantity = "outcome";
-    outcome.status = "finished";
-    return {error, outcome};
+    ending.quantity = "ending";
+    ending.ending = RunEnding{};
+    return {error, ending};
+  }
+
+  static RunKey key(const std::string& scheme, int steps) {
+    return {.scene = {"relaxation"}, .scheme = scheme, .setup = {.resolution = steps}};
   }
 
   static std::string message(const fs::path& file) {
@@ -63,9 +67,49 @@ TEST_F(ResultsFiles, ReturnWhatWasAppended) {
   EXPECT_EQ(results.records[0].quantity, "error_end");
   EXPECT_EQ(results.records[0].value, 0.1 / 64);
   const ResultsFile again(file_);
-  EXPECT_EQ(again.stage("relaxation", "l1", 64), Stage::examined);
-  EXPECT_EQ(again.stage("relaxation", "l1", 128), Stage::missing);
+  EXPECT_EQ(again.recorded(key("l1", 64)), Recorded::all_but_times);
+  EXPECT_EQ(again.recorded(key("l1", 128)), Recorded::nothing);
   EXPECT_FALSE(results.sessions.at(0).compiler.empty());
+}
+
+// A run is named by all that it was made with: another value of any member is another run.
+TEST_F(ResultsFiles, TellRunsApartByTheirWholeKey) {
+  ResultsFile(file_).append(rows("l1", 64));
+  const ResultsFile again(file_);
+  const auto recorded_with = [&](const auto& change) {
+    RunKey other = key("l1", 64);
+    change(other);
+    return again.recorded(other);
+  };
+  EXPECT_EQ(recorded_with([](RunKey&) {}), Recorded::all_but_times);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.scene.values["gamma"] = 0.5; }), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.scene.until = 1.0; }), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.scheme = "adams_pc"; }), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.resolution = Accuracy{1e-6, 1e-9}; }), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.grading = 2.0; }), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.history = HistoryKind::direct; }), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.tolerance = 1e-8; }), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.budget = 60.0; }), Recorded::nothing);
+}
+
+TEST_F(ResultsFiles, KeepEveryMemberOfARun) {
+  auto some = rows("l1", 64);
+  some.back().key = {.scene = {"pendulum", {{"alpha", 1.9}, {"formulation", "multiplier"}}, 5.0},
+                     .scheme = "adaptive",
+                     .setup = {Accuracy{1e-6, 1e-9}, 2.5, HistoryKind::direct, 1e-8, 60.0}};
+  some.back().ending = RunEnding{Ending::not_finite, "at step 3, t = 0.5"};
+  ResultsFile(file_).append(some);
+  const Record read = read_results(file_).records.back();
+  EXPECT_EQ(read.key, some.back().key);
+  EXPECT_EQ(read.ending, some.back().ending);
+  EXPECT_EQ(label_of(read.key.scene), "pendulum:alpha=1.9,formulation=multiplier,until=5");
+}
+
+TEST_F(ResultsFiles, OfAnotherVersionAreRefusedAsSuch) {
+  write(R"({"session":{"commit":"c","compiler":"g","cores":4,"date":"d"}})"
+        "\n");
+  EXPECT_EQ(message(file_),
+            file_.string() + ": line 1: results of another version of fdebench, to be measured again");
 }
 
 TEST_F(ResultsFiles, AreContinuedWithANewSession) {
@@ -83,7 +127,7 @@ TEST_F(ResultsFiles, OfAnotherBuildDoNotCount) {
   const std::string commit = R"("commit":")";
   other.insert(other.find(commit) + commit.size(), "x");
   write(other);
-  EXPECT_EQ(ResultsFile(file_).stage("relaxation", "l1", 64), Stage::missing);
+  EXPECT_EQ(ResultsFile(file_).recorded(key("l1", 64)), Recorded::nothing);
   EXPECT_EQ(read_results(file_).records.size(), 2U);
 }
 
@@ -167,25 +211,28 @@ TEST_F(ResultsFiles, OnAFullDiskSaySoAndKeepTheirWholeRuns) {
 TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
   const Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
                     .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
-                    .steps = {16, 32},
+                    .resolutions = {16, 32},
                     .repeats = 2};
   std::vector<Record> all;
   std::size_t calls = 0;
-  run_sweep(sweep,
-            {.stage = [](const auto&, const auto& scheme,
-                         int steps) { return scheme == "l1" && steps == 16 ? Stage::done : Stage::missing; },
-             .append =
-                 [&](const auto& rows) {
-                   ++calls;
-                   all.insert(all.end(), rows.begin(), rows.end());
-                 },
-             .progress = [](std::size_t, std::size_t, const auto&) {}});
+  run_sweep(sweep, {.recorded =
+                        [](const RunKey& run) {
+                          const bool first =
+                              run.scheme == "l1" && run.setup.resolution == Setup{16}.resolution;
+                          return first ? Recorded::everything : Recorded::nothing;
+                        },
+                    .append =
+                        [&](const auto& rows) {
+                          ++calls;
+                          all.insert(all.end(), rows.begin(), rows.end());
+                        },
+                    .progress = [](std::size_t, std::size_t, const auto&) {}});
   EXPECT_EQ(calls, 6U);  // an examination and its times
   const auto count = [&](std::string_view quantity) {
     return std::ranges::count(all, quantity, &Record::quantity);
   };
   EXPECT_EQ(count("error_end"), 3);
-  EXPECT_EQ(count("outcome"), 3);
+  EXPECT_EQ(count("ending"), 3);
   EXPECT_EQ(count("newton_iterations"), 1);
   EXPECT_EQ(count("energy_residual"), 0);
 }
@@ -194,8 +241,8 @@ TEST(Sweeps, MeasureOnceWhatIsAskedForTwice) {
   const SceneVariant power{&scene_maker("power")};
   const auto* l1 = find_scheme("l1");
   int calls = 0;
-  run_sweep({.scenes = {power, power}, .schemes = {l1, l1}, .steps = {16, 16}, .repeats = 1},
-            {.stage = [](const auto&, const auto&, int) { return Stage::missing; },
+  run_sweep({.scenes = {power, power}, .schemes = {l1, l1}, .resolutions = {16, 16}, .repeats = 1},
+            {.recorded = [](const auto&) { return Recorded::nothing; },
              .append = [&](const auto&) { ++calls; },
              .progress = [](std::size_t, std::size_t, const auto&) {}});
   EXPECT_EQ(calls, 2);  // its examination and its times
@@ -208,10 +255,11 @@ TEST(Sweeps, StopAtTheFirstFailureToWrite) {
     throw std::runtime_error("disk full");
   };
   EXPECT_THROW(
-      run_sweep({.scenes = {{&scene_maker("power")}}, .schemes = {find_scheme("l1")}, .steps = {16, 32}},
-                {.stage = [](const auto&, const auto&, int) { return Stage::missing; },
-                 .append = write,
-                 .progress = [](std::size_t, std::size_t, const auto&) {}}),
+      run_sweep(
+          {.scenes = {{&scene_maker("power")}}, .schemes = {find_scheme("l1")}, .resolutions = {16, 32}},
+          {.recorded = [](const auto&) { return Recorded::nothing; },
+           .append = write,
+           .progress = [](std::size_t, std::size_t, const auto&) {}}),
       std::runtime_error);
   EXPECT_EQ(calls, 1);
 }
@@ -221,22 +269,21 @@ std::vector<std::string> rows_with_threads(unsigned threads) {
   const Sweep sweep{
       .scenes = {{&scene_maker("relaxation")}, {&scene_maker("brusselator")}, {&scene_maker("pendulum")}},
       .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
-      .steps = {16, 600},
+      .resolutions = {16, 600},
       .repeats = 1,
       .threads = threads};
   std::vector<std::string> rows;
-  run_sweep(sweep, {.stage = [](const auto&, const auto&, int) { return Stage::missing; },
+  run_sweep(sweep, {.recorded = [](const auto&) { return Recorded::nothing; },
                     .append =
                         [&](const auto& run) {
                           for (const auto& row : run) {
                             if (row.unit == "s") continue;
-                            rows.push_back(fmt::format(
-                                "{} {} {} {} {} {}", row.scene, row.scheme, row.steps, row.quantity,
-                                row.value, row.status));  // the shortest text that gives the same double
+                            rows.push_back(line_of(row, false));
                           }
                         },
                     .progress = [](std::size_t, std::size_t, const auto&) {}});
-  std::ranges::stable_sort(rows, {}, [](const auto& row) { return row.substr(0, row.find(' ')); });
+  const auto scene = [](const auto& row) { return row.substr(row.find(R"("scene":)")); };
+  std::ranges::stable_sort(rows, {}, [&](const auto& row) { return scene(row).substr(0, 20); });
   return rows;
 }
 
@@ -256,25 +303,26 @@ TEST(Sweeps, RecordAMissingReferenceAndGoOn) {
   };
   WatchedReference reference(scene);
   for (int repeat = 0; repeat < 2; ++repeat) {
-    const auto rows = examine("brusselator", scene, reference, *find_scheme("l1"), 64);
-    EXPECT_EQ(rows.back().status.substr(0, 14), "no reference: ");
+    const auto rows = examine({"brusselator"}, scene, reference, *find_scheme("l1"), {64});
+    EXPECT_EQ(rows.back().ending->kind, Ending::no_reference);
     EXPECT_EQ(std::ranges::count(rows, "rhs_calls", &Record::quantity), 1);  // needs no reference
     EXPECT_EQ(std::ranges::count(rows, "error_end", &Record::quantity), 0);
   }
 }
 
 TEST(Sweeps, RecordRefusalsAndFailuresWithTheirReason) {
-  const auto outcome = [](const Scene& scene, std::string_view scheme) {
+  const auto rows_of = [](const Scene& scene, std::string_view scheme) {
     WatchedReference reference(scene);
-    return examine("brusselator", scene, reference, *find_scheme(scheme), 256);
+    return examine({"brusselator"}, scene, reference, *find_scheme(scheme), {256});
   };
-  const auto failed = outcome(scene_of("brusselator"), "adams_pc");
+  const auto failed = rows_of(scene_of("brusselator"), "adams_pc");
   ASSERT_EQ(failed.size(), 1U);
-  EXPECT_EQ(failed[0].status.substr(0, 19), "not finite at step ");
+  EXPECT_EQ(failed[0].ending->kind, Ending::not_finite);
+  EXPECT_EQ(failed[0].ending->detail.find("at step "), 0U);
   EXPECT_GT(failed[0].value, 0.0);
   Scene odd = scene_of("brusselator");
   odd.problem.components[0].order = 0.123456789;
-  EXPECT_EQ(outcome(odd, "commensurate_adams_pc")[0].status,
+  EXPECT_EQ(sentence(*rows_of(odd, "commensurate_adams_pc")[0].ending),
             "refused: needs orders that are multiples of one 1/M with M at most 64");
 }
 

@@ -61,7 +61,7 @@ TEST(FractionalExtremum, WithASpringIsTheDenseMinimum) {
   for (const auto& of : {std::pair{0.75, 5.0}, {0.9, 20.0}}) {
     const double alpha = of.first, k = of.second;
     const auto scene = scene_of("fractional_extremum", {{"alpha", alpha}, {"k", k}});
-    const auto path = solve("product_trapezoidal", scene.problem, 4096, {.keep = {1024, 2048, 3072}});
+    const auto path = solve("product_trapezoidal", scene.problem, 4096, {.at = {0.25, 0.5, 0.75}});
     const Vec y = columns_of(scene.outputs, path).row(0).transpose();
     const auto off = [&](int cells) {
       return (dense_minimum(alpha, k, cells, {0.25, 0.5, 0.75}) - y).cwiseAbs().maxCoeff();
@@ -71,7 +71,7 @@ TEST(FractionalExtremum, WithASpringIsTheDenseMinimum) {
     EXPECT_LT(fine, coarse / 3.0);
     // Without the spring y is far from that.
     const Scene free = scene_of("fractional_extremum", {{"alpha", alpha}});
-    EXPECT_GT(std::abs(free.exact.at(0.5).value[0] - y[1]), 0.1);
+    EXPECT_GT(std::abs(free.reference.at(0.5).value[0] - y[1]), 0.1);
   }
 }
 
@@ -82,7 +82,7 @@ TEST(FractionalExtremum, WithASpringShowsTheRateOfItsEnds) {
     const auto scene = scene_of("fractional_extremum", {{"alpha", alpha}, {"k", 10.0}});
     std::vector<double> middle, differences;
     for (int steps = 256; steps <= 8192; steps *= 2) {
-      const auto path = solve("product_trapezoidal", scene.problem, steps, {.keep = {steps / 2}});
+      const auto path = solve("product_trapezoidal", scene.problem, steps, {.at = {0.5}});
       middle.push_back(columns_of(scene.outputs, path)(0, 0));
       if (middle.size() > 1) differences.push_back(middle.end()[-2] - middle.end()[-1]);
     }

@@ -14,7 +14,7 @@ inline double largest_error(const Scene& scene, std::string_view scheme, int ste
   const auto path = solve(scheme, scene.problem, steps);
   EXPECT_EQ(path.ending, Ending::finished);
   WatchedReference reference(scene);
-  return (columns_of(scene.outputs, path) - reference.at(path.grid, path.steps)).cwiseAbs().maxCoeff();
+  return (columns_of(scene.outputs, path) - reference.at(path.times)).cwiseAbs().maxCoeff();
 }
 
 }  // namespace fde

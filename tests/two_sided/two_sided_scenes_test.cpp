@@ -47,7 +47,7 @@ TEST_P(MadeScene, KeepsItsConstraintToRounding) {
       const auto path = solve(id, scene_.problem, steps);
       const Rows columns = columns_of(scene_.outputs, path);
       for (int n = 0; n <= steps; ++n)
-        EXPECT_LT(scene_.constraint.drift(path.grid.time(n), columns.col(n)), 1e-14) << id << " " << n;
+        EXPECT_LT(scene_.constraint.drift(path.time(n), columns.col(n)), 1e-14) << id << " " << n;
     }
   }
 }

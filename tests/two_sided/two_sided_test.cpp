@@ -13,13 +13,13 @@ namespace fde {
 namespace {
 
 std::vector<const Scheme*> two_sided_schemes() {
-  auto some = all_schemes();
+  auto some = grid_schemes();
   std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.two_sided; });
   return some;
 }
 
-WeightFamily family_of(const Scheme& scheme) {
-  return scheme.id == "grunwald_letnikov" ? WeightFamily::grunwald_letnikov : WeightFamily::trapezoid;
+const WeightFamily& family_of(const Scheme& scheme) {
+  return scheme.id == "grunwald_letnikov" ? families::grunwald_letnikov : families::trapezoid;
 }
 
 class TwoSided : public testing::TestWithParam<const Scheme*> {
@@ -29,7 +29,8 @@ class TwoSided : public testing::TestWithParam<const Scheme*> {
     EXPECT_EQ(refusal(*GetParam(), problem, grid), std::nullopt);
     auto path = GetParam()->solve(problem, grid, options);
     EXPECT_EQ(path.ending, Ending::finished);
-    EXPECT_EQ(path.reached, steps);
+    EXPECT_EQ(path.reached, problem.end);
+    EXPECT_EQ(path.steps, steps);
     return path;
   }
 
@@ -38,14 +39,14 @@ class TwoSided : public testing::TestWithParam<const Scheme*> {
     std::vector<ErrorAt> errors;
     for (int steps = 128; steps <= 2048; steps *= 2) {
       Options options;
-      for (const double fraction : fractions) options.keep.push_back(static_cast<int>(fraction * steps));
+      for (const double fraction : fractions) options.at.push_back(fraction * made.problem.end);
       const auto path = run(made.problem, steps, options);
       double error = 0.0;
-      for (std::size_t k = 0; k < path.steps.size(); ++k) {
-        const Vec off = path.y.col(static_cast<Eigen::Index>(k)) - made.exact(path.grid.time(path.steps[k]));
+      for (Eigen::Index c = 0; c < path.y.cols(); ++c) {
+        const Vec off = path.y.col(c) - made.exact(path.time(c));
         error = std::max(error, off.cwiseAbs().maxCoeff());
       }
-      errors.push_back({path.grid.step(), error});
+      errors.push_back({made.problem.end / steps, error});
     }
     return fit_rate(errors);
   }
@@ -78,9 +79,10 @@ TEST_P(TwoSided, TheWorstErrorIsInTheFirstStepOfARightRow) {
   EXPECT_NEAR(rate(Norm::maximum), 0.9, 1e-12);
   std::vector<ErrorAt> errors;
   for (int steps = 128; steps <= 2048; steps *= 2) {
-    const auto path = run(made.problem, steps, {.keep = {steps - 1}});
-    const Vec off = path.y.col(0) - made.exact(path.grid.time(steps - 1));
-    errors.push_back({path.grid.step(), off.cwiseAbs().maxCoeff()});
+    const Grid grid{made.problem.end, steps};
+    const auto path = run(made.problem, steps, {.at = {grid.time(steps - 1)}});
+    const Vec off = path.y.col(0) - made.exact(path.times[0]);
+    errors.push_back({grid.step(), off.cwiseAbs().maxCoeff()});
   }
   EXPECT_NEAR(fit_rate(errors).slope, rate(Norm::maximum), 0.1);
 }
@@ -127,14 +129,14 @@ TEST_P(TwoSided, PermutingComponentsPermutesTheAnswer) {
 TEST_P(TwoSided, EnginesAndJacobiansAgree) {
   const Made made = made_problem({{0.7, 3.0, Side::left}, {0.5, 2.0, Side::right}}, 2.0);
   Problem with_jacobian = made.problem;
-  with_jacobian.jacobian = [](double, In y, OutMatrix jacobian) {
+  with_jacobian.derivatives = DenseJacobian{[](double, In y, OutMatrix jacobian) {
     const auto row = [&](Eigen::Index i) {
       jacobian(i, i) = std::sin(y[1 - i]) / 2 - 1.0;
       jacobian(i, 1 - i) = std::cos(y[1 - i]) * y[i] / 2;
     };
     row(0);
     row(1);
-  };
+  }};
   const auto direct = run(made.problem, 500, {.history = HistoryKind::direct});
   const auto exponentials = run(with_jacobian, 500, {.history = HistoryKind::exponentials});
   EXPECT_LT((direct.y - exponentials.y).cwiseAbs().maxCoeff(), 1e-13);
@@ -149,15 +151,18 @@ TEST_P(TwoSided, CallsAreCountedAndStepsHeardInOrder) {
     ++calls;
     made.problem.rhs(t, y, f);
   };
-  std::vector<int> heard;
-  const auto path =
-      run(problem, 40, {.keep = {0, 7, 40}, .watch = [&](int n, In /*y*/) { heard.push_back(n); }});
+  const Grid grid{problem.end, 40};
+  const std::vector<int> places{0, 7, 40};
+  std::vector<double> heard;
+  Options options{.observer = [&](double t, In /*y*/) { heard.push_back(t); }};
+  for (const int n : places) options.at.push_back(grid.time(n));
+  const auto path = run(problem, 40, options);
   EXPECT_EQ(path.cost.rhs_calls, calls);
   EXPECT_GT(path.cost.newton_iterations, 1);
-  EXPECT_EQ(path.steps, (std::vector<int>{0, 7, 40}));
+  EXPECT_EQ(path.times, options.at);
   ASSERT_EQ(heard.size(), 41U);
-  for (int n = 0; n <= 40; ++n) EXPECT_EQ(heard[static_cast<std::size_t>(n)], n);
-  EXPECT_EQ(path.y, Rows(run(problem, 40).y(Eigen::all, path.steps)));
+  for (int n = 0; n <= 40; ++n) EXPECT_EQ(heard[static_cast<std::size_t>(n)], grid.time(n));
+  EXPECT_EQ(path.y, Rows(run(problem, 40).y(Eigen::all, places)));
 }
 
 // y = past + kappa (1e6 + y^2) has no real solution.
@@ -167,10 +172,11 @@ TEST_P(TwoSided, AnImpossibleProblemIsAnOutcome) {
                           f[0] = 1e6 + y[0] * y[0];
                           f[1] = y[0];
                         }};
-  const auto path = GetParam()->solve(problem, {1.0, 16}, {});
+  const auto path = GetParam()->solve(problem, Grid{1.0, 16}, {});
   EXPECT_EQ(path.ending, Ending::not_converged);
-  EXPECT_EQ(path.reached, 0);
-  EXPECT_EQ(path.steps, std::vector<int>{0});
+  EXPECT_EQ(path.reached, 0.0);
+  EXPECT_EQ(path.failed_at, 1.0 / 16);
+  EXPECT_EQ(path.times, std::vector<double>{0.0});
   EXPECT_EQ(path.y, (Rows(2, 1) << 0.0, 0.25).finished());
 }
 

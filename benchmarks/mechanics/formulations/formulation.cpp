@@ -5,9 +5,15 @@
 
 namespace fde::mechanics {
 
-std::string_view name_of(Formulation formulation) {
-  constexpr std::array<std::string_view, 4> names{"integrated", "acceleration", "stabilised", "multiplier"};
+std::string name_of(Formulation formulation) {
+  constexpr std::array<const char*, 4> names{"integrated", "acceleration", "stabilised", "multiplier"};
   return names.at(static_cast<std::size_t>(formulation));
+}
+
+Formulation formulation_named(std::string_view name) {
+  const auto found = std::ranges::find(all_formulations(), name, name_of);
+  if (found == all_formulations().end()) reject("formulation", std::string(name), "a formulation");
+  return *found;
 }
 
 const std::vector<Formulation>& all_formulations() {
@@ -18,7 +24,7 @@ const std::vector<Formulation>& all_formulations() {
 
 std::vector<Parameter> with_formulations(std::vector<Parameter> parameters,
                                          const std::vector<Formulation>& fitting) {
-  std::vector<std::string_view> choices;
+  std::vector<std::string> choices;
   for (const auto formulation : fitting) choices.push_back(name_of(formulation));
   parameters.push_back(choice("formulation", choices, "how the constraint enters"));
   if (std::ranges::find(fitting, Formulation::stabilised) != fitting.end())
@@ -26,8 +32,8 @@ std::vector<Parameter> with_formulations(std::vector<Parameter> parameters,
   return parameters;
 }
 
-Asked asked_of(const Parameters& parameters, const std::vector<Formulation>& fitting) {
-  const Formulation formulation = fitting.at(parameters.choice("formulation"));
+Asked asked_of(const Parameters& parameters) {
+  const Formulation formulation = formulation_named(parameters.choice("formulation"));
   return {formulation, formulation == Formulation::stabilised ? parameters["kappa"] : 0.0};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -7,7 +8,7 @@
 
 namespace fde::mechanics {
 
-// Four forms of the same equations. They differ in what they do to the constraint: see docs/the_mechanics.md.
+// Four forms of the same equations. They differ in what they do to the constraint: see docs/mechanics.md.
 enum class Formulation {
   integrated,    // velocities from projected ones and the constraint: no singular term, no drift of its own
   acceleration,  // the constraint differentiated and solved for the multiplier (Tarasov & Zaslavsky 37)
@@ -15,7 +16,10 @@ enum class Formulation {
   multiplier,    // the constraint as an algebraic row, the multiplier as an unknown
 };
 
-std::string_view name_of(Formulation formulation);
+std::string name_of(Formulation formulation);
+
+// Throws std::invalid_argument where no formulation has this name.
+Formulation formulation_named(std::string_view name);
 
 // All: they fit constraints that are affine in the velocity. The first is the default.
 const std::vector<Formulation>& all_formulations();
@@ -30,6 +34,6 @@ struct Asked {
   Formulation formulation = Formulation::integrated;
   double kappa = 0.0;  // not 0 for stabilised only
 };
-Asked asked_of(const Parameters& parameters, const std::vector<Formulation>& fitting);
+Asked asked_of(const Parameters& parameters);
 
 }  // namespace fde::mechanics

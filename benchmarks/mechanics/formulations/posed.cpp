@@ -28,7 +28,8 @@ Smoothness linear_start(const Problem& problem, std::vector<PowerLoad> loads) {
   Vec constants(problem.size());
   problem.rhs(0.0, Vec::Zero(problem.size()), constants);
   loads.push_back({0.0, constants});
-  Matrix part = *problem.linear_part;  // without entries that are what rounding leaves of 0
+  Matrix part = std::get<DenseLinearPart>(problem.derivatives)
+                    .matrix;  // without entries that are what rounding leaves of 0
   for (auto column : part.colwise()) {
     const double rounding = 1e-14 * column.cwiseAbs().maxCoeff();
     column = (column.array().abs() < rounding).select(0.0, column).eval();

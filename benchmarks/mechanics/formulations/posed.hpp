@@ -65,7 +65,7 @@ PosedMechanics pose(const Form& form, double end, bool linear) {
     columns.segment(Form::n, Form::n) = of.v;
     columns.tail(columns.size() - 2 * Form::n) = of.w.head(columns.size() - 2 * Form::n);
   };
-  if (linear) result.problem.linear_part = linear_part_of(result.problem);
+  if (linear) result.problem.derivatives = DenseLinearPart{linear_part_of(result.problem)};
   if (!linear || std::ranges::any_of(result.problem.components, algebraic)) {
     result.smoothness = nonlinear_start(result.problem.components);
     return result;

@@ -23,8 +23,8 @@ void solve(benchmark::State& state, const Scheme& scheme, int steps) {
   for (int n = 0; n <= steps; ++n)
     error = std::max(error, (path.y.col(n) - made.exact(grid.time(n))).cwiseAbs().maxCoeff());
   state.counters["error"] = error;
-  state.counters["newton"] = static_cast<double>(path.cost.newton_iterations);
-  state.counters["bytes"] = benchmark::Counter(static_cast<double>(path.cost.history_bytes));
+  state.counters["newton"] = static_cast<double>(*path.cost.newton_iterations);
+  state.counters["bytes"] = benchmark::Counter(static_cast<double>(*path.cost.history_bytes));
 }
 
 }  // namespace

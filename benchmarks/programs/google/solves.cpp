@@ -24,14 +24,14 @@ struct Subject {
 void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int steps,
            HistoryKind history = HistoryKind::automatic) {
   const Grid grid{.end = subject.scene.problem.end, .steps = steps};
-  const Options options{.history = history, .keep = {steps}};
+  const Options options{.history = history, .at = {grid.end}};
   Trajectory path;
   for (auto _ : state) path = scheme.solve(subject.scene.problem, grid, options);
   if (path.ending != Ending::finished) {
     state.SkipWithError(describe(subject.scene.problem, path).c_str());
     return;
   }
-  const Rows error = columns_of(subject.scene.outputs, path) - subject.reference.at(grid, path.steps);
+  const Rows error = columns_of(subject.scene.outputs, path) - subject.reference.at(path.times);
   state.counters["error"] = error.cwiseAbs().maxCoeff();
   state.counters["per_step"] =
       benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
@@ -45,7 +45,7 @@ int main(int count, char** arguments) {
     auto& subject = subjects.emplace_back(maker);
     for (const auto& scheme : schemes()) {
       for (const int steps : {256, 1024, 4096}) {
-        if (refusal(scheme, subject.scene.problem, {subject.scene.problem.end, steps})) continue;
+        if (refusal(scheme, subject.scene.problem, Grid{subject.scene.problem.end, steps})) continue;
         benchmark::RegisterBenchmark(
             fmt::format("solve/{}/{}/{}", maker.id, scheme.id, steps).c_str(),
             [&subject, &scheme, steps](benchmark::State& state) { solve(state, subject, scheme, steps); })

@@ -44,7 +44,7 @@ Equation relaxation() {
   const auto maker = std::ranges::find(scenes(), std::string_view("relaxation"), &SceneMaker::id);
   Scene scene = make_scene(*maker);
   const Component component = scene.problem.components.front();
-  const double rate = (*scene.problem.linear_part)(0, 0);
+  const double rate = std::get<DenseLinearPart>(scene.problem.derivatives).matrix(0, 0);
   const double end_value = scene.reference.at(scene.problem.end).value[0];
   return {std::move(scene), component.order, rate, component.initial[0], end_value};
 }
@@ -57,20 +57,20 @@ double printed_start_weight(double g, double n) {
   return std::pow(n - 1, g + 1) - (n - 1 - g) * std::pow(n, g);
 }
 
-double naive_last_sum(const Equation& equation, const Trajectory& path) {
-  const WeightTable table{WeightFamily::trapezoid, equation.order};
-  const int n = path.grid.steps;
+double naive_last_sum(const Equation& equation, const Grid& grid, const Trajectory& path) {
+  const WeightTable table{&families::trapezoid, equation.order};
+  const int n = grid.steps;
   double sum = (printed_start_weight(equation.order, n) - *start_weight(table, n)) * path.y(0, 0);
   for (int k = 1; k < n; ++k) {
     sum += (printed_weight(equation.order, k) - weight(table, k)) * path.y(0, n - k);
   }
-  return std::abs(step_factor(table, path.grid.step()) * equation.rate * sum);
+  return std::abs(step_factor(table, grid.step()) * equation.rate * sum);
 }
 
 // The rule with any weights: past(n, y) is the sum over the past of step n, in units of 1/Gamma(order + 2).
 template <typename Past>
 double error_of_loop(const Equation& equation, const Grid& grid, const Past& past) {
-  const WeightTable table{WeightFamily::trapezoid, equation.order};
+  const WeightTable table{&families::trapezoid, equation.order};
   const double scale = equation.rate / std::tgamma(equation.order + 2);
   Vec y(grid.steps + 1);
   y[0] = equation.start;
@@ -120,7 +120,7 @@ void print_row(const Equation& equation, const Grid& grid) {
   const auto cell = [](bool computed, auto value) { return computed ? fmt::format("{:.3e}", value()) : ""; };
   fmt::print("{},{},{:.3e},{},{}\n", grid.uniform() ? "uniform" : fmt::format("graded:{}", grid.grading),
              grid.steps, std::abs(path.y(0, grid.steps) - equation.end_value),
-             cell(grid.uniform(), [&] { return naive_last_sum(equation, path); }),
+             cell(grid.uniform(), [&] { return naive_last_sum(equation, grid, path); }),
              cell(grid.steps <= longest_loop, [&] {
                return grid.uniform() ? naive_error_uniform(equation, grid)
                                      : naive_error_graded(equation, grid);

@@ -4,9 +4,9 @@
 #include <charconv>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <stdexcept>
 
+#include "observers/watched_steps.hpp"
 #include "reference_data/table_kind.hpp"
 #include "references/written_bound.hpp"
 #include "sweep/experiment.hpp"
@@ -55,36 +55,31 @@ TableFacts facts(const SceneVariant& of) {
 // The runs of one scene, with the reference kept between them.
 class Runs {
  public:
-  explicit Runs(const SceneVariant& of) : label_(of.label()), scene_(make_scene(of)), reference_(scene_) {}
+  explicit Runs(const SceneVariant& of) : name_(of.key()), scene_(make_scene(of)), reference_(scene_) {}
   Runs(const Runs&) = delete;
   Runs& operator=(const Runs&) = delete;
 
   struct Run {
     std::map<std::string, double> values;  // by the names of the measures
-    std::string status;                    // empty: finished
+    RunEnding ending;
   };
 
   Run operator()(const Scheme& scheme, int steps) {
-    const auto rows = examine(label_, scene_, reference_, scheme, steps);
-    Run run{.values = {{"h", rows.back().h}}, .status = {}};
-    const std::string& status = rows.back().status;
-    if (ending_of(status) != Ending::finished) run.status = status;
+    if (!scheme.expected_rate) return {.values = {}, .ending = {Ending::refused, "has no theoretical rate"}};
+    const auto rows = examine(name_, scene_, reference_, scheme, {steps});
+    Run run{.values = {{"h", rows.back().h}}, .ending = *rows.back().ending};
     for (const auto& row : rows) run.values.emplace(row.quantity, row.value);
     return run;
   }
 
   // max |y| over the time of the scene.
   double size() {
-    std::array<int, table_steps.front() + 1> steps{};
-    std::iota(steps.begin(), steps.end(), 0);
-    return reference_
-        .at({.end = scene_.problem.end, .steps = table_steps.front()}, {steps.begin(), steps.end()})
-        .cwiseAbs()
-        .maxCoeff();
+    const Grid grid{.end = scene_.problem.end, .steps = table_steps.front()};
+    return reference_.at(watched_times(grid)).cwiseAbs().maxCoeff();
   }
 
  private:
-  std::string label_;
+  SceneSettings name_;
   Scene scene_;
   WatchedReference reference_;
 };
@@ -95,11 +90,11 @@ MadeTable make(const SceneVariant& of) {
   for (const auto& column : facts(of).columns) made.table.columns.push_back(column.name);
   for (const auto& scheme : schemes()) {
     for (const int steps : table_steps) {
-      const auto [values, status] = runs(scheme, steps);
-      if (!status.empty()) {
-        const bool refused = ending_of(status) == Ending::refused;
+      const auto [values, ending] = runs(scheme, steps);
+      if (ending.kind != Ending::finished) {
+        const bool refused = ending.kind == Ending::refused;
         const std::string id(scheme.id);
-        made.left_out.push_back({refused ? id : fmt::format("{}, {} steps", id, steps), status});
+        made.left_out.push_back({refused ? id : fmt::format("{}, {} steps", id, steps), sentence(ending)});
         if (refused) break;
         continue;
       }
@@ -117,8 +112,8 @@ const Scheme& scheme_at(const DataTable& given, std::size_t row) {
   if (const Scheme* scheme = find_scheme(id)) return *scheme;
   std::vector<std::string_view> ids;
   for (const auto& scheme : schemes()) ids.push_back(scheme.id);
-  throw std::invalid_argument(fmt::format("{}: no such scheme '{}'; there are {}", given.place(row, "scheme"),
-                                          id, fmt::join(ids, ", ")));
+  throw BadTable(fmt::format("{}: no such scheme '{}'; there are {}", given.place(row, "scheme"), id,
+                             fmt::join(ids, ", ")));
 }
 
 int steps_at(const DataTable& given, std::size_t row) {
@@ -127,16 +122,16 @@ int steps_at(const DataTable& given, std::size_t row) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
   if (error == std::errc{} && end == text.data() + text.size() && steps >= 1 && steps <= most_steps)
     return steps;
-  throw std::invalid_argument(fmt::format("{}: '{}' must be a whole number from 1 to {}",
-                                          given.place(row, "steps"), text, most_steps));
+  throw BadTable(fmt::format("{}: '{}' must be a whole number from 1 to {}", given.place(row, "steps"), text,
+                             most_steps));
 }
 
 RowCheck check(const SceneVariant& of, const DataTable& given) {
   const auto comparison = std::make_shared<Comparison>(given, measured);
   const auto runs = std::make_shared<Runs>(of);
   return [&given, comparison, runs](std::size_t row) {
-    const auto [values, status] = (*runs)(scheme_at(given, row), steps_at(given, row));
-    if (!status.empty()) throw std::runtime_error(status);
+    const auto [values, ending] = (*runs)(scheme_at(given, row), steps_at(given, row));
+    if (ending.kind != Ending::finished) throw std::runtime_error(sentence(ending));
     const double size = 1.0 + runs->size(), bound = values.at("reference_bound");
     if (!(bound <= least_accuracy * size))
       throw std::runtime_error(fmt::format("the reference has a bound of {}", bound_text(bound)));

@@ -127,7 +127,7 @@ std::vector<double> times_of(const DataTable& given) {
     double t = -1.0;
     if (read_written(text)) std::from_chars(text.data(), text.data() + text.size(), t);
     if (!(t >= 0.0 && t <= latest_time)) {
-      throw std::invalid_argument(
+      throw BadTable(
           fmt::format("{}: {} must be a time in [0, {}]", given.place(row, "t"), text, latest_time));
     }
     times.push_back(t);

@@ -1,7 +1,7 @@
 #include "closed_forms/power_sum.hpp"
 #include "linear/linear_equation.hpp"
 #include "linear/linear_solution.hpp"
-#include "problem/chain.hpp"
+#include "problem/chain_problem.hpp"
 #include "problem/linear_smoothness.hpp"
 #include "scenes/scene.hpp"
 
@@ -62,12 +62,20 @@ Chain chain_of(const Line& line) {
   return {{b, alpha}, {{a, 1.0}}, {q0, q1, q2}};
 }
 
-Smoothness starts_of(const Chain& chain, double constant) {
-  const Vec rest = Vec::Zero(chain.size());
-  Vec load = rest;
-  load[chain.size() - 1] = chain.highest(rest, constant);
-  Smoothness smoothness = linear_smoothness(chain.components(), chain.linear_part(0.0), {{0.0, load}});
-  for (Eigen::Index i = 1; i < chain.size(); ++i) smoothness.hidden.push_back(i);
+Problem problem_of(const Line& line) {
+  const double constant = line.a * line.q1;
+  return chain_problem({{.chain = chain_of(line),
+                         .force = [=](double, In) { return constant; },
+                         .derivatives = LinearForce{0.0}}},
+                       10.0);
+}
+
+Smoothness starts_of(const Problem& problem) {
+  Vec load(problem.size());
+  problem.rhs(0.0, Vec::Zero(problem.size()), load);
+  const Matrix& linear = std::get<DenseLinearPart>(problem.derivatives).matrix;
+  Smoothness smoothness = linear_smoothness(problem.components, linear, {{0.0, load}});
+  for (Eigen::Index i = 1; i < problem.size(); ++i) smoothness.hidden.push_back(i);
   return smoothness;
 }
 
@@ -101,14 +109,9 @@ SceneMaker fractional_constraint_1d() {
           .make = [](const Parameters& p) -> Scene {
             const Line line{p["alpha"], p["a"], p["b"], p["q0"], p["q1"], p["q2"]};
             require_posed(line);
-            const Chain chain = chain_of(line);
-            const double constant = line.a * line.q1;
-            return {.problem = {.components = chain.components(),
-                                .rhs = [=](double, In y,
-                                           Out f) { Chain::links(y, chain.highest(y, constant), f); },
-                                .linear_part = chain.linear_part(0.0),
-                                .end = 10.0},
-                    .smoothness = starts_of(chain, constant),
+            const Problem problem = problem_of(line);
+            return {.problem = problem,
+                    .smoothness = starts_of(problem),
                     .outputs = picked({"q"}, {0}),
                     .reference = exact_of(line)};
           }};

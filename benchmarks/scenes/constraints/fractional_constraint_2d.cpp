@@ -68,10 +68,7 @@ LinearSystem system_of(const Parameters& parameters) {
 }  // namespace
 
 SceneMaker fractional_constraint_2d() {
-  const std::vector<Parameter> parameters{{"alpha",
-                                           0.5,
-                                           {.low = 0.0, .high = 2.0, .open_low = true, .open_high = true},
-                                           "order of the constraint"},
+  const std::vector<Parameter> parameters{{"alpha", 0.5, order_below_two, "order of the constraint"},
                                           {"a1", 1.0, any_number, "weight of q1'"},
                                           {"a2", 2.0, any_number, "weight of q2'"},
                                           {"b1", 0.5, any_number, "weight of D^alpha q1"},
@@ -96,7 +93,7 @@ SceneMaker fractional_constraint_2d() {
                 .coordinates = {"q1", "q2"},
                 .end = 10.0,
                 .linear = true};
-            Scene scene = mechanical_scene(setting, asked_of(p, all_formulations()));
+            Scene scene = mechanical_scene(setting, asked_of(p));
             scene.reference = linear_reference(system_of(p));
             return scene;
           }};

@@ -42,10 +42,7 @@ std::string why_unknown(double alpha) {
 SceneMaker fractional_constraint_nonlinear() {
   static const std::vector<Formulation> fitting{Formulation::acceleration, Formulation::stabilised,
                                                 Formulation::multiplier};
-  const std::vector<Parameter> parameters{{"alpha",
-                                           0.4,
-                                           {.low = 0.0, .high = 1.0, .open_low = true, .open_high = true},
-                                           "order of the constraint"},
+  const std::vector<Parameter> parameters{{"alpha", 0.4, order_below_one, "order of the constraint"},
                                           {"coupling", 0.3, any_number, "weight of v.D^alpha q"},
                                           {"k", 1.0, any_number, "stiffness of the springs"},
                                           {"q1", 1.0, any_number, "q1(0)"},
@@ -65,7 +62,7 @@ SceneMaker fractional_constraint_nonlinear() {
                 .end = 10.0,
                 .reference = Formulation::acceleration,
                 .no_reference = why_unknown(p["alpha"])};
-            return mechanical_scene(setting, asked_of(p, fitting));
+            return mechanical_scene(setting, asked_of(p));
           }};
 }
 

@@ -92,8 +92,8 @@ SceneMaker fractional_knife_edge() {
           .parameters = with_formulations(parameters, all_formulations()),
           .make = [](const Parameters& p) -> Scene {
             if (p["alpha"] == 1.0 && p["b"] == -1.0) reject("b", -1.0, "other than -1 for alpha = 1");
-            const Asked asked = asked_of(p, all_formulations());
-            if (p.choice("surface") == 0) return mechanical_scene(on_plane(p), asked);
+            const Asked asked = asked_of(p);
+            if (p.choice("surface") == "plane") return mechanical_scene(on_plane(p), asked);
             Scene scene = mechanical_scene(on_sphere(p), asked);
             end_at_the_poles(scene);
             return scene;

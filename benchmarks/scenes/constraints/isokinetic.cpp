@@ -28,7 +28,7 @@ SceneMaker isokinetic() {
                                                       .start = {{p["q1"], p["q2"], p["q3"]}, v},
                                                       .coordinates = {"q1", "q2", "q3"},
                                                       .reference = Formulation::acceleration};
-            return mechanical_scene(setting, asked_of(p, fitting));
+            return mechanical_scene(setting, asked_of(p));
           }};
 }
 

@@ -48,7 +48,7 @@ SceneMaker knife_edge() {
             const Setting<Blade> setting{.system = {p["g"] * std::sin(p["theta"])},
                                          .start = {Vector<double, 3>::Zero(), {0.0, 0.0, p["omega"]}},
                                          .coordinates = {"x", "y", "phi"}};
-            Scene scene = mechanical_scene(setting, asked_of(p, all_formulations()));
+            Scene scene = mechanical_scene(setting, asked_of(p));
             scene.reference = closed_form(Slide{p["g"], p["theta"], p["omega"]});
             return scene;
           }};

@@ -64,7 +64,7 @@ SceneMaker loxodrome() {
                 .start = {{theta0, 0.0}, {rate, k * rate / std::sin(theta0)}},
                 .coordinates = {"theta", "phi"},
                 .end = std::min(50.0, 0.9 * time_to_pole(theta0, k, p["speed"]))};
-            Scene scene = mechanical_scene(setting, asked_of(p, all_formulations()));
+            Scene scene = mechanical_scene(setting, asked_of(p));
             end_at_the_poles(scene);
             scene.reference = closed_form(Loxodrome{theta0, k, p["speed"]});
             return scene;

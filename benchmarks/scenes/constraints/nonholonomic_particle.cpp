@@ -59,7 +59,7 @@ SceneMaker nonholonomic_particle() {
           .source = "Tarasov & Zaslavsky 2006, eqs 7, 13",
           .parameters = with_formulations(particle_parameters(), all_formulations()),
           .make = [](const Parameters& p) -> Scene {
-            Scene scene = mechanical_scene(particle_setting(p), asked_of(p, all_formulations()));
+            Scene scene = mechanical_scene(particle_setting(p), asked_of(p));
             scene.reference = closed_form(ParticleMotion{p["y0"], p["dx0"], p["dy0"]});
             return scene;
           }};

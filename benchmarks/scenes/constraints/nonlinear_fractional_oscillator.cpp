@@ -1,5 +1,5 @@
 #include "mechanics/formulations/mechanical_scene.hpp"
-#include "problem/chain.hpp"
+#include "problem/chain_problem.hpp"
 
 namespace fde {
 namespace {
@@ -30,17 +30,10 @@ Scene reduced(const Parameters& p) {
   const Chain chain({1.0, 2.0}, {{2.0 * p["c"] / p["b2"], 3.0 - p["alpha"]}}, {p["x0"], p["dx0"]});
   Smoothness smoothness = chain_smoothness({chain});
   for (Eigen::Index i = 2; i < chain.size(); ++i) smoothness.hidden.push_back(i);
-  return {.problem = {.components = chain.components(),
-                      .rhs =
-                          [=](double, In y, Out f) {
-                            const double force = -0.5 * (k1 + k3 * y[0] * y[0]) * y[0];
-                            Chain::links(y, chain.highest(y, force), f);
-                          },
-                      .jacobian =
-                          [=](double, In y, OutMatrix jacobian) {
-                            jacobian = chain.linear_part(-0.5 * (k1 + 3.0 * k3 * y[0] * y[0]));
-                          },
-                      .end = 10.0},
+  const auto force = [=](double, In y) { return -0.5 * (k1 + k3 * y[0] * y[0]) * y[0]; };
+  const ForceGradient gradient{
+      [=](double, In y, double, Out by) { by[0] += -0.5 * (k1 + 3.0 * k3 * y[0] * y[0]); }};
+  return {.problem = chain_problem({{.chain = chain, .force = force, .derivatives = gradient}}, 10.0),
           .smoothness = smoothness,
           .outputs = picked({"x", "dx"}, {0, 1})};
 }
@@ -93,14 +86,8 @@ SceneMaker nonlinear_fractional_oscillator() {
           .make = [](const Parameters& p) -> Scene {
             if (p["c"] == 0.0) reject("c", 0.0, "other than 0");
             if (p["b2"] == 0.0) reject("b2", 0.0, "other than 0");
-            switch (p.choice("form")) {
-              case 0:
-                return reduced(p);
-              case 1:
-                return pair_of_points(p, Formulation::integrated);
-              default:
-                return pair_of_points(p, Formulation::multiplier);
-            }
+            const std::string& form = p.choice("form");
+            return form == "reduced" ? reduced(p) : pair_of_points(p, formulation_named(form));
           }};
 }
 

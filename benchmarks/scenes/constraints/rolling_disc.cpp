@@ -56,7 +56,7 @@ SceneMaker rolling_disc() {
                 .system = {p["R"], p["m"], p["I"], p["J"], p["pull"]},
                 .start = {Vector<double, 4>::Zero(), {p["R"] * p["dpsi0"], 0.0, p["dphi0"], p["dpsi0"]}},
                 .coordinates = {"x", "y", "phi", "psi"}};
-            Scene scene = mechanical_scene(setting, asked_of(p, all_formulations()));
+            Scene scene = mechanical_scene(setting, asked_of(p));
             scene.reference = closed_form(Roll{p["R"], p["m"], p["I"], p["pull"], p["dphi0"], p["dpsi0"]});
             return scene;
           }};

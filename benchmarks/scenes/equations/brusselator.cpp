@@ -22,11 +22,10 @@ SceneMaker brusselator() {
                                       f[0] = a - (b + 1.0) * y[0] + made;
                                       f[1] = b * y[0] - made;
                                     },
-                                .jacobian =
-                                    [=](double, In y, OutMatrix jacobian) {
-                                      const double by_x = 2.0 * y[0] * y[1], by_y = y[0] * y[0];
-                                      jacobian << by_x - b - 1.0, by_y, b - by_x, -by_y;
-                                    },
+                                .derivatives = DenseJacobian{[=](double, In y, OutMatrix jacobian) {
+                                  const double by_x = 2.0 * y[0] * y[1], by_y = y[0] * y[0];
+                                  jacobian << by_x - b - 1.0, by_y, b - by_x, -by_y;
+                                }},
                                 .end = 50.0},
                     .smoothness = {{powers, powers}},
                     .outputs = {{"x", "y"}}};

@@ -26,10 +26,9 @@ SceneMaker diethelm() {
                                              of_fourth * std::pow(t, 4.0 - g / 2) + constant +
                                              root * root * root - std::pow(std::abs(y[0]), 1.5);
                                     },
-                                .jacobian =
-                                    [](double, In y, OutMatrix jacobian) {
-                                      jacobian(0, 0) = -1.5 * std::copysign(std::sqrt(std::abs(y[0])), y[0]);
-                                    }},
+                                .derivatives = DenseJacobian{[](double, In y, OutMatrix jacobian) {
+                                  jacobian(0, 0) = -1.5 * std::copysign(std::sqrt(std::abs(y[0])), y[0]);
+                                }}},
                     .smoothness = {{{g, 4.0 + g / 2, 8.0}}},
                     .outputs = {{"y"}},
                     .reference = power_sum({{1.0, 8.0}, {-3.0, 4.0, 0.5}, {2.25, 0.0, 1.0}}, g)};

@@ -103,7 +103,7 @@ SceneMaker fractional_diffusion() {
         }
         const SparseMatrix matrix = rod.matrix();
         scene.problem.rhs = [=](double, In y, Out f) { f.noalias() = matrix * y; };
-        scene.problem.sparse_linear_part = matrix;
+        scene.problem.derivatives = SparseLinearPart{matrix};
         const auto powers = power_lattice({rod.order}, {rod.order}, rod.order + 2.0);
         scene.smoothness.powers.assign(static_cast<std::size_t>(rod.points), powers);
         scene.reference.at = [=](double t) { return rod.at(t); };

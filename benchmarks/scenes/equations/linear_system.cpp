@@ -43,7 +43,7 @@ SceneMaker linear_system() {
                                                     {p["gamma2"], initial_values(p, "gamma2", "y0", "dy0")}};
             return {.problem = {.components = components,
                                 .rhs = [=](double, In y, Out f) { f = matrix * y + load; },
-                                .linear_part = matrix,
+                                .derivatives = DenseLinearPart{matrix},
                                 .end = 5.0},
                     .smoothness = linear_smoothness(components, matrix, {{0.0, load}}),
                     .outputs = {{"x", "y"}},

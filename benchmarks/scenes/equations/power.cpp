@@ -24,7 +24,7 @@ SceneMaker power() {
                                 [=](double t, In y, Out f) {
                                   f = (factor * std::pow(t, p - gamma) + std::pow(t, p) - y.array()).matrix();
                                 },
-                            .linear_part = Matrix::Constant(1, 1, -1.0)},
+                            .derivatives = DenseLinearPart{Matrix::Constant(1, 1, -1.0)}},
                 .smoothness = {{{p}}},
                 .outputs = {{"y"}},
                 .reference = power_sum({{1.0, p}})};

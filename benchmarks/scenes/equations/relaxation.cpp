@@ -25,7 +25,7 @@ SceneMaker relaxation() {
             }
             return {.problem = {.components = {{gamma, initial}},
                                 .rhs = [=](double, In y, Out f) { f = lambda * y; },
-                                .linear_part = Matrix::Constant(1, 1, lambda)},
+                                .derivatives = DenseLinearPart{Matrix::Constant(1, 1, lambda)}},
                     .smoothness = {{power_lattice(start, {gamma}, gamma + 2.0)}},
                     .outputs = {{"y"}},
                     .reference = linear_reference({.terms = {{1.0, gamma}, {-lambda, 0.0}},

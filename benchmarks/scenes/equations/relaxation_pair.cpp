@@ -19,7 +19,7 @@ SceneMaker relaxation_pair() {
             const Matrix rotation = (Matrix(2, 2) << p["re"], -p["im"], p["im"], p["re"]).finished();
             return {.problem = {.components = {{gamma, {p["x0"]}}, {gamma, {p["y0"]}}},
                                 .rhs = [=](double, In y, Out f) { f = rotation * y; },
-                                .linear_part = rotation,
+                                .derivatives = DenseLinearPart{rotation},
                                 .end = 5.0},
                     .smoothness = {{powers, powers}},
                     .outputs = {{"x", "y"}},

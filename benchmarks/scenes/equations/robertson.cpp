@@ -23,13 +23,12 @@ SceneMaker robertson() {
                                       const double second = k2 * y[1] * y[1];
                                       f << -first, first - second, second;
                                     },
-                                .jacobian =
-                                    [=](double, In y, OutMatrix jacobian) {
-                                      const double by_y2 = 2.0 * k2 * y[1];
-                                      jacobian << -k1, k3 * y[2], k3 * y[1],   //
-                                          k1, -k3 * y[2] - by_y2, -k3 * y[1],  //
-                                          0.0, by_y2, 0.0;
-                                    },
+                                .derivatives = DenseJacobian{[=](double, In y, OutMatrix jacobian) {
+                                  const double by_y2 = 2.0 * k2 * y[1];
+                                  jacobian << -k1, k3 * y[2], k3 * y[1],   //
+                                      k1, -k3 * y[2] - by_y2, -k3 * y[1],  //
+                                      0.0, by_y2, 0.0;
+                                }},
                                 .end = 40.0},
                     .smoothness = {{powers, powers, later}},
                     .outputs = {{"y1", "y2", "y3"}},

@@ -26,7 +26,7 @@ SceneMaker stiff_relaxation() {
                 is_real ? Matrix::Constant(1, 1, re) : (Matrix(2, 2) << re, -im, im, re).finished();
             Scene scene{.problem = {.components = {{gamma, real_part}},
                                     .rhs = [=](double, In y, Out f) { f = rate * y; },
-                                    .linear_part = rate},
+                                    .derivatives = DenseLinearPart{rate}},
                         .smoothness = {{powers}},
                         .outputs = {{"y"}}};
             LinearSystem system{.orders = {gamma}, .initial = {real_part}, .matrix = rate};

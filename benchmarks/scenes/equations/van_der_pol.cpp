@@ -23,11 +23,10 @@ SceneMaker van_der_pol() {
                                       f[0] = y[1];
                                       f[1] = mu * (1.0 - y[0]) * (1.0 + y[0]) * y[1] - y[0];
                                     },
-                                .jacobian =
-                                    [=](double, In y, OutMatrix jacobian) {
-                                      jacobian << 0.0, 1.0,  //
-                                          -2.0 * mu * y[0] * y[1] - 1.0, mu * (1.0 - y[0]) * (1.0 + y[0]);
-                                    },
+                                .derivatives = DenseJacobian{[=](double, In y, OutMatrix jacobian) {
+                                  jacobian << 0.0, 1.0,  //
+                                      -2.0 * mu * y[0] * y[1] - 1.0, mu * (1.0 - y[0]) * (1.0 + y[0]);
+                                }},
                                 .end = 20.0},
                     .smoothness = {{rests ? later : powers, powers}},
                     .outputs = {{"x", "v"}}};

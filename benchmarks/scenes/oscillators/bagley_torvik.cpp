@@ -1,5 +1,5 @@
 #include "linear/linear_equation.hpp"
-#include "problem/chain.hpp"
+#include "problem/chain_problem.hpp"
 #include "scenes/scene.hpp"
 
 namespace fde {
@@ -31,20 +31,18 @@ SceneMaker bagley_torvik() {
               names.emplace_back("Dalpha_y");
               orders.push_back(p["alpha"]);
             }
-            std::vector<Eigen::Index> components;
-            for (const double order : orders) components.push_back(*chain.node(order));
+            std::vector<Eigen::Index> rows;
+            for (const double order : orders) rows.push_back(*chain.row(order));
             Smoothness smoothness = chain_smoothness({chain});
             if (load != 0.0) smoothness.jumps = {chain.size() - 1};
-            return {.problem = {.components = chain.components(),
-                                .rhs =
-                                    [=](double t, In y, Out f) {
-                                      const double share = t < until ? 1.0 : (t == until ? 0.5 : 0.0);
-                                      Chain::links(y, chain.highest(y, share * load - stiffness * y[0]), f);
-                                    },
-                                .linear_part = chain.linear_part(-stiffness),
-                                .end = 16.0},
+            const auto force = [=](double t, In y) {
+              const double share = t < until ? 1.0 : (t == until ? 0.5 : 0.0);
+              return share * load - stiffness * y[0];
+            };
+            return {.problem = chain_problem(
+                        {{.chain = chain, .force = force, .derivatives = LinearForce{-stiffness}}}, 16.0),
                     .smoothness = smoothness,
-                    .outputs = picked(names, components),
+                    .outputs = picked(names, rows),
                     .reference =
                         linear_reference({.terms = {{p["A"], 2.0}, {p["B"], p["alpha"]}, {stiffness, 0.0}},
                                           .initial = {p["y0"], p["dy0"]},

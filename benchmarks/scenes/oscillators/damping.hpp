@@ -8,29 +8,55 @@
 
 namespace fde {
 
-// The damping mu tau^alpha D^alpha u + lambda tau u' + nu tau^beta D^beta u of Yin, Liu & Anh (5.1), (6.2),
-// as terms.
-std::vector<Term> damping_terms(const Parameters& p, double mu, double lambda, double nu);
+// The orders alpha, beta and the time tau, with the defaults of section 7, before these others.
+std::vector<Parameter> damping_parameters(const std::vector<Parameter>& others);
 
-// The orders alpha, beta and the time tau, with the defaults of section 7.
-std::vector<Parameter> damping_parameters();
+// The weights of the terms of damping.
+struct DampingWeights {
+  double mu, lambda, nu;
+};
 
-// The columns u, Dbeta_u, du, Dalpha_u of a damped equation; what its chain drops is left out. from: where
-// they begin among the columns of the scene.
-struct DampedColumns {
-  DampedColumns(const std::vector<Term>& terms, const std::string& u, Eigen::Index from = 0);
+// The first row of the problem and the first column of the scene that belong to an unknown.
+struct FirstOf {
+  Eigen::Index row = 0, column = 0;
+};
 
-  // The component of each column, for a chain that stands at offset in the problem.
-  [[nodiscard]] std::vector<Eigen::Index> components(const Chain& chain, Eigen::Index offset = 0) const;
-  // u and u', and -u' times the damping, which is the power that it takes, of all columns of the scene.
-  [[nodiscard]] double u(In columns) const { return columns[first]; }
-  [[nodiscard]] double du(In columns) const { return columns[first + at_du]; }
+// An unknown u that has the damping mu tau^alpha D^alpha u + lambda tau u' + nu tau^beta D^beta u of Yin, Liu
+// & Anh (5.1), (6.2) beside u'': its chain, and its columns u, Dbeta_u, du, Dalpha_u. A term of weight 0 has
+// no column.
+class DampedUnknown {
+ public:
+  // initial: u(0), u'(0).
+  DampedUnknown(const std::string& u, const Parameters& p, const DampingWeights& weights,
+                std::vector<double> initial, const FirstOf& first = {});
+
+  [[nodiscard]] const Chain& chain() const { return chain_; }
+  // The rows that are u and u'.
+  [[nodiscard]] Eigen::Index row() const { return chain_.first(); }
+  [[nodiscard]] Eigen::Index row_of_velocity() const { return *chain_.row(1.0); }
+
+  // The columns: names, orders as derivatives of u, and the rows that they show.
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  [[nodiscard]] const std::vector<double>& orders() const { return orders_; }
+  [[nodiscard]] std::vector<Eigen::Index> rows() const;
+  // Where an unknown behind this one begins.
+  [[nodiscard]] FirstOf next() const;
+
+  // Of all columns of the scene: u, u', and -u' times the damping, which is the power that it takes.
+  [[nodiscard]] double u(In columns) const { return columns[first_column_]; }
+  [[nodiscard]] double du(In columns) const { return columns[column_of_velocity_]; }
   [[nodiscard]] double power(In columns) const;
 
-  Eigen::Index first, at_du = 1;
-  std::vector<std::string> names;
-  std::vector<double> orders;  // of the columns as derivatives of u
-  Vec damping;                 // sum of damping[c] column c: the damping terms
+ private:
+  void add_column(const std::string& name, double order, double weight);
+
+  Chain chain_;
+  Eigen::Index first_column_, column_of_velocity_ = 0;
+  std::vector<std::string> names_;
+  std::vector<double> orders_, weights_;  // of the columns in the damping
 };
+
+// The columns of unknowns that stand one behind the other.
+Outputs outputs_of(const std::vector<DampedUnknown>& unknowns);
 
 }  // namespace fde

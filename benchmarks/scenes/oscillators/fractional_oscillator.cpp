@@ -24,7 +24,7 @@ SceneMaker fractional_oscillator() {
             if (c1 != w2 * p["dq0"]) start.push_back(nu + 1.0);
             return {.problem = {.components = {{nu, {p["q0"], p["dq0"]}}},
                                 .rhs = [=](double t, In q, Out f) { f[0] = c0 + c1 * t - w2 * q[0]; },
-                                .linear_part = Matrix::Constant(1, 1, -w2),
+                                .derivatives = DenseLinearPart{Matrix::Constant(1, 1, -w2)},
                                 .end = 10.0},
                     .smoothness = {{power_lattice(start, {nu}, nu + 2.0)}},
                     .outputs = {{"q"}},

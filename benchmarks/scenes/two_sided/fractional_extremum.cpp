@@ -63,10 +63,9 @@ SceneMaker fractional_extremum() {
             .problem = {
                 .components = {{alpha, {0.0}}, {alpha, {0.0}, Side::right}, {1.0, {}}},
                 .rhs = [=](double t, In y, Out f) { f << y[1], -k * (y[2] * singular(t) + y[0]), 0.0; },
-                .jacobian =
-                    [=](double t, In, OutMatrix jacobian) {
-                      jacobian << 0.0, 1.0, 0.0, -k, 0.0, -k * singular(t), 0.0, 0.0, 0.0;
-                    },
+                .derivatives = DenseJacobian{[=](double t, In, OutMatrix jacobian) {
+                  jacobian << 0.0, 1.0, 0.0, -k, 0.0, -k * singular(t), 0.0, 0.0, 0.0;
+                }},
                 .end = 1.0,
                 .conditions = [](In, In at_end, Out residual) { residual[0] = at_end[2] + at_end[0] - 1.0; }},
             .smoothness = smoothness(alpha, k),

@@ -110,7 +110,9 @@ Scene scene_of(const TwoSidedConstraint& system, double alpha) {
                                      {memory, {0.0}, Side::right},
                                      {memory, {0.0}, Side::right}},
                       .rhs = [system](double t, In y, Out f) { system.rhs(t, y, f); },
-                      .jacobian = [system](double, In y, OutMatrix result) { system.jacobian(y, result); },
+                      .derivatives = DenseJacobian{[system](double, In y, OutMatrix result) {
+                        system.jacobian(y, result);
+                      }},
                       .end = end},
           .smoothness = system.smoothness(),
           .outputs = {{"q1", "q2", "v1", "v2", "w1", "w2", "r1", "r2"},
@@ -138,10 +140,7 @@ SceneMaker two_sided_constraint() {
   return {.id = "two_sided_constraint",
           .title = "Oscillator in the plane with left and right derivatives in its constraint",
           .source = "Tarasov & Zaslavsky 2006, eqs 29, 38-41; manufactured",
-          .parameters = {{"alpha",
-                          0.5,
-                          {.low = 0.0, .high = 1.0, .open_low = true, .open_high = true},
-                          "order of the constraint"},
+          .parameters = {{"alpha", 0.5, order_below_one, "order of the constraint"},
                          {"a1", 1.0, any_number, "weight of q1'"},
                          {"a2", 0.5, any_number, "weight of q2'"},
                          {"b1", 0.4, any_number, "weight of the left derivative of q1"},

@@ -19,17 +19,17 @@ std::string session_note(const PageInput& page, const Choice& choice) {
   return page.results.sessions.size() > 1 ? fmt::format(", session {}", choice.session + 1) : "";
 }
 
-Cell answer(const PageInput& page, const std::string& scene, double accuracy) {
+Cell answer(const PageInput& page, const SceneSettings& scene, double accuracy) {
   if (const auto ranked = cheapest(page.runs, scene, accuracy); !ranked.empty()) {
     const Choice& first = ranked.front();
-    const std::string label = page.label(first.scheme, first.history);
+    const std::string label = page.label(first);
     return {.text = label, .detail = describe(first) + session_note(page, first), .line = label};
   }
   const auto missed = shortfall(page.runs, scene, accuracy);
   if (!missed) return {.text = "no run finished"};
   Cell cell{.text = "none measured reaches it",
-            .detail = fmt::format("Best: {}, {}{}.", page.label(missed->best.scheme, missed->best.history),
-                                  describe(missed->best), session_note(page, missed->best))};
+            .detail = fmt::format("Best: {}, {}{}.", page.label(missed->best), describe(missed->best),
+                                  session_note(page, missed->best))};
   if (missed->needed) cell.detail += fmt::format(" {}.", describe(*missed->needed));
   return cell;
 }
@@ -61,8 +61,8 @@ Section answers_section(const PageInput& page) {
   for (const double accuracy : accuracies) section.table.columns.push_back({accuracy_text(accuracy)});
   RowGroup rows;
   for (const RunSpan runs : by_scene(page.runs.finished)) {
-    const std::string& scene = runs.front().scene;
-    std::vector<Cell> cells{{.text = name_of_scene(scene).title, .detail = scene}};
+    const SceneSettings& scene = runs.front().key.scene;
+    std::vector<Cell> cells{{.text = name_of_scene(scene).title, .detail = label_of(scene)}};
     for (const double accuracy : accuracies) cells.push_back(answer(page, scene, accuracy));
     rows.rows.push_back(std::move(cells));
   }

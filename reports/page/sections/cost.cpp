@@ -15,11 +15,11 @@ std::string digits_text(double digits) { return fmt::format("{:.1f}", digits); }
 Cell newton(const MeasuredRun& run) {
   const auto iterations = run["newton_iterations"];
   if (!iterations) return {.text = "explicit"};
-  return {.text = fmt::format("{} (to {})", count_text(*iterations), error_text(run.tolerance))};
+  return {.text = fmt::format("{} (to {})", count_text(*iterations), error_text(run.key.setup.tolerance))};
 }
 
 std::vector<Cell> row(const PageInput& page, const MeasuredRun& run) {
-  const std::string label = page.label(run.scheme, run.history);
+  const std::string label = page.label(run.key);
   return {{.text = label, .line = label},        {.text = count_text(run.steps)},
           cell(run["time_minimum"], time_text),  cell(run["error_end"], error_text),
           cell(run["mescd"], digits_text),       cell(run["states"], count_text),
@@ -43,7 +43,7 @@ Section cost_section(const PageInput& page) {
                                         {"Newton iterations"},
                                         {"history"}}}};
   for (const RunSpan scene : by_scene(page.runs.finished)) {
-    RowGroup group{.title = name_of_scene(scene.front().scene).title};
+    RowGroup group{.title = name_of_scene(scene.front().key.scene).title};
     for (const RunSpan line : by_line(scene)) group.rows.push_back(row(page, line.back()));
     section.table.groups.push_back(std::move(group));
   }

@@ -35,7 +35,7 @@ std::vector<Cell> row(const PageInput& page, const std::string& formulation, Run
   const auto until = found == line.end() ? line.end() : std::next(found);
   const RunSpan fitted(line.begin(), until);
   const MeasuredRun& run = fitted.back();
-  const std::string label = page.label(run.scheme, run.history);
+  const std::string label = page.label(run.key);
   const auto error = run["error_end"], seconds = run["time_minimum"];
   return {{.text = formulation},
           {.text = label, .line = label},
@@ -52,9 +52,9 @@ std::vector<Cell> row(const PageInput& page, const std::string& formulation, Run
 
 std::string with_run(const PageInput& page, const BestInTime& best) {
   const auto error = best.run["error_end"];
-  return fmt::format("{} with {} ({}{} at N = {})", best.formulation,
-                     page.label(best.run.scheme, best.run.history), error_text(judged_drift(best.run)),
-                     error ? ", error " + error_text(*error) : "", count_text(best.run.steps));
+  return fmt::format("{} with {} ({}{} at N = {})", best.formulation, page.label(best.run.key),
+                     error_text(judged_drift(best.run)), error ? ", error " + error_text(*error) : "",
+                     count_text(best.run.steps));
 }
 
 // Which formulation keeps the constraint best in the same time; empty: there is no choice, or no time.

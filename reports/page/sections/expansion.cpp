@@ -4,29 +4,35 @@
 
 #include "analysis/text.hpp"
 #include "page/page_data.hpp"
+#include "stepping/scheme.hpp"
 
 namespace fde {
 namespace {
 
-constexpr auto expansion_id = "commensurate_adams_pc", chain_id = "decoupled_multi_order";
+// The scheme that solves the expansion of another's chains, or nullptr.
+const Scheme* expansion_scheme() {
+  const auto found =
+      std::ranges::find_if(schemes(), [](const Scheme& scheme) { return !scheme.expansion_of.empty(); });
+  return found == schemes().end() ? nullptr : &*found;
+}
 
 // The same scene and steps solved both ways.
 struct Pair {
   const MeasuredRun *chain, *expansion;
 };
 
-const MeasuredRun* find(RunSpan runs, std::string_view scheme, int steps) {
+const MeasuredRun* find(RunSpan runs, std::string_view scheme, const Setup& setup) {
   const auto found = std::ranges::find_if(
-      runs, [=](const MeasuredRun& run) { return run.scheme == scheme && run.steps == steps; });
+      runs, [&](const MeasuredRun& run) { return run.key.scheme == scheme && run.key.setup == setup; });
   return found == runs.end() ? nullptr : &*found;
 }
 
-// At the finest step count that both have.
-std::optional<Pair> finest_pair(RunSpan scene) {
+// At the finest step count that both have, otherwise set up alike.
+std::optional<Pair> finest_pair(const Scheme& expansion, RunSpan scene) {
   std::optional<Pair> finest;
   for (const MeasuredRun& run : scene) {
-    if (run.scheme != expansion_id || (finest && finest->expansion->steps > run.steps)) continue;
-    if (const auto* chain = find(scene, chain_id, run.steps)) finest = Pair{chain, &run};
+    if (run.key.scheme != expansion.id || (finest && finest->expansion->steps > run.steps)) continue;
+    if (const auto* chain = find(scene, expansion.expansion_of, run.key.setup)) finest = Pair{chain, &run};
   }
   return finest;
 }
@@ -51,12 +57,15 @@ Cell times_as_long(const Pair& pair) {
 }  // namespace
 
 Section expansion_section(const PageInput& page) {
+  const Scheme* expansion = expansion_scheme();
+  if (!expansion) return {};
   Section section{
       .id = "expansion",
       .title = "Decoupled chain or commensurate expansion",
-      .paragraphs = {"Yin, Liu & Anh 2007 hold that the expansion into equal orders (commensurate_adams_pc) "
-                     "has too many states, against their decoupled chain (decoupled_multi_order). Measured, "
-                     "at the finest step count that both have:"},
+      .paragraphs = {fmt::format(
+          "Yin, Liu & Anh 2007 hold that the expansion into equal orders ({}) has too many states, against "
+          "their decoupled chain ({}). Measured, at the finest step count that both have:",
+          expansion->id, expansion->expansion_of)},
       .table = {.caption = "States and times of the decoupled chain and the commensurate expansion",
                 .columns = {{"scene"},
                             {"N"},
@@ -67,9 +76,10 @@ Section expansion_section(const PageInput& page) {
                             {"time ratio"}}}};
   RowGroup rows;
   for (const RunSpan scene : by_scene(page.runs.finished)) {
-    const auto pair = finest_pair(scene);
+    const auto pair = finest_pair(*expansion, scene);
     if (!pair) continue;
-    rows.rows.push_back({{.text = name_of_scene(scene.front().scene).title, .detail = scene.front().scene},
+    const SceneSettings& solved = scene.front().key.scene;
+    rows.rows.push_back({{.text = name_of_scene(solved).title, .detail = label_of(solved)},
                          {.text = count_text(pair->chain->steps)},
                          states(*pair->chain),
                          time_and_error(*pair->chain),

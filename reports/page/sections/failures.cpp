@@ -11,9 +11,9 @@ namespace fde {
 namespace {
 
 std::vector<Cell> row(const PageInput& page, const std::vector<std::string>& steps, const MeasuredRun& run) {
-  return {{.text = page.label(run.scheme, run.history)},
+  return {{.text = page.label(run.key)},
           {.text = fmt::format("{}", fmt::join(steps, ", "))},
-          {.text = run.status}};
+          {.text = sentence(run.ending)}};
 }
 
 }  // namespace
@@ -28,12 +28,12 @@ Section failures_section(const PageInput& page) {
       .table = {.caption = "Refused and failed runs with their reasons",
                 .columns = {{"scheme"}, {"N"}, {"reason"}}}};
   for (const RunSpan scene : by_scene(page.runs.failed)) {
-    RowGroup group{.title = name_of_scene(scene.front().scene).title};
+    RowGroup group{.title = name_of_scene(scene.front().key.scene).title};
     for (const RunSpan line : by_line(scene)) {
       std::vector<std::string> steps;
       for (auto run = line.begin(); run != line.end(); ++run) {
         steps.push_back(count_text(run->steps));
-        if (std::next(run) != line.end() && std::next(run)->status == run->status) continue;
+        if (std::next(run) != line.end() && std::next(run)->ending == run->ending) continue;
         group.rows.push_back(row(page, steps, *run));
         steps.clear();
       }
@@ -51,7 +51,7 @@ Section schemes_section(const PageInput& page) {
   RowGroup rows;
   for (const auto& scheme : schemes()) {
     const std::string id(scheme.id);
-    const auto of_this = [&](const MeasuredRun& run) { return run.scheme == id; };
+    const auto of_this = [&](const MeasuredRun& run) { return run.key.scheme == id; };
     if (std::ranges::any_of(page.runs.finished, of_this) || std::ranges::any_of(page.runs.failed, of_this)) {
       rows.rows.push_back(
           {{.text = id}, {.text = std::string(scheme.title)}, {.text = std::string(scheme.source)}});

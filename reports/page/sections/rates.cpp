@@ -6,6 +6,7 @@
 
 #include "analysis/text.hpp"
 #include "page/page_data.hpp"
+#include "stepping/scheme.hpp"
 
 namespace fde {
 namespace {
@@ -35,7 +36,7 @@ Cell correlation(const NormRate& rate) {
 }
 
 std::vector<Cell> row(const PageInput& page, const RateRow& rate) {
-  const std::string label = page.label(rate.scheme, rate.history);
+  const std::string label = page.label(rate);
   return {{.text = label, .line = label},
           {.text = fmt::format("{} to {}", count_text(rate.coarsest), count_text(rate.finest))},
           expected(rate.end),
@@ -61,26 +62,26 @@ std::string summary(const std::vector<RateRow>& rates) {
       deviating, fits, largest_deviation);
 }
 
-// Whether the paper's scheme shows its rate at the end of this scene and, by theory, not in the maximum norm.
-bool speaks_of_the_theorem(const RateRow& rate) {
-  return rate.scheme == "decoupled_multi_order" && rate.end.deviation() && !deviates(rate.end) &&
-         *rate.end.expected > 1.0 && rate.maximum.expected.value_or(2.0) <= 1.0;
+// Whether the scheme shows its rate at the end of this scene and, by theory, not in the maximum norm.
+bool speaks_of_a_theorem(const RateRow& rate) {
+  return rate.end.deviation() && !deviates(rate.end) && *rate.end.expected > 1.0 &&
+         rate.maximum.expected.value_or(2.0) <= 1.0;
 }
 
-// What the rates say about the paper's theorem, with the scenes that show it; empty: none.
-std::string on_the_theorem(const std::vector<RateRow>& rates) {
+// What the rates say about the theorem on a scheme, with the scenes that show it; empty: none.
+std::string on_the_theorem(const Scheme& scheme, const std::vector<RateRow>& rates) {
   std::vector<std::string> scenes;
   for (const RateRow& rate : rates) {
-    if (speaks_of_the_theorem(rate)) scenes.push_back(rate.scene);
+    if (rate.scheme == scheme.id && speaks_of_a_theorem(rate)) scenes.push_back(label_of(rate.scene));
   }
   if (scenes.empty()) return {};
   return fmt::format(
-      "At a fixed time t > 0 the decoupled chain (decoupled_multi_order) shows 1 + min γ on {}, although "
-      "the hypothesis of Theorem 4.3 of Yin, Liu & Anh 2007, D^γ u in C², fails for these scenes. In the "
-      "maximum norm over all steps it does not: the error at t₁ is O(h) or worse. A larger slope there "
-      "means that the first steps do not dominate the fitted range yet. Rates belong to (scheme, "
+      "At a fixed time t > 0 {} shows {} on {}, although the hypothesis of {}, {}, fails for these scenes. "
+      "In the maximum norm over all steps it does not: the error at t₁ is O(h) or worse. A larger slope "
+      "there means that the first steps do not dominate the fitted range yet. Rates belong to (scheme, "
       "smoothness, grid, norm).",
-      fmt::join(scenes, ", "));
+      scheme.id, scheme.theorem->rate, fmt::join(scenes, ", "), scheme.theorem->name,
+      scheme.theorem->hypothesis);
 }
 
 }  // namespace
@@ -97,7 +98,11 @@ Section rates_section(const PageInput& page) {
                                         {"theory", over_all},
                                         {"observed", over_all},
                                         {"correlation", over_all}}}};
-  if (auto text = on_the_theorem(page.rates); !text.empty()) section.paragraphs.push_back(std::move(text));
+  for (const Scheme& scheme : schemes()) {
+    if (!scheme.theorem) continue;
+    if (auto text = on_the_theorem(scheme, page.rates); !text.empty())
+      section.paragraphs.push_back(std::move(text));
+  }
   section.paragraphs.push_back(summary(page.rates));
   for (const RateRow& rate : page.rates) {
     auto& groups = section.table.groups;

@@ -24,8 +24,8 @@ std::vector<Cell> reference_row(const PageInput& page, RunSpan scene) {
     share.marked = true;
     share.detail = "the reference does not resolve this error";
   }
-  const std::string label = page.label(best->scheme, best->history);
-  return {{.text = name_of_scene(best->scene).title, .detail = best->scene},
+  const std::string label = page.label(best->key);
+  return {{.text = name_of_scene(best->key.scene).title, .detail = label_of(best->key.scene)},
           {.text = error_text(bound)},
           {.text = error_text(error),
            .detail = fmt::format("{}, N = {}", label, count_text(best->steps)),

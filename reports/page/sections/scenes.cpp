@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "analysis/text.hpp"
-#include "nlohmann/json.hpp"
 #include "page/page_data.hpp"
 
 namespace fde {
@@ -41,7 +41,7 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
   const auto add = [&](std::string name, std::string text) {
     words.push_back({std::move(name), std::move(text)});
   };
-  add("title", page.label(run.scheme, run.history));  // shown as the heading
+  add("title", page.label(run.key));  // shown as the heading
   add("N", count_text(run.steps));
   add("h", fmt::format("{:.3g}", run.h));
   if (const auto error = run["error_end"]) add("error at the end", error_text(*error));
@@ -63,7 +63,7 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
 }
 
 json point(const PageInput& page, const MeasuredRun& run, const MeasuredRun* coarser) {
-  json shown{{"line", page.label(run.scheme, run.history)}, {"steps", run.steps}, {"h", run.h}};
+  json shown{{"line", page.label(run.key)}, {"steps", run.steps}, {"h", run.h}};
   for (const auto& norm : norms) {
     if (const auto value = positive(run, norm.quantity)) shown[norm.name] = *value;
   }
@@ -92,9 +92,9 @@ json guides(const PageInput& page, RunSpan scene) {
     for (const auto& [name, quantity, of_norm] : norms) {
       const auto& expected = (rate.*of_norm).expected;
       const auto anchor = positive(finest, quantity);
-      if (!expected || !anchor || line.size() < 2) continue;
+      if (!expected || !anchor || line.size() < 2 || !(finest.h > 0.0)) continue;
       for (const double h : {finest.h, line.front().h}) {
-        shown.push_back({{"line", page.label(finest.scheme, finest.history)},
+        shown.push_back({{"line", page.label(finest.key)},
                          {"norm", name},
                          {"h", h},
                          {"error", *anchor * std::pow(h / finest.h, *expected)}});
@@ -109,8 +109,7 @@ std::string not_drawn(const PageInput& page, RunSpan scene) {
   std::vector<std::string> names;
   for (const MeasuredRun& run : scene) {
     if (run["error_end"] && !positive(run, "error_end")) {
-      names.push_back(
-          fmt::format("{} at N = {}", page.label(run.scheme, run.history), count_text(run.steps)));
+      names.push_back(fmt::format("{} at N = {}", page.label(run.key), count_text(run.steps)));
     }
   }
   if (names.empty()) return {};
@@ -123,15 +122,16 @@ std::string not_drawn(const PageInput& page, RunSpan scene) {
 json scene_sections(const PageInput& page) {
   json sections = json::array();
   for (const RunSpan scene : by_scene(page.runs.finished)) {
-    const std::string& id = scene.front().scene;
-    const auto [title, source] = name_of_scene(id);
+    const SceneSettings& solved = scene.front().key.scene;
+    const auto label = label_of(solved);
+    const auto [title, source] = name_of_scene(solved);
     std::vector<std::string> paragraphs;
     for (const auto& text : {source, not_drawn(page, scene)}) {
       if (!text.empty()) paragraphs.push_back(text);
     }
-    sections.push_back({{"id", "scene-" + id},
+    sections.push_back({{"id", "scene-" + label},
                         {"title", title},
-                        {"name", id},
+                        {"name", label},
                         {"paragraphs", paragraphs},
                         {"points", points(page, scene)},
                         {"guides", guides(page, scene)}});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "analysis/text.hpp"
 #include "analysis/verdict.hpp"
@@ -13,47 +14,49 @@
 namespace fde {
 namespace {
 
-// The schemes of the trials' runs, in the order of their list.
-std::vector<std::string> schemes_of(const std::vector<MeasuredRun>& runs) {
-  std::vector<std::string> ids;
+// One line for each scheme of the trials' runs, and each way it is set up, in the order of the list of
+// schemes.
+std::vector<std::string> lines_of(const PageInput& page) {
+  std::vector<std::string> lines;
   for (const auto& scheme : schemes()) {
-    if (std::ranges::find(runs, scheme.id, &MeasuredRun::scheme) != runs.end()) ids.emplace_back(scheme.id);
+    for (const auto& run : page.trials) {
+      if (run.key.scheme != scheme.id) continue;
+      auto line = page.label(run.key);
+      if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));
+    }
   }
-  return ids;
+  return lines;
 }
 
-Cell cell(const std::vector<MeasuredRun>& runs, const std::string& scene, const std::string& scheme) {
-  const auto found = std::ranges::find_if(
-      runs, [&](const MeasuredRun& run) { return run.scene == scene && run.scheme == scheme; });
-  if (found == runs.end()) return {.text = "not run"};
+Cell cell(const PageInput& page, const SceneSettings& scene, const std::string& line) {
+  const auto found = std::ranges::find_if(page.trials, [&](const MeasuredRun& run) {
+    return run.key.scene == scene && page.label(run.key) == line;
+  });
+  if (found == page.trials.end()) return {.text = "not run"};
   const Verdict of = verdict(*found);
-  return {.text = name(of),
-          .detail = because(*found),
-          .marked = of == Verdict::fails || of == Verdict::inaccurate};
+  return {.text = std::string(of.word), .detail = because(*found), .marked = of.bad};
 }
 
 // "5 of 12", and how many it refuses or stops at rightly.
-Cell survivals(const std::vector<MeasuredRun>& runs, const std::string& scheme) {
+Cell survivals(const PageInput& page, const std::string& line) {
   std::map<Verdict, int> counts;
   int total = 0;
-  for (const auto& run : runs) {
-    if (run.scheme != scheme) continue;
+  for (const auto& run : page.trials) {
+    if (page.label(run.key) != line) continue;
     ++counts[verdict(run)];
     ++total;
   }
   std::vector<std::string> others;
-  for (const Verdict of : {Verdict::stops, Verdict::refuses}) {
-    if (counts[of] > 0) others.push_back(fmt::format("{} {}", name(of), counts[of]));
+  for (const Verdict& of : {stops, refuses}) {
+    if (counts[of] > 0) others.push_back(fmt::format("{} {}", of.word, counts[of]));
   }
-  return {.text = fmt::format("{} of {}", counts[Verdict::survives], total),
+  return {.text = fmt::format("{} of {}", counts[survives], total),
           .detail = fmt::format("{}", fmt::join(others, ", "))};
 }
 
-std::vector<Cell> row(const std::vector<MeasuredRun>& runs, const Trial& trial,
-                      const std::vector<std::string>& schemes) {
-  const std::string label = trial.scene.label();
-  std::vector<Cell> cells{{.text = label, .detail = "N = " + count_text(trial.steps)}};
-  for (const auto& scheme : schemes) cells.push_back(cell(runs, label, scheme));
+std::vector<Cell> row(const PageInput& page, const Trial& trial, const std::vector<std::string>& lines) {
+  std::vector<Cell> cells{{.text = trial.scene.label(), .detail = "N = " + count_text(trial.steps)}};
+  for (const auto& line : lines) cells.push_back(cell(page, trial.scene.key(), line));
   return cells;
 }
 
@@ -69,24 +72,24 @@ Section stability_section(const PageInput& page) {
            "reference, the bound of the reference included; otherwise it is inaccurate. It fails "
            "where it ends early, or where from some step on its error is not below the size of the "
            "value up to the end. It stops rightly where the solution has a singularity, and is not "
-           "judged where there is no reference or the solution itself is beyond double. Below the "
+           "judged where there is no reference or the solution itself overflows. Below the "
            "verdict: the error at the end as a part of the value, from when on rounding is at least "
            "a quarter of it, and the time of the solve. Why each scheme fares as it does: "
-           "docs/the_stability.md."},
+           "docs/stability.md."},
       .table = {.caption = "Verdicts by scene and scheme", .columns = {{"scene"}}}};
-  const auto ids = schemes_of(page.trials);
+  const auto lines = lines_of(page);
   std::vector<Cell> counts{{.text = "survived"}};
-  for (const auto& id : ids) {
-    section.table.columns.push_back({id});
-    counts.push_back(survivals(page.trials, id));
+  for (const auto& line : lines) {
+    section.table.columns.push_back({line});
+    counts.push_back(survivals(page, line));
   }
-  if (!ids.empty()) section.table.groups.push_back({.rows = {counts}});
+  if (!lines.empty()) section.table.groups.push_back({.rows = {counts}});
   for (const Trial& trial : trials()) {
-    const auto made = std::ranges::find(page.trials, trial.scene.label(), &MeasuredRun::scene);
-    if (made == page.trials.end()) continue;
+    const auto of_this = [&](const MeasuredRun& run) { return run.key.scene == trial.scene.key(); };
+    if (std::ranges::none_of(page.trials, of_this)) continue;
     auto& groups = section.table.groups;
     if (groups.back().title != trial.kind) groups.push_back({.title = trial.kind});
-    groups.back().rows.push_back(row(page.trials, trial, ids));
+    groups.back().rows.push_back(row(page, trial, lines));
   }
   return section;
 }

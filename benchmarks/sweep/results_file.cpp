@@ -1,4 +1,4 @@
-#include "sweep/record.hpp"
+#include "sweep/results_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,52 +10,37 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <nlohmann/json.hpp>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <tuple>
 #include <utility>
 
-#include "sweep/ending.hpp"
+#include "sweep/record_text.hpp"
 
 namespace fde {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Session, date, machine, system, compiler, flags, commit, version, cores)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Record, scene, scheme, history, steps, h, tolerance, quantity, value, unit,
-                                   status)
-
 namespace {
-
-using Json = nlohmann::json;
-
-constexpr std::string_view last_row = "outcome", last_time = "timed";
-constexpr std::string_view first_words = R"({"session":)";
-
-bool ends_rows(const Record& row) { return row.quantity == last_row || row.status == last_time; }
 
 struct Parsed {
   Results results;
   std::size_t valid = 0;  // bytes up to the end of the last complete write
 };
 
-// Adds one line; true when it is a session or ends the rows of one write, so that the file is whole up to
+// Adds one line; true when it is a session or the last row of one write, so that the file is whole up to
 // here.
-bool add_line(const std::string& line, Results& results, std::vector<Record>& open_rows) {
-  const Json json = Json::parse(line);
-  if (json.contains("session")) {
-    results.sessions.push_back(json.at("session").get<Session>());
+bool add_line(const std::string& text, Results& results, std::vector<Record>& open_rows) {
+  auto line = parse_line(text);
+  if (line.session) {
+    results.sessions.push_back(*line.session);
     return true;
   }
-  if (!json.at("steps").is_number_integer()) throw std::invalid_argument("steps are no whole number");
-  auto record = json.get<Record>();
-  if (json.at("steps") != record.steps || record.steps < 1)
-    throw std::invalid_argument("an impossible number of steps");
   if (results.sessions.empty()) throw std::invalid_argument("a record before the first session");
-  record.session = results.sessions.size() - 1;
-  open_rows.push_back(std::move(record));
-  if (!ends_rows(open_rows.back())) return false;
-  results.records.insert(results.records.end(), open_rows.begin(), open_rows.end());
+  line.row.session = results.sessions.size() - 1;
+  open_rows.push_back(std::move(line.row));
+  if (!line.last) return false;
+  std::ranges::move(open_rows, std::back_inserter(results.records));
   open_rows.clear();
   return true;
 }
@@ -71,6 +56,10 @@ Parsed parse(const std::string& text, const std::filesystem::path& file) {
     try {
       if (add_line(text.substr(begin, end - begin), parsed.results, open_rows)) parsed.valid = end + 1;
       if (end == std::string::npos) throw std::invalid_argument("no line end");
+    } catch (const OtherFormat&) {
+      throw std::invalid_argument(
+          fmt::format("{}: line {}: results of another version of fdebench, to be measured again",
+                      file.string(), number));
     } catch (const std::exception&) {
       throw std::invalid_argument(
           fmt::format("{}: line {} is not a row of fdebench results", file.string(), number));
@@ -138,22 +127,22 @@ ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
 
 ResultsFile::~ResultsFile() { close(descriptor_); }
 
-Stage ResultsFile::stage(const std::string& scene, const std::string& scheme, int steps) const {
-  const auto found = stages_.find({scene, scheme, steps});
-  return found == stages_.end() ? Stage::missing : found->second;
+Recorded ResultsFile::recorded(const RunKey& run) const {
+  const auto found = recorded_.find(run);
+  return found == recorded_.end() ? Recorded::nothing : found->second;
 }
 
 // A time without an examination, as a fault of a sweep would leave it, does not end a run.
 void ResultsFile::note(const Record& row) {
-  auto& stage = stages_[{row.scene, row.scheme, row.steps}];
-  if (row.quantity == last_row) stage = is_compared(ending_of(row.status)) ? Stage::examined : Stage::done;
-  if (is_time(row) && stage == Stage::examined) stage = Stage::done;
+  auto& recorded = recorded_[row.key];
+  if (row.ending) recorded = is_compared(row.ending->kind) ? Recorded::all_but_times : Recorded::everything;
+  if (is_time(row) && recorded == Recorded::all_but_times) recorded = Recorded::everything;
 }
 
 void ResultsFile::append(const std::vector<Record>& rows) {
   std::string text;
-  if (!session_written_) text = Json{{"session", session_}}.dump() + '\n';
-  for (const auto& row : rows) text += Json(row).dump() + '\n';
+  if (!session_written_) text = line_of(session_);
+  for (const auto& row : rows) text += line_of(row, &row == &rows.back());
   write(text);
   session_written_ = true;
   std::ranges::for_each(rows, [&](const Record& row) { note(row); });

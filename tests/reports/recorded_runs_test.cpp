@@ -5,30 +5,30 @@
 
 #include "analysis/runs.hpp"
 #include "support/temporary_folder.hpp"
-#include "sweep/record.hpp"
+#include "sweep/results_file.hpp"
 
 namespace fde {
 namespace {
 
-class Stages : public testing::Test {
+class RecordedRuns : public testing::Test {
  protected:
-  static Record row(std::string_view quantity, double value, std::string_view status = "") {
-    return {.scene = "power",
-            .scheme = "l1",
-            .history = "auto",
+  static RunKey key() { return {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = 16}}; }
+  static Record row(std::string_view quantity, double value) {
+    return {.key = key(),
             .steps = 16,
             .h = 1.0 / 16,
             .quantity = std::string(quantity),
             .value = value,
-            .unit = quantity.starts_with("time_") ? "s" : "1",
-            .status = std::string(status)};
+            .unit = quantity.starts_with("time_") ? "s" : "1"};
   }
-  static std::vector<Record> examination(std::string_view status = "finished") {
-    return {row("error_end", 0.1), row("outcome", 1.0, status)};
+  static std::vector<Record> examination(const RunEnding& how = {}, double error = 0.1) {
+    Record ending = row("ending", 1.0);
+    ending.ending = how;
+    return {row("error_end", error), ending};
   }
-  static std::vector<Record> times() { return {row("time_minimum", 0.5), row("time_median", 0.6, "timed")}; }
+  static std::vector<Record> times() { return {row("time_minimum", 0.5), row("time_median", 0.6)}; }
 
-  [[nodiscard]] Stage stage() const { return ResultsFile(file_).stage("power", "l1", 16); }
+  [[nodiscard]] Recorded recorded() const { return ResultsFile(file_).recorded(key()); }
   [[nodiscard]] std::string text() const {
     std::ostringstream all;
     all << std::ifstream(file_).rdbuf();
@@ -49,45 +49,48 @@ class Stages : public testing::Test {
   const std::filesystem::path file_ = folder_.path() / "results.jsonl";
 };
 
-TEST_F(Stages, GoFromMissingToExaminedToDone) {
-  EXPECT_EQ(stage(), Stage::missing);
+TEST_F(RecordedRuns, HaveNothingThenAllButTimesThenEverything) {
+  EXPECT_EQ(recorded(), Recorded::nothing);
   ResultsFile(file_).append(examination());
-  EXPECT_EQ(stage(), Stage::examined);
+  EXPECT_EQ(recorded(), Recorded::all_but_times);
   ResultsFile(file_).append(times());
-  EXPECT_EQ(stage(), Stage::done);
+  EXPECT_EQ(recorded(), Recorded::everything);
 }
 
-TEST_F(Stages, OfRunsThatDidNotFinishAreDone) {
-  ResultsFile(file_).append(examination("refused: no"));
-  EXPECT_EQ(stage(), Stage::done);
+TEST_F(RecordedRuns, ThatDidNotFinishHaveNoTimes) {
+  ResultsFile(file_).append(examination({Ending::refused, "no"}));
+  EXPECT_EQ(recorded(), Recorded::everything);
 }
 
 // A continued run examines it, so that the file ends complete.
-TEST_F(Stages, OfATimedRunWithoutAnExaminationIsMissing) {
+TEST_F(RecordedRuns, WithTimesAloneAreNotRecorded) {
   ResultsFile(file_).append(times());
-  EXPECT_EQ(stage(), Stage::missing);
+  EXPECT_EQ(recorded(), Recorded::nothing);
   ResultsFile(file_).append(examination());
-  EXPECT_EQ(stage(), Stage::examined);
+  EXPECT_EQ(recorded(), Recorded::all_but_times);
 }
 
 // What a kill leaves is a prefix of the file: the rows of whole writes are kept, whatever they are.
-TEST_F(Stages, OfAFileCutAnywhereAreThoseOfItsWholeWrites) {
+TEST_F(RecordedRuns, OfAFileCutAnywhereAreThoseOfItsWholeWrites) {
   {
     ResultsFile file(file_);
     file.append(examination());
     file.append(times());
   }
   const auto whole = text();
-  const auto examined = whole.find('\n', whole.find("outcome")) + 1;
+  const auto examined = whole.find('\n', whole.find("ending")) + 1;
   for (std::size_t length = whole.size() % 3; length <= whole.size(); length += 3) {
     write(whole.substr(0, length));
     const std::size_t kept = length < examined ? 0 : length < whole.size() ? 2 : 4;
     EXPECT_EQ(read_results(file_).records.size(), kept) << length;
-    EXPECT_EQ(stage(), kept == 0 ? Stage::missing : kept == 2 ? Stage::examined : Stage::done) << length;
+    EXPECT_EQ(recorded(), kept == 0   ? Recorded::nothing
+                          : kept == 2 ? Recorded::all_but_times
+                                      : Recorded::everything)
+        << length;
   }
 }
 
-TEST_F(Stages, TimesOfALaterSessionJoinTheirExamination) {
+TEST_F(RecordedRuns, TimesOfALaterSessionJoinTheirExamination) {
   ResultsFile(file_).append(examination());
   ResultsFile(file_).append(times());
   const Runs runs = runs_of(read_results(file_));
@@ -98,7 +101,7 @@ TEST_F(Stages, TimesOfALaterSessionJoinTheirExamination) {
 }
 
 // A time stands beside the error of the program that took it.
-TEST_F(Stages, TimesOfAnotherBuildDoNotJoin) {
+TEST_F(RecordedRuns, TimesOfAnotherBuildDoNotJoin) {
   ResultsFile(file_).append(examination());
   ResultsFile(file_).append(times());
   change_build(1);
@@ -106,16 +109,16 @@ TEST_F(Stages, TimesOfAnotherBuildDoNotJoin) {
   ASSERT_EQ(runs.finished.size(), 1U);
   EXPECT_EQ(runs.finished[0]["time_minimum"], std::nullopt);
   EXPECT_EQ(runs.failed.size(), 0U);
-  EXPECT_EQ(stage(), Stage::examined);
+  EXPECT_EQ(recorded(), Recorded::all_but_times);
 }
 
-TEST_F(Stages, ALaterExaminationReplacesTheEarlierWithItsTimes) {
+TEST_F(RecordedRuns, ALaterExaminationReplacesTheEarlierWithItsTimes) {
   {
     ResultsFile file(file_);
     file.append(examination());
     file.append(times());
   }
-  ResultsFile(file_).append({row("error_end", 0.2), row("outcome", 1.0, "finished")});
+  ResultsFile(file_).append(examination({}, 0.2));
   const Runs runs = runs_of(read_results(file_));
   ASSERT_EQ(runs.finished.size(), 1U);
   EXPECT_EQ(runs.finished[0].values, (decltype(MeasuredRun::values){{"error_end", 0.2}}));

@@ -1,0 +1,22 @@
+#include "scenes/scene_settings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+namespace fde {
+
+std::string settings_text(const SceneSettings& scene) {
+  std::vector<std::string> texts;
+  for (const auto& [name, value] : scene.values) texts.push_back(fmt::format("{}={}", name, text_of(value)));
+  if (scene.until) texts.push_back(fmt::format("until={}", *scene.until));
+  return fmt::format("{}", fmt::join(texts, ","));
+}
+
+std::string label_of(const SceneSettings& scene) {
+  const auto settings = settings_text(scene);
+  return settings.empty() ? scene.id : fmt::format("{}:{}", scene.id, settings);
+}
+
+}  // namespace fde

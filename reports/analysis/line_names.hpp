@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "analysis/runs.hpp"
+
+namespace fde {
+
+// What lines are called: by their scheme, and by those of their means (history, grid, tolerance, budget) that
+// are not the same for all runs.
+class LineNames {
+ public:
+  explicit LineNames(const Runs& runs);
+
+  // "l1", or "l1, direct, graded:2".
+  [[nodiscard]] std::string name(const std::string& scheme, const Setup& setup) const;
+
+  // "l1 (auto)", or "l1 (auto, graded:2)": with the history always.
+  [[nodiscard]] std::string name_with_history(const std::string& scheme, const Setup& setup) const;
+
+ private:
+  std::array<bool, 4> differ_{};
+};
+
+}  // namespace fde

@@ -1,0 +1,39 @@
+#include "implicit/step_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fde {
+
+RowScales::RowScales(const Problem& problem)
+    : mass(Vec::Ones(problem.size())), scale(problem.size()), weight(Vec::Ones(problem.size())) {
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    if (!fde::algebraic(problem.components[static_cast<std::size_t>(i)])) continue;
+    algebraic.push_back(i);
+    mass[i] = 0.0;
+  }
+}
+
+Vec residual(const StepEquations& step, const RowScales& rows, In f, In y) {
+  Vec rest = step.past + rows.scale.cwiseProduct(f) - y;
+  for (const auto i : rows.algebraic) rest[i] = rows.scale[i] * f[i];
+  return rest;
+}
+
+double relative_size(const RowScales& rows, In increment, In y) {
+  // Below, doubles lose their digits one by one: rounding is relative to this then.
+  static constexpr double smallest =
+      std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+  const auto of = [](double part, double size) { return part / std::max(size, smallest); };
+  const double size = rows.mass.cwiseProduct(y).lpNorm<Eigen::Infinity>();
+  double largest = of(rows.mass.cwiseProduct(increment).lpNorm<Eigen::Infinity>(), size);
+  for (const auto i : rows.algebraic) {
+    const double weight = rows.weight[i];
+    const double relative = of(weight * std::abs(increment[i]), std::max(size, weight * std::abs(y[i])));
+    if (!(relative <= largest)) largest = relative;
+  }
+  return largest;
+}
+
+}  // namespace fde

@@ -1,0 +1,29 @@
+#!/usr/bin/env python3
+"""Every path that README.md and docs/ name, and every link, leads to something. One line for each that does not."""
+
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PATH = re.compile(r"`((?:schemes|reference|benchmarks|reports|tests|docs|cmake)/[^`\s*]*)`")
+LINK = re.compile(r"\]\((?!https?:)([^)#]+)(?:#[^)]*)?\)")
+
+
+def exists(name):
+    """A file, a folder, or files of that name with the extensions left out."""
+    path = ROOT / name
+    return path.exists() or any(path.parent.glob(path.name + ".*"))
+
+
+def faults():
+    for page in [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]:
+        text = page.read_text()
+        named = [name for name in PATH.findall(text) if not exists(name)]
+        linked = [name for name in LINK.findall(text) if not (page.parent / name).exists()]
+        yield from (f"{page.relative_to(ROOT)}: there is no {name}" for name in named + linked)
+
+
+found = list(faults())
+print(*(found or ["every path and link leads somewhere"]), sep="\n")
+sys.exit(bool(found))

@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""Holds the includes of the sources against rooms.txt, which says which folder may include which.
+
+    rooms.py            check; one line for each fault, exit code 1 where there is one
+    rooms.py --dot      the arrows between folders, for Graphviz
+    rooms.py --sizes    the largest folders, the longest files and functions
+"""
+
+import re
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+FLOORS = ["schemes", "reference", "benchmarks", "reports"]  # a file is looked for in its own floor first, then in these
+TABLE = Path(__file__).with_name("rooms.txt")
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+
+
+def sources():
+    """Paths of all C++ files, relative to the repository."""
+    for floor in [*FLOORS, "tests"]:
+        for path in sorted((ROOT / floor).rglob("*")):
+            if path.suffix in {".cpp", ".hpp", ".def"} and "node_modules" not in path.parts:
+                yield path.relative_to(ROOT)
+
+
+def room_of(path):
+    return path.parent.as_posix()
+
+
+def includes(path):
+    """(name, file) of each quoted include; the file is None where it is not one of ours."""
+    for name in INCLUDE.findall((ROOT / path).read_text()):
+        floors = [path.parts[0], *FLOORS]
+        found = (Path(floor) / name for floor in floors if (ROOT / floor / name).is_file())
+        yield name, next(found, None)
+
+
+def arrows():
+    """{(room, included room): a file that includes it}"""
+    result = {}
+    for path in sources():
+        for _, target in includes(path):
+            if target and room_of(target) != room_of(path):
+                result.setdefault((room_of(path), room_of(target)), path.as_posix())
+    return result
+
+
+def allowed():
+    """{room: the rooms it may include}, in the order of the table."""
+    table = {}
+    for line in TABLE.read_text().splitlines():
+        if line and not line.startswith("#"):
+            room, targets = line.split(":")
+            table[room] = targets.split()
+    return table
+
+
+def order_faults(table):
+    """The table stands in an order in which each room knows only those above it: so it has no cycle."""
+    above = set()
+    for room, targets in table.items():
+        for target in targets:
+            if target not in above:
+                yield f"rooms.txt: {room} may include {target}, which does not stand above it"
+        above.add(room)
+
+
+def faults():
+    table, seen = allowed(), arrows()
+    yield from order_faults(table)
+    for (room, target), file in seen.items():
+        if target not in table.get(room, []):
+            yield f"{file}: {room} may not include {target}"
+    for room, targets in table.items():
+        for target in targets:
+            if (room, target) not in seen:
+                yield f"rooms.txt: no file of {room} includes {target}"
+    for path in sources():
+        for name, target in includes(path):
+            if target is None and name != "build_facts.hpp":
+                yield f'{path}: "{name}" is not named with its room'
+
+
+def print_dot():
+    print('digraph rooms {\n  rankdir=BT; node [shape=box, fontname="sans-serif", fontsize=11]; edge [color="#00000060"];')
+    rooms = [room for room in allowed() if not room.startswith("tests")]
+    for floor in FLOORS:
+        inside = " ".join(f'"{room}"' for room in rooms if room.split("/")[0] == floor)
+        print(f'  subgraph "cluster_{floor}" {{ label="{floor}"; style=filled; color="#f0f0f0"; {inside} }}')
+    for room in rooms:
+        label = room.split("/", 1)[-1]
+        print(f'  "{room}" [label="{label}"];')
+    for room, target in sorted(arrows()):
+        if room in rooms:
+            print(f'  "{room}" -> "{target}";')
+    print("}")
+
+
+def functions(path):
+    """(lines, first line) of each function, in code that clang-format has laid out: its last brace is indented like
+    its first line."""
+    lines = (ROOT / path).read_text().splitlines()
+    opening = re.compile(r"^( *)(?!namespace|class|struct|enum|extern|union|//|\}|#)\S.*\)[^;]*\{$")
+    for number, line in enumerate(lines):
+        begin = opening.match(line)
+        if not begin or len(begin.group(1)) > 2:
+            continue
+        end = next((k for k in range(number, len(lines)) if lines[k].startswith(begin.group(1) + "}")), number)
+        yield end - number + 1, f"{path}:{number + 1}"
+
+
+def print_sizes(most=5):
+    files, folders, longest = [], defaultdict(int), []
+    for path in sources():
+        folders[room_of(path)] += 1
+        files.append((len((ROOT / path).read_text().splitlines()), path.as_posix()))
+        longest += functions(path)
+    for title, rows in [("folders", [(n, room) for room, n in folders.items()]), ("files", files), ("functions", longest)]:
+        print(title)
+        for size, name in sorted(rows, reverse=True)[:most]:
+            print(f"  {size:4} {name}")
+
+
+if __name__ == "__main__":
+    arguments = sys.argv[1:]
+    if arguments == ["--dot"]:
+        print_dot()
+    elif arguments == ["--sizes"]:
+        print_sizes()
+    elif arguments:
+        sys.exit(f"rooms.py: {' '.join(arguments)}: must be --dot, --sizes or nothing\n{__doc__}")
+    else:
+        found = list(faults())
+        print(*(found or ["every include is an allowed arrow"]), sep="\n")
+        sys.exit(bool(found))

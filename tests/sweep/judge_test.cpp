@@ -1,0 +1,105 @@
+// A judge needs no scheme: what a run is worth is said by its times and values beside the reference.
+
+#include "measures/judge.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "observers/watched_steps.hpp"
+#include "reference_data/data_table.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+std::optional<double> value(const Judgement& judgement, std::string_view id) {
+  const auto found = std::ranges::find(judgement.measured, id, &Measured::id);
+  return found == judgement.measured.end() ? std::nullopt : std::optional(found->value);
+}
+
+std::vector<std::string_view> ids(const Judgement& judgement) {
+  std::vector<std::string_view> all;
+  for (const auto& measured : judgement.measured) all.push_back(measured.id);
+  return all;
+}
+
+// y(t) = t^2 is the solution of `power` for p = 2. The written values are off by 0.01 and by 0.02.
+TEST(Judge, TakesWhatAnotherProgramWrote) {
+  const auto table = parse_csv("written.csv", "t,y\n0,0\n0.5,0.26\n1,1\n2,3.98\n");
+  std::vector<double> times;
+  Rows columns(1, 4);
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    times.push_back(std::stod(table.rows[row][0]));
+    columns(0, static_cast<Eigen::Index>(row)) = std::stod(table.rows[row][1]);
+  }
+  const Scene scene = scene_of("power", {{"p", 2.0}});
+  WatchedReference reference(scene);
+  const auto judged = judge_columns(times, columns, reference);
+  EXPECT_EQ(judged.ending, RunEnding{});
+  EXPECT_EQ(judged.until, 2.0);
+  EXPECT_NEAR(*value(judged, "error_end"), 0.02, 1e-15);
+  EXPECT_NEAR(*value(judged, "error_maximum"), 0.02, 1e-15);
+  EXPECT_NEAR(*value(judged, "mescd"), -std::log10(0.02 / 5.0), 1e-12);
+  EXPECT_THAT(ids(judged), testing::ElementsAre("error_end", "error_maximum", "error_relative", "mescd",
+                                                "reference_bound"));
+}
+
+TEST(Judge, SaysFromWhenOnTheAccuracyIsLost) {
+  const Scene scene = scene_of("power", {{"p", 2.0}});
+  WatchedReference reference(scene);
+  const std::vector<double> times{0.0, 0.5, 1.0};
+  const Rows columns{{0.0, 0.25, 3.0}};
+  const auto judged = judge_columns(times, columns, reference);
+  EXPECT_EQ(judged.ending, (RunEnding{Ending::accuracy_lost, "at t = 1"}));
+  const Grid grid{.end = 1.0, .steps = 2};
+  EXPECT_EQ(judge_columns(times, columns, reference, {.grid = grid}).ending.detail, "at step 2, t = 1");
+}
+
+TEST(Judge, OfASchemesTrajectoryCountsItsCost) {
+  const Scene scene = scene_of("relaxation");
+  WatchedReference reference(scene);
+  const auto path = solve("l1", scene.problem, 64);
+  const auto judged = judge(scene, path, reference);
+  EXPECT_EQ(value(judged, "states"), 1.0);
+  EXPECT_GT(value(judged, "rhs_calls"), 64.0);
+  EXPECT_EQ(value(judged, "rounding"), std::nullopt);
+  EXPECT_EQ(value(judged, "expected_rate_end"), std::nullopt);
+}
+
+TEST(Judge, OfARunThatStoppedHasNoMeasures) {
+  const Scene scene = scene_of("brusselator");
+  WatchedReference reference(scene);
+  const auto judged = judge(scene, solve("adams_pc", scene.problem, 256), reference);
+  EXPECT_EQ(judged.ending.kind, Ending::not_finite);
+  EXPECT_EQ(judged.ending.detail.find("at step 94, t = "), 0U);
+  EXPECT_TRUE(judged.measured.empty());
+}
+
+TEST(Judge, ANumberThatIsNotFiniteIsNoMeasure) {
+  const Scene scene = scene_of("relaxation");
+  WatchedReference reference(scene);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto judged = judge(scene, solve("l1", scene.problem, 8), reference, {.energy_residual = infinity});
+  EXPECT_EQ(judged.ending, (RunEnding{Ending::not_finite, "in energy_residual"}));
+  EXPECT_TRUE(judged.measured.empty());
+}
+
+TEST(Endings, HaveNamesThatAreReadBack) {
+  for (int i = 0; i <= static_cast<int>(Ending::refused); ++i) {
+    const auto ending = static_cast<Ending>(i);
+    EXPECT_EQ(ending_named(name(ending)), ending);
+  }
+  EXPECT_EQ(ending_named("done"), std::nullopt);
+}
+
+TEST(Endings, AreSentences) {
+  EXPECT_EQ(sentence({}), "finished");
+  EXPECT_EQ(sentence({Ending::not_finite, "at step 3, t = 0.5"}), "not finite at step 3, t = 0.5");
+  EXPECT_EQ(sentence({Ending::refused, "needs a uniform grid"}), "refused: needs a uniform grid");
+  EXPECT_EQ(sentence({Ending::overflow, "at t = 2"}), "the solution overflows at t = 2");
+}
+
+}  // namespace
+}  // namespace fde
