@@ -89,7 +89,7 @@ def faults():
 
 
 def print_dot():
-    print('digraph rooms {\n  rankdir=BT; node [shape=box, fontname="sans-serif", fontsize=11]; edge [color="#00000060"];')
+    print('digraph rooms {\n  rankdir=BT; nodesep=0.15; ranksep=0.35; node [shape=box, fontname="sans-serif", fontsize=11]; edge [color="#00000060"];')
     rooms = [room for room in allowed() if not room.startswith("tests")]
     for floor in FLOORS:
         inside = " ".join(f'"{room}"' for room in rooms if room.split("/")[0] == floor)
