@@ -21,7 +21,7 @@ struct Decimal {
   std::string bound;
 };
 
-// An exact solution as a function of time, in double and to any number of decimal digits.
+// A known solution as a function of time, in double and to any number of decimal digits.
 // Parameters and times are read as the shortest decimals that name them, so 0.1 means one tenth here.
 struct Reference {
   std::function<ReferenceValue(double t)> at;

@@ -8,24 +8,21 @@ namespace fde {
 //   y_n = T_n + h^g sum_{1<=j<=n} (-1)^(n-j) binomial(-g, n-j) f_j.
 // f_0 has no weight, so order 1 is the backward Euler method.
 Scheme grunwald_letnikov() {
-  return {.id = "grunwald_letnikov",
-          .title = "Implicit Grunwald-Letnikov",
-          .source = "Lubich, SIAM J. Math. Anal. 17 (1986): backward Euler convolution quadrature",
-          .needs = {.uniform_grid = true, .implicit = true, .algebraic_rows = true, .two_sided = true},
-          .expected_rate =
-              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
-                return rate(grunwald_letnikov_theory, problem, smoothness, grading, norm);
-              },
-          .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
-            if (two_sided(problem))
-              return solve_all_at_once(problem, grid, options, WeightFamily::grunwald_letnikov);
-            return solve_implicit(problem, grid, options,
-                                  integral_rule(problem, WeightFamily::grunwald_letnikov));
-          }),
-          .symbol =
-              [](const Problem& problem, double length) {
-                return implicit_symbol(problem, WeightFamily::grunwald_letnikov, length);
-              }};
+  return {
+      .id = "grunwald_letnikov",
+      .title = "Implicit Grunwald-Letnikov",
+      .source = "Lubich, SIAM J. Math. Anal. 17 (1986): backward Euler convolution quadrature",
+      .needs = {.uniform_grid = true, .implicit = true, .algebraic_rows = true, .two_sided = true},
+      .expected_rate =
+          [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
+            return rate(grunwald_letnikov_theory, problem, smoothness, grading, norm);
+          },
+      .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
+        if (two_sided(problem)) return solve_all_at_once(problem, grid, options, families::grunwald_letnikov);
+        return solve_implicit(problem, grid, options, integral_rule(problem, families::grunwald_letnikov));
+      }),
+      .symbol = [](const Problem& problem,
+                   double length) { return implicit_symbol(problem, families::grunwald_letnikov, length); }};
 }
 
 }  // namespace fde

@@ -10,7 +10,7 @@ namespace {
 Trajectory solve_l1(const Problem& problem, const Grid& grid, const Options& options) {
   return solve_implicit(
       problem, grid, options,
-      {.tables = tables(problem, WeightFamily::l1),
+      {.tables = tables(problem, families::l1),
        .past = [](double /*t*/, In convolved, In previous, In /*kappa*/,
                   Out past) { past = previous - convolved; },
        .sample = [](Run& /*run*/, double /*t*/, In y, In previous, Out sample) { sample = y - previous; }});
@@ -32,7 +32,7 @@ Scheme l1() {
           .solve = split_into(links_up_to_one, on_grid(solve_l1)),
           .symbol =
               [](const Problem& problem, double length) {
-                return implicit_symbol(split(problem, links_up_to_one(problem)), WeightFamily::l1, length);
+                return implicit_symbol(split(problem, links_up_to_one(problem)), families::l1, length);
               }};
 }
 

@@ -15,11 +15,11 @@ Scheme product_trapezoidal() {
       .expected_rate = [](const Problem& problem, const Smoothness& smoothness, double grading,
                           Norm norm) { return rate(trapezoidal_theory, problem, smoothness, grading, norm); },
       .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
-        if (two_sided(problem)) return solve_all_at_once(problem, grid, options, WeightFamily::trapezoid);
-        return solve_implicit(problem, grid, options, integral_rule(problem, WeightFamily::trapezoid));
+        if (two_sided(problem)) return solve_all_at_once(problem, grid, options, families::trapezoid);
+        return solve_implicit(problem, grid, options, integral_rule(problem, families::trapezoid));
       }),
       .symbol = [](const Problem& problem,
-                   double length) { return implicit_symbol(problem, WeightFamily::trapezoid, length); }};
+                   double length) { return implicit_symbol(problem, families::trapezoid, length); }};
 }
 
 }  // namespace fde

@@ -100,6 +100,8 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
   auto of_resolution =
       grid ? refusal(scheme.needs, problem, *grid) : refusal(scheme.needs, std::get<Accuracy>(resolution));
   if (of_resolution) return of_resolution;
+  if (scheme.needs.discretises_equations && problem.equations.empty())
+    return "discretises multi-term equations, and the problem is not told as one";
   if (sparse(problem) && std::ranges::any_of(problem.components, algebraic)) {
     return "takes algebraic rows with a dense Jacobian only";
   }

@@ -50,14 +50,14 @@ Judgement judge_finished(const Trajectory& path, const Rows& values, const Known
 }
 
 void take_measures(const FinishedRun& run, Judgement& judgement) {
-  for (const auto& measure : measures()) {
-    const auto value = measure.value(run);
+  for (const auto* measure : measures()) {
+    const auto value = measure->value(run);
     if (!value) continue;
     if (!std::isfinite(*value)) {
-      judgement = {{Ending::not_finite, fmt::format("in {}", measure.id)}, run.path.times.back()};
+      judgement = {{Ending::not_finite, fmt::format("in {}", measure->id)}, run.path.times.back()};
       return;
     }
-    judgement.measured.push_back({measure.id, measure.unit, *value});
+    judgement.measured.push_back({measure->id, measure->unit, *value});
   }
 }
 

@@ -31,13 +31,23 @@ struct FinishedRun {
   const Observed& observed;
 };
 
-// One number taken from a run; nullopt where it does not apply.
+// One number taken from a run; nullopt where it does not apply. A new measure is one file, which defines its
+// row, and one line of list.def.
 struct Measure {
   std::string_view id, unit;
   std::optional<double> (*value)(const FinishedRun&);
 };
 
-std::span<const Measure> measures();
+namespace measure {
+
+#define FDE_MEASURE(id) extern const Measure id;
+#include "measures/list.def"
+#undef FDE_MEASURE
+
+}  // namespace measure
+
+// All of them, in the order of list.def.
+std::span<const Measure* const> measures();
 
 // The same for the times of repeated solves, in seconds.
 struct TimeMeasure {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mechanics/derivatives.hpp"
+#include "mechanics/layout.hpp"
 #include "problem/problem.hpp"
 
 namespace fde::mechanics {

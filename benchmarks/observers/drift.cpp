@@ -38,6 +38,7 @@ DriftObserver::DriftObserver(const Scene& scene, const std::optional<Grid>& grid
 
 void DriftObserver::observe(double t, In columns) {
   internal_.observe(t, scene_.constraint.drift(t, columns));
+  if (grid_ && t != grid_->time(seen_)) grid_.reset();  // the scheme has times of its own
   if (!grid_) return;
   const int n = seen_++;
   for (std::size_t m = 0; m < scene_.memories.size(); ++m)
@@ -48,7 +49,7 @@ void DriftObserver::observe(double t, In columns) {
 Drift DriftObserver::internal() const { return drift_of(internal_); }
 
 std::optional<Drift> DriftObserver::independent() const {
-  if (!grid_) return std::nullopt;
+  if (!grid_ || seen_ <= grid_->steps) return std::nullopt;
   auto columns = columns_;
   for (std::size_t m = 0; m < scene_.memories.size(); ++m) {
     const auto& [derivative, velocity, order, powers] = scene_.memories[m];

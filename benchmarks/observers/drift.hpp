@@ -50,7 +50,8 @@ class DriftObserver {
   [[nodiscard]] Drift internal() const;
 
   // To be asked after the last step; looks at the first 16 steps and 256 spread evenly, t = 0 apart.
-  // Nothing where the scene has no memories or the grid is not uniform or has too few steps.
+  // Nothing where the scene has no memories, the steps are not those of the grid, or it is not uniform or has
+  // too few of them.
   [[nodiscard]] std::optional<Drift> independent() const;
 
  private:

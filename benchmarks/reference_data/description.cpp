@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "records/record.hpp"
 #include "sweep/experiment.hpp"
-#include "sweep/record.hpp"
 
 namespace fde {
 namespace {

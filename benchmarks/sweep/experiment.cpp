@@ -85,10 +85,11 @@ Examined solve_and_judge(const Scene& scene, WatchedReference& reference, const 
   if (!observers.empty()) observing.observer = [&](double t, In y) { observers.observe(t, y); };
   auto path = scheme.solve(scene.problem, resolution, observing);
   if (!scheme.needs.implicit) path.cost.newton_iterations.reset();  // it has none to count
-  if (path.ending != Ending::finished) return {path.steps, judge(scene, path, reference)};
-  observed.rounded = rounded_otherwise(scene, scheme, resolution, options, path.times);
-  observers.tell(observed);
-  if (observed.grid) tell_rates(scene, scheme, observed.grid->grading, observed);
+  if (path.ending == Ending::finished) {
+    observed.rounded = rounded_otherwise(scene, scheme, resolution, options, path.times);
+    observers.tell(observed);
+    if (observed.grid) tell_rates(scene, scheme, observed.grid->grading, observed);
+  }
   return {path.steps, judge(scene, path, reference, observed)};
 }
 

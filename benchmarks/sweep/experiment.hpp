@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "records/record.hpp"
 #include "references/watched_reference.hpp"
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
-#include "sweep/record.hpp"
 
 namespace fde {
 

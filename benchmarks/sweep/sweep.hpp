@@ -5,9 +5,9 @@
 #include <thread>
 #include <vector>
 
+#include "records/results_file.hpp"
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
-#include "sweep/results_file.hpp"
 
 namespace fde {
 

@@ -18,7 +18,7 @@ struct ClosedForm {
   std::function<std::vector<Rounded<BigReal>>(double t)> precise;
 };
 
-// As an exact solution. Its bound allows each column closed_form_units roundings of its size.
+// As a reference. Its bound allows each column closed_form_units roundings of its size.
 // Both throw std::invalid_argument for a time that is negative or not finite.
 Reference closed_form_reference(const ClosedForm& form);
 inline constexpr int closed_form_units = 32;

@@ -4,9 +4,8 @@
 
 #include <stdexcept>
 
-#include "laplace/contour.hpp"
-#include "laplace/refine.hpp"
-#include "numbers/bounded.hpp"
+#include "evaluation/evaluation.hpp"
+#include "laplace/raise_on_contour.hpp"
 #include "numbers/rational.hpp"
 
 namespace fde {
@@ -75,46 +74,21 @@ Sum<BigReal> derivative(const Arguments& x) {
   return sum;
 }
 
-std::vector<Bounded<BigReal>> evaluate(double alpha, double t, int digits) {
-  if (!(t >= 0.0 && t <= 1.0))
-    throw std::invalid_argument(fmt::format("extremum: t = {} has to be in [0, 1]", t));
-  const Precision precision(contour_precision(digits));
-  return {raise_digits(digits, 0,
-                       [&](int) {
-                         return value({alpha, t});
-                       }),
-          raise_digits(digits, 0, [&](int) {
-            return derivative({alpha, t});
-          })};
-}
-
 }  // namespace
 
-Reference exact_extremum(double alpha) {
+Reference extremum_reference(double alpha) {
   if (!(alpha > 0.5 && alpha <= 1.0))
     throw std::invalid_argument(fmt::format("extremum: alpha = {} has to be in (0.5, 1]", alpha));
-  const auto at = [alpha](double t) {
-    const Precision precision(contour_precision(double_digits));
-    ReferenceValue known{Vec(2), Vec(2)};
-    Eigen::Index j = 0;
-    for (const auto& exact : evaluate(alpha, t, double_digits)) {
-      const auto [value, bound] = to_double(exact);
-      known.value[j] = value.real();
-      known.bound[j++] = bound;
-    }
-    return known;
+  const auto precise = [alpha](double t, int digits) {
+    return std::vector{raise_by_bound(digits, 0,
+                                      [&](int) {
+                                        return value({alpha, t});
+                                      }),
+                       raise_by_bound(digits, 0, [&](int) {
+                         return derivative({alpha, t});
+                       })};
   };
-  const auto digits = [alpha](double t, int wanted) {
-    if (wanted < 1) throw std::invalid_argument("extremum: the number of digits has to be positive");
-    const Precision precision(contour_precision(wanted));
-    std::vector<Decimal> texts;
-    for (const auto& [value, bound] : evaluate(alpha, t, wanted)) {
-      const DecimalText text = write_decimal(real_part<BigReal>(value), bound, wanted);
-      texts.push_back({text.value, write_bound(text.bound)});
-    }
-    return texts;
-  };
-  return {at, digits};
+  return as_reference({.name = "extremum", .precise = precise, .end = 1.0});
 }
 
 }  // namespace fde

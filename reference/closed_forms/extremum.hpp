@@ -11,6 +11,6 @@ namespace fde {
 // infinite at t = 1 for alpha < 1. The least value is (2 alpha - 1) Gamma(alpha)^2 / 2. Components: y,
 // D^alpha y. Throws std::invalid_argument for alpha outside (1/2, 1]; the functions do for times outside [0,
 // 1] and fewer digits than 1.
-Reference exact_extremum(double alpha);
+Reference extremum_reference(double alpha);
 
 }  // namespace fde

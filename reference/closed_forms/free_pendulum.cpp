@@ -119,7 +119,7 @@ std::vector<Rounded<long double>> in_long_double(const FreePendulum& p, double t
 
 }  // namespace
 
-Reference exact_reference(const FreePendulum& p) {
+Reference pendulum_reference(const FreePendulum& p) {
   return closed_form_reference(
       {[p](double t) { return in_long_double(p, t); },
        [p](double t) {

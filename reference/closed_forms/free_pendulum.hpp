@@ -13,6 +13,6 @@ struct FreePendulum {
 // rate2 < 0, standing. In doubles the parameters and the time are those doubles themselves, not the decimals
 // that name them: near the top half a unit in the last place grows to a turn. The bound counts how far the
 // phase, which grows with time, and the distance from the edge are known.
-Reference exact_reference(const FreePendulum& pendulum);
+Reference pendulum_reference(const FreePendulum& pendulum);
 
 }  // namespace fde

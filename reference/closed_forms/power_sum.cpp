@@ -1,10 +1,7 @@
 #include "closed_forms/power_sum.hpp"
 
-#include <stdexcept>
-
-#include "laplace/contour.hpp"
-#include "laplace/refine.hpp"
-#include "numbers/bounded.hpp"
+#include "evaluation/evaluation.hpp"
+#include "laplace/raise_on_contour.hpp"
 
 namespace fde {
 namespace {
@@ -24,39 +21,18 @@ Sum<Real> sum_at(const std::vector<Power>& terms, double order, double t) {
   return sum;
 }
 
-std::vector<Bounded<BigReal>> in_digits(const std::vector<Power>& terms, double order, double t, int digits) {
-  return refine(digits, 0, [&](int) { return std::vector{sum_at<BigReal>(terms, order, t)}; });
-}
-
-DoubleBounded in_double(const std::vector<Power>& terms, double order, double t) {
-  const Sum<long double> quick = sum_at<long double>(terms, order, t);
-  if (std::isfinite(quick.error) && quick.error <= double_tolerance * std::abs(quick.value))
-    return to_double(quick.value, quick.error);
-  const Precision precision(contour_precision(double_digits));
-  return to_double(in_digits(terms, order, t, double_digits).front());
-}
-
-void require_time(double t) {
-  if (!(t >= 0.0 && std::isfinite(t)))
-    throw std::invalid_argument("power sum: times have to be finite and not negative");
-}
-
 }  // namespace
 
 Reference power_sum(const std::vector<Power>& terms, double order) {
-  const auto at = [terms, order](double t) {
-    require_time(t);
-    const auto [value, bound] = in_double(terms, order, t);
-    return ReferenceValue{Vec::Constant(1, value.real()), Vec::Constant(1, bound)};
+  const auto quick = [terms, order](double t) -> std::optional<std::vector<DoubleBounded>> {
+    const Sum<long double> sum = sum_at<long double>(terms, order, t);
+    const bool settled = std::isfinite(sum.error) && sum.error <= double_tolerance * std::abs(sum.value);
+    return settled ? std::optional(std::vector{to_double(sum.value, sum.error)}) : std::nullopt;
   };
-  const auto digits = [terms, order](double t, int wanted) {
-    require_time(t);
-    const Precision precision(contour_precision(wanted));
-    const auto [value, bound] = in_digits(terms, order, t, wanted).front();
-    const DecimalText text = write_decimal(real_part<BigReal>(value), bound, wanted);
-    return std::vector<Decimal>{{text.value, write_bound(text.bound)}};
+  const auto precise = [terms, order](double t, int digits) {
+    return raise_by_comparison(digits, 0, [&](int) { return std::vector{sum_at<BigReal>(terms, order, t)}; });
   };
-  return {at, digits};
+  return as_reference({.name = "power sum", .quick = quick, .precise = precise});
 }
 
 }  // namespace fde

@@ -7,10 +7,11 @@
 #include <stdexcept>
 
 #include "diffusive/memory.hpp"
-#include "diffusive/stages.hpp"
+#include "diffusive/stage_noise.hpp"
 #include "march/pace.hpp"
 #include "march/posed_problem.hpp"
-#include "march/rhs_noise.hpp"
+#include "march/rhs_at.hpp"
+#include "march/unit_increment.hpp"
 
 namespace fde {
 
@@ -25,15 +26,6 @@ namespace {
 
 Vec largest(const Matrix& values) { return values.cwiseAbs().colwise().maxCoeff(); }
 
-Vec rhs_at_start(const Problem& problem) {
-  Vec f(problem.size());
-  problem.rhs(0.0, taylor_part(problem, 0.0), f);
-  return f;
-}
-
-constexpr double known_rounding = 64.0;  // with that of the last digit of y, it is no news
-constexpr double noises = 4.0;           // the sum of some rounding errors
-
 class DiffusiveMarch {
  public:
   DiffusiveMarch(const Problem& problem, const DiffusiveOptions& options)
@@ -42,7 +34,7 @@ class DiffusiveMarch {
         rule_(options.stages),
         memory_(problem, rule_, options.first_step),
         equations_(problem, rule_.nodes.cast<double>()),
-        rhs_noise_(problem) {}
+        noise_(problem, rule_) {}
 
   void run_to(double stop, DiffusiveSolution& solution) {
     // A pendulum on a stiff spring, K/m = 1e6, takes 25000 up to t = 5.
@@ -76,8 +68,8 @@ class DiffusiveMarch {
       }
       const auto stages = solve(length);
       const double unresolved = stages ? unresolved_by(*stages, length) : 2.0;
-      if (stages ? unresolved * doubling() >= 1.0 && noise_found(*stages, length) : noise_found_before()) {
-        equations_.allow_noise(rhs_noise_.found());
+      if (unresolved * doubling() >= 1.0 && noise_found(stages, length)) {
+        equations_.allow_noise(noise_.of_rhs());
         continue;
       }
       if (unresolved <= 1.0) {
@@ -99,35 +91,16 @@ class DiffusiveMarch {
   // A step of twice the length has about so many times the coefficients.
   [[nodiscard]] double doubling() const { return std::pow(2.0, options_.stages); }
 
-  // What an error of each f_i adds to y_i on a step is that error times this.
-  [[nodiscard]] double added(Eigen::Index i, double length) const {
-    const double order = problem_.components[static_cast<std::size_t>(i)].order;
-    return std::pow(length, order) / std::tgamma(order + 1.0);
-  }
-
   // Whether rounding of f keeps a step short that was not known to do so.
-  bool noise_found(const StageSolution& stages, double length) {
-    const Vec unresolved = largest(rule_.at_nodes.bottomRows(2) * stages.rhs);
-    Vec negligible = known_rounding * stages.rhs_noise;
-    for (Eigen::Index i = 0; i < problem_.size(); ++i) {
-      negligible[i] += options_.tolerance * size_[i] / (doubling() * added(i, length));
+  bool noise_found(const std::optional<StageSolution>& stages, double length) {
+    if (!stages) {
+      return noise_.found_before(size_);
     }
-    const double scale =
-        size_.cwiseMax(last_rhs_.cwiseAbs()).maxCoeff();  // not of what may be too long a step
-    return rhs_noise_.find(time_ + length * equations_.nodes().array(), stages.y, unresolved, negligible,
-                           scale);
-  }
-
-  // The same where a step has no solution: on the step before it.
-  bool noise_found_before() {
-    if (last_.y.size() == 0) {
-      return false;
-    }
-    const double scale = size_.cwiseMax(largest(last_.rhs)).maxCoeff();
-    const Vec negligible = known_rounding * last_.rhs_noise;
-    const Vec unresolved = negligible.cwiseMax(std::numeric_limits<double>::min());
-    return rhs_noise_.find(time_ + last_length_ * (equations_.nodes().array() - 1.0), last_.y, unresolved,
-                           negligible, scale);
+    const Vec allowed = options_.tolerance * size_,
+              tolerated = allowed.cwiseQuotient(doubling() * unit_increment(problem_, length));
+    // sizes so far: not of what may be too long a step
+    const double scale = size_.cwiseMax(last_rhs_.cwiseAbs()).maxCoeff();
+    return noise_.found_on(*stages, time_, length, tolerated, scale);
   }
 
   // The last two Legendre coefficients of y, and of f as it adds to y, beyond their noise and relative to the
@@ -139,14 +112,15 @@ class DiffusiveMarch {
     }
     Matrix y(stages.y.rows() + 1, stages.y.cols());
     y << value_.transpose(), stages.y;
-    const Vec of_y = largest(rule_.with_start.bottomRows(2) * y) - noises * stages.y_noise;
-    const Vec of_rhs = largest(rule_.at_nodes.bottomRows(2) * stages.rhs) - noises * stages.rhs_noise;
+    const Vec of_y = StageNoise::beyond(largest(rule_.with_start.bottomRows(2) * y), stages.noise.values);
+    const Vec of_rhs =
+        StageNoise::beyond(largest(rule_.at_nodes.bottomRows(2) * stages.rhs), stages.noise.rhs);
+    const Vec excess = of_y.cwiseMax(unit_increment(problem_, length).cwiseProduct(of_rhs));
     const Vec size = size_.cwiseMax(largest(stages.y));
     double unresolved = 0.0;
     for (Eigen::Index i = 0; i < problem_.size(); ++i) {
-      const double excess = std::max(of_y[i], added(i, length) * of_rhs[i]);
-      if (excess > 0.0) {
-        unresolved = std::max(unresolved, excess / (options_.tolerance * size[i]));
+      if (excess[i] > 0.0) {
+        unresolved = std::max(unresolved, excess[i] / (options_.tolerance * size[i]));
       }
     }
     return unresolved;
@@ -157,12 +131,9 @@ class DiffusiveMarch {
     time_ = end;
     value_ = stages.y.bottomRows<1>().transpose();
     size_ = size_.cwiseMax(largest(stages.y));
-    rhs_noise_.follow(end + length * (equations_.nodes().array() - 1.0), stages.y,
-                      noises * (stages.rhs_noise - rhs_noise_.found()));
-    equations_.allow_noise(rhs_noise_.found());
-    last_ = stages;
-    last_length_ = length;
     last_rhs_ = stages.rhs.bottomRows<1>().transpose();
+    noise_.follow(stages, length, end);
+    equations_.allow_noise(noise_.of_rhs());
     --steps_to_growth_;
     if (unresolved * doubling() < 1.0 && length_ <= time_ && steps_to_growth_ <= 0) {
       length_ *= 2;
@@ -174,15 +145,13 @@ class DiffusiveMarch {
   RadauRule rule_;
   DiffusiveMemory memory_;
   StageEquations equations_;
+  StageNoise noise_;
   double time_ = 0.0;
   double length_ = options_.first_step * problem_.end;  // of the step to try next; end * 2^k
   int steps_to_growth_ = 0;
   Vec value_ = taylor_part(problem_, 0.0);
   Vec size_ = value_.cwiseAbs();
-  Vec last_rhs_ = rhs_at_start(problem_);
-  StageSolution last_{};
-  double last_length_ = 0.0;
-  RhsNoise rhs_noise_;
+  Vec last_rhs_ = rhs_at(problem_, 0.0, value_);
 };
 
 }  // namespace

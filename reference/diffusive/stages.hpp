@@ -3,14 +3,14 @@
 #include <optional>
 #include <vector>
 
-#include "problem/problem.hpp"
+#include "march/implicit_step.hpp"
 
 namespace fde {
 
 // y and f at the stages of a step, a row a stage; how much of them rounding explains.
 struct StageSolution {
   Matrix y, rhs;
-  Vec y_noise, rhs_noise;
+  Noise noise;
 };
 
 // The equations y_i = past_i + weights_i f_i(t, y) at the stages of a Runge-Kutta step.
@@ -28,9 +28,10 @@ class StageEquations {
   [[nodiscard]] const Vec& nodes() const { return nodes_; }
 
  private:
-  [[nodiscard]] Matrix rhs_at(const Vec& times, const Matrix& y) const;
+  // Linearises at the y of a solution, and says how much of it is noise.
+  [[nodiscard]] LinearisedStep linearise(const Vec& times, const std::vector<Matrix>& weights,
+                                         StageSolution& at) const;
   [[nodiscard]] Matrix jacobian_at(double t, const Vec& y) const;
-  [[nodiscard]] std::vector<Matrix> jacobians_at(const Vec& times, const Matrix& y) const;
 
   const Problem& problem_;
   Vec nodes_;

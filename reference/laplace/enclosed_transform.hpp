@@ -1,9 +1,6 @@
 #pragma once
 
-#include <stdexcept>
-
 #include "laplace/enclosing_contour.hpp"
-#include "laplace/refine.hpp"
 #include "numbers/bounded.hpp"
 
 namespace fde {
@@ -26,11 +23,8 @@ struct EnclosedTransform {
 
 // Raises the digits until every bound is 10^-wanted_digits of its value: discretisation by
 // EnclosingContour::log_bound, rounding by Sum. What counts as zero is accurate to what it was put together
-// from, as in refine(). Throws std::runtime_error where the contour has too many nodes, e^s is beyond all
-// exponents, or digits run out: at 4 times the wanted digits and 1000.
+// from, as in raise_digits(). Throws std::runtime_error where the contour has too many nodes, e^s is beyond
+// all exponents, or digits run out: at 4 times the wanted digits and 1000.
 std::vector<Bounded<BigReal>> invert(const EnclosedTransform& transform, int wanted_digits);
-
-// For a value that is not accurate at the most digits, and does not count as zero either.
-std::runtime_error out_of_digits(const BigReal& bound, int digits);
 
 }  // namespace fde

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "laplace/sheets.hpp"
+
 namespace fde {
 
 std::vector<RootOnSheet> roots_on_sheet(long double alpha, std::complex<long double> log_z) {
@@ -11,8 +13,7 @@ std::vector<RootOnSheet> roots_on_sheet(long double alpha, std::complex<long dou
   const bool whole = std::floor(alpha) == alpha;
   std::vector<RootOnSheet> roots;
   for (int k = -3; k <= 3; ++k) {
-    const auto turns = static_cast<long double>(2 * k);
-    const std::complex<long double> root = (log_z + std::complex(0.0L, turns * half_turn)) / alpha;
+    const std::complex<long double> root = log_on_sheet<long double>(log_z, k) / alpha;
     if (root.imag() > half_turn + hair || root.imag() < -half_turn + (whole ? hair : -hair)) continue;
     auto value = std::polar(std::exp(std::min(root.real(), largest)), root.imag());
     if (std::abs(std::abs(root.imag()) - half_turn) <= hair) value.imag(0.0L);

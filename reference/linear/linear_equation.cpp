@@ -80,8 +80,8 @@ LinearTransform transform_of(const LinearEquation& equation, const std::vector<d
 
 }  // namespace
 
-Reference exact_reference(const LinearEquation& equation, const std::vector<double>& orders) {
-  return exact_reference(
+Reference linear_reference(const LinearEquation& equation, const std::vector<double>& orders) {
+  return linear_reference(
       name, [equation = checked(equation, orders), orders] { return transform_of(equation, orders); });
 }
 

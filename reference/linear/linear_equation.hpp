@@ -23,9 +23,9 @@ struct LinearEquation {
   std::vector<Load> loads{};
 };
 
-// D^order u for each of the orders (0: u itself), as an exact solution: components are those derivatives in
+// D^order u for each of the orders (0: u itself), as a reference: components are those derivatives in
 // turn; see linear_solution.hpp for what it is good to. Throws std::invalid_argument for an equation that is
 // not posed like this.
-Reference exact_reference(const LinearEquation& equation, const std::vector<double>& orders);
+Reference linear_reference(const LinearEquation& equation, const std::vector<double>& orders);
 
 }  // namespace fde

@@ -74,7 +74,7 @@ std::vector<unsigned> dependences(const Matrix& matrix) {
 // Outputs whose components depend on the same ones, and what is known about them.
 struct Part {
   std::vector<std::size_t> places;  // among the outputs
-  Reference exact;
+  Evaluation evaluation;
 };
 
 // Of the outputs that depend on the components of the set, all of which it contains: its rows have no other
@@ -95,7 +95,7 @@ Part part_of(const LinearSystem& system, unsigned set, const std::vector<unsigne
     places.push_back(place);
     part.outputs.push_back(static_cast<std::size_t>(std::ranges::find(kept, i) - kept.begin()));
   }
-  return {places, exact_reference(name, [part = std::move(part)] { return transform_of(part); })};
+  return {places, linear_evaluation(name, [part = std::move(part)] { return transform_of(part); })};
 }
 
 // Components that do not depend on others are solved without them: a mode that grows elsewhere would have to
@@ -110,31 +110,31 @@ std::vector<Part> parts_of(const LinearSystem& system) {
   return parts;
 }
 
+// What each part gives for its outputs, in the order of the outputs.
+template <class Column, class Evaluate>
+std::vector<Column> gathered(const std::vector<Part>& parts, std::size_t size, const Evaluate& evaluate) {
+  std::vector<Column> columns(size);
+  for (const auto& [places, evaluation] : parts) {
+    const std::vector<Column> some = evaluate(evaluation);
+    for (std::size_t k = 0; k < places.size(); ++k) columns[places[k]] = some[k];
+  }
+  return columns;
+}
+
 }  // namespace
 
-Reference exact_reference(const LinearSystem& system) {
+Reference linear_reference(const LinearSystem& system) {
   const LinearSystem posed = checked(system);
-  auto parts = parts_of(posed);
-  if (parts.size() == 1) return parts.front().exact;
+  const auto parts = parts_of(posed);
   const std::size_t size = posed.outputs.size();
-  const auto at = [parts, size](double t) {
-    ReferenceValue known{Vec(static_cast<Eigen::Index>(size)), Vec(static_cast<Eigen::Index>(size))};
-    for (const auto& [places, exact] : parts) {
-      const ReferenceValue some = exact.at(t);
-      known.value(places) = some.value;
-      known.bound(places) = some.bound;
-    }
-    return known;
+  const auto quick = [parts, size](double t) {
+    return gathered<DoubleBounded>(parts, size, [t](const Evaluation& part) { return in_double(part, t); });
   };
-  const auto digits = [parts, size](double t, int wanted) {
-    std::vector<Decimal> texts(size);
-    for (const auto& [places, exact] : parts) {
-      const auto some = exact.digits(t, wanted);
-      for (std::size_t k = 0; k < places.size(); ++k) texts[places[k]] = some[k];
-    }
-    return texts;
+  const auto precise = [parts, size](double t, int digits) {
+    return gathered<Bounded<BigReal>>(
+        parts, size, [t, digits](const Evaluation& part) { return part.precise(t, digits); });
   };
-  return {at, digits};
+  return linear_reference(Evaluation{.name = name, .quick = quick, .precise = precise});
 }
 
 }  // namespace fde

@@ -22,9 +22,9 @@ struct LinearSystem {
   std::vector<std::size_t> outputs{};  // the components that are asked for, in this order; empty: all
 };
 
-// The outputs, as an exact solution; see linear_solution.hpp for what it is good to. A multiplier may be
+// The outputs, as a reference; see linear_solution.hpp for what it is good to. A multiplier may be
 // infinite at t = 0, where velocities start like t^(1-order). Throws std::invalid_argument for a system that
 // is not posed like this, also where algebraic rows do not determine every unknown.
-Reference exact_reference(const LinearSystem& system);
+Reference linear_reference(const LinearSystem& system);
 
 }  // namespace fde

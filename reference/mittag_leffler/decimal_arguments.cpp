@@ -34,6 +34,10 @@ BigReal read_argument(const std::string& function, const std::string& name, cons
   }
 }
 
+BigComplex read_complex(const std::string& function, const std::string& re, const std::string& im) {
+  return BigComplex(read_argument(function, "re z", re), read_argument(function, "im z", im));
+}
+
 void require_order(const std::string& function, double alpha) { check_order(function, alpha); }
 void require_order(const std::string& function, const BigReal& alpha) { check_order(function, alpha); }
 
@@ -42,6 +46,12 @@ void require_parameter(const std::string& function, const char* argument, double
 }
 void require_parameter(const std::string& function, const char* argument, const BigReal& value) {
   check_parameter(function, argument, value);
+}
+
+void require_finite(const std::string& function, std::complex<double> z) {
+  if (std::isfinite(z.real()) && std::isfinite(z.imag())) return;
+  throw std::invalid_argument(
+      fmt::format("{}: z = {} {:+} i has to be finite", function, z.real(), z.imag()));
 }
 
 void require_digits(const std::string& function, int digits) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "laplace/refine.hpp"
 #include "mittag_leffler/mittag_leffler.hpp"
 #include "numbers/bounded.hpp"
 
@@ -10,13 +9,16 @@ namespace fde {
 // The number that a decimal text names, rounded once. Throws std::invalid_argument "function: name: ..."
 // where it names no finite number.
 BigReal read_argument(const std::string& function, const std::string& name, const std::string& text);
+// z from its two parts.
+BigComplex read_complex(const std::string& function, const std::string& re, const std::string& im);
 
 // Throw std::invalid_argument naming the function, the argument and its value: alpha outside (0, 5], beta (or
-// another parameter) outside [-10000, 10000], digits below 1.
+// another parameter) outside [-10000, 10000], z not finite, digits below 1.
 void require_order(const std::string& function, double alpha);
 void require_order(const std::string& function, const BigReal& alpha);
 void require_parameter(const std::string& function, const char* argument, double value);
 void require_parameter(const std::string& function, const char* argument, const BigReal& value);
+void require_finite(const std::string& function, std::complex<double> z);
 void require_digits(const std::string& function, int digits);
 
 // Of a decimal text after its point: "1.25e-3" has 5. Of doubles, as many as make both and their sums exact.

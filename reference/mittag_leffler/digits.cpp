@@ -2,18 +2,15 @@
 
 #include "laplace/contour.hpp"
 #include "laplace/contour_bound.hpp"
-#include "numbers/bounded.hpp"
+#include "laplace/raise_on_contour.hpp"
+#include "mittag_leffler/forms.hpp"
+#include "mittag_leffler/poles.hpp"
 #include "numbers/reciprocal_gamma.hpp"
 
 namespace fde {
 namespace {
 
 using Arguments = MittagLefflerArguments;
-
-bool is_pole_of_gamma(const BigReal& x) { return x <= 0 && is_whole(x); }
-
-// All powers of s in the transform are whole: no branch cut, and the poles are everything.
-bool cut_free(const Arguments& x) { return is_whole(x.alpha) && is_whole(x.beta) && x.beta <= x.alpha; }
 
 // Adds Res(e^s F, s*) = (1/alpha) e^(s* + (1-beta) log s*) times a factor known to that many ulps.
 void add_residue(Sum<BigReal>& sum, const Arguments& x, const BigComplex& log_pole, const BigComplex& factor,
@@ -33,14 +30,13 @@ void add_residue(Sum<BigReal>& sum, const Arguments& x, const BigComplex& log_po
   sum.add(residue * factor, ulps * epsilon<BigReal>());
 }
 
-// Cut free: E = sum over the alpha roots s* of s*^alpha = z of the residues.
+// All there is for Form::residues_only.
 Sum<BigReal> sum_of_residues(const Arguments& x) {
   const BigComplex log_z = log(x.z);
   Sum<BigReal> sum;
-  for (int k = 0; k < x.alpha; ++k) {
-    const BigComplex turned(real_part<BigReal>(log_z),
-                            BigReal(imag_part<BigReal>(log_z) + 2 * k * pi<BigReal>()));
-    add_residue(sum, x, BigComplex(turned / x.alpha), BigComplex(1), BigReal(0));
+  for (int sheet = 0; sheet < x.alpha; ++sheet) {
+    const BigComplex log_pole = log_on_sheet<BigReal>(log_z, sheet) / x.alpha;
+    add_residue(sum, x, log_pole, BigComplex(1), BigReal(0));
   }
   return sum;
 }
@@ -76,39 +72,20 @@ void add_nodes(Sum<BigReal>& sum, const Arguments& x, const Contour<BigReal>& co
   }
 }
 
-// The poles s*^alpha = z on all sheets, as logarithms, and what ContourBound wants to know of them. Next to 0
-// beyond the range of a double they are as good as on another sheet; far out a root as large as a double
-// stands for them.
-struct Poles {
-  std::vector<BigComplex> logs;
-  std::vector<std::complex<double>> roots;
-  double nearest_sheet = std::numeric_limits<double>::infinity();
-
-  Poles(const Arguments& x, const BigComplex& log_z, double mu) {
-    constexpr double most_log = 600.0, most_log_of_contour = 20.0;
-    const BigReal log_size = real_part<BigReal>(log_z) / x.alpha;
-    const double clamped = std::clamp(log_size.convert_to<double>() - std::log(mu), -most_log, most_log);
-    for (int sheet = -6; sheet <= 6; ++sheet) {
-      const BigReal argument = imag_part<BigReal>(log_z) + 2 * sheet * pi<BigReal>();
-      if (log_size < -most_log) {
-        const BigReal apart = -log_size - most_log_of_contour;
-        nearest_sheet = std::min(nearest_sheet, BigReal(apart * x.alpha).convert_to<double>());
-      } else if (abs(argument) < 2 * pi<BigReal>() * x.alpha) {
-        const BigReal turned = argument / x.alpha;
-        logs.emplace_back(log_size, turned);
-        roots.push_back(std::polar(std::exp(clamped / 2.0), turned.convert_to<double>() / 2.0));
-      } else {
-        nearest_sheet = std::min(nearest_sheet, abs(argument).convert_to<double>());
-      }
-    }
-  }
-};
+// The point theta of a pole on a contour, as 1 + i theta = sqrt(s* / mu). Far out a root as large as a double
+// stands for it.
+std::complex<double> root_on(double mu, const BigComplex& log_pole) {
+  constexpr double most_log = 600.0;
+  const double log_size = real_part<BigReal>(log_pole).convert_to<double>() - std::log(mu);
+  const double modulus = std::exp(std::clamp(log_size, -most_log, most_log) / 2.0);
+  return std::polar(modulus, imag_part<BigReal>(log_pole).convert_to<double>() / 2.0);
+}
 
 // The residues that are beyond all exponents; then nothing else matters.
 Sum<BigReal> overflowing_residues(const Arguments& x) {
   constexpr double least_log = 40.0;  // of |s*|: to overflow
   Sum<BigReal> sum;
-  for (const BigComplex& log_pole : Poles(x, log(x.z), 1.0).logs) {
+  for (const auto& [sheet, log_pole] : poles_of(x.alpha, BigComplex(log(x.z))).seen) {
     if (real_part<BigReal>(log_pole) < least_log ||
         abs(BigReal(imag_part<BigReal>(log_pole))) > pi<BigReal>())
       continue;
@@ -124,22 +101,25 @@ Sum<BigReal> on_contour(const Arguments& x, int digits) {
   const auto exponent = BigReal(x.alpha - x.beta).convert_to<double>();
   const Contour<BigReal>& contour = contour_for(digits, exponent);
   const ContourShape shape = contour.shape();
-  const Poles poles(x, log_z, shape.mu);
+  const Poles<BigReal> poles = poles_of(x.alpha, log_z);
+  EachSheet<std::complex<double>> roots;
+  for (const auto& pole : poles.seen) roots.push_back(root_on(shape.mu, pole.log));
   const auto [log_bound, distance] =
       ContourBound(shape).at({.exponent = exponent,
                               .alpha = x.alpha.convert_to<double>(),
                               .log_size = real_part<BigReal>(log_z).convert_to<double>(),
                               .nearest_sheet = poles.nearest_sheet,
-                              .roots = poles.roots});
+                              .roots = {roots.data(), roots.size()}});
   Sum<BigReal> sum;
-  for (std::size_t i = 0; i < poles.logs.size(); ++i) {
-    if (!ContourBound::counts(poles.roots[i], distance)) continue;
-    const BigComplex factor = contour.pole_factor(poles.logs[i]);
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    if (!ContourBound::counts(roots[i], distance)) continue;
+    const BigComplex& log_pole = poles.seen[i].log;
+    const BigComplex factor = contour.pole_factor(log_pole);
     const BigReal off = size_of(BigComplex(factor - 1));
     // Beyond both lines the factor should be 1.
     const BigReal beyond =
-        poles.roots[i].real() > shape.nearer_far_line() ? BigReal(off / epsilon<BigReal>()) : BigReal(0);
-    add_residue(sum, x, poles.logs[i], factor, BigReal(contour.omega() * off + beyond));
+        roots[i].real() > shape.nearer_far_line() ? BigReal(off / epsilon<BigReal>()) : BigReal(0);
+    add_residue(sum, x, log_pole, factor, BigReal(contour.omega() * off + beyond));
   }
   add_nodes(sum, x, contour);
   sum.error += exp(BigReal(log_bound));
@@ -151,10 +131,8 @@ void scale(Sum<BigReal>& sum, const BigComplex& factor) {
   sum.error = size_of(factor) * sum.error + 8 * epsilon<BigReal>() * size_of(sum.value);
 }
 
-// Far out the head of the asymptotic expansion is most of the value, and all of it where beta = alpha makes
-// the first term vanish; exact with what is left:
-//   E_{alpha,beta}(z) = -z^-1 / Gamma(beta - alpha) - z^-2 / Gamma(beta - 2 alpha) + z^-2 E_{alpha,beta-2
-//   alpha}(z).
+// With two terms of the head of the asymptotic expansion peeled off (forms.hpp). Far out they are most of the
+// value; where beta = alpha the first is 0 and the second is all of it.
 Sum<BigReal> peeled(const Arguments& x, int digits) {
   const BigComplex inverse = 1 / x.z, square = inverse * inverse;
   const BigReal first = x.beta - x.alpha, second = first - x.alpha;
@@ -165,31 +143,33 @@ Sum<BigReal> peeled(const Arguments& x, int digits) {
   return sum;
 }
 
+Sum<BigReal> at_zero(const Arguments& x) {
+  Sum<BigReal> sum;
+  const BigReal size = is_whole(x.beta) ? BigReal(0) : BigReal(abs(x.beta));
+  add_reciprocal_gamma(sum, BigComplex(1), x.beta, size);
+  return sum;
+}
+
 Sum<BigReal> evaluate(const Arguments& x, int digits) {
-  if (x.z == 0) {
-    Sum<BigReal> sum;
-    add_reciprocal_gamma(sum, BigComplex(1), x.beta,
-                         BigReal(is_whole(x.beta) ? BigReal(0) : BigReal(abs(x.beta))));
+  const Form form = form_of(x.alpha, x.beta, x.z);
+  if (form == Form::at_zero) return at_zero(x);
+  if (form == Form::residues_only) return sum_of_residues(x);
+  if (Sum<BigReal> overflow = overflowing_residues(x); overflow.infinite) return overflow;
+  if (form == Form::times_z) {
+    Sum<BigReal> sum = evaluate({x.alpha, BigReal(x.alpha + x.beta), x.z}, digits);
+    scale(sum, x.z);
     return sum;
   }
-  if (cut_free(x)) return sum_of_residues(x);
-  Sum<BigReal> overflow = overflowing_residues(x);
-  if (overflow.infinite) return overflow;
   constexpr double far = 65536.0;
-  if (!is_pole_of_gamma(x.beta)) return size_of(x.z) < far ? on_contour(x, digits) : peeled(x, digits);
-  // The first term of the series is 0: E_{alpha,beta}(z) = z E_{alpha,alpha+beta}(z), where less cancels.
-  Sum<BigReal> sum = evaluate({x.alpha, BigReal(x.alpha + x.beta), x.z}, digits);
-  scale(sum, x.z);
-  return sum;
+  return size_of(x.z) < far ? on_contour(x, digits) : peeled(x, digits);
 }
 
 // Digits by which the phases of e^s* exceed one turn, of those that are not far on the left.
 int phase_digits(const Arguments& x) {
   if (x.z == 0) return 0;
   constexpr double most = 1000.0, left = -1e-3;
-  const Poles poles(x, log(x.z), 1.0);
   double digits = 0.0;
-  for (const BigComplex& log_pole : poles.logs) {
+  for (const auto& [sheet, log_pole] : poles_of(x.alpha, BigComplex(log(x.z))).seen) {
     const auto turned = imag_part<BigReal>(log_pole).convert_to<double>();
     if (std::abs(turned) < 1.01 * std::numbers::pi && std::cos(turned) > left)
       digits = std::max(digits, real_part<BigReal>(log_pole).convert_to<double>() / std::numbers::ln10);
@@ -202,7 +182,7 @@ int phase_digits(const Arguments& x) {
 Bounded<BigReal> mittag_leffler_to(int digits, int places,
                                    const std::function<MittagLefflerArguments()>& read) {
   const int extra = phase_digits(read()) + places;
-  return raise_digits(digits, extra, [&](int working) { return evaluate(read(), working); });
+  return raise_by_bound(digits, extra, [&](int working) { return evaluate(read(), working); });
 }
 
 }  // namespace fde

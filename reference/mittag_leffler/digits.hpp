@@ -1,6 +1,7 @@
 #pragma once
 
-#include "laplace/refine.hpp"
+#include <functional>
+
 #include "numbers/bounded.hpp"
 
 namespace fde {

@@ -1,14 +1,10 @@
 #include "mittag_leffler/mittag_leffler.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-
 #include "laplace/contour.hpp"
 #include "mittag_leffler/decimal_arguments.hpp"
 #include "mittag_leffler/digits.hpp"
 #include "mittag_leffler/quick.hpp"
-#include "numbers/bounded.hpp"
+#include "numbers/raise_digits.hpp"
 
 namespace fde {
 namespace {
@@ -49,10 +45,7 @@ MittagLefflerValue upper_half_plane(double alpha, double beta, std::complex<doub
 MittagLefflerValue mittag_leffler(double alpha, double beta, std::complex<double> z) {
   require_order(function_name, alpha);
   require_parameter(function_name, "beta", beta);
-  if (!std::isfinite(z.real()) || !std::isfinite(z.imag())) {
-    throw std::invalid_argument(
-        fmt::format("{}: z = {} {:+} i has to be finite", function_name, z.real(), z.imag()));
-  }
+  require_finite(function_name, z);
   if (z.imag() >= 0.0) return upper_half_plane(alpha, beta, std::complex(z.real(), std::abs(z.imag())));
   const MittagLefflerValue mirrored = upper_half_plane(alpha, beta, std::conj(z));
   return {std::conj(mirrored.value), mirrored.bound};
@@ -66,9 +59,8 @@ DecimalComplex mittag_leffler(const std::string& alpha, const std::string& beta,
                               const std::string& im, int digits) {
   require_digits(function_name, digits);
   const auto read = [&] {
-    return Arguments{
-        read_argument(function_name, "alpha", alpha), read_argument(function_name, "beta", beta),
-        BigComplex(read_argument(function_name, "re z", re), read_argument(function_name, "im z", im))};
+    return Arguments{read_argument(function_name, "alpha", alpha), read_argument(function_name, "beta", beta),
+                     read_complex(function_name, re, im)};
   };
   const Precision precision(contour_precision(digits));
   const Arguments x = read();

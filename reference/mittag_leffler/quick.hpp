@@ -13,6 +13,13 @@ struct QuickValue {
   long double error;
 };
 
+inline QuickValue operator+(const QuickValue& a, const QuickValue& b) {
+  return {a.value + b.value, a.error + b.error};
+}
+
+// Relative error of a few operations in long double.
+inline constexpr long double few_ulps = 16.0L * std::numeric_limits<long double>::epsilon();
+
 // Relative error that is good enough: with the rounding to double at most 6.5 ulp.
 inline constexpr long double quick_tolerance = 0x1.8p-51L;
 

@@ -7,7 +7,7 @@
 #include "laplace/enclosed_transform.hpp"
 #include "laplace/roots_on_sheet.hpp"
 #include "mittag_leffler/decimal_arguments.hpp"
-#include "numbers/bounded.hpp"
+#include "numbers/raise_digits.hpp"
 #include "prabhakar_and_matrix/resolvent.hpp"
 #include "prabhakar_and_matrix/schur_form.hpp"
 

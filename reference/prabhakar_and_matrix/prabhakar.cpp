@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "mittag_leffler/decimal_arguments.hpp"
-#include "numbers/bounded.hpp"
+#include "numbers/raise_digits.hpp"
 #include "prabhakar_and_matrix/prabhakar_transform.hpp"
 
 namespace fde {
@@ -22,13 +22,10 @@ struct Request {
   int factorial = 0;
 };
 
-void require(bool holds, const std::string& name, const std::string& message) {
-  if (!holds) throw std::invalid_argument(name + ": " + message);
-}
-
 void require_derivative(int k) {
-  require(k >= 0 && k <= most_derivatives, "mittag_leffler_derivative",
-          fmt::format("k = {} has to be in [0, {}]", k, most_derivatives));
+  if (k >= 0 && k <= most_derivatives) return;
+  throw std::invalid_argument(
+      fmt::format("mittag_leffler_derivative: k = {} has to be in [0, {}]", k, most_derivatives));
 }
 
 bool ends_or_is_small(const Arguments& x) {
@@ -36,22 +33,19 @@ bool ends_or_is_small(const Arguments& x) {
          size_of(x.z) <= 0.4 * pow(std::max(BigReal(1), x.beta), x.alpha);
 }
 
-// Digits until the terms of the series, which may cancel, leave enough of the value; where nothing is left of
-// them to 40 digits more, it is 0.
+// The terms of the series may cancel: digits are doubled until they leave enough of the value. Where nothing
+// is left of the terms even with the most digits, it counts as zero.
 Bounded<BigReal> sum_series(const Request& request, int wanted) {
-  constexpr int zero_digits = 40;
-  const int most = 4 * wanted + 1000;
-  for (int digits = wanted + 10;;) {
+  const DigitSearch search{
+      .wanted = wanted, .guard = 10, .next = [](int digits, int /*missing*/) { return 2 * digits; }};
+  const Raised raised = raise_digits(search, [&](int digits) {
     const Precision precision(digits + request.places);
     const Sum<BigReal> sum = prabhakar_series(request.read());
-    const bool enough = sum.error <= size_of(sum.value) * pow(BigReal(10), -wanted);
-    if (enough) return {sum.value, sum.error};
-    if (digits >= most) {
-      if (sum.error <= sum.scale * pow(BigReal(10), -wanted - zero_digits)) return {sum.value, sum.error};
-      throw out_of_digits(sum.error, digits);
-    }
-    digits = std::min(2 * digits, most);
-  }
+    const bool last = digits == most_digits(wanted);
+    return std::vector<Estimate>{{.known = {sum.value, sum.error}, .scale = last ? sum.scale : BigReal(0)}};
+  });
+  if (raised.too_large) throw out_of_digits(raised);
+  return raised.values.front();
 }
 
 Bounded<BigReal> evaluate(const Request& request, int wanted) {
@@ -86,19 +80,18 @@ DecimalComplex in_digits(const std::string& function, const Request& request, in
   return write_complex(evaluate(request, digits), x.real(), digits);
 }
 
-void require_finite(const std::string& name, double alpha, double beta, double gamma,
-                    std::complex<double> z) {
+void require_arguments(const std::string& name, double alpha, double beta, double gamma,
+                       std::complex<double> z) {
   require_order(name, alpha);
   require_parameter(name, "beta", beta);
   require_parameter(name, "gamma", gamma);
-  require(std::isfinite(z.real()) && std::isfinite(z.imag()), name,
-          fmt::format("z = {} {:+} i has to be finite", z.real(), z.imag()));
+  require_finite(name, z);
 }
 
 }  // namespace
 
 MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::complex<double> z) {
-  require_finite("prabhakar", alpha, beta, gamma, z);
+  require_arguments("prabhakar", alpha, beta, gamma, z);
   return in_double(
       {fmt::format("prabhakar({}, {}, {}, z = {} {:+} i)", alpha, beta, gamma, z.real(), z.imag()),
        [=] {
@@ -109,7 +102,7 @@ MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::compl
 
 MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, std::complex<double> z) {
   require_derivative(k);
-  require_finite("mittag_leffler_derivative", alpha, beta, 1.0, z);
+  require_arguments("mittag_leffler_derivative", alpha, beta, 1.0, z);
   return in_double(
       {fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} {:+} i)", k, alpha, beta, z.real(),
                    z.imag()),
@@ -123,17 +116,15 @@ MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, s
 DecimalComplex prabhakar(const std::string& alpha, const std::string& beta, const std::string& gamma,
                          const std::string& re, const std::string& im, int digits) {
   const std::string function = "prabhakar";
-  return in_digits(
-      function,
-      {fmt::format("prabhakar({}, {}, {}, z = {} + {} i)", alpha, beta, gamma, re, im),
-       [=] {
-         return Arguments{
-             read_argument(function, "alpha", alpha), read_argument(function, "beta", beta),
-             read_argument(function, "gamma", gamma),
-             BigComplex(read_argument(function, "re z", re), read_argument(function, "im z", im))};
-       },
-       std::max({decimal_places(alpha), decimal_places(beta), decimal_places(gamma)})},
-      digits);
+  return in_digits(function,
+                   {fmt::format("prabhakar({}, {}, {}, z = {} + {} i)", alpha, beta, gamma, re, im),
+                    [=] {
+                      return Arguments{
+                          read_argument(function, "alpha", alpha), read_argument(function, "beta", beta),
+                          read_argument(function, "gamma", gamma), read_complex(function, re, im)};
+                    },
+                    std::max({decimal_places(alpha), decimal_places(beta), decimal_places(gamma)})},
+                   digits);
 }
 
 DecimalComplex mittag_leffler_derivative(int k, const std::string& alpha, const std::string& beta,
@@ -145,9 +136,8 @@ DecimalComplex mittag_leffler_derivative(int k, const std::string& alpha, const 
       {fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} + {} i)", k, alpha, beta, re, im),
        [=] {
          const BigReal order = read_argument(function, "alpha", alpha);
-         return Arguments{
-             order, BigReal(read_argument(function, "beta", beta) + k * order), BigReal(k + 1),
-             BigComplex(read_argument(function, "re z", re), read_argument(function, "im z", im))};
+         return Arguments{order, BigReal(read_argument(function, "beta", beta) + k * order), BigReal(k + 1),
+                          read_complex(function, re, im)};
        },
        std::max(decimal_places(alpha), decimal_places(beta)), k},
       digits);

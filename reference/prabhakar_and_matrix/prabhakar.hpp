@@ -10,7 +10,7 @@ namespace fde {
 // correctly rounded, as mittag_leffler() is. By power series or one contour that encloses all singularities,
 // in multiprecision. Bounds from the contour are theory but for its part beyond the last node, of the size of
 // what was asked for, which is an estimate. Throws std::invalid_argument naming the argument when it is
-// outside its range or not finite, std::runtime_error naming them all when the value is beyond double,
+// outside its range or not finite, std::runtime_error naming them all when the value overflows,
 // z^(1/alpha) is too far from the real axis (about 1e5), or no digits in reach make it accurate.
 MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::complex<double> z);
 

@@ -86,7 +86,8 @@ std::optional<double> NormRate::deviation() const {
 Fit observed_rate(RunSpan line, std::string_view quantity) {
   std::vector<ErrorAt> points;
   for (const MeasuredRun& run : finest(line)) {
-    if (const auto value = run[quantity]) points.push_back({run.h, *value});
+    const auto value = run[quantity];
+    if (value && run.h > 0.0) points.push_back({run.h, *value});
   }
   return fit_rate(points);
 }

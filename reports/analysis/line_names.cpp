@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <vector>
 
 namespace fde {
@@ -10,7 +11,8 @@ namespace {
 
 std::array<std::string, 4> means_of(const Setup& setup) {
   return {std::string(name(setup.history)), grid_text(setup.grading),
-          fmt::format("tolerance {:g}", setup.tolerance), fmt::format("budget {:g} s", setup.budget)};
+          fmt::format("tolerance {:g}", setup.tolerance),
+          std::isfinite(setup.budget) ? fmt::format("budget {:g} s", setup.budget) : "no budget"};
 }
 
 // Those means that are told, behind each other.

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sweep/record.hpp"
+#include "records/record.hpp"
 
 namespace fde {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include "records/setup.hpp"
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
-#include "sweep/setup.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming)
 class App;

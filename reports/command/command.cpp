@@ -11,8 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "records/record.hpp"
 #include "scenes/parameters.hpp"
-#include "sweep/record.hpp"
 
 namespace fde {
 namespace {
@@ -93,16 +93,16 @@ std::function<void(std::size_t, std::size_t, const std::string&)> progress_line(
   };
 }
 
-int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams) {
+int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams, const Scenes& known) {
   CLI::App app{"Which numerical scheme to use for a fractional differential equation, with proof",
                "fdebench"};
   app.require_subcommand(1);
   app.set_version_flag("--version", this_session().version);
-  add_list_commands(app, streams);
-  add_solve_command(app, streams);
-  add_reference_commands(app, streams);
+  add_list_commands(app, streams, known);
+  add_solve_command(app, streams, known);
+  add_reference_commands(app, streams, known);
   add_mittag_leffler_command(app, streams);
-  add_sweep_commands(app, streams);
+  add_sweep_commands(app, streams, known);
   add_data_commands(app, streams);
   add_stability_command(app, streams);
   try {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "scenes/registry.hpp"
+
 namespace CLI {  // NOLINT(readability-identifier-naming)
 class App;
 }
@@ -26,20 +28,22 @@ struct Streams {
 };
 
 // The command `fdebench` without its process: arguments after the program's name. Returns the exit code: 0
-// done, 2 bad input or output that cannot be written, 3 numerical failure; both with one line on err.
-int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams);
+// done, 2 bad input or output that cannot be written, 3 numerical failure; both with one line on err. known:
+// the scenes that arguments may name.
+int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams,
+                 const Scenes& known = scenes());
 
 // Overwrites one line of err with what has been done, on a terminal only.
 std::function<void(std::size_t done, std::size_t total, const std::string& what)> progress_line(
     const Streams& streams);
 
 // Each adds its subcommands to the application.
-void add_list_commands(CLI::App& app, const Streams& streams);       // scenes, schemes
-void add_solve_command(CLI::App& app, const Streams& streams);       // solve
-void add_reference_commands(CLI::App& app, const Streams& streams);  // exact
+void add_list_commands(CLI::App& app, const Streams& streams, const Scenes& known);       // scenes, schemes
+void add_solve_command(CLI::App& app, const Streams& streams, const Scenes& known);       // solve
+void add_reference_commands(CLI::App& app, const Streams& streams, const Scenes& known);  // exact
 void add_mittag_leffler_command(CLI::App& app, const Streams& streams);
-void add_sweep_commands(CLI::App& app, const Streams& streams);  // run, report, choose
-void add_data_commands(CLI::App& app, const Streams& streams);   // reference
+void add_sweep_commands(CLI::App& app, const Streams& streams, const Scenes& known);  // run, report, choose
+void add_data_commands(CLI::App& app, const Streams& streams);                        // reference
 void add_stability_command(CLI::App& app, const Streams& streams);
 
 }  // namespace fde

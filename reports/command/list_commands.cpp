@@ -1,11 +1,13 @@
 #include <fmt/ostream.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
+#include "scenes/number_text.hpp"
 #include "scenes/registry.hpp"
 #include "sweep/experiment.hpp"
 
@@ -13,6 +15,7 @@ namespace fde {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Row = std::vector<std::string>;
 
 // What a scene declares beyond its problem.
 std::vector<std::string> capabilities(const Scene& scene) {
@@ -25,60 +28,137 @@ std::vector<std::string> capabilities(const Scene& scene) {
   return names;
 }
 
+// Names one by one; many that count on, u1, u2, ..., as their pattern.
+Json describe(const std::vector<std::string>& names) {
+  constexpr std::size_t few = 16;
+  if (names.size() <= few) return names;
+  const std::string& first = names.front();
+  const auto prefix = first.substr(0, first.find_last_not_of("0123456789") + 1);
+  const auto number = number_in(first.substr(prefix.size()));
+  if (!number) return names;
+  const auto from = static_cast<std::size_t>(*number);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] != fmt::format("{}{}", prefix, from + i)) return names;
+  }
+  return {{"pattern", prefix + "{i}"}, {"from", from}, {"to", from + names.size() - 1}};
+}
+
+Json describe(const Parameter& parameter) {
+  const auto as_json = [](const auto& value) -> Json { return value; };
+  return {{"name", parameter.name},
+          {"default", std::visit(as_json, parameter.value)},
+          {"allowed", parameter.allowed()},
+          {"meaning", parameter.meaning}};
+}
+
 Json describe(const SceneMaker& maker) {
   const Scene scene = make_scene(maker);
   Json parameters = Json::array();
-  for (const auto& parameter : maker.parameters) {
-    const auto as_json = [](const auto& value) -> Json { return value; };
-    parameters.push_back({{"name", parameter.name},
-                          {"default", std::visit(as_json, parameter.value)},
-                          {"allowed", parameter.allowed()},
-                          {"meaning", parameter.meaning}});
-  }
+  for (const auto& parameter : maker.parameters) parameters.push_back(describe(parameter));
   return {{"id", maker.id},
           {"title", maker.title},
           {"source", maker.source},
           {"parameters", parameters},
           {"end", scene.problem.end},
-          {"columns", scene.outputs.names},
+          {"columns", describe(scene.outputs.names)},
           {"has", capabilities(scene)}};
 }
 
-Json describe(const Scheme& scheme) {
-  return {{"id", scheme.id},
-          {"title", scheme.title},
-          {"source", scheme.source},
-          {"implicit", scheme.needs.implicit},
+Json needs_of(const Scheme& scheme) {
+  return {{"implicit", scheme.needs.implicit},
           {"algebraic_rows", scheme.needs.algebraic_rows},
           {"uniform_grid", scheme.needs.uniform_grid},
           {"largest_order", scheme.needs.largest_order},
           {"two_sided", scheme.needs.two_sided}};
 }
 
-template <typename Entries>
-void list(const Entries& entries, bool json, std::ostream& out) {
-  if (json) {
-    Json all = Json::array();
-    for (const auto& entry : entries) all.push_back(describe(entry));
-    fmt::print(out, "{}\n", all.dump(2));
-    return;
-  }
-  for (const auto& entry : entries) fmt::print(out, "{:<34}{}\n", entry.id, entry.title);
+Json describe(const Scheme& scheme) {
+  Json facts{{"id", scheme.id}, {"title", scheme.title}, {"source", scheme.source}};
+  facts.update(needs_of(scheme));
+  return facts;
 }
 
-void add(CLI::App& app, const std::string& name, const std::string& help,
-         const std::function<void(bool)>& print) {
-  auto* command = app.add_subcommand(name, help);
-  auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "everything about each, as JSON");
-  command->callback([=] { print(*json); });
+template <typename Entries>
+void print_json(const Entries& entries, std::ostream& out) {
+  Json all = Json::array();
+  for (const auto& entry : entries) all.push_back(describe(entry));
+  fmt::print(out, "{}\n", all.dump(2));
+}
+
+// Columns as wide as their widest cell.
+void print_table(const std::vector<Row>& rows, std::ostream& out) {
+  constexpr std::size_t gap = 3;
+  std::vector<std::size_t> widths;
+  for (const Row& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size() + gap);
+  }
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c + 1 < row.size(); ++c) fmt::print(out, "{:<{}}", row[c], widths[c]);
+    fmt::print(out, "{}\n", row.back());
+  }
+}
+
+template <typename Entries>
+std::vector<Row> titles(const Entries& entries) {
+  std::vector<Row> rows;
+  for (const auto& entry : entries) rows.push_back({std::string(entry.id), std::string(entry.title)});
+  return rows;
+}
+
+std::vector<Row> parameters_of(const Scenes& known) {
+  std::vector<Row> rows{{"scene", "parameter", "default", "allowed", "meaning"}};
+  for (const auto& maker : known) {
+    std::string id = maker.id;
+    for (const auto& parameter : maker.parameters) {
+      rows.push_back({id, parameter.name, text_of(parameter.value), parameter.allowed(), parameter.meaning});
+      id.clear();
+    }
+  }
+  return rows;
+}
+
+std::vector<Row> needs_of_all(std::span<const Scheme> known) {
+  std::vector<Row> rows{{"scheme"}};
+  for (const auto& [need, value] : needs_of(known.front()).items()) rows.front().push_back(need);
+  for (const auto& scheme : known) {
+    rows.push_back({std::string(scheme.id)});
+    for (const auto& value : needs_of(scheme))
+      rows.back().push_back(value.is_boolean() ? (value ? "yes" : "no")
+                                               : fmt::format("{}", value.get<double>()));
+  }
+  return rows;
+}
+
+struct ListArguments {
+  bool json = false, detail = false;
+};
+
+// A command that lists what there is: id and title, or what the flag `detail` asks for.
+template <typename Entries, typename Details>
+void add_list(CLI::App* command, const std::string& detail, const std::string& help, Entries entries,
+              Details details, std::ostream& out) {
+  auto asked = std::make_shared<ListArguments>();
+  auto* json = command->add_flag("--json", asked->json, "everything about each, as JSON");
+  command->add_flag(detail, asked->detail, help)->excludes(json);
+  command->callback([=, &out] {
+    if (asked->json) {
+      print_json(entries(), out);
+    } else {
+      print_table(asked->detail ? details(entries()) : titles(entries()), out);
+    }
+  });
 }
 
 }  // namespace
 
-void add_list_commands(CLI::App& app, const Streams& streams) {
-  add(app, "scenes", "List the scenes", [&](bool json) { list(scenes(), json, streams.out); });
-  add(app, "schemes", "List the schemes", [&](bool json) { list(schemes(), json, streams.out); });
+void add_list_commands(CLI::App& app, const Streams& streams, const Scenes& known) {
+  add_list(
+      app.add_subcommand("scenes", "List the scenes"), "--parameters",
+      "the parameters of each, with defaults and what is allowed",
+      [&known]() -> const Scenes& { return known; }, parameters_of, streams.out);
+  add_list(app.add_subcommand("schemes", "List the schemes"), "--needs",
+           "what each takes and asks of a problem", schemes, needs_of_all, streams.out);
 }
 
 }  // namespace fde

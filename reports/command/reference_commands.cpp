@@ -63,8 +63,8 @@ void print_digits(const Scene& scene, const std::vector<double>& times, int digi
   out << rows;
 }
 
-void exact(const ExactArguments& arguments, const Streams& streams) {
-  const auto& maker = scene_named(arguments.scene);
+void exact(const ExactArguments& arguments, const Streams& streams, const Scenes& known) {
+  const auto& maker = scene_named(arguments.scene, known);
   Scene scene = make_scene(maker, parse_settings(maker, arguments.settings));
   const auto times = parse_numbers("--at", arguments.at, not_negative);
   const double last = std::ranges::max(times);
@@ -88,7 +88,7 @@ void exact(const ExactArguments& arguments, const Streams& streams) {
 
 }  // namespace
 
-void add_reference_commands(CLI::App& app, const Streams& streams) {
+void add_reference_commands(CLI::App& app, const Streams& streams, const Scenes& known) {
   auto of_exact = std::make_shared<ExactArguments>();
   auto* exact_command =
       app.add_subcommand("exact", "What is known about a scene: its columns and a bound; CSV");
@@ -96,7 +96,7 @@ void add_reference_commands(CLI::App& app, const Streams& streams) {
   exact_command->add_option("--at", of_exact->at, "times T1,T2,...")->required();
   exact_command->add_option("--set", of_exact->settings, "a parameter of the scene, NAME=VALUE")->take_all();
   exact_command->add_option("--digits", of_exact->digits, "number of decimal digits; default double");
-  exact_command->callback([=] { exact(*of_exact, streams); });
+  exact_command->callback([=, &known] { exact(*of_exact, streams, known); });
 }
 
 }  // namespace fde

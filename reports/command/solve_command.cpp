@@ -44,7 +44,7 @@ Setup parse_setup(const SolveArguments& arguments) {
 
 // Throws std::invalid_argument where the run would take hours or print too much.
 void require_affordable(const SolveArguments& arguments, const Grid& grid, HistoryKind history) {
-  if (resolve(history, grid) == HistoryKind::direct && grid.steps > most_direct_steps) {
+  if (resolve(history, step_plan(grid)) == HistoryKind::direct && grid.steps > most_direct_steps) {
     throw std::invalid_argument(
         fmt::format("--history = direct: takes up to {} steps, its work grows with their square, not {}",
                     most_direct_steps, grid.steps));
@@ -116,7 +116,7 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Resolution& reso
   };
   add("rhs", cost.rhs_calls);
   add("newton", cost.newton_iterations);
-  if (grid && cost.history_bytes) shown["history"] = name(resolve(history, *grid));
+  if (grid && cost.history_bytes) shown["history"] = name(resolve(history, step_plan(*grid)));
   add("history_bytes", cost.history_bytes);
   add("states", cost.states);
   if (grid && scheme.expected_rate)
@@ -124,8 +124,8 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Resolution& reso
   fmt::print(err, "{}\n", shown.dump());
 }
 
-void solve(const SolveArguments& arguments, const Streams& streams) {
-  const auto& maker = scene_named(arguments.scene);
+void solve(const SolveArguments& arguments, const Streams& streams, const Scenes& known) {
+  const auto& maker = scene_named(arguments.scene, known);
   const auto& scheme = scheme_named(arguments.scheme);
   SceneVariant variant{.maker = &maker, .values = parse_settings(maker, arguments.settings)};
   if (arguments.until) variant.until = parse_number("--until", *arguments.until, any_end);
@@ -152,7 +152,7 @@ void solve(const SolveArguments& arguments, const Streams& streams) {
 
 }  // namespace
 
-void add_solve_command(CLI::App& app, const Streams& streams) {
+void add_solve_command(CLI::App& app, const Streams& streams, const Scenes& known) {
   auto arguments = std::make_shared<SolveArguments>();
   auto* command = app.add_subcommand("solve", "Solve a scene with a scheme; CSV on standard output");
   command->add_option("scene", arguments->scene, "id of the scene")->required();
@@ -167,9 +167,9 @@ void add_solve_command(CLI::App& app, const Streams& streams) {
   command->add_option("--at", arguments->at, "grid times to print, T1,T2,...; default all");
   add_options(*command, arguments->means);
   command->add_flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");
-  command->callback([=] {
+  command->callback([=, &known] {
     if (!arguments->steps && !arguments->accuracy) throw CLI::RequiredError("--steps");
-    solve(*arguments, streams);
+    solve(*arguments, streams, known);
   });
 }
 

@@ -12,9 +12,9 @@
 #include "command/arguments.hpp"
 #include "command/command.hpp"
 #include "page/report.hpp"
+#include "records/results_file.hpp"
 #include "scenes/number_text.hpp"
 #include "sweep/default_sweep.hpp"
-#include "sweep/results_file.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep/trials.hpp"
 
@@ -36,10 +36,10 @@ struct ChooseArguments {
   std::optional<std::string> results;
 };
 
-std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts) {
+std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts, const Scenes& known) {
   if (texts.empty()) return sweep_scenes();
   std::vector<SceneVariant> variants;
-  for (const auto& text : texts) variants.push_back(parse_variant(text));
+  for (const auto& text : texts) variants.push_back(parse_variant(text, known));
   return variants;
 }
 
@@ -61,8 +61,8 @@ std::vector<StepsOrAccuracy> chosen_resolutions(const RunArguments& arguments) {
   return chosen;
 }
 
-Sweep sweep_of(const RunArguments& arguments) {
-  return {.scenes = chosen_scenes(arguments.scenes),
+Sweep sweep_of(const RunArguments& arguments, const Scenes& known) {
+  return {.scenes = chosen_scenes(arguments.scenes, known),
           .schemes = chosen_schemes(arguments.schemes),
           .resolutions = chosen_resolutions(arguments),
           .setup = parse_means(arguments.means),
@@ -70,8 +70,8 @@ Sweep sweep_of(const RunArguments& arguments) {
 }
 
 // The sweep that is asked for; the trials where no scene and no steps are, alone where they are asked for.
-void run(const RunArguments& arguments, const Streams& streams) {
-  const Sweep sweep = sweep_of(arguments);
+void run(const RunArguments& arguments, const Streams& streams, const Scenes& known) {
+  const Sweep sweep = sweep_of(arguments, known);
   const bool asked = !arguments.scenes.empty() || arguments.steps || arguments.accuracies;
   if (arguments.trials && asked)
     throw std::invalid_argument("--trials = yes: must be without --scene and --steps, trials have their own");
@@ -117,8 +117,8 @@ Results measure(const SceneVariant& scene, double error, const Streams& streams)
   return results;
 }
 
-void choose(const ChooseArguments& arguments, const Streams& streams) {
-  const auto scene = parse_variant(arguments.scene);
+void choose(const ChooseArguments& arguments, const Streams& streams, const Scenes& known) {
+  const auto scene = parse_variant(arguments.scene, known);
   const double error = parse_number("--error", arguments.error, positive);
   const Results results =
       arguments.results ? read_results(*arguments.results) : measure(scene, error, streams);
@@ -133,7 +133,7 @@ void choose(const ChooseArguments& arguments, const Streams& streams) {
 
 }  // namespace
 
-void add_sweep_commands(CLI::App& app, const Streams& streams) {
+void add_sweep_commands(CLI::App& app, const Streams& streams, const Scenes& known) {
   auto of_run = std::make_shared<RunArguments>();
   auto* run_command = app.add_subcommand("run", "Measure schemes on scenes; a file that exists is continued");
   run_command->add_option("--scene", of_run->scenes, "ids of scenes, or ID:NAME=VALUE,...; default all")
@@ -146,7 +146,7 @@ void add_sweep_commands(CLI::App& app, const Streams& streams) {
   add_options(*run_command, of_run->means);
   run_command->add_flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
   run_command->add_option("--out", of_run->out, "results file")->required();
-  run_command->callback([=] { run(*of_run, streams); });
+  run_command->callback([=, &known] { run(*of_run, streams, known); });
 
   auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
   auto* report_command = app.add_subcommand("report", "Write the report page of a results file");
@@ -160,7 +160,7 @@ void add_sweep_commands(CLI::App& app, const Streams& streams) {
   choose_command->add_option("scene", of_choose->scene, "id of the scene, or ID:NAME=VALUE,...")->required();
   choose_command->add_option("--error", of_choose->error, "largest error wanted at the end")->required();
   choose_command->add_option("--results", of_choose->results, "results file; default: measure now");
-  choose_command->callback([=] { choose(*of_choose, streams); });
+  choose_command->callback([=, &known] { choose(*of_choose, streams, known); });
 }
 
 }  // namespace fde

@@ -7,7 +7,7 @@
 #include "analysis/answer.hpp"
 #include "analysis/line_names.hpp"
 #include "page/table.hpp"
-#include "sweep/record.hpp"
+#include "records/record.hpp"
 
 namespace fde {
 

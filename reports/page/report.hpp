@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "sweep/record.hpp"
+#include "records/record.hpp"
 
 namespace fde {
 

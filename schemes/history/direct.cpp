@@ -39,7 +39,7 @@ DirectHistory::Part DirectHistory::part(const WeightTable& table, std::vector<We
   return {.start = 0.0, .constant = 0.0, .column = found - distinct.begin()};
 }
 
-void DirectHistory::push(In sample) {
+void DirectHistory::push(double /*t*/, In sample) {
   for (Eigen::Index i = 0; i < sample.size(); ++i) {
     if (const auto row = row_[static_cast<std::size_t>(i)]; row >= 0) samples_(pushed_, row) = sample[i];
   }
@@ -50,7 +50,7 @@ void DirectHistory::push(In sample) {
   totals_.add(sample);
 }
 
-void DirectHistory::convolve(std::size_t sum, Out result) const {
+void DirectHistory::convolve(double /*t*/, std::size_t sum, Out result) const {
   for (Eigen::Index i = 0; i < result.size(); ++i) {
     const auto& part = parts_[sum][static_cast<std::size_t>(i)];
     if (part.column < 0) {

@@ -10,7 +10,7 @@ namespace fde {
 // The past of components that share one sum of exponentials, on a uniform grid, a block of steps at a time.
 // Samples at least `recent` steps old when a block starts live in states z_m = sum_j exp(-nodes[m] age_j)
 // x_j, advanced and evaluated once a block as small dense products; the others enter through their exact
-// weights. Work a step and memory do not depend on the number of steps done. docs/the_past.md derives it.
+// weights. Work a step and memory do not depend on the number of steps done. docs/history.md derives it.
 class ExponentialMemory {
  public:
   static constexpr Eigen::Index block = 32, recent = lanes;

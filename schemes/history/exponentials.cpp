@@ -53,7 +53,7 @@ void ExponentialHistory::add(Sum& sum, const WeightTable& table, Eigen::Index co
   use->components.emplace_back(component, index_in(found->components, component));
 }
 
-void ExponentialHistory::push(In sample) {
+void ExponentialHistory::push(double /*t*/, In sample) {
   if (first_.size() == 0) {
     first_ = sample;
     return;
@@ -69,7 +69,7 @@ void ExponentialHistory::push(In sample) {
   }
 }
 
-void ExponentialHistory::convolve(std::size_t sum, Out result) const {
+void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) const {
   for (const auto& [i, start, constant] : sums_[sum].constants) {
     result[i] = start * first_[i] + constant * totals_[i];
   }

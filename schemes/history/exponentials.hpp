@@ -14,8 +14,8 @@ class ExponentialHistory final : public History {
   [[nodiscard]] std::unique_ptr<History> copy() const override {
     return std::make_unique<ExponentialHistory>(*this);
   }
-  void push(In sample) override;
-  void convolve(std::size_t sum, Out result) const override;
+  void push(double t, In sample) override;
+  void convolve(double t, std::size_t sum, Out result) const override;
   [[nodiscard]] std::size_t bytes() const override;
 
  private:

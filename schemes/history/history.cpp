@@ -1,12 +1,17 @@
 #include "history/history.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
+#include <stdexcept>
 
 #include "history/direct.hpp"
 #include "history/exponentials.hpp"
-#include "history/graded_direct.hpp"
-#include "history/graded_exponentials.hpp"
+#include "history/variable_step_direct.hpp"
+#include "history/variable_step_exponentials.hpp"
+#include "weights/weight_transform.hpp"
 
 namespace fde {
 namespace {
@@ -14,13 +19,38 @@ namespace {
 // Rounding, and where a sum of exponentials still deserves the name.
 constexpr double finest_tolerance = 1e-16, coarsest_tolerance = 0.1;
 
+// The first table without the property, or nullptr.
+template <typename Property>
+const WeightTable* first_without(const WeightTables& tables, Property has) {
+  for (const auto& of_sum : tables) {
+    const auto found = std::ranges::find_if_not(of_sum, has);
+    if (found != of_sum.end()) return &*found;
+  }
+  return nullptr;
+}
+
+void refuse(const WeightTable* table, std::string_view lack) {
+  if (table == nullptr) return;
+  throw std::invalid_argument(fmt::format("the weights of {} have no {}", table->family->id, lack));
+}
+
 }  // namespace
 
-HistoryKind resolve(HistoryKind kind, const Grid& grid) {
-  // Measured by fde_histories; on other grids every weight of the direct engine costs a power.
-  const int break_even = grid.uniform() ? 128 : 16;
+int StepPlan::most() const {
+  if (count) return *count;
+  constexpr double largest = std::numeric_limits<int>::max();
+  return static_cast<int>(std::min(std::round(end / shortest), largest));
+}
+
+StepPlan step_plan(const Grid& grid) {
+  return {.end = grid.end, .shortest = grid.step(1), .equal = grid.uniform(), .count = grid.steps};
+}
+
+HistoryKind resolve(HistoryKind kind, const StepPlan& steps) {
+  // Measured by fde_histories; where steps differ every weight of the direct engine costs a power.
+  const int break_even = steps.equal ? 128 : 16;
   if (kind != HistoryKind::automatic) return kind;
-  return grid.steps < break_even ? HistoryKind::direct : HistoryKind::exponentials;
+  return steps.most() < break_even ? HistoryKind::direct : HistoryKind::exponentials;
 }
 
 std::string_view name(HistoryKind kind) {
@@ -35,16 +65,21 @@ std::string_view name(HistoryKind kind) {
   std::abort();
 }
 
-std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const Grid& grid,
+std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
                                       double tolerance) {
-  const bool direct = resolve(kind, grid) == HistoryKind::direct;
+  const WeightTable* const only_direct = first_without(tables, has_exponentials);
+  const bool direct = resolve(kind, steps) == HistoryKind::direct ||
+                      (kind == HistoryKind::automatic && only_direct != nullptr);
+  if (!direct) refuse(only_direct, "sum of exponentials");
   const double achievable = std::clamp(tolerance, finest_tolerance, coarsest_tolerance);
-  if (grid.uniform()) {
-    if (direct) return std::make_unique<DirectHistory>(tables, grid.steps);
-    return std::make_unique<ExponentialHistory>(tables, grid.steps, achievable);
+  if (steps.equal) {
+    if (direct) return std::make_unique<DirectHistory>(tables, steps.most());
+    return std::make_unique<ExponentialHistory>(tables, steps.most(), achievable);
   }
-  if (direct) return std::make_unique<GradedDirectHistory>(tables, grid);
-  return std::make_unique<GradedExponentialHistory>(tables, grid, achievable);
+  refuse(first_without(tables, [](const WeightTable& table) { return table.family->ends != nullptr; }),
+         "form for steps that differ");
+  if (direct) return std::make_unique<VariableStepDirectHistory>(tables, steps);
+  return std::make_unique<VariableStepExponentialHistory>(tables, steps, achievable);
 }
 
 }  // namespace fde

@@ -15,22 +15,22 @@ class PastOfRows {
       remembered.push_back(tables[i]);
     }
     buffer_.resize(static_cast<Eigen::Index>(rows_.size()));
-    history_ = make_history(options.history, {remembered}, grid, options.tolerance);
+    history_ = make_history(options.history, {remembered}, step_plan(grid), options.tolerance);
   }
 
   [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
 
-  // Appends a sample of all rows.
-  void push(In sample) {
-    if (sample.size() == buffer_.size()) return history_->push(sample);  // nothing to pick
+  // Appends a sample of all rows, taken at time t.
+  void push(double t, In sample) {
+    if (sample.size() == buffer_.size()) return history_->push(t, sample);  // nothing to pick
     for (Eigen::Index r = 0; r < buffer_.size(); ++r) buffer_[r] = sample[row(r)];
-    history_->push(buffer_);
+    history_->push(t, buffer_);
   }
 
-  // The sums of the rows that have a past; the others stay as they are.
-  void convolve(Out result) {
-    if (result.size() == buffer_.size()) return history_->convolve(0, result);
-    history_->convolve(0, buffer_);
+  // The sums at time t of the rows that have a past; the others stay as they are.
+  void convolve(double t, Out result) {
+    if (result.size() == buffer_.size()) return history_->convolve(t, 0, result);
+    history_->convolve(t, 0, buffer_);
     for (Eigen::Index r = 0; r < buffer_.size(); ++r) result[row(r)] = buffer_[r];
   }
 
@@ -44,7 +44,7 @@ class PastOfRows {
 
 }  // namespace
 
-ImplicitRule integral_rule(const Problem& problem, WeightFamily family) {
+ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family) {
   return {.tables = tables(problem, family),
           .past =
               [taylor = TaylorPart(problem)](double t, In convolved, In /*previous*/, In kappa, Out past) {
@@ -64,11 +64,12 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
 
   Vec previous = run.start(), y = previous, sample(y.size()), past(y.size());
   Vec convolved = Vec::Zero(y.size());
-  rule.sample(run, 0.0, y, previous, sample);
+  double t = 0.0;
+  rule.sample(run, t, y, previous, sample);
   for (int n = 1; n <= grid.steps; ++n) {
-    const double t = grid.time(n);
-    history.push(sample);
-    history.convolve(convolved);
+    history.push(t, sample);
+    t = grid.time(n);
+    history.convolve(t, convolved);
     const Vec& kappa = factors.at(n);
     rule.past(t, convolved, previous, kappa, past);
     if (!newton.solve(run, {t, kappa, past}, y)) {

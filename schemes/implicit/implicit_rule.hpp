@@ -24,7 +24,7 @@ struct ImplicitRule {
 // v, v' = a + R^T lambda, 0 = g(t, q, v) it only sees (lambda_(n-1) + lambda_n) / 2, so that a wrong
 // lambda(0), or one that is infinite, makes lambda alternate about its values, by the same amount for ever.
 // For constant R nothing else notices; otherwise q and v are off by O(h^2), which does not change their rate.
-ImplicitRule integral_rule(const Problem& problem, WeightFamily family);
+ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family);
 
 // Steps the rule along the grid, each step solved by Newton's method from the previous value.
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,

@@ -6,19 +6,21 @@ namespace fde {
 
 Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const Options& options) {
   Run run(problem, options, grid.steps);
-  const auto predictor = tables(problem, WeightFamily::rectangle);
-  const auto corrector = tables(problem, WeightFamily::trapezoid);
-  const auto history = make_history(options.history, {predictor, corrector}, grid, options.tolerance);
+  const auto predictor = tables(problem, families::rectangle);
+  const auto corrector = tables(problem, families::trapezoid);
+  const auto history =
+      make_history(options.history, {predictor, corrector}, step_plan(grid), options.tolerance);
   run.cost().history_bytes = history->bytes();
   const TaylorPart taylor_part(problem);
   StepFactors predictor_factors(predictor, grid), corrector_factors(corrector, grid);
 
   Vec y = run.start(), predicted(y.size()), corrected(y.size()), taylor(y.size());
+  double t = 0.0;
   for (int n = 1; n <= grid.steps; ++n) {
-    history->push(run.rhs(grid.time(n - 1), y));
-    history->convolve(0, predicted);
-    history->convolve(1, corrected);
-    const double t = grid.time(n);
+    history->push(t, run.rhs(t, y));
+    t = grid.time(n);
+    history->convolve(t, 0, predicted);
+    history->convolve(t, 1, corrected);
     taylor_part.at(t, taylor);
     y = taylor + predictor_factors.at(n).cwiseProduct(predicted);
     const Vec& kappa = corrector_factors.at(n);

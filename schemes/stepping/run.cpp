@@ -70,9 +70,9 @@ Trajectory Run::finish() {
   return std::move(path_);
 }
 
-std::vector<WeightTable> tables(const Problem& problem, WeightFamily family) {
+std::vector<WeightTable> tables(const Problem& problem, const WeightFamily& family) {
   std::vector<WeightTable> result;
-  for (const auto& component : problem.components) result.push_back({family, component.order});
+  for (const auto& component : problem.components) result.push_back({&family, component.order});
   return result;
 }
 

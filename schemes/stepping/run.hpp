@@ -46,7 +46,7 @@ class Run {
 };
 
 // The tables of one sum: the same family for every component, each with its own order.
-std::vector<WeightTable> tables(const Problem& problem, WeightFamily family);
+std::vector<WeightTable> tables(const Problem& problem, const WeightFamily& family);
 
 // step_factor of every table, step after step: computed once where all steps are equal.
 class StepFactors {

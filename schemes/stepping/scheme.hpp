@@ -12,7 +12,7 @@
 #include "problem/resolution.hpp"
 #include "problem/smoothness.hpp"
 #include "stepping/trajectory.hpp"
-#include "weights/symbol.hpp"
+#include "symbols/symbol.hpp"
 
 namespace fde {
 

@@ -82,7 +82,7 @@ class Newton {
 }  // namespace
 
 Trajectory solve_all_at_once(const Problem& problem, const Grid& grid, const Options& options,
-                             WeightFamily family) {
+                             const WeightFamily& family) {
   Run run(problem, options, grid.steps);
   const AllTimes equations(problem, grid, options, family);
   Newton newton(equations, run, options.tolerance);

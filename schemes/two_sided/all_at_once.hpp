@@ -13,6 +13,6 @@ namespace fde {
 // Jacobians, and 20 to 200 vectors of right rows, a quarter of a gigabyte where these bounds allow it;
 // Cost::history_bytes counts them.
 Trajectory solve_all_at_once(const Problem& problem, const Grid& grid, const Options& options,
-                             WeightFamily family);
+                             const WeightFamily& family);
 
 }  // namespace fde

@@ -8,7 +8,8 @@ double Residual::norm() const {
   return std::sqrt(rows.squaredNorm() / static_cast<double>(rows.cols()) + conditions.squaredNorm());
 }
 
-AllTimes::AllTimes(const Problem& problem, const Grid& grid, const Options& options, WeightFamily family)
+AllTimes::AllTimes(const Problem& problem, const Grid& grid, const Options& options,
+                   const WeightFamily& family)
     : problem_(problem),
       grid_(grid),
       left_(problem, Side::left, family, grid, options),

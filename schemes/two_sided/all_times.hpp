@@ -25,7 +25,7 @@ struct Residual {
 // conditions.
 class AllTimes {
  public:
-  AllTimes(const Problem& problem, const Grid& grid, const Options& options, WeightFamily family);
+  AllTimes(const Problem& problem, const Grid& grid, const Options& options, const WeightFamily& family);
 
   // The Taylor parts, 0 for unknown initial values.
   [[nodiscard]] Guess start() const;

@@ -15,7 +15,7 @@ auto square(const Matrix& columns, Eigen::Index column, std::size_t size) {
 
 }  // namespace
 
-SideRule::SideRule(const Problem& problem, Side side, WeightFamily family, const Grid& grid,
+SideRule::SideRule(const Problem& problem, Side side, const WeightFamily& family, const Grid& grid,
                    const Options& options)
     : right_(side == Side::right), grid_(grid), steps_(grid.steps) {
   std::vector<WeightTable> own;
@@ -27,7 +27,7 @@ SideRule::SideRule(const Problem& problem, Side side, WeightFamily family, const
       algebraic.push_back(i);
     } else {
       rows_.push_back(i);
-      own.push_back({family, component.order});
+      own.push_back({&family, component.order});
     }
   }
   summed_ = static_cast<Eigen::Index>(rows_.size());
@@ -40,7 +40,7 @@ SideRule::SideRule(const Problem& problem, Side side, WeightFamily family, const
   if (summed_ == 0) return;
   StepFactors factors(own, grid);
   for (int m = 1; m < kappa_.cols(); ++m) kappa_.col(m).head(summed_) = factors.at(m);
-  unused_ = make_history(options.history, {own}, grid, options.tolerance);
+  unused_ = make_history(options.history, {own}, step_plan(grid), options.tolerance);
 }
 
 // step(m, sum, f) is told the weighted sum of all f before own time m and sets f there.
@@ -49,10 +49,12 @@ void SideRule::march(Step step) const {
   if (empty()) return;
   const auto history = summed_ > 0 ? unused_->copy() : nullptr;
   Vec sum = Vec::Zero(kappa_.rows()), f(kappa_.rows());
+  double t = 0.0;
   for (Eigen::Index m = 0; m <= steps_; ++m) {
     if (m > 0 && history) {
-      history->push(f.head(summed_));
-      history->convolve(0, sum.head(summed_));
+      history->push(t, f.head(summed_));
+      t = own_time(m);
+      history->convolve(t, 0, sum.head(summed_));
     }
     step(m, sum, f);
   }

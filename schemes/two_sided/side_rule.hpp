@@ -18,7 +18,8 @@ namespace fde {
 class SideRule {
  public:
   // Right rows need a uniform grid.
-  SideRule(const Problem& problem, Side side, WeightFamily family, const Grid& grid, const Options& options);
+  SideRule(const Problem& problem, Side side, const WeightFamily& family, const Grid& grid,
+           const Options& options);
 
   [[nodiscard]] const std::vector<Eigen::Index>& rows() const { return rows_; }
   [[nodiscard]] bool empty() const { return rows_.empty(); }

@@ -16,7 +16,7 @@ struct ExponentialSum {
 //   t^(a-1) / Gamma(a) = sin(pi a)/pi int_0^inf s^(-a) exp(-s t) ds,  s = exp(x),
 // takes the trapezoidal rule in x, leaves out the nodes far above 1/low, and replaces the infinitely many
 // below about 10/high by their own Gauss rule: they lie geometrically, so that its polynomials are the little
-// q-Jacobi ones. docs/the_past.md derives the three parts of the bound. Exponent 1 is the constant 1: one
+// q-Jacobi ones. docs/history.md derives the three parts of the bound. Exponent 1 is the constant 1: one
 // node at 0.
 //
 // The exponent is extended because 1 - order of L1 may not be a double, which would count at long times.

@@ -1,7 +1,6 @@
 #include "weights/interval_weights.hpp"
 
 #include <cmath>
-#include <cstdlib>
 
 namespace fde {
 namespace {
@@ -34,27 +33,13 @@ IntervalWeights interval_weights(double order, double distance, double length) {
   return {scale * left, scale * right};
 }
 
-Ends ends(WeightFamily family, double before, double after, double length) {
-  switch (family) {
-    case WeightFamily::rectangle:
-      return {before, before};
-    case WeightFamily::trapezoid:
-      return {before, after};
-    case WeightFamily::l1:
-      return {after / length, after / length};
-    case WeightFamily::grunwald_letnikov:
-      break;  // lives on uniform grids only
-  }
-  std::abort();
-}
-
 double integral_order(const WeightTable& table) {
-  return table.family == WeightFamily::l1 ? 1.0 - table.order : table.order;
+  return table.family->weighs_increments ? 1.0 - table.order : table.order;
 }
 
 double integrals_to_sums(const WeightTable& table, double length) {
   const double kappa = step_factor(table, length);
-  return table.family == WeightFamily::l1 ? kappa : 1.0 / kappa;
+  return table.family->weighs_increments ? kappa : 1.0 / kappa;
 }
 
 }  // namespace fde

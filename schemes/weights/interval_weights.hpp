@@ -15,19 +15,12 @@ struct IntervalWeights {
 // distance = t - b >= 0, length = b - a > 0.
 IntervalWeights interval_weights(double order, double distance, double length);
 
-// The end values of the linear function by which a rule of this family replaces its integrand between the
-// samples before and after; for the newest interval of an implicit rule, `after` is 0.
-struct Ends {
-  double left, right;
-};
-Ends ends(WeightFamily family, double before, double after, double length);
-
-// The order of the integral that a rule of this table takes of its integrand: g, and 1 - g for L1, which
-// integrates the slopes of y.
+// The order of the integral that a rule of this table takes of its integrand: g for f, 1 - g for the slopes
+// of y.
 double integral_order(const WeightTable& table);
 
-// What turns integrals up to the end of a step of this length into weighted sums, in which the newest sample
-// has weight 1: 1/step_factor for the rules that integrate f, step_factor for L1.
+// The factor that turns integrals up to the end of a step of this length into weighted sums, in which the
+// newest sample has weight 1: 1/step_factor where f is integrated, step_factor where slopes of y are.
 double integrals_to_sums(const WeightTable& table, double length);
 
 }  // namespace fde

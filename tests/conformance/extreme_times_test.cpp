@@ -44,18 +44,18 @@ std::vector<BigReal> exponential(const Matrix& matrix, double t) {
 }
 
 void see_system(Worst& worst, const Matrix& matrix, double t) {
-  const Reference solution = exact_reference(LinearSystem{{1.0, 1.0}, {{1.0}, {0.0}}, matrix});
+  const Reference solution = linear_reference(LinearSystem{{1.0, 1.0}, {{1.0}, {0.0}}, matrix});
   worst.see(solution.at(t), exponential(matrix, t), fmt::format("system at {}", t));
 }
 
 void see_relaxation(Worst& worst, double lambda, double t) {
-  const Reference solution = exact_reference({{{1.0, 1.0}, {-lambda, 0.0}}, {1.0}}, {0.0});
+  const Reference solution = linear_reference({{{1.0, 1.0}, {-lambda, 0.0}}, {1.0}}, {0.0});
   worst.see(solution.at(t), {exp(product(lambda, t))}, fmt::format("e^({} * {})", lambda, t));
 }
 
 // u'' + w2 u = 0, u(0) = 1, u'(0) = 0, for either sign of w2.
 void see_oscillator(Worst& worst, double w2, double t) {
-  const Reference solution = exact_reference({{{1.0, 2.0}, {w2, 0.0}}, {1.0, 0.0}}, {0.0});
+  const Reference solution = linear_reference({{{1.0, 2.0}, {w2, 0.0}}, {1.0, 0.0}}, {0.0});
   const BigReal angle = sqrt(BigReal(abs(decimal<BigReal>(w2)))) * decimal<BigReal>(t);
   worst.see(solution.at(t), {w2 < 0.0 ? cosh(angle) : cos(angle)}, fmt::format("w2 = {} at {}", w2, t));
 }

@@ -326,7 +326,7 @@ TEST(AWrongWeight, IsCaughtByTheRate) {
     Vec last = Vec::Zero(problem.size());
     return solve_implicit(
         problem, grid, options,
-        {.tables = tables(problem, WeightFamily::trapezoid),
+        {.tables = tables(problem, families::trapezoid),
          .past =
              [&](double t, In convolved, In, In kappa, Out past) {
                past = taylor_part(problem, t) + kappa.cwiseProduct(convolved + 0.01 * last);

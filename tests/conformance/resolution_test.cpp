@@ -53,6 +53,17 @@ TEST(Resolution, ASchemeThatChoosesItsTimesRefusesAGrid) {
             "needs an accuracy above 0, not 0 relative and 0 absolute");
 }
 
+TEST(Refusal, OfASchemeThatDiscretisesEquationsNamesThem) {
+  const Scheme direct{.id = "direct",
+                      .title = "A direct multi-term rule",
+                      .source = "",
+                      .needs = {.discretises_equations = true},
+                      .solve = {}};
+  EXPECT_EQ(refusal(direct, decay(0.5), Grid{2.0, 8}),
+            "discretises multi-term equations, and the problem is not told as one");
+  EXPECT_EQ(refusal(direct, scene_of("bagley_torvik").problem, Grid{20.0, 8}), std::nullopt);
+}
+
 TEST(Resolution, TheTimesOfAnAdaptiveRunAreItsOwn) {
   std::vector<double> heard;
   const Options options{.observer = [&](double t, In /*y*/) { heard.push_back(t); }};

@@ -32,7 +32,7 @@ Reference solution_of_59_and_60(double alpha) {
   m.row(of_dy) = 0.5 * (m.row(q1) - m.row(q2));
   m(of_x, q1) = m(of_x, q2) = 0.5;
   m.row(rest_of_dx) = m.row(of_dx);
-  return exact_reference(
+  return linear_reference(
       LinearSystem{.orders = {1.0, 1.0, alpha - 1.0, 1.0, 2.0 - alpha, 2.0 - alpha, 2.0 - alpha, alpha - 1.0},
                    .initial = {{x0 + y0}, {x0 - y0}, {-dy0}, {-dy0}, {0.0}, {0.0}, {0.0}, {0.0}},
                    .matrix = m,

@@ -66,7 +66,7 @@ TEST(ErrataTarasov, Equation53HoldsForTheOrderAlphaMinusOne) {
 TEST(ErrataTarasov, Equation54HoldsWithoutItsMiddleMember) {
   const double nu = 1.5, t = 2.0, e = mittag_leffler(nu, 1.0, -std::pow(t, nu));
   const Reference solution =
-      exact_reference(LinearEquation{{{1.0, nu}, {1.0, 0.0}}, {1.0, 0.0}, {{1.0}}}, {0.0});
+      linear_reference(LinearEquation{{{1.0, nu}, {1.0, 0.0}}, {1.0, 0.0}, {{1.0}}}, {0.0});
   EXPECT_NEAR(solution.at(t).value[0], 1.0, 1e-14);
   EXPECT_NEAR(e, -0.149363895024064, 1e-14);
   const auto kernel = [&](double s) { return mittag_leffler(nu, nu, -std::pow(s, nu)); };

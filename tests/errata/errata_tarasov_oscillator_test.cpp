@@ -19,10 +19,10 @@ Vec one_dimensional_example() {
   Matrix links = Matrix::Zero(4, 4);
   links(position, velocity) = links(velocity, d_three_halves) = links(d_three_halves, acceleration) = 1.0;
   links(acceleration, velocity) = -ratio;
-  return exact_reference(LinearSystem{.orders = {1.0, 0.5, 0.5, 0.5},
-                                      .initial = {{q0}, {q1}, {0.0}, {q2}},
-                                      .matrix = links,
-                                      .loads = {{}, {}, {}, {{ratio * constant}}}})
+  return linear_reference(LinearSystem{.orders = {1.0, 0.5, 0.5, 0.5},
+                                       .initial = {{q0}, {q1}, {0.0}, {q2}},
+                                       .matrix = links,
+                                       .loads = {{}, {}, {}, {{ratio * constant}}}})
       .at(time_of_test)
       .value;
 }
@@ -68,7 +68,7 @@ TEST(ErrataTarasov, Equation48HasTheWrongForce) {
 TEST(ErrataTarasov, Equation50LacksTheFactorOneOverOmegaSquared) {
   const double nu = 1.5, w2 = 4.0, t = 1.0;
   const double exact =
-      exact_reference(LinearEquation{{{1.0, nu}, {w2, 0.0}}, {0.0, 0.0}, {{1.0}}}, {0.0}).at(t).value[0];
+      linear_reference(LinearEquation{{{1.0, nu}, {w2, 0.0}}, {0.0, 0.0}, {{1.0}}}, {0.0}).at(t).value[0];
   EXPECT_NEAR(exact, 0.318106219727485, 1e-14);
   const auto kernel = [&](double s) { return mittag_leffler(nu, nu, -w2 * std::pow(s, nu)); };
   const double convolution = integral(kernel, 0.0, t, nu - 1.0);
@@ -81,7 +81,7 @@ TEST(ErrataTarasov, Equation50LacksTheFactorOneOverOmegaSquared) {
 // w2 = a1/b1 of 49 in another unit of time, t = c t': q(c t') has the frequency w2 c^nu.
 TEST(ErrataTarasov, Equation49HasAFrequencyWithADimension) {
   const auto at = [](double w2, double t) {
-    return exact_reference(LinearEquation{{{1.0, 1.5}, {w2, 0.0}}, {1.0, 0.0}}, {0.0}).at(t).value[0];
+    return linear_reference(LinearEquation{{{1.0, 1.5}, {w2, 0.0}}, {1.0, 0.0}}, {0.0}).at(t).value[0];
   };
   const double c = 3.0, q = at(2.0, c * 0.7);
   EXPECT_NEAR(at(2.0 * std::pow(c, 1.5), 0.7), q, 1e-14);

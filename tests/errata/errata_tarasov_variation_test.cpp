@@ -102,7 +102,7 @@ TEST(ErrataTarasov, Equation82InheritsTheLeftDerivative) {
 TEST(ErrataTarasov, Equation78HasTheWrongSignOfTheForce) {
   const auto at = [](double sign, double t) -> Vector2d {
     const Matrix flow = (Matrix(2, 2) << 0.0, 1.0, sign, 0.0).finished();
-    return exact_reference(LinearSystem{.orders = {1.0, 1.0}, .initial = {{1.0}, {0.0}}, .matrix = flow})
+    return linear_reference(LinearSystem{.orders = {1.0, 1.0}, .initial = {{1.0}, {0.0}}, .matrix = flow})
         .at(t)
         .value;
   };

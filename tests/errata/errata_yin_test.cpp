@@ -42,7 +42,7 @@ constexpr double a = 3.0, b = 0.5, c = 0.4, d = 0.3;
 // u, D^0.5 u, u', D^1.5 u and u'' of a u'' + b D^1.5 u + c u' + d D^0.5 u + u = 1 at t = 1.5.
 Vec with_leading_coefficient() {
   const LinearEquation equation{{{a, 2.0}, {b, 1.5}, {c, 1.0}, {d, 0.5}, {1.0, 0.0}}, {1.0, -0.3}, {{1.0}}};
-  return exact_reference(equation, {0.0, 0.5, 1.0, 1.5, 2.0}).at(1.5).value;
+  return linear_reference(equation, {0.0, 0.5, 1.0, 1.5, 2.0}).at(1.5).value;
 }
 
 TEST(ErrataYin, Equation21LacksTheLeadingCoefficient) {
@@ -65,7 +65,7 @@ TEST(ErrataYin, Theorem43DoesNotCoverItsOwnExample) {
   const double mu = 0.06, lambda = 0.1, nu = 0.1, tau = 0.8, u1 = -0.3;
   const LinearEquation pendulum{{{1.0, 2.0}, {mu, 1.5, tau}, {lambda, 1.0, tau}, {nu, 0.5, tau}, {1.0, 0.0}},
                                 {1.0, u1}};
-  const Reference exact = exact_reference(pendulum, {0.5, 2.0});
+  const Reference exact = linear_reference(pendulum, {0.5, 2.0});
   const double at_0 = exact.at(0.0).value[1];
   EXPECT_NEAR(at_0, -0.976, 1e-15);
   const double slope = -(mu * std::pow(tau, 1.5) * at_0 + nu * std::sqrt(tau) * u1) / gamma(1.5);

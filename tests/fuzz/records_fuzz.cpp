@@ -8,8 +8,8 @@
 #include "analysis/answer.hpp"
 #include "fuzz/fuzzing.hpp"
 #include "page/page_data.hpp"
+#include "records/results_file.hpp"
 #include "support/temporary_folder.hpp"
-#include "sweep/results_file.hpp"
 
 namespace {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "weights/weights.hpp"
 
@@ -19,17 +21,12 @@ inline Exact power(const Exact& base, const Exact& exponent) {
 // The families as they are printed.
 inline Exact printed(const WeightTable& table, std::int64_t lag) {
   const Exact g = table.order, k = lag;
-  switch (table.family) {
-    case WeightFamily::rectangle:
-      return power(k, g) - power(k - 1, g);
-    case WeightFamily::trapezoid:
-      return power(k + 1, g + 1) - 2 * power(k, g + 1) + power(k - 1, g + 1);
-    case WeightFamily::grunwald_letnikov:
-      return exp(lgamma(k + g) - lgamma(g) - lgamma(k + 1));
-    case WeightFamily::l1:
-      return pow(k + 1, 1 - g) - pow(k, 1 - g);
-  }
-  return 0;
+  if (table.family == &families::rectangle) return power(k, g) - power(k - 1, g);
+  if (table.family == &families::trapezoid)
+    return power(k + 1, g + 1) - 2 * power(k, g + 1) + power(k - 1, g + 1);
+  if (table.family == &families::grunwald_letnikov) return exp(lgamma(k + g) - lgamma(g) - lgamma(k + 1));
+  if (table.family == &families::l1) return pow(k + 1, 1 - g) - pow(k, 1 - g);
+  throw std::invalid_argument(std::string(table.family->id));
 }
 
 inline Exact printed_start(double order, std::int64_t n) {

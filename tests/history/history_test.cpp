@@ -10,8 +10,8 @@
 #include "history/block_kernels.hpp"
 #include "history/direct.hpp"
 #include "history/exponentials.hpp"
-#include "history/graded_direct.hpp"
-#include "history/graded_exponentials.hpp"
+#include "history/variable_step_direct.hpp"
+#include "history/variable_step_exponentials.hpp"
 #include "stepping/trajectory.hpp"
 
 namespace fde {
@@ -22,16 +22,16 @@ constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
 
 // All families, of orders below, at and above 1.
 const WeightTables every_family{
-    {{WeightFamily::rectangle, 0.3}, {WeightFamily::rectangle, 1.0}, {WeightFamily::rectangle, 1.7}},
-    {{WeightFamily::trapezoid, 0.3}, {WeightFamily::trapezoid, 1.0}, {WeightFamily::trapezoid, 1.7}},
-    {{WeightFamily::grunwald_letnikov, 0.3}, {WeightFamily::grunwald_letnikov, 1.0}, {WeightFamily::l1, 0.4}},
-    {{WeightFamily::l1, 0.3}, {WeightFamily::l1, 1.0}, {WeightFamily::trapezoid, 0.01}}};
+    {{&families::rectangle, 0.3}, {&families::rectangle, 1.0}, {&families::rectangle, 1.7}},
+    {{&families::trapezoid, 0.3}, {&families::trapezoid, 1.0}, {&families::trapezoid, 1.7}},
+    {{&families::grunwald_letnikov, 0.3}, {&families::grunwald_letnikov, 1.0}, {&families::l1, 0.4}},
+    {{&families::l1, 0.3}, {&families::l1, 1.0}, {&families::trapezoid, 0.01}}};
 
 // Those of them that live on other than uniform grids, too.
 const WeightTables interpolating_families{
-    {{WeightFamily::rectangle, 0.3}, {WeightFamily::rectangle, 1.0}, {WeightFamily::rectangle, 1.7}},
-    {{WeightFamily::trapezoid, 0.3}, {WeightFamily::trapezoid, 1.0}, {WeightFamily::trapezoid, 1.7}},
-    {{WeightFamily::l1, 0.3}, {WeightFamily::l1, 1.0}, {WeightFamily::trapezoid, 2.0}}};
+    {{&families::rectangle, 0.3}, {&families::rectangle, 1.0}, {&families::rectangle, 1.7}},
+    {{&families::trapezoid, 0.3}, {&families::trapezoid, 1.0}, {&families::trapezoid, 1.7}},
+    {{&families::l1, 0.3}, {&families::l1, 1.0}, {&families::trapezoid, 2.0}}};
 
 // w(1), w(2), ...
 Vec weights_of(const WeightTable& table, Eigen::Index count) {
@@ -61,14 +61,26 @@ Rows random_samples(Eigen::Index components, Eigen::Index count, double lowest =
   return Rows::NullaryExpr(components, count, [&] { return uniform(generator); });
 }
 
-// What a history says of these samples: one column a step, the components of its sums below each other.
-Matrix convolutions(History& history, std::size_t sums, const Rows& samples) {
+StepPlan equal_steps(int count) { return step_plan({.end = 1.0, .steps = count}); }
+
+// Times where all steps are equal: histories do not look at them.
+double step_number(Eigen::Index n) { return static_cast<double>(n); }
+
+auto times_of(const Grid& grid) {
+  return [grid](Eigen::Index n) { return grid.time(static_cast<int>(n)); };
+}
+
+// What a history says of these samples, taken at time(0), time(1), ...: one column a step, the components of
+// its sums below each other.
+template <typename Time>
+Matrix convolutions(History& history, std::size_t sums, const Rows& samples, Time time) {
   const auto components = samples.rows();
   Matrix results(static_cast<Eigen::Index>(sums) * components, samples.cols());
   for (Eigen::Index n = 0; n < samples.cols(); ++n) {
-    history.push(samples.col(n));
+    history.push(time(n), samples.col(n));
     for (std::size_t sum = 0; sum < sums; ++sum) {
-      history.convolve(sum, results.col(n).segment(static_cast<Eigen::Index>(sum) * components, components));
+      history.convolve(time(n + 1), sum,
+                       results.col(n).segment(static_cast<Eigen::Index>(sum) * components, components));
     }
   }
   return results;
@@ -89,8 +101,8 @@ class Histories : public testing::TestWithParam<HistoryKind> {
   // tolerance of the exponentials, the others for the rounding of long sums, most of which cancels.
   static void expect_as_defined(const Rows& samples, Eigen::Index first_step) {
     const auto steps = samples.cols();
-    const auto history = make_history(GetParam(), every_family, {1.0, static_cast<int>(steps)}, 1e-15);
-    const Matrix results = convolutions(*history, every_family.size(), samples);
+    const auto history = make_history(GetParam(), every_family, equal_steps(static_cast<int>(steps)), 1e-15);
+    const Matrix results = convolutions(*history, every_family.size(), samples, step_number);
     for (Eigen::Index row = 0; row < results.rows(); ++row) {
       const auto component = row % samples.rows();
       const auto& table =
@@ -113,16 +125,15 @@ TEST_P(Histories, ConvolveSamplesOfChangingSignAsDefined) {
 }
 
 TEST_P(Histories, OrderOneNeedsNoMemoryForItsPast) {
-  const WeightTables order_one{{{WeightFamily::trapezoid, 1.0}}},
-      order_half{{{WeightFamily::trapezoid, 0.5}}};
-  EXPECT_LT(make_history(GetParam(), order_one, {1.0, 1000}, 1e-15)->bytes(), 100U);
-  EXPECT_GT(make_history(GetParam(), order_half, {1.0, 1000}, 1e-15)->bytes(), 1000U);
+  const WeightTables order_one{{{&families::trapezoid, 1.0}}}, order_half{{{&families::trapezoid, 0.5}}};
+  EXPECT_LT(make_history(GetParam(), order_one, equal_steps(1000), 1e-15)->bytes(), 100U);
+  EXPECT_GT(make_history(GetParam(), order_half, equal_steps(1000), 1e-15)->bytes(), 1000U);
 }
 
 TEST_P(Histories, EqualOrdersShareTheirWeights) {
-  const WeightTable half{WeightFamily::trapezoid, 0.5}, third{WeightFamily::trapezoid, 0.3};
-  EXPECT_LT(make_history(GetParam(), {{half, half}}, {1.0, 1000}, 1e-15)->bytes(),
-            make_history(GetParam(), {{half, third}}, {1.0, 1000}, 1e-15)->bytes());
+  const WeightTable half{&families::trapezoid, 0.5}, third{&families::trapezoid, 0.3};
+  EXPECT_LT(make_history(GetParam(), {{half, half}}, equal_steps(1000), 1e-15)->bytes(),
+            make_history(GetParam(), {{half, third}}, equal_steps(1000), 1e-15)->bytes());
 }
 
 INSTANTIATE_TEST_SUITE_P(, Histories,
@@ -140,7 +151,8 @@ TEST_P(HistoriesOnVectorTargets, DifferByRoundingOnly) {
   const Rows samples = random_samples(3, 1000);
   const auto on = [&](HistoryKind kind, std::string_view target) {
     use_vector_target(target);
-    return convolutions(*make_history(kind, every_family, {1.0, 1000}, 1e-15), every_family.size(), samples);
+    return convolutions(*make_history(kind, every_family, equal_steps(1000), 1e-15), every_family.size(),
+                        samples, step_number);
   };
   for (const auto kind : {HistoryKind::direct, HistoryKind::exponentials}) {
     const Matrix here = on(kind, GetParam()), widest = on(kind, vector_targets().front());
@@ -166,8 +178,8 @@ TEST(ExponentialHistory, IsSmallerForALooserToleranceAndWithinIt) {
   const Rows samples = random_samples(3, steps);
   DirectHistory direct(every_family, steps);
   ExponentialHistory fine(every_family, steps, 1e-15), coarse(every_family, steps, 1e-6);
-  const Matrix exact = convolutions(direct, every_family.size(), samples);
-  expect_near(convolutions(coarse, every_family.size(), samples), exact, exact, 1e-6);
+  const Matrix exact = convolutions(direct, every_family.size(), samples, step_number);
+  expect_near(convolutions(coarse, every_family.size(), samples, step_number), exact, exact, 1e-6);
   EXPECT_LT(coarse.bytes(), fine.bytes());
 }
 
@@ -176,29 +188,29 @@ TEST(ExponentialHistory, IsSmallerForALooserToleranceAndWithinIt) {
 constexpr double rounding_of_plain_sums(int steps) { return (steps + 48) * unit; }
 
 // On this one, where all times are exact.
-TEST(GradedHistories, GiveTheSumsOfTheOthersOnAUniformGrid) {
+TEST(VariableStepHistories, GiveTheSumsOfTheOthersOnAUniformGrid) {
   constexpr Grid grid{.end = 50.0, .steps = 200};
   const Rows samples = random_samples(3, grid.steps);
   DirectHistory direct(interpolating_families, grid.steps);
-  GradedDirectHistory graded(interpolating_families, grid);
-  GradedExponentialHistory exponentials(interpolating_families, grid, 1e-15);
+  VariableStepDirectHistory variable(interpolating_families, step_plan(grid));
+  VariableStepExponentialHistory exponentials(interpolating_families, step_plan(grid), 1e-15);
   const auto sums = interpolating_families.size();
-  const Matrix expected = convolutions(direct, sums, samples);
+  const Matrix expected = convolutions(direct, sums, samples, times_of(grid));
   constexpr double tolerance = rounding_of_plain_sums(grid.steps);
-  expect_near(convolutions(graded, sums, samples), expected, expected, tolerance);
-  expect_near(convolutions(exponentials, sums, samples), expected, expected, tolerance);
+  expect_near(convolutions(variable, sums, samples, times_of(grid)), expected, expected, tolerance);
+  expect_near(convolutions(exponentials, sums, samples, times_of(grid)), expected, expected, tolerance);
 }
 
 class HistoriesOnGradedGrids : public testing::TestWithParam<double> {
  protected:
   static constexpr int steps = 200;
   static Matrix direct(const Rows& samples) {
-    GradedDirectHistory history(interpolating_families, grid());
-    return convolutions(history, interpolating_families.size(), samples);
+    VariableStepDirectHistory history(interpolating_families, step_plan(grid()));
+    return convolutions(history, interpolating_families.size(), samples, times_of(grid()));
   }
   static Matrix exponentials(const Rows& samples, double tolerance) {
-    GradedExponentialHistory history(interpolating_families, grid(), tolerance);
-    return convolutions(history, interpolating_families.size(), samples);
+    VariableStepExponentialHistory history(interpolating_families, step_plan(grid()), tolerance);
+    return convolutions(history, interpolating_families.size(), samples, times_of(grid()));
   }
   static Grid grid() { return {.end = 3.0, .steps = steps, .grading = GetParam()}; }
 };
@@ -215,8 +227,8 @@ TEST_P(HistoriesOnGradedGrids, AreSmallerForALooserToleranceAndWithinIt) {
   const Rows samples = random_samples(3, steps);
   const Matrix exact = direct(samples);
   expect_near(exponentials(samples, 1e-6), exact, exact, 1e-6);
-  EXPECT_LT(GradedExponentialHistory(interpolating_families, grid(), 1e-6).bytes(),
-            GradedExponentialHistory(interpolating_families, grid(), 1e-15).bytes());
+  EXPECT_LT(VariableStepExponentialHistory(interpolating_families, step_plan(grid()), 1e-6).bytes(),
+            VariableStepExponentialHistory(interpolating_families, step_plan(grid()), 1e-15).bytes());
 }
 
 INSTANTIATE_TEST_SUITE_P(, HistoriesOnGradedGrids, testing::Values(1.5, 3.0, 6.0));
@@ -224,13 +236,13 @@ INSTANTIATE_TEST_SUITE_P(, HistoriesOnGradedGrids, testing::Values(1.5, 3.0, 6.0
 // Below, the tables of the exponentials cost more than the whole direct sum (fde_histories measures it).
 TEST(AutomaticHistory, IsDirectForShortRunsOnly) {
   const auto resolved = [](int steps, double grading) {
-    return resolve(HistoryKind::automatic, {1.0, steps, grading});
+    return resolve(HistoryKind::automatic, step_plan({1.0, steps, grading}));
   };
   EXPECT_EQ(resolved(16, 1.0), HistoryKind::direct);
   EXPECT_EQ(resolved(512, 1.0), HistoryKind::exponentials);
   EXPECT_EQ(resolved(4, 2.0), HistoryKind::direct);
   EXPECT_EQ(resolved(64, 2.0), HistoryKind::exponentials);
-  EXPECT_EQ(resolve(HistoryKind::direct, {1.0, 512}), HistoryKind::direct);
+  EXPECT_EQ(resolve(HistoryKind::direct, equal_steps(512)), HistoryKind::direct);
 }
 
 }  // namespace

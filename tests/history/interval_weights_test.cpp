@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "history/exact_weights.hpp"
 
@@ -74,26 +75,26 @@ TEST_P(IntervalWeightsOfOrder, SumToTheIntegralOfTheKernel) {
 
 INSTANTIATE_TEST_SUITE_P(, IntervalWeightsOfOrder, testing::ValuesIn(orders));
 
-class RulesOnUniformGrids : public testing::TestWithParam<std::pair<const char*, WeightFamily>> {};
+class RulesOnUniformGrids : public testing::TestWithParam<const WeightFamily*> {};
 
 // A sample of 1 among zeros is what its two intervals make of it. Beyond the interval weights an ulp each for
 // the distance, the power of the step, Gamma and the product. Subtraction may round the order 1 - g of L1 by
 // half an ulp of its weights a unit of ln k.
 TEST_P(RulesOnUniformGrids, WeighAsTheirTables) {
-  const auto family = GetParam().second;
+  const auto& family = *GetParam();
   for (const double order : orders) {
-    if (family == WeightFamily::l1 && order >= 1.0) continue;
-    const WeightTable table{family, order};
+    if (family.weighs_increments && order >= 1.0) continue;
+    const WeightTable table{&family, order};
     const double g = integral_order(table);
     for (const double length : {1.0, 0.25, 0.037}) {
       for (const std::int64_t lag : {1, 2, 3, 7, 40, 1000, 1'000'000}) {
         const auto k = static_cast<double>(lag);
         const auto before = interval_weights(g, k * length, length);
         const auto after = interval_weights(g, (k - 1) * length, length);
-        const auto rising = ends(family, 0.0, 1.0, length), falling = ends(family, 1.0, 0.0, length);
+        const auto rising = family.ends(0.0, 1.0, length), falling = family.ends(1.0, 0.0, length);
         const double integral = before.left * rising.left + before.right * rising.right +
                                 after.left * falling.left + after.right * falling.right;
-        const double allowed = allowed_ulps + 4.0 + (family == WeightFamily::l1 ? std::log(k) / 2.0 : 0.0);
+        const double allowed = allowed_ulps + 4.0 + (family.weighs_increments ? std::log(k) / 2.0 : 0.0);
         EXPECT_LE(ulps(integral * integrals_to_sums(table, length), printed(table, lag)), allowed)
             << "order " << order << ", length " << length << ", k " << lag;
       }
@@ -102,10 +103,8 @@ TEST_P(RulesOnUniformGrids, WeighAsTheirTables) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, RulesOnUniformGrids,
-                         testing::Values(std::pair{"rectangle", WeightFamily::rectangle},
-                                         std::pair{"trapezoid", WeightFamily::trapezoid},
-                                         std::pair{"l1", WeightFamily::l1}),
-                         [](const auto& test) { return test.param.first; });
+                         testing::Values(&families::rectangle, &families::trapezoid, &families::l1),
+                         [](const auto& test) { return std::string(test.param->id); });
 
 }  // namespace
 }  // namespace fde

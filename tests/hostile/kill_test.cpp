@@ -19,9 +19,9 @@
 #include <string_view>
 #include <thread>
 
+#include "records/record_text.hpp"
+#include "records/results_file.hpp"
 #include "support/temporary_folder.hpp"
-#include "sweep/record_text.hpp"
-#include "sweep/results_file.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "hostile/unwritable_testing.hpp"
-#include "sweep/results_file.hpp"
+#include "records/results_file.hpp"
 
 namespace fde {
 namespace {

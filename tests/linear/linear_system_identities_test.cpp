@@ -11,13 +11,13 @@ TEST(LinearSystem, DiagonalSystemIsItsScalars) {
                           .initial = {{1.0}, {2.0}, {3.0, -1.0}},
                           .matrix = Vec((Vec(3) << -2.0, 0.5, -7.0).finished()).asDiagonal(),
                           .loads = {{{1.0, 0.5}}, {}, {{2.0, 0.0, 0.5}}}};
-  const Reference solution = exact_reference(both);
+  const Reference solution = linear_reference(both);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto d = static_cast<Eigen::Index>(i);
-    const Reference alone = exact_reference({.orders = {both.orders[i]},
-                                             .initial = {both.initial[i]},
-                                             .matrix = both.matrix.block(d, d, 1, 1),
-                                             .loads = {both.loads[i]}});
+    const Reference alone = linear_reference({.orders = {both.orders[i]},
+                                              .initial = {both.initial[i]},
+                                              .matrix = both.matrix.block(d, d, 1, 1),
+                                              .loads = {both.loads[i]}});
     for (const double t : {0.1, 0.5, 3.0})
       expect_equal(digits_at(solution, t)[i], digits_at(alone, t)[0], fmt::format("{} at {}", i, t));
   }
@@ -26,9 +26,9 @@ TEST(LinearSystem, DiagonalSystemIsItsScalars) {
 // A component that does not feel a growing one keeps its value and its digits.
 TEST(LinearSystem, ComponentsAreSolvedWithoutWhatTheyDoNotDependOn) {
   const auto precision = test_precision();
-  const Reference both = exact_reference({.orders = {0.5, 0.5},
-                                          .initial = {{1.0}, {1.0}},
-                                          .matrix = (Matrix(2, 2) << 100.0, 3.0, 0.0, -1.0).finished()});
+  const Reference both = linear_reference({.orders = {0.5, 0.5},
+                                           .initial = {{1.0}, {1.0}},
+                                           .matrix = (Matrix(2, 2) << 100.0, 3.0, 0.0, -1.0).finished()});
   EXPECT_EQ(both.at(10.0).value[0], std::numeric_limits<double>::infinity());
   EXPECT_NEAR(both.at(4.0).value[1], mittag_leffler(0.5, 1.0, -2.0), 1e-16);
   expect_equal(digits_at(both, 4.0)[1], real_part<BigReal>(mittag_leffler_digits("0.5", "1", "-2")), "y");
@@ -38,14 +38,14 @@ TEST(LinearSystem, ComponentsAreSolvedWithoutWhatTheyDoNotDependOn) {
 TEST(LinearSystem, BagleyTorvikAsAChain) {
   const auto precision = test_precision();
   const Reference chain =
-      exact_reference({.orders = {1.0, 0.5, 0.5},
-                       .initial = {{1.0}, {-0.3}, {0.0}},
-                       .matrix = (Matrix(3, 3) << 0, 1, 0, 0, 0, 1, -0.7, 0, -0.2).finished(),
-                       .loads = {{}, {}, {{8.0}, {.coefficient = -8.0, .from = 1.0}}}});
-  const Reference equation = exact_reference({.terms = {{1.0, 2.0}, {0.2, 1.5}, {0.7, 0.0}},
-                                              .initial = {1.0, -0.3},
-                                              .loads = {{8.0}, {.coefficient = -8.0, .from = 1.0}}},
-                                             {0.0, 1.0, 1.5});
+      linear_reference({.orders = {1.0, 0.5, 0.5},
+                        .initial = {{1.0}, {-0.3}, {0.0}},
+                        .matrix = (Matrix(3, 3) << 0, 1, 0, 0, 0, 1, -0.7, 0, -0.2).finished(),
+                        .loads = {{}, {}, {{8.0}, {.coefficient = -8.0, .from = 1.0}}}});
+  const Reference equation = linear_reference({.terms = {{1.0, 2.0}, {0.2, 1.5}, {0.7, 0.0}},
+                                               .initial = {1.0, -0.3},
+                                               .loads = {{8.0}, {.coefficient = -8.0, .from = 1.0}}},
+                                              {0.0, 1.0, 1.5});
   for (const double t : {0.3, 1.0, 1.1, 20.0}) {
     const auto values = digits_at(chain, t), exact = digits_at(equation, t);
     for (std::size_t j = 0; j < 3; ++j) expect_equal(values[j], exact[j], fmt::format("{} at {}", j, t));
@@ -55,11 +55,11 @@ TEST(LinearSystem, BagleyTorvikAsAChain) {
 // u'' + mu D^1.7 u + l u' + nu D^0.2 u + u = 0 through u, D^0.2 u, u', D^1.7 u.
 TEST(LinearSystem, DampedOscillatorAsAChain) {
   const auto precision = test_precision();
-  const Reference chain = exact_reference(
+  const Reference chain = linear_reference(
       {.orders = {0.2, 0.8, 0.7, 0.3},
        .initial = {{1.0}, {0.0}, {-0.3}, {0.0}},
        .matrix = (Matrix(4, 4) << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -1, -0.4, -0.1, -0.06).finished()});
-  const Reference equation = exact_reference(
+  const Reference equation = linear_reference(
       {.terms = {{1.0, 2.0}, {0.06, 1.7}, {0.1, 1.0}, {0.4, 0.2}, {1.0, 0.0}}, .initial = {1.0, -0.3}},
       {0.0, 0.2, 1.0, 1.7});
   for (const double t : {0.3, 5.0, 50.0}) {
@@ -73,10 +73,10 @@ TEST(LinearSystem, PiecewiseConstantLoadsSuperpose) {
   const auto precision = test_precision();
   constexpr double until = 0.75;
   const auto with = [](std::vector<Load> loads) {
-    return exact_reference({.orders = {0.6, 1.4},
-                            .initial = {{0.0}, {0.0, 0.0}},
-                            .matrix = (Matrix(2, 2) << -1.0, 2.0, -3.0, -0.5).finished(),
-                            .loads = {{}, std::move(loads)}});
+    return linear_reference({.orders = {0.6, 1.4},
+                             .initial = {{0.0}, {0.0, 0.0}},
+                             .matrix = (Matrix(2, 2) << -1.0, 2.0, -3.0, -0.5).finished(),
+                             .loads = {{}, std::move(loads)}});
   };
   const Reference pulse = with({{3.0}, {.coefficient = -3.0, .from = until}}), step = with({{3.0}});
   for (const double t : {0.5, 0.75, 1.0, 4.75}) {
@@ -90,14 +90,14 @@ TEST(LinearSystem, PiecewiseConstantLoadsSuperpose) {
 
 TEST(LinearSystem, PermutingComponentsPermutesTheSolution) {
   const auto precision = test_precision();
-  const Reference one = exact_reference({.orders = {0.6, 1.4},
-                                         .initial = {{1.0}, {2.0, 3.0}},
-                                         .matrix = (Matrix(2, 2) << -1.0, 2.0, -3.0, -0.5).finished(),
-                                         .loads = {{{1.0, 0.5}}, {}}});
-  const Reference other = exact_reference({.orders = {1.4, 0.6},
-                                           .initial = {{2.0, 3.0}, {1.0}},
-                                           .matrix = (Matrix(2, 2) << -0.5, -3.0, 2.0, -1.0).finished(),
-                                           .loads = {{}, {{1.0, 0.5}}}});
+  const Reference one = linear_reference({.orders = {0.6, 1.4},
+                                          .initial = {{1.0}, {2.0, 3.0}},
+                                          .matrix = (Matrix(2, 2) << -1.0, 2.0, -3.0, -0.5).finished(),
+                                          .loads = {{{1.0, 0.5}}, {}}});
+  const Reference other = linear_reference({.orders = {1.4, 0.6},
+                                            .initial = {{2.0, 3.0}, {1.0}},
+                                            .matrix = (Matrix(2, 2) << -0.5, -3.0, 2.0, -1.0).finished(),
+                                            .loads = {{}, {{1.0, 0.5}}}});
   const auto a = digits_at(one, 2.0), b = digits_at(other, 2.0);
   expect_equal(a[0], b[1], "first");
   expect_equal(a[1], b[0], "second");

@@ -12,16 +12,16 @@ namespace {
 Matrix scalar(double value) { return Matrix::Constant(1, 1, value); }
 
 TEST(LinearSystem, StartsWithItsInitialValuesAndGrowsBeyondDouble) {
-  const Reference solution = exact_reference({.orders = {0.3, 1.7},
-                                              .initial = {{0.1}, {-4.0, 1.0}},
-                                              .matrix = (Matrix(2, 2) << 5.0, 1.0, 2.0, 3.0).finished(),
-                                              .loads = {{}, {{1.0, -0.5}}}});
+  const Reference solution = linear_reference({.orders = {0.3, 1.7},
+                                               .initial = {{0.1}, {-4.0, 1.0}},
+                                               .matrix = (Matrix(2, 2) << 5.0, 1.0, 2.0, 3.0).finished(),
+                                               .loads = {{}, {{1.0, -0.5}}}});
   EXPECT_EQ(solution.at(0.0).value, (Vec(2) << 0.1, -4.0).finished());
   EXPECT_EQ(solution.at(1e4).value[0], -std::numeric_limits<double>::infinity());
   EXPECT_GT(solution.digits(1e4, 5)[0].value.find("e+"), 0U);
-  const Reference steady = exact_reference({.orders = {0.5, 1.3},
-                                            .initial = {{1.0}, {2.0, 0.0}},
-                                            .matrix = (Matrix(2, 2) << -2.0, 1.0, 0.25, -0.125).finished()});
+  const Reference steady = linear_reference({.orders = {0.5, 1.3},
+                                             .initial = {{1.0}, {2.0, 0.0}},
+                                             .matrix = (Matrix(2, 2) << -2.0, 1.0, 0.25, -0.125).finished()});
   for (const double t : {0.0, 0.1, 1e6}) EXPECT_EQ(steady.at(t).value, (Vec(2) << 1.0, 2.0).finished()) << t;
 }
 
@@ -35,7 +35,7 @@ class LinearSystemMistake : public testing::TestWithParam<Mistake> {};
 
 TEST_P(LinearSystemMistake, IsNamed) {
   try {
-    exact_reference(GetParam().system);
+    linear_reference(GetParam().system);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_EQ(error.what(), std::string("linear system: ") + GetParam().message);
@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(LinearSystem, RejectsTimesAndDigitsThatAreNone) {
-  const Reference solution = exact_reference({.orders = {0.5}, .initial = {{1.0}}, .matrix = scalar(-1.0)});
+  const Reference solution = linear_reference({.orders = {0.5}, .initial = {{1.0}}, .matrix = scalar(-1.0)});
   EXPECT_THROW(solution.at(-1.0), std::invalid_argument);
   EXPECT_THROW(solution.at(NAN), std::invalid_argument);
   EXPECT_THROW(solution.digits(1.0, 0), std::invalid_argument);

@@ -20,7 +20,7 @@ TEST_P(SingleComponent, IsASumOfMittagLefflerFunctions) {
   const auto precision = test_precision();
   std::vector<double> initial{3.0};
   if (order > 1.0) initial.push_back(-2.0);
-  const Reference solution = exact_reference(
+  const Reference solution = linear_reference(
       {.orders = {order}, .initial = {initial}, .matrix = scalar(rate), .loads = {{{5.0}, {7.0, 2.0}}}});
   const auto e = [&, g = fmt::format("{}", order), z = fmt::format("{}", rate)](const BigReal& beta) {
     return real_part<BigReal>(mittag_leffler_digits(g, beta.str(60), z));
@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
 // E_{1/2}(l sqrt(t)) ~ -sum_k l^-k t^(-k/2) / Gamma(1 - k/2): at l = -1e8 seven terms are 48 digits and more.
 TEST(LinearSystem, VeryStiffRelaxationHasItsAsymptoticExpansion) {
   const auto precision = test_precision();
-  const Reference solution = exact_reference({.orders = {0.5}, .initial = {{1.0}}, .matrix = scalar(-1e8)});
+  const Reference solution = linear_reference({.orders = {0.5}, .initial = {{1.0}}, .matrix = scalar(-1e8)});
   for (const double t : {0.25, 4.0}) {
     BigReal sum(0), power(1);
     for (int k = 1; k <= 7; ++k) {
@@ -60,7 +60,7 @@ TEST(LinearSystem, VeryStiffRelaxationHasItsAsymptoticExpansion) {
 TEST(LinearSystem, VeryStiffExponentialHasItsTransient) {
   const auto precision = test_precision();
   const Reference solution =
-      exact_reference({.orders = {1.0}, .initial = {{1.0}}, .matrix = scalar(-1e8), .loads = {{{1.0}}}});
+      linear_reference({.orders = {1.0}, .initial = {{1.0}}, .matrix = scalar(-1e8), .loads = {{{1.0}}}});
   const BigReal transient = exp(BigReal(-10)), level("1e-8");
   expect_equal(digits_at(solution, 1e-7)[0], transient + level * (1 - transient), "transient");
   expect_equal(digits_at(solution, 1.0)[0], level, "level");
@@ -79,7 +79,7 @@ TEST_P(ComplexPair, IsRealAndImaginaryPart) {
   const double a = std::stod(re), b = std::stod(im), g = std::stod(order);
   const auto initial = g > 1.0 ? std::vector{1.0, 0.0} : std::vector{1.0};
   const auto none = g > 1.0 ? std::vector{0.0, 0.0} : std::vector{0.0};
-  const Reference solution = exact_reference(
+  const Reference solution = linear_reference(
       {.orders = {g, g}, .initial = {initial, none}, .matrix = (Matrix(2, 2) << a, -b, b, a).finished()});
   const auto exact = mittag_leffler_digits(order, "1", re, im);
   const auto values = digits_at(solution, 1.0);
@@ -103,9 +103,9 @@ TEST_P(Defective, HasTheDerivativeOfTheMittagLefflerFunction) {
   const auto precision = test_precision();
   const double l = std::stod(rate), g = std::stod(order);
   const auto initial = g > 1.0 ? std::vector{2.0, 0.0} : std::vector{2.0};
-  const Reference solution = exact_reference({.orders = {g, g},
-                                              .initial = {initial, initial},
-                                              .matrix = (Matrix(2, 2) << l, 1.0, 0.0, l).finished()});
+  const Reference solution = linear_reference({.orders = {g, g},
+                                               .initial = {initial, initial},
+                                               .matrix = (Matrix(2, 2) << l, 1.0, 0.0, l).finished()});
   const BigReal e = real_part<BigReal>(mittag_leffler_digits(order, "1", rate)),
                 slope = real_part<BigReal>(mittag_leffler_digits(order, order, rate)) / BigReal(order);
   const auto values = digits_at(solution, 1.0);
@@ -129,7 +129,7 @@ TEST(LinearSystem, JordanBlocksOfSix) {
   std::vector<std::vector<double>> initial(size, {0.0});
   initial.back() = {1.0};
   const auto values = digits_at(
-      exact_reference({.orders = std::vector(size, 1.0), .initial = initial, .matrix = block}), 3.0);
+      linear_reference({.orders = std::vector(size, 1.0), .initial = initial, .matrix = block}), 3.0);
   BigReal exact = exp(BigReal(-3));
   for (int i = 0; i < size; ++i) {
     expect_equal(values[static_cast<std::size_t>(size - 1 - i)], exact, fmt::format("power {}", i));
@@ -137,7 +137,7 @@ TEST(LinearSystem, JordanBlocksOfSix) {
   }
   for (auto& start : initial) start.push_back(0.0);
   const auto fractional = digits_at(
-      exact_reference({.orders = std::vector(size, 1.6), .initial = initial, .matrix = 2.0 * block}), 1.0);
+      linear_reference({.orders = std::vector(size, 1.6), .initial = initial, .matrix = 2.0 * block}), 1.0);
   expect_equal(fractional.back(), real_part<BigReal>(mittag_leffler_digits("1.6", "1", "-2")), "last");
   expect_equal(fractional[size - 2],
                real_part<BigReal>(mittag_leffler_digits("1.6", "1.6", "-2")) * BigReal("1.25"), "next");

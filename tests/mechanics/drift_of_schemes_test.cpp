@@ -50,13 +50,22 @@ TEST(DriftObserver, TellsWhatTheSchemeSaysFromWhatItsVelocitiesSay) {
   EXPECT_NEAR(watch.independent()->largest, 1.0 + 4.0 / std::sqrt(std::acos(-1.0)), 1e-13);
 }
 
-TEST(DriftObserver, HasNoIndependentDriftWithoutMemoriesOrSteps) {
+bool has_independent_drift(const Scene& scene, const std::optional<Grid>& grid, const Grid& seen) {
+  DriftObserver watch(scene, grid);
+  for (int n = 0; n <= seen.steps; ++n) watch.observe(seen.time(n), Vec{{seen.time(n), 1.0, -1.0}});
+  return watch.independent().has_value();
+}
+
+TEST(DriftObserver, HasAnIndependentDriftWithMemoriesAndTheStepsOfAUniformGrid) {
   Scene scene = made_scene();
-  EXPECT_FALSE(DriftObserver(scene, Grid{.end = 4.0, .steps = 15}).independent().has_value());
-  EXPECT_FALSE(DriftObserver(scene, Grid{.end = 4.0, .steps = 64, .grading = 2.0}).independent().has_value());
-  EXPECT_FALSE(DriftObserver(scene, std::nullopt).independent().has_value());
+  const Grid grid{.end = 4.0, .steps = 64}, few{.end = 4.0, .steps = 15}, graded{4.0, 64, 2.0}, more{4.0, 65};
+  EXPECT_TRUE(has_independent_drift(scene, grid, grid));
+  EXPECT_FALSE(has_independent_drift(scene, few, few));
+  EXPECT_FALSE(has_independent_drift(scene, graded, graded));
+  EXPECT_FALSE(has_independent_drift(scene, grid, more));
+  EXPECT_FALSE(has_independent_drift(scene, std::nullopt, grid));
   scene.memories.clear();
-  EXPECT_FALSE(DriftObserver(scene, Grid{.end = 4.0, .steps = 64}).independent().has_value());
+  EXPECT_FALSE(has_independent_drift(scene, grid, grid));
 }
 
 // The judge is far better than the judged: on the exact velocities it gives w to so much more than what the
@@ -125,8 +134,8 @@ TEST(Drift, IsRecordedWithItsGrowthAlsoWithoutAReference) {
   Scene scene = constrained(0.5);
   scene.reference.at = [](double) -> ReferenceValue { throw std::runtime_error("none is known"); };
   WatchedReference reference(scene);
-  const auto rows = examine("made", scene, reference, *find_scheme("l1"), 64);
-  EXPECT_EQ(rows.back().status, "no reference: none is known");
+  const auto rows = examine({}, scene, reference, *find_scheme("l1"), {64});
+  EXPECT_EQ(sentence(*rows.back().ending), "no reference: none is known");
   const auto has = [&](std::string_view quantity) {
     return std::ranges::count(rows, quantity, &Record::quantity) == 1;
   };

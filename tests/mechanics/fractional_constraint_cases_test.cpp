@@ -30,7 +30,7 @@ TEST(ConstraintCases, A1AndB2ZeroDriveQ2ByQ1) {
                         {"k1", 1.0},      {"q1", 1.0}, {"v1", 0.0}, {"v2", -0.2}};
     const auto [value, bound] = reference_of(scene_of("fractional_constraint_2d", values)).at(3.0);
     const Reference cosine =
-        exact_reference(LinearEquation{{{1.0, 2.0}, {1.0, 0.0}}, {1.0, 0.0}}, {0.0, alpha});
+        linear_reference(LinearEquation{{{1.0, 2.0}, {1.0, 0.0}}, {1.0, 0.0}}, {0.0, alpha});
     EXPECT_NEAR(value[3], -0.2 - 0.25 * cosine.at(3.0).value[1], bound[3] + 1e-14) << alpha;
   }
 }
@@ -71,7 +71,7 @@ TEST(ConstraintCases, TheLinearOneIsExact) {
   const double alpha = 1.25, k1 = 3.0, g = 0.8;
   Scene system = oscillator({{"alpha", alpha}, {"k1", k1}, {"k3", 0.0}}, "integrated");
   system.problem.end = 2.0;
-  const Reference exact = exact_reference(
+  const Reference exact = linear_reference(
       LinearEquation{{{1.0, 2.0}, {2.0 / g, 3.0 - alpha}, {k1 / 2.0, 0.0}}, {0.7, 0.3}}, {0.0, 1.0});
   EXPECT_LT((own_reference(system, 2.0) - exact.at(2.0).value).cwiseAbs().maxCoeff(), 1e-12);
 }
@@ -82,7 +82,7 @@ TEST(ConstraintCases, ThePlaneHasTheSameCase) {
                      {"k2", -0.5},   {"q1", 0.5}, {"q2", 0.9}, {"v1", 0.8}, {"v2", -0.2}};
   const Vec points = reference_of(scene_of("fractional_constraint_2d", plane)).at(2.0).value;
   const Reference exact =
-      exact_reference(LinearEquation{{{1.0, 2.0}, {2.5, 1.5}, {0.5, 0.0}}, {0.7, 0.3}}, {0.0, 1.0});
+      linear_reference(LinearEquation{{{1.0, 2.0}, {2.5, 1.5}, {0.5, 0.0}}, {0.7, 0.3}}, {0.0, 1.0});
   EXPECT_NEAR(0.5 * (points[0] + points[1]), exact.at(2.0).value[0], 1e-12);
   EXPECT_NEAR(0.5 * (points[2] + points[3]), exact.at(2.0).value[1], 1e-12);
 }

@@ -32,7 +32,7 @@ class OfOrder : public testing::TestWithParam<double> {};
 // The singular factor (t - s)^(alpha-1) is the weight, (1 - s)^(alpha-1) the function.
 TEST_P(OfOrder, IsItsIntegral) {
   double alpha = GetParam();
-  const Reference extremum = exact_extremum(alpha);
+  const Reference extremum = extremum_reference(alpha);
   for (const double t : {1e-3, 0.25, 0.5, 0.51, 0.75, 0.95}) {
     const auto factor = [](double s, void* order) {
       return std::pow(1.0 - s, *static_cast<double*>(order) - 1.0);
@@ -47,7 +47,7 @@ TEST_P(OfOrder, IsItsIntegral) {
 }
 
 TEST_P(OfOrder, HasItsEndsAndBothSeriesMeet) {
-  const Reference extremum = exact_extremum(GetParam());
+  const Reference extremum = extremum_reference(GetParam());
   EXPECT_EQ(extremum.at(0.0).value[0], 0.0);
   EXPECT_EQ(extremum.at(1.0).value[0], 1.0);
   EXPECT_EQ(extremum.at(1.0).value[1], std::numeric_limits<double>::infinity());
@@ -62,7 +62,7 @@ TEST_P(OfOrder, HasItsEndsAndBothSeriesMeet) {
 INSTANTIATE_TEST_SUITE_P(Extremum, OfOrder, testing::Values(0.50390625, 0.55, 0.6, 0.75, 0.9, 0.999999));
 
 TEST(Extremum, IsAStraightLineForOrderOne) {
-  const Reference extremum = exact_extremum(1.0);
+  const Reference extremum = extremum_reference(1.0);
   for (const double t : {0.0, 0.1, 0.5, 0.7, 1.0}) {
     EXPECT_EQ(extremum.at(t).value[0], t);
     EXPECT_EQ(extremum.at(t).value[1], 1.0);
@@ -72,7 +72,7 @@ TEST(Extremum, IsAStraightLineForOrderOne) {
 // Near t = 1: 1 - y ~ Gamma(alpha) Gamma(2 - 2 alpha) / Gamma(1 - alpha) (1 - t)^(2 alpha - 1).
 TEST(Extremum, LeavesItsEndLikeAPower) {
   const Precision precision(60);
-  const BigReal y(exact_extremum(0.6).digits(0.999999999999999, 40)[0].value), left("1e-15");
+  const BigReal y(extremum_reference(0.6).digits(0.999999999999999, 40)[0].value), left("1e-15");
   const BigReal first =
       gamma(BigReal("0.6")) * gamma(BigReal("0.8")) / gamma(BigReal("0.4")) * pow(left, BigReal("0.2"));
   // the next term is -0.1 (1 - t)
@@ -81,8 +81,8 @@ TEST(Extremum, LeavesItsEndLikeAPower) {
 
 TEST(Extremum, RefusesWhatIsOutside) {
   for (const double alpha : {0.5, 1.25, std::nan("")})
-    EXPECT_THROW(exact_extremum(alpha), std::invalid_argument);
-  const Reference extremum = exact_extremum(0.75);
+    EXPECT_THROW(extremum_reference(alpha), std::invalid_argument);
+  const Reference extremum = extremum_reference(0.75);
   for (const double t : {-0.1, 1.5, std::nan("")}) EXPECT_THROW(extremum.at(t), std::invalid_argument);
   EXPECT_THROW(extremum.digits(0.5, 0), std::invalid_argument);
 }

@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "analysis/runs.hpp"
+#include "records/results_file.hpp"
 #include "support/temporary_folder.hpp"
-#include "sweep/results_file.hpp"
 
 namespace fde {
 namespace {

@@ -208,10 +208,13 @@ TEST(Report, NamesALineByWhatTellsItsSetupFromOthers) {
     results.records.push_back(row);
     results.records.back().key.setup.grading = 2.0;
   }
-  const auto lines = data_of(written(results))["lines"];
-  EXPECT_THAT(lines, testing::UnorderedElementsAre("adams_pc, uniform", "l1, uniform", "l1, graded:2"));
+  const auto lines = [](const Results& of) {
+    return data_of(written(of))["lines"].get<std::vector<std::string>>();
+  };
+  EXPECT_THAT(lines(results),
+              testing::UnorderedElementsAre("adams_pc, uniform", "l1, uniform", "l1, graded:2"));
   EXPECT_THAT(advice(results, {"pendulum"}, 3e-5), HasSubstr("l1 (auto, graded:2): N = 512"));
-  EXPECT_THAT(data_of(written(two_lines()))["lines"], testing::UnorderedElementsAre("adams_pc", "l1"));
+  EXPECT_THAT(lines(two_lines()), testing::UnorderedElementsAre("adams_pc", "l1"));
 }
 
 TEST(Report, MarksRatesThatDeviate) {

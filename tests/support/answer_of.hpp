@@ -14,9 +14,9 @@ struct Answer {
   std::string out, err;
 };
 
-inline Answer fdebench(const std::vector<std::string>& arguments) {
+inline Answer fdebench(const std::vector<std::string>& arguments, const Scenes& known = scenes()) {
   std::ostringstream out, err;
-  const int code = run_fdebench(arguments, {.out = out, .err = err});
+  const int code = run_fdebench(arguments, {.out = out, .err = err}, known);
   return {code, out.str(), err.str()};
 }
 

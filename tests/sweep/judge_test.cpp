@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "observers/watched_steps.hpp"
 #include "reference_data/data_table.hpp"
@@ -63,7 +65,7 @@ TEST(Judge, OfASchemesTrajectoryCountsItsCost) {
   const auto path = solve("l1", scene.problem, 64);
   const auto judged = judge(scene, path, reference);
   EXPECT_EQ(value(judged, "states"), 1.0);
-  EXPECT_GT(value(judged, "rhs_calls"), 64.0);
+  EXPECT_GE(value(judged, "rhs_calls"), 64.0);
   EXPECT_EQ(value(judged, "rounding"), std::nullopt);
   EXPECT_EQ(value(judged, "expected_rate_end"), std::nullopt);
 }

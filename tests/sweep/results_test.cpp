@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "records/record_text.hpp"
+#include "records/results_file.hpp"
 #include "support/testing.hpp"
-#include "sweep/record_text.hpp"
-#include "sweep/results_file.hpp"
 #include "sweep/sweep.hpp"
 
 namespace fde {
@@ -218,7 +218,7 @@ TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
   run_sweep(sweep, {.recorded =
                         [](const RunKey& run) {
                           const bool first =
-                              run.scheme == "l1" && run.setup.resolution == Setup{16}.resolution;
+                              run.scheme == "l1" && run.setup.resolution == StepsOrAccuracy(16);
                           return first ? Recorded::everything : Recorded::nothing;
                         },
                     .append =

@@ -18,8 +18,8 @@ std::vector<const Scheme*> two_sided_schemes() {
   return some;
 }
 
-WeightFamily family_of(const Scheme& scheme) {
-  return scheme.id == "grunwald_letnikov" ? WeightFamily::grunwald_letnikov : WeightFamily::trapezoid;
+const WeightFamily& family_of(const Scheme& scheme) {
+  return scheme.id == "grunwald_letnikov" ? families::grunwald_letnikov : families::trapezoid;
 }
 
 class TwoSided : public testing::TestWithParam<const Scheme*> {

@@ -15,7 +15,9 @@ namespace fde::mechanics {
 // The reaction is along df/dv alone, not along df/dw.
 template <class System>
 struct WholeAcceleration {
-  static constexpr int n = System::coordinates, states = 2 * n;
+  static constexpr int n = System::coordinates;
+  static constexpr Layout layout{.q = {0, n}, .v = {n, n}};
+  static constexpr int states = layout.size();
   System system;
   Motion<n> start;
   double kappa;
@@ -24,7 +26,7 @@ struct WholeAcceleration {
 
   template <class S>
   [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
-    const Vector<S, n> q = y.template head<n>(), v = y.template tail<n>();
+    const Vector<S, n> q = part<layout.q>(y), v = part<layout.v>(y);
     const auto rates = constraint_rates<S>(system, S(t), q, v, v);
     const Reaction<S, System> reaction(system, q, rates);
     const Vector<S, n> free = free_acceleration<S>(system, S(t), q, v);
@@ -33,7 +35,7 @@ struct WholeAcceleration {
     return joined<S>(v, Vector<S, n>(free + reaction.answer(defect)));
   }
   [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
-    return {y.template head<n>(), y.template tail<n>(), y.template tail<n>()};
+    return {part<layout.q>(y), part<layout.v>(y), part<layout.v>(y)};
   }
 };
 
@@ -57,7 +59,9 @@ Vector<double, System::coordinates> singular_direction(const System& system,
 // which is kept out of the state: it is bounded for alpha < 1/2 only.
 template <class System>
 struct AccelerationBelowOne {
-  static constexpr int n = System::coordinates, states = 4 * n;
+  static constexpr int n = System::coordinates;
+  static constexpr Layout layout{.q = {0, n}, .v = {n, n}, .s = {2 * n, n}, .w = {3 * n, n}};
+  static constexpr int states = layout.size();
   System system;
   Motion<n> start;
   double kappa;
@@ -73,16 +77,16 @@ struct AccelerationBelowOne {
   [[nodiscard]] std::vector<PowerLoad> loads() const {
     const double alpha = system.order;
     if (singular.isZero(0.0)) return {};
-    Vec coefficients = Vec::Zero(states);
-    coefficients.segment<n>(n) = singular / std::tgamma(2.0 - 2.0 * alpha);
+    Vec coefficients = Vec::Zero(layout.size());
+    part<layout.v>(coefficients) = singular / std::tgamma(2.0 - 2.0 * alpha);
     return {{1.0 - 2.0 * alpha, coefficients}};
   }
 
   template <class S>
   [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
-    const Vector<S, n> q = y.template head<n>(), v = y.template segment<n>(n), w = y.template tail<n>();
+    const Vector<S, n> q = part<layout.q>(y), v = part<layout.v>(y), w = part<layout.w>(y);
     const double alpha = system.order;
-    Vector<S, n> s = y.template segment<n>(2 * n);
+    Vector<S, n> s = part<layout.s>(y);
     if (!singular.isZero(0.0))
       s += (singular * (std::pow(t, 1.0 - 2.0 * alpha) / std::tgamma(2.0 - 2.0 * alpha))).template cast<S>();
     const auto rates = constraint_rates<S>(system, S(t), q, v, w);
@@ -99,7 +103,7 @@ struct AccelerationBelowOne {
     return joined<S>(v, s, acceleration, v);
   }
   [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
-    return {y.template head<n>(), y.template segment<n>(n), y.template tail<n>()};
+    return {part<layout.q>(y), part<layout.v>(y), part<layout.w>(y)};
   }
 };
 

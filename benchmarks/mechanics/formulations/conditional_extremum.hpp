@@ -13,7 +13,9 @@ template <class System>
 struct ConditionalExtremum {
   static_assert(!HasForce<System> && !HasMemory<System>,
                 "an action of potentials, constraints of whole order");
-  static constexpr int n = System::coordinates, r = System::constraints, states = 2 * n;
+  static constexpr int n = System::coordinates, r = System::constraints;
+  static constexpr Layout layout{.q = {0, n}, .p = {n, n}};
+  static constexpr int states = layout.size();
   System system;
   Motion<n> start;
   Vector<double, r> multiplier;  // mu(0)
@@ -44,7 +46,7 @@ struct ConditionalExtremum {
   template <class S>
   [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
     using D = Dual<S, n>;
-    const Vector<S, n> q = y.template head<n>(), p = y.template tail<n>();
+    const Vector<S, n> q = part<layout.q>(y), p = part<layout.p>(y);
     const Velocity<S> at = velocity<S>(t, q, p);
     const Vector<D, n> place = variables<n>(q), v = constants<n>(at.v);
     D action = constant<S, n>(S(0.0));
@@ -55,8 +57,8 @@ struct ConditionalExtremum {
     return joined<S>(at.v, Vector<S, n>(action.derivatives()));
   }
   [[nodiscard]] Columns<n> columns(double t, const Vector<double, states>& y) const {
-    const Vector<double, n> q = y.template head<n>();
-    const Vector<double, n> v = velocity<double>(t, q, y.template tail<n>()).v;
+    const Vector<double, n> q = part<layout.q>(y);
+    const Vector<double, n> v = velocity<double>(t, q, part<layout.p>(y)).v;
     return {q, v, v};
   }
 };

@@ -15,7 +15,9 @@ namespace fde::mechanics {
 template <class System, MemoryRows memory>
 struct Integrated {
   static_assert(memory != MemoryRows::above_one);
-  static constexpr int n = System::coordinates, m = memory == MemoryRows::none ? 0 : n, states = 2 * n + m;
+  static constexpr int n = System::coordinates, m = memory == MemoryRows::none ? 0 : n;
+  static constexpr Layout layout{.q = {0, n}, .z = {n, n}, .w = {2 * n, m}};
+  static constexpr int states = layout.size();
   System system;
   Motion<n> start;
 
@@ -31,14 +33,14 @@ struct Integrated {
 
   template <class S>
   [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
-    const Vector<S, n> q = y.template head<n>(), z = y.template segment<n>(n);
+    const Vector<S, n> q = part<layout.q>(y), z = part<layout.z>(y);
     const Projection<S, System> projection(system, S(t), q, remembered<S>(y));
     const Vector<S, n> v = projection.velocity(z), free = free_acceleration<S>(system, S(t), q, v);
     const Vector<S, n> turned = projection_rate<S>(system, S(t), q, v);
     return joined<S>(v, Vector<S, n>(projection.of(free) + turned), Vector<S, m>(v.template head<m>()));
   }
   [[nodiscard]] Columns<n> columns(double t, const Vector<double, states>& y) const {
-    const Vector<double, n> q = y.template head<n>(), z = y.template segment<n>(n), w = remembered<double>(y);
+    const Vector<double, n> q = part<layout.q>(y), z = part<layout.z>(y), w = remembered<double>(y);
     const Vector<double, n> v = Projection<double, System>(system, t, q, w).velocity(z);
     return {q, v, memory == MemoryRows::none ? v : w};
   }
@@ -50,7 +52,7 @@ struct Integrated {
     if constexpr (memory == MemoryRows::none) {
       return zeros<S, n>();
     } else {
-      return y.template tail<n>();
+      return part<layout.w>(y);
     }
   }
 };

@@ -40,7 +40,9 @@ class ConstantConstraint {
 // Needs b.a^# != 0: otherwise the constraint fixes no derivative of order alpha of what it moves.
 template <class System>
 struct IntegratedAboveOne {
-  static constexpr int n = System::coordinates, states = 3 * n + 1;
+  static constexpr int n = System::coordinates;
+  static constexpr Layout layout{.q = {0, n}, .z = {n, n}, .chi = {2 * n, 1}, .w = {2 * n + 1, n}};
+  static constexpr int states = layout.size();
   System system;
   Motion<n> start;
   ConstantConstraint<System> constraint{system, start.q};
@@ -54,19 +56,20 @@ struct IntegratedAboveOne {
 
   template <class S>
   [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
-    const Vector<S, n> q = y.template head<n>(), z = y.template segment<n>(n);
-    const S fixed = (y[2 * n] - constraint.memory().template cast<S>().dot(z)) / S(constraint.alignment());
+    const Vector<S, n> q = part<layout.q>(y), z = part<layout.z>(y);
+    const S fixed =
+        (y[layout.chi.first] - constraint.memory().template cast<S>().dot(z)) / S(constraint.alignment());
     const Vector<S, n> v = z + constraint.direction().template cast<S>() * fixed;
     const Vector<S, n> free =
         Projection<S, System>(system, S(t), q, zeros<S, n>()).of(free_acceleration<S>(system, S(t), q, v));
     return joined<S>(v, free, Vector<S, 1>(S(-constraint.constant()) - fixed), free);
   }
   [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
-    const Vector<double, n> z = y.template segment<n>(n), free_memory = y.template tail<n>();
+    const Vector<double, n> z = part<layout.z>(y), free_memory = part<layout.w>(y);
     const auto &b = constraint.memory(), &direction = constraint.direction();
-    const double fixed = (y[2 * n] - b.dot(z)) / constraint.alignment();
+    const double fixed = (y[layout.chi.first] - b.dot(z)) / constraint.alignment();
     const double memory = (-constraint.constant() - fixed - b.dot(free_memory)) / constraint.alignment();
-    return {y.template head<n>(), z + direction * fixed, free_memory + direction * memory};
+    return {part<layout.q>(y), z + direction * fixed, free_memory + direction * memory};
   }
 };
 

@@ -10,6 +10,13 @@
 
 namespace fde::mechanics {
 
+// Which columns of a scene are what: q, v and, with memory, w = D^order q, which otherwise is v.
+template <class System>
+constexpr Layout column_layout() {
+  constexpr int n = System::coordinates;
+  return {.q = {0, n}, .v = {n, n}, .w = {HasMemory<System> ? 2 * n : n, n}};
+}
+
 // 1/2 v'G v + u.
 template <class System>
 double energy_at([[maybe_unused]] const System& system, const Vector<double, System::coordinates>& q,
@@ -28,15 +35,15 @@ double energy_at([[maybe_unused]] const System& system, const Vector<double, Sys
 // which is no column, and the rate stays unsaid.
 template <class System>
 Energy energy_of(const System& system) {
-  constexpr int n = System::coordinates;
-  using Point = Vector<double, n>;
+  static constexpr Layout at = column_layout<System>();
+  using Point = Vector<double, System::coordinates>;
   Energy energy;
   energy.value = [system](In columns) {
-    return energy_at(system, Point(columns.head<n>()), Point(columns.segment<n>(n)));
+    return energy_at(system, Point(part<at.q>(columns)), Point(part<at.v>(columns)));
   };
   if constexpr (!HasMemory<System>) {
     energy.power = [system](double t, In columns) {
-      const Point q = columns.head<n>(), v = columns.segment<n>(n);
+      const Point q = part<at.q>(columns), v = part<at.v>(columns);
       const auto rates = constraint_rates<double>(system, t, q, v, v);
       const auto lambda = enforcing_multiplier<double>(system, t, q, v, rates);
       double power = v.dot(rates.reaction.transpose() * lambda);
@@ -49,9 +56,10 @@ Energy energy_of(const System& system) {
 
 template <class System>
 Constraint constraint_of(const System& system) {
-  constexpr int n = System::coordinates;
+  static constexpr Layout at = column_layout<System>();
+  using Point = Vector<double, System::coordinates>;
   return {System::constraints, [system](double t, In columns, Out f) {
-            const Vector<double, n> q = columns.head<n>(), v = columns.segment<n>(n), w = columns.tail<n>();
+            const Point q = part<at.q>(columns), v = part<at.v>(columns), w = part<at.w>(columns);
             f = constraint_value<double>(system, t, q, v, w);
           }};
 }
@@ -60,7 +68,6 @@ Constraint constraint_of(const System& system) {
 // w = D^order q.
 template <class System>
 Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
-  constexpr int n = System::coordinates;
   Scene scene;
   auto form = posed(of, asked);
   const auto names = column_names(of.coordinates, HasMemory<System>);
@@ -78,9 +85,11 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   scene.constraint = constraint_of(of.system);
   if constexpr (HasMemory<System>) {
     if (of.system.order != 1.0) {
-      for (Eigen::Index i = 0; i < n; ++i) {
-        scene.memories.push_back({Eigen::Index{2} * n + i, n + i, of.system.order,
-                                  powers_of_derivative(powers[static_cast<std::size_t>(i)])});
+      static constexpr Layout at = column_layout<System>();
+      const Group q = form.layout.q;  // the same rows in all formulations
+      for (int i = 0; i < q.size; ++i) {
+        scene.memories.push_back(
+            {at.w.first + i, at.v.first + i, of.system.order, powers_of_derivative(powers[q[i]])});
       }
     }
   }

@@ -1,6 +1,7 @@
 #include "mechanics/formulations/motion_powers.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace fde::mechanics {
 namespace {
@@ -22,8 +23,14 @@ std::vector<double> with_zero(std::vector<double> powers) {
   return powers;
 }
 
-void add(Smoothness& smoothness, Eigen::Index times, const std::vector<double>& powers) {
-  smoothness.powers.insert(smoothness.powers.end(), static_cast<std::size_t>(times), powers);
+// The powers of the rows of each group.
+Smoothness starting(const Layout& layout, const std::vector<std::pair<Group, std::vector<double>>>& groups) {
+  Smoothness smoothness;
+  smoothness.powers.resize(static_cast<std::size_t>(layout.size()));
+  for (const auto& [rows, powers] : groups) {
+    for (int i = 0; i < rows.size; ++i) smoothness.powers[rows[i]] = powers;
+  }
+  return smoothness;
 }
 
 }  // namespace
@@ -45,33 +52,26 @@ MotionPowers powers_above_one(double order, bool moving) {
   return {moving ? all : leaving, shifted(all, 1.0)};
 }
 
-Smoothness integrated_start(const MotionPowers& powers, double order, Eigen::Index coordinates) {
-  Smoothness smoothness;
-  add(smoothness, coordinates, shifted(powers.velocity, 1.0));
-  add(smoothness, coordinates, powers.free_part);
-  add(smoothness, coordinates, shifted(powers.velocity, 1.0 - order));
-  return smoothness;
+Smoothness integrated_start(const MotionPowers& powers, double order, const Layout& layout) {
+  return starting(layout, {{layout.q, shifted(powers.velocity, 1.0)},
+                           {layout.z, powers.free_part},
+                           {layout.w, shifted(powers.velocity, 1.0 - order)}});
 }
 
-Smoothness acceleration_start(const MotionPowers& powers, double order, Eigen::Index coordinates,
-                              bool singular) {
+Smoothness acceleration_start(const MotionPowers& powers, double order, const Layout& layout, bool singular) {
   const auto leaving = without(powers.velocity, 0.0);
-  Smoothness smoothness;
-  add(smoothness, coordinates, shifted(powers.velocity, 1.0));
-  add(smoothness, coordinates, leaving);
-  add(smoothness, coordinates, shifted(singular ? without(leaving, 1.0 - order) : leaving, -order));
-  add(smoothness, coordinates, shifted(powers.velocity, 1.0 - order));
-  return smoothness;
+  return starting(layout, {{layout.q, shifted(powers.velocity, 1.0)},
+                           {layout.v, leaving},
+                           {layout.s, shifted(singular ? without(leaving, 1.0 - order) : leaving, -order)},
+                           {layout.w, shifted(powers.velocity, 1.0 - order)}});
 }
 
 // D^(2-order) W = z'.
-Smoothness integrated_start_above_one(const MotionPowers& powers, double order, Eigen::Index coordinates) {
-  Smoothness smoothness;
-  add(smoothness, coordinates, shifted(powers.velocity, 1.0));
-  add(smoothness, coordinates, powers.free_part);
-  add(smoothness, 1, shifted(without(powers.velocity, 0.0), order - 1.0));
-  add(smoothness, coordinates, shifted(powers.free_part, 1.0 - order));
-  return smoothness;
+Smoothness integrated_start_above_one(const MotionPowers& powers, double order, const Layout& layout) {
+  return starting(layout, {{layout.q, shifted(powers.velocity, 1.0)},
+                           {layout.z, powers.free_part},
+                           {layout.chi, shifted(without(powers.velocity, 0.0), order - 1.0)},
+                           {layout.w, shifted(powers.free_part, 1.0 - order)}});
 }
 
 }  // namespace fde::mechanics

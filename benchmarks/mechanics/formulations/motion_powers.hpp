@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mechanics/derivatives.hpp"
+#include "mechanics/layout.hpp"
 #include "problem/smoothness.hpp"
 
 namespace fde::mechanics {
@@ -25,13 +25,12 @@ MotionPowers powers_below_one(double order, bool moving, ReactionStart reaction)
 // like t and goes on in steps of order - 1.
 MotionPowers powers_above_one(double order, bool moving);
 
-// The rows of the formulations below order 1 in these powers: q, z, w and q, v, s, w. Of s = D^order v
-// the state has no part t^(1 - 2 order).
-Smoothness integrated_start(const MotionPowers& powers, double order, Eigen::Index coordinates);
-Smoothness acceleration_start(const MotionPowers& powers, double order, Eigen::Index coordinates,
-                              bool singular);
+// How the rows of the formulations start below order 1. Of s = D^order v the state has no part
+// t^(1 - 2 order).
+Smoothness integrated_start(const MotionPowers& powers, double order, const Layout& layout);
+Smoothness acceleration_start(const MotionPowers& powers, double order, const Layout& layout, bool singular);
 
-// The rows q, z, b.v, W of the integrated form above order 1.
-Smoothness integrated_start_above_one(const MotionPowers& powers, double order, Eigen::Index coordinates);
+// The same above order 1.
+Smoothness integrated_start_above_one(const MotionPowers& powers, double order, const Layout& layout);
 
 }  // namespace fde::mechanics

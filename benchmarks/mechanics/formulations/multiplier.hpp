@@ -31,8 +31,10 @@ Vector<double, System::constraints> first_multiplier(const System& system,
 template <class System, MemoryRows memory>
 struct Multiplier {
   static constexpr int n = System::coordinates, r = System::constraints;
-  static constexpr int states = (memory == MemoryRows::none ? 2 : 3) * n + r;
-  static constexpr int place_of_w = states - r - n;  // that of v where w = v
+  static constexpr int m = memory == MemoryRows::none ? 0 : n;
+  static constexpr Layout layout{.q = {0, n}, .v = {n, n}, .w = {2 * n, m}, .lambda = {2 * n + m, r}};
+  static constexpr int states = layout.size();
+  static constexpr Group memory_rows = memory == MemoryRows::none ? layout.v : layout.w;  // w = v without
   System system;
   Motion<n> start;
 
@@ -50,9 +52,8 @@ struct Multiplier {
 
   template <class S>
   [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
-    const Vector<S, n> q = y.template head<n>(), v = y.template segment<n>(n),
-                       w = y.template segment<n>(place_of_w);
-    const Vector<S, r> lambda = y.template tail<r>();
+    const Vector<S, n> q = part<layout.q>(y), v = part<layout.v>(y), w = part<memory_rows>(y);
+    const Vector<S, r> lambda = part<layout.lambda>(y);
     const auto rates = constraint_rates<S>(system, S(t), q, v, w);
     const Vector<S, n> acceleration = free_acceleration<S>(system, S(t), q, v) +
                                       raised<S>(system, q, Vector<S, n>(rates.reaction.transpose() * lambda));
@@ -65,7 +66,7 @@ struct Multiplier {
     }
   }
   [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
-    return {y.template head<n>(), y.template segment<n>(n), y.template segment<n>(place_of_w)};
+    return {part<layout.q>(y), part<layout.v>(y), part<memory_rows>(y)};
   }
 };
 

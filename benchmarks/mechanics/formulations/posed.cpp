@@ -8,6 +8,10 @@
 
 namespace fde::mechanics {
 
+void hide(Smoothness& smoothness, Group rows) {
+  for (int i = 0; i < rows.size; ++i) smoothness.hidden.push_back(rows.first + i);
+}
+
 // Far out the constants of the right-hand side do not count.
 Matrix linear_part_of(const Problem& problem) {
   constexpr double far = 0x1p100;
@@ -57,16 +61,18 @@ PosedMechanics with_multipliers(PosedMechanics form, const Smoothness& other) {
   return form;
 }
 
-PosedMechanics with_multipliers_above_one(PosedMechanics form, const Smoothness& integrated) {
-  const auto& of = integrated.powers;  // q, z, b.v, free part of w
-  const std::size_t n = of.size() / 3;
-  form.smoothness.powers.assign(form.problem.components.size(), {});
-  for (std::size_t i = 0; i < n; ++i) {
-    auto both = of[n + i];
-    both.insert(both.end(), of[2 * n].begin(), of[2 * n].end());
-    form.smoothness.powers[i] = of[i];
-    form.smoothness.powers[n + i] = power_lattice(both, {}, both.empty() ? 0.0 : std::ranges::max(both));
-    form.smoothness.powers[2 * n + i] = of[2 * n + 1 + i];
+PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechanics& integrated) {
+  const auto &to = form.layout, &from = integrated.layout;
+  const auto& known = integrated.smoothness.powers;
+  const auto& of_chi = known[from.chi[0]];
+  auto& powers = form.smoothness.powers;
+  powers.assign(form.problem.components.size(), {});
+  for (int i = 0; i < to.q.size; ++i) {
+    auto of_v = known[from.z[i]];
+    of_v.insert(of_v.end(), of_chi.begin(), of_chi.end());
+    powers[to.q[i]] = known[from.q[i]];
+    powers[to.v[i]] = power_lattice(of_v, {}, of_v.empty() ? 0.0 : std::ranges::max(of_v));
+    powers[to.w[i]] = known[from.w[i]];
   }
   return form;
 }

@@ -5,19 +5,23 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/derivatives.hpp"
 #include "mechanics/formulations/formulation.hpp"
+#include "mechanics/motion.hpp"
 #include "problem/linear_smoothness.hpp"
 #include "scenes/scene.hpp"
 
 namespace fde::mechanics {
 
-// A problem, its columns q, v, w, and how its solution starts.
+// A problem, which of its rows are what, its columns q, v and, with memory, w, and how its solution starts.
 struct PosedMechanics {
   Problem problem;
+  Layout layout;
   std::function<void(double t, In y, Out columns)> columns;
   Smoothness smoothness;
 };
+
+// Rows that nobody looks at.
+void hide(Smoothness& smoothness, Group rows);
 
 // The matrix A of a right-hand side A y + b(t).
 Matrix linear_part_of(const Problem& problem);
@@ -31,8 +35,8 @@ Smoothness nonlinear_start(const std::vector<Component>& components);
 // are behind all.
 PosedMechanics with_multipliers(PosedMechanics form, const Smoothness& other);
 
-// The same above order 1, where v itself is integrated: with the powers of its free part and of b.v.
-PosedMechanics with_multipliers_above_one(PosedMechanics form, const Smoothness& integrated);
+// The same above order 1, where v itself is integrated: with the powers of its free part z and of chi = b.v.
+PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechanics& integrated);
 
 // Of the derivative of what starts with these powers, the constant apart.
 std::vector<double> powers_of_derivative(const std::vector<double>& powers);
@@ -54,16 +58,16 @@ concept Loaded = requires(const Form& form) {
 
 template <class Form>
 PosedMechanics pose(const Form& form, double end, bool linear) {
-  using State = Vector<double, Form::states>;
+  static_assert(Form::layout.is_partition());
+  using Unknowns = Vector<double, Form::states>;
   PosedMechanics result;
+  result.layout = Form::layout;
   result.problem.components = form.components();
-  result.problem.rhs = [form](double t, In y, Out f) { f = form.template rhs<double>(t, State(y)); };
+  result.problem.rhs = [form](double t, In y, Out f) { f = form.template rhs<double>(t, Unknowns(y)); };
   result.problem.end = end;
   result.columns = [form](double t, In y, Out columns) {
-    const auto of = form.columns(t, State(y));
-    columns.head(Form::n) = of.q;
-    columns.segment(Form::n, Form::n) = of.v;
-    columns.tail(columns.size() - 2 * Form::n) = of.w.head(columns.size() - 2 * Form::n);
+    const auto of = form.columns(t, Unknowns(y));
+    columns = joined<double>(of.q, of.v, of.w).head(columns.size());
   };
   if (linear) result.problem.derivatives = DenseLinearPart{linear_part_of(result.problem)};
   if (!linear || std::ranges::any_of(result.problem.components, algebraic)) {

@@ -65,13 +65,12 @@ PosedMechanics posed_at_one(Setting<System> of, const Asked& asked) {
 // 0 < order < 1.
 template <class System>
 PosedMechanics posed_below_one(const Setting<System>& of, const Asked& asked) {
-  constexpr int n = System::coordinates;
   constexpr auto memory = MemoryRows::below_one;
   const double order = of.system.order;
   const ReactionStart reaction = reaction_start(of.system, of.start);
   const MotionPowers powers = powers_below_one(order, !of.start.v.isZero(0.0), reaction);
   auto integrated = pose(Integrated<System, memory>{of.system, of.start}, of.end, of.linear);
-  if (!of.linear) integrated.smoothness = integrated_start(powers, order, n);
+  if (!of.linear) integrated.smoothness = integrated_start(powers, order, integrated.layout);
   if (asked.formulation == Formulation::integrated) return integrated;
   if (asked.formulation == Formulation::multiplier) {
     return with_multipliers(pose(Multiplier<System, memory>{of.system, of.start}, of.end, of.linear),
@@ -80,8 +79,9 @@ PosedMechanics posed_below_one(const Setting<System>& of, const Asked& asked) {
   const AccelerationBelowOne<System> acceleration{of.system, of.start, asked.kappa};
   if (!acceleration.posed()) reject_singular(asked.formulation, order);
   auto form = pose(acceleration, of.end, of.linear);
-  if (!of.linear) form.smoothness = acceleration_start(powers, order, n, reaction != ReactionStart::regular);
-  for (int i = 2 * n; i < 3 * n; ++i) form.smoothness.hidden.push_back(i);  // D^alpha v
+  if (!of.linear)
+    form.smoothness = acceleration_start(powers, order, form.layout, reaction != ReactionStart::regular);
+  hide(form.smoothness, form.layout.s);
   return form;
 }
 
@@ -102,9 +102,9 @@ PosedMechanics posed_above_one(const Setting<System>& of, const Asked& asked) {
   auto form = pose(integrated, of.end, of.linear);
   if (!of.linear) {
     const MotionPowers powers = powers_above_one(order, !of.start.v.isZero(0.0));
-    form.smoothness = integrated_start_above_one(powers, order, System::coordinates);
+    form.smoothness = integrated_start_above_one(powers, order, form.layout);
   }
-  return multiplied ? with_multipliers_above_one(with_rows(), form.smoothness) : form;
+  return multiplied ? with_multipliers_above_one(with_rows(), form) : form;
 }
 
 // The equations of the setting in one form. Throws std::invalid_argument where that form is not well posed.

@@ -18,8 +18,8 @@ constexpr Eigen::Index components = 4;
 constexpr double order = 0.5, full = 1e-15;
 
 WeightTables predictor_corrector() {
-  return {std::vector<WeightTable>(components, {WeightFamily::rectangle, order}),
-          std::vector<WeightTable>(components, {WeightFamily::trapezoid, order})};
+  return {std::vector<WeightTable>(components, {&families::rectangle, order}),
+          std::vector<WeightTable>(components, {&families::trapezoid, order})};
 }
 
 // Time per step of an iteration of so many.
@@ -32,11 +32,13 @@ benchmark::Counter per_iteration(Eigen::Index count) {
 void steps(benchmark::State& state, HistoryKind kind, const Grid& grid, double tolerance) {
   Vec sample = Vec::LinSpaced(components, 0.5, 1.5), sum(components);
   for (auto _ : state) {
-    const auto history = make_history(kind, predictor_corrector(), grid, tolerance);
+    const auto history = make_history(kind, predictor_corrector(), step_plan(grid), tolerance);
+    double t = 0.0;
     for (int n = 1; n <= grid.steps; ++n) {
-      history->push(sample);
-      history->convolve(0, sum);
-      history->convolve(1, sum);
+      history->push(t, sample);
+      t = grid.time(n);
+      history->convolve(t, 0, sum);
+      history->convolve(t, 1, sum);
       sample[0] = 1.0 + 1e-9 * sum[0];
     }
     benchmark::DoNotOptimize(sum.data());

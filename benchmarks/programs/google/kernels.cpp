@@ -12,17 +12,17 @@ namespace {
 
 using namespace fde;
 
-void weights(benchmark::State& state, WeightFamily family) {
+void weights(benchmark::State& state, const WeightFamily* family) {
   std::int64_t lag = 1;
   for (auto _ : state) {
     benchmark::DoNotOptimize(weight({family, 0.5}, lag));
     lag = lag % 100'000 + 1;
   }
 }
-BENCHMARK_CAPTURE(weights, rectangle, WeightFamily::rectangle);
-BENCHMARK_CAPTURE(weights, trapezoid, WeightFamily::trapezoid);
-BENCHMARK_CAPTURE(weights, grunwald_letnikov, WeightFamily::grunwald_letnikov);
-BENCHMARK_CAPTURE(weights, l1, WeightFamily::l1);
+BENCHMARK_CAPTURE(weights, rectangle, &families::rectangle);
+BENCHMARK_CAPTURE(weights, trapezoid, &families::trapezoid);
+BENCHMARK_CAPTURE(weights, grunwald_letnikov, &families::grunwald_letnikov);
+BENCHMARK_CAPTURE(weights, l1, &families::l1);
 
 // E_{a,1}(-x), x from 0 to 100. The argument is a in tenths.
 void mittag_leffler_double(benchmark::State& state) {

@@ -35,12 +35,12 @@ namespace {
 using namespace fde;
 
 // D^order y = rate y.
-struct ScalarRelaxation {
+struct Relaxation {
   Scene scene;
   double order, rate, start, end_value;
 };
 
-ScalarRelaxation relaxation() {
+Relaxation relaxation() {
   const auto maker = std::ranges::find(scenes(), std::string_view("relaxation"), &SceneMaker::id);
   Scene scene = make_scene(*maker);
   const Component component = scene.problem.components.front();
@@ -57,8 +57,8 @@ double printed_start_weight(double g, double n) {
   return std::pow(n - 1, g + 1) - (n - 1 - g) * std::pow(n, g);
 }
 
-double naive_last_sum(const ScalarRelaxation& equation, const Grid& grid, const Trajectory& path) {
-  const WeightTable table{WeightFamily::trapezoid, equation.order};
+double naive_last_sum(const Relaxation& equation, const Grid& grid, const Trajectory& path) {
+  const WeightTable table{&families::trapezoid, equation.order};
   const int n = grid.steps;
   double sum = (printed_start_weight(equation.order, n) - *start_weight(table, n)) * path.y(0, 0);
   for (int k = 1; k < n; ++k) {
@@ -69,8 +69,8 @@ double naive_last_sum(const ScalarRelaxation& equation, const Grid& grid, const 
 
 // The rule with any weights: past(n, y) is the sum over the past of step n, in units of 1/Gamma(order + 2).
 template <typename Past>
-double error_of_loop(const ScalarRelaxation& equation, const Grid& grid, const Past& past) {
-  const WeightTable table{WeightFamily::trapezoid, equation.order};
+double error_of_loop(const Relaxation& equation, const Grid& grid, const Past& past) {
+  const WeightTable table{&families::trapezoid, equation.order};
   const double scale = equation.rate / std::tgamma(equation.order + 2);
   Vec y(grid.steps + 1);
   y[0] = equation.start;
@@ -81,7 +81,7 @@ double error_of_loop(const ScalarRelaxation& equation, const Grid& grid, const P
   return std::abs(y[grid.steps] - equation.end_value);
 }
 
-double naive_error_uniform(const ScalarRelaxation& equation, const Grid& grid) {
+double naive_error_uniform(const Relaxation& equation, const Grid& grid) {
   const double g = equation.order, unit = std::pow(grid.step(), g);
   Vec weights(grid.steps);
   for (int k = 1; k < grid.steps; ++k) weights[k] = printed_weight(g, k);
@@ -94,7 +94,7 @@ double naive_error_uniform(const ScalarRelaxation& equation, const Grid& grid) {
 
 // The same weights for any times: ((t-t_1)^(g+1) + t^g ((g+1) t_1 - t)) / t_1 for the start, and for the
 // others the slopes of (t-s)^(g+1) before and after t_j, subtracted. Neighbours share their powers.
-double naive_error_graded(const ScalarRelaxation& equation, const Grid& grid) {
+double naive_error_graded(const Relaxation& equation, const Grid& grid) {
   const double g = equation.order;
   Vec times(grid.steps + 1);
   for (int n = 0; n <= grid.steps; ++n) times[n] = grid.time(n);
@@ -113,7 +113,7 @@ double naive_error_graded(const ScalarRelaxation& equation, const Grid& grid) {
   });
 }
 
-void print_row(const ScalarRelaxation& equation, const Grid& grid) {
+void print_row(const Relaxation& equation, const Grid& grid) {
   constexpr int longest_loop = 1 << 14;
   const auto path = find_scheme("product_trapezoidal")
                         ->solve(equation.scene.problem, grid, {.history = HistoryKind::exponentials});
@@ -129,7 +129,7 @@ void print_row(const ScalarRelaxation& equation, const Grid& grid) {
 }
 
 // 100, 200, 500, 1000, ... steps.
-void print_rows(const ScalarRelaxation& equation, double grading, double most_steps) {
+void print_rows(const Relaxation& equation, double grading, double most_steps) {
   for (double decade = 100; decade <= most_steps; decade *= 10) {
     for (const double steps : {decade, 2 * decade, 5 * decade}) {
       if (steps > most_steps) return;
@@ -147,7 +147,7 @@ int main(int count, char** arguments) {
     fmt::print(stderr, "fde_weight_floor [largest number of steps, 100 to 1e9]\n");
     return 2;
   }
-  const ScalarRelaxation equation = relaxation();
+  const Relaxation equation = relaxation();
   fmt::print("grid,steps,error,naive_last_sum,naive_error\n");
   print_rows(equation, 1, most_steps);
   print_rows(equation, 4, std::min(most_steps, 1e6));

@@ -46,10 +46,10 @@ LinearTransform transform_above_two(const Line& line) {
 
 Reference exact_of(const Line& line) {
   constexpr const char* name = "fractional_constraint_1d";
-  if (line.alpha <= 1.0) return exact_reference(name, [line] { return transform_up_to_one(line); });
+  if (line.alpha <= 1.0) return linear_reference(name, [line] { return transform_up_to_one(line); });
   if (line.alpha <= 2.0 || line.a == 0.0)
     return power_sum({{line.q0, 0.0}, {line.q1, 1.0}, {line.alpha > 2.0 ? line.q2 / 2.0 : 0.0, 2.0}});
-  return exact_reference(name, [line] { return transform_above_two(line); });
+  return linear_reference(name, [line] { return transform_above_two(line); });
 }
 
 // The equation as a chain: the higher of the two derivatives leads.

@@ -94,7 +94,7 @@ SceneMaker fractional_constraint_2d() {
                 .end = 10.0,
                 .linear = true};
             Scene scene = mechanical_scene(setting, asked_of(p));
-            scene.reference = exact_reference(system_of(p));
+            scene.reference = linear_reference(system_of(p));
             return scene;
           }};
 }

@@ -52,8 +52,7 @@ Scene pair_of_points(const Parameters& p, Formulation formulation) {
     seen << 0.5 * (of_points[0] + of_points[1]), 0.5 * (of_points[2] + of_points[3]);
   };
   const Scene equation = reduced(p);
-  const Eigen::Index shown = formulation == Formulation::integrated ? 5 : 4;  // the rest is D^alpha q
-  for (Eigen::Index i = shown; i < form.problem.size(); ++i) form.smoothness.hidden.push_back(i);
+  for (const Group rows : {form.layout.w, form.layout.lambda}) hide(form.smoothness, rows);
   return {.problem = std::move(form.problem),
           .smoothness = std::move(form.smoothness),
           .outputs = {equation.outputs.names, middle},

@@ -1,23 +1,10 @@
 #include "linear/linear_system.hpp"
 
-#include <fmt/format.h>
-
 #include "problem/linear_smoothness.hpp"
+#include "scenes/equations/initial_values.hpp"
 #include "scenes/scene.hpp"
 
 namespace fde {
-namespace {
-
-// Initial values of a component; the second is there for orders above 1 only.
-std::vector<double> initial_values(const Parameters& p, std::string_view order, std::string_view value,
-                                   std::string_view slope) {
-  if (p[order] > 1.0) return {p[value], p[slope]};
-  if (p[slope] != 0.0) reject(slope, p[slope], fmt::format("0 when {} is at most 1", order));
-  return {p[value]};
-}
-
-}  // namespace
-
 // D^g1 x = a11 x + a12 y + c1, D^g2 y = a21 x + a22 y + c2, each with an order of its own. Complex, defective
 // and very stiff spectra are a matter of the coefficients.
 SceneMaker linear_system() {
@@ -47,10 +34,10 @@ SceneMaker linear_system() {
                                 .end = 5.0},
                     .smoothness = linear_smoothness(components, matrix, {{0.0, load}}),
                     .outputs = {{"x", "y"}},
-                    .reference = exact_reference({.orders = {components[0].order, components[1].order},
-                                                  .initial = {components[0].initial, components[1].initial},
-                                                  .matrix = matrix,
-                                                  .loads = {{{load[0]}}, {{load[1]}}}})};
+                    .reference = linear_reference({.orders = {components[0].order, components[1].order},
+                                                   .initial = {components[0].initial, components[1].initial},
+                                                   .matrix = matrix,
+                                                   .loads = {{{load[0]}}, {{load[1]}}}})};
           }};
 }
 

@@ -1,4 +1,5 @@
 #include "linear/linear_equation.hpp"
+#include "scenes/equations/initial_values.hpp"
 #include "scenes/scene.hpp"
 
 namespace fde {
@@ -15,22 +16,18 @@ SceneMaker relaxation() {
                          {"dy0", 0.0, any_number, "y'(0), for gamma > 1"}},
           .make = [](const Parameters& p) -> Scene {
             const double gamma = p["gamma"], lambda = p["lambda"];
-            std::vector<double> initial{p["y0"]}, start;
+            const auto initial = initial_values(p, "gamma", "y0", "dy0");
+            std::vector<double> start;
             if (lambda * p["y0"] != 0.0) start.push_back(gamma);
-            if (gamma > 1.0) {
-              initial.push_back(p["dy0"]);
-              if (lambda * p["dy0"] != 0.0) start.push_back(gamma + 1.0);
-            } else if (p["dy0"] != 0.0) {
-              reject("dy0", p["dy0"], "0 when gamma is at most 1");
-            }
+            if (lambda * p["dy0"] != 0.0) start.push_back(gamma + 1.0);
             return {.problem = {.components = {{gamma, initial}},
                                 .rhs = [=](double, In y, Out f) { f = lambda * y; },
                                 .derivatives = DenseLinearPart{Matrix::Constant(1, 1, lambda)}},
                     .smoothness = {{power_lattice(start, {gamma}, gamma + 2.0)}},
                     .outputs = {{"y"}},
-                    .reference = exact_reference({.terms = {{1.0, gamma}, {-lambda, 0.0}},
-                                                  .initial = {initial.begin(), initial.end()}},
-                                                 {0.0})};
+                    .reference = linear_reference({.terms = {{1.0, gamma}, {-lambda, 0.0}},
+                                                   .initial = {initial.begin(), initial.end()}},
+                                                  {0.0})};
           }};
 }
 

@@ -37,7 +37,7 @@ SceneMaker stiff_relaxation() {
               system.orders.push_back(gamma);
               system.initial.push_back(imaginary_part);
             }
-            scene.reference = exact_reference(system);
+            scene.reference = linear_reference(system);
             return scene;
           }};
 }

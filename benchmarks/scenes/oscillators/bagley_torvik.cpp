@@ -44,10 +44,10 @@ SceneMaker bagley_torvik() {
                     .smoothness = smoothness,
                     .outputs = picked(names, rows),
                     .reference =
-                        exact_reference({.terms = {{p["A"], 2.0}, {p["B"], p["alpha"]}, {stiffness, 0.0}},
-                                         .initial = {p["y0"], p["dy0"]},
-                                         .loads = {{load}, {.coefficient = -load, .from = until}}},
-                                        orders)};
+                        linear_reference({.terms = {{p["A"], 2.0}, {p["B"], p["alpha"]}, {stiffness, 0.0}},
+                                          .initial = {p["y0"], p["dy0"]},
+                                          .loads = {{load}, {.coefficient = -load, .from = until}}},
+                                         orders)};
           }};
 }
 

@@ -38,7 +38,7 @@ SceneMaker damped_oscillator() {
                                          20.0),
                 .smoothness = chain_smoothness({u.chain()}),
                 .outputs = outputs_of({u}),
-                .reference = exact_reference(equation(p), u.orders()),
+                .reference = linear_reference(equation(p), u.orders()),
                 .energy = {.value = [=](In c) { return 0.5 * (u.du(c) * u.du(c) + w2 * u.u(c) * u.u(c)); },
                            .power = [=](double, In c) { return u.power(c); }}};
           }};

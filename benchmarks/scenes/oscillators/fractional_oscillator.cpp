@@ -28,10 +28,10 @@ SceneMaker fractional_oscillator() {
                                 .end = 10.0},
                     .smoothness = {{power_lattice(start, {nu}, nu + 2.0)}},
                     .outputs = {{"q"}},
-                    .reference = exact_reference({.terms = {{1.0, nu}, {w2, 0.0}},
-                                                  .initial = {p["q0"], p["dq0"]},
-                                                  .loads = {{c0, 0.0}, {c1, 1.0}}},
-                                                 {0.0})};
+                    .reference = linear_reference({.terms = {{1.0, nu}, {w2, 0.0}},
+                                                   .initial = {p["q0"], p["dq0"]},
+                                                   .loads = {{c0, 0.0}, {c1, 1.0}}},
+                                                  {0.0})};
           }};
 }
 

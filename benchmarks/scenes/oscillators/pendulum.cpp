@@ -32,7 +32,7 @@ SceneMaker pendulum() {
                                          20.0),
                 .smoothness = chain_smoothness({phi.chain()}),
                 .outputs = outputs_of({phi}),
-                .reference = free ? exact_reference(FreePendulum{g, p["phi0"], p["dphi0"]}) : Reference{},
+                .reference = free ? pendulum_reference(FreePendulum{g, p["phi0"], p["dphi0"]}) : Reference{},
                 .energy = {.value =
                                [=](In c) {
                                  const double dphi = phi.du(c);

@@ -20,7 +20,7 @@ double singular_part(double alpha, double t) {
 
 // Of what reference/extremum.hpp knows the first component: D^alpha y is infinite at t = 1.
 Reference extremum(double alpha) {
-  const Reference both = exact_extremum(alpha);
+  const Reference both = extremum_reference(alpha);
   return {[both](double t) -> ReferenceValue {
             const auto [value, bound] = both.at(t);
             return {value.head(1), bound.head(1)};

@@ -2,14 +2,12 @@
 #include <array>
 
 #include "mechanics/derivatives.hpp"
-#include "scenes/two_sided/sum_of_powers.hpp"
+#include "scenes/two_sided/made_mechanics.hpp"
 
 namespace fde {
 namespace {
 
-using Plane = Eigen::Vector2d;
-
-constexpr double end = 2.0;
+constexpr double end_of_motion = 2.0;
 
 // f = A.q' with A = (1 + kappa q1 + epsilon w, 1), w = D^alpha q1.
 struct Coefficients {
@@ -42,13 +40,15 @@ struct MadeMotion {
     q[1] = SumOfPowers::polynomial({1.0}) + v[1].derivative(-1.0);
     p[0] = v[0] + mu * a;
     p[1] = v[1] + mu;
-    r = coefficients.epsilon * (mu * v[0]).reversed(end).derivative(alpha - 1.0);
+    r = coefficients.epsilon * (mu * v[0]).reversed(end_of_motion).derivative(alpha - 1.0);
     push = {p[0].derivative(1.0) + (-coefficients.kappa) * mu * v[0], p[1].derivative(1.0)};
     r_slope = -1.0 * r.derivative(1.0);
   }
 
   // What has to be added to pi' for this motion, besides grad u.
-  [[nodiscard]] Plane force(double t) const { return {push[0].at(t) + r_slope.at(end - t), push[1].at(t)}; }
+  [[nodiscard]] Plane force(double t) const {
+    return {push[0].at(t) + r_slope.at(end_of_motion - t), push[1].at(t)};
+  }
 
   std::array<SumOfPowers, 2> q, v, p, push;
   SumOfPowers w, r, r_slope;  // the latter two in powers of end - t
@@ -59,6 +59,7 @@ struct MadeMotion {
 struct Hamilton {
   enum : Eigen::Index { q = 0, w = 2, r = 3, pi = 4 };
   static constexpr int size = 6;
+  static constexpr double end = end_of_motion;
   Coefficients coefficients;
   Plane stiffness;
   MadeMotion motion;
@@ -77,7 +78,7 @@ struct Hamilton {
   }
 
   [[nodiscard]] Plane force(double t) const {
-    return motion.force(t) + stiffness.cwiseProduct(Plane(motion.q[0].at(t), motion.q[1].at(t)));
+    return motion.force(t) + stiffness.cwiseProduct(plane_at(motion.q, t));
   }
 
   template <class S>
@@ -94,13 +95,14 @@ struct Hamilton {
     }
     return f;
   }
+  void rhs(double t, In y, Out f) const { f = rates<double>(y, force(t)); }
   void jacobian(In y, OutMatrix result) const {
     const auto f = rates<mechanics::Dual<double, size>>(
         mechanics::variables<size>(mechanics::Vector<double, size>(y)), Plane::Zero());
     for (Eigen::Index i = 0; i < size; ++i) result.row(i) = f[i].derivatives().transpose();
   }
 
-  void columns(In y, Out result) const {
+  void columns(double /*t*/, In y, Out result) const {
     const auto [v, p, mu] = state<double>(y);
     result << y.head<2>(), v, y[w], y[r], p, mu;
   }
@@ -108,7 +110,7 @@ struct Hamilton {
   [[nodiscard]] double energy(In columns) const {
     return columns.segment<2>(2).squaredNorm() / 2 + stiffness.dot(columns.head<2>().cwiseAbs2()) / 2;
   }
-  [[nodiscard]] double constraint(In columns) const {
+  [[nodiscard]] double constraint(double /*t*/, In columns) const {
     return coefficients(Eigen::Vector3d(columns[0], columns[1], columns[4])).dot(columns.segment<2>(2));
   }
 
@@ -135,25 +137,15 @@ struct Hamilton {
 Scene scene_of(const Hamilton& system, double alpha) {
   const double memory = 1.0 - alpha;
   const auto& motion = system.motion;
-  return {
-      .problem = {.components = {{1.0, {motion.q[0].at(0.0)}},
-                                 {1.0, {motion.q[1].at(0.0)}},
-                                 {memory, {0.0}},
-                                 {memory, {0.0}, Side::right},
-                                 {1.0, {motion.p[0].at(end)}, Side::right},
-                                 {1.0, {motion.p[1].at(end)}, Side::right}},
-                  .rhs = [system](double t, In y, Out f) { f = system.rates<double>(y, system.force(t)); },
-                  .derivatives =
-                      DenseJacobian{[system](double, In y, OutMatrix result) { system.jacobian(y, result); }},
-                  .end = end},
-      .smoothness = system.smoothness(),
-      .outputs = {{"q1", "q2", "v1", "v2", "w1", "r1", "p1", "p2", "mu"},
-                  [system](double, In y, Out columns) { system.columns(y, columns); }},
-      .reference = system.exact(),
-      .energy = {.value = [system](In columns) { return system.energy(columns); }},
-      .constraint = {.size = 1,
-                     .value = [system](double, In columns, Out f) { f[0] = system.constraint(columns); }},
-      .memories = {{4, 2, alpha}}};
+  const Plane last = plane_at(motion.p, Hamilton::end);
+  return made_scene(system,
+                    {{1.0, {motion.q[0].at(0.0)}},
+                     {1.0, {motion.q[1].at(0.0)}},
+                     {memory, {0.0}},
+                     {memory, {0.0}, Side::right},
+                     {1.0, {last[0]}, Side::right},
+                     {1.0, {last[1]}, Side::right}},
+                    {"q1", "q2", "v1", "v2", "w1", "r1", "p1", "p2", "mu"}, {{4, 2, alpha}});
 }
 
 }  // namespace

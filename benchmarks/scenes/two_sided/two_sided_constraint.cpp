@@ -1,14 +1,12 @@
 #include <array>
 #include <cmath>
 
-#include "scenes/two_sided/sum_of_powers.hpp"
+#include "scenes/two_sided/made_mechanics.hpp"
 
 namespace fde {
 namespace {
 
-using Plane = Eigen::Vector2d;
-
-constexpr double end = 2.0;
+constexpr double end_of_motion = 2.0;
 
 // The made motion: q, q', q'', and w and r, its left and right derivatives of order alpha.
 // q1 = 1 + 3 t^2 - t^3 and q2 = t^2 (2 - t)^2: both velocities are 0 at both ends.
@@ -20,11 +18,9 @@ struct MadeMotion {
       v[i] = q[i].derivative(1.0);
       acceleration[i] = q[i].derivative(2.0);
       w[i] = q[i].derivative(alpha);
-      r[i] = q[i].reversed(end).derivative(alpha);
+      r[i] = q[i].reversed(end_of_motion).derivative(alpha);
     }
   }
-
-  static Plane at(const std::array<SumOfPowers, 2>& sums, double t) { return {sums[0].at(t), sums[1].at(t)}; }
 
   std::array<SumOfPowers, 2> q, v, acceleration, w, r;
 };
@@ -34,6 +30,7 @@ struct MadeMotion {
 // e.v', and f = 0 gives the rest of v.
 struct TwoSidedConstraint {
   enum : Eigen::Index { q = 0, z = 2, w = 3, r = 5, size = 7 };
+  static constexpr double end = end_of_motion;
   Plane a, b, c;
   double k1, k2, k3;
   MadeMotion motion;
@@ -47,11 +44,10 @@ struct TwoSidedConstraint {
 
   // F with which the made motion fulfils the constraint, and the force that makes it one.
   [[nodiscard]] double drive(double t) const {
-    return a.dot(MadeMotion::at(motion.v, t)) + b.dot(MadeMotion::at(motion.w, t)) +
-           c.dot(MadeMotion::at(motion.r, end - t));
+    return a.dot(plane_at(motion.v, t)) + b.dot(plane_at(motion.w, t)) + c.dot(plane_at(motion.r, end - t));
   }
   [[nodiscard]] Plane force(double t) const {
-    return MadeMotion::at(motion.acceleration, t) + slope(MadeMotion::at(motion.q, t));
+    return plane_at(motion.acceleration, t) + slope(plane_at(motion.q, t));
   }
 
   [[nodiscard]] double residual(double t, const Plane& v, const Plane& left, const Plane& right) const {
@@ -60,6 +56,11 @@ struct TwoSidedConstraint {
   [[nodiscard]] Plane velocity(double t, In y) const {
     const Plane free = across() * y[z];
     return free - a * (residual(t, free, y.segment<2>(w), y.segment<2>(r)) / a.squaredNorm());
+  }
+
+  void columns(double t, In y, Out result) const { result << y.head<2>(), velocity(t, y), y.tail<4>(); }
+  [[nodiscard]] double constraint(double t, In columns) const {
+    return residual(t, columns.segment<2>(2), columns.segment<2>(4), columns.segment<2>(6));
   }
 
   void rhs(double t, In y, Out f) const {
@@ -102,34 +103,15 @@ struct TwoSidedConstraint {
 
 Scene scene_of(const TwoSidedConstraint& system, double alpha) {
   const double memory = 1.0 - alpha;
-  return {.problem = {.components = {{1.0, {system.motion.q[0].at(0.0)}},
-                                     {1.0, {system.motion.q[1].at(0.0)}},
-                                     {1.0, {0.0}},
-                                     {memory, {0.0}},
-                                     {memory, {0.0}},
-                                     {memory, {0.0}, Side::right},
-                                     {memory, {0.0}, Side::right}},
-                      .rhs = [system](double t, In y, Out f) { system.rhs(t, y, f); },
-                      .derivatives = DenseJacobian{[system](double, In y, OutMatrix result) {
-                        system.jacobian(y, result);
-                      }},
-                      .end = end},
-          .smoothness = system.smoothness(),
-          .outputs = {{"q1", "q2", "v1", "v2", "w1", "w2", "r1", "r2"},
-                      [system](double t, In y, Out columns) {
-                        columns.head<2>() = y.head<2>();
-                        columns.segment<2>(2) = system.velocity(t, y);
-                        columns.tail<4>() = y.tail<4>();
-                      }},
-          .reference = system.exact(),
-          .energy = {.value = [system](In columns) { return system.energy(columns); }},
-          .constraint = {.size = 1,
-                         .value =
-                             [system](double t, In columns, Out f) {
-                               f[0] = system.residual(t, columns.segment<2>(2), columns.segment<2>(4),
-                                                      columns.segment<2>(6));
-                             }},
-          .memories = {{4, 2, alpha}, {5, 3, alpha}}};
+  return made_scene(system,
+                    {{1.0, {system.motion.q[0].at(0.0)}},
+                     {1.0, {system.motion.q[1].at(0.0)}},
+                     {1.0, {0.0}},
+                     {memory, {0.0}},
+                     {memory, {0.0}},
+                     {memory, {0.0}, Side::right},
+                     {memory, {0.0}, Side::right}},
+                    {"q1", "q2", "v1", "v2", "w1", "w2", "r1", "r2"}, {{4, 2, alpha}, {5, 3, alpha}});
 }
 
 }  // namespace

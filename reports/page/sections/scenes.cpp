@@ -92,7 +92,7 @@ json guides(const PageInput& page, RunSpan scene) {
     for (const auto& [name, quantity, of_norm] : norms) {
       const auto& expected = (rate.*of_norm).expected;
       const auto anchor = positive(finest, quantity);
-      if (!expected || !anchor || line.size() < 2) continue;
+      if (!expected || !anchor || line.size() < 2 || !(finest.h > 0.0)) continue;
       for (const double h : {finest.h, line.front().h}) {
         shown.push_back({{"line", page.label(finest.key)},
                          {"norm", name},

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace fde::mechanics {
+
+// Rows of a state that belong together: `size` of them from the row `first` on.
+struct Group {
+  int first = 0, size = 0;
+
+  [[nodiscard]] constexpr bool contains(int row) const { return first <= row && row < first + size; }
+  // The i-th of them.
+  [[nodiscard]] constexpr std::size_t operator[](int i) const { return static_cast<std::size_t>(first + i); }
+};
+
+// Which rows of a formulation's state are what; groups that it does not have are empty.
+struct Layout {
+  Group q{};       // coordinates
+  Group v{};       // velocities
+  Group z{};       // P v, the part of v that the constraints leave free
+  Group chi{};     // b.v, the part that they determine above order 1
+  Group s{};       // D^order v
+  Group w{};       // D^order q; above order 1 of the formulation integrated P D^order q
+  Group p{};       // momenta
+  Group lambda{};  // multipliers
+
+  [[nodiscard]] constexpr int size() const {
+    int sum = 0;
+    for (const Group& group : groups()) sum += group.size;
+    return sum;
+  }
+  // Whether every row is in one group and no other.
+  [[nodiscard]] constexpr bool is_partition() const {
+    for (int row = 0; row < size(); ++row) {
+      int found = 0;
+      for (const Group& group : groups()) found += group.contains(row) ? 1 : 0;
+      if (found != 1) return false;
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] constexpr std::array<Group, 8> groups() const { return {q, v, z, chi, s, w, p, lambda}; }
+};
+
+// The rows of a group.
+template <Group group, class Unknowns>
+auto part(const Unknowns& y) {
+  return y.template segment<group.size>(group.first);
+}
+template <Group group, class Unknowns>
+auto part(Unknowns& y) {
+  return y.template segment<group.size>(group.first);
+}
+
+}  // namespace fde::mechanics

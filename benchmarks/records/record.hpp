@@ -1,0 +1,57 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measures/ending.hpp"
+#include "records/setup.hpp"
+#include "scenes/scene_settings.hpp"
+
+namespace fde {
+
+// What names a run of one build.
+struct RunKey {
+  SceneSettings scene{};
+  std::string scheme{};
+  Setup setup{};
+
+  auto operator<=>(const RunKey&) const = default;
+};
+
+// One number of one run: a row of tidy results.
+struct Record {
+  RunKey key{};
+  int steps = 0;           // made
+  double h = 0.0;          // their mean length
+  std::string quantity{};  // a Measure's id, or "ending", the last row of each examination
+  double value = 0.0;      // of an ending the time
+  std::string unit{};
+  std::optional<RunEnding> ending{};  // of an ending
+  std::size_t session = 0;            // index into Results::sessions
+};
+
+// Where and with what numbers were made.
+struct Session {
+  std::string date, machine, system, compiler, flags, commit, version;
+  unsigned cores = 0;
+};
+
+// The session of this process, now.
+Session this_session();
+
+// All that a results file holds.
+struct Results {
+  std::vector<Session> sessions;
+  std::vector<Record> records;
+};
+
+// Whether two sessions were of the same build on the same machine, so that their rows belong together.
+bool same_build(const Session& a, const Session& b);
+
+// Whether the row is a time of a run, made after its examination.
+bool is_time(const Record& row);
+
+}  // namespace fde

@@ -1,0 +1,115 @@
+#include "records/record_text.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace fde {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Session, date, machine, system, compiler, flags, commit, version, cores)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Accuracy, relative, absolute)
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int format = 2;
+
+Json settings_of(const SceneSettings& scene) {
+  Json settings = Json::object();
+  for (const auto& [name, setting] : scene.values)
+    std::visit([&, &of = name](const auto& value) { settings[of] = value; }, setting);
+  if (scene.until) settings["until"] = *scene.until;
+  return settings;
+}
+
+SceneSettings scene_of(const Json& json) {
+  SceneSettings scene{.id = json.at("scene")};
+  for (const auto& [name, value] : json.at("settings").items()) {
+    if (name == "until") {
+      scene.until = value.get<double>();
+    } else if (value.is_string()) {
+      scene.values.emplace(name, value.get<std::string>());
+    } else {
+      scene.values.emplace(name, value.get<double>());
+    }
+  }
+  return scene;
+}
+
+// What is absent is not said: no accuracy of a run over a grid, no budget where there is none.
+void add_setup(const Setup& setup, Json& json) {
+  if (const auto* accuracy = std::get_if<Accuracy>(&setup.resolution)) json["accuracy"] = *accuracy;
+  json["grid"] = grid_text(setup.grading);
+  json["history"] = name(setup.history);
+  json["tolerance"] = setup.tolerance;
+  if (std::isfinite(setup.budget)) json["budget"] = setup.budget;
+}
+
+Setup setup_of(const Json& json, int steps) {
+  Setup setup{.resolution = steps,
+              .grading = parse_grading(json.at("grid").get<std::string>()),
+              .history = parse_history(json.at("history").get<std::string>()),
+              .tolerance = json.at("tolerance")};
+  if (json.contains("accuracy")) setup.resolution = json["accuracy"].get<Accuracy>();
+  if (json.contains("budget")) setup.budget = json["budget"];
+  return setup;
+}
+
+RunEnding ending_of(const Json& json) {
+  const auto kind = ending_named(json.at("ending").get<std::string>());
+  if (!kind) throw std::invalid_argument("no such ending");
+  return {*kind, json.value("detail", "")};
+}
+
+// A run to an accuracy may have made none.
+int steps_of(const Json& json) {
+  const auto& given = json.at("steps");
+  if (!given.is_number_integer()) throw std::invalid_argument("steps are no whole number");
+  const int steps = given, fewest = json.contains("accuracy") ? 0 : 1;
+  if (given != steps || steps < fewest) throw std::invalid_argument("an impossible number of steps");
+  return steps;
+}
+
+Record row_of(const Json& json) {
+  const int steps = steps_of(json);
+  Record row{.key = {.scene = scene_of(json), .scheme = json.at("scheme"), .setup = setup_of(json, steps)},
+             .steps = steps,
+             .h = json.at("h"),
+             .quantity = json.at("quantity"),
+             .value = json.at("value"),
+             .unit = json.at("unit")};
+  if (json.contains("ending")) row.ending = ending_of(json);
+  return row;
+}
+
+}  // namespace
+
+std::string line_of(const Session& session) {
+  return Json{{"format", format}, {"session", session}}.dump() + '\n';
+}
+
+std::string line_of(const Record& row, bool last) {
+  Json json{{"scene", row.key.scene.id},
+            {"settings", settings_of(row.key.scene)},
+            {"scheme", row.key.scheme},
+            {"steps", row.steps},
+            {"h", row.h},
+            {"quantity", row.quantity},
+            {"value", row.value},
+            {"unit", row.unit}};
+  add_setup(row.key.setup, json);
+  if (row.ending) json["ending"] = name(row.ending->kind);
+  if (row.ending && !row.ending->detail.empty()) json["detail"] = row.ending->detail;
+  if (last) json["last"] = true;
+  return json.dump() + '\n';
+}
+
+ResultsLine parse_line(const std::string& line) {
+  const Json json = Json::parse(line);
+  if (!json.contains("session")) return {.row = row_of(json), .last = json.value("last", false)};
+  if (json.value("format", 1) != format) throw OtherFormat("a session of another format");
+  return {.session = json["session"].get<Session>()};
+}
+
+}  // namespace fde

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "records/record.hpp"
+
+namespace fde {
+
+// What is recorded of a run: nothing, all but its times, everything (a run that did not finish has no times).
+enum class Recorded { nothing, all_but_times, everything };
+
+// Reads a results file: JSON lines, a session or a record each. Incomplete last rows, left by a killed sweep,
+// are passed over. Throws std::invalid_argument naming the file (and line) when it cannot be read, was
+// written by another version with rows of another form, or is something else.
+Results read_results(const std::filesystem::path& file);
+
+// A results file open for more runs. The rows of an examination go out in one write, so do the times of a
+// run: a kill leaves a valid file without what was in flight.
+class ResultsFile {
+ public:
+  // Opens or creates the file for this process alone, drops incomplete last rows and starts a session.
+  // Throws std::invalid_argument naming the file when it cannot be written, holds something else or is open
+  // in another run.
+  explicit ResultsFile(std::filesystem::path file);
+  ResultsFile(const ResultsFile&) = delete;
+  ResultsFile& operator=(const ResultsFile&) = delete;
+  ~ResultsFile();
+
+  // What the file holds of this run, made by the same build on the same machine.
+  [[nodiscard]] Recorded recorded(const RunKey& run) const;
+
+  // Appends the rows of an examination, the ending last, or the times of one that is there. Throws
+  // std::system_error naming the file when the disk is full or the file is gone.
+  void append(const std::vector<Record>& rows);
+
+ private:
+  void write(const std::string& text);
+  void note(const Record& row);
+
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  Session session_ = this_session();
+  bool session_written_ = false;
+  std::map<RunKey, Recorded> recorded_;  // of this build
+};
+
+}  // namespace fde

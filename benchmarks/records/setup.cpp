@@ -1,0 +1,54 @@
+#include "records/setup.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "scenes/number_text.hpp"
+
+namespace fde {
+namespace {
+
+constexpr std::string_view uniform = "uniform", graded = "graded:";
+
+}  // namespace
+
+Options Setup::options() const { return {.history = history, .tolerance = tolerance, .budget = budget}; }
+
+Resolution resolution_of(const Setup& setup, double end) {
+  if (const auto* steps = std::get_if<int>(&setup.resolution))
+    return Grid{.end = end, .steps = *steps, .grading = setup.grading};
+  return std::get<Accuracy>(setup.resolution);
+}
+
+bool same_line(Setup a, const Setup& b) {
+  if (a.resolution.index() != b.resolution.index()) return false;
+  a.resolution = b.resolution;
+  return a == b;
+}
+
+std::string grid_text(double grading) {
+  return grading == 1.0 ? std::string(uniform) : fmt::format("{}{}", graded, grading);
+}
+
+std::string resolution_text(const Setup& setup) {
+  if (const auto* steps = std::get_if<int>(&setup.resolution)) return fmt::format("N = {}", *steps);
+  const auto& [relative, absolute] = std::get<Accuracy>(setup.resolution);
+  return fmt::format("accuracy {}, {}", relative, absolute);
+}
+
+double parse_grading(std::string_view text) {
+  if (text == uniform) return 1.0;
+  if (text.starts_with(graded))
+    return parse_number("--grid graded", text.substr(graded.size()), {.low = 1.0, .high = 100.0});
+  reject_text("--grid", text, "uniform or graded:R with R in [1, 100]");
+}
+
+HistoryKind parse_history(std::string_view text) {
+  for (const auto kind : {HistoryKind::automatic, HistoryKind::direct, HistoryKind::exponentials}) {
+    if (name(kind) == text) return kind;
+  }
+  throw std::invalid_argument(fmt::format("--history = {}: must be auto, direct or exponentials", text));
+}
+
+}  // namespace fde

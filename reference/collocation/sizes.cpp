@@ -1,0 +1,33 @@
+#include "collocation/sizes.hpp"
+
+#include "march/rhs_at.hpp"
+
+namespace fde {
+
+Sizes sizes_at_start(const Problem& problem) {
+  constexpr int samples = 64;
+  const Vec initial = taylor_part(problem, 0.0);
+  const Vec rhs = rhs_at(problem, 0.0, initial).cwiseAbs();
+  Sizes sizes{initial.cwiseAbs(), rhs, rhs, Vec::Zero(problem.size())};
+  for (int k = 1; k <= samples; ++k) {
+    const Vec sample = rhs_at(problem, problem.end * k / samples, initial).cwiseAbs();
+    if (sample.allFinite()) {
+      sizes.forcing = sizes.forcing.cwiseMax(sample);
+    }
+  }
+  return sizes;
+}
+
+Sizes sizes_with(const Sizes& before, const Matrix& y, const Matrix& rhs,
+                 const std::vector<Matrix>& jacobians) {
+  Sizes sizes = before;
+  for (Eigen::Index k = 0; k < rhs.rows(); ++k) {
+    const Vec y_size = y.row(k).transpose().cwiseAbs();
+    const Vec terms = jacobians[static_cast<std::size_t>(k)].cwiseAbs() * y_size;
+    sizes.values = sizes.values.cwiseMax(y_size);
+    sizes.rhs = sizes.rhs.cwiseMax(terms).cwiseMax(rhs.row(k).transpose().cwiseAbs());
+  }
+  return sizes;
+}
+
+}  // namespace fde

@@ -1,0 +1,55 @@
+#include "march/implicit_step.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace fde {
+
+namespace {
+
+Matrix newton_matrix(const std::vector<Matrix>& weights, const std::vector<Matrix>& jacobians) {
+  const auto nodes = std::ssize(jacobians), size = std::ssize(weights);
+  Matrix matrix = Matrix::Identity(nodes * size, nodes * size);
+  for (Eigen::Index k = 0; k < nodes; ++k) {
+    const Matrix& jacobian = jacobians[static_cast<std::size_t>(k)];
+    for (Eigen::Index i = 0; i < size; ++i) {
+      for (Eigen::Index l = 0; l < size; ++l) {
+        if (jacobian(i, l) != 0.0) {
+          matrix.block(i * nodes, l * nodes + k, nodes, 1) -=
+              jacobian(i, l) * weights[static_cast<std::size_t>(i)].col(k);
+        }
+      }
+    }
+  }
+  return matrix;
+}
+
+}  // namespace
+
+LinearisedStep::LinearisedStep(const std::vector<Matrix>& weights, std::vector<Matrix> of_nodes)
+    : jacobians(std::move(of_nodes)), newton(newton_matrix(weights, jacobians)) {}
+
+Matrix LinearisedStep::solve(const Matrix& residual) const {
+  return newton.solve(residual.reshaped()).reshaped(residual.rows(), residual.cols());
+}
+
+Matrix LinearisedStep::terms_of(const Matrix& y_size) const {
+  Matrix terms(y_size.rows(), y_size.cols());
+  for (Eigen::Index k = 0; k < y_size.rows(); ++k) {
+    terms.row(k) = y_size.row(k) * jacobians[static_cast<std::size_t>(k)].cwiseAbs().transpose();
+  }
+  return terms;
+}
+
+Noise passed_on_noise(const LinearisedStep& step, const std::function<Matrix(const Matrix& rhs)>& integral,
+                      const Matrix& y, const Matrix& rhs, In further,
+                      Matrix (*with_signs)(const Matrix& sizes)) {
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  const Matrix y_size = y.cwiseAbs();
+  const Matrix rhs_size = (rhs.cwiseAbs() + step.terms_of(y_size)).rowwise() + further.transpose();
+  const Matrix of_rhs = with_signs(rounding * rhs_size);
+  const Matrix of_y = step.solve(with_signs(rounding * y_size) + integral(of_rhs)).cwiseAbs();
+  return {of_y.colwise().maxCoeff(), (of_rhs.cwiseAbs() + step.terms_of(of_y)).colwise().maxCoeff()};
+}
+
+}  // namespace fde

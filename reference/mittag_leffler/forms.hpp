@@ -1,0 +1,36 @@
+#pragma once
+
+#include "numbers/double_double.hpp"
+
+// What every evaluation of E_{alpha,beta}(z), the inverse Laplace transform at time 1 of
+//   F(s) = s^(alpha-beta) / (s^alpha - z),
+// has to tell apart, whatever its numbers are.
+namespace fde {
+
+enum class Form {
+  at_zero,        // z = 0: 1 / Gamma(beta)
+  residues_only,  // all powers of s in F are whole: no branch cut, and the poles are everything
+  times_z,        // 1 / Gamma(beta) = 0, the first term of the series: z E_{alpha,alpha+beta}(z) cancels less
+  on_contour      // a contour round the cut with the residues of the poles beyond it
+};
+
+// Far out the head of the asymptotic expansion may be peeled off, which is exact with what is left:
+//   E_{alpha,beta}(z) = -sum_{k=1}^m z^-k / Gamma(beta - alpha k) + z^-m E_{alpha,beta-m alpha}(z).
+
+inline bool is_whole(const DoubleDouble& x) { return x.lo == 0.0 && std::floor(x.hi) == x.hi; }
+inline double leading_part(const DoubleDouble& x) { return x.hi; }
+inline const BigReal& leading_part(const BigReal& x) { return x; }
+
+template <class Real>
+bool is_pole_of_gamma(const Real& x) {
+  return leading_part(x) <= 0 && is_whole(x);
+}
+
+template <class Alpha, class Beta, class Argument>
+Form form_of(const Alpha& alpha, const Beta& beta, const Argument& z) {
+  if (z == Argument(0)) return Form::at_zero;
+  if (is_whole(alpha) && is_whole(beta) && leading_part(beta) <= alpha) return Form::residues_only;
+  return is_pole_of_gamma(beta) ? Form::times_z : Form::on_contour;
+}
+
+}  // namespace fde

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <boost/container/static_vector.hpp>
+
+#include "laplace/sheets.hpp"
+
+namespace fde {
+
+// A pole s*^alpha = z, log s* = (log z + 2 pi i sheet) / alpha.
+template <class Real>
+struct Pole {
+  int sheet;
+  Complex<Real> log;
+};
+
+// A circle is 2 pi: the poles with |arg s*| < 2 pi are on sheets that alpha, of at most 5, can reach.
+inline constexpr int most_sheet = 6;
+template <class T>
+using EachSheet = boost::container::static_vector<T, 2 * most_sheet + 1>;
+
+template <class Real>
+struct Poles {
+  EachSheet<Pole<Real>> seen{};                                    // those with |arg s*| < 2 pi
+  double nearest_sheet = std::numeric_limits<double>::infinity();  // of the others, as in ContourBound
+};
+
+// From the first sheet on. Next to 0, beyond the range of a double, poles are as good as on another sheet.
+template <class Real>
+Poles<Real> poles_of(const Real& alpha, const Complex<Real>& log_z, int first_sheet = -most_sheet) {
+  using std::abs;
+  constexpr double most_log = 600.0, most_log_of_contour = 20.0;
+  const Real log_size = real_part<Real>(log_z);
+  const bool next_to_zero = log_size / alpha < -most_log;
+  Poles<Real> poles;
+  const auto not_seen = [&](const Real& distance) {
+    poles.nearest_sheet = std::min(poles.nearest_sheet, static_cast<double>(distance));
+  };
+  for (int sheet = first_sheet; sheet <= most_sheet; ++sheet) {
+    const Complex<Real> log = log_on_sheet<Real>(log_z, sheet);
+    const Real argument = abs(imag_part<Real>(log));
+    if (next_to_zero) {
+      not_seen(Real(-log_size - most_log_of_contour * alpha));
+    } else if (argument < 2 * pi<Real>() * alpha) {
+      poles.seen.push_back({sheet, Complex<Real>(log / alpha)});
+    } else {
+      not_seen(argument);
+    }
+  }
+  return poles;
+}
+
+}  // namespace fde

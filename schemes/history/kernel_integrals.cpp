@@ -1,0 +1,104 @@
+#include "history/kernel_integrals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "history/block_kernels.hpp"
+#include "history/phi_functions.hpp"
+#include "weights/exponential_sum.hpp"
+
+namespace fde {
+
+ExponentialKernel::ExponentialKernel(long double a, double shortest, double end, double tolerance)
+    : exponent(a) {
+  const auto sum = exponential_sum(a, shortest, 2.0 * end, tolerance);
+  const double last = sum.nodes[sum.nodes.size() - 1];
+  nodes = padded(sum.nodes, last);
+  coefficients = padded(sum.coefficients, 0.0);
+  fastest_ = last * shortest;
+}
+
+Eigen::Index ExponentialKernel::needed(double length) const {
+  // exponential_sum may leave out the nodes from the one after its last on: one more than up to fastest_.
+  const auto slower = std::upper_bound(nodes.begin(), nodes.end(), fastest_ / length) - nodes.begin();
+  return std::min((slower + 1 + lanes - 1) / lanes * lanes, nodes.size());
+}
+
+KernelIntegrals::KernelIntegrals(ExponentialKernel kernel)
+    : kernel_(std::move(kernel)), alive_(kernel_.nodes.size()) {}
+
+Eigen::Index KernelIntegrals::add_function() {
+  const auto function = polynomials_.cols();
+  polynomials_.setZero(3, function + 1);
+  states_.setZero(kernel_.nodes.size(), function + 1);
+  carries_ = input_ = states_;
+  return function;
+}
+
+// Steps that are equal but for rounding revive nothing.
+Eigen::Index KernelIntegrals::needed(double length) const {
+  constexpr double more_than_rounding = 1.0 + 1e-6;
+  const auto count = kernel_.needed(length);
+  return count <= alive_ ? count : std::max(alive_, kernel_.needed(length * more_than_rounding));
+}
+
+// The states of the exponentials from alive_ to count, by the newest step alone.
+Matrix KernelIntegrals::revived(Eigen::Index count) const {
+  const auto rows = count - alive_;
+  Matrix states = Matrix::Zero(rows, polynomials_.cols()), phi(rows, 3);
+  if (rows == 0) return states;
+  Vec decay_minus_one(rows);
+  phi_functions(length_ * kernel_.nodes.segment(alive_, rows), phi, decay_minus_one);
+  multiply_add(rows, phi.cols(), states.cols(), phi, polynomials_, states);
+  return states;
+}
+
+void KernelIntegrals::prepare(double length, KernelStep& step) const {
+  const auto size = kernel_.nodes.size();
+  step.length = length;
+  step.count = needed(length);
+  step.decay_minus_one.resize(size);
+  step.phi.resize(size, 3);
+  step.weights.resize(size);
+  phi_functions(length * kernel_.nodes.head(step.count), step.phi, step.decay_minus_one);
+  step.weights.head(step.count) =
+      kernel_.coefficients.head(step.count).array() * (1.0 + step.decay_minus_one.head(step.count).array());
+  const auto a = static_cast<double>(kernel_.exponent);
+  double near = std::pow(length, a) / std::tgamma(a + 1.0);
+  for (int k = 0; k < 3; ++k) {
+    step.near[static_cast<std::size_t>(k)] = near;
+    near /= a + k + 1.0;
+  }
+  step.revived = revived(std::max(step.count, alive_));
+}
+
+double KernelIntegrals::integral(const KernelStep& step, Eigen::Index function,
+                                 const Polynomial& newest) const {
+  const auto alive = std::min(step.count, alive_);
+  double far = dot_product(step.weights.data(), states_.col(function).data(), alive);
+  if (step.count > alive) {
+    far += dot_product(step.weights.data() + alive, step.revived.col(function).data(), step.count - alive);
+  }
+  return far + (newest[0] * step.near[0] + newest[1] * step.near[1] + newest[2] * step.near[2]);
+}
+
+void KernelIntegrals::advance(const KernelStep& step) {
+  if (step.count > alive_) {
+    states_.middleRows(alive_, step.revived.rows()) = step.revived;
+    carries_.middleRows(alive_, step.revived.rows()).setZero();
+  }
+  alive_ = step.count;
+  length_ = step.length;
+  input_.topRows(alive_).setZero();
+  multiply_add(alive_, step.phi.cols(), states_.cols(), step.phi, polynomials_, input_);
+  fde::advance(alive_, states_.cols(), step.decay_minus_one.data(), input_, states_, carries_);
+}
+
+std::size_t KernelIntegrals::bytes() const {
+  const auto step = (2 + 3) * kernel_.nodes.size();  // of a KernelStep
+  const auto doubles = 2 * kernel_.nodes.size() + step + 3 * states_.size() + polynomials_.size();
+  return sizeof(double) * static_cast<std::size_t>(doubles);
+}
+
+}  // namespace fde

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "history/history.hpp"
+#include "history/kernel_integrals.hpp"
+#include "history/running_sum.hpp"
+
+namespace fde {
+
+// The sums of VariableStepDirectHistory with the kernel as decaying exponentials: O(1) work a step and
+// constant memory. Orders above 1 integrate the running integral of the function with the order less 1.
+class VariableStepExponentialHistory final : public History {
+ public:
+  VariableStepExponentialHistory(const WeightTables& tables, const StepPlan& steps, double tolerance);
+  [[nodiscard]] std::unique_ptr<History> copy() const override {
+    return std::make_unique<VariableStepExponentialHistory>(*this);
+  }
+  void push(double t, In sample) override;
+  void convolve(double t, std::size_t sum, Out result) const override;
+  [[nodiscard]] std::size_t bytes() const override;
+
+ private:
+  // One component in one sum.
+  struct Track {
+    Eigen::Index component;
+    std::size_t table, kernel;
+    Eigen::Index function;    // of its kernel
+    RunningSums integral{1};  // of the function, where the order is above 1
+  };
+  // What the last candidate needed.
+  struct Candidate {
+    std::optional<double> time{};
+    std::vector<KernelStep> steps{};  // of each kernel
+    std::vector<double> to_sums{};    // integrals_to_sums of each table
+  };
+  std::size_t kernel_of(const WeightTable& table, const StepPlan& steps, double tolerance);
+  [[nodiscard]] Polynomial integrand(const Track& track, double before, double after, double length) const;
+  [[nodiscard]] const Candidate& candidate(double t) const;
+  void advance(double t, In sample);
+
+  std::vector<WeightTable> tables_;  // without repetition
+  std::vector<KernelIntegrals> kernels_;
+  std::vector<std::vector<Track>> tracks_;  // of each sum; without those that have no past
+  double time_ = 0.0;                       // of the newest sample
+  Vec newest_;
+  mutable Candidate candidate_;
+};
+
+}  // namespace fde

@@ -1,0 +1,32 @@
+#include "weights/families/product_rules.hpp"
+#include "weights/family.hpp"
+
+namespace fde {
+namespace {
+
+// From k^g - (k-1)^g = g int_(k-1)^k t^(g-1) dt.
+double coefficient(double g, double node, double kernel) {
+  return kernel * (std::tgamma(g + 1) * step_mean(node) * difference_mean(g, node));
+}
+
+// (1-zeta)^g (1-zeta) Li_(-g)(zeta). Next to (1-zeta)^g and (-mu)^g, whose arguments are within a right
+// angle, a power of their ratio has no jump.
+ComplexValue regular_part(double g, ComplexValue mu) {
+  return std::pow(exp_minus_one(mu) / mu, 1.0 + g) * scaled_polylogarithm(-g, mu);
+}
+
+}  // namespace
+
+constinit const WeightFamily families::rectangle{
+    .id = "rectangle",
+    .title = "product rectangle rule, Adams-Bashforth predictor: k^g - (k-1)^g",
+    .weight = power_difference,
+    .weight_at_order_one = 1.0,
+    .step_factor = [](double g, double power) { return power / std::tgamma(g + 1.0); },
+    .coefficient = coefficient,
+    .regular_part = regular_part,
+    .ends = [](double before, double /*after*/, double /*length*/) -> Ends {
+      return {before, before};
+    }};
+
+}  // namespace fde

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "weights/polylogarithm.hpp"
+
+namespace fde {
+
+// The end values of a linear function on one step.
+struct Ends {
+  double left, right;
+};
+
+// How a rule weighs its past: a row of facts and functions, like a scheme. The order g in (0, 2] is that of
+// the equation. A step reads y_n = past + kappa f(t_n, y_n), and the past sums w(k) x_j over the lags
+// k = n - j >= 1, where the samples x are values of f or increments of y.
+//
+// A new family is one file, which defines its row, and one line of families.def. What it leaves empty is not
+// done: without `coefficient` the past is summed as it stands, without `ends` all steps are equal, without
+// `regular_part` there is no stability region.
+struct WeightFamily {
+  std::string_view id, title;
+
+  // The samples are increments y_j - y_(j-1), and the rule integrates slopes of y with order 1 - g. Otherwise
+  // they are values of f, which it integrates with order g.
+  bool weighs_increments = false;
+
+  // w(k) on equal steps, lag k >= 1. Extended, so that what is left in the end is the rounding to double.
+  long double (*weight)(long double order, long double lag) = nullptr;
+
+  // The weight of x_0 at step n >= 1. Empty: w(n).
+  long double (*start_weight)(long double order, long double n) = nullptr;
+
+  // The one value of all weights at order 1. Empty: they differ.
+  std::optional<double> weight_at_order_one{};
+
+  // kappa for a step of length h; power is h^g.
+  double (*step_factor)(double order, double power) = nullptr;
+
+  // The coefficient of exp(-node k) in w(k), where the kernel of the integral has the coefficient `kernel`
+  // for exp(-node t); above order 1, in the difference w(k) - w(k-1). weight_transform.hpp has the formulas.
+  double (*coefficient)(double order, double node, double kernel) = nullptr;
+
+  // The same in start_weight. Empty: that is 0 or w(n).
+  double (*start_coefficient)(double order, double node, double kernel) = nullptr;
+
+  // (1-zeta)^g K(zeta), where K turns f into y. generating_function.hpp has the formulas.
+  ComplexValue (*regular_part)(double order, ComplexValue log_zeta) = nullptr;
+
+  // The linear function that replaces the integrand on a step of this length, from the samples at its ends;
+  // `after` is 0 at the newest step of an implicit rule.
+  Ends (*ends)(double before, double after, double length) = nullptr;
+};
+
+namespace families {
+
+#define FDE_WEIGHT_FAMILY(id) extern const WeightFamily id;
+#include "weights/families.def"
+#undef FDE_WEIGHT_FAMILY
+
+}  // namespace families
+}  // namespace fde
