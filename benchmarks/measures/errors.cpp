@@ -36,12 +36,12 @@ Value bound_of_reference(const FinishedRun& run) {
 
 }  // namespace
 
-constinit const Measure measure::error_end{"error_end", "", against_reference<error_end>};
-constinit const Measure measure::error_maximum{"error_maximum", "", against_reference<error_maximum>};
+constinit const Measure measure::error_end{"error_end", "", against_reference<fde::error_end>};
+constinit const Measure measure::error_maximum{"error_maximum", "", against_reference<fde::error_maximum>};
 constinit const Measure measure::error_relative{"error_relative", "", relative};
 constinit const Measure measure::rounding{"rounding", "", rounding_at_end};
 constinit const Measure measure::rounding_from{"rounding_from", "t", rounding_decides_from};
-constinit const Measure measure::mescd{"mescd", "digits", against_reference<mescd>};
+constinit const Measure measure::mescd{"mescd", "digits", against_reference<fde::mescd>};
 constinit const Measure measure::reference_bound{"reference_bound", "", bound_of_reference};
 
 }  // namespace fde

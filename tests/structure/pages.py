@@ -7,6 +7,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PATH = re.compile(r"`((?:schemes|reference|benchmarks|reports|tests|docs|cmake)/[^`\s*]*)`")
+CODE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\((?!https?:)([^)#]+)(?:#[^)]*)?\)")
 
 
@@ -18,7 +19,7 @@ def exists(name):
 
 def faults():
     for page in [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]:
-        text = page.read_text()
+        text = CODE.sub("", page.read_text())
         named = [name for name in PATH.findall(text) if not exists(name)]
         linked = [name for name in LINK.findall(text) if not (page.parent / name).exists()]
         yield from (f"{page.relative_to(ROOT)}: there is no {name}" for name in named + linked)
