@@ -69,7 +69,10 @@ Json needs_of(const Scheme& scheme) {
           {"algebraic_rows", scheme.needs.algebraic_rows},
           {"uniform_grid", scheme.needs.uniform_grid},
           {"largest_order", scheme.needs.largest_order},
-          {"two_sided", scheme.needs.two_sided}};
+          {"two_sided", scheme.needs.two_sided},
+          {"takes_grid", scheme.needs.takes_grid},
+          {"takes_accuracy", scheme.needs.takes_accuracy},
+          {"discretises_equations", scheme.needs.discretises_equations}};
 }
 
 Json describe(const Scheme& scheme) {
@@ -120,7 +123,8 @@ std::vector<Row> parameters_of(const Scenes& known) {
 
 std::vector<Row> needs_of_all(std::span<const Scheme> known) {
   std::vector<Row> rows{{"scheme"}};
-  for (const auto& [need, value] : needs_of(known.front()).items()) rows.front().push_back(need);
+  const Json of_first = needs_of(known.front());
+  for (const auto& [need, value] : of_first.items()) rows.front().push_back(need);
   for (const auto& scheme : known) {
     rows.push_back({std::string(scheme.id)});
     for (const auto& value : needs_of(scheme))
