@@ -15,7 +15,9 @@ namespace fde {
 inline auto operator<=>(const Accuracy& a, const Accuracy& b) {
   return std::tie(a.relative, a.absolute) <=> std::tie(b.relative, b.absolute);
 }
-inline bool operator==(const Accuracy& a, const Accuracy& b) { return (a <=> b) == 0; }
+inline bool operator==(const Accuracy& a, const Accuracy& b) {
+  return std::tie(a.relative, a.absolute) == std::tie(b.relative, b.absolute);
+}
 
 using StepsOrAccuracy = std::variant<int, Accuracy>;
 

@@ -127,9 +127,10 @@ std::vector<Row> needs_of_all(std::span<const Scheme> known) {
   for (const auto& [need, value] : of_first.items()) rows.front().push_back(need);
   for (const auto& scheme : known) {
     rows.push_back({std::string(scheme.id)});
-    for (const auto& value : needs_of(scheme))
-      rows.back().push_back(value.is_boolean() ? (value ? "yes" : "no")
-                                               : fmt::format("{}", value.get<double>()));
+    for (const auto& value : needs_of(scheme)) {
+      const bool yes_or_no = value.is_boolean();
+      rows.back().push_back(yes_or_no ? (value ? "yes" : "no") : fmt::format("{}", value.get<double>()));
+    }
   }
   return rows;
 }

@@ -252,11 +252,11 @@ TEST(MittagLefflerDigits, MeetsThirtyDigits) {
 TEST(MittagLefflerDigits, BoundIncludesTheRoundingOfTheText) {
   for (const int digits : {1, 5, 50, 300}) {
     const auto [re, im, bound] = mittag_leffler("0.5", "1", "-2.5", "0", digits);
-    using Wide = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<320>,
-                                               boost::multiprecision::et_off>;
-    const Wide x("2.5"), exact = exp(x * x) * erfc(x), error = abs(Wide(re) - exact);
-    EXPECT_LE(error, Wide(bound)) << digits;
-    EXPECT_LE(Wide(bound), exact * pow(Wide(10), 1 - digits)) << digits;
+    using Wider = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<320>,
+                                                boost::multiprecision::et_off>;
+    const Wider x("2.5"), exact = exp(x * x) * erfc(x), error = abs(Wider(re) - exact);
+    EXPECT_LE(error, Wider(bound)) << digits;
+    EXPECT_LE(Wider(bound), exact * pow(Wider(10), 1 - digits)) << digits;
     EXPECT_EQ(im, "0");
   }
 }
