@@ -33,7 +33,7 @@ std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem
     if (right && !scheme.needs.two_sided) {
       return fmt::format("steps from the left: component {} has a right derivative", i);
     }
-    if (right && grid && !grid->uniform()) {
+    if (right && grid != nullptr && !grid->uniform()) {
       return fmt::format("needs a uniform grid for the right derivative of component {}", i);
     }
   }
@@ -41,7 +41,7 @@ std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem
   if (problem.conditions && unknown_count(problem) == 0) {
     return "needs an unknown initial value for each condition, none is unknown";
   }
-  if (grid && grid->end != problem.end) {
+  if (grid != nullptr && grid->end != problem.end) {
     return fmt::format("needs a grid that ends with the problem, at {} and not {}", problem.end, grid->end);
   }
   return std::nullopt;
@@ -97,8 +97,8 @@ Solve on_grid(GridSolve solve) {
 std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
                                    const Resolution& resolution) {
   const auto* grid = std::get_if<Grid>(&resolution);
-  auto of_resolution =
-      grid ? refusal(scheme.needs, problem, *grid) : refusal(scheme.needs, std::get<Accuracy>(resolution));
+  auto of_resolution = grid != nullptr ? refusal(scheme.needs, problem, *grid)
+                                       : refusal(scheme.needs, std::get<Accuracy>(resolution));
   if (of_resolution) return of_resolution;
   if (scheme.needs.discretises_equations && problem.equations.empty())
     return "discretises multi-term equations, and the problem is not told as one";

@@ -16,7 +16,7 @@ inline auto operator<=>(const Accuracy& a, const Accuracy& b) {
   return std::tie(a.relative, a.absolute) <=> std::tie(b.relative, b.absolute);
 }
 inline bool operator==(const Accuracy& a, const Accuracy& b) {
-  return std::tie(a.relative, a.absolute) == std::tie(b.relative, b.absolute);
+  return a.relative == b.relative && a.absolute == b.absolute;
 }
 
 using StepsOrAccuracy = std::variant<int, Accuracy>;

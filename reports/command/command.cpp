@@ -98,13 +98,9 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& strea
                "fdebench"};
   app.require_subcommand(1);
   app.set_version_flag("--version", this_session().version);
-  add_list_commands(app, streams, known);
-  add_solve_command(app, streams, known);
-  add_reference_commands(app, streams, known);
-  add_mittag_leffler_command(app, streams);
-  add_sweep_commands(app, streams, known);
-  add_data_commands(app, streams);
-  add_stability_command(app, streams);
+#define FDE_COMMAND(file) add_##file(app, streams, known);
+#include "command/list.def"
+#undef FDE_COMMAND
   try {
     check_none_empty(arguments);
     check_subcommand(app, arguments);

@@ -37,13 +37,9 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& strea
 std::function<void(std::size_t done, std::size_t total, const std::string& what)> progress_line(
     const Streams& streams);
 
-// Each adds its subcommands to the application.
-void add_list_commands(CLI::App& app, const Streams& streams, const Scenes& known);       // scenes, schemes
-void add_solve_command(CLI::App& app, const Streams& streams, const Scenes& known);       // solve
-void add_reference_commands(CLI::App& app, const Streams& streams, const Scenes& known);  // exact
-void add_mittag_leffler_command(CLI::App& app, const Streams& streams);
-void add_sweep_commands(CLI::App& app, const Streams& streams, const Scenes& known);  // run, report, choose
-void add_data_commands(CLI::App& app, const Streams& streams);                        // reference
-void add_stability_command(CLI::App& app, const Streams& streams);
+// Each file of list.def adds its subcommands to the application; scenes are named among those known.
+#define FDE_COMMAND(file) void add_##file(CLI::App& app, const Streams& streams, const Scenes& known);
+#include "command/list.def"
+#undef FDE_COMMAND
 
 }  // namespace fde

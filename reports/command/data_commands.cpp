@@ -82,7 +82,7 @@ void reference(const ReferenceArguments& arguments, const Streams& streams) {
 
 }  // namespace
 
-void add_data_commands(CLI::App& app, const Streams& streams) {
+void add_data_commands(CLI::App& app, const Streams& streams, const Scenes& /*known*/) {
   auto arguments = std::make_shared<ReferenceArguments>();
   auto* command =
       app.add_subcommand("reference", "Write the tables of reference data, or check a folder of them");

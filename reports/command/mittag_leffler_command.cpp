@@ -142,7 +142,7 @@ void of_matrix(const Arguments& x, const Function& function, std::ostream& out) 
 
 }  // namespace
 
-void add_mittag_leffler_command(CLI::App& app, const Streams& streams) {
+void add_mittag_leffler_command(CLI::App& app, const Streams& streams, const Scenes& /*known*/) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = app.add_subcommand("mittag-leffler", "E_{ALPHA,BETA}(Z) as: re im bound");
   command->add_option("ALPHA", arguments->alpha, "in (0, 5]")->required();

@@ -71,7 +71,7 @@ std::vector<double> parse_times(const std::string& text, const Resolution& resol
   std::vector<double> times;
   for (const double t : parse_numbers("--at", text, not_negative)) {
     if (t > end * (1 + rounding)) reject("--at", t, fmt::format("in [0, {}], the times of the run", end));
-    times.push_back(grid ? time_at(*grid, t) : t);
+    times.push_back(grid != nullptr ? time_at(*grid, t) : t);
   }
   std::ranges::sort(times);
   times.erase(std::unique(times.begin(), times.end()), times.end());
@@ -116,10 +116,10 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Resolution& reso
   };
   add("rhs", cost.rhs_calls);
   add("newton", cost.newton_iterations);
-  if (grid && cost.history_bytes) shown["history"] = name(resolve(history, step_plan(*grid)));
+  if (grid != nullptr && cost.history_bytes) shown["history"] = name(resolve(history, step_plan(*grid)));
   add("history_bytes", cost.history_bytes);
   add("states", cost.states);
-  if (grid && scheme.expected_rate)
+  if (grid != nullptr && scheme.expected_rate)
     shown["expected_rate"] = scheme.expected_rate(scene.problem, scene.smoothness, grid->grading, Norm::end);
   fmt::print(err, "{}\n", shown.dump());
 }

@@ -65,7 +65,7 @@ void print_stability(const Arguments& arguments, std::ostream& out) {
 
 }  // namespace
 
-void add_stability_command(CLI::App& app, const Streams& streams) {
+void add_stability_command(CLI::App& app, const Streams& streams, const Scenes& /*known*/) {
   auto arguments = std::make_shared<Arguments>();
   auto* command = app.add_subcommand(
       "stability",

@@ -48,13 +48,21 @@ def arrows():
 
 
 def allowed():
-    """{room: the rooms it may include}, in the order of the table."""
+    """{room: the rooms that its line names}, in the order of the table."""
     table = {}
     for line in TABLE.read_text().splitlines():
         if line and not line.startswith("#"):
             room, targets = line.split(":")
             table[room] = targets.split()
     return table
+
+
+def reach(table):
+    """{room: the rooms it may include}: those that its line names, and what these may include."""
+    result = {}
+    for room, targets in table.items():
+        result[room] = set(targets).union(*(result.get(target, set()) for target in targets))
+    return result
 
 
 def is_test_of(room, target):
@@ -74,14 +82,17 @@ def order_faults(table):
 
 def faults():
     table, seen = allowed(), arrows()
+    may_include = reach(table)
     yield from order_faults(table)
     for (room, target), file in seen.items():
-        if target not in table.get(room, []) and not is_test_of(room, target):
+        if target not in may_include.get(room, ()) and not is_test_of(room, target):
             yield f"{file}: {room} may not include {target}"
     for room, targets in table.items():
         for target in targets:
             if (room, target) not in seen:
                 yield f"rooms.txt: no file of {room} includes {target}"
+            if any(target in may_include[other] for other in targets):
+                yield f"rooms.txt: {room} may include {target} already"
     for path in sources():
         for name, target in includes(path):
             if target is None and name != "build_facts.hpp":
