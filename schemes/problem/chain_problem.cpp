@@ -71,16 +71,16 @@ Derivatives derivatives_of(const Equations& equations, Eigen::Index size) {
 
 }  // namespace
 
-Problem chain_problem(const std::vector<DrivenChain>& driven, double end) {
-  const Equations equations = with_factors(driven);
-  Problem problem{.rhs = [equations](double t, In y, Out f) { evaluate(equations, t, y, f); }, .end = end};
-  for (const auto& [chain, force, factor, _] : equations) {
+Problem chain_problem(const std::vector<DrivenChain>& equations, double end) {
+  const Equations driven = with_factors(equations);
+  Problem problem{.rhs = [driven](double t, In y, Out f) { evaluate(driven, t, y, f); }, .end = end};
+  for (const auto& [chain, force, factor, _] : driven) {
     if (chain.first() != problem.size())
       throw std::invalid_argument("a chain does not begin where the one before it ends");
     std::ranges::copy(chain.components(), std::back_inserter(problem.components));
     problem.equations.push_back({chain.first(), chain.leading(), chain.terms(), force, factor});
   }
-  problem.derivatives = derivatives_of(equations, problem.size());
+  problem.derivatives = derivatives_of(driven, problem.size());
   return problem;
 }
 
