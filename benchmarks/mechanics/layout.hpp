@@ -11,7 +11,9 @@ struct Group {
 
   [[nodiscard]] constexpr bool contains(int row) const { return first <= row && row < first + size; }
   // The i-th of them.
-  [[nodiscard]] constexpr std::size_t operator[](int i) const { return static_cast<std::size_t>(first + i); }
+  [[nodiscard]] constexpr std::size_t operator[](int i) const {
+    return static_cast<std::size_t>(first) + static_cast<std::size_t>(i);
+  }
 };
 
 // Which rows of a formulation's state are what; groups that it does not have are empty.

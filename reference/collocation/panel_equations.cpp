@@ -114,7 +114,8 @@ Matrix PanelEquations::integrate(const Matrix& rhs, double length) const {
 std::vector<Matrix> PanelEquations::weights(double length) const {
   std::vector<Matrix> weights;
   for (std::size_t i = 0; i < integral_.size(); ++i) {
-    weights.push_back(std::pow(length, problem_.components[i].order) * integral_[i].topRows(basis_.points()));
+    weights.emplace_back(std::pow(length, problem_.components[i].order) *
+                         integral_[i].topRows(basis_.points()));
   }
   return weights;
 }
