@@ -14,7 +14,7 @@ struct Verdict {
   std::string_view word;
   bool bad = false;
 
-  auto operator<=>(const Verdict&) const = default;
+  auto operator<=>(const Verdict&) const = default;  // NOLINT(readability-implicit-bool-conversion)
 };
 inline constexpr Verdict survives{"survives"}, inaccurate{"inaccurate", true}, stops{"stops rightly"},
     fails{"fails", true}, refuses{"refuses"}, not_judged{"not judged"};

@@ -52,9 +52,10 @@ std::vector<MeasuredRun> take_trials(Runs& runs) {
   for (auto* some : {&runs.finished, &runs.failed}) {
     for (const auto& run : *some) is_trial(run) ? taken.push_back(run) : void(swept.insert(run.key.scene));
   }
-  for (auto* some : {&runs.finished, &runs.failed})
+  for (auto* some : {&runs.finished, &runs.failed}) {
     std::erase_if(*some,
                   [&](const MeasuredRun& run) { return is_trial(run) && !swept.contains(run.key.scene); });
+  }
   return taken;
 }
 

@@ -58,7 +58,7 @@ Cell times_as_long(const Pair& pair) {
 
 Section expansion_section(const PageInput& page) {
   const Scheme* expansion = expansion_scheme();
-  if (!expansion) return {};
+  if (expansion == nullptr) return {};
   Section section{
       .id = "expansion",
       .title = "Decoupled chain or commensurate expansion",
