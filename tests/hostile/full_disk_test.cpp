@@ -59,7 +59,7 @@ TEST_F(FullDisks, LeaveTheOldReport) {
   EXPECT_EQ(fs::file_size(folder_.path() / "report" / "index.html"), 3U);
 }
 
-TEST_F(FullDisks, LeaveTheOldPanelTables) {
+TEST_F(FullDisks, LeaveTheOldReferenceTables) {
   folder_.write("data/a.csv", "old");
   const FullDisk full(1000);
   const fs::path data = folder_.path() / "data";

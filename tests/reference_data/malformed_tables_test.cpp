@@ -31,7 +31,7 @@ TEST_P(MalformedTables, AreNamedWithLineAndColumn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    PanelTables, MalformedTables,
+    ReferenceTables, MalformedTables,
     testing::Values(
         MalformedTable{"a.csv", "alpha,beta,re_z,re\n1,1,1,e\n",
                        "a.csv: line 2, column re: 'e' must be a decimal"},
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
         MalformedTable{"power.csv", "scheme,steps,error_end\nl1,8.5,1\n",
                        "column steps: '8.5' must be a whole number"}));
 
-TEST(PanelTables, AMalformedDescriptionIsNamed) {
+TEST(ReferenceTables, AMalformedDescriptionIsNamed) {
   const auto complains = [](const char* description, const char* message) {
     const TemporaryFolder folder;
     folder.write("power.csv", "t,y\n3,9\n");
@@ -59,7 +59,8 @@ TEST(PanelTables, AMalformedDescriptionIsNamed) {
     EXPECT_THAT([&] { check(folder); }, ThrowsMessage<std::invalid_argument>(HasSubstr(message)));
   };
   complains("{", "power.json: is not JSON, at byte 2");
-  complains(R"({"parameters": {"p": "two"}})", "power.json: is not as docs/reference_data.md says");
+  complains(R"({"parameters": {"p": [2]}})", "power.json: is not as docs/reference_data.md says");
+  complains(R"({"parameters": {"p": "two"}})", "power.json: p = two: must be a number");
   complains(R"({"parameters": {"q": 2}})", "power.json: q: scene power has no such parameter");
   complains(R"({"schema": {"id": "fdebench.convergence"}})", "schema id = fdebench.convergence: must be");
   complains(R"({"schema": {"version": 2}})", "schema version = 2: must be 1");
@@ -67,7 +68,7 @@ TEST(PanelTables, AMalformedDescriptionIsNamed) {
   complains(R"({"rows": 2})", "has 1 rows, 2 in its description");
 }
 
-TEST(PanelTables, AFolderWithoutTablesIsNamed) {
+TEST(ReferenceTables, AFolderWithoutTablesIsNamed) {
   const TemporaryFolder folder;
   EXPECT_THAT([&] { check(folder); }, ThrowsMessage<std::invalid_argument>(HasSubstr("holds no table")));
 }
