@@ -1,0 +1,130 @@
+// The lists of scenes and schemes, and scenes made at run time among them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "command/command.hpp"
+#include "scenes/variant.hpp"
+#include "support/answer_of.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// The words of a command, separated by single spaces.
+Answer fdebench(const std::string& words) {
+  std::istringstream stream(words);
+  return fde::fdebench(std::vector<std::string>(std::istream_iterator<std::string>(stream), {}));
+}
+
+TEST(Lists, NameEverySceneAndScheme) {
+  const auto all_scenes = nlohmann::json::parse(fdebench("scenes --json").out);
+  ASSERT_EQ(all_scenes.size(), scenes().size());
+  EXPECT_EQ(all_scenes[0]["id"], "relaxation");
+  EXPECT_EQ(all_scenes[0]["parameters"][0]["default"], 0.5);
+  EXPECT_EQ(all_scenes[0]["columns"], std::vector<std::string>{"y"});
+  const auto all_schemes = nlohmann::json::parse(fdebench("schemes --json").out);
+  ASSERT_EQ(all_schemes.size(), schemes().size());
+  EXPECT_THAT(fdebench("scenes").out, HasSubstr("brusselator"));
+  EXPECT_THAT(fdebench("schemes").out, HasSubstr("decoupled_multi_order"));
+}
+
+// Where the title begins in each line.
+std::set<std::size_t> title_places(const std::string& table) {
+  std::set<std::size_t> places;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    const auto gap = line.find("   ");
+    places.insert(line.find_first_not_of(' ', gap));
+  }
+  return places;
+}
+
+TEST(Lists, AreAlignedTables) {
+  EXPECT_EQ(title_places(fdebench("scenes").out).size(), 1U);
+  EXPECT_EQ(title_places(fdebench("schemes").out).size(), 1U);
+}
+
+TEST(Lists, SayParametersAndNeedsWhereAsked) {
+  const auto parameters = fdebench("scenes --parameters").out;
+  EXPECT_THAT(parameters, StartsWith("scene "));
+  EXPECT_THAT(parameters, testing::ContainsRegex("formulation +integrated +one of integrated, acceleration"));
+  const auto needs = fdebench("schemes --needs").out;
+  EXPECT_THAT(needs, testing::ContainsRegex("scheme +implicit +algebraic_rows"));
+  EXPECT_THAT(needs, testing::ContainsRegex("adams_pc +no +no +no +2 +no"));
+  EXPECT_EQ(fdebench("scenes --json --parameters").code, 2);
+}
+
+TEST(Lists, GiveManyColumnsAsAPattern) {
+  for (const auto& scene : nlohmann::json::parse(fdebench("scenes --json").out)) {
+    if (scene["id"] != "fractional_diffusion") {
+      EXPECT_TRUE(scene["columns"].is_array()) << scene["id"];
+      continue;
+    }
+    const nlohmann::json pattern{{"pattern", "u{i}"}, {"from", 1}, {"to", 200}};
+    EXPECT_EQ(scene["columns"], pattern);
+  }
+}
+
+// D^g y = -k y, or + k y, made while the program runs.
+SceneMaker decay() {
+  return {.id = "decay",
+          .title = "Made at run time",
+          .source = "here",
+          .parameters = {{"g", 0.5, order_up_to_one, "order"}, choice("sign", {"minus", "plus"}, "of k")},
+          .make = [](const Parameters& p) -> Scene {
+            const double rate = p.choice("sign") == "minus" ? -1.0 : 1.0;
+            return {.problem = {.components = {{p["g"], {1.0}}},
+                                .rhs = [=](double, In y, Out f) { f = rate * y; }},
+                    .smoothness = {{power_lattice({p["g"]}, {p["g"]}, p["g"] + 2.0)}},
+                    .outputs = {{"y"}}};
+          }};
+}
+
+TEST(ScenesMadeAtRunTime, AreListedSolvedAndKnown) {
+  Scenes mine;
+  mine.add(decay());
+  EXPECT_EQ(mine.size(), scenes().size() + 1);
+  EXPECT_THAT(fde::fdebench({"scenes"}, mine).out, HasSubstr("Made at run time"));
+  const std::vector<std::string> how{"--scheme", "adams_pc", "--steps", "64", "--set"};
+  const auto solved = [&](std::vector<std::string> words, const std::string& setting) {
+    words.insert(words.end(), how.begin(), how.end());
+    words.push_back(setting);
+    return fde::fdebench(words, mine);
+  };
+  EXPECT_EQ(solved({"solve", "decay"}, "g=0.5").out, solved({"solve", "relaxation"}, "gamma=0.5").out);
+  EXPECT_EQ(solved({"solve", "decay"}, "sign=plus").out, solved({"solve", "relaxation"}, "lambda=1").out);
+  EXPECT_THAT(solved({"solve", "decay"}, "sign=maybe").err,
+              HasSubstr("sign = maybe: must be one of minus, plus"));
+  const auto known = fde::fdebench({"exact", "decay", "--at", "1"}, mine).out;
+  EXPECT_THAT(known, HasSubstr("0.42758357615580"));
+  EXPECT_EQ(fdebench("solve decay --scheme l1 --steps 8").code, 2);  // not of the list
+}
+
+TEST(ScenesMadeAtRunTime, HaveIdsOfTheirOwn) {
+  Scenes mine;
+  const SceneMaker& first = mine.add(decay());
+  expect_message([&] { mine.add(decay()); }, "id = decay: must be that of no other scene");
+  auto named = decay();
+  named.id = "decay:2";
+  expect_message([&] { mine.add(named); }, "id = decay:2: must be a name without ':'");
+  named.id = "decay2";
+  mine.add(named);
+  EXPECT_EQ(&first, &scene_named("decay", mine));
+  EXPECT_EQ(parse_variant("decay2:g=0.25,sign=plus", mine).label(), "decay2:g=0.25,sign=plus");
+  EXPECT_EQ(find_scene("decay"), nullptr);
+}
+
+}  // namespace
+}  // namespace fde
