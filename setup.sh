@@ -1,15 +1,29 @@
 #!/usr/bin/env bash
-# Installs what fdebench needs from Debian's packages and npm. Does nothing, in about a second, when nothing is missing.
+# Installs what fdebench needs from Debian's packages and npm: setup.sh for the solver, its sweep and its page; with --tests
+# also what the tests need, with --lint what .ci/lint needs, with --clang what the presets clang and fuzz need. Does nothing, in
+# about a second, when nothing is missing.
 set -euo pipefail
 cd "$(dirname "$0")"
 
-packages=(git pkg-config cmake ninja-build g++ ccache libeigen3-dev libgsl-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev libhwy-dev
-  libbenchmark-dev libgtest-dev libgmock-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev libflint-dev libflint-arb-dev
-  clang libclang-rt-dev clang-format clang-tidy)
+packages=(git pkg-config cmake ninja-build g++ libeigen3-dev libgsl-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev
+  libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev)
 command -v node >/dev/null || packages+=(nodejs)
 command -v npm >/dev/null || packages+=(npm)
-command -v python3 >/dev/null || packages+=(python3)
-command -v octave-cli >/dev/null || packages+=(octave)
+for option in "$@"; do
+  case $option in
+    --tests)
+      packages+=(ccache libbenchmark-dev libgtest-dev libgmock-dev libflint-dev libflint-arb-dev)
+      command -v python3 >/dev/null || packages+=(python3)
+      command -v octave-cli >/dev/null || packages+=(octave)
+      ;;
+    --lint) packages+=(clang-format clang-tidy libclang-dev llvm-dev python3) ;;
+    --clang) packages+=(clang libclang-rt-dev) ;;
+    *)
+      echo "setup.sh: $option: no such option; there are --tests, --lint and --clang" >&2
+      exit 2
+      ;;
+  esac
+done
 
 missing=()
 for package in "${packages[@]}"; do

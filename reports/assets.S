@@ -23,14 +23,18 @@ BEGIN(script)
   TEXT(page/page.js)
 END(script)
 
+// Without the packages of setup.sh these are empty, and `fdebench report` says so.
 BEGIN(vega)
+#ifndef FDEBENCH_NO_CHARTS
   TEXT(node_modules/vega/build/vega.min.js)
   TEXT(node_modules/vega-lite/build/vega-lite.min.js)
   TEXT(node_modules/vega-embed/build/vega-embed.min.js)
+#endif
 END(vega)
 
 // Of the three builds, and of what is bundled in them.
 BEGIN(licences)
+#ifndef FDEBENCH_NO_CHARTS
   LICENCE(vega)
   LICENCE(vega-lite)
   LICENCE(vega-embed)
@@ -62,6 +66,7 @@ BEGIN(licences)
   LICENCE(json-stringify-pretty-compact)
   LICENCE(semver)
   LICENCE_IN(tslib, LICENSE.txt)
+#endif
 END(licences)
 
 #if defined(__ELF__)

@@ -104,9 +104,9 @@ Record row_of(const SceneSettings& name, const Scene& scene, const Scheme& schem
 }
 
 Record with_value(Record row, const Measured& measured) {
-  row.quantity = measured.id;
+  row.quantity = std::string(measured.id);
   row.value = measured.value;
-  row.unit = measured.unit;
+  row.unit = std::string(measured.unit);
   return row;
 }
 

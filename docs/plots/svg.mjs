@@ -1,4 +1,5 @@
-// node svg.mjs SPEC CSV OUT: draws a Vega-Lite specification over a table, as SVG, with the packages of the report.
+// node svg.mjs SPEC TABLE OUT: draws a Vega-Lite specification over a table, as SVG, with the packages of the report. The
+// table is CSV or, by its name, JSON lines.
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
@@ -7,12 +8,17 @@ const installed = createRequire(new URL("../../reports/package.json", import.met
 const load = (name) => import(pathToFileURL(installed.resolve(name)));
 const [vega, lite] = await Promise.all(["vega", "vega-lite"].map(load));
 
-const [spec, csv, out] = process.argv.slice(2);
+const [spec, table, out] = process.argv.slice(2);
 if (!out) {
-  console.error("node svg.mjs SPEC CSV OUT");
+  console.error("node svg.mjs SPEC TABLE OUT");
   process.exit(2);
 }
 const chart = JSON.parse(readFileSync(spec, "utf8"));
-chart.data = { values: vega.read(readFileSync(csv, "utf8"), { type: "csv", parse: "auto" }) };
+const text = readFileSync(table, "utf8");
+chart.data = {
+  values: table.endsWith(".jsonl")
+    ? text.trimEnd().split("\n").map((line) => JSON.parse(line))
+    : vega.read(text, { type: "csv", parse: "auto" }),
+};
 const view = new vega.View(vega.parse(lite.compile(chart).spec), { renderer: "none" });
 writeFileSync(out, `${await view.toSVG()}\n`);

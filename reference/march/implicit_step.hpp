@@ -13,10 +13,10 @@ namespace fde {
 // component; unknowns are numbered component by component.
 struct LinearisedStep {
   LinearisedStep() = default;
-  // weights: W_i. jacobians: df/dy at each node.
-  LinearisedStep(const std::vector<Matrix>& weights, std::vector<Matrix> jacobians);
+  // weights: W_i.
+  LinearisedStep(const std::vector<Matrix>& weights, std::vector<Matrix> of_nodes);
 
-  std::vector<Matrix> jacobians{};
+  std::vector<Matrix> jacobians{};       // df/dy at each node
   Eigen::PartialPivLU<Matrix> newton{};  // of 1 - W df/dy
 
   // The correction of y that makes up for a residual.

@@ -35,7 +35,7 @@ BigReal read_argument(const std::string& function, const std::string& name, cons
 }
 
 BigComplex read_complex(const std::string& function, const std::string& re, const std::string& im) {
-  return BigComplex(read_argument(function, "re z", re), read_argument(function, "im z", im));
+  return {read_argument(function, "re z", re), read_argument(function, "im z", im)};
 }
 
 void require_order(const std::string& function, double alpha) { check_order(function, alpha); }

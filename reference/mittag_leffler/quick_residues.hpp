@@ -36,10 +36,10 @@ inline std::complex<long double> to_long(const ComplexDoubleDouble& z) {
   return {static_cast<long double>(z.re.hi) + z.re.lo, static_cast<long double>(z.im.hi) + z.im.lo};
 }
 
-// The sum of residues of these poles, each times its factor on the contour (nullptr: 1). Empty where the
-// phase of e^s* is not to be had for one of them.
+// The sum of residues of the poles that are counted, each times its factor on the contour (nullptr: 1). Empty
+// where the phase of e^s* is not to be had for one of them.
 std::optional<QuickValue> residue_sum(const QuickArguments& x, const QuickContour* contour,
-                                      const EachSheet<Pole<double>>& poles);
+                                      const EachSheet<Pole<double>>& counted);
 
 // E_{alpha,beta}(z) where that is all there is of it (Form::residues_only).
 std::optional<QuickValue> from_residues_only(const QuickArguments& x);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "scenes/number_text.hpp"
 
 namespace fde {
@@ -23,13 +21,13 @@ ComplexText split_complex(std::string_view text) {
 
 const Scheme& scheme_named(std::string_view id) { return entry_named(schemes(), "scheme", id); }
 
-void add_options(CLI::App& command, MeansArguments& arguments) {
-  command.add_option("--grid", arguments.grid, "uniform or graded:R");
-  command.add_option("--history", arguments.history, "auto, direct or exponentials");
-  command.add_option("--tolerance", arguments.tolerance,
-                     "relative, of Newton's method and of the weights of the past; default rounding");
-  command.add_option("--budget", arguments.budget,
-                     fmt::format("seconds after which the run ends; default {}", arguments.budget));
+void add_options(Subcommand& command, MeansArguments& arguments) {
+  command.option("--grid", arguments.grid, "uniform or graded:R");
+  command.option("--history", arguments.history, "auto, direct or exponentials");
+  command.option("--tolerance", arguments.tolerance,
+                 "relative, of Newton's method and of the weights of the past; default rounding");
+  command.option("--budget", arguments.budget,
+                 fmt::format("seconds after which the run ends; default {}", arguments.budget));
 }
 
 Accuracy parse_accuracy(std::string_view text) {

@@ -4,13 +4,10 @@
 #include <string>
 #include <string_view>
 
+#include "command/subcommand.hpp"
 #include "records/setup.hpp"
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming)
-class App;
-}
 
 namespace fde {
 
@@ -30,7 +27,7 @@ struct MeansArguments {
   std::string grid = "uniform", history = "auto", budget;
   std::optional<std::string> tolerance{};
 };
-void add_options(CLI::App& command, MeansArguments& arguments);
+void add_options(Subcommand& command, MeansArguments& arguments);
 Setup parse_means(const MeansArguments& arguments);
 
 Accuracy parse_accuracy(std::string_view text);  // one number, relative and absolute

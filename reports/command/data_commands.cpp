@@ -1,6 +1,5 @@
 #include <fmt/ostream.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -84,15 +83,13 @@ void reference(const ReferenceArguments& arguments, const Streams& streams) {
 
 void add_data_commands(CLI::App& app, const Streams& streams, const Scenes& /*known*/) {
   auto arguments = std::make_shared<ReferenceArguments>();
-  auto* command =
-      app.add_subcommand("reference", "Write the tables of reference data, or check a folder of them");
-  auto* action = command->add_option_group("action");
-  action->add_option("--out", arguments->out, "folder to write: CSV, JSON, index and checksums");
-  auto* check = action->add_option("--check", arguments->check, "folder to recompute, of any program");
-  action->require_option(1);
-  command->add_option("--every", arguments->every, "with --check: recompute each K-th row only")
-      ->needs(check);
-  command->callback([=] { reference(*arguments, streams); });
+  Subcommand command(app, "reference", "Write the tables of reference data, or check a folder of them");
+  Subcommand action = command.one_of();
+  action.option("--out", arguments->out, "folder to write: CSV, JSON, index and checksums");
+  auto* check = action.option("--check", arguments->check, "folder to recompute, of any program");
+  Subcommand::need(command.option("--every", arguments->every, "with --check: recompute each K-th row only"),
+                   check);
+  command.callback([=] { reference(*arguments, streams); });
 }
 
 }  // namespace fde

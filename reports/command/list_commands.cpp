@@ -1,12 +1,12 @@
 #include <fmt/ostream.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
+#include "command/subcommand.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/registry.hpp"
 #include "sweep/experiment.hpp"
@@ -141,12 +141,12 @@ struct ListArguments {
 
 // A command that lists what there is: id and title, or what the flag `detail` asks for.
 template <typename Entries, typename Details>
-void add_list(CLI::App* command, const std::string& detail, const std::string& help, Entries entries,
+void add_list(Subcommand command, const std::string& detail, const std::string& help, Entries entries,
               Details details, std::ostream& out) {
   auto asked = std::make_shared<ListArguments>();
-  auto* json = command->add_flag("--json", asked->json, "everything about each, as JSON");
-  command->add_flag(detail, asked->detail, help)->excludes(json);
-  command->callback([=, &out] {
+  auto* json = command.flag("--json", asked->json, "everything about each, as JSON");
+  Subcommand::exclude(command.flag(detail, asked->detail, help), json);
+  command.callback([=, &out] {
     if (asked->json) {
       print_json(entries(), out);
     } else {
@@ -159,11 +159,11 @@ void add_list(CLI::App* command, const std::string& detail, const std::string& h
 
 void add_list_commands(CLI::App& app, const Streams& streams, const Scenes& known) {
   add_list(
-      app.add_subcommand("scenes", "List the scenes"), "--parameters",
+      Subcommand(app, "scenes", "List the scenes"), "--parameters",
       "the parameters of each, with defaults and what is allowed",
       [&known]() -> const Scenes& { return known; }, parameters_of, streams.out);
-  add_list(app.add_subcommand("schemes", "List the schemes"), "--needs",
-           "what each takes and asks of a problem", schemes, needs_of_all, streams.out);
+  add_list(Subcommand(app, "schemes", "List the schemes"), "--needs", "what each takes and asks of a problem",
+           schemes, needs_of_all, streams.out);
 }
 
 }  // namespace fde

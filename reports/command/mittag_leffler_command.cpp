@@ -1,6 +1,5 @@
 #include <fmt/ostream.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -144,16 +143,16 @@ void of_matrix(const Arguments& x, const Function& function, std::ostream& out) 
 
 void add_mittag_leffler_command(CLI::App& app, const Streams& streams, const Scenes& /*known*/) {
   auto arguments = std::make_shared<Arguments>();
-  auto* command = app.add_subcommand("mittag-leffler", "E_{ALPHA,BETA}(Z) as: re im bound");
-  command->add_option("ALPHA", arguments->alpha, "in (0, 5]")->required();
-  command->add_option("BETA", arguments->beta, "a real number")->required();
-  command->add_option("Z", arguments->z, "RE or RE,IM");
-  command->add_option("--derivative", arguments->derivative, "K: the K-th derivative in Z");
-  command->add_option("--gamma", arguments->gamma, "G: the three-parameter function of Prabhakar");
-  command->add_option("--matrix", arguments->matrix,
-                      "\"1,2;3,4+i\" in place of Z; then a line for each entry: row column re im bound");
-  command->add_option("--digits", arguments->digits, "number of decimal digits; default double");
-  command->callback([=] {
+  Subcommand command(app, "mittag-leffler", "E_{ALPHA,BETA}(Z) as: re im bound");
+  command.required("ALPHA", arguments->alpha, "in (0, 5]");
+  command.required("BETA", arguments->beta, "a real number");
+  command.option("Z", arguments->z, "RE or RE,IM");
+  command.option("--derivative", arguments->derivative, "K: the K-th derivative in Z");
+  command.option("--gamma", arguments->gamma, "G: the three-parameter function of Prabhakar");
+  command.option("--matrix", arguments->matrix,
+                 "\"1,2;3,4+i\" in place of Z; then a line for each entry: row column re im bound");
+  command.option("--digits", arguments->digits, "number of decimal digits; default double");
+  command.callback([=] {
     check(*arguments);
     const Function function = function_of(*arguments);
     if (arguments->matrix) return of_matrix(*arguments, function, streams.out);

@@ -1,6 +1,5 @@
 #include <fmt/ostream.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -90,13 +89,12 @@ void exact(const ExactArguments& arguments, const Streams& streams, const Scenes
 
 void add_reference_commands(CLI::App& app, const Streams& streams, const Scenes& known) {
   auto of_exact = std::make_shared<ExactArguments>();
-  auto* exact_command =
-      app.add_subcommand("exact", "What is known about a scene: its columns and a bound; CSV");
-  exact_command->add_option("scene", of_exact->scene, "id of the scene")->required();
-  exact_command->add_option("--at", of_exact->at, "times T1,T2,...")->required();
-  exact_command->add_option("--set", of_exact->settings, "a parameter of the scene, NAME=VALUE")->take_all();
-  exact_command->add_option("--digits", of_exact->digits, "number of decimal digits; default double");
-  exact_command->callback([=, &known] { exact(*of_exact, streams, known); });
+  Subcommand command(app, "exact", "What is known about a scene: its columns and a bound; CSV");
+  command.required("scene", of_exact->scene, "id of the scene");
+  command.required("--at", of_exact->at, "times T1,T2,...");
+  command.list("--set", of_exact->settings, "a parameter of the scene, NAME=VALUE");
+  command.option("--digits", of_exact->digits, "number of decimal digits; default double");
+  command.callback([=, &known] { exact(*of_exact, streams, known); });
 }
 
 }  // namespace fde

@@ -1,6 +1,5 @@
 #include <fmt/ostream.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -154,21 +153,20 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
 
 void add_solve_command(CLI::App& app, const Streams& streams, const Scenes& known) {
   auto arguments = std::make_shared<SolveArguments>();
-  auto* command = app.add_subcommand("solve", "Solve a scene with a scheme; CSV on standard output");
-  command->add_option("scene", arguments->scene, "id of the scene")->required();
-  command->add_option("--scheme", arguments->scheme, "id of the scheme")->required();
-  auto* steps = command->add_option("--steps", arguments->steps, "number of steps N");
-  command
-      ->add_option("--accuracy", arguments->accuracy,
-                   "of schemes that choose their steps: relative, and absolute")
-      ->excludes(steps);
-  command->add_option("--until", arguments->until, "end of the time interval");
-  command->add_option("--set", arguments->settings, "a parameter of the scene, NAME=VALUE")->take_all();
-  command->add_option("--at", arguments->at, "grid times to print, T1,T2,...; default all");
-  add_options(*command, arguments->means);
-  command->add_flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");
-  command->callback([=, &known] {
-    if (!arguments->steps && !arguments->accuracy) throw CLI::RequiredError("--steps");
+  Subcommand command(app, "solve", "Solve a scene with a scheme; CSV on standard output");
+  command.required("scene", arguments->scene, "id of the scene");
+  command.required("--scheme", arguments->scheme, "id of the scheme");
+  auto* steps = command.option("--steps", arguments->steps, "number of steps N");
+  auto* accuracy = command.option("--accuracy", arguments->accuracy,
+                                  "of schemes that choose their steps: relative, and absolute");
+  Subcommand::exclude(accuracy, steps);
+  command.option("--until", arguments->until, "end of the time interval");
+  command.list("--set", arguments->settings, "a parameter of the scene, NAME=VALUE");
+  command.option("--at", arguments->at, "grid times to print, T1,T2,...; default all");
+  add_options(command, arguments->means);
+  command.flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");
+  command.callback([=, &known] {
+    if (!arguments->steps && !arguments->accuracy) throw std::invalid_argument("--steps is required");
     solve(*arguments, streams, known);
   });
 }

@@ -1,6 +1,5 @@
 #include <fmt/ostream.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -67,16 +66,15 @@ void print_stability(const Arguments& arguments, std::ostream& out) {
 
 void add_stability_command(CLI::App& app, const Streams& streams, const Scenes& /*known*/) {
   auto arguments = std::make_shared<Arguments>();
-  auto* command = app.add_subcommand(
-      "stability",
+  Subcommand command(
+      app, "stability",
       "Linear stability in z = lambda h^G of D^G y = lambda y, as CSV: the real interval (-x, 0), the angle "
       "about the negative axis in degrees, that of the exact equation, and |y_100 / y_0| as z -> -infinity");
-  command->add_option("--gamma", arguments->gamma, "G: the order, in (0, 2)")->required();
-  command->add_option("--scheme", arguments->schemes, "id of a scheme; default: all that take the order")
-      ->take_all();
-  command->add_option("--boundary", arguments->boundary,
-                      "K: in place of these, the z with a mode at exp(i theta), theta = pi/K, ..., pi");
-  command->callback([=] { print_stability(*arguments, streams.out); });
+  command.required("--gamma", arguments->gamma, "G: the order, in (0, 2)");
+  command.list("--scheme", arguments->schemes, "id of a scheme; default: all that take the order");
+  command.option("--boundary", arguments->boundary,
+                 "K: in place of these, the z with a mode at exp(i theta), theta = pi/K, ..., pi");
+  command.callback([=] { print_stability(*arguments, streams.out); });
 }
 
 }  // namespace fde

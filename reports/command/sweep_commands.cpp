@@ -1,6 +1,5 @@
 #include <fmt/ostream.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -135,32 +134,31 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
 
 void add_sweep_commands(CLI::App& app, const Streams& streams, const Scenes& known) {
   auto of_run = std::make_shared<RunArguments>();
-  auto* run_command = app.add_subcommand("run", "Measure schemes on scenes; a file that exists is continued");
-  run_command->add_option("--scene", of_run->scenes, "ids of scenes, or ID:NAME=VALUE,...; default all")
-      ->take_all();
-  run_command->add_option("--scheme", of_run->schemes, "ids of schemes; default all")->take_all();
-  run_command->add_option("--steps", of_run->steps, "numbers of steps N1,N2,...");
-  run_command->add_option("--accuracy", of_run->accuracies,
-                          "accuracies E1,E2,... of schemes that choose their steps");
-  run_command->add_option("--repeat", of_run->repeats, "timed repeats of each run");
-  add_options(*run_command, of_run->means);
-  run_command->add_flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
-  run_command->add_option("--out", of_run->out, "results file")->required();
-  run_command->callback([=, &known] { run(*of_run, streams, known); });
+  Subcommand run_command(app, "run", "Measure schemes on scenes; a file that exists is continued");
+  run_command.list("--scene", of_run->scenes, "ids of scenes, or ID:NAME=VALUE,...; default all");
+  run_command.list("--scheme", of_run->schemes, "ids of schemes; default all");
+  run_command.option("--steps", of_run->steps, "numbers of steps N1,N2,...");
+  run_command.option("--accuracy", of_run->accuracies,
+                     "accuracies E1,E2,... of schemes that choose their steps");
+  run_command.option("--repeat", of_run->repeats, "timed repeats of each run");
+  add_options(run_command, of_run->means);
+  run_command.flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
+  run_command.required("--out", of_run->out, "results file");
+  run_command.callback([=, &known] { run(*of_run, streams, known); });
 
   auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
-  auto* report_command = app.add_subcommand("report", "Write the report page of a results file");
-  report_command->add_option("file", *file, "results file")->required();
-  report_command->add_option("--out", *folder, "folder of the page")->required();
-  report_command->callback(
+  Subcommand report_command(app, "report", "Write the report page of a results file");
+  report_command.required("file", *file, "results file");
+  report_command.required("--out", *folder, "folder of the page");
+  report_command.callback(
       [=] { fmt::print(streams.out, "{}\n", write_report(read_results(*file), *folder).string()); });
 
   auto of_choose = std::make_shared<ChooseArguments>();
-  auto* choose_command = app.add_subcommand("choose", "The cheapest scheme for a scene and an accuracy");
-  choose_command->add_option("scene", of_choose->scene, "id of the scene, or ID:NAME=VALUE,...")->required();
-  choose_command->add_option("--error", of_choose->error, "largest error wanted at the end")->required();
-  choose_command->add_option("--results", of_choose->results, "results file; default: measure now");
-  choose_command->callback([=, &known] { choose(*of_choose, streams, known); });
+  Subcommand choose_command(app, "choose", "The cheapest scheme for a scene and an accuracy");
+  choose_command.required("scene", of_choose->scene, "id of the scene, or ID:NAME=VALUE,...");
+  choose_command.required("--error", of_choose->error, "largest error wanted at the end");
+  choose_command.option("--results", of_choose->results, "results file; default: measure now");
+  choose_command.callback([=, &known] { choose(*of_choose, streams, known); });
 }
 
 }  // namespace fde

@@ -9,7 +9,7 @@ namespace fde {
 // Writes <directory>/index.html, one file that needs no network: the answer, the charts and tables of each
 // scene, and what was refused or failed. Makes the directory where it is missing; a reader of an older page
 // never sees half a page. Returns the path. Throws std::invalid_argument naming the path that cannot be
-// written.
+// written, or where the charts' scripts were missing when this was built.
 std::filesystem::path write_report(const Results& results, const std::filesystem::path& directory);
 
 }  // namespace fde

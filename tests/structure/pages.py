@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Every path that README.md and docs/ name, and every link, leads to something. One line for each that does not."""
+"""Every path that README.md and docs/ name, and every link, leads to something; the README's program is the one that is
+tested. One line for each fault."""
 
 import re
 import sys
@@ -23,8 +24,11 @@ def faults():
         named = [name for name in PATH.findall(text) if not exists(name)]
         linked = [name for name in LINK.findall(text) if not (page.parent / name).exists()]
         yield from (f"{page.relative_to(ROOT)}: there is no {name}" for name in named + linked)
+    program = "tests/embedding/relaxes.cpp"
+    if (ROOT / program).read_text() not in (ROOT / "README.md").read_text():
+        yield f"README.md: its program is not that of {program}"
 
 
 found = list(faults())
-print(*(found or ["every path and link leads somewhere"]), sep="\n")
+print(*(found or ["every path and link leads somewhere, and the README's program is tested"]), sep="\n")
 sys.exit(bool(found))

@@ -1,0 +1,38 @@
+#include <clang/AST/ASTConsumer.h>
+#include <clang/AST/ASTContext.h>
+#include <clang/Frontend/FrontendPluginRegistry.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+// Shows clang-tidy the declarations of our files only. It looks at every declaration it is shown, those of
+// Eigen, Boost and the standard library included, which takes nine tenths of its time, and then drops what it
+// finds there.
+namespace {
+
+class OwnCode : public clang::ASTConsumer {
+ public:
+  void HandleTranslationUnit(clang::ASTContext& context) override {
+    std::vector<clang::Decl*> own;
+    for (auto* declaration : context.getTranslationUnitDecl()->decls()) {
+      if (!context.getSourceManager().isInSystemHeader(declaration->getLocation()))
+        own.push_back(declaration);
+    }
+    context.setTraversalScope(own);
+  }
+};
+
+class ShowOwnCode : public clang::PluginASTAction {
+ protected:
+  std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance&, llvm::StringRef) override {
+    return std::make_unique<OwnCode>();
+  }
+  bool ParseArgs(const clang::CompilerInstance&, const std::vector<std::string>&) override { return true; }
+  ActionType getActionType() override { return AddBeforeMainAction; }
+};
+
+const clang::FrontendPluginRegistry::Add<ShowOwnCode> registered("own-code-only",
+                                                                 "shows own code to what comes after");
+
+}  // namespace
