@@ -29,13 +29,12 @@ Vector<double, System::coordinates> extremum_residual(const System& system,
 
   using Slope = Dual<double, n>;
   const Vector<Slope, n> fixed = constants<n>(at.v);
-  const Vector<Slope, r> f =
-      constraint_value<Slope>(system, constant<double, n>(at.t), variables<n>(at.q), fixed, fixed);
+  const Vector<Slope, r> f = constraint_value<Slope>(system, Slope(at.t), variables<n>(at.q), fixed, fixed);
 
   Vector<double, n> force = Vector<double, n>::Zero();
   for (int i = 0; i < r; ++i) {
-    force += mu[i] * f[i].derivatives();
-    for (int j = 0; j < n; ++j) force[j] -= mu[i] * along.reaction(i, j).derivatives()[0];
+    force += mu[i] * derivatives<n>(f[i]);
+    for (int j = 0; j < n; ++j) force[j] -= mu[i] * along.reaction(i, j).derivative(0);
   }
   const auto rates = constraint_rates<double>(system, at.t, at.q, at.v, at.v);
   const Reaction<double, System> reaction(system, at.q, rates);

@@ -24,8 +24,11 @@ struct Columns {
 template <class S, class... Parts>
 auto joined(const Parts&... parts) {
   Vector<S, (int{Parts::RowsAtCompileTime} + ...)> result;
-  Eigen::Index next = 0;
-  ((result.segment(next, parts.size()) = parts, next += parts.size()), ...);
+  int next = 0;
+  const auto append = [&](const auto& part) {
+    for (int i = 0; i < part.RowsAtCompileTime; ++i) result[next++] = part[i];
+  };
+  (append(parts), ...);
   return result;
 }
 

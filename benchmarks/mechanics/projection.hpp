@@ -38,7 +38,7 @@ Vector<S, System::coordinates> projection_rate(const System& system, const S& t,
   const Projection<D, System> turning(system, variable<1>(t), moving<1>(q, v), zeros<D, n>());
   const Vector<D, n> projected = turning.of(constants<1>(v));
   Vector<S, n> rate;
-  for (int i = 0; i < n; ++i) rate[i] = projected[i].derivatives()[0];
+  for (int i = 0; i < n; ++i) rate[i] = projected[i].derivative(0);
   return rate;
 }
 

@@ -36,17 +36,18 @@ ConstraintRates<S, System> constraint_rates(const System& system, const S& t,
   const Vector<D, r> f = constraint_value<D>(system, time, moving<directions>(q, v, along), rates, memory);
   ConstraintRates<S, System> result;
   for (int i = 0; i < r; ++i) {
-    const auto& derivatives = f[i].derivatives();
     result.value[i] = f[i].value();
-    result.reaction.row(i) = derivatives.template head<n>().transpose();
-    result.flow[i] = derivatives[along];
-    if constexpr (HasMemory<System>) result.memory.row(i) = derivatives.template segment<n>(n).transpose();
+    result.flow[i] = f[i].derivative(along);
+    for (int j = 0; j < n; ++j) {
+      result.reaction(i, j) = f[i].derivative(j);
+      if constexpr (HasMemory<System>) result.memory(i, j) = f[i].derivative(n + j);
+    }
   }
   result.slope = result.reaction;
   if constexpr (HasMemory<System>) {
     if (system.order == 1.0) {
       result.slope += result.memory;
-      result.memory.setConstant(S(0.0));
+      result.memory = zeros<S, r, n>();
     }
   }
   return result;

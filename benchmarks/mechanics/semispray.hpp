@@ -15,7 +15,7 @@ std::array<Table<S, System::coordinates, System::coordinates>, System::coordinat
     const System& system, const Vector<S, System::coordinates>& x) {
   constexpr int n = System::coordinates;
   std::array<Table<S, n, n>, n> symbols;
-  symbols.fill(Table<S, n, n>::Constant(S(0.0)));
+  symbols.fill(zeros<S, n, n>());
   if constexpr (HasMetric<System>) {
     using D = Dual<S, n>;
     const Table<D, n, n> g = system.template metric<D>(variables<n>(x));
@@ -23,8 +23,7 @@ std::array<Table<S, System::coordinates, System::coordinates>, System::coordinat
       for (int k = 0; k < n; ++k) {
         Vector<S, n> first_kind;
         for (int l = 0; l < n; ++l) {
-          first_kind[l] =
-              S(0.5) * (g(l, j).derivatives()[k] + g(l, k).derivatives()[j] - g(j, k).derivatives()[l]);
+          first_kind[l] = 0.5 * (g(l, j).derivative(k) + g(l, k).derivative(j) - g(j, k).derivative(l));
         }
         const Vector<S, n> second_kind = raised<S>(system, x, first_kind);
         for (int i = 0; i < n; ++i) symbols.at(static_cast<std::size_t>(i))(j, k) = second_kind[i];
@@ -65,7 +64,7 @@ struct GivenMultipliers {
   [[nodiscard]] Vector<S, System::constraints> of(const System& /*system*/,
                                                   const Vector<S, System::coordinates>& x,
                                                   const Vector<S, System::coordinates>& /*y*/) const {
-    return lambda(x);
+    return lambda.template operator()<S>(x);
   }
 };
 template <class Function>
@@ -101,7 +100,7 @@ Table<double, System::coordinates, System::coordinates> semispray_connection(
   using D = Dual<double, n>;
   const Vector<D, n> coefficients = semispray<D>(system, multipliers, constants<n>(x), variables<n>(y));
   Table<double, n, n> connection;
-  for (int i = 0; i < n; ++i) connection.row(i) = 0.5 * coefficients[i].derivatives().transpose();
+  for (int i = 0; i < n; ++i) connection.row(i) = 0.5 * derivatives<n>(coefficients[i]).transpose();
   return connection;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "mechanics/derivatives.hpp"
 
 namespace fde::mechanics {
@@ -11,7 +13,8 @@ namespace fde::mechanics {
 //   double order;                                                             in (0, 2)
 // and as far as it has them
 //   template <class S> S potential(q) const;                                  u
-//   template <class S> Table<S, n, n> metric(q) const;                        G, else the identity
+//   template <class S> Table<S, n, n> metric(q) const;                        G, else the identity;
+//                                                                             or Diagonal<S, n>
 //   template <class S> Vector<S, n> force(t, q, v) const;                     F, covariant
 // for every scalar S that automatic differentiation needs: t is an S, q, v and w are Vector<S, n>. What is
 // absent costs nothing. The Lagrangian is 1/2 v'G v - u, the constraints are f(t, q, v, w) = 0.
@@ -31,6 +34,12 @@ concept HasForce = requires(const System& s, const Vector<double, System::coordi
 template <class System>
 concept HasMemory = requires(const System& s, const Vector<double, System::coordinates>& q) {
   s.template constraint<double>(0.0, q, q, q);
+};
+
+// A system whose equations are all linear in q, v, w says so: static constexpr bool linear = true.
+template <class System>
+concept Linear = requires {
+  requires std::remove_cvref_t<System>::linear;
 };
 
 // f(t, q, v, w); w is passed over where the constraint has none.
@@ -58,21 +67,19 @@ auto raised(const System& system, const Vector<S, System::coordinates>& q, const
 }
 
 // The terms of d/dt (G v) - 1/2 grad (v'G v) besides G v': Christoffel symbols of the first kind times v v,
-//   c_i = sum_jk (dG_ij/dq_k - 1/2 dG_jk/dq_i) v_j v_k.
+//   c_i = sum_jk (dG_ij/dq_k - 1/2 dG_jk/dq_i) v_j v_k = sum_k (dp_i/dq_k - 1/2 dp_k/dq_i) v_k
+// with the momenta p = G v at fixed v.
 template <class S, HasMetric System>
 Vector<S, System::coordinates> christoffel_terms(const System& system,
                                                  const Vector<S, System::coordinates>& q,
                                                  const Vector<S, System::coordinates>& v) {
   constexpr int n = System::coordinates;
   using D = Dual<S, n>;
-  const Table<D, n, n> metric = system.template metric<D>(variables<n>(q));
+  const Vector<D, n> momenta = system.template metric<D>(variables<n>(q)) * constants<n>(v);
   auto terms = zeros<S, n>();
   for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      for (int k = 0; k < n; ++k) {
-        terms[i] += (metric(i, j).derivatives()[k] - S(0.5) * metric(j, k).derivatives()[i]) * v[j] * v[k];
-      }
-    }
+    for (int k = 0; k < n; ++k)
+      terms[i] += (momenta[i].derivative(k) - 0.5 * momenta[k].derivative(i)) * v[k];
   }
   return terms;
 }
@@ -87,7 +94,7 @@ Vector<S, System::coordinates> applied_force(const System& system, [[maybe_unuse
   if constexpr (HasPotential<System>) {
     using D = Dual<S, n>;
     const D potential = system.template potential<D>(variables<n>(q));
-    force -= potential.derivatives();
+    force -= derivatives<n>(potential);
   }
   if constexpr (HasForce<System>) force += system.template force<S>(t, q, v);
   return force;

@@ -61,6 +61,12 @@ void DenseNewtonMatrix::factorise_and_solve(Vec& b) {
   }
 }
 
+void DenseNewtonMatrix::solve(Vec& b) const {
+  b.applyOnTheLeft(factors_.permutationP());
+  factors_.matrixLU().triangularView<Eigen::UnitLower>().solveInPlace(b);
+  factors_.matrixLU().triangularView<Eigen::Upper>().solveInPlace(b);
+}
+
 bool DenseNewtonMatrix::singular() const {
   constexpr double rounding = 1e-14;
   Matrix a = matrix_;

@@ -15,7 +15,7 @@ class DenseNewtonMatrix : public NewtonMatrix {
   bool factorise_linear(const Vec& kappa) override;
   void add_to_diagonal(const Vec& values) override { matrix_.diagonal() += values; }
   void factorise() override { factors_.compute(matrix_); }
-  void solve(Vec& b) const override { b = factors_.solve(b).eval(); }
+  void solve(Vec& b) const override;
   void factorise_and_solve(Vec& b) override;
   [[nodiscard]] const RowScales& rows() const override { return rows_; }
 

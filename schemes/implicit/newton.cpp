@@ -11,6 +11,12 @@ constexpr int most_iterations = 50;
 constexpr int few_setbacks = 3;
 constexpr double stagnation = 1e-10;
 
+constexpr Eigen::Index most_rows_anew = 4;
+constexpr double slowest = 0.2;  // an increment with kept factors, relative to the one before
+
+// Increments that no longer shrink, and are so small that it is rounding that does not let them.
+bool stagnates(double now, double last) { return now >= last / 2 && now <= stagnation; }
+
 constexpr int most_pseudo_steps = 200;
 constexpr double most_bend = 0.25;       // of the equations along a pseudo time step, relative
 constexpr double newton_inverse = 1e-3;  // of a pseudo time step that is as good as one without end
@@ -19,10 +25,56 @@ constexpr double shortest_inverse = 1e9;
 }  // namespace
 
 NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
-    : problem_(problem), tolerance_(tolerance), matrix_(make_newton_matrix(problem)) {}
+    : problem_(problem),
+      tolerance_(tolerance),
+      matrix_(make_newton_matrix(problem)),
+      keeps_factors_(problem.size() > most_rows_anew),
+      wear_(static_cast<int>(2 * problem.size())),
+      f_(problem.size()),
+      increment_(problem.size()),
+      near_(problem.size()) {}
 
 bool NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
   if (linear(problem_)) return solve_linear(run, step, y);
+  if (!keeps_factors_) return iterate_anew(run, step, y);
+  const bool solved = iterate_kept(run, step, y) || iterate_anew(run, step, y);
+  path_.push(step.t, y);
+  return solved;
+}
+
+bool NewtonSolver::iterate_kept(Run& run, const StepEquations& step, Out y) {
+  near_ = y;
+  path_.at(step.t, near_);
+  double last = std::numeric_limits<double>::infinity();
+  bool anew = wear_.worn(), fresh = anew;
+  for (int iteration = 1; iteration <= most_iterations; ++iteration) {
+    if (anew) {
+      linearise(run, step, near_, increment_);
+      matrix_->factorise();
+      wear_.renew();
+    } else {
+      take_residual(step, matrix_->rows(), run.rhs(step.t, near_), near_, increment_);
+    }
+    matrix_->solve(increment_);
+    near_ += increment_;
+    ++*run.cost().newton_iterations;
+    const double now = relative_size(matrix_->rows(), increment_, near_);
+    const bool rounding = stagnates(now, last);
+    if (now <= tolerance_ || (rounding && fresh)) {
+      wear_.count(iteration);
+      y = near_;
+      return true;
+    }
+    if (!rounding && !(now <= slowest * last)) break;
+    anew = rounding;
+    fresh = fresh || rounding;
+    last = now;
+  }
+  wear_.wear_out();
+  return false;
+}
+
+bool NewtonSolver::iterate_anew(Run& run, const StepEquations& step, Out y) {
   Vec near = y;
   if (iterate(run, step, y, few_setbacks)) return true;
   if (approach(run, step, near) && iterate(run, step, near, few_setbacks)) {
@@ -49,15 +101,15 @@ bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {
 bool NewtonSolver::iterate(Run& run, const StepEquations& step, Out y, int most_setbacks) {
   double last = std::numeric_limits<double>::infinity();
   int setbacks = 0;
-  Vec f(y.size()), increment(y.size());
+  Vec increment(y.size());
   for (int iteration = 0; iteration < most_iterations && setbacks < most_setbacks; ++iteration) {
-    linearise(run, step, y, f, increment);
+    linearise(run, step, y, increment);
     matrix_->factorise_and_solve(increment);
     y += increment;
     ++*run.cost().newton_iterations;
     const double now = relative_size(matrix_->rows(), increment, y);
     if (std::isnan(now)) return false;
-    if (now <= tolerance_ || (now >= last / 2 && now <= stagnation)) return true;
+    if (now <= tolerance_ || stagnates(now, last)) return true;
     if (now >= last) ++setbacks;
     last = now;
   }
@@ -66,9 +118,9 @@ bool NewtonSolver::iterate(Run& run, const StepEquations& step, Out y, int most_
 
 bool NewtonSolver::approach(Run& run, const StepEquations& step, Out y) {
   double inverse_step = 1.0;
-  Vec f(y.size()), increment(y.size());
+  Vec increment(y.size());
   for (int work = 0; work < most_pseudo_steps && inverse_step < shortest_inverse; ++work) {
-    linearise(run, step, y, f, increment);
+    linearise(run, step, y, increment);
     matrix_->add_to_diagonal(inverse_step * matrix_->rows().mass);
     matrix_->factorise();
     matrix_->solve(increment);
@@ -96,10 +148,10 @@ double NewtonSolver::bend(Run& run, const StepEquations& step, In y, const Vec& 
   return next.lpNorm<Eigen::Infinity>() / increment.lpNorm<Eigen::Infinity>();
 }
 
-void NewtonSolver::linearise(Run& run, const StepEquations& step, In y, Vec& f, Vec& rest) {
-  f = run.rhs(step.t, y);
-  matrix_->linearise(run, step, y, f);
-  take_residual(step, matrix_->rows(), f, y, rest);
+void NewtonSolver::linearise(Run& run, const StepEquations& step, In y, Vec& rest) {
+  f_ = run.rhs(step.t, y);
+  matrix_->linearise(run, step, y, f_);
+  take_residual(step, matrix_->rows(), f_, y, rest);
 }
 
 }  // namespace fde

@@ -3,7 +3,9 @@
 #include <memory>
 #include <optional>
 
+#include "implicit/extrapolation.hpp"
 #include "implicit/newton_matrix.hpp"
+#include "implicit/wear.hpp"
 #include "stepping/run.hpp"
 
 namespace fde {
@@ -13,8 +15,13 @@ namespace fde {
 //
 // A problem with a linear part A is solved with one factorisation of I - kappa A as long as kappa stays the
 // same. Otherwise Newton's method takes the Jacobian of the problem, or differences of rhs where it has none,
-// anew in each iteration, until the last increment is below tolerance * |y|, or has stopped to shrink below
-// 1e-10 * |y|: there it is rounding. Where three increments are no smaller than those before them, as
+// until the last increment is below tolerance * |y|, or has stopped to shrink below 1e-10 * |y|: there it is
+// rounding.
+//
+// Of more than four rows the factorised matrix is kept from step to step as long as increments shrink fast
+// with it, and the first guess continues the last three steps. Where they do not, or of fewer rows, where
+// factors cost no more than an iteration, the matrix is made anew in each iteration from the guess on. Where
+// three increments are no smaller than those before them, as
 // when the solution near the guess has just vanished, it starts again from where pseudo time steps lead to;
 // where these lead to nothing, it goes on from where it had come to.
 //
@@ -34,6 +41,10 @@ class NewtonSolver {
 
  private:
   bool solve_linear(Run& run, const StepEquations& step, Out y);
+  // From the continued path with the kept factors; y is the result, or, where these do not serve, as it was.
+  bool iterate_kept(Run& run, const StepEquations& step, Out y);
+  // From y on: anew in each iteration, and, where that leads nowhere, from where pseudo time steps lead to.
+  bool iterate_anew(Run& run, const StepEquations& step, Out y);
   // Newton's method from y on, given up at the last of so many increments that are no smaller than the one
   // before.
   bool iterate(Run& run, const StepEquations& step, Out y, int most_setbacks);
@@ -44,12 +55,16 @@ class NewtonSolver {
   // How far the equations are from linear along an increment of a pseudo time step: the next one, relative to
   // it.
   double bend(Run& run, const StepEquations& step, In y, const Vec& increment, double inverse_step);
-  // f becomes f(t, y), the matrix that at y, and rest what y leaves of the equations.
-  void linearise(Run& run, const StepEquations& step, In y, Vec& f, Vec& rest);
+  // The matrix becomes that at y, and rest what y leaves of the equations.
+  void linearise(Run& run, const StepEquations& step, In y, Vec& rest);
 
   const Problem& problem_;
   double tolerance_;
   std::unique_ptr<NewtonMatrix> matrix_;
+  bool keeps_factors_;
+  Wear wear_;
+  Extrapolation path_;
+  Vec f_, increment_, near_;
   // Of a linear problem: the kappa for which the matrix is factorised, and whether it has a solution then.
   std::optional<Vec> factorised_for_;
   bool solvable_ = false;

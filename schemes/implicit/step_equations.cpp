@@ -16,7 +16,7 @@ RowScales::RowScales(const Problem& problem)
 }
 
 void take_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest) {
-  rest = step.past + rows.scale.cwiseProduct(f) - y;
+  rest = step.past + step.kappa.cwiseProduct(f) - y;
   for (const auto i : rows.algebraic) rest[i] = rows.scale[i] * f[i];
 }
 

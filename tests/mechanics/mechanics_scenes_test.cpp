@@ -17,11 +17,11 @@ namespace {
 using namespace mechanics;
 
 // The slope of a function along direction k by differences.
-template <class Function, int n>
-auto differenced(const Function& function, const Vector<double, n>& at, int k) {
+template <class Function>
+auto differenced(const Function& function, const Vector<double, 2>& at, int k) {
   constexpr double h = 1e-6;
-  const Vector<double, n> step = h * Vector<double, n>::Unit(k);
-  return ((function(Vector<double, n>(at + step)) - function(Vector<double, n>(at - step))) / (2 * h)).eval();
+  const Vector<double, 2> step = h * Vector<double, 2>::Unit(k);
+  return ((function(Vector<double, 2>(at + step)) - function(Vector<double, 2>(at - step))) / (2 * h)).eval();
 }
 
 const Vector<double, 2> place(0.7, 0.3), speed(0.4, -0.9);
@@ -60,8 +60,8 @@ TEST(Derivatives, OfAMetricAreThoseByDifferences) {
 
 struct UnitParticle : Particle {
   template <class S>
-  [[nodiscard]] Table<S, 3, 3> metric(const Vector<S, 3>& /*q*/) const {
-    return Table<S, 3, 3>::Identity();
+  [[nodiscard]] Diagonal<S, 3> metric(const Vector<S, 3>& /*q*/) const {
+    return Diagonal<S, 3>({S(1.0), S(1.0), S(1.0)});
   }
 };
 

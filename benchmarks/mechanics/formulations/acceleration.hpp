@@ -88,7 +88,7 @@ struct AccelerationBelowOne {
     const double alpha = system.order;
     Vector<S, n> s = part<layout.s>(y);
     if (!singular.isZero(0.0))
-      s += (singular * (std::pow(t, 1.0 - 2.0 * alpha) / std::tgamma(2.0 - 2.0 * alpha))).template cast<S>();
+      s += lifted<S, n>(singular * (std::pow(t, 1.0 - 2.0 * alpha) / std::tgamma(2.0 - 2.0 * alpha)));
     const auto rates = constraint_rates<S>(system, S(t), q, v, w);
     const Reaction<S, System> reaction(system, q, rates);
     const Vector<S, n> free = free_acceleration<S>(system, S(t), q, v);
@@ -96,8 +96,8 @@ struct AccelerationBelowOne {
     if (kappa != 0.0) defect += S(kappa) * rates.value;
     Vector<S, n> acceleration = free + reaction.answer(defect);
     if (t > 0.0 && !start.v.isZero(0.0)) {
-      const Vector<S, System::constraints> started = rates.memory * start.v.template cast<S>();
-      acceleration += (reaction.answer(started) - singular.template cast<S>()) *
+      const Vector<S, System::constraints> started = rates.memory * lifted<S, n>(start.v);
+      acceleration += (reaction.answer(started) - lifted<S, n>(singular)) *
                       S(std::pow(t, -alpha) / std::tgamma(1.0 - alpha));
     }
     return joined<S>(v, s, acceleration, v);

@@ -49,12 +49,12 @@ struct ConditionalExtremum {
     const Vector<S, n> q = part<layout.q>(y), p = part<layout.p>(y);
     const Velocity<S> at = velocity<S>(t, q, p);
     const Vector<D, n> place = variables<n>(q), v = constants<n>(at.v);
-    D action = constant<S, n>(S(0.0));
-    if constexpr (HasMetric<System>) action += S(0.5) * v.dot(system.template metric<D>(place) * v);
+    D action(0.0);
+    if constexpr (HasMetric<System>) action += 0.5 * v.dot(system.template metric<D>(place) * v);
     if constexpr (HasPotential<System>) action -= system.template potential<D>(place);
-    const Vector<D, r> f = constraint_value<D>(system, constant<S, n>(S(t)), place, v, v);
+    const Vector<D, r> f = constraint_value<D>(system, D(t), place, v, v);
     for (int i = 0; i < r; ++i) action += at.mu[i] * f[i];
-    return joined<S>(at.v, Vector<S, n>(action.derivatives()));
+    return joined<S>(at.v, derivatives<n>(action));
   }
   [[nodiscard]] Columns<n> columns(double t, const Vector<double, states>& y) const {
     const Vector<double, n> q = part<layout.q>(y);
@@ -67,7 +67,7 @@ struct ConditionalExtremum {
 template <class System>
 Scene extremum_scene(const Setting<System>& of, const Vector<double, System::constraints>& mu) {
   Scene scene;
-  auto form = pose(ConditionalExtremum<System>{of.system, of.start, mu}, of.end, of.linear);
+  auto form = pose(ConditionalExtremum<System>{of.system, of.start, mu}, of.end);
   scene.problem = std::move(form.problem);
   scene.smoothness = std::move(form.smoothness);
   scene.outputs = {column_names(of.coordinates, false), std::move(form.columns)};

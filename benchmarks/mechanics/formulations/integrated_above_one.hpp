@@ -58,8 +58,8 @@ struct IntegratedAboveOne {
   [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
     const Vector<S, n> q = part<layout.q>(y), z = part<layout.z>(y);
     const S fixed =
-        (y[layout.chi.first] - constraint.memory().template cast<S>().dot(z)) / S(constraint.alignment());
-    const Vector<S, n> v = z + constraint.direction().template cast<S>() * fixed;
+        (y[layout.chi.first] - lifted<S, n>(constraint.memory()).dot(z)) / S(constraint.alignment());
+    const Vector<S, n> v = z + lifted<S, n>(constraint.direction()) * fixed;
     const Vector<S, n> free =
         Projection<S, System>(system, S(t), q, zeros<S, n>()).of(free_acceleration<S>(system, S(t), q, v));
     return joined<S>(v, free, Vector<S, 1>(S(-constraint.constant()) - fixed), free);

@@ -7,6 +7,7 @@
 
 #include "mechanics/formulations/formulation.hpp"
 #include "mechanics/motion.hpp"
+#include "mechanics/system.hpp"
 #include "problem/linear_smoothness.hpp"
 #include "scenes/scene.hpp"
 
@@ -56,9 +57,26 @@ concept Loaded = requires(const Form& form) {
   form.loads();
 };
 
+// df/dy of a form: its right-hand side in dual numbers, some columns at a time.
 template <class Form>
-PosedMechanics pose(const Form& form, double end, bool linear) {
+void differentiate(const Form& form, double t, const Vector<double, Form::states>& y, OutMatrix jacobian) {
+  constexpr int states = Form::states, columns = 4;
+  using S = Dual<double, columns>;
+  for (int first = 0; first < states; first += columns) {
+    const int last = std::min(first + columns, states);
+    Vector<S, states> moved = constants<columns>(y);
+    for (int j = first; j < last; ++j) moved[j].set_derivative(j - first, 1.0);
+    const Vector<S, states> f = form.template rhs<S>(t, moved);
+    for (int i = 0; i < states; ++i) {
+      for (int j = first; j < last; ++j) jacobian(i, j) = f[i].derivative(j - first);
+    }
+  }
+}
+
+template <class Form>
+PosedMechanics pose(const Form& form, double end) {
   static_assert(Form::layout.is_partition());
+  constexpr bool linear = Linear<decltype(form.system)>;
   using Unknowns = Vector<double, Form::states>;
   PosedMechanics result;
   result.layout = Form::layout;
@@ -69,7 +87,12 @@ PosedMechanics pose(const Form& form, double end, bool linear) {
     const auto of = form.columns(t, Unknowns(y));
     columns = joined<double>(of.q, of.v, of.w).head(columns.size());
   };
-  if (linear) result.problem.derivatives = DenseLinearPart{linear_part_of(result.problem)};
+  if constexpr (linear) {
+    result.problem.derivatives = DenseLinearPart{linear_part_of(result.problem)};
+  } else {
+    result.problem.derivatives = DenseJacobian{
+        [form](double t, In y, OutMatrix jacobian) { differentiate(form, t, Unknowns(y), jacobian); }};
+  }
   if (!linear || std::ranges::any_of(result.problem.components, algebraic)) {
     result.smoothness = nonlinear_start(result.problem.components);
     return result;

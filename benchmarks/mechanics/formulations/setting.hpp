@@ -20,7 +20,6 @@ struct Setting {
   Motion<System::coordinates> start;
   std::vector<std::string> coordinates;  // their names
   double end = 10.0;
-  bool linear = false;                              // all equations are linear in q, v, w
   Formulation reference = Formulation::integrated;  // the form that a reference is computed of
   std::string no_reference{};                       // why there is none, where there is none
 };
@@ -55,10 +54,10 @@ PosedMechanics posed_at_one(Setting<System> of, const Asked& asked) {
   constexpr auto memory = MemoryRows::none;
   of.start = after_jump(of.system, of.start);
   if (asked.formulation == Formulation::integrated)
-    return pose(Integrated<System, memory>{of.system, of.start}, of.end, of.linear);
-  auto acceleration = pose(WholeAcceleration<System>{of.system, of.start, asked.kappa}, of.end, of.linear);
+    return pose(Integrated<System, memory>{of.system, of.start}, of.end);
+  auto acceleration = pose(WholeAcceleration<System>{of.system, of.start, asked.kappa}, of.end);
   if (asked.formulation != Formulation::multiplier) return acceleration;
-  return with_multipliers(pose(Multiplier<System, memory>{of.system, of.start}, of.end, of.linear),
+  return with_multipliers(pose(Multiplier<System, memory>{of.system, of.start}, of.end),
                           acceleration.smoothness);
 }
 
@@ -69,17 +68,17 @@ PosedMechanics posed_below_one(const Setting<System>& of, const Asked& asked) {
   const double order = of.system.order;
   const ReactionStart reaction = reaction_start(of.system, of.start);
   const MotionPowers powers = powers_below_one(order, !of.start.v.isZero(0.0), reaction);
-  auto integrated = pose(Integrated<System, memory>{of.system, of.start}, of.end, of.linear);
-  if (!of.linear) integrated.smoothness = integrated_start(powers, order, integrated.layout);
+  auto integrated = pose(Integrated<System, memory>{of.system, of.start}, of.end);
+  if constexpr (!Linear<System>) integrated.smoothness = integrated_start(powers, order, integrated.layout);
   if (asked.formulation == Formulation::integrated) return integrated;
   if (asked.formulation == Formulation::multiplier) {
-    return with_multipliers(pose(Multiplier<System, memory>{of.system, of.start}, of.end, of.linear),
+    return with_multipliers(pose(Multiplier<System, memory>{of.system, of.start}, of.end),
                             integrated.smoothness);
   }
   const AccelerationBelowOne<System> acceleration{of.system, of.start, asked.kappa};
   if (!acceleration.posed()) reject_singular(asked.formulation, order);
-  auto form = pose(acceleration, of.end, of.linear);
-  if (!of.linear)
+  auto form = pose(acceleration, of.end);
+  if constexpr (!Linear<System>)
     form.smoothness = acceleration_start(powers, order, form.layout, reaction != ReactionStart::regular);
   hide(form.smoothness, form.layout.s);
   return form;
@@ -93,14 +92,14 @@ PosedMechanics posed_above_one(const Setting<System>& of, const Asked& asked) {
   if (!multiplied && asked.formulation != Formulation::integrated) reject_above_one(asked.formulation, order);
   const IntegratedAboveOne<System> integrated{of.system, of.start};
   const auto with_rows = [&] {
-    return pose(Multiplier<System, MemoryRows::above_one>{of.system, of.start}, of.end, of.linear);
+    return pose(Multiplier<System, MemoryRows::above_one>{of.system, of.start}, of.end);
   };
   if (!integrated.posed()) {
     if (!multiplied) reject_unaligned(order);
     return with_rows();
   }
-  auto form = pose(integrated, of.end, of.linear);
-  if (!of.linear) {
+  auto form = pose(integrated, of.end);
+  if constexpr (!Linear<System>) {
     const MotionPowers powers = powers_above_one(order, !of.start.v.isZero(0.0));
     form.smoothness = integrated_start_above_one(powers, order, form.layout);
   }

@@ -41,8 +41,8 @@ struct Disc {
   double radius, mass, spin_inertia, turn_inertia, pull;
 
   template <class S>
-  [[nodiscard]] Table<S, 4, 4> metric(const Vector<S, 4>& /*q*/) const {
-    return Vector<S, 4>(S(mass), S(mass), S(turn_inertia), S(spin_inertia)).asDiagonal();
+  [[nodiscard]] Diagonal<S, 4> metric(const Vector<S, 4>& /*q*/) const {
+    return Diagonal<S, 4>({S(mass), S(mass), S(turn_inertia), S(spin_inertia)});
   }
   template <class S>
   [[nodiscard]] S potential(const Vector<S, 4>& q) const {
@@ -68,9 +68,9 @@ struct SphereWithCourse {
                                                    : S(std::numeric_limits<double>::quiet_NaN());
   }
   template <class S>
-  [[nodiscard]] Table<S, 2, 2> metric(const Vector<S, 2>& q) const {
+  [[nodiscard]] Diagonal<S, 2> metric(const Vector<S, 2>& q) const {
     const S s = sine<S>(q[0]);
-    return Vector<S, 2>(S(1.0), S(s * s)).asDiagonal();
+    return Diagonal<S, 2>({S(1.0), s * s});
   }
   template <class S>
   [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& q, const Vector<S, 2>& v) const {

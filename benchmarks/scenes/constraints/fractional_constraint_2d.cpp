@@ -12,7 +12,7 @@ using namespace mechanics;
 // 1 its modes grow where a.b < 0.
 struct LinearConstraint {
   static constexpr int coordinates = 2, constraints = 1;
-  static constexpr bool constant = true;
+  static constexpr bool constant = true, linear = true;
   double order, a1, a2, b1, b2, k1, k2, g, c0;
 
   template <class S>
@@ -91,8 +91,7 @@ SceneMaker fractional_constraint_2d() {
                 .system = {p["alpha"], p["a1"], p["a2"], p["b1"], p["b2"], p["k1"], p["k2"], p["g"], c0},
                 .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
                 .coordinates = {"q1", "q2"},
-                .end = 10.0,
-                .linear = true};
+                .end = 10.0};
             Scene scene = mechanical_scene(setting, asked_of(p));
             scene.reference = linear_reference(system_of(p));
             return scene;

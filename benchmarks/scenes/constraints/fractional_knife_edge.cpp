@@ -39,12 +39,10 @@ struct BladeOnSphere {
     return gravity * cos(q[0]);
   }
   template <class S>
-  [[nodiscard]] Table<S, 2, 2> metric(const Vector<S, 2>& q) const {
+  [[nodiscard]] Diagonal<S, 2> metric(const Vector<S, 2>& q) const {
     using std::sin;
-    const S radius = sin(q[0]), zero = S(0.0 * q[0]);
-    Table<S, 2, 2> metric;
-    metric << zero + 1.0, zero, zero, radius * radius;
-    return metric;
+    const S radius = sin(q[0]);
+    return Diagonal<S, 2>({S(1.0), radius * radius});
   }
   template <class S>
   [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& q, const Vector<S, 2>& v,

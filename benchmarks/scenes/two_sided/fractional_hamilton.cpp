@@ -14,7 +14,7 @@ struct Coefficients {
   double kappa, epsilon;
 
   template <class S>
-  mechanics::Vector<S, 2> operator()(const mechanics::Vector<S, 3>& q_and_w) const {
+  [[nodiscard]] mechanics::Vector<S, 2> at(const mechanics::Vector<S, 3>& q_and_w) const {
     return {S(1.0 + kappa * q_and_w[0] + epsilon * q_and_w[2]), S(1.0)};
   }
 
@@ -22,8 +22,8 @@ struct Coefficients {
   template <class S>
   [[nodiscard]] mechanics::Vector<S, 3> slope(const mechanics::Vector<S, 3>& q_and_w,
                                               const mechanics::Vector<S, 2>& v) const {
-    const auto a = (*this)(mechanics::variables<3>(q_and_w));
-    return v[0] * a[0].derivatives() + v[1] * a[1].derivatives();
+    const auto a = at<mechanics::Dual<S, 3>>(mechanics::variables<3>(q_and_w));
+    return v[0] * mechanics::derivatives<3>(a[0]) + v[1] * mechanics::derivatives<3>(a[1]);
   }
 };
 
@@ -72,8 +72,8 @@ struct Hamilton {
   template <class S>
   [[nodiscard]] State<S> state(const mechanics::Vector<S, size>& y) const {
     const mechanics::Vector<S, 2> p(S(y[pi] - y[r]), y[pi + 1]);
-    const mechanics::Vector<S, 2> a = coefficients(mechanics::Vector<S, 3>(y.template head<3>()));
-    const S mu = S(a.dot(p)) / S(a.squaredNorm());
+    const mechanics::Vector<S, 2> a = coefficients.at<S>(y.template head<3>());
+    const S mu = S(a.dot(p)) / S(a.dot(a));
     return {mechanics::Vector<S, 2>(p - mu * a), p, mu};
   }
 
@@ -99,7 +99,7 @@ struct Hamilton {
   void jacobian(In y, OutMatrix result) const {
     const auto f = rates<mechanics::Dual<double, size>>(
         mechanics::variables<size>(mechanics::Vector<double, size>(y)), Plane::Zero());
-    for (Eigen::Index i = 0; i < size; ++i) result.row(i) = f[i].derivatives().transpose();
+    for (Eigen::Index i = 0; i < size; ++i) result.row(i) = mechanics::derivatives<size>(f[i]).transpose();
   }
 
   void columns(double /*t*/, In y, Out result) const {
@@ -111,7 +111,7 @@ struct Hamilton {
     return columns.segment<2>(2).squaredNorm() / 2 + stiffness.dot(columns.head<2>().cwiseAbs2()) / 2;
   }
   [[nodiscard]] double constraint(double /*t*/, In columns) const {
-    return coefficients(Eigen::Vector3d(columns[0], columns[1], columns[4])).dot(columns.segment<2>(2));
+    return coefficients.at<double>({columns[0], columns[1], columns[4]}).dot(columns.segment<2>(2));
   }
 
   [[nodiscard]] Reference exact() const {

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <compare>
+#include <concepts>
+
+namespace fde::mechanics {
+
+// A number with its derivatives in some directions: forward automatic differentiation. Scalar may be such a
+// number itself, which gives second derivatives. A plain type: expressions of Eigen's AutoDiffScalar, nested,
+// take the compiler several times as long.
+template <class Scalar, int count>
+class Dual {
+  template <class Other>
+  static constexpr bool constant = std::same_as<Other, Scalar> || std::same_as<Other, double>;
+
+ public:
+  using Value = Scalar;
+  static constexpr int directions = count;
+
+  Dual() = default;
+  // Constants: their derivatives are 0.
+  Dual(double value) : value_(value) { derivatives_.fill(Scalar(0.0)); }
+  Dual(const Scalar& value) requires(!std::same_as<Scalar, double>) : value_(value) {
+    derivatives_.fill(Scalar(0.0));
+  }
+
+  [[nodiscard]] const Scalar& value() const { return value_; }
+  [[nodiscard]] const Scalar& derivative(int direction) const { return derivatives_[at(direction)]; }
+  void set_derivative(int direction, const Scalar& value) { derivatives_[at(direction)] = value; }
+
+  // What every derivative is multiplied with where a function of x has this value and this slope.
+  [[nodiscard]] Dual mapped(const Scalar& value, const Scalar& slope) const {
+    Dual result;
+    result.value_ = value;
+    for (std::size_t i = 0; i < count; ++i) result.derivatives_[i] = derivatives_[i] * slope;
+    return result;
+  }
+
+  friend Dual operator-(const Dual& x) {
+    Dual result;
+    result.value_ = -x.value_;
+    for (std::size_t i = 0; i < count; ++i) result.derivatives_[i] = -x.derivatives_[i];
+    return result;
+  }
+  friend Dual operator+(const Dual& x, const Dual& y) {
+    Dual result;
+    result.value_ = x.value_ + y.value_;
+    for (std::size_t i = 0; i < count; ++i) result.derivatives_[i] = x.derivatives_[i] + y.derivatives_[i];
+    return result;
+  }
+  friend Dual operator-(const Dual& x, const Dual& y) {
+    Dual result;
+    result.value_ = x.value_ - y.value_;
+    for (std::size_t i = 0; i < count; ++i) result.derivatives_[i] = x.derivatives_[i] - y.derivatives_[i];
+    return result;
+  }
+  friend Dual operator*(const Dual& x, const Dual& y) {
+    Dual result;
+    result.value_ = x.value_ * y.value_;
+    for (std::size_t i = 0; i < count; ++i)
+      result.derivatives_[i] = x.derivatives_[i] * y.value_ + y.derivatives_[i] * x.value_;
+    return result;
+  }
+  friend Dual operator/(const Dual& x, const Dual& y) {
+    const Scalar scale = 1.0 / (y.value_ * y.value_);
+    Dual result;
+    result.value_ = x.value_ / y.value_;
+    for (std::size_t i = 0; i < count; ++i)
+      result.derivatives_[i] = (x.derivatives_[i] * y.value_ - y.derivatives_[i] * x.value_) * scale;
+    return result;
+  }
+
+  template <class Other>
+  requires constant<Other>
+  friend Dual operator+(const Dual& x, const Other& c) {
+    Dual result;
+    result.value_ = x.value_ + c;
+    for (std::size_t i = 0; i < count; ++i) result.derivatives_[i] = x.derivatives_[i];
+    return result;
+  }
+  template <class Other>
+  requires constant<Other>
+  friend Dual operator+(const Other& c, const Dual& x) { return x + c; }
+  template <class Other>
+  requires constant<Other>
+  friend Dual operator-(const Dual& x, const Other& c) {
+    Dual result;
+    result.value_ = x.value_ - c;
+    for (std::size_t i = 0; i < count; ++i) result.derivatives_[i] = x.derivatives_[i];
+    return result;
+  }
+  template <class Other>
+  requires constant<Other>
+  friend Dual operator-(const Other& c, const Dual& x) {
+    Dual result;
+    result.value_ = c - x.value_;
+    for (std::size_t i = 0; i < count; ++i) result.derivatives_[i] = -x.derivatives_[i];
+    return result;
+  }
+  template <class Other>
+  requires constant<Other>
+  friend Dual operator*(const Dual& x, const Other& c) {
+    Dual result;
+    result.value_ = x.value_ * c;
+    for (std::size_t i = 0; i < count; ++i) result.derivatives_[i] = x.derivatives_[i] * c;
+    return result;
+  }
+  template <class Other>
+  requires constant<Other>
+  friend Dual operator*(const Other& c, const Dual& x) { return x * c; }
+  template <class Other>
+  requires constant<Other>
+  friend Dual operator/(const Other& c, const Dual& x) {
+    return x.mapped(c / x.value_, -c / (x.value_ * x.value_));
+  }
+
+  template <class Other>
+  Dual& operator+=(const Other& y) {
+    return *this = *this + y;
+  }
+  template <class Other>
+  Dual& operator-=(const Other& y) {
+    return *this = *this - y;
+  }
+  template <class Other>
+  Dual& operator*=(const Other& y) {
+    return *this = *this * y;
+  }
+  template <class Other>
+  Dual& operator/=(const Other& y) {
+    return *this = *this / y;
+  }
+
+  // Of the values.
+  friend std::partial_ordering operator<=>(const Dual& x, double bound) { return x.value_ <=> bound; }
+
+  friend Dual sin(const Dual& x) {
+    using std::cos, std::sin;
+    return x.mapped(sin(x.value_), cos(x.value_));
+  }
+  friend Dual cos(const Dual& x) {
+    using std::cos, std::sin;
+    return x.mapped(cos(x.value_), -sin(x.value_));
+  }
+
+ private:
+  static std::size_t at(int direction) { return static_cast<std::size_t>(direction); }
+
+  Scalar value_;
+  std::array<Scalar, directions> derivatives_;
+};
+
+}  // namespace fde::mechanics
