@@ -21,9 +21,9 @@ namespace fde {
 // Of more than four rows the factorised matrix is kept from step to step as long as increments shrink fast
 // with it, and the first guess continues the last three steps. Where they do not, or of fewer rows, where
 // factors cost no more than an iteration, the matrix is made anew in each iteration from the guess on. Where
-// three increments are no smaller than those before them, as
-// when the solution near the guess has just vanished, it starts again from where pseudo time steps lead to;
-// where these lead to nothing, it goes on from where it had come to.
+// three increments are no smaller than those before them, as when the solution near the guess has just
+// vanished, it starts again from where pseudo time steps lead to; where these lead to nothing, it goes on
+// from where it had come to.
 //
 // |y| is the largest of the other unknowns where there are algebraic rows. An unknown lambda_i of an
 // algebraic row counts as what it does to the equations, max_k |M_ki| |lambda_i| with M the matrix of
