@@ -114,7 +114,7 @@ ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
       throw cannot_be_written(path_, "another run is writing to it");
     const auto parsed = parse(read_text(path_), path_);
     for (const Record& row : parsed.results.records) {
-      if (same_build(parsed.results.sessions[row.session], session_)) note(row);
+      if (same_build(parsed.results.sessions[row.session], session_)) recorded_[row.key].note(row);
     }
     if (ftruncate(descriptor_, static_cast<off_t>(parsed.valid)) != 0) {
       throw cannot_be_written(path_, std::strerror(errno));
@@ -127,16 +127,9 @@ ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
 
 ResultsFile::~ResultsFile() { close(descriptor_); }
 
-Recorded ResultsFile::recorded(const RunKey& run) const {
+RecordedRun ResultsFile::recorded(const RunKey& run) const {
   const auto found = recorded_.find(run);
-  return found == recorded_.end() ? Recorded::nothing : found->second;
-}
-
-// A time without an examination, as a fault of a sweep would leave it, does not end a run.
-void ResultsFile::note(const Record& row) {
-  auto& recorded = recorded_[row.key];
-  if (row.ending) recorded = is_compared(row.ending->kind) ? Recorded::all_but_times : Recorded::everything;
-  if (is_time(row) && recorded == Recorded::all_but_times) recorded = Recorded::everything;
+  return found == recorded_.end() ? RecordedRun() : found->second;
 }
 
 void ResultsFile::append(const std::vector<Record>& rows) {
@@ -145,7 +138,7 @@ void ResultsFile::append(const std::vector<Record>& rows) {
   for (const auto& row : rows) text += line_of(row, &row == &rows.back());
   write(text);
   session_written_ = true;
-  std::ranges::for_each(rows, [&](const Record& row) { note(row); });
+  for (const Record& row : rows) recorded_[row.key].note(row);
 }
 
 void ResultsFile::write(const std::string& text) {

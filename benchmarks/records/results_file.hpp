@@ -5,12 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "records/record.hpp"
+#include "records/recorded_run.hpp"
 
 namespace fde {
-
-// What is recorded of a run: nothing, all but its times, everything (a run that did not finish has no times).
-enum class Recorded { nothing, all_but_times, everything };
 
 // Reads a results file: JSON lines, a session or a record each. Incomplete last rows, left by a killed sweep,
 // are passed over. Throws std::invalid_argument naming the file (and line) when it cannot be read, was
@@ -30,7 +27,7 @@ class ResultsFile {
   ~ResultsFile();
 
   // What the file holds of this run, made by the same build on the same machine.
-  [[nodiscard]] Recorded recorded(const RunKey& run) const;
+  [[nodiscard]] RecordedRun recorded(const RunKey& run) const;
 
   // Appends the rows of an examination, the ending last, or the times of one that is there. Throws
   // std::system_error naming the file when the disk is full or the file is gone.
@@ -38,13 +35,12 @@ class ResultsFile {
 
  private:
   void write(const std::string& text);
-  void note(const Record& row);
 
   std::filesystem::path path_;
   int descriptor_ = -1;
   Session session_ = this_session();
   bool session_written_ = false;
-  std::map<RunKey, Recorded> recorded_;  // of this build
+  std::map<RunKey, RecordedRun> recorded_;  // of this build
 };
 
 }  // namespace fde

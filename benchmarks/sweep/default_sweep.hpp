@@ -4,6 +4,7 @@
 
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
+#include "sweep/ladder.hpp"
 
 namespace fde {
 
@@ -15,8 +16,9 @@ std::vector<SceneVariant> default_scenes();
 // for them. These share a solution and differ in what they do to the constraint.
 std::vector<SceneVariant> sweep_scenes();
 
-// The default numbers of steps of a sweep, increasing.
-std::vector<int> sweep_steps();
+// The numbers of steps of a thorough sweep, and as many of them as the answers need.
+Ladder thorough_ladder();
+Ladder default_ladder();
 
 // Every scheme.
 std::vector<const Scheme*> sweep_schemes();

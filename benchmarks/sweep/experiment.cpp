@@ -118,20 +118,17 @@ std::vector<Record> records_of(const Record& row, Judgement judgement) {
   return rows;
 }
 
-// `repeats` solves, more where short ones do not add up to something a clock can tell, fewer where they are
-// long.
-constexpr double least_seconds = 0.02, enough_seconds = 10.0;
-
 struct Timed {
   std::int64_t steps = 0;
   std::vector<double> seconds{};
 };
 
 Timed solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resolution& resolution,
-                       const Options& options, int repeats) {
+                       const Options& options, const Repeats& repeats) {
   Timed timed;
   double total = 0.0;
-  while (total < least_seconds || (std::ssize(timed.seconds) < repeats && total < enough_seconds)) {
+  while (total < least_timed_seconds ||
+         (std::ssize(timed.seconds) < repeats.most && total < repeats.enough_seconds)) {
     const auto start = std::chrono::steady_clock::now();
     const auto path = scheme.solve(problem, resolution, options);
     timed.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -150,7 +147,7 @@ std::vector<Record> examine(const SceneSettings& name, const Scene& scene, Watch
 }
 
 std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
-                                const Setup& setup, int repeats) {
+                                const Setup& setup, const Repeats& repeats) {
   Options options = setup.options();
   options.budget = std::numeric_limits<double>::infinity();  // the run is known to come to its end
   options.at = {scene.problem.end};

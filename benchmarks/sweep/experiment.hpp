@@ -15,9 +15,16 @@ namespace fde {
 std::vector<Record> examine(const SceneSettings& name, const Scene& scene, WatchedReference& reference,
                             const Scheme& scheme, const Setup& setup);
 
-// The time rows of a run that is_compared: solves `repeats` times, more where that takes less than 20 ms, no
-// more once it has taken 10 s, storing the last step only. To be called while nothing else runs.
+// How often a run is timed: `most` times, more where that takes less than what a clock can tell, no more once
+// it has taken enough seconds.
+inline constexpr double least_timed_seconds = 0.02;
+struct Repeats {
+  int most = 3;
+  double enough_seconds = 10.0;
+};
+
+// The time rows of a run that is_compared, storing the last step only. To be called while nothing else runs.
 std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
-                                const Setup& setup, int repeats);
+                                const Setup& setup, const Repeats& repeats);
 
 }  // namespace fde

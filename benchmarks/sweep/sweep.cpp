@@ -1,60 +1,50 @@
 #include "sweep/sweep.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
+#include <deque>
 #include <mutex>
-#include <span>
 
-#include "sweep/experiment.hpp"
 #include "sweep/in_parallel.hpp"
 
 namespace fde {
 
 namespace {
 
-// The runs of one scene, examined by one thread.
-struct SceneRuns {
-  struct Run {
-    const Scheme* scheme;
-    Setup setup;
-    Recorded recorded;
-  };
-  SceneSettings name;
-  Scene scene;
-  std::vector<Run> runs{};
+// The runs of one scheme on a scene, the coarsest first.
+struct Line {
+  const Scheme* scheme;
+  RunKey key;         // of the run at hand
+  RecordedRun run{};  // the run at hand
+  bool ended = false;
 };
 
-SceneRuns missing_runs(const SceneVariant& variant, const Sweep& sweep, const SweepHooks& hooks) {
-  SceneRuns missing{variant.key(), make_scene(variant)};
-  for (const auto* scheme : sweep.schemes) {
-    for (const auto& resolution : sweep.resolutions) {
-      Setup setup = sweep.setup;
-      setup.resolution = resolution;
-      const bool listed = std::ranges::any_of(
-          missing.runs, [&](const auto& run) { return run.scheme == scheme && run.setup == setup; });
-      const auto recorded = hooks.recorded({missing.name, std::string(scheme->id), setup});
-      if (!listed && recorded != Recorded::everything) missing.runs.push_back({scheme, setup, recorded});
+// One scene, examined by one thread.
+struct SweptScene {
+  SweptScene(const SceneVariant& variant, const Sweep& sweep)
+      : name(variant.key()), scene(make_scene(variant)) {
+    for (const auto* scheme : sweep.schemes) {
+      if (std::ranges::find(lines, scheme, &Line::scheme) != lines.end()) continue;
+      lines.push_back({scheme, {name, std::string(scheme->id), sweep.setup}});
     }
+    climbs.resize(lines.size());
   }
-  return missing;
-}
+
+  SceneSettings name;
+  Scene scene;
+  WatchedReference reference{scene};
+  std::vector<Line> lines{};
+  std::vector<Climb> climbs{};  // of the lines
+};
 
 // The hooks as threads may call them. A failure to append ends the work of all.
 class SweepLog {
  public:
-  SweepLog(const SweepHooks& hooks, std::size_t total) : hooks_(hooks), total_(total) {}
+  explicit SweepLog(const SweepHooks& hooks) : hooks_(hooks) {}
 
-  void tell(const SceneRuns& of, const SceneRuns::Run& run, std::string_view what) {
+  void tell(SweepEvent::Kind kind, const RunKey& run) {
     const std::scoped_lock lock(mutex_);
-    hooks_.progress(
-        done_++, total_,
-        fmt::format("{} {} {}{}", label_of(of.name), run.scheme->id, resolution_text(run.setup), what));
-  }
-  void pass(std::size_t count) {
-    const std::scoped_lock lock(mutex_);
-    done_ += count;
+    hooks_.tell({kind, run});
   }
   void append(const std::vector<Record>& rows) {
     const std::scoped_lock lock(mutex_);
@@ -70,54 +60,76 @@ class SweepLog {
 
  private:
   const SweepHooks& hooks_;
-  std::size_t total_, done_ = 0;
   std::mutex mutex_;
   std::atomic<bool> failed_ = false;
 };
 
-void examine_runs(SceneRuns& of, SweepLog& log) {
-  WatchedReference reference(of.scene);
-  for (auto& run : of.runs) {
+void append(const std::vector<Record>& rows, Line& line, SweepLog& log) {
+  log.append(rows);
+  for (const Record& row : rows) line.run.note(row);
+  if (line.run.amount() == Recorded::everything) log.tell(SweepEvent::Kind::is_done, line.key);
+}
+
+void examine_rung(SweptScene& of, SweepLog& log) {
+  for (Line& line : of.lines) {
     if (log.failed()) return;
-    if (run.recorded == Recorded::all_but_times) {
-      log.pass(1);
-      continue;
-    }
-    log.tell(of, run, "");
-    const auto rows = examine(of.name, of.scene, reference, *run.scheme, run.setup);
-    log.append(rows);
-    const bool compared = is_compared(rows.back().ending->kind);
-    run.recorded = compared ? Recorded::all_but_times : Recorded::everything;
-    if (!compared) log.pass(1);
+    if (line.ended || line.run.amount() != Recorded::nothing) continue;
+    log.tell(SweepEvent::Kind::examines, line.key);
+    append(examine(of.name, of.scene, of.reference, *line.scheme, line.key.setup), line, log);
   }
 }
 
-void time_runs(const SceneRuns& of, int repeats, SweepLog& log) {
-  for (const auto& run : of.runs) {
-    if (run.recorded != Recorded::all_but_times) continue;
-    log.tell(of, run, ", time");
-    log.append(time_solves(of.name, of.scene, *run.scheme, run.setup, repeats));
+void time_rung(SweptScene& of, const Repeats& repeats, SweepLog& log) {
+  for (Line& line : of.lines) {
+    if (line.ended || line.run.amount() == Recorded::everything) continue;
+    log.tell(SweepEvent::Kind::times, line.key);
+    append(time_solves(of.name, of.scene, *line.scheme, line.key.setup, repeats), line, log);
   }
+}
+
+// All lines of the scene have taken the rung: who climbs on?
+void climb(SweptScene& of, const Ladder& ladder, SweepLog& log) {
+  for (std::size_t i = 0; i < of.lines.size(); ++i) {
+    if (!of.lines[i].ended) of.climbs[i].push_back(rung_of(of.lines[i].key.setup, of.lines[i].run));
+  }
+  for (std::size_t i = 0; i < of.lines.size(); ++i) {
+    Line& line = of.lines[i];
+    if (line.ended || !has_ended(ladder, of.climbs, of.climbs[i])) continue;
+    line.ended = true;
+    log.tell(SweepEvent::Kind::line_ends, line.key);
+  }
+}
+
+void take_rung(std::deque<SweptScene>& scenes, const StepsOrAccuracy& rung, const Sweep& sweep,
+               const SweepHooks& hooks, SweepLog& log) {
+  for (auto& of : scenes) {
+    for (Line& line : of.lines) {
+      if (line.ended) continue;
+      line.key.setup.resolution = rung;
+      line.run = hooks.recorded(line.key);
+    }
+  }
+  in_parallel(scenes.size(), sweep.threads, [&](std::size_t i) { examine_rung(scenes[i], log); });
+  for (auto& of : scenes) time_rung(of, sweep.repeats, log);
+  for (auto& of : scenes) climb(of, sweep.ladder, log);
 }
 
 }  // namespace
 
-void run_sweep(const Sweep& sweep, const SweepHooks& hooks) {
-  std::vector<SceneRuns> scenes;
-  std::size_t total = 0;
+void run_sweep(const Sweep& asked, const SweepHooks& hooks) {
+  Sweep sweep = asked;
+  sweep.ladder.rungs.clear();
+  for (const auto& rung : asked.ladder.rungs) {
+    if (std::ranges::find(sweep.ladder.rungs, rung) == sweep.ladder.rungs.end())
+      sweep.ladder.rungs.push_back(rung);
+  }
+  std::deque<SweptScene> scenes;
   for (const auto& variant : sweep.scenes) {
-    if (std::ranges::find(scenes, variant.key(), &SceneRuns::name) != scenes.end()) continue;
-    scenes.push_back(missing_runs(variant, sweep, hooks));
-    total += 2 * scenes.back().runs.size();
+    if (std::ranges::find(scenes, variant.key(), &SweptScene::name) == scenes.end())
+      scenes.emplace_back(variant, sweep);
   }
-  SweepLog log(hooks, total);
-  const std::size_t batch = std::max(1U, sweep.threads);
-  for (std::size_t first = 0; first < scenes.size(); first += batch) {
-    const auto some = std::span(scenes).subspan(first, std::min(batch, scenes.size() - first));
-    in_parallel(some.size(), sweep.threads, [&](std::size_t i) { examine_runs(some[i], log); });
-    for (const auto& of : some) time_runs(of, sweep.repeats, log);
-  }
-  hooks.progress(total, total, "done");
+  SweepLog log(hooks);
+  for (const auto& rung : sweep.ladder.rungs) take_rung(scenes, rung, sweep, hooks, log);
 }
 
 }  // namespace fde

@@ -5,32 +5,43 @@
 #include <thread>
 #include <vector>
 
-#include "records/results_file.hpp"
+#include "records/recorded_run.hpp"
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
+#include "sweep/experiment.hpp"
+#include "sweep/ladder.hpp"
 
 namespace fde {
 
-// Which runs: every scheme on every scene with every resolution.
+// Which runs: every scheme climbs the ladder on every scene.
 struct Sweep {
   std::vector<SceneVariant> scenes;
   std::vector<const Scheme*> schemes;
-  std::vector<StepsOrAccuracy> resolutions;
+  Ladder ladder;
   Setup setup{.budget = 600.0};  // of all runs, but for the resolution
-  int repeats = 3;
+  Repeats repeats{};
   unsigned threads = std::thread::hardware_concurrency();  // of the part that is not timed
 };
 
-// Runs what is not recorded yet, each once. As many scenes as there are threads at a time: first their
-// references and measures, side by side, then their timed solves, each alone on the machine. Rows go to
-// `append` as soon as they are made: a call for each examination and one for each run's times. The runs of a
-// scene keep the order of the lists; those of scenes side by side mix. The number of threads changes no bit
-// of the rows but the times. `append` and `progress`, which hears (done, total, what comes next), are called
-// by one thread at a time.
+// What a sweep is about to do to a run, or that it is done; or that its line ends: no other run of the scene
+// and the scheme is to come.
+struct SweepEvent {
+  enum class Kind { examines, times, is_done, line_ends };
+  Kind kind;
+  RunKey run;
+};
+
+// Runs what is not recorded yet, each once. The rungs are taken one after the other: first those of all
+// scenes are examined, as many scenes side by side as there are threads, then their solves are timed, each
+// alone on the machine; then it is decided who climbs on, from what is recorded and what was measured alike.
+// So a sweep that is continued takes the same runs. Rows go to `append` as soon as they are made: a call for
+// each examination and one for each run's times. The runs of a scene and a rung keep the order of the
+// schemes; those of scenes side by side mix. The number of threads changes no bit of the rows but the times.
+// `append` and `tell` are called by one thread at a time.
 struct SweepHooks {
-  std::function<Recorded(const RunKey&)> recorded;
+  std::function<RecordedRun(const RunKey&)> recorded;
   std::function<void(const std::vector<Record>&)> append;
-  std::function<void(std::size_t done, std::size_t total, const std::string& next)> progress;
+  std::function<void(const SweepEvent&)> tell;
 };
 void run_sweep(const Sweep& sweep, const SweepHooks& hooks);
 

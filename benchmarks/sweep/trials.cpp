@@ -10,8 +10,9 @@ namespace {
 
 std::vector<Trial> all_trials() {
   std::vector<Trial> all;
-  const auto add = [&](const std::string& kind, int steps, std::initializer_list<const char*> scenes) {
-    for (const auto* scene : scenes) all.push_back({kind, parse_variant(scene), steps});
+  const auto add = [&](const std::string& kind, int steps, std::initializer_list<const char*> scenes,
+                       bool thorough = false) {
+    for (const auto* scene : scenes) all.push_back({kind, parse_variant(scene), steps, thorough});
   };
   add("Stiff", 4096,
       {"stiff_relaxation:lambda=-100", "stiff_relaxation:lambda=-1e4", "stiff_relaxation",
@@ -32,9 +33,13 @@ std::vector<Trial> all_trials() {
        "relaxation:lambda=-1e150"});
   add("Tiny and huge steps", 4096,
       {"relaxation:until=1e-100", "relaxation:until=1e100", "diethelm:until=1e-10"});
+  add("Long", 1 << 17,
+      {"relaxation:until=1e4", "pendulum:until=1e4", "pendulum:lambda=0,mu=0,nu=0,until=1e4"});
+  // The reference of the damped oscillator alone takes a minute.
   add("Long", 1 << 20,
       {"relaxation:until=1e5", "damped_oscillator:until=1e5", "pendulum:until=1e5",
-       "pendulum:lambda=0,mu=0,nu=0,until=1e3", "pendulum:lambda=0,mu=0,nu=0,until=1e5"});
+       "pendulum:lambda=0,mu=0,nu=0,until=1e3", "pendulum:lambda=0,mu=0,nu=0,until=1e5"},
+      true);
   add("Unstable and singular", 4096,
       {"pendulum:phi0=3.141592653589793",
        "pendulum:lambda=0,mu=0,nu=0,dphi0=0,phi0=3.141592653589793,until=40",
@@ -50,12 +55,13 @@ std::span<const Trial> trials() {
   return all;
 }
 
-std::vector<Sweep> sweeps_of_trials(Sweep like) {
+std::vector<Sweep> sweeps_of_trials(Sweep like, bool thorough) {
   std::map<int, Sweep> by_steps;
   like.scenes.clear();
   for (const auto& trial : trials()) {
+    if (trial.thorough && !thorough) continue;
     auto& sweep = by_steps.try_emplace(trial.steps, like).first->second;
-    sweep.resolutions = {trial.steps};
+    sweep.ladder = {{trial.steps}};
     sweep.scenes.push_back(trial.scene);
   }
   std::vector<Sweep> sweeps;

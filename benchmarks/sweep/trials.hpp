@@ -13,12 +13,14 @@ struct Trial {
   std::string kind;  // a heading: "Stiff", "Extreme orders", ...
   SceneVariant scene;
   int steps;
+  bool thorough = false;  // takes too long for the default sweep
 };
 
 // All of them, each label once; those of a kind are neighbours.
 std::span<const Trial> trials();
 
-// The trials as sweeps with these schemes and means, those with the same number of steps together.
-std::vector<Sweep> sweeps_of_trials(Sweep like);
+// The trials as sweeps with these schemes and means, those with the same number of steps together; the
+// thorough ones where they are asked for.
+std::vector<Sweep> sweeps_of_trials(Sweep like, bool thorough);
 
 }  // namespace fde

@@ -85,14 +85,6 @@ void check_subcommand(const CLI::App& app, const std::vector<std::string>& argum
 
 }  // namespace
 
-std::function<void(std::size_t, std::size_t, const std::string&)> progress_line(const Streams& streams) {
-  return [&streams](std::size_t done, std::size_t total, const std::string& what) {
-    if (!streams.terminal) return;
-    fmt::print(streams.err, "\r[{:>4}/{}] {:<60}{}", done, total, what, done == total ? "\n" : "");
-    streams.err.flush();
-  };
-}
-
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams, const Scenes& known) {
   CLI::App app{"Which numerical scheme to use for a fractional differential equation, with proof",
                "fdebench"};

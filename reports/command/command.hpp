@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <iosfwd>
 #include <stdexcept>
 #include <string>
@@ -24,7 +22,7 @@ struct NumericalFailure : std::runtime_error {
 struct Streams {
   std::ostream& out;
   std::ostream& err;
-  bool terminal = false;  // err is one: progress may be shown
+  int columns = 0;  // of the terminal that err is; 0: it is none
 };
 
 // The command `fdebench` without its process: arguments after the program's name. Returns the exit code: 0
@@ -32,10 +30,6 @@ struct Streams {
 // the scenes that arguments may name.
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams,
                  const Scenes& known = scenes());
-
-// Overwrites one line of err with what has been done, on a terminal only.
-std::function<void(std::size_t done, std::size_t total, const std::string& what)> progress_line(
-    const Streams& streams);
 
 // Each file of list.def adds its subcommands to the application; scenes are named among those known.
 #define FDE_COMMAND(file) void add_##file(CLI::App& app, const Streams& streams, const Scenes& known);

@@ -8,6 +8,7 @@
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
+#include "command/progress.hpp"
 #include "reference_data/reference_check.hpp"
 #include "scenes/number_text.hpp"
 #include "sweep/default_sweep.hpp"

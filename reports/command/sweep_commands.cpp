@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -10,10 +11,12 @@
 #include "analysis/runs.hpp"
 #include "command/arguments.hpp"
 #include "command/command.hpp"
+#include "command/progress.hpp"
 #include "page/report.hpp"
 #include "records/results_file.hpp"
 #include "scenes/number_text.hpp"
 #include "sweep/default_sweep.hpp"
+#include "sweep/forecast.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep/trials.hpp"
 
@@ -21,13 +24,14 @@ namespace fde {
 namespace {
 
 constexpr int most_repeats = 1000;
+constexpr double brief = 1.0;  // seconds after which a run of the default sweep is timed no more
 
 struct RunArguments {
   std::vector<std::string> scenes, schemes;
   std::optional<std::string> steps, accuracies;
   MeansArguments means{.budget = "600"};
   std::string repeats = "3", out;
-  bool trials = false;
+  bool trials = false, thorough = false;
 };
 
 struct ChooseArguments {
@@ -49,70 +53,78 @@ std::vector<const Scheme*> chosen_schemes(const std::vector<std::string>& ids) {
   return entries;
 }
 
-std::vector<StepsOrAccuracy> chosen_resolutions(const RunArguments& arguments) {
-  std::vector<StepsOrAccuracy> chosen;
-  if (!arguments.steps && !arguments.accuracies) std::ranges::copy(sweep_steps(), std::back_inserter(chosen));
+// The numbers of steps and the accuracies asked for; where none are, as many steps as the answers need, or
+// all of a thorough sweep.
+Ladder chosen_ladder(const RunArguments& arguments) {
+  if (!arguments.steps && !arguments.accuracies)
+    return arguments.thorough ? thorough_ladder() : default_ladder();
+  Ladder chosen;
   for (const auto& text : arguments.steps ? split_list(*arguments.steps) : std::vector<std::string>{})
-    chosen.emplace_back(parse_count("--steps", text, 1, most_steps));
+    chosen.rungs.emplace_back(parse_count("--steps", text, 1, most_steps));
   for (const auto& text :
        arguments.accuracies ? split_list(*arguments.accuracies) : std::vector<std::string>{})
-    chosen.emplace_back(parse_accuracy(text));
+    chosen.rungs.emplace_back(parse_accuracy(text));
   return chosen;
 }
 
 Sweep sweep_of(const RunArguments& arguments, const Scenes& known) {
-  return {.scenes = chosen_scenes(arguments.scenes, known),
-          .schemes = chosen_schemes(arguments.schemes),
-          .resolutions = chosen_resolutions(arguments),
-          .setup = parse_means(arguments.means),
-          .repeats = parse_count("--repeat", arguments.repeats, 1, most_repeats)};
+  Sweep sweep{.scenes = chosen_scenes(arguments.scenes, known),
+              .schemes = chosen_schemes(arguments.schemes),
+              .ladder = chosen_ladder(arguments),
+              .setup = parse_means(arguments.means)};
+  sweep.repeats.most = parse_count("--repeat", arguments.repeats, 1, most_repeats);
+  if (sweep.ladder.goal) sweep.repeats.enough_seconds = brief;
+  return sweep;
 }
 
 // The sweep that is asked for; the trials where no scene and no steps are, alone where they are asked for.
-void run(const RunArguments& arguments, const Streams& streams, const Scenes& known) {
-  const Sweep sweep = sweep_of(arguments, known);
-  const bool asked = !arguments.scenes.empty() || arguments.steps || arguments.accuracies;
-  if (arguments.trials && asked)
+std::vector<Sweep> sweeps_of(const RunArguments& arguments, const Scenes& known) {
+  const bool listed = arguments.steps || arguments.accuracies;
+  if (arguments.trials && (listed || !arguments.scenes.empty()))
     throw std::invalid_argument("--trials = yes: must be without --scene and --steps, trials have their own");
+  if (arguments.thorough && listed)
+    throw std::invalid_argument("--thorough = yes: must be without --steps and --accuracy, it has its own");
+  const Sweep sweep = sweep_of(arguments, known);
   std::vector<Sweep> sweeps;
-  if (arguments.trials || !asked) sweeps = sweeps_of_trials(sweep);
+  if (arguments.trials || (!listed && arguments.scenes.empty()))
+    sweeps = sweeps_of_trials(sweep, arguments.thorough);
   if (!arguments.trials) sweeps.push_back(sweep);
+  return sweeps;
+}
+
+void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams,
+                  const std::function<RecordedRun(const RunKey&)>& recorded,
+                  const std::function<void(const std::vector<Record>&)>& append) {
+  Forecast expected;
+  for (const auto& sweep : sweeps) expected.merge(forecast(sweep, recorded));
+  const bool count_is_exact =
+      std::ranges::none_of(sweeps, [](const auto& sweep) { return sweep.ladder.goal.has_value(); });
+  SweepProgress progress(streams, std::move(expected), count_is_exact);
+  const SweepHooks hooks{recorded, append, [&](const SweepEvent& event) { progress.hear(event); }};
+  for (const auto& sweep : sweeps) run_sweep(sweep, hooks);
+}
+
+void run(const RunArguments& arguments, const Streams& streams, const Scenes& known) {
+  const auto sweeps = sweeps_of(arguments, known);
   ResultsFile file(arguments.out);
-  for (const auto& some : sweeps) {
-    run_sweep(some, {.recorded = [&](const RunKey& key) { return file.recorded(key); },
-                     .append = [&](const auto& rows) { file.append(rows); },
-                     .progress = progress_line(streams)});
-  }
+  run_and_show(
+      sweeps, streams, [&](const RunKey& key) { return file.recorded(key); },
+      [&](const auto& rows) { file.append(rows); });
   fmt::print(streams.out, "{}\n", std::filesystem::absolute(arguments.out).string());
 }
 
-// Whether more steps of the scheme cannot be a better answer: it has reached the error, or was far slower
-// already than what has.
-bool is_settled(const Runs& runs, const std::vector<Choice>& reached, const Scheme& scheme) {
-  constexpr double far = 10.0;
-  if (std::ranges::find(reached, scheme.id, &Choice::scheme) != reached.end()) return true;
-  return !reached.empty() && std::ranges::any_of(runs.finished, [&](const MeasuredRun& run) {
-    return run.key.scheme == scheme.id && run["time_minimum"].value_or(0.0) > far * reached.front().seconds;
-  });
-}
-
-// The results of the default sweep of one scene, measured now, as far as they can answer.
+// The results of the default sweep of one scene, measured now, as far as they can answer: schemes that are
+// far slower than the cheapest are no answer.
 Results measure(const SceneVariant& scene, double error, const Streams& streams) {
+  constexpr double far = 10.0;
   Results results;
   results.sessions.push_back(this_session());
-  Sweep sweep{.scenes = {scene}, .schemes = sweep_schemes(), .resolutions = {}};
-  for (const int steps : sweep_steps()) {
-    sweep.resolutions = {steps};
-    run_sweep(
-        sweep,
-        {.recorded = [](const auto&) { return Recorded::nothing; },
-         .append = [&](const auto& rows) { std::ranges::copy(rows, std::back_inserter(results.records)); },
-         .progress = progress_line(streams)});
-    const Runs runs = runs_of(results);
-    const auto reached = cheapest(runs, scene.key(), error);
-    std::erase_if(sweep.schemes, [&](const Scheme* scheme) { return is_settled(runs, reached, *scheme); });
-    if (sweep.schemes.empty()) break;
-  }
+  Sweep sweep{.scenes = {scene}, .schemes = sweep_schemes(), .ladder = default_ladder()};
+  sweep.ladder.goal = Goal{.errors = {error}, .margin = far};
+  sweep.repeats.enough_seconds = brief;
+  run_and_show(
+      {sweep}, streams, [](const auto&) { return RecordedRun(); },
+      [&](const auto& rows) { std::ranges::copy(rows, std::back_inserter(results.records)); });
   return results;
 }
 
@@ -142,6 +154,7 @@ void add_sweep_commands(CLI::App& app, const Streams& streams, const Scenes& kno
                      "accuracies E1,E2,... of schemes that choose their steps");
   run_command.option("--repeat", of_run->repeats, "timed repeats of each run");
   add_options(run_command, of_run->means);
+  run_command.flag("--thorough", of_run->thorough, "all numbers of steps and all trials");
   run_command.flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
   run_command.required("--out", of_run->out, "results file");
   run_command.callback([=, &known] { run(*of_run, streams, known); });

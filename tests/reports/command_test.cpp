@@ -219,6 +219,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"solve relaxation --scheme l1 --steps 100000 --grid graded:80",
                 "l1 needs a first step above 1e-290, not 0"},
         Mistake{"run --trials --steps 64 --out x", "--trials = yes: must be without --scene and --steps"},
+        Mistake{"run --thorough --steps 64 --out x",
+                "--thorough = yes: must be without --steps and --accuracy"},
         Mistake{"solve power --set gamma=2 --scheme product_trapezoidal --steps 8 --until 1e-170",
                 "product_trapezoidal needs a first step above 1e-145, not 1.25e-171"},
         Mistake{"solve relaxation --scheme l1 --steps 3000000 --at 1 --history direct",
@@ -286,6 +288,14 @@ TEST(Run, ThenReportThenChoose) {
   EXPECT_THAT(fdebench("choose relaxation --error 1e-9 --results " + file).out,
               HasSubstr("no run of relaxation reaches"));
   std::filesystem::remove_all(folder);
+}
+
+// product_trapezoidal is within 1e-4 with 64 steps, and by then no scheme is far slower.
+TEST(Choose, MeasuresTheSceneAsFarAsTheErrorNeeds) {
+  const auto choice = fdebench("choose power --error 1e-4");
+  EXPECT_EQ(choice.code, 0) << choice.err;
+  EXPECT_THAT(choice.out, HasSubstr("product_trapezoidal (auto): N = 64, "));
+  EXPECT_THAT(choice.out, testing::Not(HasSubstr("none")));
 }
 
 TEST(Run, TakesVariantsOfScenes) {

@@ -28,7 +28,7 @@ class RecordedRuns : public testing::Test {
   }
   static std::vector<Record> times() { return {row("time_minimum", 0.5), row("time_median", 0.6)}; }
 
-  [[nodiscard]] Recorded recorded() const { return ResultsFile(file_).recorded(key()); }
+  [[nodiscard]] Recorded recorded() const { return ResultsFile(file_).recorded(key()).amount(); }
   [[nodiscard]] std::string text() const {
     std::ostringstream all;
     all << std::ifstream(file_).rdbuf();

@@ -67,8 +67,8 @@ TEST_F(ResultsFiles, ReturnWhatWasAppended) {
   EXPECT_EQ(results.records[0].quantity, "error_end");
   EXPECT_EQ(results.records[0].value, 0.1 / 64);
   const ResultsFile again(file_);
-  EXPECT_EQ(again.recorded(key("l1", 64)), Recorded::all_but_times);
-  EXPECT_EQ(again.recorded(key("l1", 128)), Recorded::nothing);
+  EXPECT_EQ(again.recorded(key("l1", 64)).amount(), Recorded::all_but_times);
+  EXPECT_EQ(again.recorded(key("l1", 128)).amount(), Recorded::nothing);
   EXPECT_FALSE(results.sessions.at(0).compiler.empty());
 }
 
@@ -81,15 +81,19 @@ TEST_F(ResultsFiles, TellRunsApartByTheirWholeKey) {
     change(other);
     return again.recorded(other);
   };
-  EXPECT_EQ(recorded_with([](RunKey&) {}), Recorded::all_but_times);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.scene.values["gamma"] = 0.5; }), Recorded::nothing);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.scene.until = 1.0; }), Recorded::nothing);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.scheme = "adams_pc"; }), Recorded::nothing);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.resolution = Accuracy{1e-6, 1e-9}; }), Recorded::nothing);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.grading = 2.0; }), Recorded::nothing);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.history = HistoryKind::direct; }), Recorded::nothing);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.tolerance = 1e-8; }), Recorded::nothing);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.budget = 60.0; }), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey&) {}).amount(), Recorded::all_but_times);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.scene.values["gamma"] = 0.5; }).amount(), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.scene.until = 1.0; }).amount(), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.scheme = "adams_pc"; }).amount(), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) {
+              k.setup.resolution = Accuracy{1e-6, 1e-9};
+            }).amount(),
+            Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.grading = 2.0; }).amount(), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.history = HistoryKind::direct; }).amount(),
+            Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.tolerance = 1e-8; }).amount(), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.budget = 60.0; }).amount(), Recorded::nothing);
 }
 
 TEST_F(ResultsFiles, KeepEveryMemberOfARun) {
@@ -127,7 +131,7 @@ TEST_F(ResultsFiles, OfAnotherBuildDoNotCount) {
   const std::string commit = R"("commit":")";
   other.insert(other.find(commit) + commit.size(), "x");
   write(other);
-  EXPECT_EQ(ResultsFile(file_).recorded(key("l1", 64)), Recorded::nothing);
+  EXPECT_EQ(ResultsFile(file_).recorded(key("l1", 64)).amount(), Recorded::nothing);
   EXPECT_EQ(read_results(file_).records.size(), 2U);
 }
 
@@ -208,25 +212,32 @@ TEST_F(ResultsFiles, OnAFullDiskSaySoAndKeepTheirWholeRuns) {
   EXPECT_EQ(text(), before);
 }
 
+RecordedRun complete(const RunKey& key) {
+  RecordedRun run;
+  run.note({.key = key, .quantity = "ending", .ending = RunEnding{}});
+  run.note({.key = key, .quantity = "time_minimum"});
+  return run;
+}
+
 TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
   const Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
                     .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
-                    .resolutions = {16, 32},
-                    .repeats = 2};
+                    .ladder = {{16, 32}},
+                    .repeats = {.most = 2}};
   std::vector<Record> all;
   std::size_t calls = 0;
   run_sweep(sweep, {.recorded =
                         [](const RunKey& run) {
                           const bool first =
                               run.scheme == "l1" && run.setup.resolution == StepsOrAccuracy(16);
-                          return first ? Recorded::everything : Recorded::nothing;
+                          return first ? complete(run) : RecordedRun();
                         },
                     .append =
                         [&](const auto& rows) {
                           ++calls;
                           all.insert(all.end(), rows.begin(), rows.end());
                         },
-                    .progress = [](std::size_t, std::size_t, const auto&) {}});
+                    .tell = [](const auto&) {}});
   EXPECT_EQ(calls, 6U);  // an examination and its times
   const auto count = [&](std::string_view quantity) {
     return std::ranges::count(all, quantity, &Record::quantity);
@@ -241,10 +252,10 @@ TEST(Sweeps, MeasureOnceWhatIsAskedForTwice) {
   const SceneVariant power{&scene_maker("power")};
   const auto* l1 = find_scheme("l1");
   int calls = 0;
-  run_sweep({.scenes = {power, power}, .schemes = {l1, l1}, .resolutions = {16, 16}, .repeats = 1},
-            {.recorded = [](const auto&) { return Recorded::nothing; },
+  run_sweep({.scenes = {power, power}, .schemes = {l1, l1}, .ladder = {{16, 16}}, .repeats = {.most = 1}},
+            {.recorded = [](const auto&) { return RecordedRun(); },
              .append = [&](const auto&) { ++calls; },
-             .progress = [](std::size_t, std::size_t, const auto&) {}});
+             .tell = [](const auto&) {}});
   EXPECT_EQ(calls, 2);  // its examination and its times
 }
 
@@ -255,11 +266,10 @@ TEST(Sweeps, StopAtTheFirstFailureToWrite) {
     throw std::runtime_error("disk full");
   };
   EXPECT_THROW(
-      run_sweep(
-          {.scenes = {{&scene_maker("power")}}, .schemes = {find_scheme("l1")}, .resolutions = {16, 32}},
-          {.recorded = [](const auto&) { return Recorded::nothing; },
-           .append = write,
-           .progress = [](std::size_t, std::size_t, const auto&) {}}),
+      run_sweep({.scenes = {{&scene_maker("power")}}, .schemes = {find_scheme("l1")}, .ladder = {{16, 32}}},
+                {.recorded = [](const auto&) { return RecordedRun(); },
+                 .append = write,
+                 .tell = [](const auto&) {}}),
       std::runtime_error);
   EXPECT_EQ(calls, 1);
 }
@@ -269,11 +279,11 @@ std::vector<std::string> rows_with_threads(unsigned threads) {
   const Sweep sweep{
       .scenes = {{&scene_maker("relaxation")}, {&scene_maker("brusselator")}, {&scene_maker("pendulum")}},
       .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
-      .resolutions = {16, 600},
-      .repeats = 1,
+      .ladder = {{16, 600}},
+      .repeats = {.most = 1},
       .threads = threads};
   std::vector<std::string> rows;
-  run_sweep(sweep, {.recorded = [](const auto&) { return Recorded::nothing; },
+  run_sweep(sweep, {.recorded = [](const auto&) { return RecordedRun(); },
                     .append =
                         [&](const auto& run) {
                           for (const auto& row : run) {
@@ -281,7 +291,7 @@ std::vector<std::string> rows_with_threads(unsigned threads) {
                             rows.push_back(line_of(row, false));
                           }
                         },
-                    .progress = [](std::size_t, std::size_t, const auto&) {}});
+                    .tell = [](const auto&) {}});
   const auto scene = [](const auto& row) { return row.substr(row.find(R"("scene":)")); };
   std::ranges::stable_sort(rows, {}, [&](const auto& row) { return scene(row).substr(0, 20); });
   return rows;

@@ -13,38 +13,57 @@
 namespace fde {
 namespace {
 
-constexpr auto nothing_is_recorded = [](const auto&) { return Recorded::nothing; };
-constexpr auto silence = [](std::size_t, std::size_t, const auto&) {};
+constexpr auto nothing_is_recorded = [](const auto&) { return RecordedRun(); };
+constexpr auto silence = [](const auto&) {};
+
+RecordedRun examined(const RunKey& key) {
+  RecordedRun run;
+  run.note({.key = key, .quantity = "ending", .ending = RunEnding{}});
+  return run;
+}
 
 // A continued sweep times what was examined and examines it no more.
 TEST(ContinuedSweeps, TimeWhatIsExamined) {
   std::vector<Record> rows;
-  run_sweep(
-      {.scenes = {{&scene_maker("power")}},
-       .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
-       .resolutions = {16},
-       .repeats = 1},
-      {.recorded =
-           [](const RunKey& run) { return run.scheme == "l1" ? Recorded::all_but_times : Recorded::nothing; },
-       .append = [&](const auto& some) { rows.insert(rows.end(), some.begin(), some.end()); },
-       .progress = silence});
+  run_sweep({.scenes = {{&scene_maker("power")}},
+             .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
+             .ladder = {{16}},
+             .repeats = {.most = 1}},
+            {.recorded = [](const RunKey& run) { return run.scheme == "l1" ? examined(run) : RecordedRun(); },
+             .append = [&](const auto& some) { rows.insert(rows.end(), some.begin(), some.end()); },
+             .tell = silence});
   EXPECT_EQ(std::ranges::count(rows, "ending", &Record::quantity), 1);
   EXPECT_EQ(std::ranges::count(rows, "time_median", &Record::quantity), 2);
 }
 
-TEST(Sweeps, TellEachExaminationBeforeTheNextBegins) {
+std::string words_of(const SweepEvent& event) {
+  const std::string run = resolution_text(event.run.setup);
+  switch (event.kind) {
+    case SweepEvent::Kind::examines:
+      return "examines " + run;
+    case SweepEvent::Kind::times:
+      return "times " + run;
+    case SweepEvent::Kind::is_done:
+      return run + " is done";
+    case SweepEvent::Kind::line_ends:
+      return "line ends at " + run;
+  }
+  return {};
+}
+
+TEST(Sweeps, TakeOneRungAfterTheOtherAndTellEachRun) {
   std::vector<std::string> events;
   run_sweep({.scenes = {{&scene_maker("power")}},
              .schemes = {find_scheme("l1")},
-             .resolutions = {16, 32},
-             .repeats = 1,
+             .ladder = {{16, 32}},
+             .repeats = {.most = 1},
              .threads = 1},
             {.recorded = nothing_is_recorded,
              .append = [&](const auto& some) { events.push_back(some.back().quantity); },
-             .progress = [&](std::size_t, std::size_t, const auto& what) { events.push_back(what); }});
-  EXPECT_THAT(events, testing::ElementsAre("power l1 N = 16", "ending", "power l1 N = 32", "ending",
-                                           "power l1 N = 16, time", "time_median", "power l1 N = 32, time",
-                                           "time_median", "done"));
+             .tell = [&](const auto& event) { events.push_back(words_of(event)); }});
+  EXPECT_THAT(events, testing::ElementsAre("examines N = 16", "ending", "times N = 16", "time_median",
+                                           "N = 16 is done", "examines N = 32", "ending", "times N = 32",
+                                           "time_median", "N = 32 is done", "line ends at N = 32"));
 }
 
 // While one thread is appending the others go on: nothing but a failure ends their scenes.
@@ -57,8 +76,8 @@ TEST_P(SlowAppends, LoseNoExaminationAndNoTime) {
   };
   const Sweep sweep{.scenes = {relaxation(0.5), relaxation(0.6), relaxation(0.7), relaxation(0.8)},
                     .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
-                    .resolutions = {1, 2, 3, 4, 5, 6},
-                    .repeats = 1,
+                    .ladder = {{1, 2, 3, 4, 5, 6}},
+                    .repeats = {.most = 1},
                     .threads = 4};
   run_sweep(sweep, {.recorded = nothing_is_recorded,
                     .append =
@@ -67,8 +86,8 @@ TEST_P(SlowAppends, LoseNoExaminationAndNoTime) {
                           (last.ending ? endings : times).insert(last.key);
                           if (last.ending) std::this_thread::sleep_for(std::chrono::milliseconds(1));
                         },
-                    .progress = silence});
-  EXPECT_EQ(endings.size(), sweep.scenes.size() * sweep.schemes.size() * sweep.resolutions.size());
+                    .tell = silence});
+  EXPECT_EQ(endings.size(), sweep.scenes.size() * sweep.schemes.size() * sweep.ladder.rungs.size());
   EXPECT_EQ(std::set<RunKey>(endings.begin(), endings.end()).size(), endings.size());
   EXPECT_TRUE(times == endings);
 }

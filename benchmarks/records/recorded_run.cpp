@@ -1,0 +1,29 @@
+#include "records/recorded_run.hpp"
+
+namespace fde {
+
+void RecordedRun::note(const Record& row) {
+  if (is_time(row)) {
+    if (!ending_) return;
+    timed_ = true;
+  } else if (ending_) {
+    *this = {};
+  }
+  if (row.ending) {
+    ending_ = row.ending->kind;
+  } else {
+    values_[row.quantity] = row.value;
+  }
+}
+
+Recorded RecordedRun::amount() const {
+  if (!ending_) return Recorded::nothing;
+  return timed_ || !is_compared(*ending_) ? Recorded::everything : Recorded::all_but_times;
+}
+
+std::optional<double> RecordedRun::operator[](std::string_view quantity) const {
+  const auto found = values_.find(quantity);
+  return found == values_.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace fde

@@ -1,0 +1,172 @@
+#include "sweep/forecast.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include "observers/watched_steps.hpp"
+#include "sweep/in_parallel.hpp"
+
+namespace fde {
+namespace {
+
+double seconds_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// What three solves say of the runs of one scheme on one scene.
+class Probe {
+ public:
+  Probe(const Scene& scene, const Scheme& scheme, const Sweep& sweep) {
+    std::array<Vec, 3> results;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      steps_ = fewest_steps(sweep.ladder) << i;
+      results[i] = solve(scene, scheme, sweep.setup);
+    }
+    if (failed_) return;
+    error_ = (results[2] - results[1]).cwiseAbs().maxCoeff();
+    if (scheme.expected_rate)
+      rate_ = scheme.expected_rate(scene.problem, scene.smoothness, sweep.setup.grading, Norm::end);
+  }
+
+  // A run with so many steps.
+  [[nodiscard]] Rung rung(int steps) const {
+    const double ratio = static_cast<double>(steps_) / steps;
+    Rung rung{.steps = steps, .hopeless = refused_, .rate = rate_};
+    if (failed_) return rung;
+    rung.seconds = seconds_ / ratio;
+    rung.error = error_ * std::pow(ratio, rate_.value_or(1.0));
+    return rung;
+  }
+
+ private:
+  // Four times as many are at most 512, and at most a quarter of the most steps of the ladder.
+  static int fewest_steps(const Ladder& ladder) {
+    constexpr int most = 128, part = 16;
+    int steps = 0;
+    for (const auto& rung : ladder.rungs) {
+      if (const auto* some = std::get_if<int>(&rung)) steps = std::max(steps, *some);
+    }
+    return std::clamp(steps / part, 1, most);
+  }
+
+  // The columns at the end of a solve with steps_.
+  Vec solve(const Scene& scene, const Scheme& scheme, Setup setup) {
+    constexpr double most_seconds = 2.0;
+    setup.resolution = steps_;
+    setup.budget = std::min(setup.budget, most_seconds);
+    const double end = scene.problem.end;
+    const auto resolution = resolution_of(setup, end);
+    if (refusal(scheme, scene.problem, resolution)) refused_ = failed_ = true;
+    if (failed_) return {};
+    Options options = setup.options();
+    options.at = {end};
+    Trajectory path;
+    seconds_ = seconds_of([&] { path = scheme.solve(scene.problem, resolution, options); });
+    failed_ = path.ending != Ending::finished;
+    if (failed_) return {};
+    return columns_at(scene.outputs, end, path.y.rightCols(1));
+  }
+
+  int steps_ = 1;
+  bool refused_ = false, failed_ = false;
+  double seconds_ = 0.0, error_ = 0.0;  // with steps_
+  std::optional<double> rate_{};
+};
+
+// Seconds that the reference of a scene takes to be evaluated at one time.
+double seconds_of_reference(const Scene& scene) {
+  if (!scene.reference.at) return 0.0;
+  try {
+    scene.reference.at(scene.problem.end);  // what is made once
+    return seconds_of([&] { scene.reference.at(0.7 * scene.problem.end); });
+  } catch (const std::runtime_error&) {
+    return 0.0;
+  }
+}
+
+// The seconds of the repeated solves of a run; 0 where none is timed.
+double seconds_of_timing(const Rung& rung, const Repeats& repeats) {
+  if (!rung.seconds) return 0.0;
+  const double once = *rung.seconds;
+  const double wanted = std::min(repeats.most * once, repeats.enough_seconds + once);
+  return std::max({wanted, once, least_timed_seconds});
+}
+
+// A scene that is climbed in thought.
+class ForecastScene {
+ public:
+  ForecastScene(const SceneVariant& variant, const Sweep& sweep,
+                const std::function<RecordedRun(const RunKey&)>& recorded)
+      : name_(variant.key()), scene_(make_scene(variant)), sweep_(sweep), recorded_(recorded) {}
+
+  Forecast climb() {
+    reference_ = seconds_of_reference(scene_);
+    std::vector<Probe> probes;
+    for (const auto* scheme : sweep_.schemes) probes.emplace_back(scene_, *scheme, sweep_);
+    std::vector<Climb> climbs(probes.size());
+    std::vector<bool> ended(probes.size(), false);
+    for (const auto& resolution : sweep_.ladder.rungs) {
+      for (std::size_t i = 0; i < probes.size(); ++i) {
+        if (!ended[i]) climbs[i].push_back(take(*sweep_.schemes[i], probes[i], resolution));
+      }
+      for (std::size_t i = 0; i < probes.size(); ++i)
+        ended[i] = ended[i] || has_ended(sweep_.ladder, climbs, climbs[i]);
+    }
+    return std::move(expected_);
+  }
+
+ private:
+  Rung take(const Scheme& scheme, const Probe& probe, const StepsOrAccuracy& resolution) {
+    RunKey key{name_, std::string(scheme.id), sweep_.setup};
+    key.setup.resolution = resolution;
+    const RecordedRun recorded = recorded_(key);
+    if (recorded.amount() == Recorded::everything) return rung_of(key.setup, recorded);
+    const auto* steps = std::get_if<int>(&resolution);
+    const Rung rung = probe.rung(steps != nullptr ? *steps : 1);
+    expected_[key] = seconds_of(rung) + seconds_of_timing(rung, sweep_.repeats);
+    return rung;
+  }
+
+  // The examination: its two solves and what is new of the reference, a part of what goes on side by side.
+  double seconds_of(const Rung& rung) {
+    constexpr double least = 0.002, computed_reference = 0.5;
+    double seconds = least + 2.0 * rung.seconds.value_or(0.0);
+    const int times = rung.seconds ? std::min(rung.steps, most_watched) : 0;
+    if (times > 0 && known_ == 0 && !scene_.reference.at) seconds += computed_reference;
+    seconds += reference_ * std::max(0, times - known_);
+    known_ = std::max(known_, times);
+    const auto side_by_side = std::min<std::size_t>(std::max(1U, sweep_.threads), sweep_.scenes.size());
+    return seconds / static_cast<double>(side_by_side);
+  }
+
+  SceneSettings name_;
+  Scene scene_;
+  const Sweep& sweep_;
+  const std::function<RecordedRun(const RunKey&)>& recorded_;
+  double reference_ = 0.0;
+  int known_ = 0;  // times at which the reference is known
+  Forecast expected_{};
+};
+
+}  // namespace
+
+double total_seconds(const Forecast& forecast) {
+  return std::accumulate(forecast.begin(), forecast.end(), 0.0,
+                         [](double sum, const auto& run) { return sum + run.second; });
+}
+
+Forecast forecast(const Sweep& sweep, const std::function<RecordedRun(const RunKey&)>& recorded) {
+  std::vector<Forecast> parts(sweep.scenes.size());
+  in_parallel(parts.size(), sweep.threads,
+              [&](std::size_t i) { parts[i] = ForecastScene(sweep.scenes[i], sweep, recorded).climb(); });
+  Forecast all;
+  for (auto& part : parts) all.merge(part);
+  return all;
+}
+
+}  // namespace fde

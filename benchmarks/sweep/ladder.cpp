@@ -1,0 +1,119 @@
+#include "sweep/ladder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace fde {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t fewest_rungs = 5;
+
+bool is_hopeless(Ending ending) {
+  switch (ending) {
+    case Ending::refused:
+    case Ending::no_reference:
+    case Ending::overflow:
+    case Ending::singular:
+    case Ending::passed_singularity:
+    case Ending::out_of_budget:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// The rates at which the error fell last and at which theory expects it to, the smaller first.
+std::optional<std::pair<double, double>> rates_of(const Climb& climb) {
+  const Rung& last = climb.back();
+  std::vector<double> rates;
+  if (last.rate) rates.push_back(*last.rate);
+  if (climb.size() > 1 && climb[climb.size() - 2].error.value_or(0.0) > 0.0) {
+    const Rung& before = climb[climb.size() - 2];
+    rates.push_back(std::log(*before.error / *last.error) /
+                    std::log(static_cast<double>(last.steps) / before.steps));
+  }
+  if (rates.empty()) return std::nullopt;
+  return std::minmax({rates.front(), rates.back()});
+}
+
+std::optional<double> measured_seconds(const Climb& climb, double error) {
+  double least = infinity;
+  for (const Rung& rung : climb) {
+    if (rung.error.value_or(infinity) <= error) least = std::min(least, rung.seconds.value_or(infinity));
+  }
+  return least < infinity ? std::optional(least) : std::nullopt;
+}
+
+// The seconds with so many steps. A step costs what it did at the cheapest of the last rungs: a time is at
+// times too long, where the machine did something else, but not too short.
+double seconds_with(const Climb& climb, int steps) {
+  constexpr std::size_t trusted = 3;
+  double step = infinity;
+  for (const Rung& rung : std::span(climb).last(std::min(trusted, climb.size())))
+    step = std::min(step, rung.seconds.value_or(infinity) / rung.steps);
+  return step * steps;
+}
+
+int steps_of(const StepsOrAccuracy& rung) {
+  const auto* steps = std::get_if<int>(&rung);
+  return steps != nullptr ? *steps : 0;
+}
+
+// Whether the climb, going on, could not be the answer within this error.
+bool is_answered(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb, double error) {
+  if (measured_seconds(climb, error)) return true;
+  if (!climb.back().error || !rates_of(climb)) return false;
+  const double own = seconds_needed(ladder, climb, error, true).value_or(infinity);
+  if (own > ladder.goal->most_seconds) return true;
+  return std::ranges::any_of(of_scene, [&](const Climb& other) {
+    if (&other == &climb || other.empty()) return false;
+    return own > ladder.goal->margin * seconds_needed(ladder, other, error, false).value_or(infinity);
+  });
+}
+
+}  // namespace
+
+Rung rung_of(const Setup& setup, const RecordedRun& run) {
+  Rung rung{.steps = steps_of(setup.resolution),
+            .hopeless = run.ending() && is_hopeless(*run.ending()),
+            .error = run["error_end"],
+            .seconds = run["time_minimum"],
+            .rate = run["expected_rate_end"]};
+  rung.at_floor = rung.error && (run["rounding_from"] || *rung.error <= run["reference_bound"].value_or(0.0));
+  return rung;
+}
+
+std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, double error, bool hopeful) {
+  constexpr double hope = 0.5;
+  if (const auto measured = measured_seconds(climb, error)) return measured;
+  const Rung& last = climb.back();
+  if (!last.error || !last.seconds) return std::nullopt;
+  const auto rates = rates_of(climb);
+  if (!rates) return std::nullopt;
+  const double rate = hopeful ? rates->second + hope : rates->first;
+  if (rate <= 0.0) return std::nullopt;
+  const double least = last.steps * std::pow(*last.error / error, 1.0 / rate);
+  const auto found = std::ranges::find_if(
+      ladder.rungs, [&](const auto& rung) { return steps_of(rung) > last.steps && steps_of(rung) >= least; });
+  if (found == ladder.rungs.end()) return std::nullopt;
+  return seconds_with(climb, steps_of(*found));
+}
+
+bool has_ended(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb) {
+  if (climb.size() == ladder.rungs.size()) return true;
+  if (!ladder.goal || climb.empty()) return false;
+  const auto& [errors, most_seconds, margin] = *ladder.goal;
+  const Rung& last = climb.back();
+  if (last.hopeless || last.at_floor) return true;
+  if (last.error.value_or(infinity) <= std::ranges::min(errors)) return true;
+  if (!last.seconds) return false;
+  if (seconds_with(climb, steps_of(ladder.rungs[climb.size()])) > most_seconds) return true;
+  return climb.size() >= fewest_rungs && std::ranges::all_of(errors, [&](double error) {
+           return is_answered(ladder, of_scene, climb, error);
+         });
+}
+
+}  // namespace fde

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "records/recorded_run.hpp"
+#include "records/setup.hpp"
+
+namespace fde {
+
+// What a ladder is climbed for: the cheapest run within each of some errors at the end.
+struct Goal {
+  std::vector<double> errors{1e-2, 1e-4, 1e-6, 1e-8};
+  double most_seconds = 3.0;  // of a solve: what takes longer is no answer
+  double margin = 2.0;        // by which the forecast of another scheme's time may be wrong
+};
+
+// The numbers of steps that a scheme gets on a scene, the coarsest first: all of them, or as far as a goal
+// needs.
+struct Ladder {
+  std::vector<StepsOrAccuracy> rungs{};
+  std::optional<Goal> goal{};
+};
+
+// What a run says of those with more steps.
+struct Rung {
+  int steps = 0;
+  bool hopeless = false;            // more steps end in the same way: refused, without a reference, ...
+  bool at_floor = false;            // its error is that of rounding, or of the reference
+  std::optional<double> error{};    // at the end
+  std::optional<double> seconds{};  // of a solve
+  std::optional<double> rate{};     // that theory expects of the error
+};
+Rung rung_of(const Setup& setup, const RecordedRun& run);
+
+// The rungs that one scheme has taken on a scene, the coarsest first.
+using Climb = std::vector<Rung>;
+
+// The seconds of the first rung that is within the error: measured, or as the error is forecast to fall. The
+// forecast takes the observed rate or the expected one: the smaller, or where it is `hopeful` the larger and
+// a half more. nullopt: no rung is, or nothing is known.
+std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, double error, bool hopeful);
+
+// Whether the rungs that are left cannot change an answer, so that the climb ends. One of all climbs of a
+// scene ends
+//   - at the top, or where its rung is hopeless;
+//   - within the least error of the goal, or at the floor;
+//   - where the next rung is forecast to take more than most_seconds;
+//   - from the fifth rung on, with which a rate is known, where each error not reached is out of its hopeful
+//     reach, or another climb is within it in less time, by its measured or its forecast seconds.
+// Without a goal only at the top.
+bool has_ended(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb);
+
+}  // namespace fde

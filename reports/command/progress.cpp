@@ -1,0 +1,87 @@
+#include "command/progress.hpp"
+
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <utility>
+
+namespace fde {
+namespace {
+
+using std::chrono::duration;
+
+void overwrite_line(const Streams& streams, const Progress& progress) {
+  fmt::print(streams.err, "\r{:<{}}", progress_text(progress, streams.columns), streams.columns - 1);
+  streams.err.flush();
+}
+
+std::string bar_text(double part) {
+  constexpr int width = 20;
+  const int done = std::clamp(static_cast<int>(std::floor(part * width)), 0, width);
+  return fmt::format("[{:#<{}}{:.<{}}]  ", "", done, "", width - done);
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  constexpr int minute = 60, hour = 60 * minute;
+  const auto whole = std::llround(seconds);
+  if (whole < minute) return fmt::format("{} s", whole);
+  if (whole < hour) return fmt::format("{} min {:02} s", whole / minute, whole % minute);
+  return fmt::format("{} h {:02} min", whole / hour, whole % hour / minute);
+}
+
+std::string progress_text(const Progress& progress, int columns) {
+  constexpr int fewest_with_bar = 60;
+  std::string text = columns >= fewest_with_bar ? bar_text(progress.part) : "";
+  text += fmt::format("{:3.0f} %  {}/{}", std::floor(100.0 * progress.part), progress.done, progress.total);
+  if (progress.seconds_left) text += fmt::format("  {} left", duration_text(*progress.seconds_left));
+  if (columns == 0) return text;
+  text += "  " + progress.at_hand;
+  return text.substr(0, static_cast<std::size_t>(std::max(0, columns - 1)));
+}
+
+std::function<void(std::size_t, std::size_t, const std::string&)> progress_line(const Streams& streams) {
+  return [&streams](std::size_t done, std::size_t total, const std::string& what) {
+    if (streams.columns == 0) return;
+    const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 1.0;
+    overwrite_line(streams, {.part = part, .done = done, .total = total, .at_hand = what});
+    if (done == total) fmt::print(streams.err, "\n");
+  };
+}
+
+SweepProgress::SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact)
+    : streams_(streams), remaining_(std::move(expected)) {
+  constexpr double worth_saying = 5.0;
+  const double seconds = remaining_.seconds_left(0.0);
+  if (seconds < worth_saying) return;
+  fmt::print(streams_.err, "{}{} runs, about {}\n", count_is_exact ? "" : "about ",
+             remaining_.runs_expected(), duration_text(seconds));
+  streams_.err.flush();
+}
+
+SweepProgress::~SweepProgress() {
+  if (line_is_open_) streams_.err << std::endl;
+}
+
+void SweepProgress::hear(const SweepEvent& event) {
+  using namespace std::chrono_literals;
+  remaining_.hear(event);
+  const bool terminal = streams_.columns > 0;
+  const auto now = Clock::now();
+  if (line_is_open_ ? now - shown_ < 100ms : !terminal && now - shown_ < 1min) return;
+  shown_ = now;
+  const Progress progress{.part = remaining_.part_done(),
+                          .done = remaining_.runs_done(),
+                          .total = remaining_.runs_expected(),
+                          .seconds_left = remaining_.seconds_left(duration<double>(now - start_).count()),
+                          .at_hand = remaining_.at_hand()};
+  line_is_open_ = terminal;
+  if (terminal) return overwrite_line(streams_, progress);
+  fmt::print(streams_.err, "{}\n", progress_text(progress, 0));
+  streams_.err.flush();
+}
+
+}  // namespace fde

@@ -1,0 +1,215 @@
+#include "sweep/ladder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "support/testing.hpp"
+#include "sweep/default_sweep.hpp"
+#include "sweep/forecast.hpp"
+#include "sweep/remaining.hpp"
+#include "sweep/sweep.hpp"
+
+namespace fde {
+namespace {
+
+const Ladder ladder{{64, 128, 256, 512, 1024, 2048, 4096, 8192}, Goal{}};
+
+// A climb whose error and seconds are C N^-rate and s N.
+Climb climb_of(int rungs, double constant, double rate, double seconds_a_step = 1e-7) {
+  Climb climb;
+  for (int i = 0; i < rungs; ++i) {
+    const int steps = std::get<int>(ladder.rungs[static_cast<std::size_t>(i)]);
+    climb.push_back({.steps = steps,
+                     .error = constant * std::pow(steps, -rate),
+                     .seconds = seconds_a_step * steps,
+                     .rate = rate});
+  }
+  return climb;
+}
+
+bool ends(const std::vector<Climb>& of_scene) { return has_ended(ladder, of_scene, of_scene.front()); }
+
+TEST(Ladders, EndAtTheFirstRungWithinTheLeastError) {
+  EXPECT_FALSE(ends({climb_of(1, 1e-4, 2.0)}));
+  EXPECT_TRUE(ends({climb_of(2, 1e-4, 2.0)}));  // 1e-4 / 128^2 = 6e-9
+}
+
+TEST(Ladders, EndWhereTheErrorIsRounding) {
+  auto climb = climb_of(3, 1.0, 1.0);
+  EXPECT_FALSE(ends({climb}));
+  climb.back().at_floor = true;
+  EXPECT_TRUE(ends({climb}));
+}
+
+TEST(Ladders, EndBeforeARungOfMoreThanTheMostSeconds) {
+  const double seconds = ladder.goal->most_seconds;
+  EXPECT_FALSE(ends({climb_of(2, 10.0, 2.0, 0.9 * seconds / 256)}));
+  EXPECT_TRUE(ends({climb_of(2, 10.0, 2.0, 1.1 * seconds / 256)}));
+}
+
+TEST(Ladders, ForecastTheSecondsOfAStepByTheCheapestOfTheLastRungs) {
+  auto climb = climb_of(3, 10.0, 2.0, 1e-6);
+  *climb.back().seconds *= 1e6;  // the machine did something else
+  EXPECT_FALSE(ends({climb}));
+}
+
+TEST(Ladders, EndWhereMoreStepsEndInTheSameWay) {
+  EXPECT_TRUE(ends({{{.steps = 64, .hopeless = true}}}));
+  EXPECT_FALSE(ends({{{.steps = 64}}})) << "a run that failed may succeed with more steps";
+}
+
+// Of rate 1 from 1e-2 on: at most 1e-2 / 128^1.5 = 7e-6 at the top.
+TEST(Ladders, EndWhereNoErrorLeftIsWithinReach) {
+  EXPECT_FALSE(ends({climb_of(4, 0.64, 1.0)})) << "a rate is not known from fewer rungs";
+  const auto slow = climb_of(5, 0.64, 1.0), fast = climb_of(5, 1.0, 2.0);
+  EXPECT_TRUE(ends({slow, climb_of(8, 1.0, 2.0)}));
+  EXPECT_FALSE(ends({fast, slow})) << "of rate 2 it is";
+}
+
+TEST(Ladders, EndWhereAnotherSchemeIsWithinEachErrorInLessTime) {
+  const auto climb = climb_of(5, 0.1, 2.0);
+  EXPECT_FALSE(ends({climb, climb_of(5, 0.1, 2.0, 0.9e-7)})) << "the forecast may be wrong by its margin";
+  EXPECT_TRUE(ends({climb, climb_of(5, 0.1, 2.0, 1e-8)}));
+}
+
+TEST(Ladders, WithoutAGoalEndAtTheTop) {
+  const Ladder all{ladder.rungs};
+  const std::vector<Climb> climbs{climb_of(7, 1e-9, 2.0), climb_of(8, 1e-9, 2.0)};
+  EXPECT_FALSE(has_ended(all, climbs, climbs[0]));
+  EXPECT_TRUE(has_ended(all, climbs, climbs[1]));
+}
+
+TEST(Rungs, AreAtTheFloorOfRoundingOrOfTheReference) {
+  const auto rung = [](const std::map<std::string, double>& values) {
+    RecordedRun run;
+    for (const auto& [quantity, value] : values) run.note({.quantity = quantity, .value = value});
+    return rung_of({64}, run);
+  };
+  EXPECT_FALSE(rung({{"error_end", 1e-9}, {"reference_bound", 1e-15}}).at_floor);
+  EXPECT_TRUE(rung({{"error_end", 1e-9}, {"reference_bound", 1e-9}}).at_floor);
+  EXPECT_TRUE(rung({{"error_end", 1e-9}, {"rounding_from", 3.0}}).at_floor);
+}
+
+// What a sweep records, as a results file would.
+class Notebook {
+ public:
+  explicit Notebook(std::size_t most = 1'000'000) : left_(most) {}
+
+  // Takes so many writes at most.
+  void run(const Sweep& sweep) {
+    try {
+      run_sweep(sweep, hooks());
+    } catch (const std::runtime_error&) {
+      left_ = 1'000'000;
+    }
+  }
+  [[nodiscard]] SweepHooks hooks() {
+    return {.recorded = [this](const RunKey& key) { return runs_[key]; },
+            .append =
+                [this](const std::vector<Record>& rows) {
+                  if (left_-- == 0) throw std::runtime_error("killed");
+                  for (const Record& row : rows) runs_[row.key].note(row);
+                },
+            .tell = [](const auto&) {}};
+  }
+  // The runs, by scheme.
+  [[nodiscard]] std::map<std::string, std::vector<int>> steps() const {
+    std::map<std::string, std::vector<int>> steps;
+    for (const auto& [key, run] : runs_) {
+      if (run.amount() != Recorded::nothing) steps[key.scheme].push_back(std::get<int>(key.setup.resolution));
+    }
+    return steps;
+  }
+
+ private:
+  std::map<RunKey, RecordedRun> runs_{};
+  std::size_t left_;
+};
+
+// Errors decide, not times: nothing is too long, and nobody is left out for being slow.
+Sweep sweep_of_power() {
+  return {.scenes = {{&scene_maker("power")}},
+          .schemes = {find_scheme("product_trapezoidal"), find_scheme("adams_pc")},
+          .ladder = {ladder.rungs, Goal{.errors = {1e-5}, .most_seconds = 1e9, .margin = 1e9}},
+          .repeats = {.most = 1},
+          .threads = 1};
+}
+
+// product_trapezoidal is within 1e-5 with 128 steps, adams_pc with 2048.
+TEST(Sweeps, ClimbUntilTheirGoalIsReached) {
+  Notebook book;
+  book.run(sweep_of_power());
+  EXPECT_THAT(
+      book.steps(),
+      testing::ElementsAre(testing::Pair("adams_pc", testing::ElementsAre(64, 128, 256, 512, 1024, 2048)),
+                           testing::Pair("product_trapezoidal", testing::ElementsAre(64, 128))));
+}
+
+TEST(Sweeps, ContinuedAnywhereTakeTheRunsOfAnUninterruptedOne) {
+  Notebook whole;
+  whole.run(sweep_of_power());
+  for (std::size_t writes = 0; writes < 15; writes += 3) {
+    Notebook killed(writes);
+    killed.run(sweep_of_power());
+    EXPECT_NE(killed.steps(), whole.steps()) << writes;
+    killed.run(sweep_of_power());
+    EXPECT_EQ(killed.steps(), whole.steps()) << writes;
+  }
+}
+
+TEST(DefaultSweeps, ClimbTheLadderOfAThoroughOneForAGoal) {
+  EXPECT_EQ(default_ladder().rungs, thorough_ladder().rungs);
+  EXPECT_TRUE(default_ladder().goal);
+  EXPECT_FALSE(thorough_ladder().goal);
+}
+
+TEST(Forecasts, OfAFixedSweepAreItsRuns) {
+  Sweep sweep = sweep_of_power();
+  sweep.ladder = {{16, 64, 48}};
+  Notebook book;
+  const auto expected = forecast(sweep, book.hooks().recorded);
+  book.run(sweep);
+  std::map<std::string, std::vector<int>> steps;
+  for (const auto& [key, seconds] : expected) {
+    steps[key.scheme].push_back(std::get<int>(key.setup.resolution));
+    EXPECT_GT(seconds, 0.0);
+  }
+  EXPECT_EQ(steps, book.steps());
+  EXPECT_TRUE(forecast(sweep, book.hooks().recorded).empty()) << "nothing is left to do";
+}
+
+TEST(Forecasts, ClimbAsTheSweepDoes) {
+  const Sweep sweep = sweep_of_power();
+  Notebook book;
+  const auto expected = forecast(sweep, book.hooks().recorded).size();
+  EXPECT_GE(expected, 7U);
+  EXPECT_LE(expected, 9U);  // the sweep takes 8
+}
+
+RunKey run_with(int steps, const std::string& scheme = "l1") {
+  return {.scene = {"power"}, .scheme = scheme, .setup = {.resolution = steps}};
+}
+
+TEST(Remainings, LeaveOutTheRunsOfALineThatEnds) {
+  Remaining remaining(
+      {{run_with(64), 1.0}, {run_with(128), 2.0}, {run_with(256), 4.0}, {run_with(64, "x"), 1.0}});
+  EXPECT_EQ(remaining.part_done(), 0.0);
+  remaining.hear({SweepEvent::Kind::is_done, run_with(64)});
+  EXPECT_EQ(remaining.part_done(), 1.0 / 8.0);
+  EXPECT_EQ(remaining.runs_expected(), 4U);
+  remaining.hear({SweepEvent::Kind::line_ends, run_with(64)});
+  EXPECT_EQ(remaining.part_done(), 1.0 / 2.0);
+  EXPECT_EQ(remaining.runs_expected(), 2U);
+}
+
+TEST(Remainings, TakeThePaceSoFar) {
+  Remaining remaining({{run_with(64), 990.0}, {run_with(128), 100.0}});
+  EXPECT_EQ(remaining.seconds_left(0.0), 1090.0);
+  remaining.hear({SweepEvent::Kind::is_done, run_with(64)});
+  EXPECT_DOUBLE_EQ(remaining.seconds_left(1990.0), 200.0);
+}
+
+}  // namespace
+}  // namespace fde
