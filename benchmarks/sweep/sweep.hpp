@@ -43,6 +43,6 @@ struct SweepHooks {
   std::function<void(const std::vector<Record>&)> append;
   std::function<void(const SweepEvent&)> tell;
 };
-void run_sweep(const Sweep& sweep, const SweepHooks& hooks);
+void run_sweep(const Sweep& asked, const SweepHooks& hooks);
 
 }  // namespace fde

@@ -83,9 +83,10 @@ void replace_file(const fs::path& path, std::string_view text) {
 }  // namespace
 
 fs::path write_report(const Results& results, const fs::path& directory) {
-  if (assets::vega().empty())
+  if (assets::vega().empty()) {
     throw std::invalid_argument(
         "report: this build has no charts; run ./setup.sh, then configure and build again");
+  }
   std::error_code problem;
   fs::create_directories(directory, problem);
   if (problem) reject(directory, problem.message());
