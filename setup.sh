@@ -5,14 +5,14 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-packages=(git pkg-config cmake ninja-build g++ libeigen3-dev libgsl-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev
+packages=(git pkg-config cmake ninja-build g++ ccache libeigen3-dev libgsl-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev
   libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev)
 command -v node >/dev/null || packages+=(nodejs)
 command -v npm >/dev/null || packages+=(npm)
 for option in "$@"; do
   case $option in
     --tests)
-      packages+=(ccache libbenchmark-dev libgtest-dev libgmock-dev libflint-dev libflint-arb-dev)
+      packages+=(libbenchmark-dev libgtest-dev libgmock-dev libflint-dev libflint-arb-dev)
       command -v python3 >/dev/null || packages+=(python3)
       command -v octave-cli >/dev/null || packages+=(octave)
       ;;
