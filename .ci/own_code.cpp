@@ -7,8 +7,8 @@
 #include <vector>
 
 // Shows clang-tidy the declarations of our files only. It looks at every declaration it is shown, those of
-// Eigen, Boost and the standard library included, which takes nine tenths of its time, and then drops what it
-// finds there.
+// Eigen, Boost and the standard library included, which takes most of its time, and then drops what it finds
+// there.
 namespace {
 
 class OwnCode : public clang::ASTConsumer {

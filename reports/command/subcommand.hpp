@@ -24,8 +24,8 @@ class Subcommand {
   Option required(const std::string& name, std::string& value, const std::string& what);
   Option option(const std::string& name, std::string& value, const std::string& what);
   Option option(const std::string& name, std::optional<std::string>& value, const std::string& what);
-  Option list(const std::string& name, std::vector<std::string>& values,
-              const std::string& what);  // given again: more
+  // May be given again.
+  Option list(const std::string& name, std::vector<std::string>& values, const std::string& what);
   Option flag(const std::string& name, bool& value, const std::string& what);
 
   // Exactly one of the options that are added to what this returns must be given.

@@ -28,7 +28,6 @@ NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
     : problem_(problem),
       tolerance_(tolerance),
       matrix_(make_newton_matrix(problem)),
-      keeps_factors_(problem.size() > most_rows_anew),
       wear_(static_cast<int>(2 * problem.size())),
       f_(problem.size()),
       increment_(problem.size()),
@@ -36,7 +35,7 @@ NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
 
 bool NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
   if (linear(problem_)) return solve_linear(run, step, y);
-  if (!keeps_factors_) return iterate_anew(run, step, y);
+  if (problem_.size() <= most_rows_anew) return iterate_anew(run, step, y);
   const bool solved = iterate_kept(run, step, y) || iterate_anew(run, step, y);
   path_.push(step.t, y);
   return solved;
@@ -46,7 +45,7 @@ bool NewtonSolver::iterate_kept(Run& run, const StepEquations& step, Out y) {
   near_ = y;
   path_.at(step.t, near_);
   double last = std::numeric_limits<double>::infinity();
-  bool anew = wear_.worn(), fresh = anew;
+  bool anew = wear_.worn(), fresh = anew;  // fresh: made in this step
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
     if (anew) {
       linearise(run, step, near_, increment_);

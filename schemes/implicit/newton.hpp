@@ -61,7 +61,6 @@ class NewtonSolver {
   const Problem& problem_;
   double tolerance_;
   std::unique_ptr<NewtonMatrix> matrix_;
-  bool keeps_factors_;
   Wear wear_;
   Extrapolation path_;
   Vec f_, increment_, near_;

@@ -9,8 +9,8 @@ int main() {
                              .rhs = [](double, fde::In y, fde::Out f) { f = -y; },
                              .end = 1.0};
   const auto* scheme = fde::find_scheme("product_trapezoidal");
-  const fde::Grid grid{
-      .end = 1.0, .steps = 4096, .grading = 2.0};  // times (n / 4096)^2: fine where y ~ sqrt(t)
+  // Times (n / 4096)^2: fine where y changes like sqrt(t).
+  const fde::Grid grid{.end = 1.0, .steps = 4096, .grading = 2.0};
   const auto path = scheme->solve(problem, grid, {.at = {1.0}});
   if (path.ending != fde::Ending::finished) return 3;
   const double y = path.y(0, 0), error = std::abs(y - std::exp(1.0) * std::erfc(1.0));
