@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 #include "reference_data/description.hpp"
@@ -127,9 +128,9 @@ std::string cells_of(const DataTable& table, std::size_t row) {
   constexpr std::size_t longest = 24;
   std::vector<std::string> cells;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    std::string cell = table.rows[row][c];
-    if (cell.size() > longest) cell = cell.substr(0, longest) + "...";
-    cells.push_back(fmt::format("{}={}", table.columns[c], cell));
+    const std::string_view cell = table.rows[row][c];
+    cells.push_back(fmt::format("{}={}{}", table.columns[c], cell.substr(0, longest),
+                                cell.size() > longest ? "..." : ""));
   }
   return fmt::format("{}", fmt::join(cells, " "));
 }

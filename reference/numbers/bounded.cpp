@@ -6,16 +6,7 @@
 namespace fde {
 namespace {
 
-// mpfr's own conversion: Boost takes "no digit after the point" for "all digits".
-std::string print(const char* format, int decimals, const BigReal& x) {
-  const int length = mpfr_snprintf(nullptr, 0, format, decimals, x.backend().data());
-  std::string text(static_cast<std::size_t>(length) + 1, '\0');  // and the 0 that ends it
-  mpfr_snprintf(text.data(), text.size(), format, decimals, x.backend().data());
-  text.pop_back();
-  return text;
-}
-
-std::string scientific(const BigReal& x, int digits) { return print("%.*Re", digits - 1, x); }
+std::string scientific(const BigReal& x, int digits) { return text_of(x, "%.*Re", digits - 1); }
 
 // A number of significant digits, with an exponent only where the number would be hard to read without.
 std::string in_decimal(const BigReal& x, int digits) {
@@ -24,7 +15,7 @@ std::string in_decimal(const BigReal& x, int digits) {
   const auto exponent = std::stoll(text.substr(text.find('e') + 1));
   return exponent < -most_zeros || exponent >= digits
              ? text
-             : print("%.*Rf", digits - 1 - static_cast<int>(exponent), x);
+             : text_of(x, "%.*Rf", digits - 1 - static_cast<int>(exponent));
 }
 
 // A bound that was rounded to nearest, made one again.
@@ -39,11 +30,11 @@ std::string write_bound(const BigReal& bound) {
 }
 
 DecimalText write_decimal(const BigReal& value, const BigReal& bound, int digits) {
-  if (!isfinite(value)) return {value.str(), BigReal(std::numeric_limits<double>::infinity())};
+  if (!isfinite(value)) return {text_of(value, digits), BigReal(std::numeric_limits<double>::infinity())};
   if (abs(value) <= bound) return {"0", BigReal(abs(value) + bound)};
   const auto supported = bound == 0 ? BigReal(digits) : BigReal(1 + log10(BigReal(abs(value) / bound)));
   const std::string text = in_decimal(value, supported < digits ? static_cast<int>(supported) : digits);
-  return {text, BigReal(abs(BigReal(BigReal(text) - value)) + bound)};
+  return {text, BigReal(abs(BigReal(parse<BigReal>(text) - value)) + bound)};
 }
 
 DoubleBounded to_double(const Complex<long double>& value, long double error) {

@@ -50,6 +50,17 @@ BigReal parse<BigReal>(const std::string& text) {
   return value;
 }
 
+// Not Boost's conversion: it takes "no digit after the point" for "all digits".
+std::string text_of(const BigReal& x, const char* format, int precision) {
+  const int length = mpfr_snprintf(nullptr, 0, format, precision, x.backend().data());
+  std::string text(static_cast<std::size_t>(length) + 1, '\0');  // and the 0 that ends it
+  mpfr_snprintf(text.data(), text.size(), format, precision, x.backend().data());
+  text.pop_back();
+  return text;
+}
+
+std::string text_of(const BigReal& x, int digits) { return text_of(x, "%.*Rg", digits); }
+
 template <>
 long double decimal<long double>(double x) {
   return parse<long double>(fmt::format("{}", x));

@@ -122,6 +122,11 @@ long double parse<long double>(const std::string& text);
 template <>
 BigReal parse<BigReal>(const std::string& text);
 
+// x in decimal with at most so many significant digits, as %g of printf writes it.
+std::string text_of(const BigReal& x, int digits);
+// The same by a format of mpfr's printf, with its precision.
+std::string text_of(const BigReal& x, const char* format, int precision);
+
 // The shortest decimal that names x, read as a Real: 0.1 becomes one tenth.
 template <class Real>
 Real decimal(double x);

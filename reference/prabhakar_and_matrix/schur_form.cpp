@@ -14,7 +14,11 @@ using WideMatrix = Eigen::Matrix<Wide, Eigen::Dynamic, Eigen::Dynamic>;
 
 constexpr Long infinity = std::numeric_limits<Long>::infinity();
 
-Wide wide(const BigReal& x) { return Wide(x.str()); }
+Wide wide(const BigReal& x) {
+  Wide value;
+  mpfr_set(value.backend().data(), x.backend().data(), MPFR_RNDN);
+  return value;
+}
 
 bool is_real(const BigMatrix& matrix) {
   return std::ranges::all_of(matrix.entries, [](const BigComplex& x) { return imag_part<BigReal>(x) == 0; });

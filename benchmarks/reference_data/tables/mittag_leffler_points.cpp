@@ -17,14 +17,14 @@ using Texts = std::vector<std::string>;
 
 constexpr int argument_digits = 20;
 
-std::string text_of(const BigReal& x) { return x == 0 ? "0" : x.str(argument_digits); }
+std::string argument(const BigReal& x) { return text_of(x, argument_digits); }
 
 // E_{1/8}(-x^(1/8)), 0 <= x <= 2: all of the singular start of a relaxation of small order.
 void add_small_order(Points& points) {
   const Precision precision(2 * argument_digits);
   for (int k = 0; k <= 200; ++k) {
     const BigReal x = BigReal(k) / 100;
-    points.push_back({"0.125", "1", text_of(BigReal(k == 0 ? x : BigReal(-pow(x, BigReal(0.125))))), "0"});
+    points.push_back({"0.125", "1", argument(BigReal(k == 0 ? x : BigReal(-pow(x, BigReal(0.125))))), "0"});
   }
 }
 
@@ -43,7 +43,8 @@ void add_rays(Points& points) {
       for (const int r : {1, 10, 50}) {
         if (part == 0.25 && r > 1) continue;
         for (const auto* beta : {alpha, "1"})
-          points.push_back({alpha, beta, text_of(BigReal(r * cos(angle))), text_of(BigReal(r * sin(angle)))});
+          points.push_back(
+              {alpha, beta, argument(BigReal(r * cos(angle))), argument(BigReal(r * sin(angle)))});
       }
     }
   }
