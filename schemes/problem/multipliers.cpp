@@ -80,7 +80,8 @@ double integrated_orders(const Problem& problem) {
                after_longer = answers(problem, jacobian, constraints, longer * problem.end);
   double most = 0.0;
   for (const auto i : multipliers(problem)) {
-    const double grown = after_shorter.row(i).norm() / after_longer.row(i).norm();
+    const double grown =
+        after_shorter.row(i).lpNorm<Eigen::Infinity>() / after_longer.row(i).lpNorm<Eigen::Infinity>();
     most = std::max(most, std::log(grown) / std::log(longer / shorter));
   }
   return most;

@@ -37,7 +37,7 @@ std::vector<ConstrainedMotion> motions() {
     add("fractional_constraint_2d", alpha, {{"b1", 0.6}, {"b2", 0.3}});  // a.b > 0: no mode that grows
   }
   for (const double alpha : {0.3, 0.5, 0.7, 0.9, 1.0}) add("fractional_knife_edge", alpha);
-  for (const double alpha : {0.2, 0.4, 0.45}) add("fractional_constraint_nonlinear", alpha);
+  for (const double alpha : {0.2, 0.4, 0.5, 0.6, 0.7, 0.8}) add("fractional_constraint_nonlinear", alpha);
   return all;
 }
 
@@ -78,16 +78,16 @@ TEST_P(AlgebraicRowsOfScenes, ComeNearerToTheTruthOrAreRefused) {
     const auto scene = in_form(motion, formulation);
     if (!scene) continue;
     std::vector<double> errors;
-    for (const int steps : {64, 256, 1024, 4096}) {
+    for (const int steps : {64, 256, 1024}) {
       if (const auto found = error(*scene, *scheme, {motion.end, steps, grading}, exact))
         errors.push_back(*found);
     }
     if (errors.empty()) continue;  // refused
-    ASSERT_EQ(errors.size(), 4U) << formulation;
+    ASSERT_EQ(errors.size(), 3U) << formulation;
     for (std::size_t k = 1; k < errors.size(); ++k)
       EXPECT_TRUE(errors[k] < errors[k - 1] / 2.0 || errors[k] < 1e-11)
           << formulation << ' ' << k << ": " << errors[k];
-    EXPECT_LT(errors.back(), 2e-3) << formulation;
+    EXPECT_LT(errors.back(), 0.05) << formulation;
   }
 }
 
