@@ -4,13 +4,13 @@
 
 namespace fde {
 
-StepwiseConstants::StepwiseConstants(const Problem& problem, const Grid& grid, const Options& options)
-    : problem_(problem), totals_(problem.size()) {
-  for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    const auto& component = problem.components[static_cast<std::size_t>(i)];
-    if (algebraic(component) || component.order >= 1.0) continue;
-    below_.push_back(i);
-    tables_.push_back({&families::l1, 1.0 - component.order});
+StepwiseConstants::StepwiseConstants(const Problem& problem, const std::vector<Eigen::Index>& components,
+                                     const Grid& grid, const Options& options)
+    : totals_(problem.size()) {
+  for (const auto i : components) {
+    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    if (order < 1.0) tables_.push_back({&families::l1, 1.0 - order});
+    (order < 1.0 ? below_ : order > 1.0 ? above_ : whole_).push_back(i);
   }
   if (below_.empty()) return;
   buffer_.resize(std::ssize(below_));
@@ -18,10 +18,9 @@ StepwiseConstants::StepwiseConstants(const Problem& problem, const Grid& grid, c
 }
 
 void StepwiseConstants::push(double t, double length, In values) {
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    const double order = problem_.components[static_cast<std::size_t>(i)].order;
-    if (order == 1.0) totals_.add(i, length * values[i]);
-    if (order > 1.0 && values[i] != 0.0) totals_.add(i, std::numeric_limits<double>::quiet_NaN());
+  for (const auto i : whole_) totals_.add(i, length * values[i]);
+  for (const auto i : above_) {
+    if (values[i] != 0.0) totals_.add(i, std::numeric_limits<double>::quiet_NaN());
   }
   if (!fractional_) return;
   buffer_ = length * values(below_);
@@ -29,7 +28,8 @@ void StepwiseConstants::push(double t, double length, In values) {
 }
 
 void StepwiseConstants::add_integrals(double t, double length, Out sums) {
-  for (Eigen::Index i = 0; i < sums.size(); ++i) sums[i] += totals_[i];
+  for (const auto i : whole_) sums[i] += totals_[i];
+  for (const auto i : above_) sums[i] += totals_[i];
   if (!fractional_) return;
   fractional_->convolve(t, 0, buffer_);
   for (Eigen::Index r = 0; r < buffer_.size(); ++r) {

@@ -12,6 +12,18 @@
 namespace fde {
 namespace {
 
+// The rows that multipliers may be in: those that a matrix tells, otherwise all but algebraic ones.
+std::vector<Eigen::Index> driven_rows(const Problem& problem, const std::vector<Eigen::Index>& multipliers) {
+  const auto* told = std::get_if<DenseLinearPart>(&problem.derivatives);
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    if (algebraic(problem.components[static_cast<std::size_t>(i)])) continue;
+    const auto in_row = [&](Eigen::Index j) { return told->matrix(i, j) != 0.0; };
+    if (told == nullptr || std::ranges::any_of(multipliers, in_row)) rows.push_back(i);
+  }
+  return rows;
+}
+
 // The trapezoidal rule weighs continuous functions. On all steps together f is one of those and one that is
 // constant on each step:
 //   f = c + p,  p_n = f(t_(n-1), y_(n-1), lambda_n) - c_(n-1),  c_n = f(t_n, y_n, lambda_n) - p_n,
@@ -27,7 +39,7 @@ class StepwiseMultipliers {
         multipliers_(multipliers),
         grid_(grid),
         taylor_(problem),
-        constants_(problem, grid, options),
+        constants_(problem, driven_rows(problem, multipliers), grid, options),
         orders_(problem.size()),
         continuous_(Vec::Zero(problem.size())),
         slopes_(Matrix::Zero(problem.size(), std::ssize(multipliers))),
@@ -141,9 +153,10 @@ std::optional<std::string> refusal_of_driven_rows(const Problem& problem,
     problem.rhs(0.0, moved, f);
     for (Eigen::Index i = 0; i < problem.size(); ++i) {
       const double order = problem.components[static_cast<std::size_t>(i)].order;
-      if (order > 1.0 && f[i] != at_start[i])
+      if (order > 1.0 && f[i] != at_start[i]) {
         return fmt::format("takes no multiplier in a row of order above 1: component {} is in that of {}", j,
                            i);
+      }
     }
   }
   return std::nullopt;

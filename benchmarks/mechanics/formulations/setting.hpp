@@ -27,14 +27,24 @@ struct Setting {
 template <class System>
 concept ConstantCoefficients = HasMemory<System> && System::constant;
 
-// How the reaction starts below order 1.
+// How the reaction starts below order 1. With it v leaves v(0) along the singular direction, and w leaves 0
+// along v(0): what matters is whether the reaction leaves its directions then, not how long it is.
 template <class System>
 ReactionStart reaction_start(const System& system, const Motion<System::coordinates>& start) {
-  if (singular_direction(system, start).isZero(0.0)) return ReactionStart::regular;
-  const auto none = zeros<double, System::coordinates>();
-  const auto before = constraint_rates<double>(system, 0.0, start.q, start.v, none),
-             after = constraint_rates<double>(system, 0.0, start.q, start.v, start.v);  // w is along v(0)
-  return before.reaction == after.reaction ? ReactionStart::singular : ReactionStart::singular_and_turning;
+  constexpr double rounding = 1e-12;
+  constexpr int n = System::coordinates;
+  const Vector<double, n> singular = singular_direction(system, start), moved = start.v + singular;
+  if (singular.isZero(0.0)) return ReactionStart::regular;
+  const auto before = constraint_rates<double>(system, 0.0, start.q, start.v, zeros<double, n>()),
+             after = constraint_rates<double>(system, 0.0, start.q, moved, start.v);
+  const Reaction<double, System> reaction(system, start.q, before);
+  for (int i = 0; i < System::constraints; ++i) {
+    const Vector<double, n> direction =
+        raised<double>(system, start.q, Vector<double, n>(after.reaction.row(i).transpose()));
+    if (reaction.projected(direction).norm() > rounding * direction.norm())
+      return ReactionStart::singular_and_turning;
+  }
+  return ReactionStart::singular;
 }
 
 // The motion after what the constraint does to it at once. At order 1, where w = v, it may: below, w(0) = 0,
