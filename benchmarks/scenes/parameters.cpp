@@ -16,18 +16,20 @@ std::string text_of(const ParameterValue& value) {
 
 bool Parameter::allows(const ParameterValue& given) const {
   if (const auto* word = std::get_if<std::string>(&given))
-    return std::ranges::find(choices, *word) != choices.end();
+    return std::ranges::find(choices, *word) != choices.end() || (!derived.empty() && *word == derived);
   return choices.empty() && range.contains(std::get<double>(given));
 }
 
 std::string Parameter::allowed() const {
-  return choices.empty() ? range.text() : fmt::format("one of {}", fmt::join(choices, ", "));
+  if (!choices.empty()) return fmt::format("one of {}", fmt::join(choices, ", "));
+  return derived.empty() ? range.text() : fmt::format("{}, or {}", range.text(), derived);
 }
 
 ParameterValue Parameter::read(std::string_view text) const {
   std::string suggestion;
   if (choices.empty()) {
     if (const auto number = number_in(text)) return *number;
+    if (!derived.empty() && text == derived) return derived;
   } else {
     if (std::ranges::find(choices, text) != choices.end()) return std::string(text);
     suggestion = nearest(text, {choices.begin(), choices.end()});
@@ -38,6 +40,10 @@ ParameterValue Parameter::read(std::string_view text) const {
 Parameter choice(std::string name, std::vector<std::string> choices, std::string meaning) {
   const std::string first = choices.front();
   return {std::move(name), first, any_number, std::move(meaning), std::move(choices)};
+}
+
+Parameter derived_number(std::string name, std::string formula, Range range, std::string meaning) {
+  return {std::move(name), formula, range, std::move(meaning), {}, formula};
 }
 
 const Parameter& parameter_named(std::string_view name, std::string_view scene,
@@ -66,6 +72,11 @@ double Parameters::operator[](std::string_view name) const {
 
 const std::string& Parameters::choice(std::string_view name) const {
   return std::get<std::string>(values_.at(std::string(name)));
+}
+
+std::optional<double> Parameters::given(std::string_view name) const {
+  const auto* number = std::get_if<double>(&values_.at(std::string(name)));
+  return number == nullptr ? std::nullopt : std::optional(*number);
 }
 
 std::string Parameters::text() const {

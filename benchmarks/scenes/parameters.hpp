@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -25,16 +26,21 @@ struct Parameter {
   Range range;           // of a number
   std::string meaning;
   std::vector<std::string> choices{};  // of a word; empty: it is a number
+  std::string derived{};               // what a number follows from where this stands for it; empty: nothing
 
   [[nodiscard]] bool allows(const ParameterValue& given) const;
-  [[nodiscard]] std::string allowed() const;  // "a number in (0, 2]", "one of a, b"
-  // A word of the choices, or any number. Throws std::invalid_argument naming the parameter, the text and
-  // what is allowed.
+  // "a number in (0, 2]", "one of a, b", "a finite number, or a*q1"
+  [[nodiscard]] std::string allowed() const;
+  // A word of the choices, or any number, or what it is derived from. Throws std::invalid_argument naming the
+  // parameter, the text and what is allowed.
   [[nodiscard]] ParameterValue read(std::string_view text) const;
 };
 
 // A parameter with one of these words; the first is the default.
 Parameter choice(std::string name, std::vector<std::string> choices, std::string meaning);
+
+// A number that by default follows from other parameters in the way this formula says.
+Parameter derived_number(std::string name, std::string formula, Range range, std::string meaning);
 
 // The parameter of this name. Throws std::invalid_argument where there is none.
 const Parameter& parameter_named(std::string_view name, std::string_view scene,
@@ -51,6 +57,9 @@ class Parameters {
   // it is of the other kind.
   double operator[](std::string_view name) const;                        // a number
   [[nodiscard]] const std::string& choice(std::string_view name) const;  // the word of a choice
+
+  // A number that may be derived: nothing where it is. Throws std::out_of_range where there is none.
+  [[nodiscard]] std::optional<double> given(std::string_view name) const;
 
   [[nodiscard]] std::string text() const;  // "a=1 b=0.5 c=word", in the order of the alphabet
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "scenes/number_text.hpp"
@@ -12,10 +13,16 @@ namespace fde {
 
 SceneSettings SceneVariant::key() const { return {.id = maker->id, .values = values, .until = until}; }
 
-Scene make_scene(const SceneMaker& maker, const ParameterValues& values) {
+Scene make_known_scene(const SceneMaker& maker, const ParameterValues& values) {
   const Parameters parameters(maker.id, maker.parameters, values);
   Scene scene = maker.make(parameters);
   scene.name = fmt::format("{} {}", maker.id, parameters.text());
+  return scene;
+}
+
+Scene make_scene(const SceneMaker& maker, const ParameterValues& values) {
+  Scene scene = make_known_scene(maker, values);
+  if (!scene.refusal.empty()) throw std::invalid_argument(scene.refusal);
   return scene;
 }
 

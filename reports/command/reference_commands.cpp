@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <ostream>
 
@@ -27,10 +28,26 @@ void require_finite(bool finite, std::string_view what, std::string_view range, 
   if (!finite) throw NumericalFailure(fmt::format("the {} is beyond {} at t = {}", what, range, t));
 }
 
+// The multipliers and their power where they are known as exactly as the columns.
+bool knows_reactions(const Scene& scene) {
+  return scene.reactions && (scene.reactions.of_columns() || scene.reactions.exact.at);
+}
+
+// Their bound is that of the multipliers, 0 where these are functions of the columns.
+ReferenceValue exact_reactions(const Scene& scene, double t, In columns) {
+  const auto size = std::ssize(scene.reactions.names);
+  if (scene.reactions.of_columns() || t == 0.0)
+    return {reaction_values(scene, t, columns, std::nullopt), Vec::Zero(size)};
+  const auto [lambda, bound] = scene.reactions.exact.at(t);
+  return {with_power(scene, t, columns, lambda), bound};
+}
+
 void print_doubles(const Scene& scene, const Reference& exact, const std::vector<double>& times,
                    std::ostream& out) {
   constexpr std::string_view range = "double";
-  const auto names = printed_names(scene);
+  auto names = printed_names(scene);
+  const bool reactions = knows_reactions(scene);
+  if (reactions) std::ranges::copy(reaction_names(scene), std::back_inserter(names));
   std::string rows = fmt::format("t,{},bound\n", fmt::join(names, ","));
   for (const double t : times) {
     const auto [value, bounds] = exact.at(t);
@@ -38,9 +55,16 @@ void print_doubles(const Scene& scene, const Reference& exact, const std::vector
     const Vec values = printed_values(scene, t, value);
     for (Eigen::Index c = value.size(); c < values.size(); ++c)
       require_finite(std::isfinite(values[c]), "exact " + names[static_cast<std::size_t>(c)], range, t);
-    const std::string bound = bound_text(bounds.maxCoeff<Eigen::PropagateNaN>());
+    double largest = bounds.maxCoeff<Eigen::PropagateNaN>();
+    rows += fmt::format("{:.17g},{:.17g}", t, fmt::join(values, ","));
+    if (reactions) {
+      const auto [reaction, reaction_bound] = exact_reactions(scene, t, value);
+      rows += fmt::format(",{:.17g}", fmt::join(reaction, ","));
+      largest = std::max(largest, reaction_bound.maxCoeff());
+    }
+    const std::string bound = bound_text(largest);
     require_finite(is_finite_bound(bound), "bound of the exact solution", range, t);
-    rows += fmt::format("{:.17g},{:.17g},{}\n", t, fmt::join(values, ","), bound);
+    rows += "," + bound + "\n";
   }
   out << rows;
 }
@@ -64,7 +88,7 @@ void print_digits(const Scene& scene, const std::vector<double>& times, int digi
 
 void exact(const ExactArguments& arguments, const Streams& streams, const Scenes& known) {
   const auto& maker = scene_named(arguments.scene, known);
-  Scene scene = make_scene(maker, parse_settings(maker, arguments.settings));
+  Scene scene = make_known_scene(maker, parse_settings(maker, arguments.settings));
   const auto times = parse_numbers("--at", arguments.at, not_negative);
   const double last = std::ranges::max(times);
   const bool two_ends = two_sided(scene.problem);

@@ -86,7 +86,7 @@ PosedMechanics posed_below_one(const Setting<System>& of, const Asked& asked) {
                             integrated.smoothness);
   }
   const AccelerationBelowOne<System> acceleration{of.system, of.start, asked.kappa};
-  if (!acceleration.posed()) reject_singular(asked.formulation, order);
+  if (!acceleration.posed()) return refused_as_singular(asked.formulation, order);
   auto form = pose(acceleration, of.end);
   if constexpr (!Linear<System>)
     form.smoothness = acceleration_start(powers, order, form.layout, reaction != ReactionStart::regular);
@@ -99,13 +99,14 @@ template <ConstantCoefficients System>
 PosedMechanics posed_above_one(const Setting<System>& of, const Asked& asked) {
   const double order = of.system.order;
   const bool multiplied = asked.formulation == Formulation::multiplier;
-  if (!multiplied && asked.formulation != Formulation::integrated) reject_above_one(asked.formulation, order);
+  if (!multiplied && asked.formulation != Formulation::integrated)
+    return refused_above_one(asked.formulation, order);
   const IntegratedAboveOne<System> integrated{of.system, of.start};
   const auto with_rows = [&] {
     return pose(Multiplier<System, MemoryRows::above_one>{of.system, of.start}, of.end);
   };
   if (!integrated.posed()) {
-    if (!multiplied) reject_unaligned(order);
+    if (!multiplied) return refused_as_unaligned(order);
     return with_rows();
   }
   auto form = pose(integrated, of.end);
@@ -116,7 +117,7 @@ PosedMechanics posed_above_one(const Setting<System>& of, const Asked& asked) {
   return multiplied ? with_multipliers_above_one(with_rows(), form) : form;
 }
 
-// The equations of the setting in one form. Throws std::invalid_argument where that form is not well posed.
+// The equations of the setting in one form, or why that form is not well posed.
 template <class System>
 PosedMechanics posed(const Setting<System>& of, const Asked& asked) {
   if constexpr (HasMemory<System>) {
