@@ -6,6 +6,7 @@
 #include "mittag_leffler/forms.hpp"
 #include "mittag_leffler/poles.hpp"
 #include "numbers/reciprocal_gamma.hpp"
+#include "progress/work.hpp"
 
 namespace fde {
 namespace {
@@ -52,7 +53,10 @@ BigComplex power_minus_beta(const Arguments& x, const Contour<BigReal>::Node& no
 void add_nodes(Sum<BigReal>& sum, const Arguments& x, const Contour<BigReal>& contour) {
   const bool equal = x.beta == x.alpha;
   const BigReal powers = 2 * x.alpha + abs(x.beta);
-  for (const auto& node : contour.nodes()) {
+  const auto& nodes = contour.nodes();
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const auto& node = nodes[k];
+    report_work(k, nodes.size());
     const BigComplex s_alpha = exp(BigComplex(x.alpha * node.log_s));
     const BigComplex weight =
         equal ? node.weight : BigComplex(node.weight * s_alpha * power_minus_beta(x, node));

@@ -1,5 +1,7 @@
 #include "transfer_functions/characteristic_function.hpp"
 
+#include "progress/work.hpp"
+
 namespace fde {
 namespace {
 
@@ -70,6 +72,7 @@ CharacteristicFunction::Moments CharacteristicFunction::moments(const Characteri
 CharacteristicFunction::Moments CharacteristicFunction::moments(int digits, const Point& w,
                                                                 const Chosen& chosen) const {
   if (digits == 0) return moments(rounded_, w, chosen);
+  report_work(0);
   const Precision precision(digits);
   auto known = precise_.find(digits);
   if (known == precise_.end())

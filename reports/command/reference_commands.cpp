@@ -7,6 +7,7 @@
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
+#include "command/reference_work.hpp"
 #include "references/reference_of.hpp"
 #include "references/written_bound.hpp"
 #include "scenes/number_text.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 struct ExactArguments {
   std::string scene, at;
-  std::optional<std::string> digits;
+  std::optional<std::string> digits, budget;
   std::vector<std::string> settings;
 };
 
@@ -27,13 +28,16 @@ void require_finite(bool finite, std::string_view what, std::string_view range, 
   if (!finite) throw NumericalFailure(fmt::format("the {} is beyond {} at t = {}", what, range, t));
 }
 
-void print_doubles(const Scene& scene, const Reference& exact, const std::vector<double>& times,
-                   std::ostream& out) {
+std::string rows_in_double(const Scene& scene, const std::vector<double>& times, ReferenceWork& work) {
   constexpr std::string_view range = "double";
   const auto names = printed_names(scene);
   std::string rows = fmt::format("t,{},bound\n", fmt::join(names, ","));
+  work.begin(scene.problem.end);
+  const Reference exact = reference_of(scene);
   for (const double t : times) {
+    work.begin(t);
     const auto [value, bounds] = exact.at(t);
+    report_work(1, 1);
     require_finite(value.allFinite(), "exact solution", range, t);
     const Vec values = printed_values(scene, t, value);
     for (Eigen::Index c = value.size(); c < values.size(); ++c)
@@ -42,14 +46,17 @@ void print_doubles(const Scene& scene, const Reference& exact, const std::vector
     require_finite(is_finite_bound(bound), "bound of the exact solution", range, t);
     rows += fmt::format("{:.17g},{:.17g},{}\n", t, fmt::join(values, ","), bound);
   }
-  out << rows;
+  return rows;
 }
 
 // Energies and constraints are doubles, so with digits they have no columns.
-void print_digits(const Scene& scene, const std::vector<double>& times, int digits, std::ostream& out) {
+std::string rows_in_digits(const Scene& scene, const std::vector<double>& times, int digits,
+                           ReferenceWork& work) {
   std::string rows = fmt::format("t,{},bound\n", fmt::join(scene.outputs.names, ","));
   for (const double t : times) {
+    work.begin(t);
     const auto decimals = scene.reference.digits(t, digits);
+    report_work(1, 1);
     rows += fmt::format("{}", t);
     std::string bound = "0";
     for (std::size_t c = 0; c < scene.outputs.names.size(); ++c) {
@@ -59,7 +66,17 @@ void print_digits(const Scene& scene, const std::vector<double>& times, int digi
     require_finite(is_finite_bound(bound), "exact solution", "all exponents of --digits", t);
     rows += "," + bound + "\n";
   }
-  out << rows;
+  return rows;
+}
+
+// The digits asked for, none for doubles.
+std::optional<int> parse_digits(const ExactArguments& arguments, const Scene& scene, std::string_view id) {
+  if (!arguments.digits) return std::nullopt;
+  const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);
+  if (!scene.no_reference.empty()) throw std::runtime_error(scene.no_reference);
+  if (scene.reference.digits) return digits;
+  throw std::invalid_argument(fmt::format(
+      "--digits = {}: scene {} has no exact solution in digits, only what is known in double", digits, id));
 }
 
 void exact(const ExactArguments& arguments, const Streams& streams, const Scenes& known) {
@@ -67,22 +84,20 @@ void exact(const ExactArguments& arguments, const Streams& streams, const Scenes
   Scene scene = make_scene(maker, parse_settings(maker, arguments.settings));
   const auto times = parse_numbers("--at", arguments.at, not_negative);
   const double last = std::ranges::max(times);
+  std::optional<double> budget;
+  if (arguments.budget) budget = parse_number("--budget", *arguments.budget, positive);
   const bool two_ends = two_sided(scene.problem);
   if (two_ends && last > scene.problem.end)
     reject("--at", last, fmt::format("in [0, {}], the time of the scene", scene.problem.end));
-  if (!arguments.digits) {
-    if (!two_ends && last > 0.0) scene.problem.end = last;
-    print_doubles(scene, reference_of(scene), times, streams.out);
-    return;
+  const auto digits = parse_digits(arguments, scene, maker.id);
+  if (!digits && !two_ends && last > 0.0) scene.problem.end = last;
+  ReferenceWork work(streams, budget);
+  try {
+    streams.out << (digits ? rows_in_digits(scene, times, *digits, work)
+                           : rows_in_double(scene, times, work));
+  } catch (const WorkEnded&) {
+    work.fail();
   }
-  const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);
-  if (!scene.no_reference.empty()) throw std::runtime_error(scene.no_reference);
-  if (!scene.reference.digits) {
-    throw std::invalid_argument(
-        fmt::format("--digits = {}: scene {} has no exact solution in digits, only what is known in double",
-                    digits, maker.id));
-  }
-  print_digits(scene, times, digits, streams.out);
 }
 
 }  // namespace
@@ -94,6 +109,7 @@ void add_reference_commands(CLI::App& app, const Streams& streams, const Scenes&
   command.required("--at", of_exact->at, "times T1,T2,...");
   command.list("--set", of_exact->settings, "a parameter of the scene, NAME=VALUE");
   command.option("--digits", of_exact->digits, "number of decimal digits; default double");
+  command.option("--budget", of_exact->budget, "seconds after which the evaluation ends; default none");
   command.callback([=, &known] { exact(*of_exact, streams, known); });
 }
 
