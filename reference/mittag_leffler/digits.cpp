@@ -1,5 +1,7 @@
 #include "mittag_leffler/digits.hpp"
 
+#include <stdexcept>
+
 #include "laplace/contour.hpp"
 #include "laplace/contour_bound.hpp"
 #include "laplace/raise_on_contour.hpp"
@@ -13,9 +15,14 @@ namespace {
 
 using Arguments = MittagLefflerArguments;
 
+// log s* > 0 for which e^s* is beyond all exponents, however s* is rounded.
+constexpr double beyond_exponents = 50.0;
+
 // Adds Res(e^s F, s*) = (1/alpha) e^(s* + (1-beta) log s*) times a factor known to that many ulps.
 void add_residue(Sum<BigReal>& sum, const Arguments& x, const BigComplex& log_pole, const BigComplex& factor,
                  const BigReal& factor_ulps) {
+  if (imag_part<BigReal>(log_pole) == 0 && real_part<BigReal>(log_pole) > beyond_exponents)
+    return sum.add_infinite(BigComplex(1), exp(BigReal(real_part<BigReal>(log_pole))));
   const BigComplex pole = x.alpha == 1 ? x.z : BigComplex(exp(log_pole));
   if (real_part<BigReal>(pole) < -8 / epsilon<BigReal>())
     return;  // e^s* is nothing, and s* may have overflowed
@@ -181,11 +188,25 @@ int phase_digits(const Arguments& x) {
   return static_cast<int>(std::min(digits, most)) + 1;
 }
 
+// Where e^s* overflows with a phase that takes more digits than there will be, s* itself having so many,
+// nothing can be known of the value.
+void require_phase(const Arguments& x, int most_working_digits) {
+  if (x.z == 0 || form_of(x.alpha, x.beta, x.z) == Form::residues_only) return;
+  constexpr double grows = 0.49 * std::numbers::pi;
+  for (const auto& [sheet, log_pole] : poles_of(x.alpha, BigComplex(log(x.z))).seen) {
+    const BigReal turned = abs(BigReal(imag_part<BigReal>(log_pole)));
+    const BigReal digits = real_part<BigReal>(log_pole) / std::numbers::ln10;
+    if (turned == 0 || turned > grows || digits < most_working_digits) continue;
+    throw std::runtime_error("the value overflows, and its phase takes more digits than can be had");
+  }
+}
+
 }  // namespace
 
 Bounded<BigReal> mittag_leffler_to(int digits, int places,
                                    const std::function<MittagLefflerArguments()>& read) {
   const int extra = phase_digits(read()) + places;
+  require_phase(read(), most_digits(digits) + extra);
   return raise_by_bound(digits, extra, [&](int working) { return evaluate(read(), working); });
 }
 
