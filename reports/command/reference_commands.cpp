@@ -21,6 +21,7 @@ struct ExactArguments {
   std::string scene, at;
   std::optional<std::string> digits, budget;
   std::vector<std::string> settings;
+  bool bounds = false;
 };
 
 // The columns may be finite, and what is said of them not.
@@ -28,10 +29,25 @@ void require_finite(bool finite, std::string_view what, std::string_view range, 
   if (!finite) throw NumericalFailure(fmt::format("the {} is beyond {} at t = {}", what, range, t));
 }
 
-std::string rows_in_double(const Scene& scene, const std::vector<double>& times, ReferenceWork& work) {
+// "t,x,y,bound" with, where asked for, ",bound_x,bound_y": of the columns that have one.
+std::string header(const std::vector<std::string>& names, const std::vector<std::string>& bounded,
+                   bool bounds) {
+  const std::string each = bounds ? fmt::format(",bound_{}", fmt::join(bounded, ",bound_")) : "";
+  return fmt::format("t,{},bound{}\n", fmt::join(names, ","), each);
+}
+
+// The largest of the bounds, and where asked for each of them.
+std::string bounds_text(const std::vector<std::string>& all, bool each) {
+  std::string largest = "0";
+  for (const auto& bound : all) largest = larger_bound(largest, bound);
+  return each ? fmt::format("{},{}", largest, fmt::join(all, ",")) : largest;
+}
+
+std::string rows_in_double(const Scene& scene, const std::vector<double>& times, bool each_bound,
+                           ReferenceWork& work) {
   constexpr std::string_view range = "double";
   const auto names = printed_names(scene);
-  std::string rows = fmt::format("t,{},bound\n", fmt::join(names, ","));
+  std::string rows = header(names, scene.outputs.names, each_bound);
   work.begin(scene.problem.end);
   const Reference exact = reference_of(scene);
   for (const double t : times) {
@@ -42,29 +58,32 @@ std::string rows_in_double(const Scene& scene, const std::vector<double>& times,
     const Vec values = printed_values(scene, t, value);
     for (Eigen::Index c = value.size(); c < values.size(); ++c)
       require_finite(std::isfinite(values[c]), "exact " + names[static_cast<std::size_t>(c)], range, t);
-    const std::string bound = bound_text(bounds.maxCoeff<Eigen::PropagateNaN>());
-    require_finite(is_finite_bound(bound), "bound of the exact solution", range, t);
-    rows += fmt::format("{:.17g},{:.17g},{}\n", t, fmt::join(values, ","), bound);
+    std::vector<std::string> written;
+    for (Eigen::Index c = 0; c < value.size(); ++c) {
+      written.push_back(bound_text(bound_of_text(value[c], bounds[c])));
+      require_finite(is_finite_bound(written.back()), "bound of the exact solution", range, t);
+    }
+    rows += fmt::format("{:.17g},{:.17g},{}\n", t, fmt::join(values, ","), bounds_text(written, each_bound));
   }
   return rows;
 }
 
 // Energies and constraints are doubles, so with digits they have no columns.
-std::string rows_in_digits(const Scene& scene, const std::vector<double>& times, int digits,
+std::string rows_in_digits(const Scene& scene, const std::vector<double>& times, int digits, bool each_bound,
                            ReferenceWork& work) {
-  std::string rows = fmt::format("t,{},bound\n", fmt::join(scene.outputs.names, ","));
+  std::string rows = header(scene.outputs.names, scene.outputs.names, each_bound);
   for (const double t : times) {
     work.begin(t);
     const auto decimals = scene.reference.digits(t, digits);
     report_work(1, 1);
     rows += fmt::format("{}", t);
-    std::string bound = "0";
+    std::vector<std::string> written;
     for (std::size_t c = 0; c < scene.outputs.names.size(); ++c) {
       rows += "," + decimals[c].value;
-      bound = larger_bound(bound, decimals[c].bound);
+      written.push_back(decimals[c].bound);
+      require_finite(is_finite_bound(written.back()), "exact solution", "all exponents of --digits", t);
     }
-    require_finite(is_finite_bound(bound), "exact solution", "all exponents of --digits", t);
-    rows += "," + bound + "\n";
+    rows += fmt::format(",{}\n", bounds_text(written, each_bound));
   }
   return rows;
 }
@@ -93,8 +112,8 @@ void exact(const ExactArguments& arguments, const Streams& streams, const Scenes
   if (!digits && !two_ends && last > 0.0) scene.problem.end = last;
   ReferenceWork work(streams, budget);
   try {
-    streams.out << (digits ? rows_in_digits(scene, times, *digits, work)
-                           : rows_in_double(scene, times, work));
+    streams.out << (digits ? rows_in_digits(scene, times, *digits, arguments.bounds, work)
+                           : rows_in_double(scene, times, arguments.bounds, work));
   } catch (const WorkEnded&) {
     work.fail();
   }
@@ -109,6 +128,7 @@ void add_reference_commands(CLI::App& app, const Streams& streams, const Scenes&
   command.required("--at", of_exact->at, "times T1,T2,...");
   command.list("--set", of_exact->settings, "a parameter of the scene, NAME=VALUE");
   command.option("--digits", of_exact->digits, "number of decimal digits; default double");
+  command.flag("--bounds", of_exact->bounds, "a bound of each column, after the largest");
   command.option("--budget", of_exact->budget, "seconds after which the evaluation ends; default none");
   command.callback([=, &known] { exact(*of_exact, streams, known); });
 }

@@ -94,6 +94,20 @@ TEST(Exact, PrintsTheColumnsAndABound) {
   EXPECT_LT(rows(answer.out)[1][2], 1e-15);
 }
 
+// The turn rate is exact, the place of 1e20 turns is not known.
+TEST(Exact, PrintsTheBoundOfEachColumn) {
+  for (const std::string digits : {"", " --digits 30"}) {
+    const auto answer = fdebench("exact knife_edge --at 1e20 --bounds" + digits);
+    EXPECT_THAT(answer.out, HasSubstr("bound,bound_x,bound_y"));
+    const auto plain = rows(fdebench("exact knife_edge --at 1e20" + digits).out)[0],
+               row = rows(answer.out)[0];
+    for (std::size_t c = 0; c < plain.size(); ++c) EXPECT_EQ(row[c], plain[c]) << c;
+    const auto bounds = std::vector<double>(row.begin() + std::ssize(plain), row.end());
+    EXPECT_EQ(std::ranges::max(bounds), plain.back());
+    EXPECT_LT(bounds.back(), 1e-15);
+  }
+}
+
 TEST(Exact, OfANonlinearSceneIsTheReferenceWithItsEstimate) {
   const auto answer = fdebench("exact pendulum --at 5");
   EXPECT_THAT(answer.out, StartsWith("t,phi,Dbeta_phi,dphi,Dalpha_phi,energy,bound\n"));
