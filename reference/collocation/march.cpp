@@ -9,6 +9,7 @@
 #include "march/pace.hpp"
 #include "march/rhs_at.hpp"
 #include "march/singularity.hpp"
+#include "progress/work.hpp"
 
 namespace fde {
 
@@ -66,6 +67,7 @@ class March {
       if (panels_.size() == most_panels || hopeless(most_panels)) {
         fail("more panels than it can afford", time());
       }
+      report_work(panels_.size());
       add_panel();
     }
     return std::move(panels_);

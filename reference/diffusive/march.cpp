@@ -10,6 +10,7 @@
 #include "diffusive/stage_noise.hpp"
 #include "march/pace.hpp"
 #include "march/posed_problem.hpp"
+#include "progress/work.hpp"
 #include "march/rhs_at.hpp"
 #include "march/unit_increment.hpp"
 
@@ -43,6 +44,7 @@ class DiffusiveMarch {
       if (solution.times.size() == most_steps || hopeless(solution.times, most_steps)) {
         fail("more steps than it can afford", time_);
       }
+      report_work(solution.times.size());
       add_step(stop);
       solution.times.push_back(time_);
       solution.values.push_back(value_);
