@@ -1,6 +1,7 @@
 #include "scenes/parameters.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -11,26 +12,36 @@
 namespace fde {
 
 std::string text_of(const ParameterValue& value) {
-  return std::visit([](const auto& one) { return fmt::format("{}", one); }, value);
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value))
+    return fmt::format("{}", fmt::join(*numbers, ","));
+  const auto* word = std::get_if<std::string>(&value);
+  return word != nullptr ? *word : fmt::format("{}", std::get<double>(value));
 }
 
 bool Parameter::allows(const ParameterValue& given) const {
   if (const auto* word = std::get_if<std::string>(&given))
     return std::ranges::find(choices, *word) != choices.end();
-  return choices.empty() && range.contains(std::get<double>(given));
+  if (given.index() != value.index()) return false;
+  const auto fits = [this](double number) { return range.contains(number); };
+  const auto* numbers = std::get_if<std::vector<double>>(&given);
+  return numbers != nullptr ? std::ranges::all_of(*numbers, fits) : fits(std::get<double>(given));
 }
 
 std::string Parameter::allowed() const {
-  return choices.empty() ? range.text() : fmt::format("one of {}", fmt::join(choices, ", "));
+  if (!choices.empty()) return fmt::format("one of {}", fmt::join(choices, ", "));
+  if (!std::holds_alternative<std::vector<double>>(value)) return range.text();
+  return fmt::format("a list, each {}", range.text());
 }
 
 ParameterValue Parameter::read(std::string_view text) const {
   std::string suggestion;
-  if (choices.empty()) {
-    if (const auto number = number_in(text)) return *number;
-  } else {
+  if (!choices.empty()) {
     if (std::ranges::find(choices, text) != choices.end()) return std::string(text);
     suggestion = nearest(text, {choices.begin(), choices.end()});
+  } else if (std::holds_alternative<std::vector<double>>(value)) {
+    if (const auto numbers = numbers_in(text)) return *numbers;
+  } else if (const auto number = number_in(text)) {
+    return *number;
   }
   throw std::invalid_argument(fmt::format("--set {} = {}: must be {}{}", name, text, allowed(), suggestion));
 }
@@ -38,6 +49,10 @@ ParameterValue Parameter::read(std::string_view text) const {
 Parameter choice(std::string name, std::vector<std::string> choices, std::string meaning) {
   const std::string first = choices.front();
   return {std::move(name), first, any_number, std::move(meaning), std::move(choices)};
+}
+
+Parameter list_of_numbers(std::string name, std::vector<double> numbers, Range range, std::string meaning) {
+  return {std::move(name), std::move(numbers), range, std::move(meaning)};
 }
 
 const Parameter& parameter_named(std::string_view name, std::string_view scene,
@@ -66,6 +81,10 @@ double Parameters::operator[](std::string_view name) const {
 
 const std::string& Parameters::choice(std::string_view name) const {
   return std::get<std::string>(values_.at(std::string(name)));
+}
+
+const std::vector<double>& Parameters::numbers(std::string_view name) const {
+  return std::get<std::vector<double>>(values_.at(std::string(name)));
 }
 
 std::string Parameters::text() const {
