@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mechanics/formulations/setting.hpp"
+#include "mechanics/formulations/state_geometry.hpp"
 #include "scenes/scene.hpp"
 
 namespace fde::mechanics {
@@ -83,6 +84,7 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   }
   scene.energy = energy_of(of.system);
   scene.constraint = constraint_of(of.system);
+  scene.geometry = geometry_of(of.system, of.coordinates);
   if constexpr (HasMemory<System>) {
     if (of.system.order != 1.0) {
       static constexpr Layout at = column_layout<System>();
