@@ -10,6 +10,16 @@
 #include "scenes/number_text.hpp"
 
 namespace fde {
+namespace {
+
+// In brackets a list that stands where none may.
+std::string shown(const ParameterValue& value, const Parameter& parameter) {
+  const bool list = std::holds_alternative<std::vector<double>>(value);
+  return list && value.index() != parameter.value.index() ? fmt::format("[{}]", text_of(value))
+                                                          : text_of(value);
+}
+
+}  // namespace
 
 std::string text_of(const ParameterValue& value) {
   if (const auto* numbers = std::get_if<std::vector<double>>(&value))
@@ -70,7 +80,7 @@ Parameters::Parameters(std::string_view scene, const std::vector<Parameter>& par
   for (const auto& parameter : parameters) values_.emplace(parameter.name, parameter.value);
   for (const auto& [name, value] : values) {
     const auto& parameter = parameter_named(name, scene, parameters);
-    if (!parameter.allows(value)) reject(name, value, parameter.allowed());
+    if (!parameter.allows(value)) reject_text(name, shown(value, parameter), parameter.allowed());
     values_.at(name) = value;
   }
 }

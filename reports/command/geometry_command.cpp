@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <ostream>
+#include <utility>
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
@@ -27,20 +28,26 @@ Vec state_of(std::string_view name, const std::optional<std::string>& text, In a
   return Eigen::Map<const Vec>(numbers.data(), std::ssize(numbers));
 }
 
-// Lines quantity,i,j,k,value with the names of coordinates as indices. Collected first: what is not finite
-// leaves nothing printed.
+// Lines quantity,i,j,k,value. Indices are names of coordinates, of multipliers numbers. Collected first: what
+// is not finite leaves nothing printed.
 class Table {
  public:
-  explicit Table(const std::vector<std::string>& names) : names_(names) {}
+  explicit Table(std::vector<std::string> names) : names_(std::move(names)) {}
 
-  void add(std::string_view quantity, const std::vector<std::size_t>& indices, double value) {
+  // indices: up to three.
+  void add_line(std::string_view quantity, const std::vector<std::string>& indices, double value) {
     if (!std::isfinite(value)) throw NumericalFailure(fmt::format("the {} is not finite there", quantity));
     text_ += quantity;
     for (std::size_t place = 0; place < 3; ++place) {
       text_ += ',';
-      if (place < indices.size()) text_ += names_.at(indices[place]);
+      if (place < indices.size()) text_ += indices[place];
     }
     text_ += fmt::format(",{:.17g}\n", value);
+  }
+  void add(std::string_view quantity, const std::vector<std::size_t>& indices, double value) {
+    std::vector<std::string> names;
+    for (const std::size_t index : indices) names.push_back(names_.at(index));
+    add_line(quantity, names, value);
   }
   void add(std::string_view quantity, const Vec& values) {
     for (Eigen::Index i = 0; i < values.size(); ++i) add(quantity, {static_cast<std::size_t>(i)}, values[i]);
@@ -64,14 +71,16 @@ std::string text_of(const std::vector<std::string>& names, const Geometry& geome
   for (std::size_t i = 0; i < geometry.christoffel.size(); ++i) {
     const Matrix& symbols = geometry.christoffel[i];
     for (std::size_t j = 0; j < names.size(); ++j) {
-      for (std::size_t k = 0; k < names.size(); ++k)
-        table.add("christoffel", {i, j, k},
-                  symbols(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)));
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        const double symbol = symbols(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k));
+        table.add("christoffel", {i, j, k}, symbol);
+      }
     }
   }
   table.add("connection", geometry.connection);
   table.add("semispray", geometry.semispray);
-  for (const double lambda : geometry.multipliers) table.add("multiplier", {}, lambda);
+  for (Eigen::Index i = 0; i < geometry.multipliers.size(); ++i)
+    table.add_line("multiplier", {fmt::format("{}", i + 1)}, geometry.multipliers[i]);
   table.add("constrained_semispray", geometry.constrained_semispray);
   table.add("constrained_connection", geometry.constrained_connection);
   return table.text();

@@ -36,7 +36,7 @@ TEST(GeometryCommand, PrintsTheSymbolsOfTheSphere) {
 TEST(GeometryCommand, TakesTheStartOfTheSceneWhereNoStateIsGiven) {
   const auto answer = fdebench({"geometry", "knife_edge", "--set", "theta=0.3"});
   EXPECT_EQ(answer.code, 0);
-  EXPECT_EQ(value_of(answer.out, "multiplier,,,"), 0.0);
+  EXPECT_EQ(value_of(answer.out, "multiplier,1,,"), 0.0);
   EXPECT_NEAR(value_of(answer.out, "constrained_semispray,x,,"), -9.81 * std::sin(0.3), 1e-15);
 }
 

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include "closed_forms/closed_form.hpp"
@@ -55,13 +56,14 @@ struct Oscillation {
     using std::abs, std::cos, std::exp, std::pow, std::sin;
     const Real order = decimal<Real>(of.nu), square = decimal<Real>(of.w2);
     const Real w = pow(square, Real(1 / order)), angle = pi<Real>() / order;
-    const Real factors[] = {decimal<Real>(of.q0) - decimal<Real>(of.c0) / square,
-                            (decimal<Real>(of.dq0) - decimal<Real>(of.c1) / square) / w,
-                            decimal<Real>(of.c2) / (w * w)};
+    const std::array<Real, 3> factors{decimal<Real>(of.q0) - decimal<Real>(of.c0) / square,
+                                      (decimal<Real>(of.dq0) - decimal<Real>(of.c1) / square) / w,
+                                      decimal<Real>(of.c2) / (w * w)};
     Real sum = 0, size = 0;
     for (int k = 0; k < 3; ++k) {
-      sum += factors[k] * cos(Real(w * t * sin(angle) - k * angle));
-      size += abs(factors[k]);
+      const Real& factor = factors.at(static_cast<std::size_t>(k));
+      sum += factor * cos(Real(w * t * sin(angle) - k * angle));
+      size += abs(factor);
     }
     const Real amplitude = 2 * exp(Real(w * t * cos(angle))) / order;
     return {{Real(amplitude * sum), Real(amplitude * size * (4 + 2 * w * t))}};

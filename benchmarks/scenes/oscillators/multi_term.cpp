@@ -15,12 +15,14 @@ struct Force {
 };
 
 Force force_named(const std::string& name, double k) {
-  if (name == "linear")
+  if (name == "linear") {
     return {[=](double u) { return k * u; }, [=](double) { return k; },
             [=](double u) { return k * u * u / 2; }};
-  if (name == "sine")
+  }
+  if (name == "sine") {
     return {[=](double u) { return k * std::sin(u); }, [=](double u) { return k * std::cos(u); },
             [=](double u) { return k * (1.0 - std::cos(u)); }};
+  }
   return {[=](double u) { return k * u * u * u; }, [=](double u) { return 3.0 * k * u * u; },
           [=](double u) { return k * u * u * u * u / 4; }};
 }

@@ -37,31 +37,31 @@ Smoothness smoothness(double alpha, double k) {
            {}}};
 }
 
-// All of y as the solution of Abel's equation J^(1-alpha) y = P, where P = int_0^t p has no singularity: with
-// C = (2 alpha - 1) Gamma(alpha)
-//   D^(1-alpha) P = y,  0 = P - c C (1 - (1 - t)^alpha)/alpha - Pi,  Pi' = pi,  tD_1^alpha pi = -k y,  y(1)
-//   = 1.
-// The row of y is algebraic and constrains P.
+// All of y as the solution of Abel's equation J^(1-alpha) y = P, where the integral P = int_0^t p has no
+// singularity. With C = (2 alpha - 1) Gamma(alpha) and Pi the integral of the regular part pi of p
+//   D^(1-alpha) P = y,  0 = P - c C (1 - (1 - t)^alpha)/alpha - Pi,  Pi' = pi,  tD_1^alpha pi = -k y,
+// and y(1) = 1. The row of y is algebraic and constrains P. c takes over what the last step misses of y,
+// which ends like (1 - t)^(2 alpha - 1).
 void pose_whole(Scene& scene, double alpha, double k) {
-  enum : Eigen::Index { P, y, Pi, pi, c, size };
+  enum : Eigen::Index { integral, y, regular, pi, c };
   const double factor = (2.0 * alpha - 1.0) * std::tgamma(alpha) / alpha;
   const auto singular = [=](double t) { return factor * (1.0 - std::pow(1.0 - t, alpha)); };
   scene.reference_problem = PosedProblem{scene.problem, scene.outputs};
   scene.problem.components = {
       {1.0 - alpha, {0.0}}, {0.0, {0.0}}, {1.0, {0.0}}, {alpha, {0.0}, Side::right}, {1.0, {}}};
   scene.problem.rhs = [=](double t, In now, Out f) {
-    f << now[y], now[P] - now[c] * singular(t) - now[Pi], now[pi], -k * now[y], 0.0;
+    f << now[y], now[integral] - now[c] * singular(t) - now[regular], now[pi], -k * now[y], 0.0;
   };
   scene.problem.derivatives = DenseJacobian{[=](double t, In, OutMatrix jacobian) {
     jacobian.setZero();
-    jacobian(P, y) = jacobian(y, P) = jacobian(Pi, pi) = 1.0;
+    jacobian(integral, y) = jacobian(y, integral) = jacobian(regular, pi) = 1.0;
     jacobian(y, c) = -singular(t);
-    jacobian(y, Pi) = -1.0;
+    jacobian(y, regular) = -1.0;
     jacobian(pi, y) = -k;
   }};
   scene.problem.conditions = [](In, In at_end, Out residual) { residual[0] = at_end[y] - 1.0; };
   scene.outputs = picked({"y"}, {y});
-  scene.smoothness = {{{1.0}, {}, {alpha + 1.0}, {alpha}, {}}};
+  scene.smoothness = {{{1.0}, {}, {alpha + 1.0}, {alpha}, {2.0 * alpha - 1.0}}};
 }
 
 }  // namespace
