@@ -69,6 +69,26 @@ struct Reactions {
   [[nodiscard]] bool of_columns() const { return multipliers && rated.empty(); }
 };
 
+// The geometry of a mechanical system with T = 1/2 g_ij v^i v^j at a place q and a velocity v (Niminet &
+// Blanuta 2009 without the factor 1/2 of their 2.6 and 2.8). n coordinates: tables have n rows and columns.
+struct Geometry {
+  Matrix metric;                    // g_ij(q)
+  std::vector<Matrix> christoffel;  // christoffel[i](j, k) = Gamma^i_jk(q)
+  Matrix connection;                // N^i_j = Gamma^i_jk v^k
+  Vec semispray;                    // 2 G^i of the system without its constraints: v' = -2 G
+  // With the multipliers that keep constraints without memory: lambda, 2 G*^i and N*^i_j = dG*^i/dv^j.
+  // Empty where w' is in the reaction, which is no function of a state.
+  Vec multipliers, constrained_semispray;
+  Matrix constrained_connection;
+};
+
+// The names of the coordinates, and the geometry at any state.
+struct StateGeometry {
+  std::vector<std::string> coordinates{};
+  std::function<Geometry(In q, In v)> at{};
+  explicit operator bool() const { return static_cast<bool>(at); }
+};
+
 // A problem and the columns it gives.
 struct PosedProblem {
   Problem problem{};
@@ -90,6 +110,7 @@ struct Scene {
   Constraint constraint{};
   std::vector<Memory> memories{};  // the columns that the drift evaluates independently
   Reactions reactions{};
+  StateGeometry geometry{};
 };
 
 // How a scene is made: one file in scenes/ and one line in scenes/list.def, or at run time.

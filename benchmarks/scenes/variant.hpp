@@ -10,7 +10,7 @@
 namespace fde {
 
 // A scene with some parameters, or its end, replaced. In results and on the command line:
-// "pendulum:alpha=1.9,beta=0.1,until=100".
+// "pendulum:alpha=1.9,beta=0.1,until=100", "multi_term:alpha=1.2,1.6,c=0".
 struct SceneVariant {
   const SceneMaker* maker;  // of a registry that lives as long
   ParameterValues values{};

@@ -212,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(
                         "gama: scene relaxation has no such parameter, did you mean 'gamma'?; it has gamma, "
                         "lambda, y0, dy0"},
                     Bad{"pendulum", "tau", -1.0, "tau = -1: must be a finite number above 0"},
-                    Bad{"pendulum", "alpha", 2.0, "alpha = 2: must be a number in [1, 2)"},
+                    Bad{"pendulum", "alpha", 2.5, "alpha = 2.5: must be a number in [1, 2]"},
                     Bad{"power", "p", 0.25,
                         "p = 0.25: must be at least gamma: the right-hand side is infinite at 0 otherwise"},
                     Bad{"extensible_pendulum", "xi0", -1.0, "xi0 = -1: must be a finite number above -1"}),

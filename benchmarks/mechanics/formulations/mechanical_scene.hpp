@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mechanics/formulations/reactions.hpp"
+#include "mechanics/formulations/state_geometry.hpp"
 
 namespace fde::mechanics {
 
@@ -50,6 +51,7 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   }
   scene.energy = energy_of(of.system);
   scene.constraint = constraint_of(of.system);
+  scene.geometry = geometry_of(of.system, of.coordinates);
   std::vector<double> powers_of_w;
   if constexpr (HasMemory<System>) {
     if (remembers(of.system)) {
