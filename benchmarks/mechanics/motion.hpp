@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "mechanics/derivatives.hpp"
@@ -19,6 +21,11 @@ template <int n>
 struct Columns {
   Vector<double, n> q, v, w;
 };
+
+// A sum of terms that have this size together, or 0 where it is what rounding leaves of 0.
+inline double unless_rounding(double sum, double size) {
+  return std::abs(sum) <= 4.0 * std::numeric_limits<double>::epsilon() * size ? 0.0 : sum;
+}
 
 // Vectors under one another.
 template <class S, class... Parts>

@@ -5,21 +5,63 @@
 
 namespace fde {
 
-void EnergyObserver::observe(double t, In y) {
+namespace {
+
+// The parabola with these values at three times.
+class Parabola {
+ public:
+  Parabola(const std::array<double, 3>& times, const std::array<double, 3>& values)
+      : origin_(times[0]), second_(times[1]), value_(values[0]) {
+    slope_ = (values[1] - values[0]) / (times[1] - times[0]);
+    const double next = (values[2] - values[1]) / (times[2] - times[1]);
+    bend_ = (next - slope_) / (times[2] - times[0]);
+  }
+
+  [[nodiscard]] double value(double t) const {
+    return value_ + (t - origin_) * (slope_ + (t - second_) * bend_);
+  }
+  [[nodiscard]] double rate(double t) const { return slope_ + (2 * t - origin_ - second_) * bend_; }
+
+ private:
+  double origin_, second_, value_, slope_{}, bend_{};
+};
+
+// Simpson's rule, exact for cubics.
+template <class Function>
+double integral(double from, double to, const Function& f) {
+  return (to - from) / 6 * (f(from) + 4 * f((from + to) / 2) + f(to));
+}
+
+}  // namespace
+
+EnergyObserver::Point EnergyObserver::point_at(double t, In columns) const {
+  const auto size = std::ssize(energy_.rated);
+  Point point{t, energy_.value(columns), energy_.power(t, columns), Vec(size), Vec(size)};
+  if (size == 0) return point;
+  energy_.shares(t, columns, point.shares);
+  for (Eigen::Index k = 0; k < size; ++k)
+    point.rated[k] = columns[energy_.rated[static_cast<std::size_t>(k)]];
+  return point;
+}
+
+void EnergyObserver::observe(double t, In columns) {
   std::rotate(last_.begin(), last_.begin() + 1, last_.end());
-  last_[2] = {t, energy_.value(y), energy_.power(t, y)};
+  last_[2] = point_at(t, columns);
   if (seen_++ == 0) start_ = last_[2].energy;
   if (seen_ < 3) return;
 
-  // The parabola p0 + slope (t - t0) + bend (t - t0)(t - t1); Simpson's rule is exact for it.
   const auto& [first, second, third] = last_;
-  const double slope = (second.power - first.power) / (second.t - first.t);
-  const double next = (third.power - second.power) / (third.t - second.t);
-  const double bend = (next - slope) / (third.t - first.t);
-  const auto add = [&, &a = first, &b = second](const Point& from, const Point& to) {
-    const double middle = (from.t + to.t) / 2;
-    const double power = a.power + (middle - a.t) * (slope + (middle - b.t) * bend);
-    work_.add(0, (to.t - from.t) / 6 * (from.power + 4 * power + to.power));
+  const auto parabola = [&](const auto& of) {
+    return Parabola({first.t, second.t, third.t}, {of(first), of(second), of(third)});
+  };
+  const Parabola power = parabola([](const Point& at) { return at.power; });
+  const auto add = [&](const Point& from, const Point& to) {
+    work_.add(0, integral(from.t, to.t, [&](double at) { return power.value(at); }));
+    for (Eigen::Index k = 0; k < from.rated.size(); ++k) {
+      const Parabola share = parabola([k](const Point& at) { return at.shares[k]; });
+      const Parabola rated = parabola([k](const Point& at) { return at.rated[k]; });
+      work_.add(0, integral(from.t, to.t, [&](double at) { return share.value(at) * rated.rate(at); }));
+    }
     compare(to);
   };
   if (seen_ == 3) add(first, second);

@@ -30,6 +30,8 @@ SceneSettings scene_of(const Json& json) {
       scene.until = value.get<double>();
     } else if (value.is_string()) {
       scene.values.emplace(name, value.get<std::string>());
+    } else if (value.is_array()) {
+      scene.values.emplace(name, value.get<std::vector<double>>());
     } else {
       scene.values.emplace(name, value.get<double>());
     }

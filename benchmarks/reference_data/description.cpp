@@ -57,6 +57,7 @@ Json parameters_of(const SceneVariant& of) {
 
 ParameterValue parameter_value(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
+  if (value.is_array()) return value.get<std::vector<double>>();
   return value.get<double>();
 }
 

@@ -15,6 +15,7 @@
 
 #include "nonlinear/collocation.hpp"
 #include "references/checksum.hpp"
+#include "two_sided/solution.hpp"
 
 namespace fde {
 
@@ -98,7 +99,18 @@ std::optional<std::filesystem::path> variable(const char* name) {
   return value;
 }
 
+PanelTable table_of(const Problem& problem) {
+  return two_sided(problem) ? two_sided_table(problem) : reference_table(problem);
+}
+
+Reference from_table(PanelTable table, const Problem& problem) {
+  if (two_sided(problem)) return two_sided_reference(std::move(table), problem.end);
+  return panel_reference(std::move(table));
+}
+
 }  // namespace
+
+Reference computed_reference(const Problem& problem) { return from_table(table_of(problem), problem); }
 
 std::filesystem::path ReferenceCache::file_of(const std::string& key) const {
   return folder_.value() / (sha256(key) + ".reference");
@@ -159,10 +171,10 @@ std::string reference_key(const std::string& name, const Problem& problem) {
 
 Reference cached_reference(const std::string& name, const Problem& problem, const ReferenceCache& cache) {
   const std::string key = reference_key(name, problem);
-  if (auto known = cache.load(key, problem)) return panel_reference(std::move(*known));
-  auto table = reference_table(problem);
+  if (auto known = cache.load(key, problem)) return from_table(std::move(*known), problem);
+  auto table = table_of(problem);
   cache.store(key, table);
-  return panel_reference(std::move(table));
+  return from_table(std::move(table), problem);
 }
 
 }  // namespace fde

@@ -35,7 +35,11 @@ std::optional<std::filesystem::path> cache_folder();
 // and f at some points, so that an equation that changes in the code has another key.
 std::string reference_key(const std::string& name, const Problem& problem);
 
-// reference_solution of the problem, solved once for each key.
+// The reference of a problem for which no formula is known: two_sided_reference where it is posed at both
+// ends, else reference_solution.
+Reference computed_reference(const Problem& problem);
+
+// The same, solved once for each key.
 Reference cached_reference(const std::string& name, const Problem& problem, const ReferenceCache& cache);
 
 }  // namespace fde

@@ -24,6 +24,15 @@ std::string bound_text(double bound) {
   return fmt::format("{:.2g}", upwards * bound);
 }
 
+// The decimal is off by less than a unit in the last place of the double, of which a long double knows a
+// thousandth.
+double bound_of_text(double value, double bound) {
+  constexpr double upwards = 1.01;
+  if (!std::isfinite(value) || !std::isfinite(bound)) return bound;
+  const long double text = std::stold(fmt::format("{:.17g}", value));
+  return bound + upwards * static_cast<double>(std::abs(text - static_cast<long double>(value)));
+}
+
 bool is_finite_bound(const std::string& bound) {
   return log10_of(bound) < std::numeric_limits<long double>::infinity();
 }

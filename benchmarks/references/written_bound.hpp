@@ -7,6 +7,10 @@ namespace fde {
 // Two digits of a bound, rounded up: rounding to nearest moves a number by at most five percent.
 std::string bound_text(double bound);
 
+// Of a value that is printed with 17 digits: a bound that holds for that decimal too, which is not quite the
+// double.
+double bound_of_text(double value, double bound);
+
 // Whether a bound as it is written says something of a value: it is not "inf" or "nan".
 bool is_finite_bound(const std::string& bound);
 

@@ -26,6 +26,17 @@ void reject_text(std::string_view name, std::string_view text, std::string_view 
 
 std::optional<double> number_in(std::string_view text) { return read<double>(text); }
 
+std::optional<std::vector<double>> numbers_in(std::string_view text) {
+  std::vector<double> numbers;
+  if (text.empty()) return numbers;
+  for (const auto& part : split_list(text)) {
+    const auto number = number_in(part);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
 double parse_number(std::string_view name, std::string_view text, const Range& allowed) {
   const auto value = number_in(text);
   if (!value) reject_text(name, text, allowed.text());

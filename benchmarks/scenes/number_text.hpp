@@ -11,6 +11,8 @@ namespace fde {
 
 // The whole text as a number; none where it is not one.
 std::optional<double> number_in(std::string_view text);
+// "1,2,5" as numbers, "" as no number at all; none where a part is not a number.
+std::optional<std::vector<double>> numbers_in(std::string_view text);
 
 // Texts into numbers. Each throws std::invalid_argument naming the argument, the text and what is allowed.
 

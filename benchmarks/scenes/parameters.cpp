@@ -1,6 +1,7 @@
 #include "scenes/parameters.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -9,28 +10,51 @@
 #include "scenes/number_text.hpp"
 
 namespace fde {
+namespace {
+
+// In brackets a list that stands where none may.
+std::string shown(const ParameterValue& value, const Parameter& parameter) {
+  const bool list = std::holds_alternative<std::vector<double>>(value);
+  return list && value.index() != parameter.value.index() ? fmt::format("[{}]", text_of(value))
+                                                          : text_of(value);
+}
+
+}  // namespace
 
 std::string text_of(const ParameterValue& value) {
-  return std::visit([](const auto& one) { return fmt::format("{}", one); }, value);
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value))
+    return fmt::format("{}", fmt::join(*numbers, ","));
+  const auto* word = std::get_if<std::string>(&value);
+  return word != nullptr ? *word : fmt::format("{}", std::get<double>(value));
 }
 
 bool Parameter::allows(const ParameterValue& given) const {
   if (const auto* word = std::get_if<std::string>(&given))
-    return std::ranges::find(choices, *word) != choices.end();
-  return choices.empty() && range.contains(std::get<double>(given));
+    return std::ranges::find(choices, *word) != choices.end() || (!derived.empty() && *word == derived);
+  const bool list = std::holds_alternative<std::vector<double>>(value);
+  const auto fits = [this](double number) { return range.contains(number); };
+  if (const auto* numbers = std::get_if<std::vector<double>>(&given))
+    return list && std::ranges::all_of(*numbers, fits);
+  return choices.empty() && !list && fits(std::get<double>(given));
 }
 
 std::string Parameter::allowed() const {
-  return choices.empty() ? range.text() : fmt::format("one of {}", fmt::join(choices, ", "));
+  if (!choices.empty()) return fmt::format("one of {}", fmt::join(choices, ", "));
+  if (std::holds_alternative<std::vector<double>>(value)) return fmt::format("a list, each {}", range.text());
+  return derived.empty() ? range.text() : fmt::format("{}, or {}", range.text(), derived);
 }
 
 ParameterValue Parameter::read(std::string_view text) const {
   std::string suggestion;
-  if (choices.empty()) {
-    if (const auto number = number_in(text)) return *number;
-  } else {
+  if (!choices.empty()) {
     if (std::ranges::find(choices, text) != choices.end()) return std::string(text);
     suggestion = nearest(text, {choices.begin(), choices.end()});
+  } else if (std::holds_alternative<std::vector<double>>(value)) {
+    if (const auto numbers = numbers_in(text)) return *numbers;
+  } else if (const auto number = number_in(text)) {
+    return *number;
+  } else if (!derived.empty() && text == derived) {
+    return derived;
   }
   throw std::invalid_argument(fmt::format("--set {} = {}: must be {}{}", name, text, allowed(), suggestion));
 }
@@ -38,6 +62,14 @@ ParameterValue Parameter::read(std::string_view text) const {
 Parameter choice(std::string name, std::vector<std::string> choices, std::string meaning) {
   const std::string first = choices.front();
   return {std::move(name), first, any_number, std::move(meaning), std::move(choices)};
+}
+
+Parameter derived_number(std::string name, std::string formula, Range range, std::string meaning) {
+  return {std::move(name), formula, range, std::move(meaning), {}, formula};
+}
+
+Parameter list_of_numbers(std::string name, std::vector<double> numbers, Range range, std::string meaning) {
+  return {std::move(name), std::move(numbers), range, std::move(meaning)};
 }
 
 const Parameter& parameter_named(std::string_view name, std::string_view scene,
@@ -55,7 +87,7 @@ Parameters::Parameters(std::string_view scene, const std::vector<Parameter>& par
   for (const auto& parameter : parameters) values_.emplace(parameter.name, parameter.value);
   for (const auto& [name, value] : values) {
     const auto& parameter = parameter_named(name, scene, parameters);
-    if (!parameter.allows(value)) reject(name, value, parameter.allowed());
+    if (!parameter.allows(value)) reject_text(name, shown(value, parameter), parameter.allowed());
     values_.at(name) = value;
   }
 }
@@ -66,6 +98,15 @@ double Parameters::operator[](std::string_view name) const {
 
 const std::string& Parameters::choice(std::string_view name) const {
   return std::get<std::string>(values_.at(std::string(name)));
+}
+
+std::optional<double> Parameters::given(std::string_view name) const {
+  const auto* number = std::get_if<double>(&values_.at(std::string(name)));
+  return number == nullptr ? std::nullopt : std::optional(*number);
+}
+
+const std::vector<double>& Parameters::numbers(std::string_view name) const {
+  return std::get<std::vector<double>>(values_.at(std::string(name)));
 }
 
 std::string Parameters::text() const {

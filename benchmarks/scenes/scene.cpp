@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace fde {
@@ -40,6 +41,30 @@ Vec printed_values(const Scene& scene, double t, In columns) {
   if (scene.energy) values[next++] = scene.energy.value(columns);
   if (scene.constraint) values[next++] = scene.constraint.drift(t, columns);
   return values;
+}
+
+std::vector<std::string> reaction_names(const Scene& scene) {
+  auto names = scene.reactions.names;
+  if (scene.reactions) names.emplace_back("power");
+  return names;
+}
+
+Vec with_power(const Scene& scene, double t, In columns, const Vec& lambda) {
+  Vec values(lambda.size() + 1);
+  values << lambda, scene.reactions.power(t, columns, lambda);
+  return values;
+}
+
+Vec reaction_values(const Scene& scene, double t, In columns, const std::optional<Vec>& rates) {
+  const auto& [names, rated, powers, multipliers, power, first, exact] = scene.reactions;
+  const auto size = std::ssize(names);
+  if (!rated.empty() && !rates) {
+    if (!first) return Vec::Constant(size + 1, std::numeric_limits<double>::quiet_NaN());
+    return with_power(scene, t, columns, *first);
+  }
+  Vec lambda(size);
+  multipliers(t, columns, rates.value_or(Vec()), lambda);
+  return with_power(scene, t, columns, lambda);
 }
 
 Rows columns_of(const Outputs& outputs, const Trajectory& path) {

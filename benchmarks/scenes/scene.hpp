@@ -24,11 +24,14 @@ struct Outputs {
 // Components as columns: components[c] is the one under names[c].
 Outputs picked(std::vector<std::string> names, std::vector<Eigen::Index> components);
 
-// E(columns) and, where the columns tell it, its exact rate of change along a solution, dE/dt = power(t,
-// columns).
+// E(columns) and, where the columns tell it, its exact rate of change along a solution,
+//   dE/dt = power(t, columns) + sum_k shares_k(t, columns) d columns[rated[k]]/dt,
+// whose second part is that of a reaction with memory.
 struct Energy {
   std::function<double(In columns)> value{};
   std::function<double(double t, In columns)> power{};
+  std::vector<Eigen::Index> rated{};
+  std::function<void(double t, In columns, Out shares)> shares{};  // empty: none is rated
   explicit operator bool() const { return static_cast<bool>(value); }
 };
 
@@ -50,6 +53,42 @@ struct Memory {
   std::vector<double> powers{};
 };
 
+// The multipliers lambda of the constraints, and the power v.(df/dv)^T lambda that their reactions exchange.
+struct Reactions {
+  std::vector<std::string> names{};  // of the multipliers
+  // lambda(t, columns, rates), rates the d/dt of the columns `rated`; these leave their values at 0 with powers
+  // of t, and rates need not be finite there.
+  std::vector<Eigen::Index> rated{};
+  std::vector<double> powers{};
+  std::function<void(double t, In columns, In rates, Out lambda)> multipliers{};
+  std::function<double(double t, In columns, In lambda)> power{};
+  std::optional<Vec> first{};  // lambda(0) where columns are rated; empty: it is unbounded
+  Reference exact{};           // of lambda, where it is exactly known beside the columns
+  explicit operator bool() const { return static_cast<bool>(multipliers); }
+  // Whether the columns of a time tell lambda.
+  [[nodiscard]] bool of_columns() const { return multipliers && rated.empty(); }
+};
+
+// The geometry of a mechanical system with T = 1/2 g_ij v^i v^j at a place q and a velocity v (Niminet &
+// Blanuta 2009 without the factor 1/2 of their 2.6 and 2.8). n coordinates: tables have n rows and columns.
+struct Geometry {
+  Matrix metric;                    // g_ij(q)
+  std::vector<Matrix> christoffel;  // christoffel[i](j, k) = Gamma^i_jk(q)
+  Matrix connection;                // N^i_j = Gamma^i_jk v^k
+  Vec semispray;                    // 2 G^i of the system without its constraints: v' = -2 G
+  // With the multipliers that keep constraints without memory: lambda, 2 G*^i and N*^i_j = dG*^i/dv^j.
+  // Empty where w' is in the reaction, which is no function of a state.
+  Vec multipliers, constrained_semispray;
+  Matrix constrained_connection;
+};
+
+// The names of the coordinates, and the geometry at any state.
+struct StateGeometry {
+  std::vector<std::string> coordinates{};
+  std::function<Geometry(In q, In v)> at{};
+  explicit operator bool() const { return static_cast<bool>(at); }
+};
+
 // A problem and the columns it gives.
 struct PosedProblem {
   Problem problem{};
@@ -60,6 +99,7 @@ struct PosedProblem {
 struct Scene {
   std::string name{};  // its id and all parameters, under which its reference is kept; empty: it is not
   Problem problem{};
+  std::string refusal{};  // why its equations have no problem in this form, where they have none
   Smoothness smoothness{};
   Outputs outputs{};
   Reference reference{};  // of the columns
@@ -69,6 +109,8 @@ struct Scene {
   Energy energy{};
   Constraint constraint{};
   std::vector<Memory> memories{};  // the columns that the drift evaluates independently
+  Reactions reactions{};
+  StateGeometry geometry{};
 };
 
 // How a scene is made: one file in scenes/ and one line in scenes/list.def, or at run time.
@@ -88,5 +130,12 @@ Vec bound_of_columns(const Outputs& outputs, double t, const ReferenceValue& ref
 // The columns, then `energy` and `constraint` (the drift) where the scene has them.
 std::vector<std::string> printed_names(const Scene& scene);
 Vec printed_values(const Scene& scene, double t, In columns);
+
+// The multipliers and `power`, that of the reactions.
+std::vector<std::string> reaction_names(const Scene& scene);
+// Rates: of the columns that are rated; nothing: lambda is what it is at the start. NaN where it is unbounded.
+Vec reaction_values(const Scene& scene, double t, In columns, const std::optional<Vec>& rates);
+// The same of multipliers that are known.
+Vec with_power(const Scene& scene, double t, In columns, const Vec& lambda);
 
 }  // namespace fde

@@ -3,19 +3,42 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "scenes/number_text.hpp"
 #include "scenes/registry.hpp"
 
 namespace fde {
+namespace {
+
+// "b=1,2,c=3" into "b=1,2" and "c=3": what has no '=' belongs to the list before it.
+std::vector<std::string> split_settings(std::string_view text) {
+  std::vector<std::string> settings;
+  for (const auto& part : split_list(text)) {
+    if (settings.empty() || part.find('=') != std::string::npos) {
+      settings.push_back(part);
+    } else {
+      settings.back() += "," + part;
+    }
+  }
+  return settings;
+}
+
+}  // namespace
 
 SceneSettings SceneVariant::key() const { return {.id = maker->id, .values = values, .until = until}; }
 
-Scene make_scene(const SceneMaker& maker, const ParameterValues& values) {
+Scene make_known_scene(const SceneMaker& maker, const ParameterValues& values) {
   const Parameters parameters(maker.id, maker.parameters, values);
   Scene scene = maker.make(parameters);
   scene.name = fmt::format("{} {}", maker.id, parameters.text());
+  return scene;
+}
+
+Scene make_scene(const SceneMaker& maker, const ParameterValues& values) {
+  Scene scene = make_known_scene(maker, values);
+  if (!scene.refusal.empty()) throw std::invalid_argument(scene.refusal);
   return scene;
 }
 
@@ -50,7 +73,7 @@ SceneVariant parse_variant(const std::string& text, const Scenes& among) {
   const auto colon = text.find(':');
   SceneVariant variant{.maker = &scene_named(text.substr(0, colon), among)};
   if (colon == std::string::npos) return variant;
-  auto settings = split_list(text.substr(colon + 1));
+  auto settings = split_settings(std::string_view(text).substr(colon + 1));
   const auto end =
       std::ranges::find_if(settings, [&](const auto& setting) { return setting.starts_with(until); });
   if (end != settings.end()) {

@@ -10,7 +10,7 @@
 namespace fde {
 
 // A scene with some parameters, or its end, replaced. In results and on the command line:
-// "pendulum:alpha=1.9,beta=0.1,until=100".
+// "pendulum:alpha=1.9,beta=0.1,until=100", "multi_term:alpha=1.2,1.6,c=0".
 struct SceneVariant {
   const SceneMaker* maker;  // of a registry that lives as long
   ParameterValues values{};
@@ -20,10 +20,15 @@ struct SceneVariant {
   [[nodiscard]] std::string label() const { return label_of(key()); }
 };
 
-// The scene made from its defaults with some values replaced.
+// The scene made from its defaults with some values replaced. Throws std::invalid_argument where it has no
+// problem to solve.
 Scene make_scene(const SceneMaker& maker, const ParameterValues& values = {});
 
-// The same, up to the end that the variant gives. Throws std::invalid_argument where the scene is posed at
+// The same for what is known about it, which does not depend on the form of its problem, nor on whether that
+// form can be solved.
+Scene make_known_scene(const SceneMaker& maker, const ParameterValues& values);
+
+// make_scene, up to the end that the variant gives. Throws std::invalid_argument where the scene is posed at
 // both ends and has another.
 Scene make_scene(const SceneVariant& variant);
 

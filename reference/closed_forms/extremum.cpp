@@ -7,6 +7,7 @@
 #include "evaluation/evaluation.hpp"
 #include "laplace/raise_on_contour.hpp"
 #include "numbers/rational.hpp"
+#include "progress/work.hpp"
 
 namespace fde {
 namespace {
@@ -35,6 +36,7 @@ void add_series(Sum<BigReal>& sum, const BigReal& factor, const BigReal& ulps, c
   BigReal series(1), term = first * z;
   int k = 1;
   for (; term > epsilon<BigReal>() * series; ++k) {
+    report_work(static_cast<std::size_t>(k));
     series += term;
     term *= z * (top + k) / (bottom + k);
   }

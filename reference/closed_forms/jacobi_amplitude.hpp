@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "numbers/real.hpp"
+#include "progress/work.hpp"
 
 namespace fde {
 
@@ -18,6 +19,7 @@ class JacobiAmplitude {
     straight_ = complement == 0;
     Real a = 1, b = sqrt(complement), c = sqrt(parameter);
     while (!straight_) {
+      report_work(scale_.size());
       scale_.push_back({a, b, c});
       if (c <= epsilon<Real>() * a) break;
       const Real mean = (a + b) / 2;
@@ -32,6 +34,7 @@ class JacobiAmplitude {
     using std::asinh, std::atan2, std::cos, std::floor, std::ldexp, std::sin, std::tan;
     if (straight_) return asinh(Real(tan(angle)));
     for (std::size_t n = 0; n + 1 < scale_.size(); ++n) {
+      report_work(n);
       const Real turns = pi<Real>() * floor(Real(angle / pi<Real>() + Real(0.5))), rest = angle - turns;
       angle += turns + atan2(Real(scale_[n].b * sin(rest)), Real(scale_[n].a * cos(rest)));
     }
@@ -44,6 +47,7 @@ class JacobiAmplitude {
     if (straight_) return atan(Real(sinh(u)));
     Real angle = ldexp(Real(scale_.back().a * u), last());
     for (auto n = scale_.size() - 1; n > 0; --n) {
+      report_work(n);
       const auto& [a, b, c] = scale_[n];
       const Real across = c * sin(angle), along = c * cos(angle);
       angle = (angle + atan2(across, Real(sqrt(Real(b * b + along * along))))) / 2;

@@ -9,6 +9,7 @@
 #include "march/pace.hpp"
 #include "march/rhs_at.hpp"
 #include "march/singularity.hpp"
+#include "progress/work.hpp"
 
 namespace fde {
 
@@ -46,6 +47,10 @@ double next_break(double from, double length, double end) {
   return from + (left < 2 * length ? left / 2 : length);
 }
 
+PanelPoints points_for(const Problem& problem) {
+  return std::ranges::any_of(problem.components, algebraic) ? PanelPoints::radau : PanelPoints::legendre;
+}
+
 class March {
  public:
   March(const Problem& problem, const MarchOptions& options, const PanelBasis& basis)
@@ -62,6 +67,7 @@ class March {
       if (panels_.size() == most_panels || hopeless(most_panels)) {
         fail("more panels than it can afford", time());
       }
+      report_work(panels_.size());
       add_panel();
     }
     return std::move(panels_);
@@ -110,8 +116,7 @@ class March {
 
   // By which factor the panel could have been longer; below 1 it does not resolve y and f.
   [[nodiscard]] double growth_after(const Solution& solution, double to) const {
-    constexpr double weightless = 1e-18;  // of the end: an error of f before it is lost in rounding later on
-    if (to <= weightless * problem_.end) {
+    if (to <= options_.weightless * problem_.end) {
       return panels_.empty() ? 1.0 : 2.0;
     }
     const Matrix values = solution.values.topRows(basis_.points());
@@ -137,7 +142,7 @@ class March {
   }
 
   void accept(const Solution& solution, double from, double to) {
-    Matrix values(basis_.points() + 2, problem_.size());
+    Matrix values(basis_.dense_nodes.size(), problem_.size());
     values << last_value_.transpose(), solution.values;
     last_value_ = values.bottomRows<1>().transpose();
     last_rhs_ = rhs_at(problem_, to, last_value_);
@@ -163,7 +168,18 @@ class March {
 }  // namespace
 
 PiecewiseSolution::PiecewiseSolution(const Problem& problem, const MarchOptions& options)
-    : basis_(options.points), panels_(March(problem, options, basis_).run()) {}
+    : basis_(options.points, points_for(problem)), panels_(March(problem, options, basis_).run()) {
+  const auto inner = static_cast<int>(basis_.dense_nodes.size()) - 2;
+  kept_ = PanelBasis(inner, PanelPoints::legendre).dense_nodes;
+}
+
+Matrix PiecewiseSolution::legendre_values(const Panel& panel) const {
+  if (kept_ == basis_.dense_nodes) return panel.values;
+  Matrix values(kept_.size(), panel.values.cols());
+  for (Eigen::Index k = 0; k < kept_.size(); ++k)
+    values.row(k) = basis_.interpolate(panel.values, kept_[k]).transpose();
+  return values;
+}
 
 std::size_t PiecewiseSolution::panel_of(double t) const {
   const auto panel = std::ranges::lower_bound(panels_, t, {}, &Panel::to);

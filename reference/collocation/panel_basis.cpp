@@ -7,20 +7,25 @@ namespace fde {
 namespace {
 
 LongVec with_ends(const LongVec& nodes) {
-  LongVec all(nodes.size() + 2);
-  all << 0.0L, nodes, 1.0L;
+  const bool ended = nodes[nodes.size() - 1] == 1.0L;
+  LongVec all(nodes.size() + (ended ? 1 : 2));
+  all[0] = 0.0L;
+  all.segment(1, nodes.size()) = nodes;
+  all[all.size() - 1] = 1.0L;
   return all;
 }
 
 }  // namespace
 
-PanelBasis::PanelBasis(int points) : gauss(gauss_jacobi(points, 0)) {
+PanelBasis::PanelBasis(int count, PanelPoints kind)
+    : gauss(kind == PanelPoints::radau ? gauss_radau(count) : gauss_jacobi(count, 0)) {
   const LongVec& x = gauss.nodes;
   dense_nodes = with_ends(x).cast<double>();
   dense_weights = barycentric_weights(with_ends(x)).cast<double>();
   nodes = x.cast<double>();
   weights = gauss.weights.cast<double>();
-  targets = dense_nodes.tail(points + 1);
+  targets = dense_nodes.tail(dense_nodes.size() - 1);
+  at_targets = lagrange_matrix(x, with_ends(x).tail(targets.size())).cast<double>();
   left_half = lagrange_matrix(x, x / 2).cast<double>();
   right_half = lagrange_matrix(x, (x.array() + 1) / 2).cast<double>();
   legendre = legendre_analysis(gauss).cast<double>();
@@ -31,9 +36,9 @@ Matrix PanelBasis::integral(double order) const {
   const auto count = static_cast<int>(points());
   const auto exponent = static_cast<long double>(order);
   const GaussRule rule = gauss_jacobi(count / 2 + 1, exponent - 1);
-  const LongVec upper = with_ends(gauss.nodes).tail(count + 1);
-  Matrix table(count + 1, count);
-  for (Eigen::Index i = 0; i <= count; ++i) {
+  const LongVec upper = with_ends(gauss.nodes).tail(targets.size());
+  Matrix table(upper.size(), count);
+  for (Eigen::Index i = 0; i < upper.size(); ++i) {
     const long double factor = std::pow(upper[i], exponent) / std::tgamma(exponent);
     const LongMatrix values = lagrange_matrix(gauss.nodes, upper[i] * rule.nodes);
     table.row(i) = (factor * rule.weights.transpose() * values).cast<double>();

@@ -5,14 +5,20 @@
 
 namespace fde {
 
-// Polynomials through Gauss-Legendre points: all that is the same on every panel, for the panel [0, 1].
+// Where a panel has its nodes. Gauss-Radau points have the end among them, and what algebraic rows say there
+// holds for the start of the next panel: an error of the last panel is forgotten. With Gauss-Legendre points
+// it would come back with the other sign, for ever.
+enum class PanelPoints { legendre, radau };
+
+// Polynomials through these points: all that is the same on every panel, for the panel [0, 1].
 struct PanelBasis {
-  explicit PanelBasis(int points);
+  PanelBasis(int count, PanelPoints kind);
 
   GaussRule gauss;
   Vec nodes, weights;              // the same in double
-  Vec targets;                     // nodes, 1: where a panel evaluates the solution
-  Vec dense_nodes, dense_weights;  // 0, nodes, 1 with barycentric weights: where a panel keeps the solution
+  Vec targets;                     // nodes and 1: where a panel evaluates the solution
+  Vec dense_nodes, dense_weights;  // 0 and targets with barycentric weights: where a panel keeps the solution
+  Matrix at_targets;               // values at the targets from those at the nodes
   Matrix left_half, right_half;    // values at the nodes of a half of the panel from those at its own nodes
   Matrix legendre;                 // coefficients of Legendre polynomials from values at the nodes
 

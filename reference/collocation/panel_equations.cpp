@@ -30,7 +30,7 @@ Matrix with_signs(const Matrix& sizes) {
 PanelEquations::PanelEquations(const Problem& problem, const PanelBasis& basis)
     : problem_(problem), basis_(basis) {
   for (const Component& component : problem.components) {
-    integral_.push_back(basis.integral(component.order));
+    integral_.push_back(algebraic(component) ? basis.at_targets : basis.integral(component.order));
   }
 }
 
@@ -47,7 +47,7 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past
   double size = std::numeric_limits<double>::infinity(), last_size = 0.0;  // of the corrections
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     found.rhs = rhs_at(problem_, times, found.values);
-    const Matrix next = past + integrate(found.rhs, length);
+    const Matrix next = advanced(past, found, length);
     if (size < 2 * rounding || (size < nearly_converged && size > last_size / 2)) {
       found.values = next;
       return found;
@@ -58,7 +58,8 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past
     if (size > last_size / 10) {  // an old factorisation serves while it gains a digit each time
       newton = linearise(times, before, length, found);
     }
-    const Matrix correction = newton.solve((next - found.values).topRows(points));
+    const Matrix correction =
+        newton.solve(residual_of(problem_, next.topRows(points), found.values.topRows(points), found.rhs));
     if (!correction.allFinite()) {
       return std::nullopt;
     }
@@ -76,14 +77,24 @@ LinearisedStep PanelEquations::linearise(const Vec& times, const Sizes& before, 
   for (Eigen::Index k = 0; k < times.size(); ++k) {
     jacobians.push_back(jacobian_at(times[k], y.row(k).transpose()));
   }
-  at.sizes = sizes_with(before, y, at.rhs, jacobians);
+  at.sizes = sizes_with(bounded_sizes(before, problem_), y, at.rhs, jacobians);
   at.increment = unit_increment(problem_, length).cwiseProduct(at.sizes.rhs.cwiseMax(at.sizes.forcing));
-  LinearisedStep step(weights(length), std::move(jacobians));
+  LinearisedStep step(problem_, weights(length), std::move(jacobians));
   const auto integral = [&](const Matrix& rhs) -> Matrix {
     return integrate(rhs, length).topRows(rhs.rows());
   };
   at.noise = passed_on_noise(step, integral, y, at.rhs, at.sizes.noise / rounding, with_signs);
   return step;
+}
+
+// Unknowns of algebraic rows are what they are, and continued to the end of the panel.
+Matrix PanelEquations::advanced(const Matrix& past, const Solution& from, double length) const {
+  Matrix next = past + integrate(from.rhs, length);
+  for (Eigen::Index i = 0; i < problem_.size(); ++i) {
+    if (algebraic(problem_.components[static_cast<std::size_t>(i)]))
+      next.col(i) = basis_.at_targets * from.values.col(i).head(basis_.points());
+  }
+  return next;
 }
 
 Matrix PanelEquations::jacobian_at(double t, In y) const {

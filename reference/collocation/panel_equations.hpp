@@ -11,6 +11,7 @@ namespace fde {
 
 // The collocation equations y_i(t_k) = past_i(t_k) + length^gamma_i sum_j W_kj f_i(t_j, y(t_j)) of one panel,
 // where W holds the exact integrals of PanelBasis::integral and t_k, t_j are the nodes of the panel.
+// Algebraic rows read 0 = f_i(t_k, y(t_k)).
 class PanelEquations {
  public:
   PanelEquations(const Problem& problem, const PanelBasis& basis);
@@ -24,7 +25,7 @@ class PanelEquations {
   };
 
   // Newton's method down to rounding, from f = first_rhs on the whole panel [from, to]; past is given at the
-  // targets. Empty where it does not converge.
+  // targets, and is a first guess of unknowns of algebraic rows. Empty where it does not converge.
   [[nodiscard]] std::optional<Solution> solve(const Matrix& past, double from, double to, In first_rhs,
                                               const Sizes& before) const;
 
@@ -32,6 +33,8 @@ class PanelEquations {
   // Linearises at the values of a solution, and says how large it is and how much of it is noise.
   [[nodiscard]] LinearisedStep linearise(const Vec& times, const Sizes& before, double length,
                                          Solution& at) const;
+  // What the equations make of values and f.
+  [[nodiscard]] Matrix advanced(const Matrix& past, const Solution& from, double length) const;
   [[nodiscard]] Matrix jacobian_at(double t, In y) const;
   [[nodiscard]] Matrix integrate(const Matrix& rhs, double length) const;  // from the start to the targets
   [[nodiscard]] std::vector<Matrix> weights(double length) const;          // from the start to the nodes

@@ -1,8 +1,19 @@
 #include "collocation/sizes.hpp"
 
+#include <algorithm>
+
 #include "march/rhs_at.hpp"
 
 namespace fde {
+
+Sizes bounded_sizes(Sizes sizes, const Problem& problem) {
+  if (std::ranges::none_of(problem.components, algebraic)) return sizes;
+  sizes.rhs.setZero();
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    if (algebraic(problem.components[static_cast<std::size_t>(i)])) sizes.values[i] = 0.0;
+  }
+  return sizes;
+}
 
 Sizes sizes_at_start(const Problem& problem) {
   constexpr int samples = 64;

@@ -16,6 +16,10 @@ struct Sizes {
   [[nodiscard]] double largest() const { return values.cwiseMax(rhs).maxCoeff(); }
 };
 
+// Without what algebraic rows make of it: their unknowns may start unbounded, and so may what these drive. Of
+// no measure for what comes later, where the problem has such rows, are f so far and these unknowns.
+Sizes bounded_sizes(Sizes sizes, const Problem& problem);
+
 Sizes sizes_at_start(const Problem& problem);
 
 // With y and f at the nodes of a panel, a row a node, and df/dy there.

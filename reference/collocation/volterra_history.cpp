@@ -9,6 +9,7 @@ VolterraHistory::VolterraHistory(const Problem& problem, const PanelBasis& basis
     : problem_(problem), basis_(basis) {
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
     const double order = problem.components[static_cast<std::size_t>(i)].order;
+    if (order == 0.0) continue;
     auto kernel = std::ranges::find(kernels_, order, &Kernel::order);
     if (kernel == kernels_.end()) {
       kernel = kernels_.insert(kernel, {order, {}});
@@ -31,6 +32,10 @@ Matrix VolterraHistory::at_targets(const std::vector<Panel>& past, double from, 
   }
   for (Eigen::Index k = 0; k < offset.size(); ++k) {
     sum.row(k) += taylor_part(problem_, from + offset[k]);
+  }
+  for (Eigen::Index i = 0; i < problem_.size() && !past.empty(); ++i) {
+    if (algebraic(problem_.components[static_cast<std::size_t>(i)]))
+      sum.col(i).setConstant(past.back().values.bottomRows<1>()[i]);
   }
   return sum;
 }

@@ -22,7 +22,8 @@ class VolterraHistory {
   VolterraHistory(const Problem& problem, const PanelBasis& basis);
 
   // Taylor part + 1/Gamma(gamma_i) int_0^from (t-s)^(gamma_i-1) f_i(s) ds at the targets t of the panel
-  // [from, to], where the past panels end. A row a target, a column a component.
+  // [from, to], where the past panels end; of algebraic rows the value at `from`. A row a target, a column a
+  // component.
   [[nodiscard]] Matrix at_targets(const std::vector<Panel>& past, double from, double to) const;
 
  private:

@@ -10,6 +10,7 @@
 #include "diffusive/stage_noise.hpp"
 #include "march/pace.hpp"
 #include "march/posed_problem.hpp"
+#include "progress/work.hpp"
 #include "march/rhs_at.hpp"
 #include "march/unit_increment.hpp"
 
@@ -43,6 +44,7 @@ class DiffusiveMarch {
       if (solution.times.size() == most_steps || hopeless(solution.times, most_steps)) {
         fail("more steps than it can afford", time_);
       }
+      report_work(solution.times.size());
       add_step(stop);
       solution.times.push_back(time_);
       solution.values.push_back(value_);
@@ -85,7 +87,16 @@ class DiffusiveMarch {
     for (Eigen::Index i = 0; i < problem_.size(); ++i) {
       weights.push_back(memory_.weights(i, length));
     }
-    return equations_.solve(memory_.past(length), weights, time_, length, last_rhs_, size_);
+    return equations_.solve(past(length), weights, time_, length, last_rhs_, size_);
+  }
+
+  // At the stages without f of this step; of algebraic rows the last value.
+  [[nodiscard]] Matrix past(double length) {
+    Matrix past = memory_.past(length);
+    for (Eigen::Index i = 0; i < problem_.size(); ++i) {
+      if (algebraic(problem_.components[static_cast<std::size_t>(i)])) past.col(i).setConstant(value_[i]);
+    }
+    return past;
   }
 
   // A step of twice the length has about so many times the coefficients.
@@ -106,8 +117,7 @@ class DiffusiveMarch {
   // The last two Legendre coefficients of y, and of f as it adds to y, beyond their noise and relative to the
   // tolerance. Above 1 the step is too long.
   [[nodiscard]] double unresolved_by(const StageSolution& stages, double length) const {
-    constexpr double weightless = 1e-18;  // of the end: an error of f before it is lost in rounding later on
-    if (time_ < weightless * problem_.end) {
+    if (time_ < options_.weightless * problem_.end) {
       return 0.0;
     }
     Matrix y(stages.y.rows() + 1, stages.y.cols());

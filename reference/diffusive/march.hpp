@@ -11,6 +11,7 @@ struct DiffusiveOptions {
   double tolerance = 1e-10;   // of the last Legendre coefficients of y and f on a step, relative to the size
                               // of y so far; the end of a step is as accurate as rounding allows then
   double first_step = 1e-20;  // relative to the end
+  double weightless = 1e-18;  // of the end: an error of f before it is lost in rounding later on
 };
 
 // A solution at the ends of the steps.

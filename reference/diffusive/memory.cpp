@@ -16,7 +16,7 @@ std::vector<double> memory_orders(const Problem& problem) {
   std::vector<double> orders;
   for (const Component& component : problem.components) {
     const double order = part(component);
-    if (order < 1.0 && std::ranges::find(orders, order) == orders.end()) {
+    if (order < 1.0 && !algebraic(component) && std::ranges::find(orders, order) == orders.end()) {
       orders.push_back(order);
     }
   }
@@ -56,6 +56,7 @@ DiffusiveMemory::DiffusiveMemory(const Problem& problem, RadauRule rule, double 
     : rule_(std::move(rule)), kernels_(memory_orders(problem), problem.end, shortest) {
   for (const Component& component : problem.components) {
     State state{.kernel = -1,
+                .algebraic = algebraic(component),
                 .twice = twice(component),
                 .initial = component.initial.back(),
                 .memory = {},
@@ -115,6 +116,7 @@ Matrix DiffusiveMemory::past(double length) {
 Matrix DiffusiveMemory::weights(Eigen::Index component, double length) {
   const MemoryStep& of_step = step(length);
   const State& state = states_[static_cast<std::size_t>(component)];
+  if (state.algebraic) return Matrix::Identity(rule_.nodes.size(), rule_.nodes.size());
   return state.twice ? Matrix(of_step.plain * local(state, of_step)) : local(state, of_step);
 }
 
@@ -123,6 +125,7 @@ void DiffusiveMemory::advance(double length, const Matrix& rhs) {
   Eigen::Index i = 0;
   for (State& state : states_) {
     const Vec f = rhs.col(i++);
+    if (state.algebraic) continue;
     if (state.twice) {
       const Vec v = carried(state, of_step) + local(state, of_step) * f;
       state.integral.add(of_step.plain.bottomRows<1>() * v);

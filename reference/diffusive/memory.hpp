@@ -24,13 +24,14 @@ struct MemoryStep {
 
 // The memory of a problem. With an order = whole + part, part in (0, 1],
 //   v_i = initial value + sum_m weights[m] phi_im + lumped f_i    (part = 1: initial value + int f_i),
-// and y_i = v_i, or y_i' = v_i where the order is above 1.
+// and y_i = v_i, or y_i' = v_i where the order is above 1. Algebraic rows have none.
 class DiffusiveMemory {
  public:
   // Good for times from shortest * end on.
   DiffusiveMemory(const Problem& problem, RadauRule rule, double shortest);
 
-  // The values of y at the stages of a step are past + weights F, a column a component.
+  // The values of y at the stages of a step are past + weights F, a column a component; of algebraic rows the
+  // weights are 1.
   [[nodiscard]] Matrix past(double length);
   [[nodiscard]] Matrix weights(Eigen::Index component, double length);
 
@@ -45,6 +46,7 @@ class DiffusiveMemory {
   };
   struct State {
     Eigen::Index kernel;  // -1: part = 1
+    bool algebraic;       // without memory
     bool twice;           // y' = v
     double initial;       // of v
     Sum memory;

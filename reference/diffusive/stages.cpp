@@ -61,7 +61,10 @@ std::optional<StageSolution> StageEquations::solve(const Matrix& past, const std
   double correction_size = std::numeric_limits<double>::infinity(), last_size = 0.0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     found.rhs = rhs_at(problem_, times, found.y);
-    const Matrix next = past + weighted(weights, found.rhs);
+    Matrix next = past + weighted(weights, found.rhs);
+    for (Eigen::Index i = 0; i < problem_.size(); ++i) {
+      if (algebraic(problem_.components[static_cast<std::size_t>(i)])) next.col(i) = found.y.col(i);
+    }
     if (correction_size < rounding ||
         (correction_size < nearly_converged && correction_size > last_size / 2)) {
       found.y = next;
@@ -74,7 +77,7 @@ std::optional<StageSolution> StageEquations::solve(const Matrix& past, const std
         last_size / 100) {  // an old factorisation serves while it gains two digits each time
       newton = linearise(times, weights, found);
     }
-    const Matrix correction = newton.solve(next - found.y);
+    const Matrix correction = newton.solve(residual_of(problem_, next, found.y, found.rhs));
     if (!correction.allFinite()) {
       return std::nullopt;
     }
@@ -92,7 +95,7 @@ LinearisedStep StageEquations::linearise(const Vec& times, const std::vector<Mat
   for (Eigen::Index k = 0; k < times.size(); ++k) {
     jacobians.push_back(jacobian_at(times[k], at.y.row(k).transpose()));
   }
-  LinearisedStep step(weights, std::move(jacobians));
+  LinearisedStep step(problem_, weights, std::move(jacobians));
   const auto integral = [&](const Matrix& rhs) { return weighted(weights, rhs); };
   at.noise = passed_on_noise(step, integral, at.y, at.rhs, forcing_ + rhs_noise_ / rounding, with_signs);
   return step;

@@ -13,7 +13,8 @@ struct StageSolution {
   Noise noise;
 };
 
-// The equations y_i = past_i + weights_i f_i(t, y) at the stages of a Runge-Kutta step.
+// The equations y_i = past_i + weights_i f_i(t, y) at the stages of a Runge-Kutta step, and 0 = f_i(t, y) in
+// algebraic rows, where past is a first guess.
 class StageEquations {
  public:
   StageEquations(const Problem& problem, Vec nodes);

@@ -4,6 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "progress/work.hpp"
+
 namespace fde {
 template <class Real>
 Contour<Real>::Contour(const Real& mu, const Real& omega, const Real& depth, bool half_step_shift)
@@ -16,6 +18,8 @@ Contour<Real>::Contour(const Real& mu, const Real& omega, const Real& depth, boo
   for (int k = 0;; ++k) {
     const Real theta = (k + shift_) * step;
     if (theta > end) break;
+    if constexpr (std::is_same_v<Real, BigReal>)
+      report_work(static_cast<std::size_t>(k), static_cast<std::size_t>(static_cast<double>(end / step)) + 1);
     const Complex<Real> root(Real(1), theta);
     const Complex<Real> s(mu * (1 - theta * theta), 2 * mu * theta);
     const Real half = theta == 0 ? Real(1) / 2 : Real(1);  // its own conjugate: counted twice

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "laplace/raise_on_contour.hpp"
+#include "transfer_functions/characteristic_zeros.hpp"
 #include "transfer_functions/linear_response.hpp"
 
 namespace fde {
@@ -16,7 +17,7 @@ namespace {
 class LinearSolution {
  public:
   explicit LinearSolution(LinearTransform transform)
-      : transform_(std::move(transform)), rounded_(transform_), zeros_(find_zeros(rounded_.characteristic)) {}
+      : transform_(std::move(transform)), rounded_(transform_), zeros_(find_zeros(transform_)) {}
 
   [[nodiscard]] std::optional<std::vector<DoubleBounded>> quick(double t) const;
   [[nodiscard]] std::vector<Bounded<BigReal>> precise(double t, int digits) const;

@@ -7,9 +7,18 @@ namespace fde {
 
 namespace {
 
-Matrix newton_matrix(const std::vector<Matrix>& weights, const std::vector<Matrix>& jacobians) {
+Vec masses(const Problem& problem) {
+  Vec mass(problem.size());
+  for (Eigen::Index i = 0; i < problem.size(); ++i)
+    mass[i] = algebraic(problem.components[static_cast<std::size_t>(i)]) ? 0.0 : 1.0;
+  return mass;
+}
+
+Matrix newton_matrix(const Vec& mass, const std::vector<Matrix>& weights,
+                     const std::vector<Matrix>& jacobians) {
   const auto nodes = std::ssize(jacobians), size = std::ssize(weights);
-  Matrix matrix = Matrix::Identity(nodes * size, nodes * size);
+  Matrix matrix = Matrix::Zero(nodes * size, nodes * size);
+  for (Eigen::Index i = 0; i < size; ++i) matrix.diagonal().segment(i * nodes, nodes).setConstant(mass[i]);
   for (Eigen::Index k = 0; k < nodes; ++k) {
     const Matrix& jacobian = jacobians[static_cast<std::size_t>(k)];
     for (Eigen::Index i = 0; i < size; ++i) {
@@ -26,8 +35,11 @@ Matrix newton_matrix(const std::vector<Matrix>& weights, const std::vector<Matri
 
 }  // namespace
 
-LinearisedStep::LinearisedStep(const std::vector<Matrix>& weights, std::vector<Matrix> of_nodes)
-    : jacobians(std::move(of_nodes)), newton(newton_matrix(weights, jacobians)) {}
+LinearisedStep::LinearisedStep(const Problem& problem, const std::vector<Matrix>& weights,
+                               std::vector<Matrix> of_nodes)
+    : jacobians(std::move(of_nodes)),
+      newton(newton_matrix(masses(problem), weights, jacobians)),
+      mass(masses(problem)) {}
 
 Matrix LinearisedStep::solve(const Matrix& residual) const {
   return newton.solve(residual.reshaped()).reshaped(residual.rows(), residual.cols());
@@ -41,6 +53,14 @@ Matrix LinearisedStep::terms_of(const Matrix& y_size) const {
   return terms;
 }
 
+Matrix residual_of(const Problem& problem, const Matrix& next, const Matrix& y, const Matrix& rhs) {
+  Matrix residual = next - y;
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    if (algebraic(problem.components[static_cast<std::size_t>(i)])) residual.col(i) = rhs.col(i);
+  }
+  return residual;
+}
+
 Noise passed_on_noise(const LinearisedStep& step, const std::function<Matrix(const Matrix& rhs)>& integral,
                       const Matrix& y, const Matrix& rhs, In further,
                       Matrix (*with_signs)(const Matrix& sizes)) {
@@ -48,7 +68,8 @@ Noise passed_on_noise(const LinearisedStep& step, const std::function<Matrix(con
   const Matrix y_size = y.cwiseAbs();
   const Matrix rhs_size = (rhs.cwiseAbs() + step.terms_of(y_size)).rowwise() + further.transpose();
   const Matrix of_rhs = with_signs(rounding * rhs_size);
-  const Matrix of_y = step.solve(with_signs(rounding * y_size) + integral(of_rhs)).cwiseAbs();
+  const Matrix of_y =
+      step.solve(with_signs(rounding * y_size) * step.mass.asDiagonal() + integral(of_rhs)).cwiseAbs();
   return {of_y.colwise().maxCoeff(), (of_rhs.cwiseAbs() + step.terms_of(of_y)).colwise().maxCoeff()};
 }
 

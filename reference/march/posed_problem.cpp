@@ -18,8 +18,8 @@ void require_posed(const Problem& problem) {
     const auto& component = problem.components[i];
     const double order = component.order;
     require(component.side == Side::left, fmt::format("component {} has a right derivative", i));
-    require(order > 0.0 && order <= 2.0,
-            fmt::format("component {} needs an order in (0, 2], it has {}", i, order));
+    require(algebraic(component) || (order > 0.0 && order <= 2.0),
+            fmt::format("component {} needs an order in [0, 2], it has {}", i, order));
     require(component.initial.size() == initial_count(order),
             fmt::format("component {} needs ceil(order) initial values", i));
   }

@@ -1,20 +1,28 @@
 #include "mittag_leffler/digits.hpp"
 
+#include <stdexcept>
+
 #include "laplace/contour.hpp"
 #include "laplace/contour_bound.hpp"
 #include "laplace/raise_on_contour.hpp"
 #include "mittag_leffler/forms.hpp"
 #include "mittag_leffler/poles.hpp"
 #include "numbers/reciprocal_gamma.hpp"
+#include "progress/work.hpp"
 
 namespace fde {
 namespace {
 
 using Arguments = MittagLefflerArguments;
 
+// log s* > 0 for which e^s* is beyond all exponents, however s* is rounded.
+constexpr double beyond_exponents = 50.0;
+
 // Adds Res(e^s F, s*) = (1/alpha) e^(s* + (1-beta) log s*) times a factor known to that many ulps.
 void add_residue(Sum<BigReal>& sum, const Arguments& x, const BigComplex& log_pole, const BigComplex& factor,
                  const BigReal& factor_ulps) {
+  if (imag_part<BigReal>(log_pole) == 0 && real_part<BigReal>(log_pole) > beyond_exponents)
+    return sum.add_infinite(BigComplex(1), exp(BigReal(real_part<BigReal>(log_pole))));
   const BigComplex pole = x.alpha == 1 ? x.z : BigComplex(exp(log_pole));
   if (real_part<BigReal>(pole) < -8 / epsilon<BigReal>())
     return;  // e^s* is nothing, and s* may have overflowed
@@ -52,7 +60,10 @@ BigComplex power_minus_beta(const Arguments& x, const Contour<BigReal>::Node& no
 void add_nodes(Sum<BigReal>& sum, const Arguments& x, const Contour<BigReal>& contour) {
   const bool equal = x.beta == x.alpha;
   const BigReal powers = 2 * x.alpha + abs(x.beta);
-  for (const auto& node : contour.nodes()) {
+  const auto& nodes = contour.nodes();
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const auto& node = nodes[k];
+    report_work(k, nodes.size());
     const BigComplex s_alpha = exp(BigComplex(x.alpha * node.log_s));
     const BigComplex weight =
         equal ? node.weight : BigComplex(node.weight * s_alpha * power_minus_beta(x, node));
@@ -177,11 +188,25 @@ int phase_digits(const Arguments& x) {
   return static_cast<int>(std::min(digits, most)) + 1;
 }
 
+// Where e^s* overflows with a phase that takes more digits than there will be, s* itself having so many,
+// nothing can be known of the value.
+void require_phase(const Arguments& x, int most_working_digits) {
+  if (x.z == 0 || form_of(x.alpha, x.beta, x.z) == Form::residues_only) return;
+  constexpr double grows = 0.49 * std::numbers::pi;
+  for (const auto& [sheet, log_pole] : poles_of(x.alpha, BigComplex(log(x.z))).seen) {
+    const BigReal turned = abs(BigReal(imag_part<BigReal>(log_pole)));
+    const BigReal digits = real_part<BigReal>(log_pole) / std::numbers::ln10;
+    if (turned == 0 || turned > grows || digits < most_working_digits) continue;
+    throw std::runtime_error("the value overflows, and its phase takes more digits than can be had");
+  }
+}
+
 }  // namespace
 
 Bounded<BigReal> mittag_leffler_to(int digits, int places,
                                    const std::function<MittagLefflerArguments()>& read) {
   const int extra = phase_digits(read()) + places;
+  require_phase(read(), most_digits(digits) + extra);
   return raise_by_bound(digits, extra, [&](int working) { return evaluate(read(), working); });
 }
 

@@ -1,5 +1,11 @@
 #include "nonlinear/collocation.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
 #include "collocation/march.hpp"
 #include "diffusive/march.hpp"
 #include "march/posed_problem.hpp"
@@ -7,15 +13,54 @@
 
 namespace fde {
 
+namespace {
+
+// Where the two methods start, as parts of the end.
+struct Starts {
+  double panel = 1e-32, step = 1e-20, weightless = 1e-18;
+};
+
+// What multipliers drive may start like t^g, g the smallest order, and the constraint passes on to all what
+// the first panel makes of that: it has to be rounding. Beyond the reaction, which the second method's
+// constraint takes care of, t^(2 g) is left.
+Starts starts_of(const Problem& problem) {
+  if (std::ranges::none_of(problem.components, algebraic)) return {};
+  constexpr double rounding = 1e-17, early = 1e-6, shortest = 1e-270;
+  double order = 1.0;
+  for (const auto& component : problem.components) {
+    if (!algebraic(component)) order = std::min(order, component.order);
+  }
+  const Starts usual;
+  const Starts starts{.panel = std::min(usual.panel, std::pow(rounding, 1.0 / order)),
+                      .step = std::min(usual.step, std::pow(rounding, 0.5 / order)),
+                      .weightless = std::min(usual.weightless, std::pow(early, 1.0 / order))};
+  if (starts.panel < shortest)
+    throw std::runtime_error(
+        fmt::format("collocation: takes no order below {:.2g} with algebraic rows, one is {:.3g}",
+                    std::log(rounding) / std::log(shortest), order));
+  return starts;
+}
+
+}  // namespace
+
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options) {
   require_posed(problem);
-  const double tolerance = options.tolerance;
-  const PiecewiseSolution solution(problem, {.points = 20, .first_panel = 1e-32, .tolerance = tolerance});
-  const PiecewiseSolution other(problem, {.points = 16, .first_panel = 3e-32, .tolerance = tolerance});
-  const auto estimates = error_estimates(solution, other, diffusive_solution(problem));
+  const Starts starts = starts_of(problem);
+  const auto solve = [&](int points, double first_panel) -> PiecewiseSolution {
+    return {problem,
+            {.points = points,
+             .first_panel = first_panel,
+             .tolerance = options.tolerance,
+             .weightless = starts.weightless}};
+  };
+  const auto solution = solve(20, starts.panel), other = solve(16, 3.0 * starts.panel);
+  const auto second =
+      diffusive_solution(problem, {.first_step = starts.step, .weightless = starts.weightless});
+  const auto estimates = error_estimates(solution, other, second);
   PanelTable table;
   for (const Panel& panel : solution.panels()) {
-    table.panels.push_back({panel.from, panel.to, panel.values, estimates[table.panels.size()]});
+    table.panels.push_back(
+        {panel.from, panel.to, solution.legendre_values(panel), estimates[table.panels.size()]});
   }
   return table;
 }

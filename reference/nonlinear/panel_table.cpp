@@ -15,7 +15,8 @@ namespace {
 class TableReference {
  public:
   explicit TableReference(PanelTable table)
-      : table_(std::move(table)), basis_(static_cast<int>(table_.panels.front().values.rows()) - 2) {}
+      : table_(std::move(table)),
+        basis_(static_cast<int>(table_.panels.front().values.rows()) - 2, PanelPoints::legendre) {}
 
   [[nodiscard]] ReferenceValue at(double t) const {
     const auto& panels = table_.panels;

@@ -21,6 +21,16 @@ GaussRule gauss_jacobi(int count, long double power) {
   return {(eigen.eigenvalues().array() + 1) / 2, first.array().square() / (power + 1)};
 }
 
+// The other nodes are those of the Gauss-Jacobi rule with weight 1 - x.
+GaussRule gauss_radau(int count) {
+  const GaussRule inner = gauss_jacobi(count - 1, 1);
+  GaussRule rule{LongVec(count), LongVec(count)};
+  rule.nodes << inner.nodes, 1.0L;
+  rule.weights.head(count - 1) = inner.weights.array() / (1.0L - inner.nodes.array());
+  rule.weights[count - 1] = 1.0L / (static_cast<long double>(count) * static_cast<long double>(count));
+  return rule;
+}
+
 LongMatrix lagrange_matrix(const LongVec& nodes, const LongVec& points) {
   LongMatrix values = LongMatrix::Ones(points.size(), nodes.size());
   for (Eigen::Index j = 0; j < nodes.size(); ++j) {
@@ -33,9 +43,9 @@ LongMatrix lagrange_matrix(const LongVec& nodes, const LongVec& points) {
   return values;
 }
 
-LongMatrix legendre_analysis(const GaussRule& legendre) {
-  const Eigen::Index count = legendre.nodes.size();
-  const LongVec u = 2 * legendre.nodes.array() - 1;
+LongMatrix legendre_analysis(const GaussRule& rule) {
+  const Eigen::Index count = rule.nodes.size();
+  const LongVec u = 2 * rule.nodes.array() - 1;
   LongMatrix values(count, count);  // row k: P_k at the nodes
   values.row(0).setOnes();
   if (count > 1) {
@@ -48,7 +58,7 @@ LongMatrix legendre_analysis(const GaussRule& legendre) {
                         (order + 1);
   }
   for (Eigen::Index k = 0; k < count; ++k) {
-    values.row(k).array() *= static_cast<long double>(2 * k + 1) * legendre.weights.transpose().array();
+    values.row(k).array() *= static_cast<long double>(2 * k + 1) * rule.weights.transpose().array();
   }
   return values;
 }

@@ -1,48 +1,33 @@
 #include "transfer_functions/characteristic.hpp"
 
 namespace fde {
-namespace {
-
-// The terms c_i e^(o_i w), all scaled by the same positive number so that the largest is about 1.
 template <class Real>
-std::vector<Complex<Real>> scaled_terms(const Characteristic<Real>& characteristic, const Complex<Real>& w) {
-  using std::exp, std::log;
-  std::vector<Complex<Real>> terms;
-  for (const auto& [coefficient, order] : characteristic.terms) terms.push_back(log(coefficient) + order * w);
-  Real largest = real_part<Real>(terms.front());
-  for (const auto& term : terms) largest = std::max(largest, real_part<Real>(term));
-  for (auto& term : terms) term = exp(Complex<Real>(term - largest));
-  return terms;
+std::vector<Complex<Real>> Characteristic<Real>::scaled_terms(const Complex<Real>& w) const {
+  using std::exp;
+  std::vector<Complex<Real>> scaled;
+  for (const auto& [log_coefficient, order] : terms) scaled.push_back(log_coefficient + order * w);
+  Real largest = real_part<Real>(scaled.front());
+  for (const auto& term : scaled) largest = std::max(largest, real_part<Real>(term));
+  for (auto& term : scaled) term = exp(Complex<Real>(term - largest));
+  return scaled;
 }
 
-}  // namespace
-
 template <class Real>
-typename Characteristic<Real>::Step Characteristic<Real>::newton_step(const Complex<Real>& w) const {
-  const auto scaled = scaled_terms(*this, w);
+Complex<Real> Characteristic<Real>::newton_step(const Complex<Real>& w) const {
+  const auto scaled = scaled_terms(w);
   Complex<Real> value(0), slope(0);
-  Real size(0);
   for (std::size_t i = 0; i < scaled.size(); ++i) {
     value += scaled[i];
     slope += terms[i].order * scaled[i];
-    size += size_of(scaled[i]);
   }
-  return {value / slope, size_of(value) / size, size_of(slope) / size};
-}
-
-template <class Real>
-Complex<Real> Characteristic<Real>::direction(const Complex<Real>& w) const {
-  Complex<Real> sum(0);
-  for (const auto& term : scaled_terms(*this, w)) sum += term;
-  return sum;
+  return value / slope;
 }
 
 template <class Real>
 std::vector<Real> Characteristic<Real>::log_sizes(const Complex<Real>& w) const {
-  using std::log;
   std::vector<Real> sizes;
-  for (const auto& [coefficient, order] : terms)
-    sizes.push_back(real_part<Real>(Complex<Real>(log(coefficient) + order * w)));
+  for (const auto& [log_coefficient, order] : terms)
+    sizes.push_back(real_part<Real>(Complex<Real>(log_coefficient + order * w)));
   return sizes;
 }
 
@@ -54,7 +39,7 @@ std::vector<Zero<Real>> polished(const Characteristic<Real>& characteristic,
     Complex<Real> w(Real(log.real()), Real(log.imag()));
     Real before(1);
     for (int i = 0; multiplicity == 1 && i < 60; ++i) {
-      const Complex<Real> step = characteristic.newton_step(w).value;
+      const Complex<Real> step = characteristic.newton_step(w);
       const Real length = size_of(step);
       w -= step;
       // Quadratic convergence is over when the steps stop shrinking: what is left is rounding.

@@ -9,20 +9,15 @@ namespace fde {
 template <class Real>
 struct Characteristic {
   struct Term {
-    Complex<Real> coefficient;
+    Complex<Real> log_coefficient;
     Real order;
   };
   std::vector<Term> terms;  // increasing orders, no zero coefficient
 
-  // One Newton step for the zeros, P / (dP/dw), with the moduli of P and dP/dw relative to those of the
-  // terms.
-  struct Step {
-    Complex<Real> value;
-    Real residual, steepness;
-  };
-  [[nodiscard]] Step newton_step(const Complex<Real>& w) const;
-  // P scaled by a positive number, with which the largest term becomes 1 in modulus.
-  [[nodiscard]] Complex<Real> direction(const Complex<Real>& w) const;
+  // The terms at w, divided by the modulus of the largest.
+  [[nodiscard]] std::vector<Complex<Real>> scaled_terms(const Complex<Real>& w) const;
+  // P / (dP/dw), the step of Newton's method.
+  [[nodiscard]] Complex<Real> newton_step(const Complex<Real>& w) const;
   // Of the terms, the logarithms of their moduli.
   [[nodiscard]] std::vector<Real> log_sizes(const Complex<Real>& w) const;
 };
@@ -36,9 +31,6 @@ struct Zero {
   long double spread = 0.0L;                                        // of the several
   long double isolation = std::numeric_limits<long double>::max();  // distance of the next zero
 };
-
-// All of them, counted by the argument principle; std::runtime_error where search and count do not agree.
-std::vector<Zero<long double>> find_zeros(const Characteristic<long double>& characteristic);
 
 // The same zeros to working precision; where there are several together, their centre stays as it is.
 template <class Real>

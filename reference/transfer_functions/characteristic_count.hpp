@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "transfer_functions/characteristic.hpp"
+#include "transfer_functions/characteristic_function.hpp"
 
 namespace fde {
 
@@ -17,6 +17,6 @@ struct Rectangle {
 };
 
 // Number of zeros inside, by the argument principle; nothing where one is next to the sides.
-std::optional<int> count_zeros(const Characteristic<long double>& polynomial, const Rectangle& box);
+std::optional<int> count_zeros(const CharacteristicFunction& function, const Rectangle& box);
 
 }  // namespace fde

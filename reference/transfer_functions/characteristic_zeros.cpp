@@ -1,33 +1,33 @@
+#include "transfer_functions/characteristic_zeros.hpp"
+
 #include <optional>
 #include <stdexcept>
 
-#include "transfer_functions/characteristic.hpp"
 #include "transfer_functions/characteristic_count.hpp"
 
 namespace fde {
 namespace {
 
 using Point = Rectangle::Point;
-using Polynomial = Characteristic<long double>;
 constexpr long double pi_long = std::numbers::pi_v<long double>;
 
 // log |s| where the terms i and j are of one size.
-long double balance(const Polynomial& polynomial, std::size_t i, std::size_t j) {
-  const auto &a = polynomial.terms[i], &b = polynomial.terms[j];
-  return std::log(std::abs(a.coefficient) / std::abs(b.coefficient)) / (b.order - a.order);
+long double balance(const CharacteristicFunction& function, std::size_t i, std::size_t j) {
+  const auto &a = function.terms()[i], &b = function.terms()[j];
+  return (a.log_coefficient.real() - b.log_coefficient.real()) / (b.order - a.order);
 }
 
 // Outside left and right a single term dominates P.
-Rectangle rectangle_of(const Polynomial& polynomial, long double height) {
-  const std::size_t last = polynomial.terms.size() - 1;
-  const long double margin = std::log(2.0L * static_cast<long double>(polynomial.terms.size()));
+Rectangle rectangle_of(const CharacteristicFunction& function, long double height) {
+  const std::size_t last = function.terms().size() - 1;
+  const long double margin = std::log(2.0L * static_cast<long double>(function.terms().size()));
   Rectangle box{0.0L, 0.0L, height};
   for (std::size_t i = 0; i <= last; ++i) {
     const auto reach = [&](std::size_t j) {
-      return margin / std::abs(polynomial.terms[i].order - polynomial.terms[j].order);
+      return margin / std::abs(function.terms()[i].order - function.terms()[j].order);
     };
-    if (i != last) box.right = std::max(box.right, balance(polynomial, i, last) + reach(last));
-    if (i != 0) box.left = std::min(box.left, balance(polynomial, 0, i) - reach(0));
+    if (i != last) box.right = std::max(box.right, balance(function, i, last) + reach(last));
+    if (i != 0) box.left = std::min(box.left, balance(function, 0, i) - reach(0));
   }
   return box;
 }
@@ -36,15 +36,15 @@ Rectangle rectangle_of(const Polynomial& polynomial, long double height) {
 // next to the branch point, or decaying at once. One that grows is infinite at once.
 constexpr long double farthest = 800.0L;
 
-Rectangle within_reach(const Polynomial& polynomial, const Rectangle& box) {
+Rectangle within_reach(const CharacteristicFunction& function, const Rectangle& box) {
   const Rectangle growing{farthest, box.right, pi_long / 2.0L};
-  if (growing.right > farthest && count_zeros(polynomial, growing).value_or(1) != 0)
+  if (growing.right > farthest && count_zeros(function, growing).value_or(1) != 0)
     throw std::runtime_error("linear problem: a solution grows beyond all numbers at once");
   return {std::max(box.left, -farthest), std::min(box.right, farthest), box.height};
 }
 
 // Zeros closer than this are treated together.
-constexpr long double too_close = 1e-6L;
+constexpr long double too_close = CharacteristicFunction::Derivatives::too_close;
 
 // A zero as well as it can be told: P is rounding noise within about the distance blur.
 struct Found {
@@ -53,67 +53,103 @@ struct Found {
 };
 
 // Newton's method with the zeros found so far divided out, so that it leads elsewhere. Right at one of them
-// what is left after the division is noise: a second zero there is believed only where P is as flat as two
-// zeros make it. Near several together P drowns in its rounding before the steps become small.
-std::optional<Found> newton(const Polynomial& polynomial, const std::vector<Found>& found, Point w) {
-  constexpr long double most_blurred = 0.05L;
+// what is left after the division is noise: a second zero there is believed only where dP/dw is as small
+// against its own change as two zeros make it. Steps are short against the distance at which terms change, as
+// far as that is known.
+std::optional<Found> newton(const CharacteristicFunction& function, const std::vector<Found>& found,
+                            Point w) {
+  constexpr long double most_blurred = 0.05L, longest = 100.0L;
   const auto found_before = [&](const Found& other) { return std::abs(w - other.zero) < too_close; };
   for (int i = 0; i < 80; ++i) {
-    const auto [step, residual, steepness] = polynomial.newton_step(w);
-    const bool flat = steepness < 10.0L * too_close;
+    const auto known = function.derivatives(w);
+    const auto& [value, first, second, noise] = known;
+    const bool flat = known.flat();
     if (!flat && std::ranges::any_of(found, found_before)) return std::nullopt;
-    const long double noise =
-        epsilon<long double>() * (2.0L + 2.0L * polynomial.terms.back().order * std::abs(w));
-    const long double blur = std::min(noise / steepness, most_blurred);
-    if (flat && residual < noise) return Found{w, blur};
-    Point inverse = 1.0L / step;
+    const long double blur = std::min(noise / std::abs(first), most_blurred);
+    if (flat && std::abs(value) < noise) return Found{w, blur};
+    Point inverse = first / value;
     for (const auto& other : found) inverse -= 1.0L / (w - other.zero);
-    const Point deflated = residual == 0.0L ? Point(0.0L) : 1.0L / inverse;
+    const Point deflated = value == 0.0L ? Point(0.0L) : 1.0L / inverse;
     const long double length = std::abs(deflated);
     if (!std::isfinite(length)) return std::nullopt;
-    if (length < 1e-9L && residual < 1e-15L) return Found{w - deflated, blur};
-    w -= deflated * std::min(1.0L, 0.5L / length);
+    if (length < 1e-9L && std::abs(value) < 1e-15L)
+      return Found{w - deflated, std::min(blur + length, most_blurred)};
+    const long double most = 0.5L * std::clamp(std::abs(first) / std::abs(second), 1.0L, longest);
+    w -= deflated * std::min(1.0L, most / length);
   }
   return std::nullopt;
 }
 
-// Points of the rectangle: first near the radii where two terms are of one size, and if that does not do,
-// everywhere.
-std::vector<Point> starting_points(const Polynomial& polynomial, const Rectangle& box, int refinement) {
-  std::vector<long double> columns;
-  for (std::size_t j = 1; j < polynomial.terms.size(); ++j) {
-    for (std::size_t i = 0; i < j; ++i) {
-      for (const long double offset : {0.0L, -0.5L, 0.5L, -1.5L, 1.5L})
-        columns.push_back(balance(polynomial, i, j) + offset);
-    }
-  }
-  const int extra = refinement == 0 ? 0 : 8 << (2 * refinement), rows = 8 << refinement;
-  for (int k = 0; k < extra; ++k)
-    columns.push_back(std::lerp(box.left, box.right, (static_cast<long double>(k) + 0.5L) / extra));
-  std::vector<Point> points;
-  for (const long double column : columns) {
-    for (int k = 0; k < rows; ++k)
-      points.emplace_back(column, box.height * ((2.0L * static_cast<long double>(k) + 1.0L) / rows - 1.0L));
-  }
-  return points;
-}
+// The search for as many zeros of a rectangle as it has.
+class Search {
+ public:
+  explicit Search(const CharacteristicFunction& function) : function_(function) {}
 
-std::vector<Found> all_zeros(const Polynomial& polynomial) {
-  for (const long double beyond : {0.1L, 0.07L, 0.13L, 0.04L}) {
-    const Rectangle box = within_reach(polynomial, rectangle_of(polynomial, pi_long + beyond));
-    const std::optional<int> count = count_zeros(polynomial, box);
-    if (!count) continue;
-    const auto inside = [&](const Found& found) { return box.contains(found.zero); };
-    std::vector<Found> found;
-    for (const int refinement : {0, 1, 2, 3}) {
-      for (const Point& start : starting_points(polynomial, box, refinement)) {
-        if (std::ranges::count_if(found, inside) >= *count) {
-          std::erase_if(found, [&](const Found& other) { return !inside(other); });
-          return found;
-        }
-        if (const auto zero = newton(polynomial, found, start)) found.push_back(*zero);
+  // First near the radii where two terms are of one size, and if that does not do, everywhere.
+  bool finds_all(const Rectangle& box, int count) {
+    for (std::size_t j = 1; j < function_.terms().size(); ++j) {
+      for (std::size_t i = 0; i < j; ++i) {
+        for (const long double offset : {0.0L, -0.5L, 0.5L, -1.5L, 1.5L})
+          if (starts_in(box, balance(function_, i, j) + offset, fewest_rows, count)) return true;
       }
     }
+    return halves(box, count);
+  }
+  [[nodiscard]] std::vector<Found> inside(const Rectangle& box) const {
+    std::vector<Found> result;
+    std::ranges::copy_if(found_, std::back_inserter(result),
+                         [&](const Found& found) { return box.contains(found.zero); });
+    return result;
+  }
+
+ private:
+  static constexpr int fewest_rows = 8, most_rows = 64;
+
+  [[nodiscard]] bool complete(const Rectangle& box, int count) const {
+    return std::ranges::count_if(found_, [&](const Found& found) { return box.contains(found.zero); }) >=
+           count;
+  }
+
+  // Newton's method from points of a column.
+  bool starts_in(const Rectangle& box, long double column, int rows, int count) {
+    for (int k = 0; k < rows; ++k) {
+      if (complete(box, count)) return true;
+      const long double height = box.height * ((2.0L * static_cast<long double>(k) + 1.0L) / rows - 1.0L);
+      if (const auto zero = newton(function_, found_, Point(column, height))) found_.push_back(*zero);
+    }
+    return complete(box, count);
+  }
+
+  // In the half that has zeros left, by their count there, down to a width within which Newton's method finds
+  // them.
+  bool halves(const Rectangle& box, int count) {
+    constexpr long double narrow = 1.0L;
+    const long double width = box.right - box.left;
+    for (int rows = fewest_rows; rows <= (width > narrow ? fewest_rows : most_rows); rows *= 2)
+      if (starts_in(box, (box.left + box.right) / 2.0L, rows, count)) return true;
+    if (width <= narrow / 16.0L) return false;
+    for (const long double part : {0.5L, 0.47L, 0.54L}) {
+      const long double middle = box.left + part * width;
+      const Rectangle left{box.left, middle, box.height}, right{middle, box.right, box.height};
+      const auto on_left = count_zeros(function_, left);
+      if (!on_left) continue;
+      const bool found_left = halves(left, *on_left);
+      return halves(right, count - *on_left) && found_left;
+    }
+    return false;
+  }
+
+  const CharacteristicFunction& function_;
+  std::vector<Found> found_;
+};
+
+std::vector<Found> all_zeros(const CharacteristicFunction& function) {
+  for (const long double beyond : {0.1L, 0.07L, 0.13L, 0.04L}) {
+    const Rectangle box = within_reach(function, rectangle_of(function, pi_long + beyond));
+    const std::optional<int> count = count_zeros(function, box);
+    if (!count) continue;
+    Search search(function);
+    if (search.finds_all(box, *count)) return search.inside(box);
   }
   throw std::runtime_error("linear problem: not all zeros of the characteristic function were found");
 }
@@ -147,21 +183,32 @@ Zero<long double> merged(const std::vector<Found>& found, const std::vector<std:
   return zero;
 }
 
+// A simple zero to the last digit: the steps are of quadratic convergence.
+Point polished(const CharacteristicFunction& function, Point zero) {
+  for (int i = 0; i < 2; ++i) {
+    const auto known = function.derivatives(zero);
+    zero -= known.value / known.first;
+  }
+  return zero;
+}
+
 }  // namespace
 
-std::vector<Zero<long double>> find_zeros(const Characteristic<long double>& characteristic) {
+std::vector<Zero<long double>> find_zeros(const LinearTransform& transform) {
   std::vector<Zero<long double>> zeros;
-  if (characteristic.terms.size() < 2) return zeros;
-  const std::vector<Found> found = all_zeros(characteristic);
+  const CharacteristicFunction function(transform);
+  if (function.terms().size() < 2) return zeros;
+  const std::vector<Found> found = all_zeros(function);
   std::vector<bool> taken(found.size(), false);
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (taken[i]) continue;
     const auto cluster = cluster_of(found, i);
     for (const std::size_t j : cluster) taken[j] = true;
-    const auto zero = merged(found, cluster);
+    auto zero = merged(found, cluster);
+    if (zero.multiplicity == 1) zero.log = polished(function, zero.log);
     if (std::abs(zero.log.imag()) <= pi_long - std::max(too_close, zero.spread)) zeros.push_back(zero);
   }
-  return polished(characteristic, zeros);
+  return zeros;
 }
 
 }  // namespace fde

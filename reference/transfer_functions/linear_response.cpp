@@ -1,6 +1,17 @@
 #include "transfer_functions/linear_response.hpp"
 
+#include "progress/work.hpp"
+
 namespace fde {
+namespace {
+
+// In long double all of them take no time.
+template <class Real>
+void report_step(std::size_t done, std::size_t total) {
+  if constexpr (std::is_same_v<Real, BigReal>) report_work(done, total);
+}
+
+}  // namespace
 
 template <class Real>
 LinearResponse<Real>::LinearResponse(const RoundedTransform<Real>& transform, const Group& group,
@@ -80,7 +91,10 @@ void LinearResponse<Real>::add_terms(LinearValues<Real>& values, const Complex<R
 
 template <class Real>
 void LinearResponse<Real>::add_nodes(LinearValues<Real>& values, const Contour<Real>& contour) {
-  for (const auto& node : contour.nodes()) {
+  const auto& nodes = contour.nodes();
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const auto& node = nodes[k];
+    report_step<Real>(k, nodes.size());
     evaluate(node.log_s, node.s);
     const Real ulps = 3 + size_of(node.s) + characteristic_.error / size_of(characteristic_.value);
     // The real part of twice the term is its sum with that of the conjugate node.
@@ -159,6 +173,7 @@ void LinearResponse<Real>::add_circle(LinearValues<Real>& values, const Zero<Rea
   const Real fraction = std::clamp(Real(zero.spread / radius), Real(0.5), Real(0.9));
   const int points = 8 + static_cast<int>(log(epsilon<Real>()) / log(fraction));
   for (int i = 0; i < points; ++i) {
+    report_step<Real>(static_cast<std::size_t>(i), static_cast<std::size_t>(points));
     const Complex<Real> offset = radius * exp(Complex<Real>(Real(0), Real(2 * i * pi<Real>() / points)));
     const Complex<Real> log_p = center + offset, p = exp(log_p);
     evaluate(log_p, p);

@@ -18,7 +18,7 @@ RoundedTransform<Real>::RoundedTransform(const LinearTransform& exact) {
   }
   for (const auto& entry : table.entries()) exponents.push_back(rounded<Real>(entry.exponent));
   for (const auto& [power, coefficient, size] : denominator)
-    characteristic.terms.push_back({Complex<Real>(coefficient), exponents[power]});
+    characteristic.terms.push_back({log(Complex<Real>(coefficient)), exponents[power]});
 }
 
 template <class Real>

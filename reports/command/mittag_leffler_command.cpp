@@ -61,7 +61,8 @@ void print(const DecimalComplex& value, std::ostream& out) {
 void print(std::complex<double> value, double bound, std::ostream& out) {
   if (!std::isfinite(value.real()) || !std::isfinite(value.imag()) || !std::isfinite(bound))
     refuse_overflow();
-  fmt::print(out, "{:.17g} {:.17g} {}\n", value.real(), value.imag(), bound_text(bound));
+  fmt::print(out, "{:.17g} {:.17g} {}\n", value.real(), value.imag(),
+             bound_text(bound_of_text(value.imag(), bound_of_text(value.real(), bound))));
 }
 
 void of_number(const Arguments& x, const Function& function, std::ostream& out) {

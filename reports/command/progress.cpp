@@ -52,6 +52,17 @@ std::function<void(std::size_t, std::size_t, const std::string&)> progress_line(
   };
 }
 
+void show_work(const Streams& streams, std::size_t done, std::size_t total, const std::string& what) {
+  if (total > 0) {
+    const double part = static_cast<double>(done) / static_cast<double>(total);
+    return overwrite_line(streams, {.part = part, .done = done, .total = total, .at_hand = what});
+  }
+  const std::string text = fmt::format("{}  {} steps", what, done);
+  fmt::print(streams.err, "\r{:<{}}", text.substr(0, static_cast<std::size_t>(streams.columns - 1)),
+             streams.columns - 1);
+  streams.err.flush();
+}
+
 SweepProgress::SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact)
     : streams_(streams), remaining_(std::move(expected)) {
   constexpr double worth_saying = 5.0;

@@ -31,6 +31,9 @@ std::string progress_text(const Progress& progress, int columns);
 std::function<void(std::size_t done, std::size_t total, const std::string& what)> progress_line(
     const Streams& streams);
 
+// The same for work whose end may not be known: without a total only what is at hand and the steps done.
+void show_work(const Streams& streams, std::size_t done, std::size_t total, const std::string& what);
+
 // Shows on err how far a sweep is: before it how many runs and how long it is expected to take, where that is
 // more than some seconds; then the progress, on a terminal in one line, otherwise in a line a minute.
 class SweepProgress {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <ostream>
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
+#include "command/reference_work.hpp"
 #include "references/reference_of.hpp"
 #include "references/written_bound.hpp"
 #include "scenes/number_text.hpp"
@@ -18,8 +20,9 @@ namespace {
 
 struct ExactArguments {
   std::string scene, at;
-  std::optional<std::string> digits;
+  std::optional<std::string> digits, budget;
   std::vector<std::string> settings;
+  bool bounds = false;
 };
 
 // The columns may be finite, and what is said of them not.
@@ -27,62 +30,113 @@ void require_finite(bool finite, std::string_view what, std::string_view range, 
   if (!finite) throw NumericalFailure(fmt::format("the {} is beyond {} at t = {}", what, range, t));
 }
 
-void print_doubles(const Scene& scene, const Reference& exact, const std::vector<double>& times,
-                   std::ostream& out) {
-  constexpr std::string_view range = "double";
-  const auto names = printed_names(scene);
-  std::string rows = fmt::format("t,{},bound\n", fmt::join(names, ","));
+// The multipliers and their power where they are known as exactly as the columns.
+bool knows_reactions(const Scene& scene) {
+  return scene.reactions && (scene.reactions.of_columns() || scene.reactions.exact.at);
+}
+
+// As energy and constraint they are doubles without a bound.
+Vec exact_reactions(const Scene& scene, double t, In columns) {
+  if (scene.reactions.of_columns() || t == 0.0) return reaction_values(scene, t, columns, std::nullopt);
+  return with_power(scene, t, columns, scene.reactions.exact.at(t).value);
+}
+
+// "t,x,y,bound" with, where asked for, ",bound_x,bound_y": of the columns that have one.
+std::string header(const std::vector<std::string>& names, const std::vector<std::string>& bounded,
+                   bool bounds) {
+  const std::string each = bounds ? fmt::format(",bound_{}", fmt::join(bounded, ",bound_")) : "";
+  return fmt::format("t,{},bound{}\n", fmt::join(names, ","), each);
+}
+
+// The largest of the bounds, and where asked for each of them.
+std::string bounds_text(const std::vector<std::string>& all, bool each) {
+  std::string largest = "0";
+  for (const auto& bound : all) largest = larger_bound(largest, bound);
+  return each ? fmt::format("{},{}", largest, fmt::join(all, ",")) : largest;
+}
+
+// Of the values that have one, as they are printed.
+std::vector<std::string> bound_texts(In values, In bounds, double t) {
+  std::vector<std::string> texts;
+  for (Eigen::Index c = 0; c < bounds.size(); ++c) {
+    texts.push_back(bound_text(bound_of_text(values[c], bounds[c])));
+    require_finite(is_finite_bound(texts.back()), "bound of the exact solution", "double", t);
+  }
+  return texts;
+}
+
+std::string rows_in_double(const Scene& scene, const std::vector<double>& times, bool each_bound,
+                           ReferenceWork& work) {
+  auto names = printed_names(scene);
+  if (knows_reactions(scene)) std::ranges::copy(reaction_names(scene), std::back_inserter(names));
+  std::string rows = header(names, scene.outputs.names, each_bound);
+  work.begin(scene.problem.end);
+  const Reference exact = reference_of(scene);
   for (const double t : times) {
+    work.begin(t);
     const auto [value, bounds] = exact.at(t);
-    require_finite(value.allFinite(), "exact solution", range, t);
+    report_work(1, 1);
+    require_finite(value.allFinite(), "exact solution", "double", t);
     const Vec values = printed_values(scene, t, value);
     for (Eigen::Index c = value.size(); c < values.size(); ++c)
-      require_finite(std::isfinite(values[c]), "exact " + names[static_cast<std::size_t>(c)], range, t);
-    const std::string bound = bound_text(bounds.maxCoeff<Eigen::PropagateNaN>());
-    require_finite(is_finite_bound(bound), "bound of the exact solution", range, t);
-    rows += fmt::format("{:.17g},{:.17g},{}\n", t, fmt::join(values, ","), bound);
+      require_finite(std::isfinite(values[c]), "exact " + names[static_cast<std::size_t>(c)], "double", t);
+    rows += fmt::format("{:.17g},{:.17g}", t, fmt::join(values, ","));
+    if (knows_reactions(scene))
+      rows += fmt::format(",{:.17g}", fmt::join(exact_reactions(scene, t, value), ","));
+    rows += fmt::format(",{}\n", bounds_text(bound_texts(value, bounds, t), each_bound));
   }
-  out << rows;
+  return rows;
 }
 
 // Energies and constraints are doubles, so with digits they have no columns.
-void print_digits(const Scene& scene, const std::vector<double>& times, int digits, std::ostream& out) {
-  std::string rows = fmt::format("t,{},bound\n", fmt::join(scene.outputs.names, ","));
+std::string rows_in_digits(const Scene& scene, const std::vector<double>& times, int digits, bool each_bound,
+                           ReferenceWork& work) {
+  std::string rows = header(scene.outputs.names, scene.outputs.names, each_bound);
   for (const double t : times) {
+    work.begin(t);
     const auto decimals = scene.reference.digits(t, digits);
+    report_work(1, 1);
     rows += fmt::format("{}", t);
-    std::string bound = "0";
+    std::vector<std::string> written;
     for (std::size_t c = 0; c < scene.outputs.names.size(); ++c) {
       rows += "," + decimals[c].value;
-      bound = larger_bound(bound, decimals[c].bound);
+      written.push_back(decimals[c].bound);
+      require_finite(is_finite_bound(written.back()), "exact solution", "all exponents of --digits", t);
     }
-    require_finite(is_finite_bound(bound), "exact solution", "all exponents of --digits", t);
-    rows += "," + bound + "\n";
+    rows += fmt::format(",{}\n", bounds_text(written, each_bound));
   }
-  out << rows;
+  return rows;
+}
+
+// The digits asked for, none for doubles.
+std::optional<int> parse_digits(const ExactArguments& arguments, const Scene& scene, std::string_view id) {
+  if (!arguments.digits) return std::nullopt;
+  const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);
+  if (!scene.no_reference.empty()) throw std::runtime_error(scene.no_reference);
+  if (scene.reference.digits) return digits;
+  throw std::invalid_argument(fmt::format(
+      "--digits = {}: scene {} has no exact solution in digits, only what is known in double", digits, id));
 }
 
 void exact(const ExactArguments& arguments, const Streams& streams, const Scenes& known) {
   const auto& maker = scene_named(arguments.scene, known);
-  Scene scene = make_scene(maker, parse_settings(maker, arguments.settings));
+  Scene scene = make_known_scene(maker, parse_settings(maker, arguments.settings));
   const auto times = parse_numbers("--at", arguments.at, not_negative);
   const double last = std::ranges::max(times);
+  std::optional<double> budget;
+  if (arguments.budget) budget = parse_number("--budget", *arguments.budget, positive);
   const bool two_ends = two_sided(scene.problem);
   if (two_ends && last > scene.problem.end)
     reject("--at", last, fmt::format("in [0, {}], the time of the scene", scene.problem.end));
-  if (!arguments.digits) {
-    if (!two_ends && last > 0.0) scene.problem.end = last;
-    print_doubles(scene, reference_of(scene), times, streams.out);
-    return;
+  const auto digits = parse_digits(arguments, scene, maker.id);
+  if (!digits && !two_ends && last > 0.0) scene.problem.end = last;
+  ReferenceWork work(streams, budget);
+  try {
+    streams.out << (digits ? rows_in_digits(scene, times, *digits, arguments.bounds, work)
+                           : rows_in_double(scene, times, arguments.bounds, work));
+  } catch (const WorkEnded&) {
+    work.fail();
   }
-  const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);
-  if (!scene.no_reference.empty()) throw std::runtime_error(scene.no_reference);
-  if (!scene.reference.digits) {
-    throw std::invalid_argument(
-        fmt::format("--digits = {}: scene {} has no exact solution in digits, only what is known in double",
-                    digits, maker.id));
-  }
-  print_digits(scene, times, digits, streams.out);
 }
 
 }  // namespace
@@ -94,6 +148,8 @@ void add_reference_commands(CLI::App& app, const Streams& streams, const Scenes&
   command.required("--at", of_exact->at, "times T1,T2,...");
   command.list("--set", of_exact->settings, "a parameter of the scene, NAME=VALUE");
   command.option("--digits", of_exact->digits, "number of decimal digits; default double");
+  command.flag("--bounds", of_exact->bounds, "a bound of each column, after the largest");
+  command.option("--budget", of_exact->budget, "seconds after which the evaluation ends; default none");
   command.callback([=, &known] { exact(*of_exact, streams, known); });
 }
 

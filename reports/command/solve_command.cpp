@@ -9,6 +9,7 @@
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
+#include "observers/reaction_path.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/registry.hpp"
 #include "sweep/experiment.hpp"
@@ -77,30 +78,53 @@ std::vector<double> parse_times(const std::string& text, const Resolution& resol
   return times;
 }
 
-// The columns to print, one row a column, one column a time. A state may be finite and its energy not: throws
-// NumericalFailure then.
-Rows printed(const Scene& scene, const Scheme& scheme, const Resolution& resolution, const Trajectory& path) {
-  const auto names = printed_names(scene);
-  Rows values(std::ssize(names), path.y.cols());
-  for (Eigen::Index c = 0; c < values.cols(); ++c) {
-    const double t = path.time(c);
-    values.col(c) = printed_values(scene, t, columns_at(scene.outputs, t, path.y.col(c)));
-    for (Eigen::Index i = 0; i < values.rows(); ++i) {
-      if (std::isfinite(values(i, c))) continue;
-      const auto* grid = std::get_if<Grid>(&resolution);
-      throw NumericalFailure(fmt::format("{}: {} not finite {}", scheme.id,
-                                         names[static_cast<std::size_t>(i)],
-                                         at_time(grid == nullptr ? std::nullopt : std::optional(*grid), t)));
-    }
-  }
-  return values;
+std::optional<Grid> grid_of(const Resolution& resolution) {
+  const auto* grid = std::get_if<Grid>(&resolution);
+  return grid == nullptr ? std::nullopt : std::optional(*grid);
 }
 
-void print_rows(const Scene& scene, const Rows& values, const Trajectory& path, std::ostream& out) {
-  fmt::print(out, "t,{}\n", fmt::join(printed_names(scene), ","));
-  for (Eigen::Index c = 0; c < values.cols(); ++c) {
-    fmt::print(out, "{:.17g}", path.time(c));
-    for (const double value : values.col(c)) fmt::print(out, ",{:.17g}", value);
+// What is printed of a path: at all its times, or at those asked for.
+struct Table {
+  std::vector<std::string> names{};
+  std::vector<double> times{};
+  Rows values{};  // one row a name, one column a time
+};
+
+// A state may be finite and its energy not: throws NumericalFailure then.
+void require_finite(const Vec& values, const Table& table, const Scheme& scheme,
+                    const std::optional<Grid>& grid, double t) {
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i])) continue;
+    throw NumericalFailure(fmt::format("{}: {} not finite {}", scheme.id,
+                                       table.names[static_cast<std::size_t>(i)], at_time(grid, t)));
+  }
+}
+
+Table table_of(const Scene& scene, const Scheme& scheme, const std::optional<Grid>& grid,
+               const Trajectory& path, const std::vector<double>& asked) {
+  const ReactionPath reactions(scene, grid, path);
+  Table table{.names = printed_names(scene), .times = asked.empty() ? path.times : asked};
+  const auto of_reactions = reactions.names();
+  table.names.insert(table.names.end(), of_reactions.begin(), of_reactions.end());
+  table.values.resize(std::ssize(table.names), std::ssize(table.times));
+  Eigen::Index next = 0;
+  for (Eigen::Index c = 0; c < path.y.cols() && next < table.values.cols(); ++c) {
+    const double t = path.time(c);
+    if (t != table.times[static_cast<std::size_t>(next)]) continue;
+    const Vec columns = columns_at(scene.outputs, t, path.y.col(c));
+    const Vec values = printed_values(scene, t, columns);
+    require_finite(values, table, scheme, grid, t);
+    table.values.col(next++) << values, reactions.at(c, columns);
+  }
+  return table;
+}
+
+void print_rows(const Table& table, std::ostream& out) {
+  fmt::print(out, "t,{}\n", fmt::join(table.names, ","));
+  for (std::size_t c = 0; c < table.times.size(); ++c) {
+    fmt::print(out, "{:.17g}", table.times[c]);
+    for (const double value : table.values.col(static_cast<Eigen::Index>(c)))
+      fmt::print(out, ",{:.17g}", value);
     fmt::print(out, "\n");
   }
 }
@@ -132,9 +156,11 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
   const Setup setup = parse_setup(arguments);
   const Resolution resolution = resolution_of(setup, scene.problem.end);
   Options options = setup.options();
-  if (const auto* grid = std::get_if<Grid>(&resolution))
-    require_affordable(arguments, *grid, options.history);
-  if (arguments.at) options.at = parse_times(*arguments.at, resolution, scene.problem.end);
+  const auto grid = grid_of(resolution);
+  if (grid) require_affordable(arguments, *grid, options.history);
+  std::vector<double> asked;
+  if (arguments.at) asked = parse_times(*arguments.at, resolution, scene.problem.end);
+  options.at = with_times_beside(scene.reactions, grid, asked);
   if (const auto reason = refusal(scheme, scene.problem, resolution)) {
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
   }
@@ -144,7 +170,7 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (path.ending != Ending::finished)
     throw NumericalFailure(fmt::format("{}: {}", scheme.id, describe(scene.problem, path)));
-  print_rows(scene, printed(scene, scheme, resolution, path), path, streams.out);
+  print_rows(table_of(scene, scheme, grid, path, asked), streams.out);
   if (arguments.cost)
     print_cost(scene, scheme, resolution, path.cost, options.history, elapsed.count(), streams.err);
 }

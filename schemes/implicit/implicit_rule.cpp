@@ -62,7 +62,7 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
   PastOfRows history(problem, rule.tables, grid, options);
   run.cost().history_bytes = history.bytes();
 
-  Vec previous = run.start(), y = previous, sample(y.size()), past(y.size());
+  Vec previous = run.start(), y = previous, told = y, sample(y.size()), past(y.size());
   Vec convolved = Vec::Zero(y.size());
   double t = 0.0;
   rule.sample(run, t, y, previous, sample);
@@ -76,7 +76,9 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
       run.fail(y.allFinite() ? Ending::not_converged : Ending::not_finite, t);
       break;
     }
-    if (!run.accept(t, y)) break;
+    told = y;
+    if (rule.told) rule.told(y, told);
+    if (!run.accept(t, told)) break;
     if (n < grid.steps) rule.sample(run, t, y, previous, sample);
     previous = y;
   }

@@ -16,14 +16,11 @@ struct ImplicitRule {
   std::function<void(double t, In convolved, In previous, In kappa, Out past)> past;
   // What joins the past after a step: f(t, y) or the increment of y.
   std::function<void(Run& run, double t, In y, In previous, Out sample)> sample;
+  // Turns a copy of y into what is told of the step. Empty: y is told.
+  std::function<void(In y, Out told)> told{};
 };
 
 // The rule of the schemes that integrate f: past_n = Taylor part + kappa * (weighted sum of f_j).
-//
-// The trapezoidal family weighs f_0, and so takes the initial values of algebraic rows at their word. In q' =
-// v, v' = a + R^T lambda, 0 = g(t, q, v) it only sees (lambda_(n-1) + lambda_n) / 2, so that a wrong
-// lambda(0), or one that is infinite, makes lambda alternate about its values, by the same amount for ever.
-// For constant R nothing else notices; otherwise q and v are off by O(h^2), which does not change their rate.
 ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family);
 
 // Steps the rule along the grid, each step solved by Newton's method from the previous value.

@@ -160,7 +160,7 @@ TEST_P(Conformance, CallsAreCounted) {
     ++calls;
     rhs(t, y, f);
   };
-  const auto path = run(problem, 40);
+  const auto path = GetParam()->solve(problem, Grid{problem.end, 40}, {});
   EXPECT_EQ(path.cost.rhs_calls, calls);
   EXPECT_EQ(path.cost.newton_iterations > 0, GetParam()->needs.implicit);
   if (!GetParam()->needs.implicit) {

@@ -20,8 +20,9 @@ double multiplier(const Vector3d& q, const Vector3d& v) {
   return v[0] * v[1] / constraint_at(q).squaredNorm();
 }
 
-// Free fall x'' = factor * F from rest, F = -g. Eq. 2.6 as printed has 1/2, which belongs to L = 2 T.
-TEST(ErrataNiminet, Equation26HalvesTheForce) {
+// Free fall x'' = factor * F from rest, F = -g. The 1/2 of eq. 2.6 belongs to the L = g_ij y^i y^j of 1.2,
+// which is 2 T: a normalisation, not a misprint. With the T of mechanics it halves the forces.
+TEST(NiminetNormalisation, TheHalfOfEquation26BelongsToTwiceTheKineticEnergy) {
   const double g = 9.81, t = 2.0;
   const auto falls = [&](double factor) -> Vec {
     const Matrix flow = (Matrix(2, 2) << 0.0, 1.0, 0.0, 0.0).finished();
@@ -63,9 +64,10 @@ TEST(ErrataNiminet, Equation24HasWrongIndicesInItsSecondForm) {
   EXPECT_GT(std::abs(v.dot(printed * v)), 1.0);
 }
 
-// y = y0 + t, x' = c / sqrt(1 + y^2), z' = y x': the motion under d'Alembert's principle solves 2.6. For 2.4
-// the equation of y needs lambda x' = 0, and that of x then a constant x'.
-TEST(ErrataNiminet, Equation24IsNotEquation26) {
+// The paper gives 2.4 and 2.6 to two ends and does not say how they differ: conditional extremum, and
+// d'Alembert. y = y0 + t, x' = c / sqrt(1 + y^2), z' = y x': the motion under d'Alembert's principle
+// solves 2.6. For 2.4 the equation of y needs lambda x' = 0, and that of x then a constant x'.
+TEST(NiminetNormalisation, Equation24IsNotEquation26) {
   const double c = 1.5, y = 0.7, root = std::sqrt(1.0 + y * y), dx = c / root;
   const Vector3d q(0.0, y, 0.0), v(dx, 1.0, y * dx);
   const Vector3d acceleration(-c * y / (root * root * root), 0.0, c / (root * root * root));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "numbers/real.hpp"
@@ -117,6 +118,33 @@ TEST(ErrataYin, Equation64HasAStiffnessThatConservesNothing) {
   }
   EXPECT_LT(conserved, 2e-14);
   EXPECT_NEAR(printed, 1.49, 0.01);
+}
+
+// Section 7, example 1: "local energy minima at the extrema". E' = -phi' (damping) is 0 there, and E'' =
+// -phi'' (damping) has the sign of what is left of the damping, which is memory. At the fourth and sixth
+// extremum it is negative: these are maxima. The times and E'' are those of a solution by product trapezoids
+// in Python.
+TEST(ErrataYin, EnergyHasMaximaAtTheFourthAndSixthExtremum) {
+  Scene scene = scene_of("pendulum");
+  scene.problem.end = 20.0;
+  const Reference reference = reference_of(scene);
+  const auto speed = [&](double t) { return reference.at(t).value[2]; };
+  std::vector<double> bends;
+  for (const auto& [time, bend] : {std::pair{2.9183, 0.03400},
+                                   {6.1002, 0.002206},
+                                   {9.2559, 0.012437},
+                                   {12.3817, -0.0001317},
+                                   {15.5020, 0.005014},
+                                   {18.6094, -0.000623}}) {
+    const double t = time + 1e-3 * speed(time) / (speed(time - 5e-4) - speed(time + 5e-4));
+    EXPECT_NEAR(t, time, 3e-4);
+    const Vec at = reference.at(t).value;  // phi, D^0.5 phi, phi', D^1.5 phi
+    const double damping = 0.06 * std::pow(0.8, 1.5) * at[3] + 0.1 * std::pow(0.8, 0.5) * at[1];
+    bends.push_back((std::sin(at[0]) + damping) * damping);
+    EXPECT_NEAR(bends.back(), bend, 2e-6) << time;
+  }
+  EXPECT_LT(bends[3], 0.0);
+  EXPECT_LT(bends[5], 0.0);
 }
 
 }  // namespace

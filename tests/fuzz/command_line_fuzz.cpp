@@ -60,7 +60,8 @@ bool names(const Words& words, std::string_view option) {
 // Scenes whose reference is not a formula take seconds.
 bool is_quick(const Words& words) {
   constexpr std::array slow{"pendulum",  "brusselator", "isokinetic", "nonlinear", "fractional_knife_edge",
-                            "vakonomic", "extremum"};
+                            "vakonomic", "extremum",    "canonical",  "blade",     "multi_term",
+                            "two_sided", "hamilton"};
   return std::ranges::none_of(words, [&](const auto& word) {
     return std::ranges::any_of(slow, [&](const auto* name) { return word.find(name) != std::string::npos; });
   });

@@ -20,12 +20,13 @@ void in_double(double alpha, double beta, std::complex<double> z) {
 }
 
 // Whether the value is lost in what a contour sums up, by hundreds of digits: next to a zero of 1/Gamma for
-// all terms, or beside 1/Gamma(beta) for a large beta. Those take seconds, up to minutes: an open
-// defect of the smallest alpha.
+// all terms, or beside 1/Gamma(beta) for a large beta. Those take seconds: an open defect of the smallest
+// alpha. Next to the positive axis the value overflows.
 bool takes_hundreds_of_digits(double alpha, double beta, std::complex<double> z) {
   constexpr double nothing = 1e-30, large = 170.0, largest = 10000.0;
+  const bool overflows = z.real() > 1.0 && std::abs(z.imag()) < alpha * z.real();
   const bool near_zeros = alpha < nothing && beta < nothing && std::abs(beta - std::round(beta)) < nothing &&
-                          std::abs(z) > 0x1p-31;
+                          std::abs(z) > 0x1p-31 && !overflows;
   return near_zeros || (std::abs(beta) > large && std::abs(beta) <= largest);
 }
 

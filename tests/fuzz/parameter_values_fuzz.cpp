@@ -52,8 +52,11 @@ double number(fuzz::Bytes& bytes, const Parameter& parameter) {
 }
 
 ParameterValue value(fuzz::Bytes& bytes, const Parameter& parameter) {
-  if (parameter.choices.empty()) return number(bytes, parameter);
-  return parameter.choices[bytes.place(parameter.choices.size())];
+  if (!parameter.choices.empty()) return parameter.choices[bytes.place(parameter.choices.size())];
+  if (!std::holds_alternative<std::vector<double>>(parameter.value)) return number(bytes, parameter);
+  std::vector<double> numbers(bytes.place(4));
+  for (double& one : numbers) one = number(bytes, parameter);
+  return numbers;
 }
 
 void solve(const Scene& scene, const Scheme& scheme, const Grid& grid) {

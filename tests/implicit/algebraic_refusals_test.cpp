@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "diffusive/march.hpp"
-#include "nonlinear/collocation.hpp"
 #include "problem/linear_smoothness.hpp"
 #include "stepping/splitting.hpp"
 #include "support/algebraic_problems.hpp"
@@ -26,13 +24,7 @@ TEST(AlgebraicRefusals, ExplicitSchemesRefuseWithTheReason) {
   EXPECT_EQ(refused, 3);
 }
 
-TEST(AlgebraicRefusals, ReferencesRefuseNamingComponentAndOrder) {
-  const auto refuses = [](const auto& make) {
-    EXPECT_THAT(make, testing::ThrowsMessage<std::invalid_argument>(
-                          HasSubstr("component 0 needs an order in (0, 2], it has 0")));
-  };
-  refuses([] { reference_table(decay_through(0.5)); });
-  refuses([] { diffusive_solution(decay_through(0.5)); });
+TEST(AlgebraicRefusals, LinearSmoothnessNamesTheComponent) {
   EXPECT_THAT([] { linear_smoothness(decay_through(0.5).components, Matrix::Ones(2, 2)); },
               testing::ThrowsMessage<std::invalid_argument>(HasSubstr("component 0 has order 0")));
 }

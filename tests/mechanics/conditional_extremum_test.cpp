@@ -91,6 +91,24 @@ TEST(ExtremumResidual, IsZeroWithTwoCoordinates) {
   EXPECT_LT(extremum_residual(SphereWithCourse{2.0}, at, Vector<double, 1>(1.5)).norm(), 1e-15);
 }
 
+// The constraints of a rolling disc cannot be integrated, and yet each of its free motions is an extremum,
+// with mu(0) = -m (x', y'): mu is then -m (x', y') throughout. With another mu(0) it is not.
+TEST(ConditionalExtremum, EveryFreeMotionOfTheDiscIsOne) {
+  const Scene disc = scene_of("rolling_disc");
+  const double mass = 1.0, radius = 0.5, spin = 2.0;
+  const auto extremum = [&](double times) {
+    const Setting<Disc> setting{.system = {radius, mass, 0.125, 0.0625, 0.0},
+                                .start = {Vector<double, 4>::Zero(), {radius * spin, 0.0, 1.0, spin}},
+                                .coordinates = {"x", "y", "phi", "psi"}};
+    Scene scene = extremum_scene(setting, Vector<double, 2>(-times * mass * radius * spin, 0.0));
+    scene.problem.end = 3.0;
+    return Vec(reference_of(scene).at(3.0).value);
+  };
+  const Vec motion = disc.reference.at(3.0).value;
+  EXPECT_LT((extremum(1.0) - motion).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_GT((extremum(0.5) - motion).cwiseAbs().maxCoeff(), 0.1);
+}
+
 // mu = (pz - y px)/(1 + y^2) stays 0 where y or x stands still.
 TEST(VakonomicParticle, IsTheMotionWhereTheMultiplierStaysZero) {
   for (const auto* still : {"dx0", "dy0"}) {

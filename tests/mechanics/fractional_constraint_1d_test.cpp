@@ -1,5 +1,8 @@
 // a q' + b D^alpha q = C0 (Tarasov & Zaslavsky 2006, eqs 44-48) in its three ranges of alpha.
 
+#include <array>
+#include <cmath>
+
 #include "support/linear_system_testing.hpp"
 #include "support/testing.hpp"
 
@@ -68,6 +71,48 @@ TEST(FractionalConstraint1D, SchemesApproachIt) {
   }
 }
 
+// q, q', lambda = q''/a with a = 1, b = 0.5: series of Mittag-Leffler functions in 30 digits (mpmath).
+TEST(FractionalConstraint1D, TakesEveryConstantAboveOne) {
+  struct Known {
+    Values values;
+    double t, q, v, lambda;
+  };
+  const std::array known{
+      Known{{{"alpha", 0.5}}, 1.0, 1.3597598554813643, 0.30784517209646294, -0.064086102862823337},
+      Known{
+          {{"alpha", 1.5}, {"C0", 0.0}}, 1.0, 1.1890192513126914, 0.12769783815525287, -0.053398230926744799},
+      Known{{{"alpha", 1.5}, {"C0", 0.0}}, 2.0, 1.2975449407269249, NAN, NAN},
+      Known{{{"alpha", 2.5}, {"C0", 0.2}},
+            2.0,
+            1.7444311999180254,
+            0.21062863593408901,
+            -0.063609494435947699}};
+  for (const auto& [values, t, q, v, lambda] : known) {
+    const Scene scene = line(values);
+    const Vec value = scene.reference.at(t).value;
+    EXPECT_NEAR(value[0], q, 1e-15);
+    EXPECT_LT(scene.constraint.drift(t, value), 1e-15);
+    if (std::isnan(v)) continue;
+    EXPECT_NEAR(value[1], v, 1e-15);
+    EXPECT_NEAR(scene.reactions.exact.at(t).value[0], lambda, 1e-15);
+  }
+}
+
+TEST(FractionalConstraint1D, SchemesApproachTheConstraintThatIsZero) {
+  for (const double alpha : {1.2, 1.5, 1.8, 2.5}) {
+    Scene scene = line({{"alpha", alpha}, {"C0", 0.0}});
+    scene.problem.end = 2.0;
+    const auto error = [&](int steps) {
+      const auto path = solve("product_trapezoidal", scene.problem, steps);
+      const Vec columns = columns_of(scene.outputs, path).rightCols(1);
+      EXPECT_LT(scene.constraint.drift(2.0, columns), 1e-15);
+      return (columns - scene.reference.at(2.0).value).cwiseAbs().maxCoeff();
+    };
+    EXPECT_LT(error(1024), 1e-3) << alpha;
+    EXPECT_LT(error(1024), 0.6 * error(512)) << alpha;
+  }
+}
+
 TEST(FractionalConstraint1D, AlphaToOneFromBelow) {
   const Values at_one{{"alpha", 1.0}, {"a", 0.8}, {"b", 0.6}, {"q1", 0.7}};
   Values below = at_one;
@@ -94,6 +139,12 @@ TEST(FractionalConstraint1D, RefusesWhatIsNoMotion) {
   expect_message([] { line({{"alpha", 2.5}, {"b", 0.0}}); }, "b = 0: must be other than 0 for alpha above 2");
   expect_message([] { line({{"alpha", 1.5}, {"a", 0.0}, {"b", 0.0}}); }, "a = 0: must be other than 0");
   expect_message([] { line({{"alpha", 3.0}}); }, "alpha");
+  expect_message([] { line({{"C0", 0.0}}); }, "C0 = 0: must be a*q1 = 0.5 for alpha up to 1");
+  expect_message(
+      [] {
+        line({{"alpha", 1.5}, {"b", 0.0}, {"C0", 0.0}});
+      },
+      "C0 = 0: must be a*q1 = 0.5 for b = 0");
 }
 
 }  // namespace

@@ -85,6 +85,8 @@ TEST_P(FormWithConstraint, PassesTheJacobianOfItsRightHandSide) {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-0.2, 0.2);
   for (const double t : {0.3, 0.9, 2.5}) {
+    // Loads of made motions are powers of what is left of the time.
+    if (two_sided(problem) && t > problem.end) continue;
     const Vec y =
         taylor_part(problem, 0.0) + Vec::NullaryExpr(problem.size(), [&] { return uniform(generator); });
     Matrix jacobian(y.size(), y.size());

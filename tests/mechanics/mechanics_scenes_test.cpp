@@ -169,6 +169,31 @@ TEST(Isokinetic, EnergyBalanceClosesAtTheRateOfTheScheme) {
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.1);
 }
 
+// With the columns q and v of Taylor's method in 20 digits.
+TEST(CanonicalEnsemble, KeepsItsTemperatureOnTheMotionComputedApart) {
+  const Scene scene = scene_of("canonical_ensemble");
+  const ReferenceValue at = reference_of(scene).at(2.0);
+  const Vec known = (Vec(6) << -0.48124897378306242978, 0.36247456148944843572, 0.22127991052634237645,
+                     -0.71410159757428311251, 0.46563544752866334600, 0.17777400448536345258)
+                        .finished();
+  EXPECT_LT((at.value - known).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT(scene.constraint.drift(2.0, at.value), 1e-13);
+  const auto temperature = [&](In columns) {
+    return Eigen::Vector3d(0.2, 0.5, 1.0).dot(columns.tail<3>().cwiseAbs2()) / 1.7;
+  };
+  EXPECT_NEAR(temperature(at.value), temperature(reference_of(scene).at(0.0).value), 1e-13);
+}
+
+// A friction that is the same for all masses is along the reaction.
+TEST(CanonicalEnsemble, WithEqualFrictionsIsTheIsokineticOne) {
+  const ParameterValues equal{{"gamma1", 0.7}, {"gamma2", 0.7}, {"gamma3", 0.7}};
+  const Vec same = reference_of(scene_of("canonical_ensemble", equal)).at(5.0).value;
+  const Vec isokinetic = reference_of(scene_of("isokinetic")).at(5.0).value;
+  EXPECT_LT((same - isokinetic).cwiseAbs().maxCoeff(), 1e-12);
+  const Vec other = reference_of(scene_of("canonical_ensemble")).at(5.0).value;
+  EXPECT_GT((other - isokinetic).cwiseAbs().maxCoeff(), 0.05);
+}
+
 std::string complaint(std::string_view scene, const ParameterValues& values) {
   try {
     scene_of(scene, values);

@@ -237,6 +237,15 @@ TEST(MittagLeffler, OverflowsOnlyWhereTheValueDoes) {
   EXPECT_DOUBLE_EQ(mittag_leffler(1.0, 1.0, -700.0), std::exp(-700.0));
 }
 
+// s* = z^(1/alpha) has 1e300 digits before its point: e^s* is infinite for a positive s*, and has no phase
+// that could be known for any other.
+TEST(MittagLeffler, OverflowsAtOnceForTheSmallestOrders) {
+  EXPECT_EQ(mittag_leffler(1e-300, 1.0, 8.3), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(mittag_leffler(1.1e-311, -3.0, 8.3e299), std::numeric_limits<double>::infinity());
+  EXPECT_THROW(mittag_leffler(1.1e-311, -3.0, Value(8.3e299, 1e-300)), std::runtime_error);
+  EXPECT_THROW(mittag_leffler(1e-20, 0.5, Value(8.3, 1e-20)), std::runtime_error);
+}
+
 // Decimal arguments are taken exactly. mpmath as above.
 TEST(MittagLefflerDigits, MeetsThirtyDigits) {
   const auto value = [](const char* alpha, const char* beta, const char* z) {

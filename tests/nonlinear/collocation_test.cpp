@@ -260,7 +260,7 @@ TEST(ReferenceSolution, NamesWhatIsWrongWithAProblem) {
     return std::string();
   };
   EXPECT_THAT(message(scalar(2.5, {0.0, 0.0, 0.0}, 1.0, {})),
-              HasSubstr("component 0 needs an order in (0, 2], it has 2.5"));
+              HasSubstr("component 0 needs an order in [0, 2], it has 2.5"));
   EXPECT_THAT(message(scalar(1.5, {0.0}, 1.0, {})),
               HasSubstr("component 0 needs ceil(order) initial values"));
   EXPECT_THAT(message(scalar(0.5, {0.0}, -1.0, {})), HasSubstr("end"));

@@ -59,7 +59,9 @@ TEST(ReferenceTables, AMalformedDescriptionIsNamed) {
     EXPECT_THAT([&] { check(folder); }, ThrowsMessage<std::invalid_argument>(HasSubstr(message)));
   };
   complains("{", "power.json: is not JSON, at byte 2");
-  complains(R"({"parameters": {"p": [2]}})", "power.json: is not as docs/reference_data.md says");
+  complains(R"({"parameters": {"p": {"of": 2}}})", "power.json: is not as docs/reference_data.md says");
+  complains(R"({"parameters": {"p": [2]}})", "p = [2]: must be a number in (0, 50]");
+  complains(R"({"parameters": {"p": ["two"]}})", "power.json: is not as docs/reference_data.md says");
   complains(R"({"parameters": {"p": "two"}})", "power.json: p = two: must be a number");
   complains(R"({"parameters": {"q": 2}})", "power.json: q: scene power has no such parameter");
   complains(R"({"schema": {"id": "fdebench.convergence"}})", "schema id = fdebench.convergence: must be");

@@ -25,6 +25,14 @@ TEST(WrittenBound, IsNeverBelowTheNumberAndAtMostTwelvePercentAbove) {
   EXPECT_EQ(bound_text(std::numeric_limits<double>::infinity()), "inf");
 }
 
+// 0.1 has the decimal 0.10000000000000001, half an ulp and more away from a tenth and from the double.
+TEST(BoundOfText, HoldsForTheDecimal) {
+  EXPECT_GE(bound_of_text(0.1, 0.0), 0.44e-17);
+  EXPECT_LE(bound_of_text(0.1, 0.0), 0.46e-17);
+  EXPECT_EQ(bound_of_text(0.5, 0.25), 0.25);
+  EXPECT_EQ(bound_of_text(std::numeric_limits<double>::infinity(), 1.0), 1.0);
+}
+
 TEST(FiniteBound, IsANumberOfAnySize) {
   for (const auto* finite : {"0", "0.012", "1.2e-9999999999", "1e+308", "2.9e+9999999999"})
     EXPECT_TRUE(is_finite_bound(finite)) << finite;

@@ -94,6 +94,20 @@ TEST(Exact, PrintsTheColumnsAndABound) {
   EXPECT_LT(rows(answer.out)[1][2], 1e-15);
 }
 
+// The turn rate is exact, the place of 1e20 turns is not known.
+TEST(Exact, PrintsTheBoundOfEachColumn) {
+  for (const std::string digits : {"", " --digits 30"}) {
+    const auto answer = fdebench("exact knife_edge --at 1e20 --bounds" + digits);
+    EXPECT_THAT(answer.out, HasSubstr("bound,bound_x,bound_y"));
+    const auto plain = rows(fdebench("exact knife_edge --at 1e20" + digits).out)[0],
+               row = rows(answer.out)[0];
+    for (std::size_t c = 0; c < plain.size(); ++c) EXPECT_EQ(row[c], plain[c]) << c;
+    const auto bounds = std::vector<double>(row.begin() + std::ssize(plain), row.end());
+    EXPECT_EQ(std::ranges::max(bounds), plain.back());
+    EXPECT_LT(bounds.back(), 1e-15);
+  }
+}
+
 TEST(Exact, OfANonlinearSceneIsTheReferenceWithItsEstimate) {
   const auto answer = fdebench("exact pendulum --at 5");
   EXPECT_THAT(answer.out, StartsWith("t,phi,Dbeta_phi,dphi,Dalpha_phi,energy,bound\n"));
@@ -116,17 +130,31 @@ TEST(Exact, TakesDecimalsAtTheirWord) {
               HasSubstr("6303.526028522351357"));
 }
 
-TEST(Exact, OfATwoSidedSceneWithoutOneIsAFailure) {
+TEST(Exact, OfATwoSidedSceneIsWhatTwoMethodsAgreeOn) {
   const auto answer = fdebench("exact fractional_extremum --set k=1 --at 0.5");
-  EXPECT_EQ(answer.code, 3);
-  EXPECT_EQ(answer.err,
-            "fdebench: with a spring no closed form is known, and the references step from the left\n");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_EQ(answer.out.substr(0, 10), "t,y,bound\n");
 }
 
 TEST(Exact, BeyondDoubleIsANumericalFailure) {
   const auto answer = fdebench("exact relaxation --set lambda=10 --at 50");
   EXPECT_EQ(answer.code, 3);
   EXPECT_EQ(answer.err, "fdebench: the exact solution is beyond double at t = 50\n");
+}
+
+// Linear scenes to many digits, and a march.
+TEST(Exact, EndsWithItsBudgetAndPrintsNothingElse) {
+  for (const auto& [arguments, time] : {std::pair{"relaxation --at 1 --digits 3000", "1"},
+                                        {"extensible_pendulum --at 7.125", "7.125"},
+                                        {"damped_oscillator --at 2 --digits 3000", "2"}}) {
+    const auto answer = fdebench(fmt::format("exact {} --budget 0.01", arguments));
+    EXPECT_EQ(answer.code, 3) << arguments;
+    EXPECT_EQ(answer.out, "") << arguments;
+    EXPECT_EQ(answer.err,
+              fmt::format("fdebench: the budget of 0.01 s ran out before the reference was known at t = {}\n",
+                          time));
+  }
+  EXPECT_EQ(fdebench("exact relaxation --at 1 --budget 100").code, 0);
 }
 
 TEST(Values, ThatAreEmptyAreNotTheDefault) {
@@ -211,7 +239,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha", "--set = alpha: must be NAME=VALUE"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha=x", "--set alpha = x: must be a number"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --set alpha=2.5",
-                "alpha = 2.5: must be a number in [1, 2)"},
+                "alpha = 2.5: must be a number in [1, 2]"},
         Mistake{"solve relaxation --scheme l1 --steps 8 --set gamma=nan",
                 "gamma = nan: must be a number in (0, 2]"},
         Mistake{"solve relaxation --scheme grunwald_letnikov --steps 8 --grid graded:2",
@@ -245,6 +273,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"exact relaxation --at 1,", "--at = : must be"},
         Mistake{"exact relaxation --at -1", "--at = -1: must be a finite number of at least 0"},
         Mistake{"exact relaxation --at 1 --digits 0", "--digits = 0: must be a whole number from 1"},
+        Mistake{"exact relaxation --at 1 --budget 0", "--budget = 0: must be a finite number above 0"},
+        Mistake{"exact relaxation --at 1 --budget soon", "--budget = soon: must be a finite number above 0"},
         Mistake{"exact pendulum --at 1 --digits 50", "scene pendulum has no exact solution"},
         Mistake{"mittag-leffler 0 1 1", "ALPHA = 0: must be a number in (0, 5]"},
         Mistake{"mittag-leffler 1 1 nan", "Z = nan: must be a finite number"},
@@ -262,7 +292,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "--grid = curved: must be uniform or graded:R"},
         Mistake{"run --scene relaxation --steps 8,0 --out /tmp/never", "--steps = 0: must be"},
         Mistake{"report /nonexistent.jsonl --out /tmp/never", "/nonexistent.jsonl: cannot be read"},
-        Mistake{"run --scene pendulum:alpha=2 --out /tmp/never", "alpha = 2: must be a number in [1, 2)"},
+        Mistake{"run --scene pendulum:alpha=3 --out /tmp/never", "alpha = 3: must be a number in [1, 2]"},
         Mistake{"choose relaxation --error 0", "--error = 0: must be a finite number above 0"},
         Mistake{"solv pendulum", "command solv: no such command, did you mean 'solve'?"},
         Mistake{"", "subcommand"}),

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 #include "mechanics/motion.hpp"
 #include "mechanics/reaction.hpp"
@@ -48,15 +47,14 @@ Vector<double, System::coordinates> singular_direction(const System& system,
   const auto rates = constraint_rates<double>(system, 0.0, start.q, start.v, none);
   Vector<double, System::constraints> moved = rates.memory * start.v;
   const Vector<double, System::constraints> size = rates.memory.cwiseAbs() * start.v.cwiseAbs();
-  for (int i = 0; i < System::constraints; ++i) {
-    if (std::abs(moved[i]) <= 4.0 * std::numeric_limits<double>::epsilon() * size[i]) moved[i] = 0.0;
-  }
+  for (int i = 0; i < System::constraints; ++i) moved[i] = unless_rounding(moved[i], size[i]);
   return Reaction<double, System>(system, start.q, rates).answer(moved);
 }
 
 // 0 < alpha < 1: q' = v, D^alpha v = s, D^(1-alpha) s = v' as above, D^(1-alpha) w = v; equations 37 and 42
 // as printed for kappa = 0. With c = singular_direction s has the part c t^(1-2 alpha) / Gamma(2-2 alpha),
-// which is kept out of the state: it is bounded for alpha < 1/2 only.
+// which is kept out of the state. What is left of s starts like t^(2-3 alpha), but its row is driven by v'
+// without c t^-alpha / Gamma(1-alpha), which starts like t^(1-2 alpha): the form is posed for alpha < 1/2.
 template <class System>
 struct AccelerationBelowOne {
   static constexpr int n = System::coordinates;

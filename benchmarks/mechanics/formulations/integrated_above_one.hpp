@@ -4,8 +4,9 @@
 #include "mechanics/projection.hpp"
 
 // The formulation integrated, of constraints f = a.v + b.w + c with constant a, b, c and w = D^alpha q, 1 <
-// alpha < 2: w = D^(alpha-1) v and D^(2-alpha) w = v' with w(0) = 0. The highest derivative of the
-// acceleration form would be D^(1+alpha) q, inside the reaction: there is no such form.
+// alpha < 2: w = D^(alpha-1) v, and D^(2-alpha) w = v' but for the part t^(alpha-2)/Gamma(alpha-1) w(0) of
+// v'. P w(0) = 0. The highest derivative of the acceleration form would be D^(1+alpha) q, inside the
+// reaction: there is no such form.
 namespace fde::mechanics {
 
 // a, b and what they make of each other, for one constraint.
@@ -18,19 +19,30 @@ class ConstantConstraint {
   ConstantConstraint(const System& system, const Vector<double, n>& q)
       : projection_(system, 0.0, q, zeros<double, n>()),
         direction_(-projection_.reaction().answer(Vector<double, 1>::Ones())),
+        slope_(projection_.rates().slope.transpose()),
         memory_(projection_.rates().memory.transpose()),
         constant_(projection_.rates().value[0]),
-        alignment_(memory_.dot(direction_)) {}
+        alignment_(unless_rounding(memory_.dot(direction_), size_of(memory_, direction_))) {}
 
   [[nodiscard]] Vector<double, n> projected(const Vector<double, n>& x) const { return projection_.of(x); }
   [[nodiscard]] const Vector<double, n>& direction() const { return direction_; }  // a^#: a.a^# = 1
   [[nodiscard]] const Vector<double, n>& memory() const { return memory_; }        // b
   [[nodiscard]] double constant() const { return constant_; }                      // c
   [[nodiscard]] double alignment() const { return alignment_; }                    // b.a^#
+  // The w(0) along a^# with f = 0, for b.a^# != 0: 0 where C0 = -c is a.v(0).
+  [[nodiscard]] Vector<double, n> first_memory(const Vector<double, n>& velocity) const {
+    const double size = size_of(slope_, velocity) + std::abs(constant_);
+    const double missing = -unless_rounding(slope_.dot(velocity) + constant_, size);
+    return direction_ * (missing / alignment_);
+  }
 
  private:
+  static double size_of(const Vector<double, n>& x, const Vector<double, n>& y) {
+    return x.cwiseAbs().dot(y.cwiseAbs());
+  }
+
   Projection<double, System> projection_;
-  Vector<double, n> direction_, memory_;
+  Vector<double, n> direction_, slope_, memory_;
   double constant_, alignment_;
 };
 

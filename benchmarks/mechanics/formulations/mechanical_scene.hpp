@@ -5,54 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/formulations/setting.hpp"
-#include "scenes/scene.hpp"
+#include "mechanics/formulations/reactions.hpp"
+#include "mechanics/formulations/state_geometry.hpp"
 
 namespace fde::mechanics {
-
-// Which columns of a scene are what: q, v and, with memory, w = D^order q, which otherwise is v.
-template <class System>
-constexpr Layout column_layout() {
-  constexpr int n = System::coordinates;
-  return {.q = {0, n}, .v = {n, n}, .w = {HasMemory<System> ? 2 * n : n, n}};
-}
-
-// 1/2 v'G v + u.
-template <class System>
-double energy_at([[maybe_unused]] const System& system, const Vector<double, System::coordinates>& q,
-                 const Vector<double, System::coordinates>& v) {
-  double value = 0.0;
-  if constexpr (HasMetric<System>) {
-    value = 0.5 * v.dot(system.template metric<double>(q) * v);
-  } else {
-    value = 0.5 * v.squaredNorm();
-  }
-  if constexpr (HasPotential<System>) value += system.template potential<double>(q);
-  return value;
-}
-
-// E = 1/2 v'G v + u. Its rate is the power of forces and reactions; with memory the reaction depends on w',
-// which is no column, and the rate stays unsaid.
-template <class System>
-Energy energy_of(const System& system) {
-  static constexpr Layout at = column_layout<System>();
-  using Point = Vector<double, System::coordinates>;
-  Energy energy;
-  energy.value = [system](In columns) {
-    return energy_at(system, Point(part<at.q>(columns)), Point(part<at.v>(columns)));
-  };
-  if constexpr (!HasMemory<System>) {
-    energy.power = [system](double t, In columns) {
-      const Point q = part<at.q>(columns), v = part<at.v>(columns);
-      const auto rates = constraint_rates<double>(system, t, q, v, v);
-      const auto lambda = enforcing_multiplier<double>(system, t, q, v, rates);
-      double power = v.dot(rates.reaction.transpose() * lambda);
-      if constexpr (HasForce<System>) power += v.dot(system.template force<double>(t, q, v));
-      return power;
-    };
-  }
-  return energy;
-}
 
 template <class System>
 Constraint constraint_of(const System& system) {
@@ -64,6 +20,17 @@ Constraint constraint_of(const System& system) {
           }};
 }
 
+// The columns w with the powers of the rows q, the same in all formulations.
+template <class System>
+std::vector<Memory> memories_of(const System& system, const std::vector<std::vector<double>>& powers,
+                                Group q) {
+  static constexpr Layout at = column_layout<System>();
+  std::vector<Memory> memories;
+  for (int i = 0; i < q.size; ++i)
+    memories.push_back({at.w.first + i, at.v.first + i, system.order, powers_of_derivative(powers[q[i]])});
+  return memories;
+}
+
 // The scene of a setting, but for what is exactly known. Columns: coordinates, velocities and, with memory,
 // w = D^order q.
 template <class System>
@@ -71,6 +38,7 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   Scene scene;
   auto form = posed(of, asked);
   const auto names = column_names(of.coordinates, HasMemory<System>);
+  scene.refusal = std::move(form.refusal);
   scene.problem = std::move(form.problem);
   scene.smoothness = std::move(form.smoothness);
   scene.outputs = {names, std::move(form.columns)};
@@ -83,16 +51,15 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   }
   scene.energy = energy_of(of.system);
   scene.constraint = constraint_of(of.system);
+  scene.geometry = geometry_of(of.system, of.coordinates);
+  std::vector<double> powers_of_w;
   if constexpr (HasMemory<System>) {
-    if (of.system.order != 1.0) {
-      static constexpr Layout at = column_layout<System>();
-      const Group q = form.layout.q;  // the same rows in all formulations
-      for (int i = 0; i < q.size; ++i) {
-        scene.memories.push_back(
-            {at.w.first + i, at.v.first + i, of.system.order, powers_of_derivative(powers[q[i]])});
-      }
+    if (remembers(of.system)) {
+      scene.memories = memories_of(of.system, powers, form.layout.q);
+      powers_of_w = powers_of_memory(powers, form.layout.q, of.system.order);
     }
   }
+  scene.reactions = reactions_of(of.system, of.start, std::move(powers_of_w));
   return scene;
 }
 

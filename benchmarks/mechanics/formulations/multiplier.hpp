@@ -20,14 +20,18 @@ Vector<double, System::constraints> first_multiplier(const System& system,
     if (!singular_direction(system, start).isZero(0.0)) return zeros<double, r>();
   }
   if constexpr (memory == MemoryRows::above_one) {
-    if (ConstantConstraint<System>(system, start.q).alignment() == 0.0) return zeros<double, r>();
+    const ConstantConstraint<System> constraint(system, start.q);
+    if (constraint.alignment() == 0.0) return zeros<double, r>();
+    if (!constraint.first_memory(start.v).isZero(0.0)) return zeros<double, r>();
     rates.slope = rates.memory;  // b.v'(0) = 0: otherwise b.w, and with it a.v, starts like t^(2-alpha)
   }
   return enforcing_multiplier<double>(system, 0.0, start.q, start.v, rates);
 }
 
 // The formulation multiplier: q' = v, v' = free acceleration + G^-1 (df/dv)^T lambda, 0 = f, and the rows of
-// w. Above order 1 these are in place of v'.
+// w. Above order 1 these are in place of v', and the row D^(2-alpha) w = v' has not the part
+// t^(alpha-2)/Gamma(alpha-1) w(0) of v', which is along the reaction: its multiplier is lambda less that
+// part.
 template <class System, MemoryRows memory>
 struct Multiplier {
   static constexpr int n = System::coordinates, r = System::constraints;
@@ -46,7 +50,11 @@ struct Multiplier {
     } else if constexpr (memory == MemoryRows::below_one) {
       return rows(1.0, start.q, 1.0, start.v, 1.0 - system.order, none, 0.0, lambda);
     } else {
-      return rows(1.0, start.q, system.order - 1.0, start.v, 2.0 - system.order, none, 0.0, lambda);
+      const ConstantConstraint<System> constraint(system, start.q);
+      const Vector<double, n> memory_at_start =
+          constraint.alignment() == 0.0 ? none : constraint.first_memory(start.v);
+      return rows(1.0, start.q, system.order - 1.0, start.v, 2.0 - system.order, memory_at_start, 0.0,
+                  lambda);
     }
   }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace fde::mechanics {
 
@@ -85,6 +84,16 @@ std::vector<double> powers_of_derivative(const std::vector<double>& powers) {
   return lowered;
 }
 
+std::vector<double> powers_of_memory(const std::vector<std::vector<double>>& powers, Group q, double order) {
+  std::vector<double> all;
+  for (int i = 0; i < q.size; ++i) {
+    for (const double power : powers[q[i]]) {
+      if (power > order && !same_order(power, order)) all.push_back(power - order);
+    }
+  }
+  return all;
+}
+
 std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory) {
   std::vector<std::string> names = coordinates;
   const auto add = [&](const std::string& letter, const std::string& prefix) {
@@ -98,25 +107,25 @@ std::vector<std::string> column_names(const std::vector<std::string>& coordinate
   return names;
 }
 
-void reject_singular(Formulation formulation, double order) {
-  throw std::invalid_argument(
-      fmt::format("formulation = {}: must be neither acceleration nor stabilised for alpha = {}: D^alpha v "
-                  "is not continuous at 0 unless (df/dw) v(0) = 0 or alpha < 1/2",
-                  name_of(formulation), order));
+PosedMechanics refused_as_singular(Formulation formulation, double order) {
+  return {.refusal = fmt::format(
+              "formulation = {}: must be neither acceleration nor stabilised for alpha = {}: "
+              "v' starts like t^-alpha unless (df/dw) v(0) = 0, which they take for alpha < 1/2 only",
+              name_of(formulation), order)};
 }
 
-void reject_above_one(Formulation formulation, double order) {
-  throw std::invalid_argument(
-      fmt::format("formulation = {}: must be integrated or multiplier for alpha = {}: above 1 the highest "
-                  "derivative is D^(1+alpha) q inside the reaction",
-                  name_of(formulation), order));
+PosedMechanics refused_above_one(Formulation formulation, double order) {
+  return {.refusal =
+              fmt::format("formulation = {}: must be integrated or multiplier for alpha = {}: above 1 the "
+                          "highest derivative is D^(1+alpha) q inside the reaction",
+                          name_of(formulation), order)};
 }
 
-void reject_unaligned(double order) {
-  throw std::invalid_argument(
-      fmt::format("formulation = integrated: must be multiplier for alpha = {} and a.b = 0: above 1 the "
-                  "constraint then fixes no derivative of order alpha",
-                  order));
+PosedMechanics refused_as_unaligned(double order) {
+  return {.refusal =
+              fmt::format("formulation = integrated: must be multiplier for alpha = {} and a.b = 0: above "
+                          "1 the constraint then fixes no derivative of order alpha",
+                          order)};
 }
 
 }  // namespace fde::mechanics

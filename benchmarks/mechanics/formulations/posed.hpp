@@ -15,10 +15,11 @@ namespace fde::mechanics {
 
 // A problem, which of its rows are what, its columns q, v and, with memory, w, and how its solution starts.
 struct PosedMechanics {
-  Problem problem;
-  Layout layout;
-  std::function<void(double t, In y, Out columns)> columns;
-  Smoothness smoothness;
+  Problem problem{};
+  Layout layout{};
+  std::function<void(double t, In y, Out columns)> columns{};
+  Smoothness smoothness{};
+  std::string refusal{};  // why this form is not well posed; the rest is empty then
 };
 
 // Rows that nobody looks at.
@@ -42,14 +43,17 @@ PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechan
 // Of the derivative of what starts with these powers, the constant apart.
 std::vector<double> powers_of_derivative(const std::vector<double>& powers);
 
+// The powers with which D^order q leaves its value at 0, from those of the rows q.
+std::vector<double> powers_of_memory(const std::vector<std::vector<double>>& powers, Group q, double order);
+
 // Columns q1, v1, w1 of a coordinate q1; x, dx, Dalpha_x of x.
 std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory);
 
-// Throw std::invalid_argument that says which formulations fit, and why that one does not: a term unbounded
-// at t = 0; a derivative above 1 + alpha; a constraint that fixes no derivative of order alpha.
-[[noreturn]] void reject_singular(Formulation formulation, double order);
-[[noreturn]] void reject_above_one(Formulation formulation, double order);
-[[noreturn]] void reject_unaligned(double order);
+// Not posed, with the reason and the formulations that fit: a term unbounded at t = 0; a derivative above 1 +
+// alpha; a constraint that fixes no derivative of order alpha.
+PosedMechanics refused_as_singular(Formulation formulation, double order);
+PosedMechanics refused_above_one(Formulation formulation, double order);
+PosedMechanics refused_as_unaligned(double order);
 
 // A form whose right-hand side has powers of t beside constants.
 template <class Form>

@@ -27,14 +27,24 @@ struct Setting {
 template <class System>
 concept ConstantCoefficients = HasMemory<System> && System::constant;
 
-// How the reaction starts below order 1.
+// How the reaction starts below order 1. With it v leaves v(0) along the singular direction, and w leaves 0
+// along v(0): what matters is whether the reaction leaves its directions then, not how long it is.
 template <class System>
 ReactionStart reaction_start(const System& system, const Motion<System::coordinates>& start) {
-  if (singular_direction(system, start).isZero(0.0)) return ReactionStart::regular;
-  const auto none = zeros<double, System::coordinates>();
-  const auto before = constraint_rates<double>(system, 0.0, start.q, start.v, none),
-             after = constraint_rates<double>(system, 0.0, start.q, start.v, start.v);  // w is along v(0)
-  return before.reaction == after.reaction ? ReactionStart::singular : ReactionStart::singular_and_turning;
+  constexpr double rounding = 1e-12;
+  constexpr int n = System::coordinates;
+  const Vector<double, n> singular = singular_direction(system, start), moved = start.v + singular;
+  if (singular.isZero(0.0)) return ReactionStart::regular;
+  const auto before = constraint_rates<double>(system, 0.0, start.q, start.v, zeros<double, n>()),
+             after = constraint_rates<double>(system, 0.0, start.q, moved, start.v);
+  const Reaction<double, System> reaction(system, start.q, before);
+  for (int i = 0; i < System::constraints; ++i) {
+    const Vector<double, n> direction =
+        raised<double>(system, start.q, Vector<double, n>(after.reaction.row(i).transpose()));
+    if (reaction.projected(direction).norm() > rounding * direction.norm())
+      return ReactionStart::singular_and_turning;
+  }
+  return ReactionStart::singular;
 }
 
 // The motion after what the constraint does to it at once. At order 1, where w = v, it may: below, w(0) = 0,
@@ -76,7 +86,7 @@ PosedMechanics posed_below_one(const Setting<System>& of, const Asked& asked) {
                             integrated.smoothness);
   }
   const AccelerationBelowOne<System> acceleration{of.system, of.start, asked.kappa};
-  if (!acceleration.posed()) reject_singular(asked.formulation, order);
+  if (!acceleration.posed()) return refused_as_singular(asked.formulation, order);
   auto form = pose(acceleration, of.end);
   if constexpr (!Linear<System>)
     form.smoothness = acceleration_start(powers, order, form.layout, reaction != ReactionStart::regular);
@@ -89,13 +99,14 @@ template <ConstantCoefficients System>
 PosedMechanics posed_above_one(const Setting<System>& of, const Asked& asked) {
   const double order = of.system.order;
   const bool multiplied = asked.formulation == Formulation::multiplier;
-  if (!multiplied && asked.formulation != Formulation::integrated) reject_above_one(asked.formulation, order);
+  if (!multiplied && asked.formulation != Formulation::integrated)
+    return refused_above_one(asked.formulation, order);
   const IntegratedAboveOne<System> integrated{of.system, of.start};
   const auto with_rows = [&] {
     return pose(Multiplier<System, MemoryRows::above_one>{of.system, of.start}, of.end);
   };
   if (!integrated.posed()) {
-    if (!multiplied) reject_unaligned(order);
+    if (!multiplied) return refused_as_unaligned(order);
     return with_rows();
   }
   auto form = pose(integrated, of.end);
@@ -106,7 +117,7 @@ PosedMechanics posed_above_one(const Setting<System>& of, const Asked& asked) {
   return multiplied ? with_multipliers_above_one(with_rows(), form) : form;
 }
 
-// The equations of the setting in one form. Throws std::invalid_argument where that form is not well posed.
+// The equations of the setting in one form, or why that form is not well posed.
 template <class System>
 PosedMechanics posed(const Setting<System>& of, const Asked& asked) {
   if constexpr (HasMemory<System>) {

@@ -78,11 +78,10 @@ struct SphereWithCourse {
   }
 };
 
-// Three masses 1 in a row between walls, springs of potential k s^2/2 + c s^4/4 between neighbours, and a
-// thermostat that keeps the kinetic energy: f = 1/2 |v|^2 - K.
-struct ThermostattedChain {
-  static constexpr int coordinates = 3, constraints = 1;
-  double k, c, kinetic;
+// Three masses 1 in a row between walls, springs of potential k s^2/2 + c s^4/4 between neighbours.
+struct SpringChain {
+  static constexpr int coordinates = 3;
+  double k, c;
 
   template <class S>
   [[nodiscard]] S spring(const S& length) const {
@@ -95,10 +94,35 @@ struct ThermostattedChain {
     for (int i = 0; i < 2; ++i) sum += spring<S>(q[i + 1] - q[i]);
     return sum;
   }
+};
+
+// With a thermostat that keeps the kinetic energy: f = 1/2 |v|^2 - K.
+struct ThermostattedChain : SpringChain {
+  static constexpr int constraints = 1;
+  double kinetic;
+
   template <class S>
   [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& /*q*/,
                                         const Vector<S, 3>& v) const {
     return Vector<S, 1>(S(0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - kinetic));
+  }
+};
+
+// With friction F_i = -gamma_i v_i, whose power P = -sum gamma_i v_i^2 must be the temperature T times the
+// rate Omega = sum dF_i/dv_i at which it changes the phase volume: f = (T Omega - P)/2.
+struct CanonicalChain : SpringChain {
+  static constexpr int constraints = 1;
+  Vector<double, 3> friction;
+  double temperature;
+
+  template <class S>
+  [[nodiscard]] Vector<S, 3> force(const S& /*t*/, const Vector<S, 3>& /*q*/, const Vector<S, 3>& v) const {
+    return {-friction[0] * v[0], -friction[1] * v[1], -friction[2] * v[2]};
+  }
+  template <class S>
+  [[nodiscard]] Vector<S, 1> constraint(const S& t, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
+    const S power = v.dot(force<S>(t, q, v));
+    return Vector<S, 1>(S(0.5 * (-temperature * friction.sum() - power)));
   }
 };
 

@@ -1,97 +1,112 @@
-#include "closed_forms/power_sum.hpp"
-#include "linear/linear_equation.hpp"
-#include "linear/linear_solution.hpp"
+#include <fmt/format.h>
+
 #include "problem/chain_problem.hpp"
 #include "problem/linear_smoothness.hpp"
+#include "scenes/constraints/fractional_line.hpp"
 #include "scenes/scene.hpp"
 
 namespace fde {
 namespace {
 
-// a q' + b D^alpha q = a q1 with its initial values as decimals, so that no product of them is rounded.
-struct Line {
-  double alpha, a, b, q0, q1, q2;
-};
-
-// alpha <= 1: Q = (q0 (a + b s^(alpha-1)) + a q1/s) / (a s + b s^alpha).
-LinearTransform transform_up_to_one(const Line& line) {
-  const Rational alpha = exact_decimal(line.alpha), a = exact_decimal(line.a), b = exact_decimal(line.b),
-                 q0 = exact_decimal(line.q0), q1 = exact_decimal(line.q1);
-  LinearTransform transform;
-  add_term(transform.characteristic, 1, a);
-  add_term(transform.characteristic, alpha, b);
-  auto& numerator = transform.group_from(0, 1).numerators.front();
-  add_term(numerator, 0, Rational(q0 * a));
-  add_term(numerator, Rational(alpha - 1), Rational(q0 * b));
-  add_term(numerator, -1, Rational(a * q1));
-  transform.generators = {1, alpha};
-  return transform;
-}
-
-// 2 < alpha < 3: Q = q0/s + q1/s^2 + b q2 s^(alpha-4) / (a + b s^(alpha-1)).
-LinearTransform transform_above_two(const Line& line) {
-  const Rational nu = exact_decimal(line.alpha) - 1, a = exact_decimal(line.a), b = exact_decimal(line.b);
-  LinearTransform transform;
-  add_term(transform.characteristic, 0, a);
-  add_term(transform.characteristic, nu, b);
-  auto& numerator = transform.group_from(0, 1).numerators.front();
-  for (const auto& [value, power] : {std::pair{line.q0, -1}, {line.q1, -2}}) {
-    add_term(numerator, power, Rational(a * exact_decimal(value)));
-    add_term(numerator, Rational(nu + power), Rational(b * exact_decimal(value)));
-  }
-  add_term(numerator, Rational(nu - 3), Rational(b * exact_decimal(line.q2)));
-  transform.generators = {1, nu};
-  return transform;
-}
-
-Reference exact_of(const Line& line) {
-  constexpr const char* name = "fractional_constraint_1d";
-  if (line.alpha <= 1.0) return linear_reference(name, [line] { return transform_up_to_one(line); });
-  if (line.alpha <= 2.0 || line.a == 0.0)
-    return power_sum({{line.q0, 0.0}, {line.q1, 1.0}, {line.alpha > 2.0 ? line.q2 / 2.0 : 0.0, 2.0}});
-  return linear_reference(name, [line] { return transform_above_two(line); });
-}
+using Line = FractionalLine;
 
 // The equation as a chain: the higher of the two derivatives leads.
 Chain chain_of(const Line& line) {
-  const auto& [alpha, a, b, q0, q1, q2] = line;
+  const double alpha = line.alpha, a = line.a, b = line.b, q0 = line.q0;
   if (b == 0.0) return {{a, 1.0}, {}, {q0}};
   if (alpha == 1.0) return {{a + b, 1.0}, {}, {q0}};
   if (alpha < 1.0) return {{a, 1.0}, {{b, alpha}}, {q0}};
-  if (alpha <= 2.0) return {{b, alpha}, {{a, 1.0}}, {q0, q1}};
-  return {{b, alpha}, {{a, 1.0}}, {q0, q1, q2}};
+  if (alpha <= 2.0) return {{b, alpha}, {{a, 1.0}}, {q0, line.q1}};
+  return {{b, alpha}, {{a, 1.0}}, {q0, line.q1, line.q2}};
+}
+
+// q, v and w: what is no component of the chain follows from the constraint.
+Outputs columns_of(const Line& line) {
+  const auto& [alpha, a, b, q0, q1, q2, given] = line;
+  const double constant = line.constant();
+  if (b == 0.0) {
+    return {{"q", "v"}, [v = constant / a](double, In y, Out columns) { columns << y[0], v; }};
+  }
+  const std::vector<std::string> names{"q", "v", "w"};
+  if (alpha == 1.0) {
+    return {names, [v = constant / (a + b)](double, In y, Out columns) { columns << y[0], v, v; }};
+  }
+  if (alpha < 1.0) {
+    return {names, [=, a = a, b = b](double, In y, Out columns) {
+              columns << y[0], (constant - b * y[1]) / a, y[1];
+            }};
+  }
+  return {names,
+          [=, a = a, b = b](double, In y, Out columns) { columns << y[0], y[1], (constant - a * y[1]) / b; }};
 }
 
 Problem problem_of(const Line& line) {
-  const double constant = line.a * line.q1;
+  const double constant = line.constant();
   return chain_problem({{.chain = chain_of(line),
                          .force = [=](double, In) { return constant; },
                          .derivatives = LinearForce{0.0}}},
                        10.0);
 }
 
+// Above order 2 nobody looks at q''.
 Smoothness starts_of(const Problem& problem) {
   Vec load(problem.size());
   problem.rhs(0.0, Vec::Zero(problem.size()), load);
   const Matrix& linear = std::get<DenseLinearPart>(problem.derivatives).matrix;
   Smoothness smoothness = linear_smoothness(problem.components, linear, {{0.0, load}});
-  for (Eigen::Index i = 1; i < problem.size(); ++i) smoothness.hidden.push_back(i);
+  for (Eigen::Index i = 2; i < problem.size(); ++i) smoothness.hidden.push_back(i);
   return smoothness;
 }
 
+Constraint constraint_of(const Line& line) {
+  return {1, [a = line.a, b = line.b, constant = line.constant()](double, In columns, Out f) {
+            f[0] = a * columns[1] - constant;
+            if (b != 0.0) f[0] += b * columns[2];
+          }};
+}
+
+// v leaves its start with the powers of the row that it is, or that drives it.
+std::vector<Memory> memories_of(const Line& line, const Smoothness& smoothness) {
+  if (line.b == 0.0 || line.alpha == 1.0 || line.alpha >= 2.0) return {};
+  return {{2, 1, line.alpha, smoothness.powers[1]}};
+}
+
+// q'' = a lambda.
+Reactions reactions_of(const Line& line, const Smoothness& smoothness) {
+  const double a = line.a;
+  if (a == 0.0) return {};
+  Reactions reactions{.names = {"lambda"},
+                      .power = [a](double, In columns, In lambda) { return a * lambda[0] * columns[1]; },
+                      .exact = exact_multiplier(line)};
+  if (line.uniform() || line.alpha == 1.0) {
+    reactions.multipliers = [](double, In, In, Out lambda) { lambda[0] = 0.0; };
+    return reactions;
+  }
+  reactions.rated = {1};
+  reactions.powers = smoothness.powers[1];
+  reactions.multipliers = [a](double, In, In rates, Out lambda) { lambda[0] = rates[0] / a; };
+  if (line.alpha < 1.0 && line.q1 == 0.0) reactions.first = Vec::Zero(1);
+  if (line.alpha > 2.0) reactions.first = Vec::Constant(1, line.q2 / a);
+  return reactions;
+}
+
 void require_posed(const Line& line) {
-  if (line.alpha == 1.0 && line.a + line.b == 0.0) reject("b", line.b, "other than -a for alpha = 1");
-  if (line.alpha <= 1.0 && line.a == 0.0) reject("a", 0.0, "other than 0 for alpha up to 1");
-  if (line.alpha > 2.0 && line.b == 0.0) reject("b", 0.0, "other than 0 for alpha above 2");
-  if (line.a == 0.0 && line.b == 0.0) reject("a", 0.0, "other than 0 for b = 0");
+  const auto& [alpha, a, b, q0, q1, q2, given] = line;
+  if (alpha == 1.0 && a + b == 0.0) reject("b", b, "other than -a for alpha = 1");
+  if (alpha <= 1.0 && a == 0.0) reject("a", 0.0, "other than 0 for alpha up to 1");
+  if (alpha > 2.0 && b == 0.0) reject("b", 0.0, "other than 0 for alpha above 2");
+  if (a == 0.0 && b == 0.0) reject("a", 0.0, "other than 0 for b = 0");
+  if (line.starts_smoothly()) return;
+  if (alpha <= 1.0) reject("C0", *given, fmt::format("a*q1 = {} for alpha up to 1", a * q1));
+  if (b == 0.0) reject("C0", *given, fmt::format("a*q1 = {} for b = 0", a * q1));
 }
 
 }  // namespace
 
-// a q' + b D^alpha q = C0, C0 = a q1. The solutions of (50)-(54) in their corrected form, with w = b/a:
-//   alpha < 1        q0 + q1 t E_{1-alpha,2}(-w t^(1-alpha)),
-//   1 < alpha <= 2   q0 + q1 t,
-//   alpha > 2        q0 + q1 t + q2 t^2 E_{alpha-1,3}(-t^(alpha-1)/w).
+// a q' + b D^alpha q = C0. The solutions of (50)-(54) in their corrected form, with w = b/a, nu = alpha - 1:
+//   alpha < 1        q0 + q1 t E_{1-alpha,2}(-w t^(1-alpha)),  C0 = a q1,
+//   1 < alpha <= 2   q0 + q1 t + (C0 - a q1)/b t^alpha E_{nu,alpha+1}(-t^nu/w),
+//   alpha > 2        the same + q2 t^2 E_{nu,3}(-t^nu/w).
 // alpha = 1 is the limit from below, (a + b) q' = a q1. For w < 0 solutions grow.
 SceneMaker fractional_constraint_1d() {
   return {.id = "fractional_constraint_1d",
@@ -104,16 +119,22 @@ SceneMaker fractional_constraint_1d() {
                          {"a", 1.0, any_number, "weight of q'"},
                          {"b", 0.5, any_number, "weight of D^alpha q"},
                          {"q0", 1.0, any_number, "q(0)"},
-                         {"q1", 0.5, any_number, "q'(0); a q' + b D^alpha q stays a q1"},
-                         {"q2", 0.3, any_number, "q''(0), which alpha above 2 needs"}},
+                         {"q1", 0.5, any_number, "q'(0)"},
+                         {"q2", 0.3, any_number, "q''(0), which alpha above 2 needs"},
+                         derived_number("C0", "a*q1", any_number,
+                                        "what a q' + b D^alpha q is; free for alpha above 1")},
           .make = [](const Parameters& p) -> Scene {
-            const Line line{p["alpha"], p["a"], p["b"], p["q0"], p["q1"], p["q2"]};
+            const Line line{p["alpha"], p["a"], p["b"], p["q0"], p["q1"], p["q2"], p.given("C0")};
             require_posed(line);
             const Problem problem = problem_of(line);
+            const Smoothness smoothness = starts_of(problem);
             return {.problem = problem,
-                    .smoothness = starts_of(problem),
-                    .outputs = picked({"q"}, {0}),
-                    .reference = exact_of(line)};
+                    .smoothness = smoothness,
+                    .outputs = columns_of(line),
+                    .reference = exact_columns(line),
+                    .constraint = constraint_of(line),
+                    .memories = memories_of(line, smoothness),
+                    .reactions = reactions_of(line, smoothness)};
           }};
 }
 

@@ -1,15 +1,17 @@
+#include <fmt/format.h>
+
 #include <array>
 
 #include "linear/linear_system.hpp"
 #include "mechanics/formulations/mechanical_scene.hpp"
+#include "numbers/rational.hpp"
 
 namespace fde {
 namespace {
 
 using namespace mechanics;
 
-// u = (k1 q1^2 + k2 q2^2)/2 + g q2; f = a.v + b.w - C0 with C0 = a.v(0), which the motion keeps. Above order
-// 1 its modes grow where a.b < 0.
+// u = (k1 q1^2 + k2 q2^2)/2 + g q2; f = a.v + b.w - C0, which the motion keeps.
 struct LinearConstraint {
   static constexpr int coordinates = 2, constraints = 1;
   static constexpr bool constant = true, linear = true;
@@ -26,16 +28,19 @@ struct LinearConstraint {
   }
 };
 
+constexpr std::size_t multiplier_component = 6;
+
 // The form with a multiplier in rows whose orders and coefficients are the parameters themselves, so that
 // they are taken at their word to any number of digits: p = q as a row of order alpha gives D^alpha p = w,
-// and e' = 0 with e(0) = v(0) gives C0 = a.e.
+// and e' = 0 with e(0) = v(0) gives C0 = a.e where it is not given.
 LinearSystem system_of(const Parameters& parameters) {
-  enum : Eigen::Index { q = 0, v = 2, w = 4, lambda = 6, p = 7, e = 9, size = 11 };
+  enum : Eigen::Index { q = 0, v = 2, w = 4, lambda = multiplier_component, p = 7, e = 9, size = 11 };
   const auto pair = [&](std::string_view first, std::string_view second) {
     return std::array{parameters[first], parameters[second]};
   };
   const auto a = pair("a1", "a2"), b = pair("b1", "b2"), k = pair("k1", "k2"), place = pair("q1", "q2"),
              velocity = pair("v1", "v2");
+  const auto given = parameters.given("C0");
   LinearSystem system{.orders = std::vector<double>(size, 1.0),
                       .initial = std::vector<std::vector<double>>(size),
                       .matrix = Matrix::Zero(size, size),
@@ -52,7 +57,7 @@ LinearSystem system_of(const Parameters& parameters) {
     system.matrix(w + at, q + at) = -1.0;
     system.matrix(lambda, v + at) = a[i];
     system.matrix(lambda, w + at) = b[i];
-    system.matrix(lambda, e + at) = -a[i];
+    if (!given) system.matrix(lambda, e + at) = -a[i];
     system.orders[w + i] = 0.0;
     system.orders[p + i] = parameters["alpha"];
     system.initial[q + i] = {place[i]};
@@ -61,39 +66,60 @@ LinearSystem system_of(const Parameters& parameters) {
   }
   system.matrix(lambda, lambda) = 1.0;
   system.orders[lambda] = 0.0;
+  if (given) system.loads[lambda] = {{-*given}};
   system.loads[v + 1] = {{-parameters["g"]}};
   return system;
+}
+
+// C0, or what it is at the start. Up to order 1 w(0) = 0, so that a.v(0) is all that C0 can be; above, w(0)
+// takes up the rest along a, unless the constraint does not see it there.
+double constant_of(const Parameters& p) {
+  const double at_start = p["a1"] * p["v1"] + p["a2"] * p["v2"];
+  const auto given = p.given("C0");
+  if (!given) return at_start;
+  const auto product = [&](const char* x, const char* y) {
+    return Rational(exact_decimal(p[x]) * exact_decimal(p[y]));
+  };
+  if (exact_decimal(*given) == product("a1", "v1") + product("a2", "v2")) return at_start;
+  if (p["alpha"] <= 1.0) reject("C0", *given, fmt::format("a1*v1+a2*v2 = {} for alpha up to 1", at_start));
+  if (product("a1", "b1") + product("a2", "b2") == 0)
+    reject("C0", *given, fmt::format("a1*v1+a2*v2 = {} for a.b = 0", at_start));
+  return *given;
 }
 
 }  // namespace
 
 SceneMaker fractional_constraint_2d() {
-  const std::vector<Parameter> parameters{{"alpha", 0.5, order_below_two, "order of the constraint"},
-                                          {"a1", 1.0, any_number, "weight of q1'"},
-                                          {"a2", 2.0, any_number, "weight of q2'"},
-                                          {"b1", 0.5, any_number, "weight of D^alpha q1"},
-                                          {"b2", -0.3, any_number, "weight of D^alpha q2"},
-                                          {"k1", 1.0, any_number, "stiffness of q1"},
-                                          {"k2", 2.0, any_number, "stiffness of q2"},
-                                          {"g", 0.0, any_number, "force on -q2"},
-                                          {"q1", 1.0, any_number, "q1(0)"},
-                                          {"q2", 0.0, any_number, "q2(0)"},
-                                          {"v1", 0.4, any_number, "q1'(0)"},
-                                          {"v2", -0.2, any_number, "q2'(0)"}};
+  const std::vector<Parameter> parameters{
+      {"alpha", 0.5, order_below_two, "order of the constraint"},
+      {"a1", 1.0, any_number, "weight of q1'"},
+      {"a2", 2.0, any_number, "weight of q2'"},
+      {"b1", 0.5, any_number, "weight of D^alpha q1"},
+      {"b2", -0.3, any_number, "weight of D^alpha q2"},
+      {"k1", 1.0, any_number, "stiffness of q1"},
+      {"k2", 2.0, any_number, "stiffness of q2"},
+      {"g", 0.0, any_number, "force on -q2"},
+      {"q1", 1.0, any_number, "q1(0)"},
+      {"q2", 0.0, any_number, "q2(0)"},
+      {"v1", 0.4, any_number, "q1'(0)"},
+      {"v2", -0.2, any_number, "q2'(0)"},
+      derived_number("C0", "a1*v1+a2*v2", any_number, "what a.v + b.w is; free for 1 < alpha < 2")};
   return {.id = "fractional_constraint_2d",
           .title = "Oscillator in the plane with a linear fractional constraint",
           .source = "Tarasov & Zaslavsky 2006, eqs 41-43, 55-63",
           .parameters = with_formulations(parameters, all_formulations()),
           .make = [](const Parameters& p) -> Scene {
             if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
-            const double c0 = p["a1"] * p["v1"] + p["a2"] * p["v2"];
-            const Setting<LinearConstraint> setting{
-                .system = {p["alpha"], p["a1"], p["a2"], p["b1"], p["b2"], p["k1"], p["k2"], p["g"], c0},
-                .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
-                .coordinates = {"q1", "q2"},
-                .end = 10.0};
+            const Setting<LinearConstraint> setting{.system = {p["alpha"], p["a1"], p["a2"], p["b1"], p["b2"],
+                                                               p["k1"], p["k2"], p["g"], constant_of(p)},
+                                                    .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
+                                                    .coordinates = {"q1", "q2"},
+                                                    .end = 10.0};
             Scene scene = mechanical_scene(setting, asked_of(p));
-            scene.reference = linear_reference(system_of(p));
+            LinearSystem system = system_of(p);
+            scene.reference = linear_reference(system);
+            system.outputs = {multiplier_component};
+            if (!scene.reactions.of_columns()) scene.reactions.exact = linear_reference(system);
             return scene;
           }};
 }

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "mechanics/formulations/mechanical_scene.hpp"
 
 namespace fde {
@@ -27,15 +25,6 @@ struct RememberingChain {
   }
 };
 
-// df/dw = coupling v, and v(0) is never 0.
-std::string why_unknown(double alpha) {
-  if (alpha < 0.5) return {};
-  return fmt::format(
-      "no form with a continuous right-hand side is known for alpha = {}: D^alpha v starts "
-      "like t^{:.3g}, and the multiplier like t^{:.3g}",
-      alpha, 1.0 - 2.0 * alpha, -alpha);
-}
-
 }  // namespace
 
 // K = |v(0)|^2/2, as w(0) = 0: a Gaussian thermostat with memory.
@@ -60,8 +49,7 @@ SceneMaker fractional_constraint_nonlinear() {
                 .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
                 .coordinates = {"q1", "q2"},
                 .end = 10.0,
-                .reference = Formulation::acceleration,
-                .no_reference = why_unknown(p["alpha"])};
+                .reference = p["alpha"] < 0.5 ? Formulation::acceleration : Formulation::multiplier};
             return mechanical_scene(setting, asked_of(p));
           }};
 }

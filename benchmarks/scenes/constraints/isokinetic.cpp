@@ -24,7 +24,7 @@ SceneMaker isokinetic() {
           .make = [](const Parameters& p) -> Scene {
             const Vector<double, 3> v(p["v1"], p["v2"], p["v3"]);
             if (v.isZero(0.0)) reject("v1", 0.0, "other than 0 where v2 = 0 and v3 = 0: nothing would move");
-            const Setting<ThermostattedChain> setting{.system = {p["k"], p["c"], 0.5 * v.squaredNorm()},
+            const Setting<ThermostattedChain> setting{.system = {{p["k"], p["c"]}, 0.5 * v.squaredNorm()},
                                                       .start = {{p["q1"], p["q2"], p["q3"]}, v},
                                                       .coordinates = {"q1", "q2", "q3"},
                                                       .reference = Formulation::acceleration};

@@ -31,13 +31,14 @@ SceneMaker damped_oscillator() {
           .make = [](const Parameters& p) -> Scene {
             const double w2 = p["w2"];
             const DampedUnknown u("u", p, {p["mu"], p["lambda"], p["nu"]}, {p["u0"], p["du0"]});
+            const Problem problem = chain_problem({{.chain = u.chain(),
+                                                    .force = [=](double, In y) { return -w2 * y[0]; },
+                                                    .derivatives = LinearForce{-w2}}},
+                                                  20.0);
             return {
-                .problem = chain_problem({{.chain = u.chain(),
-                                           .force = [=](double, In y) { return -w2 * y[0]; },
-                                           .derivatives = LinearForce{-w2}}},
-                                         20.0),
+                .problem = problem,
                 .smoothness = chain_smoothness({u.chain()}),
-                .outputs = outputs_of({u}),
+                .outputs = outputs_of({u}, problem),
                 .reference = linear_reference(equation(p), u.orders()),
                 .energy = {.value = [=](In c) { return 0.5 * (u.du(c) * u.du(c) + w2 * u.u(c) * u.u(c)); },
                            .power = [=](double, In c) { return u.power(c); }}};

@@ -16,11 +16,27 @@ std::vector<Term> damping_terms(const Parameters& p, const DampingWeights& weigh
           {weights.mu * std::pow(tau, alpha), alpha}};
 }
 
+constexpr double leading_order = 2.0;
+
+// u'' with what a term of its order adds.
+Term leading_term(const std::vector<Term>& terms) {
+  Term leading{1.0, leading_order};
+  for (const auto& term : terms) {
+    if (term.order == leading_order) leading.coefficient += term.coefficient;
+  }
+  return leading;
+}
+
+std::vector<Term> lower_terms(std::vector<Term> terms) {
+  std::erase_if(terms, [](const Term& term) { return term.order == leading_order; });
+  return terms;
+}
+
 }  // namespace
 
 std::vector<Parameter> damping_parameters(const std::vector<Parameter>& others) {
   std::vector<Parameter> all{
-      {"alpha", 1.5, {.low = 1.0, .high = 2.0, .open_high = true}, "higher order of damping"},
+      {"alpha", 1.5, {.low = 1.0, .high = 2.0}, "higher order of damping; of order 2 it is inertia"},
       {"beta", 0.5, {.low = 0.0, .high = 1.0}, "lower order of damping"},
       {"tau", 0.8, positive, "relaxation time"}};
   all.insert(all.end(), others.begin(), others.end());
@@ -29,7 +45,8 @@ std::vector<Parameter> damping_parameters(const std::vector<Parameter>& others) 
 
 DampedUnknown::DampedUnknown(const std::string& u, const Parameters& p, const DampingWeights& weights,
                              std::vector<double> initial, const FirstOf& first)
-    : chain_({1.0, 2.0}, damping_terms(p, weights), std::move(initial), first.row),
+    : chain_(leading_term(damping_terms(p, weights)), lower_terms(damping_terms(p, weights)),
+             std::move(initial), first.row),
       first_column_(first.column) {
   const auto terms = damping_terms(p, weights);
   const auto &lower = terms[0], &middle = terms[1], &higher = terms[2];
@@ -46,10 +63,13 @@ void DampedUnknown::add_column(const std::string& name, double order, double wei
   weights_.push_back(weight);
 }
 
-std::vector<Eigen::Index> DampedUnknown::rows() const {
-  std::vector<Eigen::Index> rows;
-  for (const double order : orders_) rows.push_back(*chain_.row(order));
-  return rows;
+std::vector<DampedUnknown::Shown> DampedUnknown::shown() const {
+  std::vector<Shown> columns;
+  for (const double order : orders_) {
+    const bool acceleration = order == leading_order;
+    columns.push_back({acceleration ? chain_.first() + chain_.size() - 1 : *chain_.row(order), acceleration});
+  }
+  return columns;
 }
 
 FirstOf DampedUnknown::next() const {
@@ -61,14 +81,27 @@ double DampedUnknown::power(In columns) const {
   return -du(columns) * weights.dot(columns.segment(first_column_, weights.size()));
 }
 
-Outputs outputs_of(const std::vector<DampedUnknown>& unknowns) {
+Outputs outputs_of(const std::vector<DampedUnknown>& unknowns, const Problem& problem) {
   std::vector<std::string> names;
-  std::vector<Eigen::Index> rows;
+  std::vector<DampedUnknown::Shown> shown;
   for (const auto& unknown : unknowns) {
     std::ranges::copy(unknown.names(), std::back_inserter(names));
-    std::ranges::copy(unknown.rows(), std::back_inserter(rows));
+    const auto columns = unknown.shown();
+    shown.insert(shown.end(), columns.begin(), columns.end());
   }
-  return picked(names, rows);
+  if (std::ranges::none_of(shown, &DampedUnknown::Shown::acceleration)) {
+    std::vector<Eigen::Index> rows;
+    for (const auto& column : shown) rows.push_back(column.row);
+    return picked(names, rows);
+  }
+  return {names, [shown, rhs = problem.rhs](double t, In y, Out columns) {
+            Vec f(y.size());
+            rhs(t, y, f);
+            for (Eigen::Index c = 0; c < columns.size(); ++c) {
+              const auto& [row, acceleration] = shown[static_cast<std::size_t>(c)];
+              columns[c] = acceleration ? f[row] : y[row];
+            }
+          }};
 }
 
 }  // namespace fde

@@ -23,7 +23,8 @@ struct FirstOf {
 
 // An unknown u that has the damping mu tau^alpha D^alpha u + lambda tau u' + nu tau^beta D^beta u of Yin, Liu
 // & Anh (5.1), (6.2) beside u'': its chain, and its columns u, Dbeta_u, du, Dalpha_u. A term of weight 0 has
-// no column.
+// no column. Of order alpha = 2 the first term is inertia: the chain's leading term is (1 + inertia) u'', and
+// the column Dalpha_u is u''.
 class DampedUnknown {
  public:
   // initial: u(0), u'(0).
@@ -31,14 +32,20 @@ class DampedUnknown {
                 std::vector<double> initial, const FirstOf& first = {});
 
   [[nodiscard]] const Chain& chain() const { return chain_; }
+  [[nodiscard]] double inertia() const { return chain_.leading().coefficient - 1.0; }
   // The rows that are u and u'.
   [[nodiscard]] Eigen::Index row() const { return chain_.first(); }
   [[nodiscard]] Eigen::Index row_of_velocity() const { return *chain_.row(1.0); }
 
-  // The columns: names, orders as derivatives of u, and the rows that they show.
+  // The columns: names, orders as derivatives of u, and what they show: rows of the problem, or where
+  // `acceleration` is true the right-hand side of the row.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   [[nodiscard]] const std::vector<double>& orders() const { return orders_; }
-  [[nodiscard]] std::vector<Eigen::Index> rows() const;
+  struct Shown {
+    Eigen::Index row;
+    bool acceleration;
+  };
+  [[nodiscard]] std::vector<Shown> shown() const;
   // Where an unknown behind this one begins.
   [[nodiscard]] FirstOf next() const;
 
@@ -56,7 +63,7 @@ class DampedUnknown {
   std::vector<double> orders_, weights_;  // of the columns in the damping
 };
 
-// The columns of unknowns that stand one behind the other.
-Outputs outputs_of(const std::vector<DampedUnknown>& unknowns);
+// The columns of unknowns that stand one behind the other in a problem.
+Outputs outputs_of(const std::vector<DampedUnknown>& unknowns, const Problem& problem);
 
 }  // namespace fde

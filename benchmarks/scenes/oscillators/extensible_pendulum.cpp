@@ -10,23 +10,36 @@ namespace {
 
 // A mass on a spring that swings: length L r, r = 1 + xi. With D the damping of each unknown
 //   phi'' + D(phi) / r^2 = turn,   xi'' + D(xi) = pull.
+// Where D(phi) has a term m phi'' of order 2, the first equation is taken times (1 + m) r^2 / (r^2 + m):
+//   (1 + m) phi'' + (1 + m) / (r^2 + m) (the other terms of D(phi)) = (1 + m) r^2 / (r^2 + m) turn.
 struct Spring {
   enum : Eigen::Index { phi, dphi, xi, dxi };
   using State = Eigen::Vector4d;
   double gravity, stiffness;  // g/L, K/m
+  double inertia;             // m
 
   static double length(const State& s) { return 1.0 + s[xi]; }
-  static double damping_factor(const State& s) { return 1.0 / (length(s) * length(s)); }
+  // r^2 / (r^2 + m), exactly 1 without m.
+  [[nodiscard]] double share(const State& s) const {
+    const double square = length(s) * length(s);
+    return square / (square + inertia);
+  }
+  [[nodiscard]] double damping_factor(const State& s) const {
+    return (1.0 + inertia) / (length(s) * length(s) + inertia);
+  }
+  [[nodiscard]] double turning_force(const State& s) const { return (1.0 + inertia) * share(s) * turn(s); }
 
   [[nodiscard]] double turn(const State& s) const {
     return -(gravity * std::sin(s[phi]) + 2.0 * s[dphi] * s[dxi]) / length(s);
   }
-  // Derivatives of turn - damping / r^2.
+  // Derivatives of turning_force - damping_factor * damping.
   [[nodiscard]] State turn_gradient(const State& s, double damping) const {
-    const double r = length(s);
-    return {-gravity * std::cos(s[phi]) / r, -2.0 * s[dxi] / r,
-            (gravity * std::sin(s[phi]) + 2.0 * s[dphi] * s[dxi]) / (r * r) + 2.0 * damping / (r * r * r),
-            -2.0 * s[dphi] / r};
+    const double r = length(s), part = share(s);
+    const State by_turn{-gravity * std::cos(s[phi]) / r, -2.0 * s[dxi] / r,
+                        (gravity * std::sin(s[phi]) + 2.0 * s[dphi] * s[dxi]) / (r * r), -2.0 * s[dphi] / r};
+    State gradient = part * by_turn;
+    gradient[xi] += part * part * (2.0 * (damping + inertia * turn(s)) / (r * r * r));
+    return (1.0 + inertia) * gradient;
   }
 
   [[nodiscard]] double pull(const State& s) const {
@@ -47,8 +60,8 @@ struct Spring {
 Problem problem_of(const Spring& spring, const DampedUnknown& phi, const DampedUnknown& xi) {
   const std::array rows{phi.row(), phi.row_of_velocity(), xi.row(), xi.row_of_velocity()};
   const DrivenChain turning{.chain = phi.chain(),
-                            .force = [=](double, In y) { return spring.turn(y(rows)); },
-                            .factor = [=](double, In y) { return Spring::damping_factor(y(rows)); },
+                            .force = [=](double, In y) { return spring.turning_force(y(rows)); },
+                            .factor = [=](double, In y) { return spring.damping_factor(y(rows)); },
                             .derivatives = ForceGradient{[=](double, In y, double damping, Out gradient) {
                               gradient(rows) += spring.turn_gradient(y(rows), damping);
                             }}};
@@ -83,13 +96,14 @@ SceneMaker extensible_pendulum() {
                                         {"xi0", 0.0, {.low = -1.0, .open_low = true}, "xi(0)"},
                                         {"dxi0", 0.0, any_number, "xi'(0)"}}),
       .make = [](const Parameters& p) -> Scene {
-        const Spring spring{.gravity = p["g_over_L"], .stiffness = p["K_over_m"]};
         const DampedUnknown phi("phi", p, {p["mu"], p["lambda"], p["nu"]}, {p["phi0"], p["dphi0"]});
         const DampedUnknown xi("xi", p, {p["mu1"], p["lambda1"], p["nu1"]}, {p["xi0"], p["dxi0"]},
                                phi.next());
-        return {.problem = problem_of(spring, phi, xi),
+        const Spring spring{.gravity = p["g_over_L"], .stiffness = p["K_over_m"], .inertia = phi.inertia()};
+        const Problem problem = problem_of(spring, phi, xi);
+        return {.problem = problem,
                 .smoothness = chain_smoothness({phi.chain(), xi.chain()}),
-                .outputs = outputs_of({phi, xi}),
+                .outputs = outputs_of({phi, xi}, problem),
                 .energy = {.value =
                                [=](In c) {
                                  return spring.energy({phi.u(c), phi.du(c), xi.u(c), xi.du(c)});

@@ -22,16 +22,17 @@ SceneMaker pendulum() {
           .make = [](const Parameters& p) -> Scene {
             const double g = p["g_over_L"];
             const DampedUnknown phi("phi", p, {p["mu"], p["lambda"], p["nu"]}, {p["phi0"], p["dphi0"]});
-            const bool free = phi.chain().terms().empty();
+            const bool free = phi.chain().terms().empty() && phi.inertia() == 0.0;
+            const Problem problem = chain_problem(
+                {{.chain = phi.chain(),
+                  .force = [=](double, In y) { return -g * std::sin(y[0]); },
+                  .derivatives =
+                      ForceGradient{[=](double, In y, double, Out by) { by[0] -= g * std::cos(y[0]); }}}},
+                20.0);
             return {
-                .problem = chain_problem({{.chain = phi.chain(),
-                                           .force = [=](double, In y) { return -g * std::sin(y[0]); },
-                                           .derivatives = ForceGradient{[=](double, In y, double, Out by) {
-                                             by[0] -= g * std::cos(y[0]);
-                                           }}}},
-                                         20.0),
+                .problem = problem,
                 .smoothness = chain_smoothness({phi.chain()}),
-                .outputs = outputs_of({phi}),
+                .outputs = outputs_of({phi}, problem),
                 .reference = free ? pendulum_reference(FreePendulum{g, p["phi0"], p["dphi0"]}) : Reference{},
                 .energy = {.value =
                                [=](In c) {

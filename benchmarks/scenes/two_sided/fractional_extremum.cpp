@@ -37,6 +37,33 @@ Smoothness smoothness(double alpha, double k) {
            {}}};
 }
 
+// All of y as the solution of Abel's equation J^(1-alpha) y = P, where the integral P = int_0^t p has no
+// singularity. With C = (2 alpha - 1) Gamma(alpha) and Pi the integral of the regular part pi of p
+//   D^(1-alpha) P = y,  0 = P - c C (1 - (1 - t)^alpha)/alpha - Pi,  Pi' = pi,  tD_1^alpha pi = -k y,
+// and y(1) = 1. The row of y is algebraic and constrains P. c takes over what the last step misses of y,
+// which ends like (1 - t)^(2 alpha - 1).
+void pose_whole(Scene& scene, double alpha, double k) {
+  enum : Eigen::Index { integral, y, regular, pi, c };
+  const double factor = (2.0 * alpha - 1.0) * std::tgamma(alpha) / alpha;
+  const auto singular = [=](double t) { return factor * (1.0 - std::pow(1.0 - t, alpha)); };
+  scene.reference_problem = PosedProblem{scene.problem, scene.outputs};
+  scene.problem.components = {
+      {1.0 - alpha, {0.0}}, {0.0, {0.0}}, {1.0, {0.0}}, {alpha, {0.0}, Side::right}, {1.0, {}}};
+  scene.problem.rhs = [=](double t, In now, Out f) {
+    f << now[y], now[integral] - now[c] * singular(t) - now[regular], now[pi], -k * now[y], 0.0;
+  };
+  scene.problem.derivatives = DenseJacobian{[=](double t, In, OutMatrix jacobian) {
+    jacobian.setZero();
+    jacobian(integral, y) = jacobian(y, integral) = jacobian(regular, pi) = 1.0;
+    jacobian(y, c) = -singular(t);
+    jacobian(y, regular) = -1.0;
+    jacobian(pi, y) = -k;
+  }};
+  scene.problem.conditions = [](In, In at_end, Out residual) { residual[0] = at_end[y] - 1.0; };
+  scene.outputs = picked({"y"}, {y});
+  scene.smoothness = {{{1.0}, {}, {alpha + 1.0}, {alpha}, {2.0 * alpha - 1.0}}};
+}
+
 }  // namespace
 
 // Least of 1/2 int_0^1 (D^alpha y)^2 + k y^2 dt. With p = D^alpha y the first variation is
@@ -55,7 +82,9 @@ SceneMaker fractional_extremum() {
                       0.75,
                       {.low = 0.5, .high = 1.0, .open_low = true},
                       "order of the derivative that is squared"},
-                     {"k", 0.0, not_negative, "stiffness of the spring"}},
+                     {"k", 0.0, not_negative, "stiffness of the spring"},
+                     choice("form", {"split", "whole"},
+                            "whole: y itself is computed, not what is regular in it")},
       .make = [](const Parameters& parameters) -> Scene {
         const double alpha = parameters["alpha"], k = parameters["k"];
         const auto singular = [=](double t) { return k == 0.0 ? 0.0 : singular_part(alpha, t); };
@@ -72,10 +101,10 @@ SceneMaker fractional_extremum() {
             .outputs = {{"y"}, [=](double t, In y, Out columns) {
                           columns[0] = y[2] * singular_part(alpha, t) + y[0];
                         }}};
-        if (k == 0.0) {
-          scene.reference = extremum(alpha);
-        } else {
-          scene.no_reference = "with a spring no closed form is known, and the references step from the left";
+        if (k == 0.0) scene.reference = extremum(alpha);
+        if (parameters.choice("form") == "whole") {
+          if (alpha == 1.0) reject("alpha", alpha, "below 1 where form = whole");
+          pose_whole(scene, alpha, k);
         }
         return scene;
       }};

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "mechanics/derivatives.hpp"
-#include "scenes/two_sided/made_mechanics.hpp"
+#include "scenes/two_sided/plane_mechanics.hpp"
 
 namespace fde {
 namespace {
@@ -59,10 +59,10 @@ struct MadeMotion {
 struct Hamilton {
   enum : Eigen::Index { q = 0, w = 2, r = 3, pi = 4 };
   static constexpr int size = 6;
-  static constexpr double end = end_of_motion;
   Coefficients coefficients;
   Plane stiffness;
-  MadeMotion motion;
+  double end = end_of_motion;
+  std::function<Plane(double t)> force{};  // besides -grad u
 
   template <class S>
   struct State {
@@ -77,13 +77,9 @@ struct Hamilton {
     return {mechanics::Vector<S, 2>(p - mu * a), p, mu};
   }
 
-  [[nodiscard]] Plane force(double t) const {
-    return motion.force(t) + stiffness.cwiseProduct(plane_at(motion.q, t));
-  }
-
   template <class S>
   [[nodiscard]] mechanics::Vector<S, size> rates(const mechanics::Vector<S, size>& y,
-                                                 const Plane& force) const {
+                                                 const Plane& push) const {
     const auto [v, p, mu] = state<S>(y);
     const auto slope = coefficients.slope<S>(y.template head<3>(), v);
     mechanics::Vector<S, size> f;
@@ -91,7 +87,7 @@ struct Hamilton {
     f[r] = mu * slope[2];
     for (Eigen::Index i = 0; i < 2; ++i) {
       f[q + i] = v[i];
-      f[pi + i] = stiffness[i] * y[q + i] - mu * slope[i] - force[i];
+      f[pi + i] = stiffness[i] * y[q + i] - mu * slope[i] - push[i];
     }
     return f;
   }
@@ -113,39 +109,59 @@ struct Hamilton {
   [[nodiscard]] double constraint(double /*t*/, In columns) const {
     return coefficients.at<double>({columns[0], columns[1], columns[4]}).dot(columns.segment<2>(2));
   }
-
-  [[nodiscard]] Reference exact() const {
-    const auto& m = motion;
-    return made_solution(
-        {{m.q[0]}, {m.q[1]}, {m.v[0]}, {m.v[1]}, {m.w}, {m.r, Side::right}, {m.p[0]}, {m.p[1]}, {m.mu}}, end);
-  }
-
-  // Right rows by their own time. What is left of p at the end is smooth; with r, pi has its powers too.
-  [[nodiscard]] Smoothness smoothness() const {
-    auto first = motion.r.powers();
-    first.push_back(1.0);
-    std::ranges::sort(first);
-    return {{motion.q[0].powers(),
-             motion.q[1].powers(),
-             motion.w.powers(),
-             motion.r.powers(),
-             first,
-             {1.0, 2.0, 3.0}}};
-  }
 };
 
-Scene scene_of(const Hamilton& system, double alpha) {
+const std::vector<std::string> columns{"q1", "q2", "v1", "v2", "w1", "r1", "p1", "p2", "mu"};
+
+// Of pi the values at the end, or none where they are unknown.
+std::vector<Component> components(double alpha, const Plane& start,
+                                  const std::array<std::vector<double>, 2>& last) {
   const double memory = 1.0 - alpha;
-  const auto& motion = system.motion;
-  const Plane last = plane_at(motion.p, Hamilton::end);
-  return made_scene(system,
-                    {{1.0, {motion.q[0].at(0.0)}},
-                     {1.0, {motion.q[1].at(0.0)}},
-                     {memory, {0.0}},
-                     {memory, {0.0}, Side::right},
-                     {1.0, {last[0]}, Side::right},
-                     {1.0, {last[1]}, Side::right}},
-                    {"q1", "q2", "v1", "v2", "w1", "r1", "p1", "p2", "mu"}, {{4, 2, alpha}});
+  return {
+      {1.0, {start[0]}},           {1.0, {start[1]}},          {memory, {0.0}}, {memory, {0.0}, Side::right},
+      {1.0, last[0], Side::right}, {1.0, last[1], Side::right}};
+}
+
+// A force is added to p' so that the motion is the made one; q' has none, so f = 0.
+Scene made(Hamilton system, double alpha) {
+  const MadeMotion m(system.coefficients, alpha);
+  system.force = [=, k = system.stiffness](double t) -> Plane {
+    return m.force(t) + k.cwiseProduct(plane_at(m.q, t));
+  };
+  const Plane last = plane_at(m.p, end_of_motion), start{m.q[0].at(0.0), m.q[1].at(0.0)};
+  Scene scene = two_sided_scene(system, components(alpha, start, {std::vector{last[0]}, {last[1]}}), columns);
+  scene.reference = made_solution(
+      {{m.q[0]}, {m.q[1]}, {m.v[0]}, {m.v[1]}, {m.w}, {m.r, Side::right}, {m.p[0]}, {m.p[1]}, {m.mu}},
+      end_of_motion);
+  scene.memories = {{4, 2, alpha}};
+  // Right rows by their own time. What is left of p at the end is smooth; with r, pi has its powers too.
+  auto first = m.r.powers();
+  first.push_back(1.0);
+  std::ranges::sort(first);
+  scene.smoothness = {{m.q[0].powers(), m.q[1].powers(), m.w.powers(), m.r.powers(), first, {1.0, 2.0, 3.0}}};
+  return scene;
+}
+
+// What the given loads and ends lead to: p(T), or q1(T) and p2(T) with p1(T) unknown. q2(T) is no end to give
+// beside q1(T): the constraint nearly fixes it.
+Scene given(Hamilton system, double alpha, const Parameters& p) {
+  const GivenLoads loads(p);
+  const Plane last(p["end1"], p["end2"]);
+  const bool place = p.choice("ends") == "place";
+  system.end = loads.end;
+  system.force = [loads](double) { return loads.force; };
+  const std::array at_end{place ? std::vector<double>{} : std::vector{last[0]}, std::vector{last[1]}};
+  Scene scene = two_sided_scene(system, components(alpha, loads.start, at_end), columns);
+  if (place) {
+    scene.problem.conditions = [at = last[0]](In, In y, Out residual) { residual[0] = y[0] - at; };
+  }
+  scene.memories = {{4, 2, alpha}};
+  const double memory = 1.0 - alpha;
+  const std::vector<double> steps{1.0, memory};
+  const auto regular = power_lattice({1.0}, steps, 3.0),
+             remembered = power_lattice({memory}, steps, memory + 2.0);
+  scene.smoothness = {{regular, regular, remembered, remembered, regular, regular}};
+  return scene;
 }
 
 }  // namespace
@@ -154,24 +170,26 @@ Scene scene_of(const Hamilton& system, double alpha) {
 //   q' = p - mu A,  mu = A.p / A^2,
 //   p_k' = -u_k + mu q'.dA/dq_k + tD_T^alpha g_k,  g_k = mu q'.dA/dw_k,
 // the right derivative Riemann-Liouville's, -d/dt of r_k = J_-^(1-alpha) g_k. So pi = p + r has a regular
-// right-hand side, and r is a right row: tD_T^(1-alpha) r_k = g_k, r_k(T) = 0. A force is added to p' so that
-// the motion is the made one; q' has none, so f = 0.
+// right-hand side, and r is a right row: tD_T^(1-alpha) r_k = g_k, r_k(T) = 0.
 SceneMaker fractional_hamilton() {
-  return {.id = "fractional_hamilton",
-          .title = "Hamilton's equations with a fractional constraint",
-          .source = "Tarasov & Zaslavsky 2006, eqs 79-86 corrected; manufactured",
-          .parameters = {{"alpha", 0.5, order_below_one, "order of the constraint"},
-                         {"kappa", 0.5, any_number, "of q1 in the constraint"},
-                         {"epsilon", 0.5, any_number, "of D^alpha q1 in the constraint"},
-                         {"k1", 1.0, any_number, "stiffness of q1"},
-                         {"k2", 2.0, any_number, "stiffness of q2"}},
-          .make = [](const Parameters& p) -> Scene {
-            const Coefficients coefficients{p["kappa"], p["epsilon"]};
-            return scene_of({.coefficients = coefficients,
-                             .stiffness = {p["k1"], p["k2"]},
-                             .motion = MadeMotion(coefficients, p["alpha"])},
-                            p["alpha"]);
-          }};
+  return {
+      .id = "fractional_hamilton",
+      .title = "Hamilton's equations with a fractional constraint",
+      .source = "Tarasov & Zaslavsky 2006, eqs 79-86 corrected; manufactured, or with given loads and ends",
+      .parameters = joined({{{"alpha", 0.5, order_below_one, "order of the constraint"},
+                             {"kappa", 0.5, any_number, "of q1 in the constraint"},
+                             {"epsilon", 0.5, any_number, "of D^alpha q1 in the constraint"},
+                             {"k1", 1.0, any_number, "stiffness of q1"},
+                             {"k2", 2.0, any_number, "stiffness of q2"}},
+                            {motion_choice()},
+                            given_parameters(),
+                            {choice("ends", {"momentum", "place"}, "what is given at T: p, or q1 and p2"),
+                             {"end1", 0.2, any_number, "p1(T) or q1(T)"},
+                             {"end2", -0.1, any_number, "p2(T)"}}}),
+      .make = [](const Parameters& p) -> Scene {
+        const Hamilton system{.coefficients = {p["kappa"], p["epsilon"]}, .stiffness = {p["k1"], p["k2"]}};
+        return motion_is_given(p) ? given(system, p["alpha"], p) : made(system, p["alpha"]);
+      }};
 }
 
 }  // namespace fde

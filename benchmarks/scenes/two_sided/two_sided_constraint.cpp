@@ -1,7 +1,7 @@
 #include <array>
 #include <cmath>
 
-#include "scenes/two_sided/made_mechanics.hpp"
+#include "scenes/two_sided/plane_mechanics.hpp"
 
 namespace fde {
 namespace {
@@ -30,24 +30,17 @@ struct MadeMotion {
 // e.v', and f = 0 gives the rest of v.
 struct TwoSidedConstraint {
   enum : Eigen::Index { q = 0, z = 2, w = 3, r = 5, size = 7 };
-  static constexpr double end = end_of_motion;
   Plane a, b, c;
   double k1, k2, k3;
-  MadeMotion motion;
+  double end = end_of_motion;
+  std::function<double(double t)> drive{};  // F
+  std::function<Plane(double t)> force{};   // besides -grad u
 
   [[nodiscard]] Plane across() const { return Plane(-a[1], a[0]) / a.norm(); }
   [[nodiscard]] Plane slope(const Plane& x) const { return {k1 * x[0] + k3 * x[0] * x[0] * x[0], k2 * x[1]}; }
   [[nodiscard]] double energy(In columns) const {
     const double x = columns[0], y = columns[1];
     return columns.segment<2>(2).squaredNorm() / 2 + (k1 * x * x + k2 * y * y) / 2 + k3 * x * x * x * x / 4;
-  }
-
-  // F with which the made motion fulfils the constraint, and the force that makes it one.
-  [[nodiscard]] double drive(double t) const {
-    return a.dot(plane_at(motion.v, t)) + b.dot(plane_at(motion.w, t)) + c.dot(plane_at(motion.r, end - t));
-  }
-  [[nodiscard]] Plane force(double t) const {
-    return plane_at(motion.acceleration, t) + slope(plane_at(motion.q, t));
   }
 
   [[nodiscard]] double residual(double t, const Plane& v, const Plane& left, const Plane& right) const {
@@ -84,64 +77,101 @@ struct TwoSidedConstraint {
     result.middleRows<2>(w) = velocities;
     result.middleRows<2>(r) = -velocities;
   }
-
-  [[nodiscard]] Reference exact() const {
-    std::vector<MadeColumn> columns;
-    for (const auto* sums : {&motion.q, &motion.v, &motion.w}) {
-      for (const auto& sum : *sums) columns.push_back({sum});
-    }
-    for (const auto& sum : motion.r) columns.push_back({sum, Side::right});
-    return made_solution(columns, end);
-  }
-
-  [[nodiscard]] Smoothness smoothness() const {
-    const auto free = across()[0] * motion.v[0] + across()[1] * motion.v[1];
-    return {{motion.q[0].powers(), motion.q[1].powers(), free.powers(), motion.w[0].powers(),
-             motion.w[1].powers(), motion.r[0].powers(), motion.r[1].powers()}};
-  }
 };
 
-Scene scene_of(const TwoSidedConstraint& system, double alpha) {
+const std::vector<std::string> columns{"q1", "q2", "v1", "v2", "w1", "w2", "r1", "r2"};
+
+std::vector<Component> components(double alpha, const Plane& start, const std::vector<double>& across) {
   const double memory = 1.0 - alpha;
-  return made_scene(system,
-                    {{1.0, {system.motion.q[0].at(0.0)}},
-                     {1.0, {system.motion.q[1].at(0.0)}},
-                     {1.0, {0.0}},
-                     {memory, {0.0}},
-                     {memory, {0.0}},
-                     {memory, {0.0}, Side::right},
-                     {memory, {0.0}, Side::right}},
-                    {"q1", "q2", "v1", "v2", "w1", "w2", "r1", "r2"}, {{4, 2, alpha}, {5, 3, alpha}});
+  return {{1.0, {start[0]}},
+          {1.0, {start[1]}},
+          {1.0, across},
+          {memory, {0.0}},
+          {memory, {0.0}},
+          {memory, {0.0}, Side::right},
+          {memory, {0.0}, Side::right}};
+}
+
+std::vector<Memory> memories(double alpha) { return {{4, 2, alpha}, {5, 3, alpha}}; }
+
+// F and a force are made so that q is what it is.
+Scene made(TwoSidedConstraint system, double alpha) {
+  const MadeMotion motion(alpha);
+  system.drive = [=, a = system.a, b = system.b, c = system.c](double t) {
+    return a.dot(plane_at(motion.v, t)) + b.dot(plane_at(motion.w, t)) +
+           c.dot(plane_at(motion.r, end_of_motion - t));
+  };
+  system.force = [=](double t) -> Plane {
+    return plane_at(motion.acceleration, t) + system.slope(plane_at(motion.q, t));
+  };
+  std::vector<MadeColumn> known;
+  for (const auto* sums : {&motion.q, &motion.v, &motion.w}) {
+    for (const auto& sum : *sums) known.push_back({sum});
+  }
+  for (const auto& sum : motion.r) known.push_back({sum, Side::right});
+  const auto free = system.across()[0] * motion.v[0] + system.across()[1] * motion.v[1];
+  Scene scene = two_sided_scene(system, components(alpha, plane_at(motion.q, 0.0), {0.0}), columns);
+  scene.smoothness = {{motion.q[0].powers(), motion.q[1].powers(), free.powers(), motion.w[0].powers(),
+                       motion.w[1].powers(), motion.r[0].powers(), motion.r[1].powers()}};
+  scene.memories = memories(alpha);
+  scene.reference = made_solution(known, end_of_motion);
+  return scene;
+}
+
+// What the velocity along a leaves from 0 on is driven by w, which starts like t^(1-alpha). Right rows do the
+// same from the end.
+Smoothness smoothness_of_given(double alpha) {
+  const double memory = 1.0 - alpha;
+  const std::vector<double> steps{1.0, memory};
+  const auto place = power_lattice({1.0}, steps, 3.0), across = power_lattice({1.0}, steps, 3.0),
+             remembered = power_lattice({memory}, steps, memory + 2.0);
+  return {{place, place, across, remembered, remembered, remembered, remembered}};
+}
+
+// The motion between q(0) and the velocity across a at 0, or the place across a at the end.
+Scene given(TwoSidedConstraint system, double alpha, const Parameters& p) {
+  const GivenLoads loads(p);
+  const bool place = p.choice("ends") == "place";
+  system.end = loads.end;
+  system.drive = given_drive(p);
+  system.force = [loads](double) { return loads.force; };
+  const auto across = place ? std::vector<double>{} : std::vector<double>{p["across"]};
+  Scene scene = two_sided_scene(system, components(alpha, loads.start, across), columns);
+  if (place) {
+    scene.problem.conditions = [e = system.across(), at = p["across"]](In, In at_end, Out residual) {
+      residual[0] = e.dot(at_end.head<2>()) - at;
+    };
+  }
+  scene.smoothness = smoothness_of_given(alpha);
+  scene.memories = memories(alpha);
+  return scene;
 }
 
 }  // namespace
 
 // A mass in the plane on springs. The right derivative looks ahead: r = -J_-^(1-alpha) q' is known at all
-// times or at none. F and a force are made so that q is what it is.
+// times or at none.
 SceneMaker two_sided_constraint() {
   return {.id = "two_sided_constraint",
           .title = "Oscillator in the plane with left and right derivatives in its constraint",
-          .source = "Tarasov & Zaslavsky 2006, eqs 29, 38-41; manufactured",
-          .parameters = {{"alpha", 0.5, order_below_one, "order of the constraint"},
-                         {"a1", 1.0, any_number, "weight of q1'"},
-                         {"a2", 0.5, any_number, "weight of q2'"},
-                         {"b1", 0.4, any_number, "weight of the left derivative of q1"},
-                         {"b2", -0.3, any_number, "weight of the left derivative of q2"},
-                         {"c1", 0.3, any_number, "weight of the right derivative of q1"},
-                         {"c2", 0.2, any_number, "weight of the right derivative of q2"},
-                         {"k1", 1.0, any_number, "stiffness of q1"},
-                         {"k2", 2.0, any_number, "stiffness of q2"},
-                         {"k3", 0.5, any_number, "cubic stiffness of q1"}},
+          .source = "Tarasov & Zaslavsky 2006, eqs 29, 38-41; manufactured, or with given loads and ends",
+          .parameters =
+              joined({weight_parameters(),
+                      {{"k3", 0.5, any_number, "cubic stiffness of q1"}},
+                      {motion_choice()},
+                      given_parameters(),
+                      drive_parameters(),
+                      {choice("ends", {"velocity", "place"}, "what is given across a: e.q'(0) or e.q(T)"),
+                       {"across", 0.3, any_number, "e.q'(0) or e.q(T), e = (-a2, a1)/|a|"}}}),
           .make = [](const Parameters& p) -> Scene {
             if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
-            return scene_of({.a = {p["a1"], p["a2"]},
-                             .b = {p["b1"], p["b2"]},
-                             .c = {p["c1"], p["c2"]},
-                             .k1 = p["k1"],
-                             .k2 = p["k2"],
-                             .k3 = p["k3"],
-                             .motion = MadeMotion(p["alpha"])},
-                            p["alpha"]);
+            const TwoSidedConstraint system{.a = {p["a1"], p["a2"]},
+                                            .b = {p["b1"], p["b2"]},
+                                            .c = {p["c1"], p["c2"]},
+                                            .k1 = p["k1"],
+                                            .k2 = p["k2"],
+                                            .k3 = p["k3"]};
+            return motion_is_given(p) ? given(system, p["alpha"], p) : made(system, p["alpha"]);
           }};
 }
 

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mechanics/formulations/setting.hpp"
+#include "scenes/scene.hpp"
+
+// What the reactions of the constraints are, told by columns alone and so the same in every formulation:
+// lambda by Tarasov & Zaslavsky (36), with w' as the rate of the columns w.
+namespace fde::mechanics {
+
+// Which columns of a scene are what: q, v and, with memory, w = D^order q, which otherwise is v.
+template <class System>
+constexpr Layout column_layout() {
+  constexpr int n = System::coordinates;
+  return {.q = {0, n}, .v = {n, n}, .w = {HasMemory<System> ? 2 * n : n, n}};
+}
+
+// Whether w is a column of its own: not without memory, and not at order 1.
+template <class System>
+bool remembers([[maybe_unused]] const System& system) {
+  if constexpr (HasMemory<System>) {
+    return system.order != 1.0;
+  } else {
+    return false;
+  }
+}
+
+// A time with its columns: the constraints there, and how their reactions answer.
+template <class System>
+struct ReactionAt {
+  static constexpr int n = System::coordinates, r = System::constraints;
+  static constexpr Layout at = column_layout<System>();
+  using Point = Vector<double, n>;
+  Point q, v;
+  ConstraintRates<double, System> rates;
+  Reaction<double, System> reaction;
+
+  ReactionAt(const System& system, double t, In columns)
+      : q(part<at.q>(columns)),
+        v(part<at.v>(columns)),
+        rates(constraint_rates<double>(system, t, q, v, Point(part<at.w>(columns)))),
+        reaction(system, q, rates) {}
+
+  // The part of lambda without w', and what w' adds to it.
+  [[nodiscard]] Vector<double, r> regular(const System& system, double t) const {
+    return reaction.multiplier(rates.slope * free_acceleration<double>(system, t, q, v) + rates.flow);
+  }
+  [[nodiscard]] Vector<double, r> remembered(const Point& memory_rate) const {
+    return reaction.multiplier(rates.memory * memory_rate);
+  }
+  [[nodiscard]] double power(const Vector<double, r>& lambda) const {
+    return v.dot(rates.reaction.transpose() * lambda);
+  }
+};
+
+// lambda(0), or nothing where it is unbounded.
+template <class System>
+std::optional<Vec> multiplier_at_start(const System& system, const Motion<System::coordinates>& start) {
+  if constexpr (ConstantCoefficients<System>) {
+    if (system.order > 1.0) {
+      const ConstantConstraint<System> constraint(system, start.q);
+      if (constraint.alignment() == 0.0 || !constraint.first_memory(start.v).isZero(0.0)) return std::nullopt;
+      return Vec(first_multiplier<MemoryRows::above_one>(system, start));
+    }
+  }
+  if (!singular_direction(system, start).isZero(0.0)) return std::nullopt;
+  return Vec(first_multiplier<MemoryRows::below_one>(system, start));
+}
+
+inline std::vector<std::string> multiplier_names(int count) {
+  if (count == 1) return {"lambda"};
+  std::vector<std::string> names;
+  for (int i = 1; i <= count; ++i) names.push_back("lambda" + std::to_string(i));
+  return names;
+}
+
+// Powers: those with which the columns w start, where the system remembers.
+template <class System>
+Reactions reactions_of(const System& system, const Motion<System::coordinates>& start,
+                       std::vector<double> powers) {
+  using At = ReactionAt<System>;
+  Reactions reactions{.names = multiplier_names(System::constraints)};
+  reactions.power = [system](double t, In columns, In lambda) {
+    return At(system, t, columns).power(Vector<double, At::r>(lambda));
+  };
+  if (!remembers(system)) {
+    reactions.multipliers = [system](double t, In columns, In /*rates*/, Out lambda) {
+      lambda = At(system, t, columns).regular(system, t);
+    };
+    return reactions;
+  }
+  for (int i = 0; i < At::n; ++i) reactions.rated.push_back(At::at.w.first + i);
+  reactions.powers = std::move(powers);
+  reactions.multipliers = [system](double t, In columns, In rates, Out lambda) {
+    const At here(system, t, columns);
+    lambda = here.regular(system, t) + here.remembered(typename At::Point(rates));
+  };
+  if constexpr (HasMemory<System>) reactions.first = multiplier_at_start(system, start);
+  return reactions;
+}
+
+// 1/2 v'G v + u.
+template <class System>
+double energy_at([[maybe_unused]] const System& system, const Vector<double, System::coordinates>& q,
+                 const Vector<double, System::coordinates>& v) {
+  double value = 0.0;
+  if constexpr (HasMetric<System>) {
+    value = 0.5 * v.dot(system.template metric<double>(q) * v);
+  } else {
+    value = 0.5 * v.squaredNorm();
+  }
+  if constexpr (HasPotential<System>) value += system.template potential<double>(q);
+  return value;
+}
+
+// E = 1/2 v'G v + u. Its rate is the power of forces and reactions; with memory the reaction has a part in
+// w'.
+template <class System>
+Energy energy_of(const System& system) {
+  using At = ReactionAt<System>;
+  Energy energy;
+  energy.value = [system](In columns) {
+    using Point = typename At::Point;
+    return energy_at(system, Point(part<At::at.q>(columns)), Point(part<At::at.v>(columns)));
+  };
+  energy.power = [system](double t, In columns) {
+    const At here(system, t, columns);
+    double power = here.power(here.regular(system, t));
+    if constexpr (HasForce<System>) power += here.v.dot(system.template force<double>(t, here.q, here.v));
+    return power;
+  };
+  if (!remembers(system)) return energy;
+  for (int i = 0; i < At::n; ++i) energy.rated.push_back(At::at.w.first + i);
+  energy.shares = [system](double t, In columns, Out shares) {
+    const At here(system, t, columns);
+    for (int i = 0; i < At::n; ++i) shares[i] = here.power(here.remembered(At::Point::Unit(i)));
+  };
+  return energy;
+}
+
+}  // namespace fde::mechanics

@@ -1,0 +1,78 @@
+#include "observers/local_rate.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "problem/smoothness.hpp"
+#include "quadrature/gauss.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int most_steps = 5;
+constexpr int first_steps = 16;  // beyond, a polynomial of degree 4 follows t^p to 1e-6 of its rate
+
+std::vector<int> steps_around(const Grid& grid, int n) {
+  const int count = std::min(most_steps, grid.steps + 1);
+  std::vector<int> steps(static_cast<std::size_t>(count));
+  std::iota(steps.begin(), steps.end(), std::clamp(n - count / 2, 0, grid.steps + 1 - count));
+  return steps;
+}
+
+// The derivatives at t of Lagrange's polynomials.
+Vec polynomial_weights(const std::vector<double>& times, double t) {
+  const auto size = std::ssize(times);
+  Vec weights = Vec::Zero(size);
+  const auto at = [&](Eigen::Index k) { return times[static_cast<std::size_t>(k)]; };
+  Eigen::Index here = 0;
+  while (at(here) != t) ++here;
+  for (Eigen::Index k = 0; k < size; ++k) {
+    if (k == here) continue;
+    double weight = 1.0 / (at(k) - t);
+    for (Eigen::Index m = 0; m < size; ++m) {
+      if (m != k && m != here) weight *= (t - at(m)) / (at(k) - at(m));
+    }
+    weights[k] = weight;
+  }
+  weights[here] = -weights.sum();
+  return weights;
+}
+
+// The smallest powers, each once, with 0, as many as there are values; whole ones where they do not suffice.
+std::vector<double> basis_of(std::vector<double> powers, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) powers.push_back(static_cast<double>(k));
+  std::ranges::sort(powers);
+  powers.erase(std::unique(powers.begin(), powers.end(), same_order), powers.end());
+  powers.resize(count);
+  return powers;
+}
+
+Vec start_weights(const std::vector<double>& times, double t, const std::vector<double>& powers) {
+  const auto size = std::ssize(times);
+  const auto basis = basis_of(powers, times.size());
+  LongMatrix values(size, size);
+  LongVec rates(size);
+  for (Eigen::Index p = 0; p < size; ++p) {
+    const auto power = static_cast<long double>(basis[static_cast<std::size_t>(p)]);
+    for (Eigen::Index k = 0; k < size; ++k)
+      values(p, k) = std::pow(static_cast<long double>(times[static_cast<std::size_t>(k)]) / t, power);
+    rates[p] = power / t;
+  }
+  return LongVec(values.colPivHouseholderQr().solve(rates)).cast<double>();
+}
+
+}  // namespace
+
+LocalRate local_rate(const Grid& grid, int n, const std::vector<double>& powers) {
+  LocalRate rate{steps_around(grid, n), {}};
+  std::vector<double> times;
+  for (const int step : rate.steps) times.push_back(grid.time(step));
+  const bool smooth = std::ranges::all_of(powers, whole) || n > first_steps;
+  rate.weights =
+      smooth ? polynomial_weights(times, grid.time(n)) : start_weights(times, grid.time(n), powers);
+  return rate;
+}
+
+}  // namespace fde

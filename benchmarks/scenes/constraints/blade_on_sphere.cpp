@@ -1,0 +1,73 @@
+#include "mechanics/formulations/mechanical_scene.hpp"
+#include "scenes/constraints/classical_systems.hpp"
+
+namespace fde {
+namespace {
+
+using namespace mechanics;
+
+// A blade of mass 1 and moment of inertia I on the unit sphere: theta from the pole, phi, and its heading
+// psi, the angle from the meridian. It turns about the normal at the rate psi' + phi' cos theta, and must not
+// slide sideways. u = gravity cos theta. The coordinates end at the poles.
+struct BladeOnSphere {
+  static constexpr int coordinates = 3, constraints = 1;
+  double inertia, gravity;
+
+  template <class S>
+  [[nodiscard]] Table<S, 3, 3> metric(const Vector<S, 3>& q) const {
+    using std::cos;
+    const S sine = SphereWithCourse::sine<S>(q[0]), cosine = cos(q[0]);
+    auto g = zeros<S, 3, 3>();
+    g(0, 0) = S(1.0);
+    g(1, 1) = sine * sine + inertia * cosine * cosine;
+    g(1, 2) = g(2, 1) = inertia * cosine;
+    g(2, 2) = S(inertia);
+    return g;
+  }
+  template <class S>
+  [[nodiscard]] S potential(const Vector<S, 3>& q) const {
+    using std::cos;
+    return gravity * cos(q[0]);
+  }
+  template <class S>
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
+    using std::cos, std::sin;
+    return Vector<S, 1>(S(v[0] * sin(q[2]) - v[1] * SphereWithCourse::sine<S>(q[0]) * cos(q[2])));
+  }
+};
+
+}  // namespace
+
+// Three coordinates, a metric with curvature and with an entry off the diagonal, and a constraint that no
+// function of the place has as its differential. Energy and the rate of turning are kept; without gravity the
+// speed too, and the blade draws a circle whose geodesic curvature is their quotient.
+SceneMaker blade_on_sphere() {
+  const std::vector<Parameter> parameters{
+      {"theta0",
+       1.2,
+       {.low = 0.0, .high = std::numbers::pi, .open_low = true, .open_high = true},
+       "theta(0), distance from the pole"},
+      {"psi0", 0.5, any_number, "psi(0), heading from the meridian"},
+      {"speed", 0.6, any_number, "speed along the blade at 0"},
+      {"spin", 1.0, any_number, "rate of turning about the normal"},
+      {"inertia", 0.4, positive, "moment of inertia about the normal"},
+      {"gravity", 0.2, any_number, "of the potential gravity cos(theta)"}};
+  return {
+      .id = "blade_on_sphere",
+      .title = "Blade on a sphere",
+      .source = "Niminet & Blanuta 2009, eqs 1.1-2.9 without the factor 1/2 of 2.6",
+      .parameters = with_formulations(parameters, all_formulations()),
+      .make = [](const Parameters& p) -> Scene {
+        const double theta = p["theta0"], psi = p["psi0"], speed = p["speed"];
+        const double dphi = speed * std::sin(psi) / std::sin(theta);
+        const Setting<BladeOnSphere> setting{
+            .system = {.inertia = p["inertia"], .gravity = p["gravity"]},
+            .start = {{theta, 0.0, psi}, {speed * std::cos(psi), dphi, p["spin"] - dphi * std::cos(theta)}},
+            .coordinates = {"theta", "phi", "psi"}};
+        Scene scene = mechanical_scene(setting, asked_of(p));
+        end_at_the_poles(scene);
+        return scene;
+      }};
+}
+
+}  // namespace fde

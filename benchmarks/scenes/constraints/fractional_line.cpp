@@ -1,0 +1,144 @@
+#include "scenes/constraints/fractional_line.hpp"
+
+#include "closed_forms/closed_form.hpp"
+#include "linear/linear_solution.hpp"
+
+namespace fde {
+namespace {
+
+constexpr const char* name = "fractional_constraint_1d";
+
+struct ExactLine {
+  explicit ExactLine(const FractionalLine& line)
+      : alpha(exact_decimal(line.alpha)),
+        a(exact_decimal(line.a)),
+        b(exact_decimal(line.b)),
+        q0(exact_decimal(line.q0)),
+        q1(exact_decimal(line.q1)),
+        q2(line.alpha > 2.0 ? exact_decimal(line.q2) : Rational(0)),
+        constant(line.exact_constant()) {}
+
+  Rational alpha, a, b, q0, q1, q2, constant;
+};
+
+// Up to order 1, over a s + b s^alpha:
+//   Q: q0 (a + b s^(alpha-1)) + C0/s,   V: C0,   W: C0 s^(alpha-1),   V': -q1 b s^alpha.
+LinearTransform denominator_up_to_one(const ExactLine& line) {
+  LinearTransform transform;
+  add_term(transform.characteristic, 1, line.a);
+  add_term(transform.characteristic, line.alpha, line.b);
+  transform.generators = {1, line.alpha};
+  return transform;
+}
+
+LinearTransform columns_up_to_one(const ExactLine& line) {
+  const auto& [alpha, a, b, q0, q1, q2, constant] = line;
+  LinearTransform transform = denominator_up_to_one(line);
+  auto& numerators = transform.group_from(0, 3).numerators;
+  add_term(numerators[0], 0, Rational(q0 * a));
+  add_term(numerators[0], Rational(alpha - 1), Rational(q0 * b));
+  add_term(numerators[0], -1, constant);
+  add_term(numerators[1], 0, constant);
+  add_term(numerators[2], Rational(alpha - 1), constant);
+  return transform;
+}
+
+LinearTransform multiplier_up_to_one(const ExactLine& line) {
+  LinearTransform transform = denominator_up_to_one(line);
+  add_term(transform.group_from(0, 1).numerators[0], line.alpha, Rational(-line.q1 * line.b / line.a));
+  return transform;
+}
+
+// Above order 1, nu = alpha - 1, over a + b s^nu:
+//   Q: q0 (a + b s^nu)/s + b q1 s^(nu-2) + C0/s^2 + b q2 s^(nu-3),
+//   V: b q1 s^(nu-1) + C0/s + b q2 s^(nu-2),   W: (C0 - a q1) s^(nu-1) - a q2 s^(nu-2),
+//   V': C0 - a q1 + b q2 s^(nu-1).
+LinearTransform denominator_above_one(const ExactLine& line) {
+  const Rational nu = line.alpha - 1;
+  LinearTransform transform;
+  add_term(transform.characteristic, 0, line.a);
+  add_term(transform.characteristic, nu, line.b);
+  transform.generators = {1, nu};
+  return transform;
+}
+
+LinearTransform columns_above_one(const ExactLine& line) {
+  const auto& [alpha, a, b, q0, q1, q2, constant] = line;
+  const Rational nu = alpha - 1;
+  LinearTransform transform = denominator_above_one(line);
+  auto& numerators = transform.group_from(0, 3).numerators;
+  add_term(numerators[0], -1, Rational(q0 * a));
+  add_term(numerators[0], Rational(nu - 1), Rational(q0 * b));
+  add_term(numerators[0], Rational(nu - 2), Rational(b * q1));
+  add_term(numerators[0], -2, constant);
+  add_term(numerators[0], Rational(nu - 3), Rational(b * q2));
+  add_term(numerators[1], Rational(nu - 1), Rational(b * q1));
+  add_term(numerators[1], -1, constant);
+  add_term(numerators[1], Rational(nu - 2), Rational(b * q2));
+  add_term(numerators[2], Rational(nu - 1), Rational(constant - a * q1));
+  add_term(numerators[2], Rational(nu - 2), Rational(-a * q2));
+  return transform;
+}
+
+LinearTransform multiplier_above_one(const ExactLine& line) {
+  const auto& [alpha, a, b, q0, q1, q2, constant] = line;
+  LinearTransform transform = denominator_above_one(line);
+  auto& numerator = transform.group_from(0, 1).numerators[0];
+  add_term(numerator, 0, Rational((constant - a * q1) / a));
+  add_term(numerator, Rational(alpha - 2), Rational(b * q2 / a));
+  return transform;
+}
+
+// q0 + q1 t, and D^alpha q = 0 where that is a column.
+struct UniformMotion {
+  double q0, q1;
+  bool has_memory;
+
+  template <class Real>
+  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
+    using std::abs;
+    const Real start = decimal<Real>(q0), speed = decimal<Real>(q1);
+    std::vector<Rounded<Real>> columns{{Real(start + speed * t), Real(abs(start) + abs(speed) * t)},
+                                       {speed, Real(abs(speed))}};
+    if (has_memory) columns.push_back({Real(0), Real(0)});
+    return columns;
+  }
+};
+
+struct Nothing {
+  template <class Real>
+  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& /*t*/) const {
+    return {{Real(0), Real(0)}};
+  }
+};
+
+}  // namespace
+
+Rational FractionalLine::exact_constant() const {
+  return given ? exact_decimal(*given) : Rational(exact_decimal(a) * exact_decimal(q1));
+}
+
+bool FractionalLine::starts_smoothly() const {
+  return !given || exact_constant() == exact_decimal(a) * exact_decimal(q1);
+}
+
+bool FractionalLine::uniform() const {
+  return b == 0.0 || (alpha > 1.0 && alpha <= 2.0 && starts_smoothly());
+}
+
+Reference exact_columns(const FractionalLine& line) {
+  if (line.uniform()) return closed_form(UniformMotion{line.q0, line.q1, line.b != 0.0});
+  return linear_reference(name, [line] {
+    return line.alpha <= 1.0 ? columns_up_to_one(ExactLine(line)) : columns_above_one(ExactLine(line));
+  });
+}
+
+// At order 1 q' is constant.
+Reference exact_multiplier(const FractionalLine& line) {
+  if (line.uniform() || line.alpha == 1.0) return closed_form(Nothing{});
+  return linear_reference(name, [line] {
+    return line.alpha < 1.0 ? multiplier_up_to_one(ExactLine(line)) : multiplier_above_one(ExactLine(line));
+  });
+}
+
+}  // namespace fde

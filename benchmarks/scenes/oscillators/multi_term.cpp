@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "linear/linear_equation.hpp"
+#include "problem/chain_problem.hpp"
+#include "scenes/scene.hpp"
+
+namespace fde {
+namespace {
+
+// The force f(u) with its derivative and its potential.
+struct Force {
+  std::function<double(double u)> value, slope, potential;
+};
+
+Force force_named(const std::string& name, double k) {
+  if (name == "linear") {
+    return {[=](double u) { return k * u; }, [=](double) { return k; },
+            [=](double u) { return k * u * u / 2; }};
+  }
+  if (name == "sine") {
+    return {[=](double u) { return k * std::sin(u); }, [=](double u) { return k * std::cos(u); },
+            [=](double u) { return k * (1.0 - std::cos(u)); }};
+  }
+  return {[=](double u) { return k * u * u * u; }, [=](double u) { return 3.0 * k * u * u; },
+          [=](double u) { return k * u * u * u * u / 4; }};
+}
+
+std::function<double(double t)> load_named(const std::string& name, double size, double omega) {
+  if (name == "ramp") return [=](double t) { return size * t; };
+  if (name == "cosine") return [=](double t) { return size * std::cos(omega * t); };
+  return [size = name == "none" ? 0.0 : size](double) { return size; };
+}
+
+// A term and the column that shows its derivative.
+struct NamedTerm {
+  Term term;
+  std::string column;
+};
+
+// coefficient_k D^order_k u, the columns prefix1, prefix2, ...; those with coefficient 0 are left out.
+void add_terms(const Parameters& p, const char* orders, const char* coefficients, const std::string& prefix,
+               std::vector<NamedTerm>& terms) {
+  const auto &of_orders = p.numbers(orders), &of_terms = p.numbers(coefficients);
+  if (of_terms.size() != of_orders.size())
+    reject(coefficients, of_terms, std::string("as many numbers as ") + orders);
+  for (std::size_t k = 0; k < of_orders.size(); ++k) {
+    if (of_terms[k] == 0.0) continue;
+    if (!(of_orders[k] < p["order"])) reject(orders, of_orders, "a list of orders below `order`");
+    terms.push_back({{of_terms[k], of_orders[k]}, prefix + std::to_string(k + 1) + "_u"});
+  }
+}
+
+// All terms below the leading one, with u and u' among the columns.
+std::vector<NamedTerm> terms_of(const Parameters& p) {
+  std::vector<NamedTerm> terms{{{0.0, 0.0}, "u"}};
+  add_terms(p, "beta", "d", "Dbeta", terms);
+  if (p["order"] > 1.0) {
+    terms.push_back({{p["c"], 1.0}, "du"});
+  } else if (p["c"] != 0.0) {
+    reject("c", p["c"], "0 where `order` is not above 1");
+  }
+  add_terms(p, "alpha", "b", "Dalpha", terms);
+  return terms;
+}
+
+// Of the order 2: a u'^2/2 + the potential of the force, whose rate is u' (g - the damping).
+Energy energy_of(const std::vector<NamedTerm>& terms, double a, const Force& force,
+                 const std::function<double(double t)>& load) {
+  Vec weights(std::ssize(terms));
+  std::ranges::transform(terms, weights.begin(), [](const NamedTerm& one) { return one.term.coefficient; });
+  const auto velocity = std::ranges::find(terms, "du", &NamedTerm::column) - terms.begin();
+  return {.value = [=](In c) { return a * c[velocity] * c[velocity] / 2 + force.potential(c[0]); },
+          .power = [=](double t, In c) { return c[velocity] * (load(t) - weights.dot(c)); }};
+}
+
+Reference linear_motion(const Parameters& p, const std::vector<NamedTerm>& terms) {
+  LinearEquation equation{.terms = {{p["a"], p["order"]}, {p["k"], 0.0}}, .initial = {p["u0"], p["du0"]}};
+  std::vector<double> orders;
+  for (const auto& [term, column] : terms) {
+    equation.terms.push_back({term.coefficient, term.order});
+    orders.push_back(term.order);
+  }
+  if (p.choice("load") == "constant") equation.loads.push_back({p["g0"], 0.0});
+  if (p.choice("load") == "ramp") equation.loads.push_back({p["g0"], 1.0});
+  return linear_reference(equation, orders);
+}
+
+Scene scene_of(const Parameters& p) {
+  const auto terms = terms_of(p);
+  const double a = p["a"], order = p["order"], k = p["k"];
+  const Force force = force_named(p.choice("force"), k);
+  const auto load = load_named(p.choice("load"), p["g0"], p["omega"]);
+  std::vector<Term> lower;
+  std::vector<std::string> names;
+  for (const auto& [term, column] : terms) {
+    lower.push_back(term);
+    names.push_back(column);
+  }
+  std::vector<double> initial{p["u0"], p["du0"]};
+  initial.resize(initial_count(order));
+  const Chain chain({a, order}, lower, initial);
+  std::vector<Eigen::Index> rows;
+  for (const Term& term : lower) rows.push_back(*chain.row(term.order));
+
+  DrivenChain driven{.chain = chain, .force = [=](double t, In y) { return load(t) - force.value(y[0]); }};
+  const bool linear = p.choice("force") == "linear";
+  if (linear) {
+    driven.derivatives = LinearForce{-k};
+  } else {
+    driven.derivatives =
+        ForceGradient{[=](double, In y, double, Out gradient) { gradient[0] -= force.slope(y[0]); }};
+  }
+  Scene scene{.problem = chain_problem({driven}, 20.0),
+              .smoothness = chain_smoothness({chain}),
+              .outputs = picked(names, rows)};
+  if (linear && p.choice("load") != "cosine") scene.reference = linear_motion(p, terms);
+  if (order == 2.0) scene.energy = energy_of(terms, a, force, load);
+  return scene;
+}
+
+}  // namespace
+
+// a D^order u + sum_k b_k D^alpha_k u + c u' + sum_l d_l D^beta_l u + f(u) = g(t), any number of terms, as
+// the chain (2.1). Wang's equation (1.4) is `order` = n/m with orders k/m below it, Diethelm's (1.6) any
+// `order`.
+SceneMaker multi_term() {
+  return {.id = "multi_term",
+          .title = "Multi-term equation of any number of orders",
+          .source = "Yin, Liu & Anh 2007, eqs 1.1, 2.1; 1.4 and 1.6 with other leading orders",
+          .parameters = {{"order", 2.0, order_up_to_two, "the leading order"},
+                         {"a", 1.0, positive, "coefficient of the leading derivative"},
+                         list_of_numbers("alpha", {1.2, 1.6}, {.low = 1.0, .high = 2.0, .open_high = true},
+                                         "orders alpha_k"),
+                         list_of_numbers("b", {0.1, 0.05}, any_number, "coefficients b_k"),
+                         {"c", 0.1, any_number, "coefficient of u'"},
+                         list_of_numbers("beta", {0.3, 0.7}, {.low = 0.0, .high = 1.0}, "orders beta_l"),
+                         list_of_numbers("d", {0.1, 0.05}, any_number, "coefficients d_l"),
+                         choice("force", {"sine", "linear", "cubic"}, "f(u) = k sin u, k u, k u^3"),
+                         {"k", 1.0, any_number, "size of the force"},
+                         choice("load", {"cosine", "none", "constant", "ramp"},
+                                "g(t) = g0 cos(omega t), 0, g0, g0 t"),
+                         {"g0", 0.3, any_number, "size of the load"},
+                         {"omega", 0.7, any_number, "frequency of the load"},
+                         {"u0", 1.0, any_number, "u(0)"},
+                         {"du0", -0.3, any_number, "u'(0); not where `order` is up to 1"}},
+          .make = scene_of};
+}
+
+}  // namespace fde

@@ -1,0 +1,136 @@
+#include <array>
+
+#include "mechanics/derivatives.hpp"
+#include "scenes/two_sided/plane_mechanics.hpp"
+
+namespace fde {
+namespace {
+
+// u = (k1 q1^2 + k2 q2^2)/2, f = a.v + b.w + c.r - F(t) with w = D^alpha q and r = tD_T^alpha q.
+// Components q1, q2, w1, w2, r1, r2, rho = J_-^(1-alpha) mu, ell = J^(1-alpha) mu, pi1, pi2.
+struct ConstrainedExtremum {
+  enum : Eigen::Index { q = 0, w = 2, r = 4, rho = 6, ell = 7, pi = 8 };
+  static constexpr int size = 10;
+  Plane a, b, c, stiffness;
+  double end = 1.0;
+  std::function<double(double t)> drive{};  // F
+  Plane force{0.0, 0.0};
+
+  [[nodiscard]] Plane across() const { return Plane(-a[1], a[0]) / a.norm(); }
+
+  template <class S>
+  struct State {
+    mechanics::Vector<S, 2> v;
+    S mu;
+  };
+  // p = pi - b rho + c ell = v + mu a, and f = 0 gives mu.
+  template <class S>
+  [[nodiscard]] State<S> state(double t, const mechanics::Vector<S, size>& y) const {
+    mechanics::Vector<S, 2> v;
+    S defect(-drive(t));
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      v[i] = y[pi + i] - b[i] * y[rho] + c[i] * y[ell];
+      defect += a[i] * v[i] + b[i] * y[w + i] + c[i] * y[r + i];
+    }
+    const S mu = defect / a.squaredNorm();
+    for (Eigen::Index i = 0; i < 2; ++i) v[i] -= a[i] * mu;
+    return {v, mu};
+  }
+
+  template <class S>
+  [[nodiscard]] mechanics::Vector<S, size> rates(double t, const mechanics::Vector<S, size>& y) const {
+    const auto [v, mu] = state<S>(t, y);
+    mechanics::Vector<S, size> f;
+    f[rho] = f[ell] = mu;
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      f[q + i] = f[w + i] = v[i];
+      f[r + i] = -v[i];
+      f[pi + i] = stiffness[i] * y[q + i] - force[i];
+    }
+    return f;
+  }
+  void rhs(double t, In y, Out f) const { f = rates<double>(t, y); }
+  void jacobian(In y, OutMatrix result) const {
+    const auto f = rates<mechanics::Dual<double, size>>(
+        0.0, mechanics::variables<size>(mechanics::Vector<double, size>(y)));
+    for (Eigen::Index i = 0; i < size; ++i) result.row(i) = mechanics::derivatives<size>(f[i]).transpose();
+  }
+
+  // The last: what the extremum's momentum across a has beyond that of the motion.
+  void columns(double t, In y, Out result) const {
+    const auto [v, mu] = state<double>(t, y);
+    result << y.head<2>(), v, y.segment<4>(w), mu, across().dot(c) * y[ell] - across().dot(b) * y[rho];
+  }
+  [[nodiscard]] double energy(In columns) const {
+    return columns.segment<2>(2).squaredNorm() / 2 + stiffness.dot(columns.head<2>().cwiseAbs2()) / 2;
+  }
+  [[nodiscard]] double constraint(double t, In columns) const {
+    return a.dot(columns.segment<2>(2)) + b.dot(columns.segment<2>(4)) + c.dot(columns.segment<2>(6)) -
+           drive(t);
+  }
+};
+
+Scene scene_of(ConstrainedExtremum system, const Parameters& p) {
+  const double alpha = p["alpha"], memory = 1.0 - alpha;
+  const GivenLoads loads(p);
+  system.end = loads.end;
+  system.drive = given_drive(p);
+  system.force = loads.force;
+  Scene scene = two_sided_scene(system,
+                                {{1.0, {loads.start[0]}},
+                                 {1.0, {loads.start[1]}},
+                                 {memory, {0.0}},
+                                 {memory, {0.0}},
+                                 {memory, {0.0}, Side::right},
+                                 {memory, {0.0}, Side::right},
+                                 {memory, {0.0}, Side::right},
+                                 {memory, {0.0}},
+                                 {1.0, {}, Side::right},
+                                 {1.0, {}, Side::right}},
+                                {"q1", "q2", "v1", "v2", "w1", "w2", "r1", "r2", "mu", "defect"});
+  scene.problem.conditions = [e = system.across(), along_a = Plane(system.a.normalized()),
+                              first = p.choice("ends") == "place" ? ConstrainedExtremum::q
+                                                                  : ConstrainedExtremum::pi,
+                              across = p["across"], along = p["along"]](In, In y, Out residual) {
+    residual << e.dot(y.segment<2>(first)) - across,
+        along_a.dot(y.segment<2>(ConstrainedExtremum::pi)) - along;
+  };
+  const auto regular = power_lattice({1.0}, {1.0, memory}, 3.0),
+             remembered = power_lattice({memory}, {1.0, memory}, memory + 2.0);
+  scene.smoothness = {{regular, regular, remembered, remembered, remembered, remembered, remembered,
+                       remembered, regular, regular}};
+  scene.memories = {{4, 2, alpha}, {5, 3, alpha}};
+  return scene;
+}
+
+}  // namespace
+
+// Extremum of int 1/2 v^2 - u + g.q + mu f dt. What is adjoint to a left Caputo derivative is the right one
+// of Riemann and Liouville, -d/dt J_-^(1-alpha), and the other way round, so with p = v + mu a
+//   p' = -grad u + g - b rho' + c ell',
+// and pi = p + b rho - c ell has an ordinary row. The motion under the same constraint has neither mu' nor
+// rho nor ell: across a it differs by (e.c) ell - (e.b) rho, the column defect, which is 0 where b and c are
+// along a, and that is Proposition 2.
+SceneMaker fractional_vakonomic() {
+  const std::vector<Parameter> parameters =
+      joined({weight_parameters(),
+              given_parameters(),
+              drive_parameters(),
+              {choice("ends", {"place", "momentum"}, "what is given across a at T: e.q, or e.(p - c ell)"),
+               {"across", -0.2, any_number, "that, e = (-a2, a1)/|a|"},
+               {"along", 0.0, any_number, "a.(p - c ell)/|a| at T: 0 where a.q(T) is free"}}});
+  return {.id = "fractional_vakonomic",
+          .title = "Conditional extremum under a constraint with left and right derivatives",
+          .source = "Tarasov & Zaslavsky 2006, eqs 68-72 corrected",
+          .parameters = parameters,
+          .make = [](const Parameters& p) -> Scene {
+            if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
+            return scene_of({.a = {p["a1"], p["a2"]},
+                             .b = {p["b1"], p["b2"]},
+                             .c = {p["c1"], p["c2"]},
+                             .stiffness = {p["k1"], p["k2"]}},
+                            p);
+          }};
+}
+
+}  // namespace fde

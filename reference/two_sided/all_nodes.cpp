@@ -1,0 +1,48 @@
+#include "two_sided/all_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace fde {
+namespace {
+
+constexpr int most_iterations = 60, most_halvings = 20;
+constexpr double rounding = 1e-13, small = 1e-9;
+
+// Takes the largest of the increment, its half, ... that brings the residual down, and returns its size.
+// Increments that are small are taken whole: what they do to the residual is rounding.
+double advance(const NodalEquations& equations, NodalValues& values) {
+  const NodalResidual residual = equations.residual(values);
+  const NodalValues increment = equations.increment(values, residual);
+  const double size = increment.size();
+  const bool last = size <= small * std::max(1.0, values.size());
+  double part = 1.0;
+  for (int halving = 0; halving < most_halvings; ++halving, part /= 2) {
+    NodalValues trial{values.y + part * increment.y, values.unknown + part * increment.unknown};
+    const double after = equations.residual(trial).norm();
+    if (!(after < residual.norm() || (last && std::isfinite(after)))) continue;
+    values = std::move(trial);
+    return part * size;
+  }
+  throw std::runtime_error("two-sided reference: Newton's method finds no way down");
+}
+
+NodalValues solved(const NodalEquations& equations) {
+  NodalValues values = equations.start();
+  double before = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const double moved = advance(equations, values), size = std::max(1.0, values.size());
+    if (moved <= rounding * size || (moved >= before / 2 && moved <= 1e3 * rounding * size)) return values;
+    before = moved;
+  }
+  throw std::runtime_error("two-sided reference: Newton's method does not converge");
+}
+
+}  // namespace
+
+NodalSolution::NodalSolution(const Problem& problem, const NodalBasis& basis)
+    : equations_(problem, basis), values_(solved(equations_)), f_(equations_.rhs(values_.y)) {}
+
+}  // namespace fde

@@ -1,0 +1,141 @@
+#include "two_sided/clustered_panels.hpp"
+
+#include <cmath>
+#include <memory>
+
+namespace fde {
+namespace {
+
+constexpr int quadrature_points = 24;
+constexpr double same_place = 1e-12;  // what is closer in x is one point
+
+// The distance between two times with its digits: the one is before the other.
+double distance(BothShares before, BothShares after) {
+  return after.from_start < 0.5 ? after.from_start - before.from_start : before.from_end - after.from_end;
+}
+
+constexpr double clustering = 8.0, bend = 0.5 - 1.0 / clustering;
+
+// v(x) and v'(x); 1 - v(x) is v(1 - x).
+double cubic(double x) { return x * (6.0 * bend + 2.0 / clustering - 12.0 * bend * x + 8.0 * bend * x * x); }
+double slope(double x) { return 6.0 * bend + 2.0 / clustering - 24.0 * bend * x * (1.0 - x); }
+
+// dt/dx.
+double rate(BothShares x) {
+  const BothShares t = clustered(x);
+  return clustering * t.from_start * t.from_end * slope(x.from_start) /
+         (cubic(x.from_start) * cubic(x.from_end));
+}
+
+BothShares share(double x) { return {x, 1.0 - x}; }
+
+// Nodes and weights on [0, 1] in double, for the weight (1-u)^power: at the end of the interval the kernel
+// has another one than inside.
+struct Rule {
+  explicit Rule(double of_end)
+      : Rule(of_end, gauss_jacobi(quadrature_points, static_cast<long double>(of_end))) {}
+  Rule(double of_end, const GaussRule& rule)
+      : power(of_end), nodes(rule.nodes.cast<double>()), weights(rule.weights.cast<double>()) {}
+  double power;
+  Vec nodes, weights;
+};
+
+class ClusteredPanels {
+ public:
+  ClusteredPanels(const PanelBasis& panel, int panels)
+      : inner_(panel.nodes),
+        barycentric_(barycentric_weights(panel.gauss.nodes).cast<double>()),
+        panels_(panels) {
+    const auto points = inner_.size(), all = points * panels;
+    Vec x(all);
+    for (Eigen::Index k = 0; k < panels; ++k)
+      x.segment(k * points, points) = (inner_.array() + static_cast<double>(k)) / panels;
+    nodes_.push_back({0.0, 1.0});
+    for (Eigen::Index m = 0; m < all; ++m) nodes_.push_back(clustered({x[m], x[all - 1 - m]}));
+    nodes_.push_back({1.0, 0.0});
+  }
+
+  [[nodiscard]] const std::vector<BothShares>& nodes() const { return nodes_; }
+
+  [[nodiscard]] Vec row(double order, const Rule& singular, BothShares t) const {
+    Vec row = Vec::Zero(std::ssize(nodes_));
+    const double x = unclustered(t).from_start;
+    for (int k = 0; k < panels_; ++k) {
+      const double from = static_cast<double>(k) / panels_, to = (k + 1.0) / panels_;
+      if (from >= x - same_place) break;
+      add(order, t, x, k, from, to < x - same_place ? to : x, singular, row);
+    }
+    row /= std::tgamma(order);
+    return row;
+  }
+
+ private:
+  // The part of a panel between two x. What ends at the target takes the singular rule; what is close to it
+  // for its length is halved.
+  void add(double order, BothShares t, double x, int panel, double from, double to, const Rule& singular,
+           Vec& row) const {
+    const double length = to - from, gap = x - to;
+    if (gap > 0.0 && gap < length) {
+      const double middle = from + length / 2;
+      add(order, t, x, panel, from, middle, singular, row);
+      add(order, t, x, panel, middle, to, singular, row);
+      return;
+    }
+    const Rule& rule = gap > 0.0 ? regular_ : singular;
+    for (Eigen::Index q = 0; q < rule.nodes.size(); ++q) {
+      const BothShares y = share(from + length * rule.nodes[q]);
+      const double kernel =
+          std::pow(distance(clustered(y), t), order - 1.0) / std::pow(1.0 - rule.nodes[q], rule.power);
+      const double weight = length * rule.weights[q] * kernel * rate(y);
+      add_interpolated(panel, y.from_start * panels_ - panel, weight, row);
+    }
+  }
+
+  void add_interpolated(int panel, double inside, double weight, Vec& row) const {
+    const auto first = 1 + panel * inner_.size();
+    const Vec shares = barycentric_.array() / (inside - inner_.array());
+    if (shares.allFinite()) {
+      row.segment(first, inner_.size()) += (weight / shares.sum()) * shares;
+    } else {
+      Eigen::Index hit = 0;
+      (inner_.array() - inside).abs().minCoeff(&hit);
+      row[first + hit] += weight;
+    }
+  }
+
+  Vec inner_, barycentric_;
+  int panels_;
+  std::vector<BothShares> nodes_;
+  Rule regular_{0.0};
+};
+
+}  // namespace
+
+BothShares clustered(BothShares x) {
+  const double start = std::pow(cubic(x.from_start), clustering),
+               end = std::pow(cubic(x.from_end), clustering);
+  return {start / (start + end), end / (start + end)};
+}
+
+// Newton's method for the nearer end's share, from which v is convex upwards: it comes from below.
+BothShares unclustered(BothShares t) {
+  const double start = std::pow(t.from_start, 1.0 / clustering), end = std::pow(t.from_end, 1.0 / clustering);
+  const double nearer = std::min(start, end) / (start + end);
+  double x = nearer / slope(0.0);
+  for (int i = 0; i < 60; ++i) {
+    const double step = (nearer - cubic(x)) / slope(x);
+    x = std::min(x + step, 0.5);
+    if (std::abs(step) <= 0x1p-52 * x) break;
+  }
+  return start <= end ? BothShares{x, 1.0 - x} : BothShares{1.0 - x, x};
+}
+
+NodalBasis clustered_panels(const PanelBasis& panel, int panels) {
+  const auto basis = std::make_shared<const ClusteredPanels>(panel, panels);
+  return {basis->nodes(), [basis](double order) -> NodalBasis::Row {
+            return [basis, order, inside = Rule(order - 1.0), at_end = Rule(clustering * order - 1.0)](
+                       BothShares t) { return basis->row(order, t.from_end == 0.0 ? at_end : inside, t); };
+          }};
+}
+
+}  // namespace fde

@@ -1,0 +1,160 @@
+#include "two_sided/nodal_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "march/implicit_step.hpp"
+
+namespace fde {
+
+double NodalValues::size() const {
+  const double of_y = y.cwiseAbs().maxCoeff();
+  return unknown.size() > 0 ? std::max(of_y, unknown.cwiseAbs().maxCoeff()) : of_y;
+}
+
+double NodalResidual::norm() const {
+  return std::sqrt(rows.squaredNorm() / static_cast<double>(rows.rows()) + conditions.squaredNorm());
+}
+
+NodalEquations::NodalEquations(const Problem& problem, const NodalBasis& basis)
+    : problem_(problem), basis_(basis) {
+  std::map<Kind, Matrix> at_nodes;
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    const auto& [order, initial, side] = component(i);
+    if (algebraic(component(i))) throw std::invalid_argument("a two-sided reference takes no algebraic rows");
+    for (std::size_t k = initial.size(); k < initial_count(order); ++k)
+      unknown_.push_back({i, static_cast<int>(k)});
+    auto& weights = at_nodes[{order, side}];
+    if (weights.size() == 0) {
+      const auto row = [left = side == Side::left, weights_of = basis.rows(order),
+                        scale = std::pow(problem.end, order)](BothShares t) -> Vec {
+        if (left) return scale * weights_of(t);
+        return scale * weights_of(t.reversed()).reverse();
+      };
+      weights.resize(nodes(), nodes());
+      for (Eigen::Index m = 0; m < nodes(); ++m) weights.row(m) = row(node(m)).transpose();
+      rows_[{order, side}] = row;
+    }
+    weights_.push_back(weights);
+  }
+}
+
+const Component& NodalEquations::component(Eigen::Index i) const {
+  return problem_.components[static_cast<std::size_t>(i)];
+}
+
+double NodalEquations::own_time(Eigen::Index i, BothShares t) const {
+  return problem_.end * (component(i).side == Side::left ? t.from_start : t.from_end);
+}
+
+double NodalEquations::time(BothShares t) const {
+  return t.from_start < 0.5 ? problem_.end * t.from_start : problem_.end - problem_.end * t.from_end;
+}
+
+Vec NodalEquations::start_at(BothShares t, In unknown) const {
+  Vec part = Vec::Zero(problem_.size());
+  for (Eigen::Index i = 0; i < part.size(); ++i) {
+    double term = 1.0, power = 0.0;
+    for (const double value : component(i).initial) {
+      part[i] += value * term;
+      term *= own_time(i, t) / ++power;
+    }
+  }
+  Eigen::Index next = 0;
+  for (const auto& [i, power] : unknown_)
+    part[i] += unknown[next++] * std::pow(own_time(i, t), power) / std::tgamma(power + 1.0);
+  return part;
+}
+
+Matrix NodalEquations::start_of(In unknown) const {
+  Matrix part(nodes(), problem_.size());
+  for (Eigen::Index m = 0; m < nodes(); ++m) part.row(m) = start_at(node(m), unknown).transpose();
+  return part;
+}
+
+NodalValues NodalEquations::start() const {
+  const Vec none = Vec::Zero(std::ssize(unknown_));
+  return {start_of(none), none};
+}
+
+Matrix NodalEquations::rhs(const Matrix& y) const {
+  Matrix f(nodes(), problem_.size());
+  Vec value(problem_.size());
+  for (Eigen::Index m = 0; m < nodes(); ++m) {
+    problem_.rhs(time(node(m)), y.row(m).transpose(), value);
+    f.row(m) = value.transpose();
+  }
+  return f;
+}
+
+NodalResidual NodalEquations::residual(const NodalValues& values) const {
+  NodalResidual result{start_of(values.unknown) - values.y, conditions(values.y)};
+  const Matrix f = rhs(values.y);
+  for (Eigen::Index i = 0; i < problem_.size(); ++i)
+    result.rows.col(i) += weights_[static_cast<std::size_t>(i)] * f.col(i);
+  return result;
+}
+
+Vec NodalEquations::conditions(const Matrix& y) const {
+  Vec result(std::ssize(unknown_));
+  if (!unknown_.empty()) problem_.conditions(y.row(0).transpose(), y.row(nodes() - 1).transpose(), result);
+  return result;
+}
+
+// By central differences: conditions are functions of a few numbers.
+Vec NodalEquations::conditions_along(const Matrix& y, const Matrix& change) const {
+  const double part = 0x1p-20 / std::max(1e-300, change.cwiseAbs().maxCoeff());
+  return (conditions(y + part * change) - conditions(y - part * change)) / (2.0 * part);
+}
+
+Matrix NodalEquations::jacobian(BothShares t, const Vec& y) const {
+  const auto size = problem_.size();
+  Matrix result(size, size);
+  if (evaluate_jacobian(problem_, time(t), y, result)) return result;
+  Vec above(size), below(size), shifted = y;
+  for (Eigen::Index j = 0; j < size; ++j) {
+    const double shift = 0x1p-18 * std::max(1.0, std::abs(y[j]));
+    shifted[j] = y[j] + shift;
+    problem_.rhs(time(t), shifted, above);
+    shifted[j] = y[j] - shift;
+    problem_.rhs(time(t), shifted, below);
+    shifted[j] = y[j];
+    result.col(j) = (above - below) / (2.0 * shift);
+  }
+  return result;
+}
+
+// The rows are solved for the residual and for each unknown value alone; the conditions say how much of each.
+NodalValues NodalEquations::increment(const NodalValues& values, const NodalResidual& residual) const {
+  std::vector<Matrix> jacobians;
+  for (Eigen::Index m = 0; m < nodes(); ++m)
+    jacobians.push_back(jacobian(node(m), values.y.row(m).transpose()));
+  const LinearisedStep step(weights_, std::move(jacobians));
+  const auto count = std::ssize(unknown_);
+  NodalValues increment{step.solve(residual.rows), Vec::Zero(count)};
+  if (count == 0) return increment;
+  const Matrix known = start_of(Vec::Zero(count));
+  std::vector<Matrix> answers;
+  Matrix sensitivities(count, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    answers.push_back(step.solve(start_of(Vec::Unit(count, k)) - known));
+    sensitivities.col(k) = conditions_along(values.y, answers.back());
+  }
+  const Vec missing = residual.conditions + conditions_along(values.y, increment.y);
+  increment.unknown = -sensitivities.partialPivLu().solve(missing);
+  for (Eigen::Index k = 0; k < count; ++k)
+    increment.y += increment.unknown[k] * answers[static_cast<std::size_t>(k)];
+  return increment;
+}
+
+Vec NodalEquations::at(BothShares t, const Matrix& f, In unknown) const {
+  std::map<Kind, Vec> weights;
+  for (const auto& [kind, row] : rows_) weights[kind] = row(t);
+  Vec y = start_at(t, unknown);
+  for (Eigen::Index i = 0; i < y.size(); ++i)
+    y[i] += weights.at({component(i).order, component(i).side}).dot(f.col(i));
+  return y;
+}
+
+}  // namespace fde

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "two_sided/nodal_basis.hpp"
+
+namespace fde {
+
+// Values of y at all nodes, a row a node, and of the unknown initial values of a problem.
+struct NodalValues {
+  Matrix y;
+  Vec unknown;
+
+  // The largest of all.
+  [[nodiscard]] double size() const;
+};
+
+// By how far they miss the equations at the nodes and the conditions.
+struct NodalResidual {
+  Matrix rows;
+  Vec conditions;
+
+  [[nodiscard]] double norm() const;  // root of the mean square over the nodes, beside the conditions
+};
+
+// The Volterra form of a problem at all nodes of a basis at once,
+//   y_i = start_i + 1/Gamma(g_i) int (t-s)^(g_i-1) f_i ds,
+// right rows from the end; start_i is the Taylor part with the unknown initial values. Both must live as
+// long.
+class NodalEquations {
+ public:
+  // Throws std::invalid_argument for algebraic rows.
+  NodalEquations(const Problem& problem, const NodalBasis& basis);
+
+  // The Taylor parts, 0 for unknown initial values.
+  [[nodiscard]] NodalValues start() const;
+  [[nodiscard]] Matrix rhs(const Matrix& y) const;
+  [[nodiscard]] NodalResidual residual(const NodalValues& values) const;
+  // Newton's increment.
+  [[nodiscard]] NodalValues increment(const NodalValues& values, const NodalResidual& residual) const;
+
+  // y at any time, from f at the nodes.
+  [[nodiscard]] Vec at(BothShares t, const Matrix& f, In unknown) const;
+
+ private:
+  using Kind = std::pair<double, Side>;  // rows of one order and side share their weights
+
+  [[nodiscard]] Eigen::Index nodes() const { return std::ssize(basis_.nodes); }
+  [[nodiscard]] BothShares node(Eigen::Index m) const { return basis_.nodes[static_cast<std::size_t>(m)]; }
+  [[nodiscard]] const Component& component(Eigen::Index i) const;
+  [[nodiscard]] double own_time(Eigen::Index i, BothShares t) const;
+  [[nodiscard]] double time(BothShares t) const;
+  [[nodiscard]] Vec start_at(BothShares t, In unknown) const;
+  [[nodiscard]] Matrix start_of(In unknown) const;
+  [[nodiscard]] Vec conditions(const Matrix& y) const;
+  [[nodiscard]] Vec conditions_along(const Matrix& y, const Matrix& change) const;
+  [[nodiscard]] Matrix jacobian(BothShares t, const Vec& y) const;
+
+  // The power of its own time that an unknown initial value belongs to.
+  struct Unknown {
+    Eigen::Index component;
+    int power;
+  };
+
+  const Problem& problem_;
+  const NodalBasis& basis_;
+  std::vector<Unknown> unknown_;
+  std::map<Kind, NodalBasis::Row> rows_;  // the weights of f in y at any time
+  std::vector<Matrix> weights_;           // at the nodes, for each component
+};
+
+}  // namespace fde

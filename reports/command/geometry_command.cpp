@@ -1,0 +1,114 @@
+#include <fmt/ostream.h>
+
+#include <cmath>
+#include <optional>
+#include <ostream>
+#include <utility>
+
+#include "command/arguments.hpp"
+#include "command/command.hpp"
+#include "scenes/number_text.hpp"
+#include "scenes/registry.hpp"
+
+namespace fde {
+namespace {
+
+struct GeometryArguments {
+  std::string scene;
+  std::optional<std::string> place, velocity;
+  std::vector<std::string> settings;
+};
+
+// n numbers of an argument, or what stands at t = 0.
+Vec state_of(std::string_view name, const std::optional<std::string>& text, In at_start) {
+  if (!text) return at_start;
+  const auto numbers = parse_numbers(name, *text, any_number);
+  if (std::ssize(numbers) != at_start.size())
+    reject_text(name, *text, fmt::format("{} numbers, one a coordinate", at_start.size()));
+  return Eigen::Map<const Vec>(numbers.data(), std::ssize(numbers));
+}
+
+// Lines quantity,i,j,k,value. Indices are names of coordinates, of multipliers numbers. Collected first: what
+// is not finite leaves nothing printed.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> names) : names_(std::move(names)) {}
+
+  // indices: up to three.
+  void add_line(std::string_view quantity, const std::vector<std::string>& indices, double value) {
+    if (!std::isfinite(value)) throw NumericalFailure(fmt::format("the {} is not finite there", quantity));
+    text_ += quantity;
+    for (std::size_t place = 0; place < 3; ++place) {
+      text_ += ',';
+      if (place < indices.size()) text_ += indices[place];
+    }
+    text_ += fmt::format(",{:.17g}\n", value);
+  }
+  void add(std::string_view quantity, const std::vector<std::size_t>& indices, double value) {
+    std::vector<std::string> names;
+    for (const std::size_t index : indices) names.push_back(names_.at(index));
+    add_line(quantity, names, value);
+  }
+  void add(std::string_view quantity, const Vec& values) {
+    for (Eigen::Index i = 0; i < values.size(); ++i) add(quantity, {static_cast<std::size_t>(i)}, values[i]);
+  }
+  void add(std::string_view quantity, const Matrix& values) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(values.rows()); ++i) {
+      for (std::size_t j = 0; j < static_cast<std::size_t>(values.cols()); ++j)
+        add(quantity, {i, j}, values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    }
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::string text_ = "quantity,i,j,k,value\n";
+};
+
+std::string text_of(const std::vector<std::string>& names, const Geometry& geometry) {
+  Table table(names);
+  table.add("metric", geometry.metric);
+  for (std::size_t i = 0; i < geometry.christoffel.size(); ++i) {
+    const Matrix& symbols = geometry.christoffel[i];
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        const double symbol = symbols(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k));
+        table.add("christoffel", {i, j, k}, symbol);
+      }
+    }
+  }
+  table.add("connection", geometry.connection);
+  table.add("semispray", geometry.semispray);
+  for (Eigen::Index i = 0; i < geometry.multipliers.size(); ++i)
+    table.add_line("multiplier", {fmt::format("{}", i + 1)}, geometry.multipliers[i]);
+  table.add("constrained_semispray", geometry.constrained_semispray);
+  table.add("constrained_connection", geometry.constrained_connection);
+  return table.text();
+}
+
+void print_geometry(const GeometryArguments& arguments, const Streams& streams, const Scenes& known) {
+  const auto& maker = scene_named(arguments.scene, known);
+  const Scene scene = make_scene(maker, parse_settings(maker, arguments.settings));
+  if (!scene.geometry) reject_text("scene", maker.id, "one of mechanics with a metric and constraints");
+  const auto& names = scene.geometry.coordinates;
+  const auto n = std::ssize(names);
+  const Vec start = columns_at(scene.outputs, 0.0, taylor_part(scene.problem, 0.0));
+  const Vec q = state_of("--place", arguments.place, start.head(n)),
+            v = state_of("--velocity", arguments.velocity, start.segment(n, n));
+  streams.out << text_of(names, scene.geometry.at(q, v));
+}
+
+}  // namespace
+
+void add_geometry_command(CLI::App& app, const Streams& streams, const Scenes& known) {
+  auto arguments = std::make_shared<GeometryArguments>();
+  Subcommand command(app, "geometry",
+                     "Metric, Christoffel symbols, connection and semispray of a scene; CSV");
+  command.required("scene", arguments->scene, "id of a scene of mechanics");
+  command.list("--set", arguments->settings, "a parameter of the scene, NAME=VALUE");
+  command.option("--place", arguments->place, "coordinates Q1,Q2,...; default those at t = 0");
+  command.option("--velocity", arguments->velocity, "velocities V1,V2,...; default those at t = 0");
+  command.callback([=, &known] { print_geometry(*arguments, streams, known); });
+}
+
+}  // namespace fde

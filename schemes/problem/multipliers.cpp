@@ -1,0 +1,90 @@
+#include "problem/multipliers.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fde {
+namespace {
+
+Vec rhs_at_start(const Problem& problem, const Vec& y) {
+  Vec f(problem.size());
+  problem.rhs(0.0, y, f);
+  return f;
+}
+
+std::vector<Eigen::Index> algebraic_rows(const Problem& problem) {
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    if (algebraic(problem.components[static_cast<std::size_t>(i)])) rows.push_back(i);
+  }
+  return rows;
+}
+
+Matrix jacobian_at_start(const Problem& problem, Vec y) {
+  Matrix jacobian(y.size(), y.size());
+  if (evaluate_jacobian(problem, 0.0, y, jacobian)) return jacobian;
+  const double relative_step = std::cbrt(std::numeric_limits<double>::epsilon());
+  for (Eigen::Index j = 0; j < y.size(); ++j) {
+    const double value = y[j], move = relative_step * std::max(1.0, std::abs(value));
+    y[j] = value + move;
+    const Vec above = rhs_at_start(problem, y);
+    y[j] = value - move;
+    jacobian.col(j) = (above - rhs_at_start(problem, y)) / (2.0 * move);
+    y[j] = value;
+  }
+  return jacobian;
+}
+
+// What the unknowns answer to constraints that are off: a column a constraint.
+Matrix answers(const Problem& problem, const Matrix& jacobian, const std::vector<Eigen::Index>& constraints,
+               double length) {
+  Vec mass = Vec::Ones(problem.size()), scale(problem.size());
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    scale[i] = std::pow(length, order) / std::tgamma(order + 1.0);
+  }
+  for (const auto i : constraints) mass[i] = 0.0;
+  const Matrix equations = Matrix(mass.asDiagonal()) - scale.asDiagonal() * jacobian;
+  const Matrix off = Matrix::Identity(problem.size(), problem.size())(Eigen::all, constraints);
+  return equations.partialPivLu().solve(off);
+}
+
+}  // namespace
+
+std::vector<Eigen::Index> multipliers(const Problem& problem) {
+  const auto constraints = algebraic_rows(problem);
+  const Vec start = taylor_part(problem, 0.0);
+  std::vector<Eigen::Index> found;
+  for (const auto i : constraints) {
+    const Vec at_start = rhs_at_start(problem, start);
+    const bool held = std::ranges::any_of(std::initializer_list<double>{0.5, -1.25}, [&](double part) {
+      Vec moved = start;
+      moved[i] += part * std::max(1.0, std::abs(start[i]));
+      const Vec f = rhs_at_start(problem, moved);
+      return std::ranges::any_of(constraints, [&](Eigen::Index row) { return f[row] != at_start[row]; });
+    });
+    if (!held) found.push_back(i);
+  }
+  return found;
+}
+
+// The lengths are so far apart that other powers of h beside the leading one do not count, nor the sign of
+// what they add.
+double integrated_orders(const Problem& problem) {
+  constexpr double shorter = 1e-100, longer = 1e-20;  // of the end
+  const auto constraints = algebraic_rows(problem);
+  const Matrix jacobian = jacobian_at_start(problem, taylor_part(problem, 0.0));
+  const Matrix after_shorter = answers(problem, jacobian, constraints, shorter * problem.end),
+               after_longer = answers(problem, jacobian, constraints, longer * problem.end);
+  double most = 0.0;
+  for (const auto i : multipliers(problem)) {
+    const double grown =
+        after_shorter.row(i).lpNorm<Eigen::Infinity>() / after_longer.row(i).lpNorm<Eigen::Infinity>();
+    most = std::max(most, std::log(grown) / std::log(longer / shorter));
+  }
+  return most;
+}
+
+}  // namespace fde

@@ -1,0 +1,52 @@
+// Linear systems whose characteristic function cancels to 20 digits and more, since its orders are next to
+// each other.
+
+#include <gtest/gtest.h>
+
+#include "linear/linear_system.hpp"
+
+namespace fde {
+namespace {
+
+Reference of_order(double gamma, const Matrix& matrix, double x0, double y0) {
+  return linear_reference({.orders = {gamma, gamma}, .initial = {{x0}, {y0}}, .matrix = matrix});
+}
+
+void expect_value(const Reference& reference, const Vec& exact) {
+  const ReferenceValue known = reference.at(1.0);
+  for (Eigen::Index i = 0; i < exact.size(); ++i) {
+    EXPECT_NEAR(known.value[i], exact[i], known.bound[i] + 1e-16 * exact[i]);
+    EXPECT_LT(known.bound[i], 1e-15 * exact[i]);
+  }
+}
+
+// mpmath 1.3: E_g(z) = e^(z^(1/g)) / g + int_0^infinity e^-r K(r) dr, the jump of s^(g-1) / (s^g - z) at the
+// cut, by quadrature in log r down to -1e13 with 45 digits.
+
+// The zeros of s^2g - 2 s^g + 1 + g^2 are at log s = +-i, near enough, where the terms leave 1e-20 of
+// themselves.
+TEST(CloseOrders, TwoZerosOfATinyOrderAreFound) {
+  constexpr double gamma = 1e-10;
+  const Matrix turning = (Matrix(2, 2) << 1.0, -gamma, gamma, 1.0).finished();
+  expect_value(of_order(gamma, turning, 1.0, 0.0),
+               (Vec(2) << 6945447373.0401302839, 13713854153.017715070).finished());
+}
+
+TEST(CloseOrders, ADoubleZeroOfATinyOrderIsFound) {
+  const Matrix defective = (Matrix(2, 2) << 1.0, 1.0, 0.0, 1.0).finished();
+  expect_value(of_order(1e-10, defective, 1.0, 0.5),
+               (Vec(2) << 140388512124091313338.5, 11332672538.749244175).finished());
+}
+
+// (s^g - 1)(s^(2-g) + 4) = -1: zeros where s^2 balances what s^g - 1 leaves.
+TEST(CloseOrders, AZeroFarFromTheRadiiOfEqualTermsIsFound) {
+  const Reference solution = linear_reference({.orders = {1e-9, 2.0 - 1e-9},
+                                               .initial = {{1.0}, {0.5, 0.0}},
+                                               .matrix = (Matrix(2, 2) << 1.0, 1.0, -1.0, -4.0).finished()});
+  const ReferenceValue known = solution.at(1e-3);
+  EXPECT_TRUE(known.value.allFinite());
+  EXPECT_LT(known.bound[0], 1e-15 * std::abs(known.value[0]));
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,123 @@
+// Every scene with algebraic rows, in every formulation, by every scheme, on grids of every grading: an error
+// that falls with the number of steps, or a refusal. A number that does not come nearer to the truth is
+// neither.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "references/reference_of.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+// A motion up to an end, its parameters but for the formulation, and a name.
+struct ConstrainedMotion {
+  std::string name, scene;
+  ParameterValues values;
+  double end;
+};
+
+std::vector<ConstrainedMotion> motions() {
+  std::vector<ConstrainedMotion> all{{"nonholonomic_particle", "nonholonomic_particle", {}, 2.0},
+                                     {"knife_edge", "knife_edge", {}, 2.0},
+                                     {"rolling_disc", "rolling_disc", {}, 2.0},
+                                     {"loxodrome", "loxodrome", {}, 1.0},
+                                     {"isokinetic", "isokinetic", {}, 2.0}};
+  const auto add = [&](const std::string& scene, double alpha, ParameterValues values = {}) {
+    const auto percent = static_cast<int>(std::lround(100.0 * alpha));
+    values["alpha"] = alpha;
+    all.push_back({fmt::format("{}_{}", scene, percent), scene, values, 1.0});
+  };
+  for (const double alpha : {0.3, 0.5, 0.7, 0.9, 1.0}) add("fractional_constraint_2d", alpha);
+  for (const double alpha : {1.3, 1.5, 1.7}) {
+    add("fractional_constraint_2d", alpha, {{"b1", 0.6}, {"b2", 0.3}});  // a.b > 0: no mode that grows
+  }
+  for (const double alpha : {0.3, 0.5, 0.7, 0.9, 1.0}) add("fractional_knife_edge", alpha);
+  for (const double alpha : {0.2, 0.4, 0.5, 0.6, 0.7, 0.8}) add("fractional_constraint_nonlinear", alpha);
+  return all;
+}
+
+const std::vector<std::string>& formulations() {
+  static const std::vector<std::string> all{"integrated", "acceleration", "stabilised", "multiplier"};
+  return all;
+}
+
+// The scene in this formulation; nothing where it has none, or refuses it.
+std::optional<Scene> in_form(const ConstrainedMotion& motion, const std::string& formulation) {
+  ParameterValues values = motion.values;
+  values["formulation"] = formulation;
+  try {
+    return make_scene({.maker = &scene_maker(motion.scene), .values = values, .until = motion.end});
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+class AlgebraicRowsOfScenes
+    : public testing::TestWithParam<std::tuple<ConstrainedMotion, const Scheme*, double>> {
+ protected:
+  // Of the last step, relative to the size of each column; none where the run is refused.
+  static std::optional<double> error(const Scene& scene, const Scheme& scheme, const Grid& grid,
+                                     const Vec& exact) {
+    if (refusal(scheme, scene.problem, grid)) return std::nullopt;
+    const auto path = scheme.solve(scene.problem, grid, {.at = {grid.end}});
+    if (path.ending != Ending::finished) return std::nullopt;
+    const Vec last = columns_at(scene.outputs, grid.end, path.y.rightCols<1>());
+    return ((last - exact).array().abs() / (1.0 + exact.array().abs())).maxCoeff();
+  }
+};
+
+TEST_P(AlgebraicRowsOfScenes, ComeNearerToTheTruthOrAreRefused) {
+  const auto& [motion, scheme, grading] = GetParam();
+  const Vec exact = reference_of(*in_form(motion, "multiplier")).at(motion.end).value;
+  for (const auto& formulation : formulations()) {
+    const auto scene = in_form(motion, formulation);
+    if (!scene) continue;
+    std::vector<double> errors;
+    for (const int steps : {64, 256, 1024}) {
+      if (const auto found = error(*scene, *scheme, {motion.end, steps, grading}, exact))
+        errors.push_back(*found);
+    }
+    if (errors.empty()) continue;  // refused
+    ASSERT_EQ(errors.size(), 3U) << formulation;
+    for (std::size_t k = 1; k < errors.size(); ++k)
+      EXPECT_TRUE(errors[k] < errors[k - 1] / 2.0 || errors[k] < 1e-11)
+          << formulation << ' ' << k << ": " << errors[k];
+    EXPECT_LT(errors.back(), 0.05) << formulation;
+  }
+}
+
+std::string name_of_case(const testing::TestParamInfo<AlgebraicRowsOfScenes::ParamType>& test) {
+  const auto& [motion, scheme, grading] = test.param;
+  return fmt::format("{}__{}__{}", motion.name, scheme->id, grading);
+}
+
+INSTANTIATE_TEST_SUITE_P(, AlgebraicRowsOfScenes,
+                         testing::Combine(testing::ValuesIn(motions()), testing::ValuesIn(grid_schemes()),
+                                          testing::Values(1.0, 2.0, 3.0, 4.0)),
+                         name_of_case);
+
+// Every scene that has algebraic rows is above, and the implicit schemes take the form with them.
+TEST(ConstrainedMotions, AreOfAllScenesWithAlgebraicRows) {
+  for (const SceneMaker& maker : scenes()) {
+    const auto choice = std::ranges::find(maker.parameters, "formulation", &Parameter::name);
+    const bool has = choice != maker.parameters.end();
+    const auto all = motions();
+    EXPECT_EQ(has, std::ranges::count(all, maker.id, &ConstrainedMotion::scene) > 0) << maker.id;
+  }
+  for (const auto& motion : motions()) {
+    const Scene scene = *in_form(motion, "multiplier");
+    ASSERT_TRUE(std::ranges::any_of(scene.problem.components, algebraic));
+    for (const Scheme* scheme : grid_schemes()) {
+      const bool refused = refusal(*scheme, scene.problem, Grid{motion.end, 64}).has_value();
+      EXPECT_EQ(refused, !scheme->needs.implicit) << motion.name << ' ' << scheme->id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,71 @@
+// References of problems with algebraic rows: those that determine their own unknown, and those that
+// constrain others.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nonlinear/collocation.hpp"
+#include "references/reference_of.hpp"
+#include "support/algebraic_problems.hpp"
+#include "support/series_values.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+void expect_within_bounds(const ReferenceValue& found, const Vec& exact) {
+  for (Eigen::Index i = 0; i < exact.size(); ++i) {
+    EXPECT_NEAR(found.value[i], exact[i], found.bound[i]) << i;
+    EXPECT_LT(found.bound[i], 1e-13) << i;
+  }
+}
+
+// Power series in t^(1/10), 300 terms in 60 digits.
+TEST(AlgebraicRowsReference, OfASingularReactionIsThePowerSeries) {
+  for (const auto& [alpha, t, columns] : series_values()) {
+    auto scene =
+        scene_of("fractional_constraint_nonlinear", {{"alpha", alpha}, {"formulation", "multiplier"}});
+    scene.name.clear();  // not from a cache
+    scene.problem.end = t;
+    expect_within_bounds(reference_of(scene).at(t), columns);
+  }
+}
+
+TEST(AlgebraicRowsReference, OfAnUnknownThatCanBeEliminatedIsThatOfTheOthers) {
+  for (const double order : {0.5, 1.0, 1.5}) {
+    const Reference through = reference_solution(decay_through(order)),
+                    alone = reference_solution(decay(order));
+    for (const double t : {1e-3, 0.5, 2.0}) {
+      const Vec both = alone.at(t).value.replicate(2, 1);
+      expect_within_bounds(through.at(t), both);
+    }
+  }
+}
+
+// v' = -k q + a lambda under a.v + b.w = c0 against the form without multiplier.
+TEST(AlgebraicRowsReference, OfALinearConstraintIsThatOfTheIntegratedForm) {
+  const Plane plane{.alpha = 0.5};
+  const Reference with = reference_solution(plane.multiplier(0.0)),
+                  without = reference_solution(plane.integrated());
+  for (const double t : {1e-3, 0.5, 2.0}) {
+    const auto found = with.at(t), known = without.at(t);
+    for (const Eigen::Index k : {0, 1, 4, 5}) {
+      EXPECT_NEAR(found.value[k], known.value[k], found.bound[k] + known.bound[k]) << k;
+      EXPECT_LT(found.bound[k], 1e-13);
+    }
+  }
+}
+
+TEST(AlgebraicRowsReference, NeedsOrdersWhosePowersStartAboveTheSmallestDouble) {
+  const Plane plane{.alpha = 0.95};
+  EXPECT_THAT([&] { reference_table(plane.multiplier(0.0)); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("takes no order below 0.063 with algebraic rows")));
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,60 @@
+// `fdebench geometry`: what it prints, and what it refuses.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenes/number_text.hpp"
+#include "support/answer_of.hpp"
+
+namespace fde {
+namespace {
+
+// The value in the line that begins like this.
+double value_of(const std::string& text, const std::string& beginning) {
+  const auto at = text.find("\n" + beginning + ",");
+  if (at == std::string::npos) return std::nan("");
+  const auto from = at + beginning.size() + 2;
+  return *number_in(text.substr(from, text.find('\n', from) - from));
+}
+
+// On the unit sphere Gamma^theta_phi,phi = -sin cos and Gamma^phi_theta,phi = cot.
+TEST(GeometryCommand, PrintsTheSymbolsOfTheSphere) {
+  const auto answer = fdebench({"geometry", "loxodrome", "--place", "0.7,0", "--velocity", "0.3,0.2"});
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_EQ(answer.out.substr(0, 21), "quantity,i,j,k,value\n");
+  const double s = std::sin(0.7), c = std::cos(0.7);
+  EXPECT_NEAR(value_of(answer.out, "metric,phi,phi,"), s * s, 1e-15);
+  EXPECT_NEAR(value_of(answer.out, "christoffel,theta,phi,phi"), -s * c, 1e-15);
+  EXPECT_NEAR(value_of(answer.out, "christoffel,phi,theta,phi"), c / s, 1e-15);
+  EXPECT_NEAR(value_of(answer.out, "connection,theta,phi,"), -s * c * 0.2, 1e-15);
+  EXPECT_NEAR(value_of(answer.out, "semispray,theta,,"), -s * c * 0.04, 1e-15);
+  EXPECT_NEAR(value_of(answer.out, "semispray,phi,,"), 2.0 * c / s * 0.06, 1e-15);
+}
+
+// At rest the blade slides down along itself: no reaction, x'' = g sin(theta).
+TEST(GeometryCommand, TakesTheStartOfTheSceneWhereNoStateIsGiven) {
+  const auto answer = fdebench({"geometry", "knife_edge", "--set", "theta=0.3"});
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_EQ(value_of(answer.out, "multiplier,1,,"), 0.0);
+  EXPECT_NEAR(value_of(answer.out, "constrained_semispray,x,,"), -9.81 * std::sin(0.3), 1e-15);
+}
+
+// With memory the reaction is no function of a state.
+TEST(GeometryCommand, LeavesTheReactionOutWhereItRemembers) {
+  const auto answer = fdebench({"geometry", "fractional_knife_edge"});
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_NE(answer.out.find("semispray,"), std::string::npos);
+  EXPECT_EQ(answer.out.find("constrained_semispray"), std::string::npos);
+}
+
+TEST(GeometryCommand, RefusesWhatHasNoGeometry) {
+  EXPECT_EQ(fdebench({"geometry", "relaxation"}).code, 2);
+  const auto answer = fdebench({"geometry", "loxodrome", "--place", "1,2,3"});
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_NE(answer.err.find("--place = 1,2,3: must be 2 numbers, one a coordinate"), std::string::npos);
+  EXPECT_EQ(fdebench({"geometry", "loxodrome", "--place", "0,0"}).code, 3);
+}
+
+}  // namespace
+}  // namespace fde
