@@ -130,7 +130,7 @@ NodalValues NodalEquations::increment(const NodalValues& values, const NodalResi
   std::vector<Matrix> jacobians;
   for (Eigen::Index m = 0; m < nodes(); ++m)
     jacobians.push_back(jacobian(node(m), values.y.row(m).transpose()));
-  const LinearisedStep step(weights_, std::move(jacobians));
+  const LinearisedStep step(problem_, weights_, std::move(jacobians));
   const auto count = std::ssize(unknown_);
   NodalValues increment{step.solve(residual.rows), Vec::Zero(count)};
   if (count == 0) return increment;

@@ -42,7 +42,7 @@ std::vector<Vec> spread(const std::vector<Vec>& differences) {
 }  // namespace
 
 PanelTable two_sided_table(const Problem& problem) {
-  const PanelBasis fine(points), coarse(coarse_points);
+  const PanelBasis fine(points, PanelPoints::legendre), coarse(coarse_points, PanelPoints::legendre);
   const NodalBasis of_first = clustered_panels(fine, panels),
                    of_other = clustered_panels(coarse, coarse_panels), of_second = sinc_nodes(sinc_step);
   const NodalSolution first(problem, of_first), other(problem, of_other), second(problem, of_second);
