@@ -34,10 +34,11 @@ Starts starts_of(const Problem& problem) {
   const Starts starts{.panel = std::min(usual.panel, std::pow(rounding, 1.0 / order)),
                       .step = std::min(usual.step, std::pow(rounding, 0.5 / order)),
                       .weightless = std::min(usual.weightless, std::pow(early, 1.0 / order))};
-  if (starts.panel < shortest)
+  if (starts.panel < shortest) {
     throw std::runtime_error(
         fmt::format("collocation: takes no order below {:.2g} with algebraic rows, one is {:.3g}",
                     std::log(rounding) / std::log(shortest), order));
+  }
   return starts;
 }
 

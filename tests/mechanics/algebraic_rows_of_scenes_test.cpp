@@ -84,9 +84,10 @@ TEST_P(AlgebraicRowsOfScenes, ComeNearerToTheTruthOrAreRefused) {
     }
     if (errors.empty()) continue;  // refused
     ASSERT_EQ(errors.size(), 3U) << formulation;
-    for (std::size_t k = 1; k < errors.size(); ++k)
+    for (std::size_t k = 1; k < errors.size(); ++k) {
       EXPECT_TRUE(errors[k] < errors[k - 1] / 2.0 || errors[k] < 1e-11)
           << formulation << ' ' << k << ": " << errors[k];
+    }
     EXPECT_LT(errors.back(), 0.05) << formulation;
   }
 }
