@@ -50,9 +50,8 @@ void EnergyObserver::observe(double t, In columns) {
   if (seen_++ == 0) start_ = last_[2].energy;
   if (seen_ < 3) return;
 
-  const auto& [first, second, third] = last_;
   const auto parabola = [&](const auto& of) {
-    return Parabola({first.t, second.t, third.t}, {of(first), of(second), of(third)});
+    return Parabola({last_[0].t, last_[1].t, last_[2].t}, {of(last_[0]), of(last_[1]), of(last_[2])});
   };
   const Parabola power = parabola([](const Point& at) { return at.power; });
   const auto add = [&](const Point& from, const Point& to) {
@@ -64,8 +63,8 @@ void EnergyObserver::observe(double t, In columns) {
     }
     compare(to);
   };
-  if (seen_ == 3) add(first, second);
-  add(second, third);
+  if (seen_ == 3) add(last_[0], last_[1]);
+  add(last_[1], last_[2]);
 }
 
 void EnergyObserver::compare(const Point& at) {

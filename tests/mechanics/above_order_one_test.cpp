@@ -46,18 +46,18 @@ TEST(AboveOrderOne, TheReferenceTakesEveryConstant) {
 
 // f = a.v + b.w from the start on, where w(0) is along a.
 TEST(AboveOrderOne, BothFormsApproachItForEveryConstant) {
-  for (const auto& [alpha, constant, q1, q2, lambda] : known) {
+  for (const Known& at : known) {
     for (const auto* formulation : {"integrated", "multiplier"}) {
-      Scene scene = scene_of("fractional_constraint_2d", plane(alpha, constant, formulation));
+      Scene scene = scene_of("fractional_constraint_2d", plane(at.alpha, at.constant, formulation));
       scene.problem.end = 1.0;
       const auto error = [&](int steps) {
         const auto path = solve("product_trapezoidal", scene.problem, steps);
         EXPECT_LT(scene.constraint.drift(0.0, columns_of(scene.outputs, path).col(0)), 1e-15);
         EXPECT_LT(scene.constraint.drift(1.0, columns_of(scene.outputs, path).rightCols(1)), 1e-13);
-        return std::hypot(path.y(0, steps) - q1, path.y(1, steps) - q2);
+        return std::hypot(path.y(0, steps) - at.q1, path.y(1, steps) - at.q2);
       };
-      EXPECT_LT(error(1024), 2e-4) << alpha << formulation;
-      EXPECT_LT(error(1024), 0.55 * error(512)) << alpha << formulation;
+      EXPECT_LT(error(1024), 2e-4) << at.alpha << formulation;
+      EXPECT_LT(error(1024), 0.55 * error(512)) << at.alpha << formulation;
     }
   }
 }

@@ -98,6 +98,15 @@ TEST(FractionalConstraint1D, TakesEveryConstantAboveOne) {
   }
 }
 
+TEST(FractionalConstraint1D, ItsMultiplierStartsWithTheSecondDerivativeAboveTwo) {
+  for (const double constant : {0.5, 0.2}) {
+    const Scene scene = line({{"alpha", 2.5}, {"C0", constant}});
+    EXPECT_EQ((*scene.reactions.first)[0], 0.3);
+    EXPECT_NEAR(scene.reactions.exact.at(1e-14).value[0], 0.3, 1e-6);
+  }
+  EXPECT_FALSE(line({{"alpha", 1.5}, {"C0", 0.0}}).reactions.first);
+}
+
 TEST(FractionalConstraint1D, SchemesApproachTheConstraintThatIsZero) {
   for (const double alpha : {1.2, 1.5, 1.8, 2.5}) {
     Scene scene = line({{"alpha", alpha}, {"C0", 0.0}});

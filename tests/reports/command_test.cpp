@@ -61,6 +61,21 @@ TEST(Solve, PrintsTheTimesAskedForAndTheEnergy) {
   EXPECT_NEAR(row[5], 0.5 * row[3] * row[3] + 1.0 - std::cos(row[1]), 1e-15);
 }
 
+// Reactions behind the columns that were there before. They need neighbouring steps, which are not printed,
+// and have no value at a start where they are unbounded.
+TEST(Solve, PrintsTheReactionsBehindAllOtherColumns) {
+  const std::string run = "solve fractional_constraint_2d --scheme product_trapezoidal --steps 64";
+  const auto all = fdebench(run), some = fdebench(run + " --at 0,2.5,10");
+  EXPECT_THAT(some.out, StartsWith("t,q1,q2,v1,v2,w1,w2,energy,constraint,lambda,power\n0,"));
+  EXPECT_THAT(some.out, HasSubstr(",nan,nan\n"));
+  const auto every = rows(all.out), asked = rows(some.out);
+  ASSERT_EQ(every.size(), 65U);
+  ASSERT_EQ(asked.size(), 3U);
+  EXPECT_EQ(asked[1], every[16]);
+  EXPECT_EQ(asked[2], every[64]);
+  EXPECT_NEAR(asked[2][9], 0.83659602775236536, 0.02);
+}
+
 TEST(Solve, TellsItsCostAsOneJsonLine) {
   const auto answer =
       fdebench("solve brusselator --scheme product_trapezoidal --steps 512 --until 5 --at 5 --cost");
@@ -113,6 +128,21 @@ TEST(Exact, OfANonlinearSceneIsTheReferenceWithItsEstimate) {
   EXPECT_THAT(answer.out, StartsWith("t,phi,Dbeta_phi,dphi,Dalpha_phi,energy,bound\n"));
   EXPECT_LT(rows(answer.out)[0][6], 1e-10);
   EXPECT_NEAR(rows(answer.out)[0][1], 0.26091, 1e-4);
+}
+
+TEST(Exact, TellsTheReactions) {
+  const auto answer = fdebench("exact knife_edge --at 1 --set theta=0.5");
+  EXPECT_THAT(answer.out, StartsWith("t,x,y,phi,dx,dy,dphi,energy,constraint,lambda,power,bound\n"));
+  EXPECT_NEAR(rows(answer.out)[0][9], -2.0 * 9.81 * std::sin(0.5) * std::sin(1.0), 1e-14);
+  EXPECT_THAT(fdebench("exact fractional_knife_edge --at 1").out, Not(HasSubstr("lambda")));
+}
+
+// The form that a.b = 0 refuses to solve.
+TEST(Exact, DoesNotDependOnTheFormulation) {
+  const std::string scene =
+      "exact fractional_constraint_2d --at 3 --set alpha=1.5 --set b1=0.6 --set b2=-0.3";
+  EXPECT_EQ(fdebench(scene).code, 0);
+  EXPECT_EQ(fdebench(scene).out, fdebench(scene + " --set formulation=multiplier").out);
 }
 
 // e erfc(1), the first 50 digits by mpmath.
