@@ -1,0 +1,75 @@
+// The two methods behind the references of problems at both ends, each by itself.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenes/two_sided/made_problem.hpp"
+#include "support/testing.hpp"
+#include "two_sided/all_nodes.hpp"
+#include "two_sided/clustered_panels.hpp"
+#include "two_sided/sinc_nodes.hpp"
+#include "two_sided/solution.hpp"
+
+namespace fde {
+namespace {
+
+NodalBasis panels() {
+  static const PanelBasis fourteen(14);
+  return clustered_panels(fourteen, 9);
+}
+
+Vec at_nodes(const NodalBasis& basis, double (*f)(BothShares t)) {
+  return Vec::NullaryExpr(std::ssize(basis.nodes),
+                          [&](Eigen::Index m) { return f(basis.nodes[static_cast<std::size_t>(m)]); });
+}
+
+// J^g t^p = Gamma(p+1)/Gamma(p+1+g) t^(p+g), J^g (1-t) = t^g/Gamma(g+1) - t^(1+g)/Gamma(g+2).
+TEST(NodalBasis, IntegratesPowersOfBothEnds) {
+  for (const auto& [basis, off] : {std::pair{panels(), 5e-12}, {sinc_nodes(0.08), 1e-14}}) {
+    const Vec f = at_nodes(basis, [](BothShares t) { return std::pow(t.from_start, 0.4) + t.from_end; });
+    for (const double order : {0.3, 0.5, 1.0, 1.7}) {
+      const auto row = basis.rows(order);
+      for (const double t : {1e-6, 0.1, 0.5, 0.77, 0.999, 1.0}) {
+        const double exact = std::tgamma(1.4) / std::tgamma(1.4 + order) * std::pow(t, 0.4 + order) +
+                             std::pow(t, order) / std::tgamma(order + 1.0) -
+                             std::pow(t, 1.0 + order) / std::tgamma(order + 2.0);
+        EXPECT_NEAR(row({t, 1.0 - t}).dot(f), exact, off) << order << " " << t;
+      }
+    }
+  }
+}
+
+TEST(ClusteredTime, IsUndoneWithTheDigitsOfBothEnds) {
+  for (const double x : {1e-3, 0.2, 0.5, 0.9, 0.999}) {
+    const BothShares back = unclustered(clustered({x, 1.0 - x}));
+    EXPECT_NEAR(back.from_start, x, 1e-14 * x);
+    EXPECT_NEAR(back.from_end, 1.0 - x, 1e-12 * (1.0 - x));
+  }
+}
+
+// A row a side, below and above order 1, nonlinear.
+TEST(TwoSidedReference, IsTheMadeSolutionByEitherMethod) {
+  const Made made = made_problem({{0.6, 3.0, Side::left}, {1.7, 3.5, Side::right}}, 1.0);
+  for (const auto& basis : {panels(), sinc_nodes(0.08)}) {
+    const NodalSolution solution(made.problem, basis);
+    for (const double t : {0.01, 0.3, 0.5, 0.9, 0.99})
+      EXPECT_LT((solution.at({t, 1.0 - t}) - made.exact(t)).cwiseAbs().maxCoeff(), 1e-11) << t;
+  }
+  const Reference reference = two_sided_reference(two_sided_table(made.problem), made.problem.end);
+  for (const double t : {0.0, 0.01, 0.3, 0.5, 0.9, 1.0}) {
+    const auto [value, bound] = reference.at(t);
+    EXPECT_LT(bound.maxCoeff(), 1e-9);
+    EXPECT_TRUE(((value - made.exact(t)).cwiseAbs().array() <= bound.array()).all()) << t;
+  }
+  EXPECT_THROW((void)reference.at(1.5), std::invalid_argument);
+}
+
+TEST(TwoSidedReference, RefusesAlgebraicRows) {
+  const Problem problem{.components = {{0.0, {1.0}}, {1.0, {0.0}, Side::right}},
+                        .rhs = [](double, In y, Out f) { f << y[0] - 1.0, y[0]; }};
+  expect_message([&] { two_sided_table(problem); }, "takes no algebraic rows");
+}
+
+}  // namespace
+}  // namespace fde
