@@ -85,11 +85,11 @@ std::optional<QuickValue> prabhakar_series_quick(double alpha, const DoubleDoubl
     const DoubleDouble argument = beta + exact_product(j, alpha);
     const Value term = factor * reciprocal_gamma_of(argument);
     // Gamma of a large argument turns its rounding into as many more ulps.
-    const long double condition =
-        std::abs(to_long(argument)) * (1.0L + std::log1p(std::abs(to_long(argument))));
+    const long double size = 1.0L + std::abs(to_long(argument)), condition = size * (2.0L + std::ilogb(size));
     sum =
         sum + QuickValue{term, (few_ulps + (static_cast<long double>(j) + condition) * ulps) * size_of(term)};
     factor *= Value(z) * ((static_cast<long double>(gamma) + j) / (j + 1.0L));
+    if (size_of(factor) > ulps * size_of(sum.value)) continue;
     const auto rest =
         tail(alpha, to_long(beta + exact_product(j + 1, alpha)), gamma, j + 1, size_of(factor), modulus);
     if (!rest || *rest > ulps * size_of(sum.value)) continue;
