@@ -10,9 +10,9 @@
 #include "diffusive/stage_noise.hpp"
 #include "march/pace.hpp"
 #include "march/posed_problem.hpp"
-#include "progress/work.hpp"
 #include "march/rhs_at.hpp"
 #include "march/unit_increment.hpp"
+#include "progress/work.hpp"
 
 namespace fde {
 

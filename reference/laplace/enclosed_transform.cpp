@@ -25,7 +25,10 @@ std::vector<Sum<BigReal>> sum_over_nodes(const EnclosedTransform& transform,
       sum.scale *= 2;
     }
     sum.scale *= exp(BigReal(-contour.rise()));
-    if (!isfinite(size_of(sum.value))) throw std::runtime_error("enclosed transform: a sum is not finite");
+    if (isfinite(size_of(sum.value))) continue;
+    // A term was a quotient whose denominator came out as 0: more digits will tell.
+    sum.value = BigComplex(0);
+    sum.error = BigReal(std::numeric_limits<double>::infinity());
   }
   return sums;
 }

@@ -26,8 +26,10 @@ EnclosingContour::EnclosingContour(const std::vector<Point>& singularities, int 
   sigma_ = -infinity;
   for (const auto& s : singularities) sigma_ = std::max(sigma_, s.real());
   const Long width = std::numbers::ln10_v<Long> * static_cast<Long>(digits) + 6.0L;
+  // Far up, the real part of a singularity is known to the rounding of its modulus only.
   const auto matters = [&](const Point& s) {
-    return s.real() >= sigma_ - width - 2.0L - hints.growth * std::log1p(std::abs(s));
+    const Long size = std::abs(s), least = sigma_ - width - 2.0L - hints.growth * std::log1p(size);
+    return s.real() + 8.0L * epsilon<Long>() * size >= least;
   };
   std::vector<Point> enclosed, others;
   for (const auto& s : singularities) (matters(s) ? enclosed : others).push_back(s);

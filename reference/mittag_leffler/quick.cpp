@@ -11,16 +11,6 @@ namespace {
 
 using Value = std::complex<long double>;
 
-// 1/Gamma(x), with the distance from a pole of Gamma to all its digits.
-long double reciprocal_gamma_of(const DoubleDouble& x) {
-  const long double value = static_cast<long double>(x.hi) + x.lo;
-  if (value > 0.5L) return 1.0L / std::tgamma(value);
-  const double whole = std::round(x.hi);
-  const long double beyond = static_cast<long double>(x.hi - whole) + x.lo;
-  const long double sign = std::fmod(whole, 2.0) == 0.0 ? 1.0L : -1.0L;
-  return sign * std::sin(pi<long double>() * beyond) * std::tgamma(1.0L - value) / pi<long double>();
-}
-
 // So many terms of the head of the asymptotic expansion (forms.hpp).
 QuickValue head(const QuickArguments& x, int count) {
   const Value inverse = 1.0L / Value(x.z);
@@ -131,6 +121,15 @@ QuickValue times(const QuickValue& x, const Value& factor) {
 }
 
 }  // namespace
+
+long double reciprocal_gamma_of(const DoubleDouble& x) {
+  const long double value = static_cast<long double>(x.hi) + x.lo;
+  if (value > 0.5L) return 1.0L / std::tgamma(value);
+  const double whole = std::round(x.hi);
+  const long double beyond = static_cast<long double>(x.hi - whole) + x.lo;
+  const long double sign = std::fmod(whole, 2.0) == 0.0 ? 1.0L : -1.0L;
+  return sign * std::sin(pi<long double>() * beyond) * std::tgamma(1.0L - value) / pi<long double>();
+}
 
 std::optional<QuickValue> mittag_leffler_quick(double alpha, const DoubleDouble& beta,
                                                std::complex<double> z) {

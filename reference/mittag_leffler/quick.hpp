@@ -20,6 +20,9 @@ inline QuickValue operator+(const QuickValue& a, const QuickValue& b) {
 // Relative error of a few operations in long double.
 inline constexpr long double few_ulps = 16.0L * std::numeric_limits<long double>::epsilon();
 
+// 1/Gamma(x) to few_ulps, with the distance from a pole of Gamma to all its digits.
+long double reciprocal_gamma_of(const DoubleDouble& x);
+
 // Relative error that is good enough: with the rounding to double at most 6.5 ulp.
 inline constexpr long double quick_tolerance = 0x1.8p-51L;
 

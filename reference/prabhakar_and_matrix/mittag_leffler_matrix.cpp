@@ -73,9 +73,16 @@ EnclosingContour::Majorant majorant_of(const SchurForm& schur, Long alpha, Long 
   };
 }
 
+// Eigenvalues are as far off as the last digit of the largest entry: to 60 digits of what is of size 1.
+int digits_of_eigenvalues(const Read& read) {
+  constexpr int enough = 70, most = 1000;
+  BigReal largest(1);
+  for (const auto& entry : read().matrix.entries) largest = std::max(largest, size_of(entry));
+  return enough + std::min(most, static_cast<int>(BigReal(log10(largest)).convert_to<double>()));
+}
+
 EnclosedTransform transform_of(const Read& read) {
-  constexpr int enough_digits = 70;
-  const Precision precision(enough_digits);
+  const Precision precision(digits_of_eigenvalues(read));
   const Arguments x = read();
   const Long alpha = to_long(x.alpha), power = to_long(BigReal(x.alpha - x.beta));
   EnclosedTransform transform{.singularities = {},

@@ -21,8 +21,8 @@ struct MatrixValue {
 // alpha in (0, 5], real beta, up to 64 rows; arguments are taken for the doubles they are. Every entry is
 // almost correctly rounded; an entry 40 digits smaller than the integrand counts as 0. The bounds are
 // computed from norms of the resolvent and need no diagonalisation, but that the contour encloses all
-// eigenvalues rests on eigenvalues computed to 60 digits, and the part beyond the last node is an estimate.
-// Throws std::invalid_argument naming the argument; std::runtime_error when an entry overflows, no
+// eigenvalues rests on eigenvalues computed to 60 digits and more, and the part beyond the last node is an
+// estimate. Throws std::invalid_argument naming the argument; std::runtime_error when an entry overflows, no
 // digits in reach make it accurate, or eigenvalues are so large that the contour has too many nodes.
 MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matrix);
 MatrixValue mittag_leffler(double alpha, double beta, const Eigen::MatrixXd& matrix);

@@ -6,6 +6,7 @@
 
 #include "mittag_leffler/decimal_arguments.hpp"
 #include "numbers/raise_digits.hpp"
+#include "prabhakar_and_matrix/prabhakar_quick.hpp"
 #include "prabhakar_and_matrix/prabhakar_transform.hpp"
 
 namespace fde {
@@ -70,6 +71,20 @@ MittagLefflerValue in_double(const Request& request) {
   return {request.read().real() ? std::complex(re) : std::complex(re, im), bound};
 }
 
+// Of a quick evaluation for Im z >= 0, conjugate for others, times a factor that is a whole number; empty
+// where it has none.
+template <class Quick>
+std::optional<MittagLefflerValue> quickly(const Quick& quick, std::complex<double> z, double factor) {
+  const bool mirrored = z.imag() < 0.0;
+  const auto known = quick(mirrored ? std::conj(z) : std::complex(z.real(), std::abs(z.imag())));
+  if (!known) return std::nullopt;
+  const long double times = factor, rounding = few_ulps * size_of(known->value);
+  const auto [value, bound] = to_double(times * known->value, times * (known->error + rounding));
+  if (!std::isfinite(bound)) return std::nullopt;
+  if (z.imag() == 0.0) return MittagLefflerValue{std::complex(value.real() + 0.0), bound};
+  return MittagLefflerValue{mirrored ? std::conj(value) : value, bound};
+}
+
 DecimalComplex in_digits(const std::string& function, const Request& request, int digits) {
   require_digits(function, digits);
   const Precision precision(digits + 20 + request.places);
@@ -92,6 +107,14 @@ void require_arguments(const std::string& name, double alpha, double beta, doubl
 
 MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::complex<double> z) {
   require_arguments("prabhakar", alpha, beta, gamma, z);
+  const auto quick = [&](std::complex<double> upper) -> std::optional<QuickValue> {
+    constexpr double most = 9.0;
+    const bool derivative = gamma >= 1.0 && gamma <= most && is_whole(gamma);
+    if (!derivative) return prabhakar_series_quick(alpha, {beta, 0.0}, gamma, upper);
+    return derivative_quick(static_cast<int>(gamma) - 1, alpha,
+                            DoubleDouble{beta, 0.0} + exact_product(1.0 - gamma, alpha), upper);
+  };
+  if (const auto value = quickly(quick, z, 1.0)) return *value;
   return in_double(
       {fmt::format("prabhakar({}, {}, {}, z = {} {:+} i)", alpha, beta, gamma, z.real(), z.imag()),
        [=] {
@@ -103,6 +126,10 @@ MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::compl
 MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, std::complex<double> z) {
   require_derivative(k);
   require_arguments("mittag_leffler_derivative", alpha, beta, 1.0, z);
+  const auto quick = [&](std::complex<double> upper) {
+    return derivative_quick(k, alpha, {beta, 0.0}, upper);
+  };
+  if (const auto value = quickly(quick, z, std::tgamma(k + 1.0))) return *value;
   return in_double(
       {fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} {:+} i)", k, alpha, beta, z.real(),
                    z.imag()),

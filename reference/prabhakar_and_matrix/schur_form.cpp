@@ -8,17 +8,9 @@ namespace fde {
 namespace {
 
 using Long = long double;
-using Wide = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60>,
-                                           boost::multiprecision::et_off>;
-using WideMatrix = Eigen::Matrix<Wide, Eigen::Dynamic, Eigen::Dynamic>;
+using WideMatrix = Eigen::Matrix<BigReal, Eigen::Dynamic, Eigen::Dynamic>;
 
 constexpr Long infinity = std::numeric_limits<Long>::infinity();
-
-Wide wide(const BigReal& x) {
-  Wide value;
-  mpfr_set(value.backend().data(), x.backend().data(), MPFR_RNDN);
-  return value;
-}
 
 bool is_real(const BigMatrix& matrix) {
   return std::ranges::all_of(matrix.entries, [](const BigComplex& x) { return imag_part<BigReal>(x) == 0; });
@@ -30,10 +22,10 @@ WideMatrix as_real(const BigMatrix& matrix) {
   WideMatrix real(size, size);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
-      const Wide re = wide(real_part<BigReal>(matrix(i, j)));
+      const auto re = real_part<BigReal>(matrix(i, j));
       real(i, j) = re;
       if (size == n) continue;
-      const Wide im = wide(imag_part<BigReal>(matrix(i, j)));
+      const auto im = imag_part<BigReal>(matrix(i, j));
       real(n + i, n + j) = re;
       real(n + i, j) = im;
       real(i, n + j) = -im;
@@ -42,14 +34,14 @@ WideMatrix as_real(const BigMatrix& matrix) {
   return real;
 }
 
-SchurForm::Point log_of(const Wide& re, const Wide& im) {
+SchurForm::Point log_of(const BigReal& re, const BigReal& im) {
   constexpr Long log_of_zero = -11000.0L;
-  const Wide square = re * re + im * im;
+  const BigReal square = re * re + im * im;
   if (square == 0) return log_of_zero;
-  return {Wide(log(square) / 2).convert_to<Long>(), Wide(atan2(im, re)).convert_to<Long>()};
+  return {BigReal(log(square) / 2).convert_to<Long>(), BigReal(atan2(im, re)).convert_to<Long>()};
 }
 
-SchurForm::Point long_point(const Wide& re, const Wide& im) {
+SchurForm::Point long_point(const BigReal& re, const BigReal& im) {
   return {re.convert_to<Long>(), im.convert_to<Long>()};
 }
 
@@ -61,24 +53,25 @@ SchurForm::SchurForm(const BigMatrix& matrix) {
     throw std::runtime_error("the iteration for the eigenvalues did not converge");
   const WideMatrix& t = schur.matrixT();
   const auto size = static_cast<int>(t.rows());
-  sizes_ = t.cwiseAbs().unaryExpr([](const Wide& x) { return x.convert_to<Long>(); });
+  sizes_ = t.cwiseAbs().unaryExpr([](const BigReal& x) { return x.convert_to<Long>(); });
   for (int i = 0; i < size;) {
     const bool pair = i + 1 < size && t(i + 1, i) != 0;
     if (!pair) {
-      blocks_.push_back({i, 1, {long_point(t(i, i), 0), 0.0L}, {long_point(t(i, i), 0), 0.0L}});
-      log_eigenvalues_.push_back(log_of(t(i, i), 0));
+      blocks_.push_back(
+          {i, 1, {long_point(t(i, i), BigReal(0)), 0.0L}, {long_point(t(i, i), BigReal(0)), 0.0L}});
+      log_eigenvalues_.push_back(log_of(t(i, i), BigReal(0)));
       ++i;
       continue;
     }
-    const Wide mean = (t(i, i) + t(i + 1, i + 1)) / 2, half = (t(i, i) - t(i + 1, i + 1)) / 2;
-    const Wide square = half * half + t(i, i + 1) * t(i + 1, i), root = sqrt(Wide(abs(square)));
+    const BigReal mean = (t(i, i) + t(i + 1, i + 1)) / 2, half = (t(i, i) - t(i + 1, i + 1)) / 2;
+    const BigReal square = half * half + t(i, i + 1) * t(i + 1, i), root = sqrt(BigReal(abs(square)));
     const bool real = square >= 0;
-    const Wide first = real ? Wide(mean + root) : mean, second = real ? Wide(mean - root) : mean;
-    const Wide im = real ? Wide(0) : root;
+    const BigReal first = real ? BigReal(mean + root) : mean, second = real ? BigReal(mean - root) : mean;
+    const BigReal im = real ? BigReal(0) : root;
     blocks_.push_back({i,
                        2,
                        {long_point(first, im), long_point(second, -im)},
-                       {long_point(t(i, i), 0), long_point(t(i + 1, i + 1), 0)}});
+                       {long_point(t(i, i), BigReal(0)), long_point(t(i + 1, i + 1), BigReal(0))}});
     log_eigenvalues_.push_back(log_of(first, im));
     log_eigenvalues_.push_back(log_of(second, -im));
     i += 2;

@@ -8,8 +8,8 @@
 
 namespace fde {
 
-// The real Schur form T = U^T A U of a square matrix, to 60 digits; of a complex A + iB that of the real
-// matrix [A -B; B A], which has the conjugate eigenvalues as well.
+// The real Schur form T = U^T A U of a square matrix, at the precision in force; of a complex A + iB that of
+// the real matrix [A -B; B A], which has the conjugate eigenvalues as well.
 class SchurForm {
  public:
   using Point = std::complex<long double>;

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "certificate/judge.hpp"
+#include "certificate/prabhakar.hpp"
 
 namespace fde::certificate {
 namespace {
@@ -21,6 +22,7 @@ namespace {
 struct Options {
   int every = 1, worst = 10, slowest = 0, digits = 50;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  int prabhakar = 0;
   std::string region, out;
 };
 
@@ -133,6 +135,35 @@ void write_table(const std::vector<Judgement>& rows, const std::string& path) {
   if (!file) throw std::runtime_error(fmt::format("--out {}: cannot be written", path));
 }
 
+// Derivatives, then Prabhakar's function, a line each.
+int run_prabhakar(int points) {
+  int faulty = 0;
+  fmt::print("{:24} {:>6} {:>7} {:>10} {:>16}\n", "function", "points", "faulty", "worst ulp",
+             "median double us");
+  for (const int kind : {0, 1}) {
+    std::vector<double> times;
+    double worst = 0.0;
+    int wrong = 0;
+    for (int i = kind; i < points; i += 2) {
+      const PrabhakarJudgement row = judge(prabhakar_point(i));
+      times.push_back(row.seconds);
+      worst = std::max(worst, row.ulps);
+      wrong += row.faults.empty() ? 0 : 1;
+      const auto& [alpha, beta, gamma, z, derivative] = row.point;
+      for (const auto& fault : row.faults) {
+        fmt::print(
+            "  FAULT {}: alpha {:.17g} beta {:.17g} gamma {:.17g} z {:.17g}{:+.17g}i derivative {}: {} ulp\n",
+            fault, alpha, beta, gamma, z.real(), z.imag(), derivative, row.ulps);
+      }
+    }
+    std::ranges::sort(times);
+    fmt::print("{:24} {:6} {:7} {:10.3f} {:16.2f}\n", kind == 0 ? "derivatives" : "prabhakar", times.size(),
+               wrong, worst, times.empty() ? 0.0 : 1e6 * times[times.size() / 2]);
+    faulty += wrong;
+  }
+  return faulty == 0 ? 0 : 1;
+}
+
 int run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Judgement> rows = judge_all(chosen_points(options), options);
@@ -162,7 +193,10 @@ int main(int argc, char** argv) try {
   app.add_option("--digits", options.digits, "digits of the second face; 0 leaves it out");
   app.add_option("--threads", options.threads, "threads")->check(CLI::PositiveNumber);
   app.add_option("--out", options.out, "write the certified values to that CSV file");
+  app.add_option("--prabhakar", options.prabhakar,
+                 "that many points of derivatives and Prabhakar's function instead");
   CLI11_PARSE(app, argc, argv);
+  if (options.prabhakar > 0) return fde::certificate::run_prabhakar(options.prabhakar);
   return fde::certificate::run(options);
 } catch (const std::invalid_argument& error) {
   std::cerr << error.what() << '\n';

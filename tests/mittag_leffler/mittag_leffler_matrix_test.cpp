@@ -43,6 +43,23 @@ TEST(MittagLefflerOfAMatrix, OfOrderOneIsTheExponential) {
   expect_near(mittag_leffler(1.0, 1.0, a), a.exp().cast<Value>(), 1e-13, "exp");
 }
 
+// A = s (P - I) 4 with a projector P: E(A) = P + E(-4 s) (I - P), for any s. Eigenvalues are 0 and -4 s.
+TEST(MittagLefflerOfAMatrix, OfASingularMatrixOfAnySize) {
+  MatrixXd a(2, 2), projector(2, 2);
+  a << -2.0, 1.0, 4.0, -2.0;
+  projector << 0.5, 0.25, 1.0, 0.5;
+  for (const double size : {1e20, 1e100, 1e300})
+    expect_near(mittag_leffler(0.5, 1.0, MatrixXd(size * a)), projector.cast<Value>(), 1e-19,
+                fmt::format("{}", size));
+}
+
+// E_2(-2 s) = cos sqrt(2 s) turns 1e50 times: refused, not left out.
+TEST(MittagLefflerOfAMatrix, RefusesEigenvaluesTooFarUp) {
+  MatrixXd a(2, 2);
+  a << -1.0, 1.0, 1.0, -1.0;
+  EXPECT_THROW(mittag_leffler(2.0, 1.0, MatrixXd(1e100 * a)), std::runtime_error);
+}
+
 // V f(D) V^-1 with a V of small whole numbers whose inverse is exact.
 TEST(MittagLefflerOfAMatrix, ActsOnEigenvalues) {
   MatrixXd v(3, 3);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "mittag_leffler/mittag_leffler.hpp"
+#include "prabhakar_and_matrix/prabhakar.hpp"
 
 namespace {
 
@@ -26,19 +27,22 @@ using Random = std::function<double()>;  // uniform in (0, 1)
 struct Region {
   std::string_view name;
   std::function<Arguments(const Random&)> draw;
+  std::function<double(const Arguments&)> call = [](const Arguments& x) {
+    return fde::mittag_leffler(x.alpha, x.beta, x.z);
+  };
 };
 
-double seconds_of(const Arguments& x) {
+double seconds_of(const Region& region, const Arguments& x) {
   const auto start = std::chrono::steady_clock::now();
-  [[maybe_unused]] const volatile double value = fde::mittag_leffler(x.alpha, x.beta, x.z);
+  [[maybe_unused]] const volatile double value = region.call(x);
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double undisturbed_seconds(const Arguments& x) {
+double undisturbed_seconds(const Region& region, const Arguments& x) {
   constexpr double long_time = 20e-6;
-  double seconds = seconds_of(x);
+  double seconds = seconds_of(region, x);
   for (int repeat = 0; seconds > long_time && repeat < 3; ++repeat)
-    seconds = std::min(seconds, seconds_of(x));
+    seconds = std::min(seconds, seconds_of(region, x));
   return seconds;
 }
 
@@ -77,13 +81,36 @@ std::vector<Region> regions() {
            }}};
 }
 
+// Of the last of the functions: with |z| up to `largest`.
+Arguments up_to(double largest, const Random& random) {
+  const double alpha = 2.0 - 1.8 * random();
+  return {alpha, any_beta(alpha, random), -power_of_ten(-3.0, largest, random)};
+}
+
+std::vector<Region> other_functions() {
+  const auto derivative = [](int k) {
+    return [k](const Arguments& x) {
+      return fde::mittag_leffler_derivative(k, x.alpha, x.beta, x.z).value.real();
+    };
+  };
+  const auto far = [](const Random& random) { return up_to(4.0, random); };
+  const auto near = [](const Random& random) { return up_to(0.0, random); };
+  const auto prabhakar = [](const Arguments& x) {
+    return fde::prabhakar(x.alpha, x.beta, 1.5, x.z).value.real();
+  };
+  return {{"first derivative", far, derivative(1)},
+          {"second derivative", far, derivative(2)},
+          {"fourth derivative", far, derivative(4)},
+          {"Prabhakar gamma = 1.5, |z| <= 1", near, prabhakar}};
+}
+
 void print_row(const Region& region, int points) {
   std::mt19937_64 generator(
       4);  // NOLINT(bugprone-random-generator-seed,cert-msc51-cpp): the same rows each time
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const Random random = [&] { return uniform(generator); };
   std::vector<double> times;
-  for (int i = 0; i < points; ++i) times.push_back(1e6 * undisturbed_seconds(region.draw(random)));
+  for (int i = 0; i < points; ++i) times.push_back(1e6 * undisturbed_seconds(region, region.draw(random)));
   std::ranges::sort(times);
   const auto quantile = [&](double part) { return times[static_cast<std::size_t>(part * (points - 1))]; };
   fmt::print("{},{},{:.2f},{:.2f},{:.2f},{:.2f}\n", region.name, points, quantile(0.5), quantile(0.95),
@@ -97,4 +124,5 @@ int main() {
   fde::mittag_leffler(0.5, 1.0, -1.0);  // makes the tables
   fmt::print("region,points,median,95 %,99.9 %,worst\n");
   for (const Region& region : regions()) print_row(region, points);
+  for (const Region& region : other_functions()) print_row(region, points / 20);
 }
