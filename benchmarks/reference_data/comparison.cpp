@@ -27,7 +27,7 @@ WrittenNumber number_at(const DataTable& table, std::size_t row, std::size_t col
 
 BigReal power_of_ten(int exponent) { return pow(BigReal(10), exponent); }
 
-std::string shown(const BigReal& x) { return text_of(x, 3); }
+std::string shown(const BigReal& x) { return x == 0 ? "0" : text_of(x, "%.*Re", 2); }
 
 // Half a unit of the last place of the double nearest to x.
 BigReal rounding_to_double(const BigReal& x) {

@@ -29,7 +29,6 @@ PosedProblem posed_for_reference(const Scene& scene) {
 
 Reference reference_of(const Scene& scene) {
   if (scene.reference.at) return scene.reference;
-  if (!scene.no_reference.empty()) throw std::runtime_error(scene.no_reference);
   const auto [problem, outputs] = posed_for_reference(scene);
   if (scene.name.empty()) return through(outputs, computed_reference(problem));
   return through(outputs, cached_reference(scene.name, problem, ReferenceCache(cache_folder())));

@@ -67,6 +67,11 @@ Vec reaction_values(const Scene& scene, double t, In columns, const std::optiona
   return with_power(scene, t, columns, lambda);
 }
 
+Vec exact_reactions(const Scene& scene, double t, In columns) {
+  if (scene.reactions.of_columns() || t == 0.0) return reaction_values(scene, t, columns, std::nullopt);
+  return with_power(scene, t, columns, scene.reactions.exact.at(t).value);
+}
+
 Rows columns_of(const Outputs& outputs, const Trajectory& path) {
   if (!outputs.of) return path.y;
   Rows columns(static_cast<Eigen::Index>(outputs.names.size()), path.y.cols());

@@ -56,8 +56,8 @@ struct Memory {
 // The multipliers lambda of the constraints, and the power v.(df/dv)^T lambda that their reactions exchange.
 struct Reactions {
   std::vector<std::string> names{};  // of the multipliers
-  // lambda(t, columns, rates), rates the d/dt of the columns `rated`; these leave their values at 0 with powers
-  // of t, and rates need not be finite there.
+  // lambda(t, columns, rates), rates the d/dt of the columns `rated`; these leave their values at 0 with
+  // powers of t, and rates need not be finite there.
   std::vector<Eigen::Index> rated{};
   std::vector<double> powers{};
   std::function<void(double t, In columns, In rates, Out lambda)> multipliers{};
@@ -67,6 +67,8 @@ struct Reactions {
   explicit operator bool() const { return static_cast<bool>(multipliers); }
   // Whether the columns of a time tell lambda.
   [[nodiscard]] bool of_columns() const { return multipliers && rated.empty(); }
+  // Whether lambda is known as exactly as the columns are.
+  [[nodiscard]] bool known() const { return of_columns() || static_cast<bool>(exact.at); }
 };
 
 // The geometry of a mechanical system with T = 1/2 g_ij v^i v^j at a place q and a velocity v (Niminet &
@@ -82,9 +84,10 @@ struct Geometry {
   Matrix constrained_connection;
 };
 
-// The names of the coordinates, and the geometry at any state.
+// The names of the coordinates, the state at t = 0, and the geometry at any.
 struct StateGeometry {
   std::vector<std::string> coordinates{};
+  Vec place{}, velocity{};
   std::function<Geometry(In q, In v)> at{};
   explicit operator bool() const { return static_cast<bool>(at); }
 };
@@ -104,8 +107,7 @@ struct Scene {
   Outputs outputs{};
   Reference reference{};  // of the columns
   std::optional<PosedProblem>
-      reference_problem{};     // the same equations for a reference; empty: the problem itself
-  std::string no_reference{};  // why nothing is known, where nothing is
+      reference_problem{};  // the same equations for a reference; empty: the problem itself
   Energy energy{};
   Constraint constraint{};
   std::vector<Memory> memories{};  // the columns that the drift evaluates independently
@@ -133,9 +135,11 @@ Vec printed_values(const Scene& scene, double t, In columns);
 
 // The multipliers and `power`, that of the reactions.
 std::vector<std::string> reaction_names(const Scene& scene);
-// Rates: of the columns that are rated; nothing: lambda is what it is at the start. NaN where it is unbounded.
+// Rates: of the columns that are rated; nothing: lambda is what it is at the start. NaN where it is
+// unbounded.
 Vec reaction_values(const Scene& scene, double t, In columns, const std::optional<Vec>& rates);
-// The same of multipliers that are known.
+// The same of multipliers that are known, and of those that are exactly known at any time.
 Vec with_power(const Scene& scene, double t, In columns, const Vec& lambda);
+Vec exact_reactions(const Scene& scene, double t, In columns);
 
 }  // namespace fde

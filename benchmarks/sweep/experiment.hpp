@@ -17,7 +17,7 @@ std::vector<Record> examine(const SceneSettings& name, const Scene& scene, Watch
 
 // How often a run is timed: `most` times, more where that takes less than what a clock can tell, no more once
 // it has taken enough seconds.
-inline constexpr double least_timed_seconds = 0.02;
+inline constexpr double least_timed_seconds = 0.01;
 struct Repeats {
   int most = 3;
   double enough_seconds = 10.0;

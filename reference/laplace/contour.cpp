@@ -15,11 +15,11 @@ Contour<Real>::Contour(const Real& mu, const Real& omega, const Real& depth, boo
   const Real step = 2 * pi<Real>() / omega;
   const Real end = sqrt(1 + depth / mu);  // mu (1 - theta^2) = -depth
   const Real log_mu = log(mu), scale = step * mu / pi<Real>();
+  const auto count = static_cast<std::size_t>(static_cast<double>(end / step)) + 1;
   for (int k = 0;; ++k) {
     const Real theta = (k + shift_) * step;
     if (theta > end) break;
-    if constexpr (std::is_same_v<Real, BigReal>)
-      report_work(static_cast<std::size_t>(k), static_cast<std::size_t>(static_cast<double>(end / step)) + 1);
+    if constexpr (std::is_same_v<Real, BigReal>) report_work(static_cast<std::size_t>(k), count);
     const Complex<Real> root(Real(1), theta);
     const Complex<Real> s(mu * (1 - theta * theta), 2 * mu * theta);
     const Real half = theta == 0 ? Real(1) / 2 : Real(1);  // its own conjugate: counted twice

@@ -108,11 +108,13 @@ void require_arguments(const std::string& name, double alpha, double beta, doubl
 MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::complex<double> z) {
   require_arguments("prabhakar", alpha, beta, gamma, z);
   const auto quick = [&](std::complex<double> upper) -> std::optional<QuickValue> {
-    constexpr double most = 9.0;
-    const bool derivative = gamma >= 1.0 && gamma <= most && is_whole(gamma);
-    if (!derivative) return prabhakar_series_quick(alpha, {beta, 0.0}, gamma, upper);
-    return derivative_quick(static_cast<int>(gamma) - 1, alpha,
-                            DoubleDouble{beta, 0.0} + exact_product(1.0 - gamma, alpha), upper);
+    const bool derivative = gamma >= 1.0 && gamma <= most_quick_derivative + 1.0 && is_whole(gamma);
+    if (!derivative || std::abs(upper) < series_radius) {
+      const auto series = prabhakar_series_quick(alpha, {beta, 0.0}, gamma, upper);
+      if (series || !derivative) return series;
+    }
+    return derivative_by_recurrence(static_cast<int>(gamma) - 1, alpha,
+                                    DoubleDouble{beta, 0.0} + exact_product(1.0 - gamma, alpha), upper);
   };
   if (const auto value = quickly(quick, z, 1.0)) return *value;
   return in_double(
@@ -126,9 +128,7 @@ MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::compl
 MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, std::complex<double> z) {
   require_derivative(k);
   require_arguments("mittag_leffler_derivative", alpha, beta, 1.0, z);
-  const auto quick = [&](std::complex<double> upper) {
-    return derivative_quick(k, alpha, {beta, 0.0}, upper);
-  };
+  const auto quick = [&](std::complex<double> upper) { return derivative_quick(k, alpha, beta, upper); };
   if (const auto value = quickly(quick, z, std::tgamma(k + 1.0))) return *value;
   return in_double(
       {fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} {:+} i)", k, alpha, beta, z.real(),

@@ -25,7 +25,6 @@ std::optional<long double> tail(double alpha, long double argument, double gamma
   return size * largest_reciprocal / (1.0L - ratio);
 }
 
-// beta may be off by rounding: sums of double-doubles are good to 2^-104 of their terms.
 QuickValue with_factor(const QuickValue& x, const Value& factor, long double relative_error) {
   const Value value = x.value * factor;
   return {value, size_of(factor) * x.error + (relative_error + few_ulps) * size_of(value)};
@@ -99,18 +98,20 @@ std::optional<QuickValue> prabhakar_series_quick(double alpha, const DoubleDoubl
   return std::nullopt;
 }
 
-std::optional<QuickValue> derivative_quick(int k, double alpha, const DoubleDouble& beta,
-                                           std::complex<double> z) {
-  constexpr double small = 0.4;
-  constexpr int most = 8;
-  if (k > most) return std::nullopt;
-  if (std::abs(z) < small) {
-    const auto series = prabhakar_series_quick(alpha, beta + exact_product(k, alpha), k + 1.0, z);
-    if (series) return series;
-  }
-  if (z == 0.0) return std::nullopt;
+std::optional<QuickValue> derivative_by_recurrence(int k, double alpha, const DoubleDouble& beta,
+                                                   std::complex<double> z) {
+  if (k > most_quick_derivative || z == 0.0) return std::nullopt;
   const auto value = by_recurrence(k, alpha, beta, z);
   return value && is_good(*value) ? value : std::nullopt;
+}
+
+std::optional<QuickValue> derivative_quick(int k, double alpha, double beta, std::complex<double> z) {
+  const DoubleDouble exact{beta, 0.0};
+  if (std::abs(z) < series_radius && k <= most_quick_derivative) {
+    const auto series = prabhakar_series_quick(alpha, exact + exact_product(k, alpha), k + 1.0, z);
+    if (series) return series;
+  }
+  return derivative_by_recurrence(k, alpha, exact, z);
 }
 
 }  // namespace fde

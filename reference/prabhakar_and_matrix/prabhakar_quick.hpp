@@ -10,11 +10,17 @@ namespace fde {
 std::optional<QuickValue> prabhakar_series_quick(double alpha, const DoubleDouble& beta, double gamma,
                                                  std::complex<double> z);
 
-// The k-th derivative of E_{alpha,beta} in z over k!, E^(k+1)_{alpha,beta+k alpha}(z): by those terms, or
-// from
+// The k-th derivative of E_{alpha,beta} in z over k!, E^(k+1)_{alpha,beta+k alpha}(z), for k up to
+// most_quick_derivative from
 //   alpha z E'_{alpha,beta} = E_{alpha,beta-1} - (beta - 1) E_{alpha,beta},
-// k times, which loses about |z|^k.
-std::optional<QuickValue> derivative_quick(int k, double alpha, const DoubleDouble& beta,
-                                           std::complex<double> z);
+// k times, which loses about |z|^k. beta may be off by the rounding of a double-double: that shows in the
+// value for |z| far below series_radius only, where the loss has made it useless.
+inline constexpr int most_quick_derivative = 8;
+std::optional<QuickValue> derivative_by_recurrence(int k, double alpha, const DoubleDouble& beta,
+                                                   std::complex<double> z);
+
+// Below this |z| the series is tried first.
+inline constexpr double series_radius = 0.4;
+std::optional<QuickValue> derivative_quick(int k, double alpha, double beta, std::complex<double> z);
 
 }  // namespace fde

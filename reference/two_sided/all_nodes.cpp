@@ -5,14 +5,18 @@
 #include <limits>
 #include <stdexcept>
 
+#include "progress/work.hpp"
+
 namespace fde {
 namespace {
 
-constexpr int most_iterations = 60, most_halvings = 20;
+constexpr std::size_t most_iterations = 60;
+constexpr int most_halvings = 20;
 constexpr double rounding = 1e-13, small = 1e-9;
 
-// Takes the largest of the increment, its half, ... that brings the residual down, and returns its size.
-// Increments that are small are taken whole: what they do to the residual is rounding.
+// Takes the largest of the increment, its half, ... that brings the residual down, and returns the size of
+// the whole increment: with parts of it no iteration has come to its end. Increments that are small are taken
+// whole: what they do to the residual is rounding.
 double advance(const NodalEquations& equations, NodalValues& values) {
   const NodalResidual residual = equations.residual(values);
   const NodalValues increment = equations.increment(values, residual);
@@ -24,7 +28,7 @@ double advance(const NodalEquations& equations, NodalValues& values) {
     const double after = equations.residual(trial).norm();
     if (!(after < residual.norm() || (last && std::isfinite(after)))) continue;
     values = std::move(trial);
-    return part * size;
+    return size;
   }
   throw std::runtime_error("two-sided reference: Newton's method finds no way down");
 }
@@ -32,7 +36,8 @@ double advance(const NodalEquations& equations, NodalValues& values) {
 NodalValues solved(const NodalEquations& equations) {
   NodalValues values = equations.start();
   double before = std::numeric_limits<double>::infinity();
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (std::size_t iteration = 0; iteration < most_iterations; ++iteration) {
+    report_work(iteration);
     const double moved = advance(equations, values), size = std::max(1.0, values.size());
     if (moved <= rounding * size || (moved >= before / 2 && moved <= 1e3 * rounding * size)) return values;
     before = moved;

@@ -104,7 +104,8 @@ Vec NodalEquations::conditions(const Matrix& y) const {
 
 // By central differences: conditions are functions of a few numbers.
 Vec NodalEquations::conditions_along(const Matrix& y, const Matrix& change) const {
-  const double part = 0x1p-20 / std::max(1e-300, change.cwiseAbs().maxCoeff());
+  const double size = std::max(1.0, y.cwiseAbs().maxCoeff());
+  const double part = 0x1p-20 * size / std::max(1e-300, change.cwiseAbs().maxCoeff());
   return (conditions(y + part * change) - conditions(y - part * change)) / (2.0 * part);
 }
 

@@ -13,7 +13,7 @@ struct NodalValues {
   Matrix y;
   Vec unknown;
 
-  // The largest of all.
+  // The largest modulus of all.
   [[nodiscard]] double size() const;
 };
 

@@ -80,7 +80,8 @@ class SincNodes {
 }  // namespace
 
 NodalBasis sinc_nodes(double step) {
-  return {SincNodes(step).nodes(), [basis = SincNodes(step)](double order) -> NodalBasis::Row {
+  const SincNodes basis(step);
+  return {basis.nodes(), [basis](double order) -> NodalBasis::Row {
             return [basis, order](BothShares t) { return basis.row(order, t); };
           }};
 }

@@ -88,14 +88,11 @@ std::string text_of(const std::vector<std::string>& names, const Geometry& geome
 
 void print_geometry(const GeometryArguments& arguments, const Streams& streams, const Scenes& known) {
   const auto& maker = scene_named(arguments.scene, known);
-  const Scene scene = make_scene(maker, parse_settings(maker, arguments.settings));
+  const Scene scene = make_known_scene(maker, parse_settings(maker, arguments.settings));
   if (!scene.geometry) reject_text("scene", maker.id, "one of mechanics with a metric and constraints");
-  const auto& names = scene.geometry.coordinates;
-  const auto n = std::ssize(names);
-  const Vec start = columns_at(scene.outputs, 0.0, taylor_part(scene.problem, 0.0));
-  const Vec q = state_of("--place", arguments.place, start.head(n)),
-            v = state_of("--velocity", arguments.velocity, start.segment(n, n));
-  streams.out << text_of(names, scene.geometry.at(q, v));
+  const Vec q = state_of("--place", arguments.place, scene.geometry.place),
+            v = state_of("--velocity", arguments.velocity, scene.geometry.velocity);
+  streams.out << text_of(scene.geometry.coordinates, scene.geometry.at(q, v));
 }
 
 }  // namespace

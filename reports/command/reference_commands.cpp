@@ -30,17 +30,6 @@ void require_finite(bool finite, std::string_view what, std::string_view range, 
   if (!finite) throw NumericalFailure(fmt::format("the {} is beyond {} at t = {}", what, range, t));
 }
 
-// The multipliers and their power where they are known as exactly as the columns.
-bool knows_reactions(const Scene& scene) {
-  return scene.reactions && (scene.reactions.of_columns() || scene.reactions.exact.at);
-}
-
-// As energy and constraint they are doubles without a bound.
-Vec exact_reactions(const Scene& scene, double t, In columns) {
-  if (scene.reactions.of_columns() || t == 0.0) return reaction_values(scene, t, columns, std::nullopt);
-  return with_power(scene, t, columns, scene.reactions.exact.at(t).value);
-}
-
 // "t,x,y,bound" with, where asked for, ",bound_x,bound_y": of the columns that have one.
 std::string header(const std::vector<std::string>& names, const std::vector<std::string>& bounded,
                    bool bounds) {
@@ -68,7 +57,7 @@ std::vector<std::string> bound_texts(In values, In bounds, double t) {
 std::string rows_in_double(const Scene& scene, const std::vector<double>& times, bool each_bound,
                            ReferenceWork& work) {
   auto names = printed_names(scene);
-  if (knows_reactions(scene)) std::ranges::copy(reaction_names(scene), std::back_inserter(names));
+  if (scene.reactions.known()) std::ranges::copy(reaction_names(scene), std::back_inserter(names));
   std::string rows = header(names, scene.outputs.names, each_bound);
   work.begin(scene.problem.end);
   const Reference exact = reference_of(scene);
@@ -81,7 +70,7 @@ std::string rows_in_double(const Scene& scene, const std::vector<double>& times,
     for (Eigen::Index c = value.size(); c < values.size(); ++c)
       require_finite(std::isfinite(values[c]), "exact " + names[static_cast<std::size_t>(c)], "double", t);
     rows += fmt::format("{:.17g},{:.17g}", t, fmt::join(values, ","));
-    if (knows_reactions(scene))
+    if (scene.reactions.known())
       rows += fmt::format(",{:.17g}", fmt::join(exact_reactions(scene, t, value), ","));
     rows += fmt::format(",{}\n", bounds_text(bound_texts(value, bounds, t), each_bound));
   }
@@ -112,7 +101,6 @@ std::string rows_in_digits(const Scene& scene, const std::vector<double>& times,
 std::optional<int> parse_digits(const ExactArguments& arguments, const Scene& scene, std::string_view id) {
   if (!arguments.digits) return std::nullopt;
   const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);
-  if (!scene.no_reference.empty()) throw std::runtime_error(scene.no_reference);
   if (scene.reference.digits) return digits;
   throw std::invalid_argument(fmt::format(
       "--digits = {}: scene {} has no exact solution in digits, only what is known in double", digits, id));

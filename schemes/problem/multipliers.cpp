@@ -8,9 +8,9 @@
 namespace fde {
 namespace {
 
-Vec rhs_at_start(const Problem& problem, const Vec& y) {
+Vec rhs_at(const Problem& problem, double t, const Vec& y) {
   Vec f(problem.size());
-  problem.rhs(0.0, y, f);
+  problem.rhs(t, y, f);
   return f;
 }
 
@@ -29,9 +29,9 @@ Matrix jacobian_at_start(const Problem& problem, Vec y) {
   for (Eigen::Index j = 0; j < y.size(); ++j) {
     const double value = y[j], move = relative_step * std::max(1.0, std::abs(value));
     y[j] = value + move;
-    const Vec above = rhs_at_start(problem, y);
+    const Vec above = rhs_at(problem, 0.0, y);
     y[j] = value - move;
-    jacobian.col(j) = (above - rhs_at_start(problem, y)) / (2.0 * move);
+    jacobian.col(j) = (above - rhs_at(problem, 0.0, y)) / (2.0 * move);
     y[j] = value;
   }
   return jacobian;
@@ -57,13 +57,16 @@ std::vector<Eigen::Index> multipliers(const Problem& problem) {
   const auto constraints = algebraic_rows(problem);
   const Vec start = taylor_part(problem, 0.0);
   std::vector<Eigen::Index> found;
+  const auto holds = [&](double t, Eigen::Index i, double part) {
+    Vec moved = start;
+    moved[i] += part * std::max(1.0, std::abs(start[i]));
+    const Vec before = rhs_at(problem, t, start), after = rhs_at(problem, t, moved);
+    return std::ranges::any_of(constraints, [&](Eigen::Index row) { return after[row] != before[row]; });
+  };
   for (const auto i : constraints) {
-    const Vec at_start = rhs_at_start(problem, start);
-    const bool held = std::ranges::any_of(std::initializer_list<double>{0.5, -1.25}, [&](double part) {
-      Vec moved = start;
-      moved[i] += part * std::max(1.0, std::abs(start[i]));
-      const Vec f = rhs_at_start(problem, moved);
-      return std::ranges::any_of(constraints, [&](Eigen::Index row) { return f[row] != at_start[row]; });
+    const bool held = std::ranges::any_of(std::initializer_list<double>{0.0, 0.37}, [&](double share) {
+      const double t = share * problem.end;
+      return holds(t, i, 0.5) || holds(t, i, -1.25);
     });
     if (!held) found.push_back(i);
   }
@@ -73,7 +76,7 @@ std::vector<Eigen::Index> multipliers(const Problem& problem) {
 // The lengths are so far apart that other powers of h beside the leading one do not count, nor the sign of
 // what they add.
 double integrated_orders(const Problem& problem) {
-  constexpr double shorter = 1e-100, longer = 1e-20;  // of the end
+  constexpr double shorter = 1e-60, longer = 1e-20;  // of the end
   const auto constraints = algebraic_rows(problem);
   const Matrix jacobian = jacobian_at_start(problem, taylor_part(problem, 0.0));
   const Matrix after_shorter = answers(problem, jacobian, constraints, shorter * problem.end),
@@ -82,7 +85,9 @@ double integrated_orders(const Problem& problem) {
   for (const auto i : multipliers(problem)) {
     const double grown =
         after_shorter.row(i).lpNorm<Eigen::Infinity>() / after_longer.row(i).lpNorm<Eigen::Infinity>();
-    most = std::max(most, std::log(grown) / std::log(longer / shorter));
+    const double orders = std::log(grown) / std::log(longer / shorter);
+    if (std::isnan(orders)) return orders;
+    most = std::max(most, orders);
   }
   return most;
 }

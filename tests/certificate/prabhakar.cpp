@@ -46,12 +46,14 @@ MittagLefflerValue computed(const PrabhakarPoint& x) {
 PrabhakarPoint prabhakar_point(int index) {
   Random random(20261122 + static_cast<std::uint64_t>(index));
   const double alpha = random.between(0.2, 2.0);
-  const double beta = random.one_of(std::array{1.0, alpha, 2.0, 0.5, random.between(-2.0, 4.0)});
+  const double beta =
+      random.one_of(std::array{1.0, alpha, 2.0, 0.5, 1e-12, 1e-30, random.between(-2.0, 4.0)});
   const double size = std::pow(random.power_of_ten(-2.0, std::log10(15.0)), alpha);
   const double turn = random.toss() ? std::numbers::pi : random.between(-std::numbers::pi, std::numbers::pi);
   const std::complex<double> z = turn == std::numbers::pi ? std::complex(-size) : std::polar(size, turn);
-  if (index % 2 == 0) return {alpha, beta, 1.0, z, 1 + static_cast<int>(random.between(0.0, 4.0))};
-  return {alpha, beta, random.one_of(std::array{2.0, 0.5, 1.5, random.between(0.1, 4.0)}), z};
+  if (index % 2 == 0) return {alpha, beta, 1.0, z, 1 + static_cast<int>(random.between(0.0, 8.0))};
+  return {alpha, beta, random.one_of(std::array{1.0, 2.0, 3.0, 5.0, 9.0, 0.5, 1.5, random.between(0.1, 4.0)}),
+          z};
 }
 
 Ball prabhakar_enclosure(const PrabhakarPoint& x, int digits) {

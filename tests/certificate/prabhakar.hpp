@@ -15,7 +15,7 @@ struct PrabhakarPoint {
   int derivative = 0;
 };
 
-// The same each time: even ones are derivatives, 1 to 4, odd ones Prabhakar's function with any gamma.
+// The same each time: even ones are derivatives, 1 to 8, odd ones Prabhakar's function with any gamma.
 // |z|^(1/alpha) is at most 15, which the power series can do.
 PrabhakarPoint prabhakar_point(int index);
 

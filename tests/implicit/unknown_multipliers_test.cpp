@@ -41,6 +41,11 @@ TEST(Multipliers, AreTheUnknownsThatNoAlgebraicRowHolds) {
   const Problem square{.components = {{0.5, {0.0}}, {0.0, {0.0}}},
                        .rhs = [](double, In y, Out f) { f << 1.0 - y[1], y[1] * y[1] - y[0]; }};
   EXPECT_THAT(multipliers(square), IsEmpty());
+  // 0 = sin(t) (z - y), which says nothing at the start.
+  const Problem late{.components = {{1.0, {1.0}}, {0.0, {1.0}}},
+                     .rhs = [](double t, In y, Out f) { f << -y[1], std::sin(t) * (y[1] - y[0]); },
+                     .end = 1.0};
+  EXPECT_THAT(multipliers(late), IsEmpty());
 }
 
 TEST(Multipliers, AreAsManyOrdersFromTheirConstraintAsTheRowsBetweenIntegrate) {
@@ -58,6 +63,10 @@ TEST(Multipliers, FarFromTheirConstraintAreRefusedByTheTrapezoidalRule) {
   EXPECT_EQ(reason(Driven{Driven::position}.problem()),
             "takes constraints that are one integration away from their multipliers (index 2), not 2");
   EXPECT_THAT(reason(Driven{Driven::memory, 0.4}.problem()), Optional(HasSubstr("(index 2), not 1.4")));
+  Problem five = Driven{}.problem();  // x' = v, v' = u, u' = w, w' = lambda, x given
+  five.components = {{1.0, {0.0}}, {1.0, {0.0}}, {1.0, {0.0}}, {1.0, {0.0}}, {0.0, {0.0}}};
+  five.rhs = [](double t, In y, Out f) { f << y[1], y[2], y[3], y[4], y[0] - std::sin(t); };
+  EXPECT_THAT(reason(five), Optional(HasSubstr("(index 2), not 4")));
   const Problem above_one{.components = {{1.5, {0.0, 0.0}}, {1.0, {0.0}}, {0.0, {0.0}}},
                           .rhs = [](double t, In y, Out f) { f << y[2], y[2], y[1] - std::sin(t); }};
   EXPECT_EQ(reason(above_one), "takes no multiplier in a row of order above 1: component 2 is in that of 0");

@@ -26,6 +26,8 @@ std::vector<ConstrainedMotion> motions() {
                                      {"knife_edge", "knife_edge", {}, 2.0},
                                      {"rolling_disc", "rolling_disc", {}, 2.0},
                                      {"loxodrome", "loxodrome", {}, 1.0},
+                                     {"blade_on_sphere", "blade_on_sphere", {}, 2.0},
+                                     {"canonical_ensemble", "canonical_ensemble", {}, 2.0},
                                      {"isokinetic", "isokinetic", {}, 2.0}};
   const auto add = [&](const std::string& scene, double alpha, ParameterValues values = {}) {
     const auto percent = static_cast<int>(std::lround(100.0 * alpha));
@@ -65,6 +67,7 @@ class AlgebraicRowsOfScenes
                                      const Vec& exact) {
     if (refusal(scheme, scene.problem, grid)) return std::nullopt;
     const auto path = scheme.solve(scene.problem, grid, {.at = {grid.end}});
+    EXPECT_EQ(path.ending, Ending::finished) << scene.name;
     if (path.ending != Ending::finished) return std::nullopt;
     const Vec last = columns_at(scene.outputs, grid.end, path.y.rightCols<1>());
     return ((last - exact).array().abs() / (1.0 + exact.array().abs())).maxCoeff();

@@ -45,7 +45,7 @@ Problem particle(double initial_multiplier) {
           .end = 2.0};
 }
 
-// A wrong initial multiplier, which alternates then, leaves the rate as it is.
+// A wrong initial multiplier leaves the rate as it is.
 TEST_P(Nonholonomic, TheParticleHasItsRate) {
   const double t = 2.0, x = std::asinh(t), z = std::hypot(1.0, t) - 1.0;
   for (const double initial_multiplier : {1.0, 3.0}) {

@@ -68,9 +68,7 @@ std::vector<Form> forms() {
 }
 
 Vec exact_reactions(const Scene& scene, double t) {
-  const Vec columns = scene.reference.at(t).value;
-  if (scene.reactions.of_columns()) return reaction_values(scene, t, columns, std::nullopt);
-  return with_power(scene, t, columns, scene.reactions.exact.at(t).value);
+  return exact_reactions(scene, t, scene.reference.at(t).value);
 }
 
 TEST(Reactions, OfEveryFormulationApproachTheExactOnes) {
@@ -97,7 +95,8 @@ TEST(Reactions, OfTheKnifeEdgeHaveAClosedForm) {
   }
 }
 
-// lambda = -a.b/|a|^2 ... t^-alpha: no value at 0, and from t_1 on one of the right size.
+// lambda starts like -(b.v(0))/|a|^2 t^-alpha/Gamma(1-alpha): no value at 0, and from t_1 on one of the right
+// size.
 TEST(Reactions, BeginWithTheFirstStepWhereTheyAreUnbounded) {
   Scene scene = scene_of("fractional_constraint_2d");
   ASSERT_FALSE(scene.reactions.first);

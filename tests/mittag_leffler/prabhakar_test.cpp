@@ -60,6 +60,11 @@ TEST(Prabhakar, MeetsValuesFromAnIndependentSummation) {
   }
 }
 
+// 1/Gamma(beta), and beta is far below the last digit of alpha.
+TEST(Prabhakar, KeepsASmallSecondParameter) {
+  EXPECT_DOUBLE_EQ(prabhakar(0.7, 1e-30, 4.0, 0.0).value.real(), 1e-30);
+}
+
 // mpmath 1.3: hyp1f1(gamma, beta, z) / gamma(beta) at 30 digits.
 TEST(Prabhakar, OfOrderOneIsKummersFunction) {
   const std::vector<Known> rows{

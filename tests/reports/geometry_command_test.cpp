@@ -48,6 +48,11 @@ TEST(GeometryCommand, LeavesTheReactionOutWhereItRemembers) {
   EXPECT_EQ(answer.out.find("constrained_semispray"), std::string::npos);
 }
 
+// From alpha = 1/2 on the acceleration form, the default, does not exist.
+TEST(GeometryCommand, DoesNotDependOnTheFormulation) {
+  EXPECT_EQ(fdebench({"geometry", "fractional_constraint_nonlinear", "--set", "alpha=0.7"}).code, 0);
+}
+
 TEST(GeometryCommand, RefusesWhatHasNoGeometry) {
   EXPECT_EQ(fdebench({"geometry", "relaxation"}).code, 2);
   const auto answer = fdebench({"geometry", "loxodrome", "--place", "1,2,3"});

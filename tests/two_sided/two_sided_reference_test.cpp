@@ -15,7 +15,7 @@ namespace fde {
 namespace {
 
 NodalBasis panels() {
-  static const PanelBasis fourteen(14);
+  static const PanelBasis fourteen(14, PanelPoints::legendre);
   return clustered_panels(fourteen, 9);
 }
 

@@ -73,7 +73,6 @@ Scene extremum_scene(const Setting<System>& of, const Vector<double, System::con
   scene.outputs = {column_names(of.coordinates, false), std::move(form.columns)};
   scene.energy = energy_of(of.system);
   scene.constraint = constraint_of(of.system);
-  scene.geometry = geometry_of(of.system, of.coordinates);
   return scene;
 }
 

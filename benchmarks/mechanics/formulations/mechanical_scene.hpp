@@ -42,16 +42,15 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   scene.problem = std::move(form.problem);
   scene.smoothness = std::move(form.smoothness);
   scene.outputs = {names, std::move(form.columns)};
-  scene.no_reference = of.no_reference;
   auto powers = scene.smoothness.powers;
-  if (of.no_reference.empty() && asked.formulation != of.reference && has_reference_form(of)) {
+  if (asked.formulation != of.reference && has_reference_form(of)) {
     auto reference = posed(of, {of.reference});
     powers = reference.smoothness.powers;  // the solution is the same
     scene.reference_problem = {std::move(reference.problem), {names, std::move(reference.columns)}};
   }
   scene.energy = energy_of(of.system);
   scene.constraint = constraint_of(of.system);
-  scene.geometry = geometry_of(of.system, of.coordinates);
+  scene.geometry = geometry_of(of.system, of.coordinates, after_jump(of.system, of.start));
   std::vector<double> powers_of_w;
   if constexpr (HasMemory<System>) {
     if (remembers(of.system)) {

@@ -21,7 +21,6 @@ struct Setting {
   std::vector<std::string> coordinates;  // their names
   double end = 10.0;
   Formulation reference = Formulation::integrated;  // the form that a reference is computed of
-  std::string no_reference{};                       // why there is none, where there is none
 };
 
 template <class System>

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mechanics/motion.hpp"
 #include "mechanics/semispray.hpp"
 #include "scenes/scene.hpp"
 
@@ -33,9 +34,11 @@ Geometry geometry_at(const System& system, const Vector<double, System::coordina
 }
 
 template <class System>
-StateGeometry geometry_of(const System& system, const std::vector<std::string>& coordinates) {
+StateGeometry geometry_of(const System& system, const std::vector<std::string>& coordinates,
+                          const Motion<System::coordinates>& start) {
   using Point = Vector<double, System::coordinates>;
-  return {coordinates, [system](In q, In v) { return geometry_at(system, Point(q), Point(v)); }};
+  return {coordinates, start.q, start.v,
+          [system](In q, In v) { return geometry_at(system, Point(q), Point(v)); }};
 }
 
 }  // namespace fde::mechanics
