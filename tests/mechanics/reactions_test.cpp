@@ -59,9 +59,10 @@ std::vector<Form> forms() {
   add("fractional_constraint_2d", {{"alpha", 0.3}}, every);
   add("fractional_constraint_2d", {{"alpha", 1.0}}, every);
   for (const double alpha : {0.5, 0.8}) add("fractional_constraint_2d", {{"alpha", alpha}}, {"integrated"});
-  for (const double constant : {0.0, 0.3})
+  for (const double constant : {0.0, 0.3}) {
     add("fractional_constraint_2d", {{"alpha", 1.5}, {"a2", 0.5}, {"b1", 0.8}, {"b2", 0.3}, {"C0", constant}},
         {"integrated", "multiplier"});
+  }
   for (const double alpha : {0.5, 1.5, 2.5}) all.push_back({"fractional_constraint_1d", {{"alpha", alpha}}});
   all.push_back({"fractional_constraint_1d", {{"alpha", 1.5}, {"C0", 0.0}}});
   return all;

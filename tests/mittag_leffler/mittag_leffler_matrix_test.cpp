@@ -48,9 +48,10 @@ TEST(MittagLefflerOfAMatrix, OfASingularMatrixOfAnySize) {
   MatrixXd a(2, 2), projector(2, 2);
   a << -2.0, 1.0, 4.0, -2.0;
   projector << 0.5, 0.25, 1.0, 0.5;
-  for (const double size : {1e20, 1e100, 1e300})
+  for (const double size : {1e20, 1e100, 1e300}) {
     expect_near(mittag_leffler(0.5, 1.0, MatrixXd(size * a)), projector.cast<Value>(), 1e-19,
                 fmt::format("{}", size));
+  }
 }
 
 // E_2(-2 s) = cos sqrt(2 s) turns 1e50 times: refused, not left out.

@@ -39,12 +39,11 @@ void add_rays(Points& points) {
   const Precision precision(2 * argument_digits);
   for (const auto* alpha : {"0.3", "0.7", "0.9"}) {
     for (const double part : {0.25, 0.5, 0.75, 1.0}) {
-      const BigReal angle = part * parse<BigReal>(alpha) * pi<BigReal>();
+      const BigReal angle = part * parse<BigReal>(alpha) * pi<BigReal>(), x = cos(angle), y = sin(angle);
       for (const int r : {1, 10, 50}) {
         if (part == 0.25 && r > 1) continue;
         for (const auto* beta : {alpha, "1"})
-          points.push_back(
-              {alpha, beta, argument(BigReal(r * cos(angle))), argument(BigReal(r * sin(angle)))});
+          points.push_back({alpha, beta, argument(BigReal(r * x)), argument(BigReal(r * y))});
       }
     }
   }
