@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "march/implicit_step.hpp"
+#include "problem/jacobian.hpp"
 
 namespace fde {
 
@@ -109,28 +110,11 @@ Vec NodalEquations::conditions_along(const Matrix& y, const Matrix& change) cons
   return (conditions(y + part * change) - conditions(y - part * change)) / (2.0 * part);
 }
 
-Matrix NodalEquations::jacobian(BothShares t, const Vec& y) const {
-  const auto size = problem_.size();
-  Matrix result(size, size);
-  if (evaluate_jacobian(problem_, time(t), y, result)) return result;
-  Vec above(size), below(size), shifted = y;
-  for (Eigen::Index j = 0; j < size; ++j) {
-    const double shift = 0x1p-18 * std::max(1.0, std::abs(y[j]));
-    shifted[j] = y[j] + shift;
-    problem_.rhs(time(t), shifted, above);
-    shifted[j] = y[j] - shift;
-    problem_.rhs(time(t), shifted, below);
-    shifted[j] = y[j];
-    result.col(j) = (above - below) / (2.0 * shift);
-  }
-  return result;
-}
-
 // The rows are solved for the residual and for each unknown value alone; the conditions say how much of each.
 NodalValues NodalEquations::increment(const NodalValues& values, const NodalResidual& residual) const {
   std::vector<Matrix> jacobians;
   for (Eigen::Index m = 0; m < nodes(); ++m)
-    jacobians.push_back(jacobian(node(m), values.y.row(m).transpose()));
+    jacobians.push_back(jacobian_at(problem_, time(node(m)), values.y.row(m).transpose()));
   const LinearisedStep step(problem_, weights_, std::move(jacobians));
   const auto count = std::ssize(unknown_);
   NodalValues increment{step.solve(residual.rows), Vec::Zero(count)};

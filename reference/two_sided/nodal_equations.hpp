@@ -56,7 +56,6 @@ class NodalEquations {
   [[nodiscard]] Matrix start_of(In unknown) const;
   [[nodiscard]] Vec conditions(const Matrix& y) const;
   [[nodiscard]] Vec conditions_along(const Matrix& y, const Matrix& change) const;
-  [[nodiscard]] Matrix jacobian(BothShares t, const Vec& y) const;
 
   // The power of its own time that an unknown initial value belongs to.
   struct Unknown {

@@ -12,9 +12,14 @@ namespace {
 
 using std::chrono::duration;
 
-void overwrite_line(const Streams& streams, const Progress& progress) {
-  fmt::print(streams.err, "\r{:<{}}", progress_text(progress, streams.columns), streams.columns - 1);
+// Of a text that fits.
+void overwrite_line(const Streams& streams, const std::string& text) {
+  fmt::print(streams.err, "\r{:<{}}", text, streams.columns - 1);
   streams.err.flush();
+}
+
+void overwrite_line(const Streams& streams, const Progress& progress) {
+  overwrite_line(streams, progress_text(progress, streams.columns));
 }
 
 std::string bar_text(double part) {
@@ -58,9 +63,7 @@ void show_work(const Streams& streams, std::size_t done, std::size_t total, cons
     return overwrite_line(streams, {.part = part, .done = done, .total = total, .at_hand = what});
   }
   const std::string text = fmt::format("{}  {} steps", what, done);
-  fmt::print(streams.err, "\r{:<{}}", text.substr(0, static_cast<std::size_t>(streams.columns - 1)),
-             streams.columns - 1);
-  streams.err.flush();
+  overwrite_line(streams, text.substr(0, static_cast<std::size_t>(streams.columns - 1)));
 }
 
 SweepProgress::SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact)

@@ -3,7 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "problem/jacobian.hpp"
 
 namespace fde {
 namespace {
@@ -20,21 +21,6 @@ std::vector<Eigen::Index> algebraic_rows(const Problem& problem) {
     if (algebraic(problem.components[static_cast<std::size_t>(i)])) rows.push_back(i);
   }
   return rows;
-}
-
-Matrix jacobian_at_start(const Problem& problem, Vec y) {
-  Matrix jacobian(y.size(), y.size());
-  if (evaluate_jacobian(problem, 0.0, y, jacobian)) return jacobian;
-  const double relative_step = std::cbrt(std::numeric_limits<double>::epsilon());
-  for (Eigen::Index j = 0; j < y.size(); ++j) {
-    const double value = y[j], move = relative_step * std::max(1.0, std::abs(value));
-    y[j] = value + move;
-    const Vec above = rhs_at(problem, 0.0, y);
-    y[j] = value - move;
-    jacobian.col(j) = (above - rhs_at(problem, 0.0, y)) / (2.0 * move);
-    y[j] = value;
-  }
-  return jacobian;
 }
 
 // What the unknowns answer to constraints that are off: a column a constraint.
@@ -78,7 +64,7 @@ std::vector<Eigen::Index> multipliers(const Problem& problem) {
 double integrated_orders(const Problem& problem) {
   constexpr double shorter = 1e-60, longer = 1e-20;  // of the end
   const auto constraints = algebraic_rows(problem);
-  const Matrix jacobian = jacobian_at_start(problem, taylor_part(problem, 0.0));
+  const Matrix jacobian = jacobian_at(problem, 0.0, taylor_part(problem, 0.0));
   const Matrix after_shorter = answers(problem, jacobian, constraints, shorter * problem.end),
                after_longer = answers(problem, jacobian, constraints, longer * problem.end);
   double most = 0.0;

@@ -2,7 +2,6 @@
 
 #include "command/command.hpp"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -15,7 +14,7 @@
 #include <sstream>
 
 #include "scenes/variant.hpp"
-#include "support/answer_of.hpp"
+#include "support/answer_of_words.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -24,39 +23,20 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// The words of a command, separated by single spaces.
-Answer fdebench(const std::string& words) {
-  std::istringstream stream(words);
-  return fde::fdebench(std::vector<std::string>(std::istream_iterator<std::string>(stream), {}));
-}
-
-std::vector<std::vector<double>> rows(const std::string& csv) {
-  std::vector<std::vector<double>> result;
-  std::istringstream lines(csv);
-  std::string line, cell;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    std::istringstream cells(line);
-    result.emplace_back();
-    while (std::getline(cells, cell, ',')) result.back().push_back(std::stod(cell));
-  }
-  return result;
-}
-
 TEST(Solve, PrintsAllGridTimesWithSeventeenDigits) {
   const auto answer = fdebench("solve relaxation --scheme adams_pc --steps 4");
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(answer.out, StartsWith("t,y\n0,1\n0.25,"));
-  EXPECT_EQ(rows(answer.out).size(), 5U);
+  EXPECT_EQ(csv_rows(answer.out).size(), 5U);
   const auto path = solve("adams_pc", scene_of("relaxation").problem, 4);
-  EXPECT_EQ(rows(answer.out)[4][1], path.y(0, 4));
+  EXPECT_EQ(csv_rows(answer.out)[4][1], path.y(0, 4));
   EXPECT_EQ(answer.err, "");
 }
 
 TEST(Solve, PrintsTheTimesAskedForAndTheEnergy) {
   const auto answer = fdebench("solve pendulum --scheme decoupled_multi_order --steps 8192 --until 5 --at 5");
   EXPECT_THAT(answer.out, StartsWith("t,phi,Dbeta_phi,dphi,Dalpha_phi,energy\n"));
-  const auto row = rows(answer.out).at(0);
+  const auto row = csv_rows(answer.out).at(0);
   EXPECT_NEAR(row[1], 0.2609182055, 1e-9);
   EXPECT_NEAR(row[3], 0.5600178020, 1e-9);
   EXPECT_NEAR(row[5], 0.5 * row[3] * row[3] + 1.0 - std::cos(row[1]), 1e-15);
@@ -69,7 +49,7 @@ TEST(Solve, PrintsTheReactionsBehindAllOtherColumns) {
   const auto all = fdebench(run), some = fdebench(run + " --at 0,2.5,10");
   EXPECT_THAT(some.out, StartsWith("t,q1,q2,v1,v2,w1,w2,energy,constraint,lambda,power\n0,"));
   EXPECT_THAT(some.out, HasSubstr(",nan,nan\n"));
-  const auto every = rows(all.out), asked = rows(some.out);
+  const auto every = csv_rows(all.out), asked = csv_rows(some.out);
   ASSERT_EQ(every.size(), 65U);
   ASSERT_EQ(asked.size(), 3U);
   EXPECT_EQ(asked[1], every[16]);
@@ -101,91 +81,6 @@ TEST(Solve, DoesNotPrintAnInfiniteEnergy) {
   EXPECT_EQ(answer.code, 3);
   EXPECT_EQ(answer.out, "");
   EXPECT_THAT(answer.err, StartsWith("fdebench: adams_pc: energy not finite at step "));
-}
-
-TEST(Exact, PrintsTheColumnsAndABound) {
-  const auto answer = fdebench("exact relaxation --at 0,1");
-  EXPECT_THAT(answer.out, StartsWith("t,y,bound\n0,1,"));
-  EXPECT_NEAR(rows(answer.out)[1][1], 0.427583576155807, 1e-15);
-  EXPECT_LT(rows(answer.out)[1][2], 1e-15);
-}
-
-// The turn rate is exact, the place of 1e20 turns is not known.
-TEST(Exact, PrintsTheBoundOfEachColumn) {
-  for (const std::string digits : {"", " --digits 30"}) {
-    const auto answer = fdebench("exact knife_edge --at 1e20 --bounds" + digits);
-    EXPECT_THAT(answer.out, HasSubstr("bound,bound_x,bound_y"));
-    const auto plain = rows(fdebench("exact knife_edge --at 1e20" + digits).out)[0],
-               row = rows(answer.out)[0];
-    for (std::size_t c = 0; c < plain.size(); ++c) EXPECT_EQ(row[c], plain[c]) << c;
-    const auto bounds = std::vector<double>(row.begin() + std::ssize(plain), row.end());
-    EXPECT_EQ(std::ranges::max(bounds), plain.back());
-    EXPECT_LT(bounds.back(), 1e-15);
-  }
-}
-
-TEST(Exact, OfANonlinearSceneIsTheReferenceWithItsEstimate) {
-  const auto answer = fdebench("exact pendulum --at 5");
-  EXPECT_THAT(answer.out, StartsWith("t,phi,Dbeta_phi,dphi,Dalpha_phi,energy,bound\n"));
-  EXPECT_LT(rows(answer.out)[0][6], 1e-10);
-  EXPECT_NEAR(rows(answer.out)[0][1], 0.26091, 1e-4);
-}
-
-TEST(Exact, TellsTheReactions) {
-  const auto answer = fdebench("exact knife_edge --at 1 --set theta=0.5");
-  EXPECT_THAT(answer.out, StartsWith("t,x,y,phi,dx,dy,dphi,energy,constraint,lambda,power,bound\n"));
-  EXPECT_NEAR(rows(answer.out)[0][9], -2.0 * 9.81 * std::sin(0.5) * std::sin(1.0), 1e-14);
-  EXPECT_THAT(fdebench("exact fractional_knife_edge --at 1").out, Not(HasSubstr("lambda")));
-}
-
-// The form that a.b = 0 refuses to solve.
-TEST(Exact, DoesNotDependOnTheFormulation) {
-  const std::string scene =
-      "exact fractional_constraint_2d --at 3 --set alpha=1.5 --set b1=0.6 --set b2=-0.3";
-  EXPECT_EQ(fdebench(scene).code, 0);
-  EXPECT_EQ(fdebench(scene).out, fdebench(scene + " --set formulation=multiplier").out);
-}
-
-// e erfc(1), the first 50 digits by mpmath.
-TEST(Exact, GivesAnyNumberOfDigits) {
-  EXPECT_THAT(fdebench("exact relaxation --at 1 --digits 50").out,
-              HasSubstr("0.42758357615580700441075034449051518082015950316"));
-}
-
-// nu tau^beta and its like are put together at the precision asked for. By mpmath's Talbot inversion at 60
-// digits.
-TEST(Exact, TakesDecimalsAtTheirWord) {
-  EXPECT_THAT(fdebench("exact damped_oscillator --at 1 --digits 40").out,
-              HasSubstr("0.33194262273616016761353451367782687069"));
-  EXPECT_THAT(fdebench("exact diethelm --at 3 --set gamma=0.123456789012345 --digits 19").out,
-              HasSubstr("6303.526028522351357"));
-}
-
-TEST(Exact, OfATwoSidedSceneIsWhatTwoMethodsAgreeOn) {
-  const auto answer = fdebench("exact fractional_extremum --set k=1 --at 0.5");
-  EXPECT_EQ(answer.code, 0);
-  EXPECT_EQ(answer.out.substr(0, 10), "t,y,bound\n");
-}
-
-TEST(Exact, BeyondDoubleIsANumericalFailure) {
-  const auto answer = fdebench("exact relaxation --set lambda=10 --at 50");
-  EXPECT_EQ(answer.code, 3);
-  EXPECT_EQ(answer.err, "fdebench: the exact solution is beyond double at t = 50\n");
-}
-
-// Linear scenes to many digits, and a march.
-TEST(Exact, EndsWithItsBudgetAndPrintsNothingElse) {
-  for (const auto& [arguments, time] : {std::pair{"relaxation --at 1 --digits 3000", "1"},
-                                        {"extensible_pendulum --at 7.125", "7.125"},
-                                        {"damped_oscillator --at 2 --digits 3000", "2"}}) {
-    const auto answer = fdebench(fmt::format("exact {} --budget 0.01", arguments));
-    EXPECT_EQ(answer.code, 3) << arguments;
-    EXPECT_EQ(answer.out, "") << arguments;
-    EXPECT_EQ(answer.err,
-              fmt::format("fdebench: the budget of 0.01 s ran out before the reference was known at t = {}\n",
-                          time));
-  }
-  EXPECT_EQ(fdebench("exact relaxation --at 1 --budget 100").code, 0);
 }
 
 TEST(Values, ThatAreEmptyAreNotTheDefault) {

@@ -13,7 +13,7 @@
 
 #include "command/command.hpp"
 #include "scenes/variant.hpp"
-#include "support/answer_of.hpp"
+#include "support/answer_of_words.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -21,12 +21,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
-
-// The words of a command, separated by single spaces.
-Answer fdebench(const std::string& words) {
-  std::istringstream stream(words);
-  return fde::fdebench(std::vector<std::string>(std::istream_iterator<std::string>(stream), {}));
-}
 
 TEST(Lists, NameEverySceneAndScheme) {
   const auto all_scenes = nlohmann::json::parse(fdebench("scenes --json").out);

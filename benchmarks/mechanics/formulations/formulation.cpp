@@ -22,6 +22,12 @@ const std::vector<Formulation>& all_formulations() {
   return all;
 }
 
+const std::vector<Formulation>& unprojected_formulations() {
+  static const std::vector<Formulation> all{Formulation::acceleration, Formulation::stabilised,
+                                            Formulation::multiplier};
+  return all;
+}
+
 std::vector<Parameter> with_formulations(std::vector<Parameter> parameters,
                                          const std::vector<Formulation>& fitting) {
   std::vector<std::string> choices;

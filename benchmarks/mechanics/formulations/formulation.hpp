@@ -23,6 +23,8 @@ Formulation formulation_named(std::string_view name);
 
 // All: they fit constraints that are affine in the velocity. The first is the default.
 const std::vector<Formulation>& all_formulations();
+// Those that fit any constraint: all but integrated.
+const std::vector<Formulation>& unprojected_formulations();
 
 // The parameters of a scene and behind them `formulation`, a choice from those that fit (the first is the
 // default), and `kappa` where stabilised is among them.

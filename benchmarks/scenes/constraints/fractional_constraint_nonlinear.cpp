@@ -29,8 +29,6 @@ struct RememberingChain {
 
 // K = |v(0)|^2/2, as w(0) = 0: a Gaussian thermostat with memory.
 SceneMaker fractional_constraint_nonlinear() {
-  static const std::vector<Formulation> fitting{Formulation::acceleration, Formulation::stabilised,
-                                                Formulation::multiplier};
   const std::vector<Parameter> parameters{{"alpha", 0.4, order_below_one, "order of the constraint"},
                                           {"coupling", 0.3, any_number, "weight of v.D^alpha q"},
                                           {"k", 1.0, any_number, "stiffness of the springs"},
@@ -41,7 +39,7 @@ SceneMaker fractional_constraint_nonlinear() {
   return {.id = "fractional_constraint_nonlinear",
           .title = "Chain of oscillators with a constraint quadratic in velocities and memory",
           .source = "Tarasov & Zaslavsky 2006, eqs 29, 32, 36, 37",
-          .parameters = with_formulations(parameters, fitting),
+          .parameters = with_formulations(parameters, unprojected_formulations()),
           .make = [](const Parameters& p) -> Scene {
             if (p["v1"] == 0.0 && p["v2"] == 0.0) reject("v1", 0.0, "other than 0 where v2 = 0");
             const Setting<RememberingChain> setting{

@@ -7,8 +7,6 @@
 namespace fde {
 namespace {
 
-constexpr double end_of_motion = 2.0;
-
 // f = A.q' with A = (1 + kappa q1 + epsilon w, 1), w = D^alpha q1.
 struct Coefficients {
   double kappa, epsilon;
@@ -156,10 +154,7 @@ Scene given(Hamilton system, double alpha, const Parameters& p) {
     scene.problem.conditions = [at = last[0]](In, In y, Out residual) { residual[0] = y[0] - at; };
   }
   scene.memories = {{4, 2, alpha}};
-  const double memory = 1.0 - alpha;
-  const std::vector<double> steps{1.0, memory};
-  const auto regular = power_lattice({1.0}, steps, 3.0),
-             remembered = power_lattice({memory}, steps, memory + 2.0);
+  const auto [regular, remembered] = GivenPowers(alpha);
   scene.smoothness = {{regular, regular, remembered, remembered, regular, regular}};
   return scene;
 }

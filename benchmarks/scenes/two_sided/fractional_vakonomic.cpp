@@ -16,8 +16,6 @@ struct ConstrainedExtremum {
   std::function<double(double t)> drive{};  // F
   Plane force{0.0, 0.0};
 
-  [[nodiscard]] Plane across() const { return Plane(-a[1], a[0]) / a.norm(); }
-
   template <class S>
   struct State {
     mechanics::Vector<S, 2> v;
@@ -59,7 +57,7 @@ struct ConstrainedExtremum {
   // The last: what the extremum's momentum across a has beyond that of the motion.
   void columns(double t, In y, Out result) const {
     const auto [v, mu] = state<double>(t, y);
-    result << y.head<2>(), v, y.segment<4>(w), mu, across().dot(c) * y[ell] - across().dot(b) * y[rho];
+    result << y.head<2>(), v, y.segment<4>(w), mu, across(a).dot(c) * y[ell] - across(a).dot(b) * y[rho];
   }
   [[nodiscard]] double energy(In columns) const {
     return columns.segment<2>(2).squaredNorm() / 2 + stiffness.dot(columns.head<2>().cwiseAbs2()) / 2;
@@ -88,15 +86,13 @@ Scene scene_of(ConstrainedExtremum system, const Parameters& p) {
                                  {1.0, {}, Side::right},
                                  {1.0, {}, Side::right}},
                                 {"q1", "q2", "v1", "v2", "w1", "w2", "r1", "r2", "mu", "defect"});
-  scene.problem.conditions = [e = system.across(), along_a = Plane(system.a.normalized()),
+  scene.problem.conditions = [e = across(system.a), along_a = Plane(system.a.normalized()),
                               first = p.choice("ends") == "place" ? ConstrainedExtremum::q
                                                                   : ConstrainedExtremum::pi,
-                              across = p["across"], along = p["along"]](In, In y, Out residual) {
-    residual << e.dot(y.segment<2>(first)) - across,
-        along_a.dot(y.segment<2>(ConstrainedExtremum::pi)) - along;
+                              of_e = p["across"], along = p["along"]](In, In y, Out residual) {
+    residual << e.dot(y.segment<2>(first)) - of_e, along_a.dot(y.segment<2>(ConstrainedExtremum::pi)) - along;
   };
-  const auto regular = power_lattice({1.0}, {1.0, memory}, 3.0),
-             remembered = power_lattice({memory}, {1.0, memory}, memory + 2.0);
+  const auto [regular, remembered] = GivenPowers(alpha);
   scene.smoothness = {{regular, regular, remembered, remembered, remembered, remembered, remembered,
                        remembered, regular, regular}};
   scene.memories = {{4, 2, alpha}, {5, 3, alpha}};

@@ -4,6 +4,10 @@
 
 namespace fde {
 
+GivenPowers::GivenPowers(double alpha)
+    : regular(power_lattice({1.0}, {1.0, 1.0 - alpha}, 3.0)),
+      remembered(power_lattice({1.0 - alpha}, {1.0, 1.0 - alpha}, 3.0 - alpha)) {}
+
 std::vector<Parameter> given_parameters() {
   return {{"T", 1.0, {.low = 0.0, .high = 1e3, .open_low = true}, "the end"},
           {"g1", 0.0, any_number, "constant force on q1"},

@@ -15,6 +15,19 @@ inline Plane plane_at(const std::array<SumOfPowers, 2>& sums, double t) {
   return {sums[0].at(t), sums[1].at(t)};
 }
 
+// The unit vector across a.
+inline Plane across(const Plane& a) { return Plane(-a[1], a[0]) / a.norm(); }
+
+constexpr double end_of_motion = 2.0;  // of made ones
+
+// The powers with which a motion that nothing makes smoother starts, in rows of order 1 and of order 1 -
+// alpha.
+struct GivenPowers {
+  explicit GivenPowers(double alpha);
+
+  std::vector<double> regular, remembered;
+};
+
 // One list after the other.
 std::vector<Parameter> joined(const std::vector<std::vector<Parameter>>& groups);
 

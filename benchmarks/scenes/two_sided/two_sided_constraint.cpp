@@ -6,8 +6,6 @@
 namespace fde {
 namespace {
 
-constexpr double end_of_motion = 2.0;
-
 // The made motion: q, q', q'', and w and r, its left and right derivatives of order alpha.
 // q1 = 1 + 3 t^2 - t^3 and q2 = t^2 (2 - t)^2: both velocities are 0 at both ends.
 struct MadeMotion {
@@ -36,7 +34,6 @@ struct TwoSidedConstraint {
   std::function<double(double t)> drive{};  // F
   std::function<Plane(double t)> force{};   // besides -grad u
 
-  [[nodiscard]] Plane across() const { return Plane(-a[1], a[0]) / a.norm(); }
   [[nodiscard]] Plane slope(const Plane& x) const { return {k1 * x[0] + k3 * x[0] * x[0] * x[0], k2 * x[1]}; }
   [[nodiscard]] double energy(In columns) const {
     const double x = columns[0], y = columns[1];
@@ -47,7 +44,7 @@ struct TwoSidedConstraint {
     return a.dot(v) + b.dot(left) + c.dot(right) - drive(t);
   }
   [[nodiscard]] Plane velocity(double t, In y) const {
-    const Plane free = across() * y[z];
+    const Plane free = across(a) * y[z];
     return free - a * (residual(t, free, y.segment<2>(w), y.segment<2>(r)) / a.squaredNorm());
   }
 
@@ -59,7 +56,7 @@ struct TwoSidedConstraint {
   void rhs(double t, In y, Out f) const {
     const Plane v = velocity(t, y);
     f.segment<2>(q) = v;
-    f[z] = across().dot(force(t) - slope(y.segment<2>(q)));
+    f[z] = across(a).dot(force(t) - slope(y.segment<2>(q)));
     f.segment<2>(w) = v;
     f.segment<2>(r) = -v;
   }
@@ -67,13 +64,13 @@ struct TwoSidedConstraint {
   void jacobian(In y, OutMatrix result) const {
     const Plane along = a / a.squaredNorm();
     Eigen::Matrix<double, 2, size> velocities = Eigen::Matrix<double, 2, size>::Zero();
-    velocities.col(z) = across();
+    velocities.col(z) = across(a);
     velocities.middleCols<2>(w) = -along * b.transpose();
     velocities.middleCols<2>(r) = -along * c.transpose();
     result.setZero();
     result.middleRows<2>(q) = velocities;
-    result(z, q) = -across()[0] * (k1 + 3.0 * k3 * y[q] * y[q]);
-    result(z, q + 1) = -across()[1] * k2;
+    result(z, q) = -across(a)[0] * (k1 + 3.0 * k3 * y[q] * y[q]);
+    result(z, q + 1) = -across(a)[1] * k2;
     result.middleRows<2>(w) = velocities;
     result.middleRows<2>(r) = -velocities;
   }
@@ -109,7 +106,7 @@ Scene made(TwoSidedConstraint system, double alpha) {
     for (const auto& sum : *sums) known.push_back({sum});
   }
   for (const auto& sum : motion.r) known.push_back({sum, Side::right});
-  const auto free = system.across()[0] * motion.v[0] + system.across()[1] * motion.v[1];
+  const auto free = across(system.a)[0] * motion.v[0] + across(system.a)[1] * motion.v[1];
   Scene scene = two_sided_scene(system, components(alpha, plane_at(motion.q, 0.0), {0.0}), columns);
   scene.smoothness = {{motion.q[0].powers(), motion.q[1].powers(), free.powers(), motion.w[0].powers(),
                        motion.w[1].powers(), motion.r[0].powers(), motion.r[1].powers()}};
@@ -121,11 +118,8 @@ Scene made(TwoSidedConstraint system, double alpha) {
 // What the velocity along a leaves from 0 on is driven by w, which starts like t^(1-alpha). Right rows do the
 // same from the end.
 Smoothness smoothness_of_given(double alpha) {
-  const double memory = 1.0 - alpha;
-  const std::vector<double> steps{1.0, memory};
-  const auto place = power_lattice({1.0}, steps, 3.0), across = power_lattice({1.0}, steps, 3.0),
-             remembered = power_lattice({memory}, steps, memory + 2.0);
-  return {{place, place, across, remembered, remembered, remembered, remembered}};
+  const auto [regular, remembered] = GivenPowers(alpha);
+  return {{regular, regular, regular, remembered, remembered, remembered, remembered}};
 }
 
 // The motion between q(0) and the velocity across a at 0, or the place across a at the end.
@@ -135,10 +129,10 @@ Scene given(TwoSidedConstraint system, double alpha, const Parameters& p) {
   system.end = loads.end;
   system.drive = given_drive(p);
   system.force = [loads](double) { return loads.force; };
-  const auto across = place ? std::vector<double>{} : std::vector<double>{p["across"]};
-  Scene scene = two_sided_scene(system, components(alpha, loads.start, across), columns);
+  const auto known = place ? std::vector<double>{} : std::vector<double>{p["across"]};
+  Scene scene = two_sided_scene(system, components(alpha, loads.start, known), columns);
   if (place) {
-    scene.problem.conditions = [e = system.across(), at = p["across"]](In, In at_end, Out residual) {
+    scene.problem.conditions = [e = across(system.a), at = p["across"]](In, In at_end, Out residual) {
       residual[0] = e.dot(at_end.head<2>()) - at;
     };
   }

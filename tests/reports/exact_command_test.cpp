@@ -1,0 +1,106 @@
+// `fdebench exact`: columns, bounds, digits, budget.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "support/answer_of_words.hpp"
+
+namespace fde {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+TEST(Exact, PrintsTheColumnsAndABound) {
+  const auto answer = fdebench("exact relaxation --at 0,1");
+  EXPECT_THAT(answer.out, StartsWith("t,y,bound\n0,1,"));
+  EXPECT_NEAR(csv_rows(answer.out)[1][1], 0.427583576155807, 1e-15);
+  EXPECT_LT(csv_rows(answer.out)[1][2], 1e-15);
+}
+
+// The turn rate is exact, the place of 1e20 turns is not known.
+TEST(Exact, PrintsTheBoundOfEachColumn) {
+  for (const std::string digits : {"", " --digits 30"}) {
+    const auto answer = fdebench("exact knife_edge --at 1e20 --bounds" + digits);
+    EXPECT_THAT(answer.out, HasSubstr("bound,bound_x,bound_y"));
+    const auto plain = csv_rows(fdebench("exact knife_edge --at 1e20" + digits).out)[0],
+               row = csv_rows(answer.out)[0];
+    for (std::size_t c = 0; c < plain.size(); ++c) EXPECT_EQ(row[c], plain[c]) << c;
+    const auto bounds = std::vector<double>(row.begin() + std::ssize(plain), row.end());
+    EXPECT_EQ(std::ranges::max(bounds), plain.back());
+    EXPECT_LT(bounds.back(), 1e-15);
+  }
+}
+
+TEST(Exact, OfANonlinearSceneIsTheReferenceWithItsEstimate) {
+  const auto answer = fdebench("exact pendulum --at 5");
+  EXPECT_THAT(answer.out, StartsWith("t,phi,Dbeta_phi,dphi,Dalpha_phi,energy,bound\n"));
+  EXPECT_LT(csv_rows(answer.out)[0][6], 1e-10);
+  EXPECT_NEAR(csv_rows(answer.out)[0][1], 0.26091, 1e-4);
+}
+
+TEST(Exact, TellsTheReactions) {
+  const auto answer = fdebench("exact knife_edge --at 1 --set theta=0.5");
+  EXPECT_THAT(answer.out, StartsWith("t,x,y,phi,dx,dy,dphi,energy,constraint,lambda,power,bound\n"));
+  EXPECT_NEAR(csv_rows(answer.out)[0][9], -2.0 * 9.81 * std::sin(0.5) * std::sin(1.0), 1e-14);
+  EXPECT_THAT(fdebench("exact fractional_knife_edge --at 1").out, Not(HasSubstr("lambda")));
+}
+
+// The form that a.b = 0 refuses to solve.
+TEST(Exact, DoesNotDependOnTheFormulation) {
+  const std::string scene =
+      "exact fractional_constraint_2d --at 3 --set alpha=1.5 --set b1=0.6 --set b2=-0.3";
+  EXPECT_EQ(fdebench(scene).code, 0);
+  EXPECT_EQ(fdebench(scene).out, fdebench(scene + " --set formulation=multiplier").out);
+}
+
+// e erfc(1), the first 50 digits by mpmath.
+TEST(Exact, GivesAnyNumberOfDigits) {
+  EXPECT_THAT(fdebench("exact relaxation --at 1 --digits 50").out,
+              HasSubstr("0.42758357615580700441075034449051518082015950316"));
+}
+
+// nu tau^beta and its like are put together at the precision asked for. By mpmath's Talbot inversion at 60
+// digits.
+TEST(Exact, TakesDecimalsAtTheirWord) {
+  EXPECT_THAT(fdebench("exact damped_oscillator --at 1 --digits 40").out,
+              HasSubstr("0.33194262273616016761353451367782687069"));
+  EXPECT_THAT(fdebench("exact diethelm --at 3 --set gamma=0.123456789012345 --digits 19").out,
+              HasSubstr("6303.526028522351357"));
+}
+
+TEST(Exact, OfATwoSidedSceneIsWhatTwoMethodsAgreeOn) {
+  const auto answer = fdebench("exact fractional_extremum --set k=1 --at 0.5");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_EQ(answer.out.substr(0, 10), "t,y,bound\n");
+}
+
+TEST(Exact, BeyondDoubleIsANumericalFailure) {
+  const auto answer = fdebench("exact relaxation --set lambda=10 --at 50");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_EQ(answer.err, "fdebench: the exact solution is beyond double at t = 50\n");
+}
+
+// Linear scenes to many digits, and a march.
+TEST(Exact, EndsWithItsBudgetAndPrintsNothingElse) {
+  for (const auto& [arguments, time] : {std::pair{"relaxation --at 1 --digits 3000", "1"},
+                                        {"extensible_pendulum --at 7.125", "7.125"},
+                                        {"damped_oscillator --at 2 --digits 3000", "2"}}) {
+    const auto answer = fdebench(fmt::format("exact {} --budget 0.01", arguments));
+    EXPECT_EQ(answer.code, 3) << arguments;
+    EXPECT_EQ(answer.out, "") << arguments;
+    EXPECT_EQ(answer.err,
+              fmt::format("fdebench: the budget of 0.01 s ran out before the reference was known at t = {}\n",
+                          time));
+  }
+  EXPECT_EQ(fdebench("exact relaxation --at 1 --budget 100").code, 0);
+}
+
+}  // namespace
+}  // namespace fde
