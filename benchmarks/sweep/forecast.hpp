@@ -1,14 +1,10 @@
 #pragma once
 
 #include <functional>
-#include <map>
 
 #include "sweep/sweep.hpp"
 
 namespace fde {
-
-// The runs that a sweep is expected to take, and the seconds that each adds to it.
-using Forecast = std::map<RunKey, double>;
 
 double total_seconds(const Forecast& forecast);
 

@@ -62,6 +62,20 @@ int steps_of(const StepsOrAccuracy& rung) {
   return steps != nullptr ? *steps : 0;
 }
 
+// Whether another climb, listed before this one, had the same errors to the last bit on every rung: it is the
+// same algorithm on this scene.
+bool is_repeated(std::span<const Climb> of_scene, const Climb& climb) {
+  const auto same = [](const Rung& rung, const Rung& other) {
+    return rung.steps == other.steps && rung.error && rung.error == other.error;
+  };
+  for (const Climb& other : of_scene) {
+    if (&other == &climb) return false;
+    if (other.size() >= climb.size() && std::ranges::equal(climb, std::span(other).first(climb.size()), same))
+      return true;
+  }
+  return false;
+}
+
 // Whether the climb, going on, could not be the answer within this error.
 bool is_answered(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb, double error) {
   if (measured_seconds(climb, error)) return true;
@@ -111,7 +125,8 @@ bool has_ended(const Ladder& ladder, std::span<const Climb> of_scene, const Clim
   if (last.error.value_or(infinity) <= std::ranges::min(errors)) return true;
   if (!last.seconds) return false;
   if (seconds_with(climb, steps_of(ladder.rungs[climb.size()])) > most_seconds) return true;
-  return climb.size() >= fewest_rungs && std::ranges::all_of(errors, [&](double error) {
+  if (climb.size() < fewest_rungs) return false;
+  return is_repeated(of_scene, climb) || std::ranges::all_of(errors, [&](double error) {
            return is_answered(ladder, of_scene, climb, error);
          });
 }

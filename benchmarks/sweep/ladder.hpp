@@ -48,7 +48,9 @@ std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, d
 //   - within the least error of the goal, or at the floor;
 //   - where the next rung is forecast to take more than most_seconds;
 //   - from the fifth rung on, with which a rate is known, where each error not reached is out of its hopeful
-//     reach, or another climb is within it in less time, by its measured or its forecast seconds.
+//     reach, or another climb is within it in less time, by its measured or its forecast seconds;
+//   - from the fifth rung on, where a climb listed before has the same errors to the last bit: both schemes
+//     are one algorithm on this scene.
 // Without a goal only at the top.
 bool has_ended(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb);
 

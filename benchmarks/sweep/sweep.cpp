@@ -4,6 +4,7 @@
 #include <atomic>
 #include <deque>
 #include <mutex>
+#include <numeric>
 
 #include "sweep/in_parallel.hpp"
 
@@ -100,8 +101,28 @@ void climb(SweptScene& of, const Ladder& ladder, SweepLog& log) {
   }
 }
 
+// The seconds that the rung at hand is expected to take.
+double seconds_of_rung(const SweptScene& of, const Forecast& expected) {
+  double seconds = 0.0;
+  for (const Line& line : of.lines) {
+    const auto run = line.ended ? expected.end() : expected.find(line.key);
+    if (run != expected.end()) seconds += run->second;
+  }
+  return seconds;
+}
+
+// What takes longest begins, so that the threads end together.
+std::vector<std::size_t> longest_first(const std::deque<SweptScene>& scenes, const Forecast& expected) {
+  std::vector<double> seconds;
+  for (const auto& of : scenes) seconds.push_back(seconds_of_rung(of, expected));
+  std::vector<std::size_t> order(scenes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return seconds[i]; });
+  return order;
+}
+
 void take_rung(std::deque<SweptScene>& scenes, const StepsOrAccuracy& rung, const Sweep& sweep,
-               const SweepHooks& hooks, SweepLog& log) {
+               const SweepHooks& hooks, const Forecast& expected, SweepLog& log) {
   for (auto& of : scenes) {
     for (Line& line : of.lines) {
       if (line.ended) continue;
@@ -109,14 +130,15 @@ void take_rung(std::deque<SweptScene>& scenes, const StepsOrAccuracy& rung, cons
       line.run = hooks.recorded(line.key);
     }
   }
-  in_parallel(scenes.size(), sweep.threads, [&](std::size_t i) { examine_rung(scenes[i], log); });
+  const auto order = longest_first(scenes, expected);
+  in_parallel(scenes.size(), sweep.threads, [&](std::size_t i) { examine_rung(scenes[order[i]], log); });
   for (auto& of : scenes) time_rung(of, sweep.repeats, log);
   for (auto& of : scenes) climb(of, sweep.ladder, log);
 }
 
 }  // namespace
 
-void run_sweep(const Sweep& asked, const SweepHooks& hooks) {
+void run_sweep(const Sweep& asked, const SweepHooks& hooks, const Forecast& expected) {
   Sweep sweep = asked;
   sweep.ladder.rungs.clear();
   for (const auto& rung : asked.ladder.rungs) {
@@ -129,7 +151,7 @@ void run_sweep(const Sweep& asked, const SweepHooks& hooks) {
       scenes.emplace_back(variant, sweep);
   }
   SweepLog log(hooks);
-  for (const auto& rung : sweep.ladder.rungs) take_rung(scenes, rung, sweep, hooks, log);
+  for (const auto& rung : sweep.ladder.rungs) take_rung(scenes, rung, sweep, hooks, expected, log);
 }
 
 }  // namespace fde

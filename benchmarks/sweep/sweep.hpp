@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,6 +24,9 @@ struct Sweep {
   unsigned threads = std::thread::hardware_concurrency();  // of the part that is not timed
 };
 
+// The runs that a sweep is expected to take, and the seconds that each adds to it.
+using Forecast = std::map<RunKey, double>;
+
 // What a sweep is about to do to a run, or that it is done; or that its line ends: no other run of the scene
 // and the scheme is to come.
 struct SweepEvent {
@@ -36,13 +40,14 @@ struct SweepEvent {
 // alone on the machine; then it is decided who climbs on, from what is recorded and what was measured alike.
 // So a sweep that is continued takes the same runs. Rows go to `append` as soon as they are made: a call for
 // each examination and one for each run's times. The runs of a scene and a rung keep the order of the
-// schemes; those of scenes side by side mix. The number of threads changes no bit of the rows but the times.
-// `append` and `tell` are called by one thread at a time.
+// schemes; those of scenes side by side mix, and the scene that is expected to take longest begins. Neither
+// the number of threads nor the forecast changes a bit of the rows but the times. `append` and `tell` are
+// called by one thread at a time.
 struct SweepHooks {
   std::function<RecordedRun(const RunKey&)> recorded;
   std::function<void(const std::vector<Record>&)> append;
   std::function<void(const SweepEvent&)> tell;
 };
-void run_sweep(const Sweep& asked, const SweepHooks& hooks);
+void run_sweep(const Sweep& asked, const SweepHooks& hooks, const Forecast& expected = {});
 
 }  // namespace fde

@@ -99,9 +99,9 @@ void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams,
   for (const auto& sweep : sweeps) expected.merge(forecast(sweep, recorded));
   const bool count_is_exact =
       std::ranges::none_of(sweeps, [](const auto& sweep) { return sweep.ladder.goal.has_value(); });
-  SweepProgress progress(streams, std::move(expected), count_is_exact);
+  SweepProgress progress(streams, expected, count_is_exact);
   const SweepHooks hooks{recorded, append, [&](const SweepEvent& event) { progress.hear(event); }};
-  for (const auto& sweep : sweeps) run_sweep(sweep, hooks);
+  for (const auto& sweep : sweeps) run_sweep(sweep, hooks, expected);
 }
 
 void run(const RunArguments& arguments, const Streams& streams, const Scenes& known) {

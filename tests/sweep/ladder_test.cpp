@@ -74,6 +74,21 @@ TEST(Ladders, EndWhereAnotherSchemeIsWithinEachErrorInLessTime) {
   EXPECT_TRUE(ends({climb, climb_of(5, 0.1, 2.0, 1e-8)}));
 }
 
+// adams_pc and decoupled_multi_order are one algorithm where no order is above 1.
+TEST(Ladders, EndWhereAnotherSchemeListedBeforeIsTheSameAlgorithm) {
+  const auto ended = [](const std::vector<Climb>& climbs, std::size_t i) {
+    return has_ended(ladder, climbs, climbs[i]);
+  };
+  const auto four = climb_of(4, 0.1, 2.0), five = climb_of(5, 0.1, 2.0);
+  EXPECT_TRUE(ended({five, five}, 1));
+  EXPECT_FALSE(ended({five, five}, 0)) << "one of them goes on";
+  EXPECT_FALSE(ended({four, four}, 1)) << "four equal errors may be chance";
+  EXPECT_FALSE(ended({four, five}, 1)) << "the other one has ended for a reason of its own";
+  auto nearly = five;
+  nearly.back().error = std::nextafter(*nearly.back().error, 0.0);
+  EXPECT_FALSE(ended({five, nearly}, 1));
+}
+
 TEST(Ladders, WithoutAGoalEndAtTheTop) {
   const Ladder all{ladder.rungs};
   const std::vector<Climb> climbs{climb_of(7, 1e-9, 2.0), climb_of(8, 1e-9, 2.0)};
