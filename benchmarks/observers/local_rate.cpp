@@ -1,12 +1,11 @@
 #include "observers/local_rate.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "observers/least_squares.hpp"
 #include "problem/smoothness.hpp"
-#include "quadrature/gauss.hpp"
 
 namespace fde {
 namespace {
@@ -60,7 +59,7 @@ Vec start_weights(const std::vector<double>& times, double t, const std::vector<
       values(p, k) = std::pow(static_cast<long double>(times[static_cast<std::size_t>(k)]) / t, power);
     rates[p] = power / t;
   }
-  return LongVec(values.colPivHouseholderQr().solve(rates)).cast<double>();
+  return least_squares(values, rates).col(0).cast<double>();
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 #include "observers/start_powers.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "observers/least_squares.hpp"
 #include "problem/smoothness.hpp"
-#include "quadrature/gauss.hpp"
 
 namespace fde {
 
@@ -23,12 +22,8 @@ StartPowers::StartPowers(std::vector<double> powers) : powers_(std::move(powers)
     for (Eigen::Index l = 0; l < 2 * count; ++l)
       values(l, p) = std::pow(static_cast<long double>(l + 1), power) / largest[p];
   }
-  const Eigen::ColPivHouseholderQR<LongMatrix> orthogonal(values);
-  inverse_.resize(count, 2 * count);
-  for (Eigen::Index l = 0; l < 2 * count; ++l) {
-    const LongVec one = orthogonal.solve(LongVec(LongVec::Unit(2 * count, l)));
-    inverse_.col(l) = one.cwiseQuotient(largest).cast<double>();
-  }
+  const LongMatrix inverse = least_squares(values, LongMatrix::Identity(2 * count, 2 * count));
+  inverse_ = (inverse.array().colwise() / largest.array()).cast<double>();
 }
 
 Vec StartPowers::coefficients(const Vec& values) const {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "command/subcommand.hpp"
+#include "command/command_line.hpp"
 #include "records/setup.hpp"
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"

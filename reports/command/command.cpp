@@ -1,16 +1,14 @@
 #include "command/command.hpp"
 
-#include <fmt/ostream.h>
+#include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <new>
 #include <ostream>
 #include <system_error>
-#include <utility>
 
+#include "command/command_line.hpp"
 #include "records/record.hpp"
 #include "scenes/parameters.hpp"
 
@@ -38,30 +36,8 @@ std::string printable(std::string_view message) {
 }
 
 int complain(const Streams& streams, int code, std::string_view message) {
-  fmt::print(streams.err, "fdebench: {}\n", printable(message));
+  streams.err << fmt::format("fdebench: {}\n", printable(message));
   return code;
-}
-
-// CLI11 takes a minus before a digit for a number, before a point for an option.
-std::string with_leading_zero(const std::string& argument) {
-  constexpr std::string_view digits = "0123456789";
-  const bool number = argument.starts_with("-.") && argument.find_first_of(digits) == 2;
-  return number ? "-0" + argument.substr(1) : argument;
-}
-
-// CLI11 takes the arguments from the last to the first.
-int dispatch(CLI::App& app, const std::vector<std::string>& arguments, const Streams& streams) {
-  try {
-    std::vector<std::string> backwards;
-    std::transform(arguments.rbegin(), arguments.rend(), std::back_inserter(backwards), with_leading_zero);
-    app.parse(std::move(backwards));
-  } catch (const CLI::Success& help) {
-    app.exit(help, streams.out, streams.err);
-  } catch (const CLI::ParseError& error) {
-    return complain(streams, bad_input, error.what());
-  }
-  streams.out.flush();
-  return streams.out.good() ? 0 : complain(streams, bad_input, "standard output: cannot be written");
 }
 
 // CLI11 takes an empty argument for the name of a group of options, without end. No argument of ours may be
@@ -73,10 +49,9 @@ void check_none_empty(const std::vector<std::string>& arguments) {
 }
 
 // CLI11 only says that a subcommand is missing.
-void check_subcommand(const CLI::App& app, const std::vector<std::string>& arguments) {
+void check_subcommand(const CommandLine& program, const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front().starts_with('-')) return;
-  std::vector<std::string> names;
-  for (const auto* command : app.get_subcommands({})) names.push_back(command->get_name());
+  const auto names = program.subcommands();
   if (std::ranges::find(names, arguments.front()) != names.end()) return;
   throw std::invalid_argument(fmt::format("command {}: no such command{}; there are {}", arguments.front(),
                                           nearest(arguments.front(), {names.begin(), names.end()}),
@@ -86,17 +61,18 @@ void check_subcommand(const CLI::App& app, const std::vector<std::string>& argum
 }  // namespace
 
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams, const Scenes& known) {
-  CLI::App app{"Which numerical scheme to use for a fractional differential equation, with proof",
-               "fdebench"};
-  app.require_subcommand(1);
-  app.set_version_flag("--version", this_session().version);
-#define FDE_COMMAND(file) add_##file(app, streams, known);
+  CommandLine program("fdebench",
+                      "Which numerical scheme to use for a fractional differential equation, with proof",
+                      this_session().version);
+#define FDE_COMMAND(file) add_##file(program, streams, known);
 #include "command/list.def"
 #undef FDE_COMMAND
   try {
     check_none_empty(arguments);
-    check_subcommand(app, arguments);
-    return dispatch(app, arguments, streams);
+    check_subcommand(program, arguments);
+    program.run(arguments, streams.out, streams.err);
+    streams.out.flush();
+    return streams.out.good() ? 0 : complain(streams, bad_input, "standard output: cannot be written");
   } catch (const NumericalFailure& failure) {
     return complain(streams, numerical_failure, failure.what());
   } catch (const std::invalid_argument& error) {

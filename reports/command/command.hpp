@@ -7,11 +7,9 @@
 
 #include "scenes/registry.hpp"
 
-namespace CLI {  // NOLINT(readability-identifier-naming)
-class App;
-}
-
 namespace fde {
+
+class CommandLine;
 
 // A scheme or a reference that did not come to its end: exit code 3.
 struct NumericalFailure : std::runtime_error {
@@ -31,8 +29,8 @@ struct Streams {
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams,
                  const Scenes& known = scenes());
 
-// Each file of list.def adds its subcommands to the application; scenes are named among those known.
-#define FDE_COMMAND(file) void add_##file(CLI::App& app, const Streams& streams, const Scenes& known);
+// Each file of list.def adds its subcommands to the program; scenes are named among those known.
+#define FDE_COMMAND(file) void add_##file(CommandLine& program, const Streams& streams, const Scenes& known);
 #include "command/list.def"
 #undef FDE_COMMAND
 

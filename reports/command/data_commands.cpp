@@ -1,4 +1,4 @@
-#include <fmt/ostream.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -27,7 +27,7 @@ void write_tables(const std::string& folder, const Streams& streams) {
   const auto tables = planned_tables(default_scenes());
   require_replaceable(folder, tables);
   replace_folder(folder, make_files(tables, progress_line(streams)));
-  fmt::print(streams.out, "{}\n", std::filesystem::absolute(folder).string());
+  streams.out << std::filesystem::absolute(folder).string() << '\n';
 }
 
 std::string describe(const RowVerdict& row) {
@@ -36,13 +36,13 @@ std::string describe(const RowVerdict& row) {
 }
 
 void print(const TableVerdict& verdict, std::ostream& out) {
-  fmt::print(out, "{}: {} rows, {} recomputed, {} wrong\n", verdict.table, verdict.rows, verdict.recomputed,
-             verdict.wrong);
+  out << fmt::format("{}: {} rows, {} recomputed, {} wrong\n", verdict.table, verdict.rows,
+                     verdict.recomputed, verdict.wrong);
   if (verdict.recomputed > 0) {
-    fmt::print(out, "  worst: line {}, {}{}\n    {}\n", verdict.worst_line, describe(verdict.worst),
-               verdict.worst.holds() ? "" : " WRONG", verdict.worst_row);
+    out << fmt::format("  worst: line {}, {}{}\n    {}\n", verdict.worst_line, describe(verdict.worst),
+                       verdict.worst.holds() ? "" : " WRONG", verdict.worst_row);
   }
-  for (const auto& what : verdict.absent) fmt::print(out, "  absent: {}\n", what);
+  for (const auto& what : verdict.absent) out << fmt::format("  absent: {}\n", what);
 }
 
 std::string summary(const std::vector<TableVerdict>& tables) {
@@ -58,14 +58,14 @@ std::string summary(const std::vector<TableVerdict>& tables) {
 void check_tables(const std::string& folder, std::size_t every, const Streams& streams) {
   const auto [tables, changed] = check_folder(folder, every, progress_line(streams));
   for (const auto& table : tables) print(table, streams.out);
-  for (const auto& file : changed) fmt::print(streams.out, "{}: CHECKSUM DIFFERS\n", file);
+  for (const auto& file : changed) streams.out << fmt::format("{}: CHECKSUM DIFFERS\n", file);
   for (const auto& table : tables) {
     if (table.wrong == 0) continue;
     throw NumericalFailure(fmt::format("{}: {} of {} rows wrong, the worst in line {}, {}", table.table,
                                        table.wrong, table.recomputed, table.worst_line,
                                        describe(table.worst)));
   }
-  fmt::print(streams.out, "{}\n", summary(tables));
+  streams.out << summary(tables) << '\n';
   if (!changed.empty())
     throw std::invalid_argument(fmt::format("{}: all rows hold, but its checksum differs", *changed.begin()));
 }
@@ -82,9 +82,9 @@ void reference(const ReferenceArguments& arguments, const Streams& streams) {
 
 }  // namespace
 
-void add_data_commands(CLI::App& app, const Streams& streams, const Scenes& /*known*/) {
+void add_data_commands(CommandLine& program, const Streams& streams, const Scenes& /*known*/) {
   auto arguments = std::make_shared<ReferenceArguments>();
-  Subcommand command(app, "reference", "Write the tables of reference data, or check a folder of them");
+  Subcommand command(program, "reference", "Write the tables of reference data, or check a folder of them");
   Subcommand action = command.one_of();
   action.option("--out", arguments->out, "folder to write: CSV, JSON, index and checksums");
   auto* check = action.option("--check", arguments->check, "folder to recompute, of any program");

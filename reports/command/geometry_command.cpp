@@ -1,4 +1,4 @@
-#include <fmt/ostream.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <optional>
@@ -97,9 +97,9 @@ void print_geometry(const GeometryArguments& arguments, const Streams& streams, 
 
 }  // namespace
 
-void add_geometry_command(CLI::App& app, const Streams& streams, const Scenes& known) {
+void add_geometry_command(CommandLine& program, const Streams& streams, const Scenes& known) {
   auto arguments = std::make_shared<GeometryArguments>();
-  Subcommand command(app, "geometry",
+  Subcommand command(program, "geometry",
                      "Metric, Christoffel symbols, connection and semispray of a scene; CSV");
   command.required("scene", arguments->scene, "id of a scene of mechanics");
   command.list("--set", arguments->settings, "a parameter of the scene, NAME=VALUE");

@@ -1,4 +1,4 @@
-#include <fmt/ostream.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
-#include "command/subcommand.hpp"
+#include "command/command_line.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/registry.hpp"
 #include "sweep/experiment.hpp"
@@ -85,7 +85,7 @@ template <typename Entries>
 void print_json(const Entries& entries, std::ostream& out) {
   Json all = Json::array();
   for (const auto& entry : entries) all.push_back(describe(entry));
-  fmt::print(out, "{}\n", all.dump(2));
+  out << all.dump(2) << '\n';
 }
 
 // Columns as wide as their widest cell.
@@ -97,8 +97,8 @@ void print_table(const std::vector<Row>& rows, std::ostream& out) {
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size() + gap);
   }
   for (const Row& row : rows) {
-    for (std::size_t c = 0; c + 1 < row.size(); ++c) fmt::print(out, "{:<{}}", row[c], widths[c]);
-    fmt::print(out, "{}\n", row.back());
+    for (std::size_t c = 0; c + 1 < row.size(); ++c) out << fmt::format("{:<{}}", row[c], widths[c]);
+    out << row.back() << '\n';
   }
 }
 
@@ -157,13 +157,13 @@ void add_list(Subcommand command, const std::string& detail, const std::string& 
 
 }  // namespace
 
-void add_list_commands(CLI::App& app, const Streams& streams, const Scenes& known) {
+void add_list_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
   add_list(
-      Subcommand(app, "scenes", "List the scenes"), "--parameters",
+      Subcommand(program, "scenes", "List the scenes"), "--parameters",
       "the parameters of each, with defaults and what is allowed",
       [&known]() -> const Scenes& { return known; }, parameters_of, streams.out);
-  add_list(Subcommand(app, "schemes", "List the schemes"), "--needs", "what each takes and asks of a problem",
-           schemes, needs_of_all, streams.out);
+  add_list(Subcommand(program, "schemes", "List the schemes"), "--needs",
+           "what each takes and asks of a problem", schemes, needs_of_all, streams.out);
 }
 
 }  // namespace fde

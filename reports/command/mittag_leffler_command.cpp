@@ -1,4 +1,4 @@
-#include <fmt/ostream.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ void require_known(const DecimalComplex& value) {
 
 void print(const DecimalComplex& value, std::ostream& out) {
   require_known(value);
-  fmt::print(out, "{} {} {}\n", value.re, value.im, value.bound);
+  out << fmt::format("{} {} {}\n", value.re, value.im, value.bound);
 }
 
 [[noreturn]] void refuse_overflow() { throw NumericalFailure("the value is beyond double; --digits has it"); }
@@ -61,8 +61,8 @@ void print(const DecimalComplex& value, std::ostream& out) {
 void print(std::complex<double> value, double bound, std::ostream& out) {
   if (!std::isfinite(value.real()) || !std::isfinite(value.imag()) || !std::isfinite(bound))
     refuse_overflow();
-  fmt::print(out, "{:.17g} {:.17g} {}\n", value.real(), value.imag(),
-             bound_text(bound_of_text(value.imag(), bound_of_text(value.real(), bound))));
+  out << fmt::format("{:.17g} {:.17g} {}\n", value.real(), value.imag(),
+                     bound_text(bound_of_text(value.imag(), bound_of_text(value.real(), bound))));
 }
 
 void of_number(const Arguments& x, const Function& function, std::ostream& out) {
@@ -122,8 +122,8 @@ void of_matrix(const Arguments& x, const Function& function, std::ostream& out) 
     const auto values = mittag_leffler(x.alpha, x.beta, entries, *function.digits);
     std::ranges::for_each(values, require_known);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      fmt::print(out, "{} {} ", i / static_cast<std::size_t>(size) + 1,
-                 i % static_cast<std::size_t>(size) + 1);
+      out << fmt::format("{} {} ", i / static_cast<std::size_t>(size) + 1,
+                         i % static_cast<std::size_t>(size) + 1);
       print(values[i], out);
     }
     return;
@@ -134,7 +134,7 @@ void of_matrix(const Arguments& x, const Function& function, std::ostream& out) 
   if (!value.allFinite() || !bound.allFinite()) refuse_overflow();
   for (Eigen::Index i = 0; i < size; ++i) {
     for (Eigen::Index j = 0; j < size; ++j) {
-      fmt::print(out, "{} {} ", i + 1, j + 1);
+      out << fmt::format("{} {} ", i + 1, j + 1);
       print(value(i, j), bound(i, j), out);
     }
   }
@@ -142,9 +142,9 @@ void of_matrix(const Arguments& x, const Function& function, std::ostream& out) 
 
 }  // namespace
 
-void add_mittag_leffler_command(CLI::App& app, const Streams& streams, const Scenes& /*known*/) {
+void add_mittag_leffler_command(CommandLine& program, const Streams& streams, const Scenes& /*known*/) {
   auto arguments = std::make_shared<Arguments>();
-  Subcommand command(app, "mittag-leffler", "E_{ALPHA,BETA}(Z) as: re im bound");
+  Subcommand command(program, "mittag-leffler", "E_{ALPHA,BETA}(Z) as: re im bound");
   command.required("ALPHA", arguments->alpha, "in (0, 5]");
   command.required("BETA", arguments->beta, "a real number");
   command.option("Z", arguments->z, "RE or RE,IM");

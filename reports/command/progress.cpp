@@ -1,6 +1,6 @@
 #include "command/progress.hpp"
 
-#include <fmt/ostream.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ using std::chrono::duration;
 
 // Of a text that fits.
 void overwrite_line(const Streams& streams, const std::string& text) {
-  fmt::print(streams.err, "\r{:<{}}", text, streams.columns - 1);
+  streams.err << fmt::format("\r{:<{}}", text, streams.columns - 1);
   streams.err.flush();
 }
 
@@ -53,7 +53,7 @@ std::function<void(std::size_t, std::size_t, const std::string&)> progress_line(
     if (streams.columns == 0) return;
     const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 1.0;
     overwrite_line(streams, {.part = part, .done = done, .total = total, .at_hand = what});
-    if (done == total) fmt::print(streams.err, "\n");
+    if (done == total) streams.err << '\n';
   };
 }
 
@@ -71,8 +71,8 @@ SweepProgress::SweepProgress(const Streams& streams, Forecast expected, bool cou
   constexpr double worth_saying = 5.0;
   const double seconds = remaining_.seconds_left(0.0);
   if (seconds < worth_saying) return;
-  fmt::print(streams_.err, "{}{} runs, about {}\n", count_is_exact ? "" : "about ",
-             remaining_.runs_expected(), duration_text(seconds));
+  streams_.err << fmt::format("{}{} runs, about {}\n", count_is_exact ? "" : "about ",
+                              remaining_.runs_expected(), duration_text(seconds));
   streams_.err.flush();
 }
 
@@ -94,7 +94,7 @@ void SweepProgress::hear(const SweepEvent& event) {
                           .at_hand = remaining_.at_hand()};
   line_is_open_ = terminal;
   if (terminal) return overwrite_line(streams_, progress);
-  fmt::print(streams_.err, "{}\n", progress_text(progress, 0));
+  streams_.err << progress_text(progress, 0) << '\n';
   streams_.err.flush();
 }
 

@@ -1,4 +1,4 @@
-#include <fmt/ostream.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -129,9 +129,9 @@ void exact(const ExactArguments& arguments, const Streams& streams, const Scenes
 
 }  // namespace
 
-void add_reference_commands(CLI::App& app, const Streams& streams, const Scenes& known) {
+void add_reference_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
   auto of_exact = std::make_shared<ExactArguments>();
-  Subcommand command(app, "exact", "What is known about a scene: its columns and a bound; CSV");
+  Subcommand command(program, "exact", "What is known about a scene: its columns and a bound; CSV");
   command.required("scene", of_exact->scene, "id of the scene");
   command.required("--at", of_exact->at, "times T1,T2,...");
   command.list("--set", of_exact->settings, "a parameter of the scene, NAME=VALUE");

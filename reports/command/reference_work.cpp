@@ -1,6 +1,6 @@
 #include "command/reference_work.hpp"
 
-#include <fmt/ostream.h>
+#include <fmt/format.h>
 
 #include <ostream>
 
@@ -14,7 +14,7 @@ ReferenceWork::ReferenceWork(const Streams& streams, std::optional<double> budge
       listening_([this](std::size_t done, std::size_t total) { hear(done, total); }) {}
 
 ReferenceWork::~ReferenceWork() {
-  if (line_is_open_) fmt::print(streams_.err, "\r{:{}}\r", "", streams_.columns - 1);
+  if (line_is_open_) streams_.err << fmt::format("\r{:{}}\r", "", streams_.columns - 1);
 }
 
 void ReferenceWork::fail() const {

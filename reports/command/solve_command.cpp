@@ -1,4 +1,4 @@
-#include <fmt/ostream.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -120,12 +120,12 @@ Table table_of(const Scene& scene, const Scheme& scheme, const std::optional<Gri
 }
 
 void print_rows(const Table& table, std::ostream& out) {
-  fmt::print(out, "t,{}\n", fmt::join(table.names, ","));
+  out << fmt::format("t,{}\n", fmt::join(table.names, ","));
   for (std::size_t c = 0; c < table.times.size(); ++c) {
-    fmt::print(out, "{:.17g}", table.times[c]);
+    out << fmt::format("{:.17g}", table.times[c]);
     for (const double value : table.values.col(static_cast<Eigen::Index>(c)))
-      fmt::print(out, ",{:.17g}", value);
-    fmt::print(out, "\n");
+      out << fmt::format(",{:.17g}", value);
+    out << '\n';
   }
 }
 
@@ -144,7 +144,7 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Resolution& reso
   add("states", cost.states);
   if (grid != nullptr && scheme.expected_rate)
     shown["expected_rate"] = scheme.expected_rate(scene.problem, scene.smoothness, grid->grading, Norm::end);
-  fmt::print(err, "{}\n", shown.dump());
+  err << shown.dump() << '\n';
 }
 
 void solve(const SolveArguments& arguments, const Streams& streams, const Scenes& known) {
@@ -177,9 +177,9 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
 
 }  // namespace
 
-void add_solve_command(CLI::App& app, const Streams& streams, const Scenes& known) {
+void add_solve_command(CommandLine& program, const Streams& streams, const Scenes& known) {
   auto arguments = std::make_shared<SolveArguments>();
-  Subcommand command(app, "solve", "Solve a scene with a scheme; CSV on standard output");
+  Subcommand command(program, "solve", "Solve a scene with a scheme; CSV on standard output");
   command.required("scene", arguments->scene, "id of the scene");
   command.required("--scheme", arguments->scheme, "id of the scheme");
   auto* steps = command.option("--steps", arguments->steps, "number of steps N");

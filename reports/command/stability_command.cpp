@@ -1,4 +1,4 @@
-#include <fmt/ostream.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
@@ -64,10 +64,10 @@ void print_stability(const Arguments& arguments, std::ostream& out) {
 
 }  // namespace
 
-void add_stability_command(CLI::App& app, const Streams& streams, const Scenes& /*known*/) {
+void add_stability_command(CommandLine& program, const Streams& streams, const Scenes& /*known*/) {
   auto arguments = std::make_shared<Arguments>();
   Subcommand command(
-      app, "stability",
+      program, "stability",
       "Linear stability in z = lambda h^G of D^G y = lambda y, as CSV: the real interval (-x, 0), the angle "
       "about the negative axis in degrees, that of the exact equation, and |y_100 / y_0| as z -> -infinity");
   command.required("--gamma", arguments->gamma, "G: the order, in (0, 2)");

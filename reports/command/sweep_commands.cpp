@@ -1,4 +1,4 @@
-#include <fmt/ostream.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -110,7 +110,7 @@ void run(const RunArguments& arguments, const Streams& streams, const Scenes& kn
   run_and_show(
       sweeps, streams, [&](const RunKey& key) { return file.recorded(key); },
       [&](const auto& rows) { file.append(rows); });
-  fmt::print(streams.out, "{}\n", std::filesystem::absolute(arguments.out).string());
+  streams.out << std::filesystem::absolute(arguments.out).string() << '\n';
 }
 
 // The results of the default sweep of one scene, measured now, as far as they can answer: schemes that are
@@ -144,9 +144,9 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
 
 }  // namespace
 
-void add_sweep_commands(CLI::App& app, const Streams& streams, const Scenes& known) {
+void add_sweep_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
   auto of_run = std::make_shared<RunArguments>();
-  Subcommand run_command(app, "run", "Measure schemes on scenes; a file that exists is continued");
+  Subcommand run_command(program, "run", "Measure schemes on scenes; a file that exists is continued");
   run_command.list("--scene", of_run->scenes, "ids of scenes, or ID:NAME=VALUE,...; default all");
   run_command.list("--scheme", of_run->schemes, "ids of schemes; default all");
   run_command.option("--steps", of_run->steps, "numbers of steps N1,N2,...");
@@ -160,14 +160,14 @@ void add_sweep_commands(CLI::App& app, const Streams& streams, const Scenes& kno
   run_command.callback([=, &known] { run(*of_run, streams, known); });
 
   auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
-  Subcommand report_command(app, "report", "Write the report page of a results file");
+  Subcommand report_command(program, "report", "Write the report page of a results file");
   report_command.required("file", *file, "results file");
   report_command.required("--out", *folder, "folder of the page");
   report_command.callback(
-      [=] { fmt::print(streams.out, "{}\n", write_report(read_results(*file), *folder).string()); });
+      [=] { streams.out << write_report(read_results(*file), *folder).string() << '\n'; });
 
   auto of_choose = std::make_shared<ChooseArguments>();
-  Subcommand choose_command(app, "choose", "The cheapest scheme for a scene and an accuracy");
+  Subcommand choose_command(program, "choose", "The cheapest scheme for a scene and an accuracy");
   choose_command.required("scene", of_choose->scene, "id of the scene, or ID:NAME=VALUE,...");
   choose_command.required("--error", of_choose->error, "largest error wanted at the end");
   choose_command.option("--results", of_choose->results, "results file; default: measure now");
