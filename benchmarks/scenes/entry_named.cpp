@@ -33,8 +33,16 @@ std::string nearest(std::string_view name, const std::vector<std::string_view>& 
 }
 
 void no_such(std::string_view kind, std::string_view id, const std::vector<std::string_view>& ids) {
-  throw std::invalid_argument(fmt::format("{} {}: no such {}{}; there are {}", kind, id, kind,
-                                          nearest(id, ids), fmt::join(ids, ", ")));
+  constexpr std::size_t few = 10, shown = 3;
+  auto listed = ids;
+  if (ids.size() > few) {
+    std::ranges::stable_sort(listed, {}, [=](std::string_view one) { return edit_distance(id, one); });
+    listed.resize(shown);
+  }
+  throw std::invalid_argument(
+      fmt::format("{} {}: no such {}{}; {} {}", kind, id, kind, nearest(id, ids),
+                  ids.size() > few ? fmt::format("the nearest of {} are", ids.size()) : "there are",
+                  fmt::join(listed, ", ")));
 }
 
 }  // namespace fde

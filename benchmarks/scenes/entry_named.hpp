@@ -9,7 +9,8 @@ namespace fde {
 // ", did you mean 'x'?" with the candidate of least edit distance to the name.
 std::string nearest(std::string_view name, const std::vector<std::string_view>& candidates);
 
-// Throws std::invalid_argument: "KIND ID: no such KIND, did you mean 'X'?; there are ...".
+// Throws std::invalid_argument: "KIND ID: no such KIND, did you mean 'X'?; there are ...", where there are
+// many the nearest ones only.
 [[noreturn]] void no_such(std::string_view kind, std::string_view id,
                           const std::vector<std::string_view>& ids);
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -23,6 +22,22 @@ std::vector<std::string> split_settings(std::string_view text) {
     }
   }
   return settings;
+}
+
+// NAME=VALUE, of a parameter or of the end.
+void add_setting(const std::string& setting, SceneVariant& variant) {
+  const auto equals = setting.find('=');
+  if (equals == std::string::npos || equals == 0) reject_text("--set", setting, "NAME=VALUE");
+  const auto name = setting.substr(0, equals);
+  const auto value = std::string_view(setting).substr(equals + 1);
+  bool first = !variant.until;
+  if (name == "until") {
+    variant.until = parse_number(name, value, any_end);
+  } else {
+    const auto& parameter = parameter_named(name, variant.maker->id, variant.maker->parameters);
+    first = variant.values.emplace(name, parameter.read(value)).second;
+  }
+  if (!first) reject_text("--set", setting, "one value for each name");
 }
 
 }  // namespace
@@ -54,33 +69,24 @@ Scene make_scene(const SceneVariant& variant) {
   return scene;
 }
 
-ParameterValues parse_settings(const SceneMaker& maker, const std::vector<std::string>& settings) {
-  ParameterValues values;
-  for (const auto& setting : settings) {
-    const auto equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0) reject_text("--set", setting, "NAME=VALUE");
-    const auto name = setting.substr(0, equals);
-    const auto& parameter = parameter_named(name, maker.id, maker.parameters);
-    auto value = parameter.read(std::string_view(setting).substr(equals + 1));
-    if (!values.emplace(name, std::move(value)).second)
-      reject_text("--set", setting, "one value for each name");
-  }
-  return values;
+SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,
+                          const Scenes& among) {
+  const auto colon = text.find(':');
+  SceneVariant variant{.maker = &scene_named(text.substr(0, colon), among)};
+  auto all = colon == std::string::npos ? std::vector<std::string>{}
+                                        : split_settings(std::string_view(text).substr(colon + 1));
+  all.insert(all.end(), settings.begin(), settings.end());
+  for (const auto& setting : all) add_setting(setting, variant);
+  return variant;
 }
 
 SceneVariant parse_variant(const std::string& text, const Scenes& among) {
-  constexpr std::string_view until = "until=";
-  const auto colon = text.find(':');
-  SceneVariant variant{.maker = &scene_named(text.substr(0, colon), among)};
-  if (colon == std::string::npos) return variant;
-  auto settings = split_settings(std::string_view(text).substr(colon + 1));
-  const auto end =
-      std::ranges::find_if(settings, [&](const auto& setting) { return setting.starts_with(until); });
-  if (end != settings.end()) {
-    variant.until = parse_number("until", end->substr(until.size()), any_end);
-    settings.erase(end);
-  }
-  variant.values = parse_settings(*variant.maker, settings);
+  return parse_variant(text, {}, among);
+}
+
+SceneVariant parse_variant(const std::string& text, const std::vector<std::string>& settings,
+                           const Scenes& among) {
+  SceneVariant variant = read_variant(text, settings, among);
   [[maybe_unused]] const Scene checked = make_scene(variant);
   return variant;
 }

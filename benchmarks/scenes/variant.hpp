@@ -26,18 +26,21 @@ Scene make_scene(const SceneMaker& maker, const ParameterValues& values = {});
 
 // The same for what is known about it, which does not depend on the form of its problem, nor on whether that
 // form can be solved.
-Scene make_known_scene(const SceneMaker& maker, const ParameterValues& values);
+Scene make_known_scene(const SceneMaker& maker, const ParameterValues& values = {});
 
 // make_scene, up to the end that the variant gives. Throws std::invalid_argument where the scene is posed at
 // both ends and has another.
 Scene make_scene(const SceneVariant& variant);
 
-// NAME=VALUE texts, for this scene.
-ParameterValues parse_settings(const SceneMaker& maker, const std::vector<std::string>& settings);
+// "pendulum" or "pendulum:alpha=1.9,beta=0.1", "pendulum:beta=0.1,until=100" with another end; further
+// settings NAME=VALUE, each name once. Throws std::invalid_argument naming what is wrong and what is allowed.
+SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,
+                          const Scenes& among = scenes());
 
-// "pendulum" or "pendulum:alpha=1.9,beta=0.1", "pendulum:beta=0.1,until=100" with another end. Throws
-// std::invalid_argument naming what is wrong and what is allowed.
+// The same, with a problem to solve.
 SceneVariant parse_variant(const std::string& text, const Scenes& among = scenes());
+SceneVariant parse_variant(const std::string& text, const std::vector<std::string>& settings,
+                           const Scenes& among = scenes());
 
 // Ends of time intervals: their products with a number of steps are doubles.
 inline constexpr Range any_end{.low = 0.0, .high = 1e290, .open_low = true};

@@ -7,6 +7,9 @@
 namespace fde {
 
 ComplexText split_complex(std::string_view text) {
+  const auto comma = text.find(',');
+  if (comma != std::string_view::npos)
+    return {std::string(text.substr(0, comma)), std::string(text.substr(comma + 1))};
   if (!text.ends_with('i')) return {std::string(text), "0"};
   text.remove_suffix(1);
   // the last sign that begins a number and not an exponent
@@ -20,6 +23,15 @@ ComplexText split_complex(std::string_view text) {
 }
 
 const Scheme& scheme_named(std::string_view id) { return entry_named(schemes(), "scheme", id); }
+
+void add_scene(Subcommand& command, SceneArguments& arguments, const std::string& what) {
+  command.required("scene", arguments.scene, what + ", or ID:NAME=VALUE,...");
+  command.list("--set", arguments.settings, "a parameter of the scene, NAME=VALUE");
+}
+
+SceneVariant read_variant(const SceneArguments& arguments, const Scenes& known) {
+  return read_variant(arguments.scene, arguments.settings, known);
+}
 
 void add_options(Subcommand& command, MeansArguments& arguments) {
   command.option("--grid", arguments.grid, "uniform or graded:R");

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "command/command_line.hpp"
 #include "records/setup.hpp"
@@ -14,13 +15,21 @@ namespace fde {
 // Texts of the command line into values. Each throws std::invalid_argument naming the argument, the text and
 // what is allowed.
 
-// "1", "-2.5i", "1e-3+i" into the texts of real and imaginary part; the parts are not checked.
+// "1", "1,2", "-2.5i", "1e-3+i" into the texts of real and imaginary part; the parts are not checked.
 struct ComplexText {
   std::string re, im;
 };
 ComplexText split_complex(std::string_view text);
 
 const Scheme& scheme_named(std::string_view id);
+
+// The scene of a command: SCENE or SCENE:NAME=VALUE,... with more of its settings.
+struct SceneArguments {
+  std::string scene;
+  std::vector<std::string> settings;
+};
+void add_scene(Subcommand& command, SceneArguments& arguments, const std::string& what = "id of the scene");
+SceneVariant read_variant(const SceneArguments& arguments, const Scenes& known);
 
 // What `solve` and `run` say of how a scheme runs.
 struct MeansArguments {

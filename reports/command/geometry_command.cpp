@@ -14,9 +14,8 @@ namespace fde {
 namespace {
 
 struct GeometryArguments {
-  std::string scene;
+  SceneArguments scene;
   std::optional<std::string> place, velocity;
-  std::vector<std::string> settings;
 };
 
 // n numbers of an argument, or what stands at t = 0.
@@ -87,9 +86,10 @@ std::string text_of(const std::vector<std::string>& names, const Geometry& geome
 }
 
 void print_geometry(const GeometryArguments& arguments, const Streams& streams, const Scenes& known) {
-  const auto& maker = scene_named(arguments.scene, known);
-  const Scene scene = make_known_scene(maker, parse_settings(maker, arguments.settings));
-  if (!scene.geometry) reject_text("scene", maker.id, "one of mechanics with a metric and constraints");
+  const auto variant = read_variant(arguments.scene, known);
+  const Scene scene = make_known_scene(*variant.maker, variant.values);
+  if (!scene.geometry)
+    reject_text("scene", variant.maker->id, "one of mechanics with a metric and constraints");
   const Vec q = state_of("--place", arguments.place, scene.geometry.place),
             v = state_of("--velocity", arguments.velocity, scene.geometry.velocity);
   streams.out << text_of(scene.geometry.coordinates, scene.geometry.at(q, v));
@@ -101,8 +101,7 @@ void add_geometry_command(CommandLine& program, const Streams& streams, const Sc
   auto arguments = std::make_shared<GeometryArguments>();
   Subcommand command(program, "geometry",
                      "Metric, Christoffel symbols, connection and semispray of a scene; CSV");
-  command.required("scene", arguments->scene, "id of a scene of mechanics");
-  command.list("--set", arguments->settings, "a parameter of the scene, NAME=VALUE");
+  add_scene(command, arguments->scene, "id of a scene of mechanics");
   command.option("--place", arguments->place, "coordinates Q1,Q2,...; default those at t = 0");
   command.option("--velocity", arguments->velocity, "velocities V1,V2,...; default those at t = 0");
   command.callback([=, &known] { print_geometry(*arguments, streams, known); });

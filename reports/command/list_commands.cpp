@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 
 #include "command/arguments.hpp"
@@ -17,6 +18,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Row = std::vector<std::string>;
 
+constexpr std::size_t few_names = 16;
+
+std::string column_text(const std::vector<std::string>& names) {
+  if (names.size() <= few_names) return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{}, {}, ..., {}", names[0], names[1], names.back());
+}
+
 // What a scene declares beyond its problem.
 std::vector<std::string> capabilities(const Scene& scene) {
   std::vector<std::string> names;
@@ -30,8 +38,7 @@ std::vector<std::string> capabilities(const Scene& scene) {
 
 // Names one by one; many that count on, u1, u2, ..., as their pattern.
 Json describe(const std::vector<std::string>& names) {
-  constexpr std::size_t few = 16;
-  if (names.size() <= few) return names;
+  if (names.size() <= few_names) return names;
   const std::string& first = names.front();
   const auto prefix = first.substr(0, first.find_last_not_of("0123456789") + 1);
   const auto number = number_in(first.substr(prefix.size()));
@@ -121,6 +128,11 @@ std::vector<Row> parameters_of(const Scenes& known) {
   return rows;
 }
 
+std::string need_text(const Json& value) {
+  if (value.is_boolean()) return value ? "yes" : "no";
+  return fmt::format("{}", value.get<double>());
+}
+
 std::vector<Row> needs_of_all(std::span<const Scheme> known) {
   std::vector<Row> rows{{"scheme"}};
   const Json of_first = needs_of(known.front());
@@ -128,26 +140,62 @@ std::vector<Row> needs_of_all(std::span<const Scheme> known) {
   for (const auto& scheme : known) {
     rows.push_back({std::string(scheme.id)});
     for (const auto& value : needs_of(scheme)) {
-      const bool yes_or_no = value.is_boolean();
-      rows.back().push_back(yes_or_no ? (value ? "yes" : "no") : fmt::format("{}", value.get<double>()));
+      rows.back().push_back(need_text(value));
     }
   }
   return rows;
 }
 
+// Everything about one: a fact a line, the parameters as in the list of all.
+void print_one(const SceneMaker& maker, std::ostream& out) {
+  const Scene scene = make_known_scene(maker);
+  std::vector<std::string> fitting;
+  for (const auto& scheme : schemes()) {
+    if (scene.refusal.empty() && !refusal(scheme, scene.problem, Grid{scene.problem.end, 1024}))
+      fitting.emplace_back(scheme.id);
+  }
+  out << fmt::format("{}: {}\nsource: {}\nend: {}\ncolumns: {}\nhas: {}\nschemes: {}\n", maker.id,
+                     maker.title, maker.source, scene.problem.end, column_text(scene.outputs.names),
+                     fmt::join(capabilities(scene), ", "), fmt::join(fitting, ", "));
+  if (!maker.parameters.empty()) {
+    std::vector<Row> rows{{"parameter", "default", "allowed", "meaning"}};
+    for (const auto& parameter : maker.parameters)
+      rows.push_back({parameter.name, text_of(parameter.value), parameter.allowed(), parameter.meaning});
+    out << '\n';
+    print_table(rows, out);
+  }
+  if (fitting.empty()) return;
+  out << fmt::format("\nfdebench solve {} --scheme {} --steps 1024 --at {}\n", maker.id, fitting.back(),
+                     scene.problem.end);
+}
+
+void print_one(const Scheme& scheme, std::ostream& out) {
+  out << fmt::format("{}: {}\nsource: {}\n\n", scheme.id, scheme.title, scheme.source);
+  std::vector<Row> rows;
+  const Json needs = needs_of(scheme);
+  for (const auto& [need, value] : needs.items()) rows.push_back({need, need_text(value)});
+  print_table(rows, out);
+}
+
 struct ListArguments {
+  std::optional<std::string> id;
   bool json = false, detail = false;
 };
 
-// A command that lists what there is: id and title, or what the flag `detail` asks for.
+// A command that lists what there is: id and title, or what the flag `detail` asks for; or tells all of one.
 template <typename Entries, typename Details>
-void add_list(Subcommand command, const std::string& detail, const std::string& help, Entries entries,
-              Details details, std::ostream& out) {
+void add_list(Subcommand command, std::string_view kind, const std::string& detail, const std::string& help,
+              Entries entries, Details details, std::ostream& out) {
   auto asked = std::make_shared<ListArguments>();
   auto* json = command.flag("--json", asked->json, "everything about each, as JSON");
   Subcommand::exclude(command.flag(detail, asked->detail, help), json);
+  command.option("id", asked->id, "one of them, in full");
   command.callback([=, &out] {
-    if (asked->json) {
+    if (asked->id) {
+      const auto& one = entry_named(entries(), kind, *asked->id);
+      if (asked->json || asked->detail) reject_text("id", *asked->id, "alone");
+      print_one(one, out);
+    } else if (asked->json) {
       print_json(entries(), out);
     } else {
       print_table(asked->detail ? details(entries()) : titles(entries()), out);
@@ -159,10 +207,10 @@ void add_list(Subcommand command, const std::string& detail, const std::string& 
 
 void add_list_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
   add_list(
-      Subcommand(program, "scenes", "List the scenes"), "--parameters",
+      Subcommand(program, "scenes", "List the scenes"), "scene", "--parameters",
       "the parameters of each, with defaults and what is allowed",
       [&known]() -> const Scenes& { return known; }, parameters_of, streams.out);
-  add_list(Subcommand(program, "schemes", "List the schemes"), "--needs",
+  add_list(Subcommand(program, "schemes", "List the schemes"), "scheme", "--needs",
            "what each takes and asks of a problem", schemes, needs_of_all, streams.out);
 }
 

@@ -36,7 +36,7 @@ void check(const Arguments& x) {
   if (x.matrix && x.z) reject_option("Z", *x.z, "left out with --matrix");
   if (x.derivative && x.gamma) reject_option("--gamma", *x.gamma, "without --derivative");
   if (!x.matrix && !x.z)
-    throw std::invalid_argument("Z is missing: must be RE or RE,IM, or --matrix in its place");
+    throw std::invalid_argument("Z is missing: must be RE, RE,IM or RE+IMi, or --matrix in its place");
 }
 
 Function function_of(const Arguments& x) {
@@ -66,9 +66,7 @@ void print(std::complex<double> value, double bound, std::ostream& out) {
 }
 
 void of_number(const Arguments& x, const Function& function, std::ostream& out) {
-  const auto comma = x.z->find(',');
-  const std::string re = x.z->substr(0, comma),
-                    im = comma == std::string::npos ? "0" : x.z->substr(comma + 1);
+  const auto [re, im] = split_complex(*x.z);
   const auto [alpha, beta, digits] = function;
   // Decimals need not be within the range of a double.
   if (digits && !x.derivative && !x.gamma)
@@ -147,7 +145,7 @@ void add_mittag_leffler_command(CommandLine& program, const Streams& streams, co
   Subcommand command(program, "mittag-leffler", "E_{ALPHA,BETA}(Z) as: re im bound");
   command.required("ALPHA", arguments->alpha, "in (0, 5]");
   command.required("BETA", arguments->beta, "a real number");
-  command.option("Z", arguments->z, "RE or RE,IM");
+  command.option("Z", arguments->z, "RE, RE,IM or RE+IMi");
   command.option("--derivative", arguments->derivative, "K: the K-th derivative in Z");
   command.option("--gamma", arguments->gamma, "G: the three-parameter function of Prabhakar");
   command.option("--matrix", arguments->matrix,

@@ -19,9 +19,9 @@ namespace fde {
 namespace {
 
 struct ExactArguments {
-  std::string scene, at;
+  SceneArguments scene;
+  std::string at;
   std::optional<std::string> digits, budget;
-  std::vector<std::string> settings;
   bool bounds = false;
 };
 
@@ -107,8 +107,8 @@ std::optional<int> parse_digits(const ExactArguments& arguments, const Scene& sc
 }
 
 void exact(const ExactArguments& arguments, const Streams& streams, const Scenes& known) {
-  const auto& maker = scene_named(arguments.scene, known);
-  Scene scene = make_known_scene(maker, parse_settings(maker, arguments.settings));
+  const auto variant = read_variant(arguments.scene, known);
+  Scene scene = make_known_scene(*variant.maker, variant.values);
   const auto times = parse_numbers("--at", arguments.at, not_negative);
   const double last = std::ranges::max(times);
   std::optional<double> budget;
@@ -116,7 +116,7 @@ void exact(const ExactArguments& arguments, const Streams& streams, const Scenes
   const bool two_ends = two_sided(scene.problem);
   if (two_ends && last > scene.problem.end)
     reject("--at", last, fmt::format("in [0, {}], the time of the scene", scene.problem.end));
-  const auto digits = parse_digits(arguments, scene, maker.id);
+  const auto digits = parse_digits(arguments, scene, variant.maker->id);
   if (!digits && !two_ends && last > 0.0) scene.problem.end = last;
   ReferenceWork work(streams, budget);
   try {
@@ -132,9 +132,8 @@ void exact(const ExactArguments& arguments, const Streams& streams, const Scenes
 void add_reference_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
   auto of_exact = std::make_shared<ExactArguments>();
   Subcommand command(program, "exact", "What is known about a scene: its columns and a bound; CSV");
-  command.required("scene", of_exact->scene, "id of the scene");
+  add_scene(command, of_exact->scene);
   command.required("--at", of_exact->at, "times T1,T2,...");
-  command.list("--set", of_exact->settings, "a parameter of the scene, NAME=VALUE");
   command.option("--digits", of_exact->digits, "number of decimal digits; default double");
   command.flag("--bounds", of_exact->bounds, "a bound of each column, after the largest");
   command.option("--budget", of_exact->budget, "seconds after which the evaluation ends; default none");

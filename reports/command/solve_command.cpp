@@ -21,10 +21,10 @@ constexpr int most_direct_steps = 1 << 21;  // beyond, hours
 constexpr int most_rows = 10'000'000;
 
 struct SolveArguments {
-  std::string scene, scheme;
-  std::optional<std::string> steps, accuracy, until, at;
+  SceneArguments scene;
+  std::string scheme;
+  std::optional<std::string> steps, accuracy, until, at, every, points;
   MeansArguments means{.budget = "3600"};
-  std::vector<std::string> settings;
   bool cost = false;
 };
 
@@ -43,15 +43,11 @@ Setup parse_setup(const SolveArguments& arguments) {
 }
 
 // Throws std::invalid_argument where the run would take hours or print too much.
-void require_affordable(const SolveArguments& arguments, const Grid& grid, HistoryKind history) {
+void require_affordable(const Grid& grid, HistoryKind history) {
   if (resolve(history, step_plan(grid)) == HistoryKind::direct && grid.steps > most_direct_steps) {
     throw std::invalid_argument(
         fmt::format("--history = direct: takes up to {} steps, its work grows with their square, not {}",
                     most_direct_steps, grid.steps));
-  }
-  if (!arguments.at && grid.steps > most_rows) {
-    throw std::invalid_argument(
-        fmt::format("--at is needed beyond {} steps, not all {} are printed", most_rows, grid.steps));
   }
 }
 
@@ -76,6 +72,43 @@ std::vector<double> parse_times(const std::string& text, const Resolution& resol
   std::ranges::sort(times);
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
+}
+
+// Every K-th time of the grid and the last, or so many of them from 0 to the end, evenly spread over the
+// steps.
+std::vector<double> spread_times(const SolveArguments& arguments, const Grid& grid) {
+  int count = 0;
+  double stride = 0.0;
+  if (arguments.every) {
+    const int fewest = grid.steps / most_rows + 1;
+    const int each = parse_count("--every", *arguments.every, fewest, most_steps);
+    count = 1 + (grid.steps - 1) / each + 1;
+    stride = each;
+  } else {
+    count = parse_count("--points", *arguments.points, 2, most_rows);
+    stride = static_cast<double>(grid.steps) / (count - 1);
+  }
+  std::vector<double> times;
+  for (int i = 0; i < count; ++i)
+    times.push_back(grid.time(std::min(grid.steps, static_cast<int>(std::lround(i * stride)))));
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+// The times to print; none: all.
+std::vector<double> times_of(const SolveArguments& arguments, const Resolution& resolution, double end) {
+  if (arguments.at) return parse_times(*arguments.at, resolution, end);
+  const auto* grid = std::get_if<Grid>(&resolution);
+  if (arguments.every || arguments.points) {
+    if (grid == nullptr) throw std::invalid_argument("--every and --points: are only taken with --steps");
+    return spread_times(arguments, *grid);
+  }
+  if (grid != nullptr && grid->steps > most_rows) {
+    throw std::invalid_argument(
+        fmt::format("--at, --every or --points is needed beyond {} steps, not all {} are printed", most_rows,
+                    grid->steps));
+  }
+  return {};
 }
 
 std::optional<Grid> grid_of(const Resolution& resolution) {
@@ -148,18 +181,18 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Resolution& reso
 }
 
 void solve(const SolveArguments& arguments, const Streams& streams, const Scenes& known) {
-  const auto& maker = scene_named(arguments.scene, known);
+  auto variant = read_variant(arguments.scene, known);
   const auto& scheme = scheme_named(arguments.scheme);
-  SceneVariant variant{.maker = &maker, .values = parse_settings(maker, arguments.settings)};
+  if (arguments.until && variant.until)
+    reject_text("--until", *arguments.until, "without until= in the scene");
   if (arguments.until) variant.until = parse_number("--until", *arguments.until, any_end);
   const Scene scene = make_scene(variant);
   const Setup setup = parse_setup(arguments);
   const Resolution resolution = resolution_of(setup, scene.problem.end);
   Options options = setup.options();
   const auto grid = grid_of(resolution);
-  if (grid) require_affordable(arguments, *grid, options.history);
-  std::vector<double> asked;
-  if (arguments.at) asked = parse_times(*arguments.at, resolution, scene.problem.end);
+  if (grid) require_affordable(*grid, options.history);
+  const auto asked = times_of(arguments, resolution, scene.problem.end);
   options.at = with_times_beside(scene.reactions, grid, asked);
   if (const auto reason = refusal(scheme, scene.problem, resolution)) {
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
@@ -180,15 +213,19 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
 void add_solve_command(CommandLine& program, const Streams& streams, const Scenes& known) {
   auto arguments = std::make_shared<SolveArguments>();
   Subcommand command(program, "solve", "Solve a scene with a scheme; CSV on standard output");
-  command.required("scene", arguments->scene, "id of the scene");
+  add_scene(command, arguments->scene);
   command.required("--scheme", arguments->scheme, "id of the scheme");
   auto* steps = command.option("--steps", arguments->steps, "number of steps N");
   auto* accuracy = command.option("--accuracy", arguments->accuracy,
                                   "of schemes that choose their steps: relative, and absolute");
   Subcommand::exclude(accuracy, steps);
   command.option("--until", arguments->until, "end of the time interval");
-  command.list("--set", arguments->settings, "a parameter of the scene, NAME=VALUE");
-  command.option("--at", arguments->at, "grid times to print, T1,T2,...; default all");
+  auto* at = command.option("--at", arguments->at, "grid times to print, T1,T2,...; default all");
+  auto* every = command.option("--every", arguments->every, "print each K-th grid time, and the last");
+  auto* points = command.option("--points", arguments->points, "print K grid times from 0 to the end");
+  Subcommand::exclude(every, at);
+  Subcommand::exclude(points, at);
+  Subcommand::exclude(points, every);
   add_options(command, arguments->means);
   command.flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");
   command.callback([=, &known] {

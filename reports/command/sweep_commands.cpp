@@ -27,7 +27,7 @@ constexpr int most_repeats = 1000;
 constexpr double brief = 0.3;  // seconds after which a run of the default sweep is timed no more
 
 struct RunArguments {
-  std::vector<std::string> scenes, schemes;
+  std::vector<std::string> scenes, settings, schemes;
   std::optional<std::string> steps, accuracies;
   MeansArguments means{.budget = "600"};
   std::string repeats = "3", out;
@@ -35,14 +35,17 @@ struct RunArguments {
 };
 
 struct ChooseArguments {
-  std::string scene, error;
+  SceneArguments scene;
+  std::string error;
   std::optional<std::string> results;
 };
 
-std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts, const Scenes& known) {
+std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts,
+                                        const std::vector<std::string>& settings, const Scenes& known) {
+  if (texts.empty() && !settings.empty()) reject_text("--set", settings.front(), "with --scene");
   if (texts.empty()) return sweep_scenes();
   std::vector<SceneVariant> variants;
-  for (const auto& text : texts) variants.push_back(parse_variant(text, known));
+  for (const auto& text : texts) variants.push_back(parse_variant(text, settings, known));
   return variants;
 }
 
@@ -68,7 +71,7 @@ Ladder chosen_ladder(const RunArguments& arguments) {
 }
 
 Sweep sweep_of(const RunArguments& arguments, const Scenes& known) {
-  Sweep sweep{.scenes = chosen_scenes(arguments.scenes, known),
+  Sweep sweep{.scenes = chosen_scenes(arguments.scenes, arguments.settings, known),
               .schemes = chosen_schemes(arguments.schemes),
               .ladder = chosen_ladder(arguments),
               .setup = parse_means(arguments.means)};
@@ -129,7 +132,7 @@ Results measure(const SceneVariant& scene, double error, const Streams& streams)
 }
 
 void choose(const ChooseArguments& arguments, const Streams& streams, const Scenes& known) {
-  const auto scene = parse_variant(arguments.scene, known);
+  const auto scene = parse_variant(arguments.scene.scene, arguments.scene.settings, known);
   const double error = parse_number("--error", arguments.error, positive);
   const Results results =
       arguments.results ? read_results(*arguments.results) : measure(scene, error, streams);
@@ -148,6 +151,7 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
   auto of_run = std::make_shared<RunArguments>();
   Subcommand run_command(program, "run", "Measure schemes on scenes; a file that exists is continued");
   run_command.list("--scene", of_run->scenes, "ids of scenes, or ID:NAME=VALUE,...; default all");
+  run_command.list("--set", of_run->settings, "a parameter of all these scenes, NAME=VALUE");
   run_command.list("--scheme", of_run->schemes, "ids of schemes; default all");
   run_command.option("--steps", of_run->steps, "numbers of steps N1,N2,...");
   run_command.option("--accuracy", of_run->accuracies,
@@ -168,7 +172,7 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
 
   auto of_choose = std::make_shared<ChooseArguments>();
   Subcommand choose_command(program, "choose", "The cheapest scheme for a scene and an accuracy");
-  choose_command.required("scene", of_choose->scene, "id of the scene, or ID:NAME=VALUE,...");
+  add_scene(choose_command, of_choose->scene);
   choose_command.required("--error", of_choose->error, "largest error wanted at the end");
   choose_command.option("--results", of_choose->results, "results file; default: measure now");
   choose_command.callback([=, &known] { choose(*of_choose, streams, known); });

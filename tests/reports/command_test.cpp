@@ -124,6 +124,33 @@ TEST(MittagLeffler, PrintsAMatrixEntryByEntry) {
               testing::MatchesRegex("1 1 0.95836 -0.49861 .*\n"));
 }
 
+TEST(Solve, PrintsEachKthTimeAndTheLast) {
+  const std::string solve = "solve pendulum --scheme l1 --steps 10 ";
+  EXPECT_EQ(fdebench(solve + "--every 4").out, fdebench(solve + "--at 0,8,16,20").out);
+  EXPECT_EQ(fdebench(solve + "--every 5").out, fdebench(solve + "--at 0,10,20").out);
+  EXPECT_EQ(fdebench(solve + "--every 100").out, fdebench(solve + "--at 0,20").out);
+  EXPECT_EQ(fdebench(solve + "--points 3").out, fdebench(solve + "--at 0,10,20").out);
+  EXPECT_EQ(fdebench(solve + "--points 1000").out, fdebench(solve).out);
+}
+
+TEST(Scenes, AreNamedAlikeByEveryCommand) {
+  const auto alike = [](const std::string& label, const std::string& settings) {
+    const auto answer = fdebench(label);
+    EXPECT_EQ(answer.code, 0) << answer.err;
+    EXPECT_EQ(answer.out, fdebench(settings).out);
+  };
+  alike("solve pendulum:alpha=1.25,beta=0.75,until=5 --scheme l1 --steps 8",
+        "solve pendulum:alpha=1.25 --set beta=0.75 --until 5 --scheme l1 --steps 8");
+  alike("exact relaxation:gamma=0.25 --at 1 --digits 30",
+        "exact relaxation --set gamma=0.25 --at 1 --digits 30");
+  alike("geometry loxodrome:theta0=0.75", "geometry loxodrome --set theta0=0.75");
+}
+
+TEST(MittagLeffler, TakesComplexNumbersInBothNotations) {
+  EXPECT_EQ(fdebench("mittag-leffler 0.5 1 -5+2i").out, fdebench("mittag-leffler 0.5 1 -5,2").out);
+  EXPECT_EQ(fdebench("mittag-leffler 0.5 1 2e-1-1e-1i").out, fdebench("mittag-leffler 0.5 1 0.2,-0.1").out);
+}
+
 struct Mistake {
   const char *words, *message;
 };
@@ -143,6 +170,18 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"solve pendulm --scheme l1 --steps 8",
                 "scene pendulm: no such scene, did you mean 'pendulum'?"},
+        Mistake{"scenes pendulm", "the nearest of "},
+        Mistake{"scenes pendulum --json", "id = pendulum: must be alone"},
+        Mistake{"solve pendulum:beta=0.5 --set beta=0.25 --scheme l1 --steps 8",
+                "--set = beta=0.25: must be one value for each name"},
+        Mistake{"solve pendulum:until=5 --until 4 --scheme l1 --steps 8",
+                "--until = 4: must be without until= in the scene"},
+        Mistake{"run --set beta=0.5 --out /tmp/never", "--set = beta=0.5: must be with --scene"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --every 0", "--every = 0: must be"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --points 1", "--points = 1: must be"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --points 4 --every 2", "excludes"},
+        Mistake{"solve relaxation --scheme l1 --steps 100000000 --every 10",
+                "--every = 10: must be a whole number from 11"},
         Mistake{"solve pendulum --scheme adams --steps 8",
                 "scheme adams: no such scheme, did you mean 'adams_pc'?"},
         Mistake{"solve pendulum --scheme l1 --steps 0",
@@ -190,7 +229,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "l1 steps from the left: component 1 has a right derivative"},
         Mistake{"exact fractional_extremum --at 0.5,2", "--at = 2: must be in [0, 1], the time of the scene"},
         Mistake{"exact two_sided_constraint --at 1 --digits 40", "has no exact solution in digits"},
-        Mistake{"solve relaxation --scheme l1 --steps 20000000", "--at is needed beyond 10000000 steps"},
+        Mistake{"solve relaxation --scheme l1 --steps 20000000",
+                "--at, --every or --points is needed beyond 10000000 steps"},
         Mistake{"solve relaxation --scheme l1 --steps 8 --grid curved",
                 "--grid = curved: must be uniform or graded:R"},
         Mistake{"solve relaxation --scheme l1 --steps 8 --history fft",
@@ -206,7 +246,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"exact pendulum --at 1 --digits 50", "scene pendulum has no exact solution"},
         Mistake{"mittag-leffler 0 1 1", "ALPHA = 0: must be a number in (0, 5]"},
         Mistake{"mittag-leffler 1 1 nan", "Z = nan: must be a finite number"},
-        Mistake{"mittag-leffler 1 1", "Z is missing: must be RE or RE,IM, or --matrix"},
+        Mistake{"mittag-leffler 1 1", "Z is missing: must be RE, RE,IM or RE+IMi, or --matrix"},
         Mistake{"mittag-leffler 1 1 1 --derivative 1.5", "--derivative = 1.5: must be a whole number from 0"},
         Mistake{"mittag-leffler 1 1 1 --gamma x", "--gamma = x: must be a finite number"},
         Mistake{"mittag-leffler 1 1 1 --gamma 2 --derivative 1", "--gamma = 2: must be without --derivative"},

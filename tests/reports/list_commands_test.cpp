@@ -45,6 +45,16 @@ std::set<std::size_t> title_places(const std::string& table) {
   return places;
 }
 
+TEST(Lists, TellAllOfOne) {
+  const auto pendulum = fdebench("scenes pendulum").out;
+  EXPECT_THAT(pendulum, StartsWith("pendulum: "));
+  EXPECT_THAT(pendulum, HasSubstr("\ncolumns: phi, Dbeta_phi, dphi, Dalpha_phi\n"));
+  EXPECT_THAT(pendulum, testing::ContainsRegex("\nbeta +0.5 +a number in .0, 1. +lower order of damping\n"));
+  const auto example = pendulum.substr(pendulum.rfind("fdebench solve") + std::string("fdebench ").size());
+  EXPECT_EQ(fdebench(example).code, 0) << example;
+  EXPECT_THAT(fdebench("schemes l1").out, testing::ContainsRegex("implicit +yes\n"));
+}
+
 TEST(Lists, AreAlignedTables) {
   EXPECT_EQ(title_places(fdebench("scenes").out).size(), 1U);
   EXPECT_EQ(title_places(fdebench("schemes").out).size(), 1U);
