@@ -40,6 +40,23 @@ TEST(NodalBasis, IntegratesPowersOfBothEnds) {
   }
 }
 
+// J^g 1 = t^g / Gamma(g+1), and J^g (1-t) as above. Of the kernel (1-u)^(g-1) a share of 2 % is beyond the
+// last point of the map at g = 0.01.
+TEST(NodalBasis, SincFunctionsIntegrateTheWholeKernelOfSmallOrders) {
+  const NodalBasis basis = sinc_nodes(0.08);
+  const Vec one = Vec::Ones(std::ssize(basis.nodes));
+  const Vec falling = at_nodes(basis, [](BothShares t) { return t.from_end; });
+  for (const double order : {0.01, 0.02, 0.03, 0.05, 0.07, 0.1}) {
+    const auto row = basis.rows(order);
+    for (const double t : {1e-6, 0.1, 0.5, 0.999, 1.0}) {
+      const double whole = std::pow(t, order) / std::tgamma(order + 1.0);
+      EXPECT_NEAR(row({t, 1.0 - t}).dot(one), whole, 4e-15) << order << ' ' << t;
+      EXPECT_NEAR(row({t, 1.0 - t}).dot(falling), whole * (1.0 - t / (1.0 + order)), 4e-15)
+          << order << ' ' << t;
+    }
+  }
+}
+
 TEST(ClusteredTime, IsUndoneWithTheDigitsOfBothEnds) {
   for (const double x : {1e-3, 0.2, 0.5, 0.9, 0.999}) {
     const BothShares back = unclustered(clustered({x, 1.0 - x}));
