@@ -105,7 +105,7 @@ PanelTable table_of(const Problem& problem) {
 
 Reference from_table(PanelTable table, const Problem& problem) {
   if (two_sided(problem)) return two_sided_reference(std::move(table), problem.end);
-  return panel_reference(std::move(table));
+  return table_reference(std::move(table), problem);
 }
 
 }  // namespace

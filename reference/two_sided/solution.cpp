@@ -70,13 +70,12 @@ PanelTable two_sided_table(const Problem& problem) {
 
 Reference two_sided_reference(PanelTable table, double end) {
   // At the start a reference that is stepped from there is exact. Here right rows are not.
-  const Vec at_start = table.panels.front().bound;
-  return {[at_start, clustered_times = panel_reference(std::move(table)), end](double t) -> ReferenceValue {
+  Vec at_start = table.panels.front().bound;
+  return {[clustered_times = panel_reference(std::move(table), std::move(at_start)),
+           end](double t) -> ReferenceValue {
     if (!(t >= 0.0 && t <= end))
       throw std::invalid_argument(fmt::format("t = {}: must be in [0, {}]", t, end));
-    ReferenceValue known = clustered_times.at(end * unclustered({t / end, (end - t) / end}).from_start);
-    if (t == 0.0) known.bound = at_start;
-    return known;
+    return clustered_times.at(end * unclustered({t / end, (end - t) / end}).from_start);
   }};
 }
 
