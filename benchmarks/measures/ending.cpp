@@ -18,6 +18,7 @@ constexpr std::array all_words{
     Words{Ending::finished, "finished", "finished"},
     Words{Ending::not_finite, "not_finite", "not finite"},
     Words{Ending::not_converged, "not_converged", "Newton's method did not converge"},
+    Words{Ending::outran_growth, "outran_growth", "steps are too long for a mode that grows"},
     Words{Ending::singular, "singular", "ran into the singularity"},
     Words{Ending::out_of_budget, "out_of_budget", "out of its budget of time"},
     Words{Ending::accuracy_lost, "accuracy_lost", "accuracy lost"},

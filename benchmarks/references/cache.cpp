@@ -24,7 +24,7 @@ namespace {
 using nlohmann::json;
 
 // To be raised with every change of the methods or of the file that changes a reference.
-constexpr int version = 2;
+constexpr int version = 3;
 
 constexpr std::size_t digest_size = 64;
 
@@ -104,8 +104,8 @@ PanelTable table_of(const Problem& problem) {
 }
 
 Reference from_table(PanelTable table, const Problem& problem) {
-  if (two_sided(problem)) return two_sided_reference(std::move(table), problem.end);
-  return panel_reference(std::move(table));
+  if (two_sided(problem)) return two_sided_reference(std::move(table), problem);
+  return table_reference(std::move(table), problem);
 }
 
 }  // namespace

@@ -87,7 +87,8 @@ Vec bound_of_columns(const Outputs& outputs, double t, const ReferenceValue& ref
   for (Eigen::Index i = 0; i < shifted.size(); ++i) {
     shifted[i] += 0x1p-26 * std::max(std::abs(shifted[i]), 1.0);
     const Vec quotient = (columns_at(outputs, t, shifted) - columns) / (shifted[i] - reference.value[i]);
-    if (reference.bound[i] != 0.0) bound += quotient.cwiseAbs() * reference.bound[i];
+    for (Eigen::Index c = 0; c < bound.size() && reference.bound[i] != 0.0; ++c)
+      if (quotient[c] != 0.0) bound[c] += std::abs(quotient[c]) * reference.bound[i];
     shifted[i] = reference.value[i];
   }
   return bound;

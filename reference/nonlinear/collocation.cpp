@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "collocation/march.hpp"
 #include "diffusive/march.hpp"
 #include "march/posed_problem.hpp"
+#include "march/rhs_at.hpp"
 #include "nonlinear/bound.hpp"
+#include "problem/multipliers.hpp"
 
 namespace fde {
 
@@ -42,7 +47,26 @@ Starts starts_of(const Problem& problem) {
   return starts;
 }
 
+// Multipliers are in no algebraic row, and what is off in these may be any of their unknowns.
+Vec bound_of_start(const Problem& problem) {
+  constexpr double infinity = std::numeric_limits<double>::infinity(), rounding = 1e-14;
+  Vec bound = Vec::Zero(problem.size());
+  if (std::ranges::none_of(problem.components, algebraic)) return bound;
+  const Vec start = taylor_part(problem, 0.0), f = rhs_at(problem, 0.0, start);
+  const double size = std::max(1.0, start.lpNorm<Eigen::Infinity>());
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < problem.size(); ++i)
+    if (algebraic(problem.components[static_cast<std::size_t>(i)])) rows.push_back(i);
+  const bool held = std::ranges::all_of(rows, [&](auto i) { return std::abs(f[i]) <= rounding * size; });
+  for (const auto i : held ? multipliers(problem) : rows) bound[i] = infinity;
+  return bound;
+}
+
 }  // namespace
+
+Reference table_reference(PanelTable table, const Problem& problem) {
+  return panel_reference(std::move(table), bound_of_start(problem));
+}
 
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options) {
   require_posed(problem);
@@ -67,7 +91,7 @@ PanelTable reference_table(const Problem& problem, const CollocationOptions& opt
 }
 
 Reference reference_solution(const Problem& problem, const CollocationOptions& options) {
-  return panel_reference(reference_table(problem, options));
+  return table_reference(reference_table(problem, options), problem);
 }
 
 }  // namespace fde

@@ -21,7 +21,10 @@ struct CollocationOptions {
 // problem it cannot pose or, from Reference::at, a time outside [0, problem.end].
 Reference reference_solution(const Problem& problem, const CollocationOptions& options = {});
 
-// The same as a table to be kept: reference_solution is panel_reference of it.
+// The same as a table to be kept, and the reference that it makes. Initial values are exact; those of
+// algebraic rows that their rows do not hold at t = 0 are guesses, of which nothing is known: their bound is
+// infinite there.
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options = {});
+Reference table_reference(PanelTable table, const Problem& problem);
 
 }  // namespace fde

@@ -14,8 +14,9 @@ namespace {
 
 class TableReference {
  public:
-  explicit TableReference(PanelTable table)
+  TableReference(PanelTable table, Vec bound_of_start)
       : table_(std::move(table)),
+        bound_of_start_(std::move(bound_of_start)),
         basis_(static_cast<int>(table_.panels.front().values.rows()) - 2, PanelPoints::legendre) {}
 
   [[nodiscard]] ReferenceValue at(double t) const {
@@ -27,18 +28,19 @@ class TableReference {
     }
     const auto panel = std::ranges::lower_bound(panels, t, {}, &ReferencePanel::to);
     return {basis_.interpolate(panel->values, (t - panel->from) / (panel->to - panel->from)),
-            t > 0.0 ? panel->bound : Vec::Zero(panel->bound.size())};
+            t > 0.0 ? panel->bound : bound_of_start_};
   }
 
  private:
   PanelTable table_;
+  Vec bound_of_start_;
   PanelBasis basis_;
 };
 
 }  // namespace
 
-Reference panel_reference(PanelTable table) {
-  const auto reference = std::make_shared<const TableReference>(std::move(table));
+Reference panel_reference(PanelTable table, Vec bound_of_start) {
+  const auto reference = std::make_shared<const TableReference>(std::move(table), std::move(bound_of_start));
   return {.at = [reference](double t) { return reference->at(t); }};
 }
 

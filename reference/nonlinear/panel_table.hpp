@@ -18,7 +18,8 @@ struct PanelTable {
   std::vector<ReferencePanel> panels;
 };
 
-// Throws std::invalid_argument from Reference::at for a time outside the panels. There is a panel at least.
-Reference panel_reference(PanelTable table);
+// At t = 0 its bound is that of the start. Throws std::invalid_argument from Reference::at for a time outside
+// the panels. There is a panel at least.
+Reference panel_reference(PanelTable table, Vec bound_of_start);
 
 }  // namespace fde

@@ -11,10 +11,12 @@ namespace {
 using Point = Rectangle::Point;
 constexpr long double pi_long = std::numbers::pi_v<long double>;
 
-// Change of arg P on a long way from a to b, where |P| stays clear of 0: arg P turns by order Im(b - a) and
-// less than pi/4 besides. Far out, where one term or terms of nearly one order are all there is, the way may
-// be as long as it likes.
-std::optional<long double> long_turn(const CharacteristicFunction& function, const Point& a, const Point& b) {
+// Change of arg P on the straight way from a to b, where |P| is shown to stay clear of 0: arg P turns by
+// order Im(b - a) and less than pi/4 besides. Far out, where one term or terms of nearly one order are all
+// there is, the way may be as long as it likes. Two values alone tell too little: next to two zeros close to
+// each other arg P turns twice by nearly pi.
+std::optional<long double> clear_turn(const CharacteristicFunction& function, const Point& a,
+                                      const Point& b) {
   const auto [at_a, order, change] = function.way(a, b);
   if (!(change < 0.7L * std::abs(at_a))) return std::nullopt;
   const Point at_b = function.direction(b).value;
@@ -24,15 +26,9 @@ std::optional<long double> long_turn(const CharacteristicFunction& function, con
 
 // Change of arg P from a to b in pieces; nothing where a zero is next to the way, as far as rounding tells.
 std::optional<long double> turn(const CharacteristicFunction& function, const Point& a, const Point& b) {
-  constexpr long double shortest = 1e-11L, long_way = 0.1L;
-  if (std::abs(b - a) < long_way) {
-    const long double angle = std::arg(function.direction(b).value * std::conj(function.direction(a).value));
-    if (std::abs(angle) < pi_long / 4.0L) return angle;
-  } else if (const auto there = long_turn(function, a, b)) {
-    return there;
-  } else if (const auto back = long_turn(function, b, a)) {
-    return -*back;
-  }
+  constexpr long double shortest = 1e-11L;
+  if (const auto there = clear_turn(function, a, b)) return there;
+  if (const auto back = clear_turn(function, b, a)) return -*back;
   const Point middle = (a + b) / 2.0L;
   const auto [at_middle, noise, digits] = function.direction(middle);
   if (std::abs(b - a) < shortest || middle == a || middle == b || std::abs(at_middle) < 2.0L * noise)

@@ -47,7 +47,10 @@ constexpr long double clear = 1e3L;  // of noise: a few digits are left
 CharacteristicFunction::CharacteristicFunction(const LinearTransform& exact)
     : exact_(exact.characteristic),
       rounded_(rounded_characteristic<long double>(exact_)),
-      most_digits_(most_digits_for(rounded_.terms)) {}
+      most_digits_(most_digits_for(rounded_.terms)) {
+  for (const auto& term : rounded_.terms)
+    largest_log_ = std::max(largest_log_, std::abs(term.log_coefficient));
+}
 
 template <class Real>
 CharacteristicFunction::Moments CharacteristicFunction::moments(const Characteristic<Real>& characteristic,
@@ -83,7 +86,7 @@ CharacteristicFunction::Moments CharacteristicFunction::moments(int digits, cons
 long double CharacteristicFunction::noise_at(const Point& w, int digits) const {
   const long double unit =
       digits == 0 ? epsilon<long double>() : std::pow(10.0L, -static_cast<long double>(digits));
-  return unit * (2.0L + 2.0L * rounded_.terms.back().order * std::abs(w));
+  return unit * (2.0L + 2.0L * (largest_log_ + rounded_.terms.back().order * std::abs(w)));
 }
 
 // Enough digits are those with which a zero is known well, at a distance of noise over slope; or with which

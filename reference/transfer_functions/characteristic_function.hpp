@@ -61,12 +61,14 @@ class CharacteristicFunction {
   [[nodiscard]] static Moments moments(const Characteristic<Real>& characteristic, const Point& w,
                                        const Chosen& chosen);
   [[nodiscard]] Moments moments(int digits, const Point& w, const Chosen& chosen) const;
+  // What rounding leaves of log c + order w of a term, relative to the term.
   [[nodiscard]] long double noise_at(const Point& w, int digits) const;
   [[nodiscard]] int more(int digits) const { return std::min(std::max(2 * digits, 40), most_digits_); }
 
   GeneralizedPolynomial exact_;
   Characteristic<long double> rounded_;
   int most_digits_;
+  long double largest_log_ = 0.0L;                            // |log c| of the coefficients
   mutable std::map<int, Characteristic<BigReal>> precise_{};  // by digits
 };
 

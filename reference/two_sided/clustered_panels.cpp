@@ -14,19 +14,6 @@ double distance(BothShares before, BothShares after) {
   return after.from_start < 0.5 ? after.from_start - before.from_start : before.from_end - after.from_end;
 }
 
-constexpr double clustering = 8.0, bend = 0.5 - 1.0 / clustering;
-
-// v(x) and v'(x); 1 - v(x) is v(1 - x).
-double cubic(double x) { return x * (6.0 * bend + 2.0 / clustering - 12.0 * bend * x + 8.0 * bend * x * x); }
-double slope(double x) { return 6.0 * bend + 2.0 / clustering - 24.0 * bend * x * (1.0 - x); }
-
-// dt/dx.
-double rate(BothShares x) {
-  const BothShares t = clustered(x);
-  return clustering * t.from_start * t.from_end * slope(x.from_start) /
-         (cubic(x.from_start) * cubic(x.from_end));
-}
-
 BothShares share(double x) { return {x, 1.0 - x}; }
 
 // Nodes and weights on [0, 1] in double, for the weight (1-u)^power: at the end of the interval the kernel
@@ -42,8 +29,9 @@ struct Rule {
 
 class ClusteredPanels {
  public:
-  ClusteredPanels(const PanelBasis& panel, int panels)
-      : inner_(panel.nodes),
+  ClusteredPanels(const PanelBasis& panel, int panels, const ClusteredTime& time)
+      : time_(time),
+        inner_(panel.nodes),
         barycentric_(barycentric_weights(panel.gauss.nodes).cast<double>()),
         panels_(panels) {
     const auto points = inner_.size(), all = points * panels;
@@ -51,7 +39,7 @@ class ClusteredPanels {
     for (Eigen::Index k = 0; k < panels; ++k)
       x.segment(k * points, points) = (inner_.array() + static_cast<double>(k)) / panels;
     nodes_.push_back({0.0, 1.0});
-    for (Eigen::Index m = 0; m < all; ++m) nodes_.push_back(clustered({x[m], x[all - 1 - m]}));
+    for (Eigen::Index m = 0; m < all; ++m) nodes_.push_back(time_.at({x[m], x[all - 1 - m]}));
     nodes_.push_back({1.0, 0.0});
   }
 
@@ -59,7 +47,7 @@ class ClusteredPanels {
 
   [[nodiscard]] Vec row(double order, const Rule& singular, BothShares t) const {
     Vec row = Vec::Zero(std::ssize(nodes_));
-    const double x = unclustered(t).from_start;
+    const double x = time_.undone(t).from_start;
     for (int k = 0; k < panels_; ++k) {
       const double from = static_cast<double>(k) / panels_, to = (k + 1.0) / panels_;
       if (from >= x - same_place) break;
@@ -85,8 +73,8 @@ class ClusteredPanels {
     for (Eigen::Index q = 0; q < rule.nodes.size(); ++q) {
       const BothShares y = share(from + length * rule.nodes[q]);
       const double kernel =
-          std::pow(distance(clustered(y), t), order - 1.0) / std::pow(1.0 - rule.nodes[q], rule.power);
-      const double weight = length * rule.weights[q] * kernel * rate(y);
+          std::pow(distance(time_.at(y), t), order - 1.0) / std::pow(1.0 - rule.nodes[q], rule.power);
+      const double weight = length * rule.weights[q] * kernel * time_.rate(y);
       add_interpolated(panel, y.from_start * panels_ - panel, weight, row);
     }
   }
@@ -103,6 +91,7 @@ class ClusteredPanels {
     }
   }
 
+  ClusteredTime time_;
   Vec inner_, barycentric_;
   int panels_;
   std::vector<BothShares> nodes_;
@@ -111,15 +100,26 @@ class ClusteredPanels {
 
 }  // namespace
 
-BothShares clustered(BothShares x) {
-  const double start = std::pow(cubic(x.from_start), clustering),
-               end = std::pow(cubic(x.from_end), clustering);
+double ClusteredTime::cubic(double x) const {
+  return x * (6.0 * bend_ + 2.0 / power_ - 12.0 * bend_ * x + 8.0 * bend_ * x * x);
+}
+double ClusteredTime::slope(double x) const {
+  return 6.0 * bend_ + 2.0 / power_ - 24.0 * bend_ * x * (1.0 - x);
+}
+
+double ClusteredTime::rate(BothShares x) const {
+  const BothShares t = at(x);
+  return power_ * t.from_start * t.from_end * slope(x.from_start) / (cubic(x.from_start) * cubic(x.from_end));
+}
+
+BothShares ClusteredTime::at(BothShares x) const {
+  const double start = std::pow(cubic(x.from_start), power_), end = std::pow(cubic(x.from_end), power_);
   return {start / (start + end), end / (start + end)};
 }
 
 // Newton's method for the nearer end's share, from which v is convex upwards: it comes from below.
-BothShares unclustered(BothShares t) {
-  const double start = std::pow(t.from_start, 1.0 / clustering), end = std::pow(t.from_end, 1.0 / clustering);
+BothShares ClusteredTime::undone(BothShares t) const {
+  const double start = std::pow(t.from_start, 1.0 / power_), end = std::pow(t.from_end, 1.0 / power_);
   const double nearer = std::min(start, end) / (start + end);
   double x = nearer / slope(0.0);
   for (int i = 0; i < 60; ++i) {
@@ -130,10 +130,10 @@ BothShares unclustered(BothShares t) {
   return start <= end ? BothShares{x, 1.0 - x} : BothShares{1.0 - x, x};
 }
 
-NodalBasis clustered_panels(const PanelBasis& panel, int panels) {
-  const auto basis = std::make_shared<const ClusteredPanels>(panel, panels);
-  return {basis->nodes(), [basis](double order) -> NodalBasis::Row {
-            return [basis, order, inside = Rule(order - 1.0), at_end = Rule(clustering * order - 1.0)](
+NodalBasis clustered_panels(const PanelBasis& panel, int panels, const ClusteredTime& time) {
+  const auto basis = std::make_shared<const ClusteredPanels>(panel, panels, time);
+  return {basis->nodes(), [basis, power = time.power()](double order) -> NodalBasis::Row {
+            return [basis, order, inside = Rule(order - 1.0), at_end = Rule(power * order - 1.0)](
                        BothShares t) { return basis->row(order, t.from_end == 0.0 ? at_end : inside, t); };
           }};
 }

@@ -38,17 +38,21 @@ class SincNodes {
 
   [[nodiscard]] const std::vector<BothShares>& nodes() const { return nodes_; }
 
-  // With s = t u: t^order / Gamma(order) int_0^1 (1-u)^(order-1) f(t u) du.
+  // With s = t u: t^order / Gamma(order) int_0^1 (1-u)^(order-1) f(t u) du. Beyond the last point u is 1, and
+  // small orders have a share of the integral there, of all of it 1 / order: f is f(t) for that.
   [[nodiscard]] Vec row(double order, BothShares t) const {
     Vec row = Vec::Zero(std::ssize(nodes_));
     if (t.from_start == 0.0) return row;
     const auto points = static_cast<int>(last / quadrature_step);
+    double beyond = 1.0 / order;
     for (int k = -points; k <= points; ++k) {
       const double x = k * quadrature_step;
       const BothShares u = mapped(x);
       const double weight = quadrature_step * pi * std::cosh(x) * u.from_start * std::pow(u.from_end, order);
       add_interpolated({t.from_start * u.from_start, t.from_end + t.from_start * u.from_end}, weight, row);
+      beyond -= weight;
     }
+    add_interpolated(t, beyond, row);
     row *= std::pow(t.from_start, order) / std::tgamma(order);
     return row;
   }
@@ -57,6 +61,10 @@ class SincNodes {
   void add_interpolated(BothShares t, double weight, Vec& row) const {
     if (t.from_start < std::numeric_limits<double>::min()) {
       row[0] += weight;
+      return;
+    }
+    if (t.from_end < std::numeric_limits<double>::min()) {
+      row[row.size() - 1] += weight;
       return;
     }
     const double x = std::asinh(std::log(t.from_start / t.from_end) / pi);

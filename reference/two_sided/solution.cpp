@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -13,18 +14,35 @@
 namespace fde {
 namespace {
 
-constexpr int points = 14, panels = 9, coarse_points = 12, coarse_panels = 8;
+constexpr int points = 14, coarse_points = 12;
 constexpr double sinc_step = 0.08;
 constexpr double roundings = 64 * 0x1p-53;
 
-// The clustered times of the points that the table keeps of a panel.
-std::vector<BothShares> dense_times(const PanelBasis& basis, int panel) {
+// What starts like the smallest order g starts like x^4; below g = 1/8 less, since more would take its panels
+// from the middle.
+ClusteredTime time_of(const Problem& problem) {
+  constexpr double smooth = 4.0, usual = 8.0, most = 32.0;
+  double smallest = 1.0;
+  for (const auto& component : problem.components)
+    if (!algebraic(component)) smallest = std::min(smallest, component.order);
+  return ClusteredTime(std::clamp(smooth / smallest, usual, most));
+}
+
+// Panels, 9 of them or 8 of another resolution for the usual power 8: between the ends and the middle t is
+// the steeper the larger the power is.
+int count_of(int usual, const ClusteredTime& time) {
+  return static_cast<int>(std::ceil(usual * std::sqrt(time.power() / 8.0)));
+}
+
+// The times of the points that the table keeps of a panel.
+std::vector<BothShares> dense_times(const PanelBasis& basis, int panel, int panels,
+                                    const ClusteredTime& time) {
   std::vector<BothShares> times;
   const auto count = basis.dense_nodes.size();
   for (Eigen::Index j = 0; j < count; ++j) {
     const double from_start = (panel + basis.dense_nodes[j]) / panels;
     const double from_end = (panels - 1 - panel + basis.dense_nodes[count - 1 - j]) / panels;
-    times.push_back(clustered({from_start, from_end}));
+    times.push_back(time.at({from_start, from_end}));
   }
   return times;
 }
@@ -43,14 +61,17 @@ std::vector<Vec> spread(const std::vector<Vec>& differences) {
 
 PanelTable two_sided_table(const Problem& problem) {
   const PanelBasis fine(points, PanelPoints::legendre), coarse(coarse_points, PanelPoints::legendre);
-  const NodalBasis of_first = clustered_panels(fine, panels),
-                   of_other = clustered_panels(coarse, coarse_panels), of_second = sinc_nodes(sinc_step);
+  const ClusteredTime time = time_of(problem);
+  const int panels = count_of(9, time);
+  const NodalBasis of_first = clustered_panels(fine, panels, time),
+                   of_other = clustered_panels(coarse, count_of(8, time), time),
+                   of_second = sinc_nodes(sinc_step);
   const NodalSolution first(problem, of_first), other(problem, of_other), second(problem, of_second);
   PanelTable table;
   std::vector<Vec> differences;
   const Vec size = first.at_nodes().cwiseAbs().colwise().maxCoeff().transpose();
   for (int k = 0; k < panels; ++k) {
-    const auto times = dense_times(fine, k);
+    const auto times = dense_times(fine, k, panels, time);
     Matrix values(std::ssize(times), problem.size());
     Vec difference = Vec::Zero(problem.size());
     for (std::size_t j = 0; j < times.size(); ++j) {
@@ -68,15 +89,14 @@ PanelTable two_sided_table(const Problem& problem) {
   return table;
 }
 
-Reference two_sided_reference(PanelTable table, double end) {
+Reference two_sided_reference(PanelTable table, const Problem& problem) {
   // At the start a reference that is stepped from there is exact. Here right rows are not.
-  const Vec at_start = table.panels.front().bound;
-  return {[at_start, clustered_times = panel_reference(std::move(table)), end](double t) -> ReferenceValue {
+  Vec at_start = table.panels.front().bound;
+  return {[clustered_times = panel_reference(std::move(table), std::move(at_start)), end = problem.end,
+           time = time_of(problem)](double t) -> ReferenceValue {
     if (!(t >= 0.0 && t <= end))
       throw std::invalid_argument(fmt::format("t = {}: must be in [0, {}]", t, end));
-    ReferenceValue known = clustered_times.at(end * unclustered({t / end, (end - t) / end}).from_start);
-    if (t == 0.0) known.bound = at_start;
-    return known;
+    return clustered_times.at(end * time.undone({t / end, (end - t) / end}).from_start);
   }};
 }
 

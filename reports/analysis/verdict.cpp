@@ -31,6 +31,7 @@ Verdict verdict(const MeasuredRun& run) {
       return stops;
     case Ending::not_finite:
     case Ending::not_converged:
+    case Ending::outran_growth:
     case Ending::out_of_budget:
     case Ending::accuracy_lost:
     case Ending::passed_singularity:

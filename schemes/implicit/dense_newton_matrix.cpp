@@ -35,6 +35,12 @@ bool DenseNewtonMatrix::factorise_linear(const Vec& kappa) {
   return rows_.algebraic.empty() || !singular();
 }
 
+int DenseNewtonMatrix::determinant_sign() {
+  int sign = static_cast<int>(factors_.permutationP().determinant());
+  for (const double pivot : factors_.matrixLU().diagonal()) sign *= (pivot > 0.0) - (pivot < 0.0);
+  return sign;
+}
+
 void DenseNewtonMatrix::assemble(const Vec& kappa) {
   rows_.scale = kappa;
   for (const auto i : rows_.algebraic) rows_.scale[i] = 1.0 / matrix_.row(i).lpNorm<Eigen::Infinity>();

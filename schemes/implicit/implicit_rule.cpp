@@ -72,8 +72,8 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
     history.convolve(t, convolved);
     const Vec& kappa = factors.at(n);
     rule.past(t, convolved, previous, kappa, past);
-    if (!newton.solve(run, {t, kappa, past}, y)) {
-      run.fail(y.allFinite() ? Ending::not_converged : Ending::not_finite, t);
+    if (const Ending ending = newton.solve(run, {t, kappa, past}, y); ending != Ending::finished) {
+      run.fail(ending, t);
       break;
     }
     told = y;

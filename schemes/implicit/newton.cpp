@@ -31,10 +31,18 @@ NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
       wear_(static_cast<int>(2 * problem.size())),
       f_(problem.size()),
       increment_(problem.size()),
-      near_(problem.size()) {}
+      near_(problem.size()) {
+  if (linear(problem)) growth_.emplace(problem);
+}
 
-bool NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
-  if (linear(problem_)) return solve_linear(run, step, y);
+Ending NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
+  const bool solved = growth_ ? solve_linear(run, step, y) : solve_nonlinear(run, step, y);
+  if (growth_ && outruns_) return Ending::outran_growth;
+  if (solved) return Ending::finished;
+  return y.allFinite() ? Ending::not_converged : Ending::not_finite;
+}
+
+bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out y) {
   if (problem_.size() <= most_rows_anew) return iterate_anew(run, step, y);
   const bool solved = iterate_kept(run, step, y) || iterate_anew(run, step, y);
   path_.push(step.t, y);
@@ -87,8 +95,9 @@ bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {
   if (factorised_for_ != step.kappa) {
     factorised_for_ = step.kappa;
     solvable_ = matrix_->factorise_linear(step.kappa);
+    outruns_ = growth_->outruns(*matrix_, step.kappa, solvable_);
   }
-  if (!solvable_) return false;
+  if (!solvable_ || outruns_) return false;
   Vec increment(y.size());
   take_residual(step, matrix_->rows(), run.rhs(step.t, y), y, increment);
   matrix_->solve(increment);

@@ -5,8 +5,10 @@
 
 #include "implicit/extrapolation.hpp"
 #include "implicit/newton_matrix.hpp"
+#include "implicit/outrun_growth.hpp"
 #include "implicit/wear.hpp"
 #include "stepping/run.hpp"
+#include "stepping/trajectory.hpp"
 
 namespace fde {
 
@@ -35,11 +37,13 @@ class NewtonSolver {
  public:
   NewtonSolver(const Problem& problem, double tolerance);
 
-  // Improves the guess y to the solution. False when 350 iterations do not suffice, a value is not finite, or
-  // the constraints of a linear problem depend on each other.
-  bool solve(Run& run, const StepEquations& step, Out y);
+  // Improves the guess y to the solution. Not `finished` when 350 iterations do not suffice, a value is not
+  // finite, the constraints of a linear problem depend on each other, or it has a mode that grows so fast
+  // that the step outruns it.
+  Ending solve(Run& run, const StepEquations& step, Out y);
 
  private:
+  bool solve_nonlinear(Run& run, const StepEquations& step, Out y);
   bool solve_linear(Run& run, const StepEquations& step, Out y);
   // From the continued path with the kept factors; y is the result, or, where these do not serve, as it was.
   bool iterate_kept(Run& run, const StepEquations& step, Out y);
@@ -67,6 +71,8 @@ class NewtonSolver {
   // Of a linear problem: the kappa for which the matrix is factorised, and whether it has a solution then.
   std::optional<Vec> factorised_for_;
   bool solvable_ = false;
+  std::optional<OutrunGrowth> growth_;
+  bool outruns_ = false;
 };
 
 }  // namespace fde

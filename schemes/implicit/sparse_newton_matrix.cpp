@@ -33,6 +33,10 @@ bool SparseNewtonMatrix::factorise_linear(const Vec& kappa) {
   return true;
 }
 
+int SparseNewtonMatrix::determinant_sign() {
+  return factors_.info() == Eigen::Success ? static_cast<int>(factors_.signDeterminant()) : 0;
+}
+
 void SparseNewtonMatrix::assemble(const SparseMatrix& derivatives, const Vec& kappa) {
   rows_.scale = kappa;
   matrix_ = identity_ - SparseMatrix(kappa.asDiagonal() * derivatives);

@@ -13,6 +13,7 @@ class SparseNewtonMatrix : public NewtonMatrix {
 
   void linearise(Run& run, const StepEquations& step, In y, In f) override;
   bool factorise_linear(const Vec& kappa) override;
+  int determinant_sign() override;
   void add_to_diagonal(const Vec& values) override { matrix_.diagonal() += values; }
   void factorise() override;
   void solve(Vec& b) const override;

@@ -11,11 +11,12 @@ namespace fde {
 
 using Rows = Matrix;  // one row a component, one column a time
 
-// How a run ended. A scheme says the first five; who compares the run with its reference says the others.
+// How a run ended. A scheme says the first six; who compares the run with its reference says the others.
 enum class Ending {
   finished,
   not_finite,
   not_converged,  // Newton's method
+  outran_growth,  // a mode of the problem grows so fast that a step leads through infinity
   singular,       // left the domain of its problem
   out_of_budget,
   accuracy_lost,       // finished, but see accuracy_lost()

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -13,10 +14,14 @@
 namespace fde {
 namespace {
 
+std::string text_of_the_page() {
+  std::ifstream file(FDE_SOURCE_DIR "/docs/papers.md");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 // What stands in backquotes and looks like Suite.Test or Suite.Test/parameter.
 std::set<std::string> tests_on_the_page() {
-  std::ifstream file(FDE_SOURCE_DIR "/docs/papers.md");
-  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  const std::string page = text_of_the_page();
   const std::regex name("`([A-Z][A-Za-z0-9]*\\.[A-Z][A-Za-z0-9]*(/[a-z0-9_]+)?)`");
   std::set<std::string> names;
   for (auto it = std::sregex_iterator(page.begin(), page.end(), name); it != std::sregex_iterator(); ++it) {
@@ -50,6 +55,27 @@ TEST(PapersPage, NamesTestsThatExist) {
   const auto named = tests_on_the_page(), existing = tests_of_this_program();
   EXPECT_GT(named.size(), 30U);
   for (const auto& name : named) EXPECT_TRUE(existing.contains(name) || is_conformance_test(name)) << name;
+}
+
+// Suites of any room, as in `Modes.*`: a test of theirs stands in a source.
+TEST(PapersPage, NamesSuitesThatExist) {
+  std::string sources;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(FDE_SOURCE_DIR "/tests")) {
+    if (entry.path().extension() != ".cpp") continue;
+    std::ifstream file(entry.path());
+    sources.append(std::istreambuf_iterator<char>(file), {});
+  }
+  const std::string page = text_of_the_page();
+  const std::regex name("`([A-Z][A-Za-z0-9]*)\\.\\*`");
+  int named = 0;
+  for (auto it = std::sregex_iterator(page.begin(), page.end(), name); it != std::sregex_iterator(); ++it) {
+    const std::string suite = (*it)[1];
+    const bool exists = sources.find("TEST(" + suite + ", ") != std::string::npos ||
+                        sources.find("TEST_P(" + suite + ", ") != std::string::npos;
+    EXPECT_TRUE(exists) << suite;
+    ++named;
+  }
+  EXPECT_GT(named, 8);
 }
 
 TEST(PapersPage, HasEveryTestOfAPrintedError) {

@@ -20,14 +20,15 @@ void in_double(double alpha, double beta, std::complex<double> z) {
 }
 
 // Whether the value is lost in what a contour sums up, by hundreds of digits: next to a zero of 1/Gamma for
-// all terms, or beside 1/Gamma(beta) for a large beta. Those take seconds: an open defect of the smallest
-// alpha. Next to the positive axis the value overflows.
+// all terms and next to z = 1, or beside 1/Gamma(beta) for a large beta, unless the value is below double for
+// all that. Those take seconds: an open defect of the smallest alpha.
 bool takes_hundreds_of_digits(double alpha, double beta, std::complex<double> z) {
-  constexpr double nothing = 1e-30, large = 170.0, largest = 10000.0;
-  const bool overflows = z.real() > 1.0 && std::abs(z.imag()) < alpha * z.real();
+  constexpr double nothing = 1e-30, large = 170.0, larger = 180.0, largest = 10000.0;
   const bool near_zeros = alpha < nothing && beta < nothing && std::abs(beta - std::round(beta)) < nothing &&
-                          std::abs(z) > 0x1p-31 && !overflows;
-  return near_zeros || (std::abs(beta) > large && std::abs(beta) <= largest);
+                          std::abs(1.0 - z) < 2e-9;
+  const bool vanishes =
+      beta >= larger && (alpha <= 1.0 ? z.real() : std::abs(z)) <= 0.5 * std::pow(beta - 1.0, alpha);
+  return near_zeros || (std::abs(beta) > large && std::abs(beta) <= largest && !vanishes);
 }
 
 void in_digits(double alpha, double beta, std::complex<double> z, int digits) {

@@ -6,9 +6,13 @@
 #include <array>
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <stdexcept>
+#include <tuple>
+
+#include "progress/work.hpp"
 
 namespace fde {
 namespace {
@@ -299,6 +303,20 @@ TEST(MittagLeffler, TakesTheSmallestOrders) {
   EXPECT_NEAR(mittag_leffler(1e-60, 1.0, -0.5), 1.0 / 1.5, 1e-16);
   EXPECT_NEAR(mittag_leffler(5e-324, 0.5, 0.5), 2.0 / std::sqrt(std::numbers::pi), 1e-15);
   EXPECT_NEAR(mittag_leffler(1e-60, -1.0, -0.5) / 1e-60, 0.5 / 2.25, 1e-15);
+}
+
+// |E| <= 2 / Gamma(beta), which is nothing beside the smallest double.
+TEST(MittagLeffler, VanishesWithoutWorkForALargeBeta) {
+  std::size_t work = 0;
+  const ListeningToWork listening([&](std::size_t, std::size_t) { ++work; });
+  for (const auto& [alpha, beta, z] : {std::tuple{0.5, 500.0, std::complex(-3.0)},
+                                       {0.01, 9000.0, {0.3, 400.0}},
+                                       {2.0, 200.5, {50.0, -70.0}}}) {
+    const auto [value, bound] = mittag_leffler(alpha, beta, z);
+    EXPECT_EQ(value, 0.0) << beta;
+    EXPECT_EQ(bound, std::numeric_limits<double>::denorm_min()) << beta;
+  }
+  EXPECT_EQ(work, 0U);
 }
 
 // Next to beta = 0 and z = 0 the value is beta + z / Gamma(alpha + beta), as small as they are;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "nonlinear/collocation.hpp"
 #include "references/reference_of.hpp"
@@ -45,6 +46,20 @@ TEST(AlgebraicRowsReference, OfAnUnknownThatCanBeEliminatedIsThatOfTheOthers) {
       expect_within_bounds(through.at(t), both);
     }
   }
+}
+
+// lambda(0) is minus infinity here, and 0 and 3 are guesses; all else is given. An unknown that its own row
+// holds at t = 0 is known there.
+TEST(AlgebraicRowsReference, KnowsNothingOfAGuessedMultiplierAtTheStart) {
+  const Plane plane{.alpha = 0.5};
+  for (const double guess : {0.0, 3.0}) {
+    const Reference reference = reference_solution(plane.multiplier(guess));
+    const Vec bound = reference.at(0.0).bound;
+    EXPECT_EQ(bound.head(6), Vec::Zero(6)) << guess;
+    EXPECT_EQ(bound[6], std::numeric_limits<double>::infinity()) << guess;
+    EXPECT_TRUE(reference.at(1e-3).bound.allFinite()) << guess;
+  }
+  EXPECT_EQ(reference_solution(decay_through(0.5)).at(0.0).bound, Vec::Zero(2));
 }
 
 // v' = -k q + a lambda under a.v + b.w = c0 against the form without multiplier.

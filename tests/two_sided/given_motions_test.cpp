@@ -1,6 +1,6 @@
 // Problems at both ends with loads, ends and T of the user's: their references against an independent product
-// integration (NumPy, three meshes clustered at both ends, extrapolated), the schemes against their
-// references.
+// integration (NumPy, three meshes clustered at both ends, extrapolated) to the digits that this has, the
+// schemes against their references.
 
 #include <gtest/gtest.h>
 
@@ -17,6 +17,7 @@ struct Known {
   std::string scene;
   ParameterValues values;
   Vec middle, end;  // q1, q2 at T/2 and T
+  double accuracy;  // of these
 };
 
 Vec pair(double a, double b) { return Eigen::Vector2d(a, b); }
@@ -34,12 +35,13 @@ TEST_P(GivenMotion, HasAReferenceOnWhichTwoMethodsAgree) {
   const double end = scene_.problem.end;
   const auto [middle, of_middle] = reference.at(end / 2);
   const auto [last, of_last] = reference.at(end);
-  EXPECT_LT((middle.head(2) - GetParam().middle).cwiseAbs().maxCoeff(), 2e-5);
-  EXPECT_LT((last.head(2) - GetParam().end).cwiseAbs().maxCoeff(), 2e-5);
-  for (const double t : {0.0, 1e-6, 0.1, 0.5, 0.999999, 1.0}) {
+  EXPECT_LT((middle.head(2) - GetParam().middle).cwiseAbs().maxCoeff(), GetParam().accuracy);
+  EXPECT_LT((last.head(2) - GetParam().end).cwiseAbs().maxCoeff(), GetParam().accuracy);
+  for (const double t : {0.0, 1e-6, 0.1, 0.5, 0.9, 0.999999, 1.0}) {
     const auto [value, bound] = reference.at(t * end);
-    EXPECT_LT(bound.maxCoeff(), 1e-9) << t;
-    EXPECT_LT(scene_.constraint.drift(t * end, value), 1e-9) << t;
+    const bool inside = t > 1e-6 && t < 0.999999;
+    EXPECT_LT(bound.maxCoeff(), inside ? 1e-10 : 1e-11) << t;
+    EXPECT_LT(scene_.constraint.drift(t * end, value), 1e-11) << t;
   }
 }
 
@@ -60,31 +62,40 @@ TEST_P(GivenMotion, IsApproachedByBothSchemes) {
   }
 }
 
+// The last number is what the extrapolation leaves, the most where the velocity at T is free across a: there
+// product trapezoids of 2048 to 8192 equal steps, extrapolated, are off from it by the same 3.8e-6 as the
+// reference, and from the reference by 4e-9.
 INSTANTIATE_TEST_SUITE_P(, GivenMotion,
                          testing::Values(Known{"two_sided_constraint",
                                                {{"motion", "given"}},
                                                pair(1.29954860963, 0.39875172641),
-                                               pair(1.5043243183, 0.84734211548)},
+                                               pair(1.5043243183, 0.84734211548),
+                                               1e-7},
                                          Known{"two_sided_constraint",
                                                {{"motion", "given"}, {"ends", "place"}},
                                                pair(1.27578353172, 0.54746074749),
-                                               pair(1.48577406279, 1.07829722802)},
+                                               pair(1.48577406279, 1.07829722802),
+                                               2e-7},
                                          Known{"fractional_vakonomic",
                                                {},
                                                pair(1.30674380032, 0.31608218302),
-                                               pair(1.54731281982, 0.55004961216)},
+                                               pair(1.54731281982, 0.55004961216),
+                                               4e-7},
                                          Known{"fractional_vakonomic",
                                                {{"ends", "momentum"}, {"across", 0.3}},
                                                pair(1.26599408679, 0.57283856221),
-                                               pair(1.51400441246, 0.95420374034)},
+                                               pair(1.51400441246, 0.95420374034),
+                                               5e-6},
                                          Known{"fractional_hamilton",
                                                {{"motion", "given"}},
                                                pair(1.43685386514, -0.80551402058),
-                                               pair(1.61982901719, -1.1845439965)},
+                                               pair(1.61982901719, -1.1845439965),
+                                               1e-7},
                                          Known{"fractional_hamilton",
                                                {{"motion", "given"}, {"ends", "place"}, {"end1", 1.2}},
                                                pair(1.16803927438, -0.27442095112),
-                                               pair(1.2, -0.32911372039)}),
+                                               pair(1.2, -0.32911372039),
+                                               2e-8}),
                          [](const auto& test) {
                            return test.param.scene + "_" + std::to_string(test.index);
                          });
