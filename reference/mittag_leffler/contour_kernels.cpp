@@ -1,5 +1,7 @@
 #include "mittag_leffler/contour_kernels.hpp"
 
+#include <limits>
+
 // Vectors of unknown length cannot be members.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
@@ -54,6 +56,13 @@ struct Sums {
   }
 };
 
+// Of a sum over one half where the other is its conjugate.
+HWY_INLINE void double_real_part(QuotientSum& sum) {
+  sum.value.re = {2.0 * sum.value.re.hi, 2.0 * sum.value.re.lo};
+  sum.value.im = {0.0, 0.0};
+  sum.error *= 2.0;
+}
+
 QuotientSum sum_kernel(const ContourNodes& nodes, const PowerQuotient& quotient) {
   const bool real = quotient.scaled.imag() == 0.0;
   const Vector alpha = constant(quotient.alpha), scaling = constant(quotient.scale);
@@ -73,12 +82,140 @@ QuotientSum sum_kernel(const ContourNodes& nodes, const PowerQuotient& quotient)
   const double additions = 0.25 * static_cast<double>(nodes.size());
   const double powers = quotient.alpha + std::abs(quotient.exponent.hi);
   result.error *= unit_roundoff * (16.0 + additions + nodes.largest_log * powers);
-  if (real) {
-    result.value.re = {2.0 * result.value.re.hi, 2.0 * result.value.re.lo};
-    result.value.im = {0.0, 0.0};
-    result.error *= 2.0;
-  }
+  if (real) double_real_part(result);
   return result;
+}
+
+// log z by one Newton step for e^w = z from a logarithm in double; what that is off by is below 2^-40.
+HWY_INLINE Pair logarithm(const Pair& z) {
+  std::array<double, double_double_lanes> re{}, im{};
+  hn::StoreU(z.re.hi, tag, re.data());
+  hn::StoreU(z.im.hi, tag, im.data());
+  for (std::size_t lane = 0; lane < hn::Lanes(tag); ++lane) {
+    const std::complex<double> at(re[lane], im[lane]);
+    re[lane] = std::log(std::abs(at));
+    im[lane] = std::arg(at);
+  }
+  const Vector log_re = hn::LoadU(tag, re.data()), log_im = hn::LoadU(tag, im.data()), zero = hn::Zero(tag);
+  const Pair quotient = z * exponential(Pair{{hn::Neg(log_re), zero}, {hn::Neg(log_im), zero}});
+  const Pair off{quotient.re + constant(-1.0), quotient.im};
+  // log(1 + off) = off - off^2 / 2 + ...
+  const Vector a = off.re.hi, b = off.im.hi, half = constant(-0.5);
+  const Real square_re = off.re + hn::Mul(half, hn::Sub(hn::Mul(a, a), hn::Mul(b, b)));
+  const Real square_im = off.im + hn::Neg(hn::Mul(a, b));
+  return {square_re + log_re, square_im + log_im};
+}
+
+// What is summed over the nodes of one half of the contour.
+struct PowerSums {
+  Pair value;
+  Vector terms, differences;  // sizes of the terms, plain and by what the difference has lost
+
+  HWY_INLINE void add(const Pair& node_weight, const Pair& log, const PowerOfDifference& power, double sign) {
+    const ComplexDoubleDouble& z = power.log_z;
+    const Pair scaled = log * constant(power.alpha),
+               log_z{constant(z.re), constant(DoubleDouble{sign * z.im.hi, sign * z.im.lo})};
+    const Pair turned = power.outward ? Pair{scaled.re - log_z.re, scaled.im - log_z.im}
+                                      : Pair{log_z.re - scaled.re, log_z.im - scaled.im};
+    const Pair ratio = exponential(turned);
+    const Pair difference{-ratio.re + constant(1.0), -ratio.im};
+    const Pair raised = logarithm(difference) * constant(-power.strength);
+    const Pair head = log * constant(power.exponent), exponent = head + raised;
+    const Pair term = node_weight * exponential(exponent);
+    value.re = value.re + term.re;
+    value.im = sign > 0.0 ? value.im + term.im : value.im - term.im;
+    const Vector size = size_of(term), parts = hn::Add(size_of(head), size_of(raised));
+    terms = hn::MulAdd(size, hn::Add(parts, constant(1.0)), terms);
+    differences = hn::Add(differences, hn::Div(hn::Mul(size, hn::Add(size_of(ratio), size_of(difference))),
+                                               size_of(difference)));
+  }
+};
+
+QuotientSum power_kernel(const ContourNodes& nodes, const PowerOfDifference& power) {
+  const Real zero{hn::Zero(tag), hn::Zero(tag)};
+  PowerSums sums{{zero, zero}, hn::Zero(tag), hn::Zero(tag)};
+  for (std::size_t i = 0; i < nodes.size(); i += hn::Lanes(tag)) {
+    const Pair log{load(nodes.log_re, i), load(nodes.log_im, i)};
+    const Pair weight{load(nodes.weight_re, i), load(nodes.weight_im, i)};
+    sums.add(weight, log, power, 1.0);
+    if (!power.real) sums.add(weight, log, power, -1.0);
+  }
+  QuotientSum result{{sum_of_lanes(sums.value.re), sum_of_lanes(sums.value.im)}, 0.0};
+  const double additions = 0.25 * static_cast<double>(nodes.size());
+  const double log_z = std::abs(power.log_z.re.hi) + std::abs(power.log_z.im.hi);
+  const double ratio = 8.0 + 2.0 * (log_z + power.alpha * nodes.largest_log);
+  result.error = unit_roundoff * ((24.0 + additions) * sum_of_lanes(sums.terms) +
+                                  std::abs(power.strength) * ratio * sum_of_lanes(sums.differences));
+  if (power.real) double_real_part(result);
+  return result;
+}
+
+// The same for x^j / p(x).
+struct PolynomialSums {
+  std::array<Pair, most_degree> values;
+  std::array<Vector, most_degree> errors;
+  Vector largest_loss;
+
+  // What p may be off by, against p, is counted in unit_roundoff, and so are the ulps.
+  HWY_INLINE void add(const Pair& weight, const Pair& x, const PolynomialQuotient& quotient,
+                      double power_ulps, double weight_ulps, double sign) {
+    const std::size_t degree = quotient.coefficients.size();
+    Pair sum{constant(DoubleDouble{1.0, 0.0}), constant(DoubleDouble{0.0, 0.0})};
+    const Vector modulus = size_of(x);
+    Vector lost = constant(static_cast<double>(degree) * power_ulps);
+    for (std::size_t j = degree; j-- > 0;) {
+      const auto& [re, im] = quotient.coefficients[j];
+      sum = sum * x + Pair{constant(re), constant(DoubleDouble{sign * im.hi, sign * im.lo})};
+      const double own = (std::abs(re.hi) + std::abs(im.hi)) * (static_cast<double>(j) + 1.0) * power_ulps +
+                         quotient.errors[j] / unit_roundoff;
+      lost = hn::MulAdd(lost, modulus, constant(own));
+    }
+    const Real square = reciprocal(sum_of_products(sum.re, sum.re, sum.im, sum.im));
+    Pair term = weight * Pair{sum.re * square, -sum.im * square};
+    // |p| is at least half of |Re p| + |Im p|
+    const Vector loss = hn::Mul(constant(2.0), hn::Div(lost, size_of(sum)));
+    largest_loss = hn::Max(largest_loss, loss);
+    for (std::size_t j = 0; j < degree; ++j) {
+      values[j].re = values[j].re + term.re;
+      values[j].im = sign > 0.0 ? values[j].im + term.im : values[j].im - term.im;
+      const Vector relative = hn::Add(hn::Mul(constant(2.0), loss),
+                                      constant(weight_ulps + static_cast<double>(j) * (power_ulps + 2.0)));
+      errors[j] = hn::MulAdd(size_of(term), relative, errors[j]);
+      if (j + 1 < degree) term = term * x;
+    }
+  }
+};
+
+std::array<QuotientSum, most_degree> polynomial_kernel(const ContourNodes& nodes,
+                                                       const PolynomialQuotient& quotient) {
+  const Real zero{hn::Zero(tag), hn::Zero(tag)};
+  PolynomialSums sums{};
+  sums.values.fill({zero, zero});
+  sums.errors.fill(hn::Zero(tag));
+  sums.largest_loss = hn::Zero(tag);
+  bool real = true;
+  for (const auto& coefficient : quotient.coefficients) real = real && coefficient.im.hi == 0.0;
+  const double power_ulps = 8.0 + quotient.alpha * nodes.largest_log,
+               weight_ulps = 16.0 + 0.25 * static_cast<double>(nodes.size()) +
+                             std::abs(quotient.exponent.hi) * nodes.largest_log;
+  for (std::size_t i = 0; i < nodes.size(); i += hn::Lanes(tag)) {
+    const Pair log{load(nodes.log_re, i), load(nodes.log_im, i)};
+    const Pair x = exponential(log * constant(quotient.alpha));
+    const Pair weight = Pair{load(nodes.weight_re, i), load(nodes.weight_im, i)} *
+                        exponential(log * constant(quotient.exponent));
+    sums.add(weight, x, quotient, power_ulps, weight_ulps, 1.0);
+    if (!real) sums.add(weight, x, quotient, power_ulps, weight_ulps, -1.0);
+  }
+  constexpr double most_loss = 0.25 / unit_roundoff;
+  const bool hopeless = !(hn::GetLane(hn::MaxOfLanes(tag, sums.largest_loss)) < most_loss);
+  std::array<QuotientSum, most_degree> results{};
+  for (std::size_t j = 0; j < quotient.coefficients.size(); ++j) {
+    results[j] = {
+        {sum_of_lanes(sums.values[j].re), sum_of_lanes(sums.values[j].im)},
+        hopeless ? std::numeric_limits<double>::infinity() : unit_roundoff * sum_of_lanes(sums.errors[j])};
+    if (real) double_real_part(results[j]);
+  }
+  return results;
 }
 
 HWY_INLINE DoubleDouble first_lane(const Real& x) { return {hn::GetLane(x.hi), hn::GetLane(x.lo)}; }
@@ -159,23 +296,27 @@ HWY_AFTER_NAMESPACE();
 namespace fde {
 
 HWY_EXPORT(sum_kernel);
+HWY_EXPORT(power_kernel);
+HWY_EXPORT(polynomial_kernel);
 HWY_EXPORT(logarithm_kernel);
 HWY_EXPORT(residues_kernel);
 
-ContourNodes::ContourNodes(const Contour<BigReal>& contour) {
+ContourNodes::ContourNodes(const Contour<BigReal>& contour, double offset) {
   const auto put = [](Column& column, const BigReal& x) {
     const DoubleDouble parts = to_double_double(x);
     column.hi.push_back(parts.hi);
     column.lo.push_back(parts.lo);
   };
-  for (const auto& [s, log_s, weight] : contour.nodes()) {
+  const BigReal share = exp(BigReal(offset));
+  for (const auto& node : contour.nodes()) {
+    const BigComplex log_s = offset == 0.0 ? node.log_s : log(BigComplex(node.s + offset)),
+                     weight = node.weight * share;
     put(log_re, real_part<BigReal>(log_s));
     put(log_im, imag_part<BigReal>(log_s));
     put(weight_re, real_part<BigReal>(weight));
     put(weight_im, imag_part<BigReal>(weight));
+    largest_log = std::max(largest_log, size_of(log_s).convert_to<double>());
   }
-  for (const auto& node : contour.nodes())
-    largest_log = std::max(largest_log, size_of(node.log_s).convert_to<double>());
   const std::size_t whole = (size() + double_double_lanes - 1) / double_double_lanes * double_double_lanes;
   for (Column* column : {&log_re, &log_im}) {
     column->hi.resize(whole, column->hi.back());
@@ -189,6 +330,15 @@ ContourNodes::ContourNodes(const Contour<BigReal>& contour) {
 
 QuotientSum sum_over_nodes(const ContourNodes& nodes, const PowerQuotient& quotient) {
   return HWY_DYNAMIC_DISPATCH(sum_kernel)(nodes, quotient);
+}
+
+QuotientSum sum_over_nodes(const ContourNodes& nodes, const PowerOfDifference& power) {
+  return HWY_DYNAMIC_DISPATCH(power_kernel)(nodes, power);
+}
+
+std::array<QuotientSum, most_degree> sum_over_nodes(const ContourNodes& nodes,
+                                                    const PolynomialQuotient& quotient) {
+  return HWY_DYNAMIC_DISPATCH(polynomial_kernel)(nodes, quotient);
 }
 
 ComplexDoubleDouble complex_logarithm(std::complex<double> z) {

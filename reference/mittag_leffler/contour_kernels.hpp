@@ -2,6 +2,7 @@
 
 #include <array>
 #include <complex>
+#include <span>
 #include <vector>
 
 #include "laplace/contour.hpp"
@@ -13,7 +14,8 @@ struct ComplexDoubleDouble {
   DoubleDouble re, im;
 };
 
-// The nodes of a contour as arrays, each column filled up with nodes of weight 0 to whole vectors.
+// The nodes of a contour, all of them moved by `offset`, as arrays, each column filled up with nodes of
+// weight 0 to whole vectors.
 struct ContourNodes {
   struct Column {
     std::vector<double> hi, lo;
@@ -21,7 +23,7 @@ struct ContourNodes {
   Column log_re, log_im, weight_re, weight_im;
   double largest_log = 0.0;  // |Re| + |Im| of log s
 
-  explicit ContourNodes(const Contour<BigReal>& contour);
+  explicit ContourNodes(const Contour<BigReal>& contour, double offset = 0.0);
   [[nodiscard]] std::size_t size() const { return log_re.hi.size(); }
 };
 
@@ -40,6 +42,30 @@ struct QuotientSum {
   double error;
 };
 QuotientSum sum_over_nodes(const ContourNodes& nodes, const PowerQuotient& quotient);
+
+// s^exponent (1 - q)^-strength in double-double, q = z s^-alpha or, outward, 1 / q in place of q. The power
+// is the principal one: its cut runs from each s*^alpha = z to 0, outward to infinity.
+struct PowerOfDifference {
+  double alpha;
+  DoubleDouble exponent;
+  double strength;
+  ComplexDoubleDouble log_z;
+  bool real;  // z is: the lower half is the conjugate of the upper one
+  bool outward;
+};
+QuotientSum sum_over_nodes(const ContourNodes& nodes, const PowerOfDifference& power);
+
+// s^exponent x^j / p(x), x = s^alpha, for every j below the degree of p, which is monic.
+struct PolynomialQuotient {
+  double alpha;
+  DoubleDouble exponent;
+  std::span<const ComplexDoubleDouble> coefficients;  // of p from 1 on, but for the leading one
+  std::span<const double> errors;                     // of them
+};
+inline constexpr std::size_t most_degree = 4;
+// The errors are infinite where p comes too near to 0 for those of its coefficients.
+std::array<QuotientSum, most_degree> sum_over_nodes(const ContourNodes& nodes,
+                                                    const PolynomialQuotient& quotient);
 
 // log z on the principal sheet for 1 <= |z| < 4.
 ComplexDoubleDouble complex_logarithm(std::complex<double> z);

@@ -8,6 +8,7 @@
 #include "laplace/roots_on_sheet.hpp"
 #include "mittag_leffler/decimal_arguments.hpp"
 #include "numbers/raise_digits.hpp"
+#include "prabhakar_and_matrix/mittag_leffler_matrix_quick.hpp"
 #include "prabhakar_and_matrix/resolvent.hpp"
 #include "prabhakar_and_matrix/schur_form.hpp"
 
@@ -122,6 +123,28 @@ void require_size(std::size_t rows, std::size_t entries) {
           fmt::format("the matrix has {} rows, but has to have 1 to {}", rows, most_rows));
 }
 
+DoubleBounded rounded(const QuickValue& x) { return to_double(x.value, x.error); }
+DoubleBounded rounded(const Bounded<BigReal>& x) { return to_double(x); }
+
+// Entries row by row.
+template <class Entry>
+MatrixValue in_double(int size, const std::vector<Entry>& entries) {
+  const BigMatrix shape{size, {}};
+  MatrixValue result{ComplexMatrix(size, size), Eigen::MatrixXd(size, size)};
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j < size; ++j) {
+      const auto [value, bound] = rounded(entries[shape.index(i, j)]);
+      if (!std::isfinite(bound)) {
+        throw std::runtime_error(
+            fmt::format("mittag_leffler of a matrix: entry {} {} is beyond double", i + 1, j + 1));
+      }
+      result.value(i, j) = value + std::complex(0.0, 0.0);  // no -0
+      result.bound(i, j) = bound;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matrix) {
@@ -132,6 +155,7 @@ MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matri
   require_size(static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.size()));
   require(matrix.allFinite(), "entries of the matrix have to be finite");
   const auto size = static_cast<int>(matrix.rows());
+  if (const auto quick = mittag_leffler_matrix_quick(alpha, beta, matrix)) return in_double(size, *quick);
   const Read read = [&] {
     Arguments x{BigReal(alpha), BigReal(beta), {size, {}}};
     for (int i = 0; i < size; ++i) {
@@ -139,21 +163,7 @@ MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matri
     }
     return x;
   };
-  const auto values = evaluate(read, double_digits);
-  const BigMatrix shape{size, {}};
-  MatrixValue result{ComplexMatrix(size, size), Eigen::MatrixXd(size, size)};
-  for (int i = 0; i < size; ++i) {
-    for (int j = 0; j < size; ++j) {
-      const auto [value, bound] = to_double(values[shape.index(i, j)]);
-      if (!std::isfinite(bound)) {
-        throw std::runtime_error(
-            fmt::format("mittag_leffler of a matrix: entry {} {} is beyond double", i + 1, j + 1));
-      }
-      result.value(i, j) = value;
-      result.bound(i, j) = bound;
-    }
-  }
-  return result;
+  return in_double(size, evaluate(read, double_digits));
 }
 
 MatrixValue mittag_leffler(double alpha, double beta, const Eigen::MatrixXd& matrix) {

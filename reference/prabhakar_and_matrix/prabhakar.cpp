@@ -71,14 +71,17 @@ MittagLefflerValue in_double(const Request& request) {
   return {request.read().real() ? std::complex(re) : std::complex(re, im), bound};
 }
 
-// Of a quick evaluation for Im z >= 0, conjugate for others, times a factor that is a whole number; empty
-// where it has none.
+// Of a quick evaluation for Im z >= 0, conjugate for others, times k!; empty where it has none.
 template <class Quick>
-std::optional<MittagLefflerValue> quickly(const Quick& quick, std::complex<double> z, double factor) {
+std::optional<MittagLefflerValue> quickly(const Quick& quick, std::complex<double> z, int k) {
+  constexpr int most_exact = 25;  // of k! in long double
+  if (k > most_exact) return std::nullopt;
   const bool mirrored = z.imag() < 0.0;
   const auto known = quick(mirrored ? std::conj(z) : std::complex(z.real(), std::abs(z.imag())));
   if (!known) return std::nullopt;
-  const long double times = factor, rounding = few_ulps * size_of(known->value);
+  long double times = 1.0L;
+  for (int m = 2; m <= k; ++m) times *= static_cast<long double>(m);
+  const long double rounding = few_ulps * size_of(known->value);
   const auto [value, bound] = to_double(times * known->value, times * (known->error + rounding));
   if (!std::isfinite(bound)) return std::nullopt;
   if (z.imag() == 0.0) return MittagLefflerValue{std::complex(value.real() + 0.0), bound};
@@ -107,16 +110,10 @@ void require_arguments(const std::string& name, double alpha, double beta, doubl
 
 MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::complex<double> z) {
   require_arguments("prabhakar", alpha, beta, gamma, z);
-  const auto quick = [&](std::complex<double> upper) -> std::optional<QuickValue> {
-    const bool derivative = gamma >= 1.0 && gamma <= most_quick_derivative + 1.0 && is_whole(gamma);
-    if (!derivative || std::abs(upper) < series_radius) {
-      const auto series = prabhakar_series_quick(alpha, {beta, 0.0}, gamma, upper);
-      if (series || !derivative) return series;
-    }
-    return derivative_by_recurrence(static_cast<int>(gamma) - 1, alpha,
-                                    DoubleDouble{beta, 0.0} + exact_product(1.0 - gamma, alpha), upper);
+  const auto quick = [&](std::complex<double> upper) {
+    return prabhakar_quick(alpha, {beta, 0.0}, gamma, upper);
   };
-  if (const auto value = quickly(quick, z, 1.0)) return *value;
+  if (const auto value = quickly(quick, z, 0)) return *value;
   return in_double(
       {fmt::format("prabhakar({}, {}, {}, z = {} {:+} i)", alpha, beta, gamma, z.real(), z.imag()),
        [=] {
@@ -128,8 +125,10 @@ MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::compl
 MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, std::complex<double> z) {
   require_derivative(k);
   require_arguments("mittag_leffler_derivative", alpha, beta, 1.0, z);
-  const auto quick = [&](std::complex<double> upper) { return derivative_quick(k, alpha, beta, upper); };
-  if (const auto value = quickly(quick, z, std::tgamma(k + 1.0))) return *value;
+  const auto quick = [&](std::complex<double> upper) {
+    return prabhakar_quick(alpha, DoubleDouble{beta, 0.0} + exact_product(k, alpha), k + 1.0, upper);
+  };
+  if (const auto value = quickly(quick, z, k)) return *value;
   return in_double(
       {fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} {:+} i)", k, alpha, beta, z.real(),
                    z.imag()),

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <vector>
+
+#include "prabhakar_and_matrix/free_contours.hpp"
 
 namespace fde {
 namespace {
@@ -71,7 +75,95 @@ std::optional<QuickValue> by_recurrence(int k, double alpha, const DoubleDouble&
   return with_factor(sum, factor, 4.0L * static_cast<long double>(k) * few_ulps);
 }
 
+struct PrabhakarParameters {
+  double alpha;
+  DoubleDouble beta;
+  double gamma;
+};
+
+// Logarithm of a bound of what is left out with an s* right of the strip, infinite where it grows: the
+// integral of e^s F round a cut from s* radially outward. With u = alpha (log s - log s*) the path is at a
+// distance delta from u >= 0, so |s^alpha - z| >= max(|s|^alpha, |z|) delta / 10 and |F| <= |s|^-beta
+// (delta/10)^-gamma, and Re s <= -kappa |s|. A path next to the cut is as good for e^s, a wide one for F.
+double log_beyond(const PrabhakarParameters& x, const std::complex<double>& log_pole) {
+  constexpr double quarter = std::numbers::pi / 2.0, infinity = std::numeric_limits<double>::infinity();
+  const double turn = std::abs(log_pole.imag()), beta = x.beta.hi;
+  double least = infinity;
+  for (double part = 0.5; part > 1e-3; part *= 0.25) {
+    const double delta = std::min(1.0, part * x.alpha * (turn - quarter)), off = delta / x.alpha;
+    if (!(delta > 0.0)) return infinity;
+    const double kappa = std::min(-std::cos(turn - off), -std::cos(turn + off));
+    const double log_nearest = log_pole.real() - off, nearest = std::exp(log_nearest);
+    const double rate = kappa - std::max(0.0, -beta) / nearest;
+    if (!(rate > 0.0)) continue;
+    const double length = (2.0 / rate + 2.0 * off * nearest) / (2.0 * std::numbers::pi);
+    least = std::min(
+        least, -kappa * nearest - beta * log_nearest - x.gamma * std::log(delta / 10.0) + std::log(length));
+  }
+  return least;
+}
+
+// With the cuts of (1 - z s^-alpha)^-gamma inward, from each s* to 0, or outward, where
+//   F = (-z)^-gamma s^(alpha gamma - beta) (1 - s^alpha / z)^-gamma.
+QuickValue power_sum(const PrabhakarParameters& x, const QuickArguments& argument, const FreeContour& contour,
+                     bool outward) {
+  const DoubleDouble minus_beta{-x.beta.hi, -x.beta.lo};
+  const DoubleDouble exponent = outward ? exact_product(x.alpha, x.gamma) + minus_beta : minus_beta;
+  const QuotientSum sum = sum_over_nodes(
+      contour.nodes,
+      PowerOfDifference{x.alpha, exponent, x.gamma, argument.scaled.log, argument.real(), outward});
+  const Value value = to_long(sum.value);
+  const QuickValue known{value, sum.error + few_ulps * size_of(value)};
+  if (!outward) return known;
+  const Value log = to_long(argument.scaled.log) - Value(0.0L, pi<long double>());  // of -z, for Im z >= 0
+  const long double gamma = x.gamma;
+  return with_factor(known,
+                     argument.z.real() < 0.0 && argument.real() ? Value(std::exp(-gamma * log.real()))
+                                                                : std::exp(-gamma * log),
+                     few_ulps * (1.0L + std::abs(gamma) * (1.0L + size_of(log))));
+}
+
+// What the singularities of F have to do with a contour; empty where it does not do.
+struct Placed {
+  double log_bound;
+  bool outward;
+};
+std::optional<Placed> placed(const PrabhakarParameters& x, const QuickArguments& argument,
+                             const FreeRoots& roots, const FreeContour& contour) {
+  const FreeStrip::Factor factor = roots.factor(x.gamma);
+  const auto strip = contour.strip.at(
+      {.exponent = x.alpha * x.gamma - x.beta.hi, .alpha = x.alpha, .factors = {&factor, 1}});
+  if (!strip || (strip->inside && strip->outside && !is_whole(x.gamma))) return std::nullopt;
+  double sum = std::exp(strip->log_bound);
+  for (std::size_t i = 0; i < roots.roots.size() && strip->outside; ++i) {
+    const bool beyond = roots.roots[i].real() > 0.0 && contour.strip.place_of(roots.roots[i]) > 1.0;
+    const double pair = argument.real() ? 2.0 : 1.0;
+    if (beyond) sum += pair * std::exp(log_beyond(x, roots.poles.seen[i].log));
+  }
+  return Placed{std::log(sum), strip->outside};
+}
+
 }  // namespace
+
+std::optional<QuickValue> prabhakar_on_contour(double alpha, const DoubleDouble& beta, double gamma,
+                                               std::complex<double> z) {
+  constexpr double most_parameter = 40.0, most_log = 250.0;
+  const auto is_moderate = [](double parameter) { return std::abs(parameter) <= most_parameter; };
+  if (!(gamma > 0.0) || !is_moderate(gamma) || !is_moderate(beta.hi) || z == 0.0) return std::nullopt;
+  const QuickArguments argument(alpha, beta, z);
+  if (std::abs(argument.log_size()) > most_log) return std::nullopt;
+  const PrabhakarParameters x{alpha, beta, gamma};
+  const auto& log = argument.scaled.log;
+  const FreeRoots roots(alpha, {log.re.hi, log.im.hi}, argument.real() ? 0 : -most_sheet);
+  for (const FreeContour& contour : free_contours()) {
+    const auto place = placed(x, argument, roots, contour);
+    if (!place || place->log_bound > most_log_neglected + roots.growth()) continue;
+    QuickValue value = power_sum(x, argument, contour, place->outward);
+    value.error += std::exp(place->log_bound);
+    if (is_good(value)) return value;
+  }
+  return std::nullopt;
+}
 
 std::optional<QuickValue> prabhakar_series_quick(double alpha, const DoubleDouble& beta, double gamma,
                                                  std::complex<double> z) {
@@ -105,13 +197,19 @@ std::optional<QuickValue> derivative_by_recurrence(int k, double alpha, const Do
   return value && is_good(*value) ? value : std::nullopt;
 }
 
-std::optional<QuickValue> derivative_quick(int k, double alpha, double beta, std::complex<double> z) {
-  const DoubleDouble exact{beta, 0.0};
-  if (std::abs(z) < series_radius && k <= most_quick_derivative) {
-    const auto series = prabhakar_series_quick(alpha, exact + exact_product(k, alpha), k + 1.0, z);
-    if (series) return series;
+std::optional<QuickValue> prabhakar_quick(double alpha, const DoubleDouble& beta, double gamma,
+                                          std::complex<double> z) {
+  const bool first = gamma <= 0.0 || std::abs(z) < series_radius;
+  if (first) {
+    if (const auto series = prabhakar_series_quick(alpha, beta, gamma, z)) return series;
   }
-  return derivative_by_recurrence(k, alpha, exact, z);
+  if (const auto on_contour = prabhakar_on_contour(alpha, beta, gamma, z)) return on_contour;
+  if (gamma >= 1.0 && gamma <= most_quick_derivative + 1.0 && is_whole(gamma)) {
+    const auto recurred = derivative_by_recurrence(static_cast<int>(gamma) - 1, alpha,
+                                                   beta + exact_product(1.0 - gamma, alpha), z);
+    if (recurred) return recurred;
+  }
+  return first ? std::nullopt : prabhakar_series_quick(alpha, beta, gamma, z);
 }
 
 }  // namespace fde

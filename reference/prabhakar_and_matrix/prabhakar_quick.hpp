@@ -2,8 +2,8 @@
 
 #include "mittag_leffler/quick.hpp"
 
-// Prabhakar's function in long double, for Im z >= 0. Empty where its error is above quick_tolerance of the
-// value.
+// Prabhakar's function in long double and double-double, for Im z >= 0. Empty where its error is above
+// quick_tolerance of the value.
 namespace fde {
 
 // sum_j (gamma)_j z^j / (j! Gamma(alpha j + beta)) by its terms, while they fall fast enough.
@@ -19,8 +19,15 @@ inline constexpr int most_quick_derivative = 8;
 std::optional<QuickValue> derivative_by_recurrence(int k, double alpha, const DoubleDouble& beta,
                                                    std::complex<double> z);
 
-// Below this |z| the series is tried first.
+// For gamma > 0 on a contour that has each singularity of
+//   F(s) = s^(alpha gamma - beta) / (s^alpha - z)^gamma = s^-beta (1 - z s^-alpha)^-gamma
+// on its left, or so far beyond it in the left half-plane that it contributes nothing.
+std::optional<QuickValue> prabhakar_on_contour(double alpha, const DoubleDouble& beta, double gamma,
+                                               std::complex<double> z);
+
+// The quickest of these that does: below this |z| the series is tried first.
 inline constexpr double series_radius = 0.4;
-std::optional<QuickValue> derivative_quick(int k, double alpha, double beta, std::complex<double> z);
+std::optional<QuickValue> prabhakar_quick(double alpha, const DoubleDouble& beta, double gamma,
+                                          std::complex<double> z);
 
 }  // namespace fde

@@ -48,7 +48,7 @@ PrabhakarPoint prabhakar_point(int index) {
   const double alpha = random.between(0.2, 2.0);
   const double beta =
       random.one_of(std::array{1.0, alpha, 2.0, 0.5, 1e-12, 1e-30, random.between(-2.0, 4.0)});
-  const double size = std::pow(random.power_of_ten(-2.0, std::log10(15.0)), alpha);
+  const double size = std::pow(random.power_of_ten(-2.0, std::log10(largest_pole)), alpha);
   const double turn = random.toss() ? std::numbers::pi : random.between(-std::numbers::pi, std::numbers::pi);
   const std::complex<double> z = turn == std::numbers::pi ? std::complex(-size) : std::polar(size, turn);
   if (index % 2 == 0) return {alpha, beta, 1.0, z, 1 + static_cast<int>(random.between(0.0, 8.0))};

@@ -16,7 +16,8 @@ struct PrabhakarPoint {
 };
 
 // The same each time: even ones are derivatives, 1 to 8, odd ones Prabhakar's function with any gamma.
-// |z|^(1/alpha) is at most 15, which the power series can do.
+// |z|^(1/alpha), the size of the singularities s*, is at most 100, which the power series can do.
+constexpr double largest_pole = 100.0;
 PrabhakarPoint prabhakar_point(int index);
 
 // Encloses the value to at least that many digits by its power series: with r_j = |z| |gamma + j| / (j + 1)

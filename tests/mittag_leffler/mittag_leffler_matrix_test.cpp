@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "prabhakar_and_matrix/mittag_leffler_matrix_quick.hpp"
 #include "prabhakar_and_matrix/prabhakar.hpp"
 #include "support/testing.hpp"
 
@@ -134,6 +135,109 @@ TEST(MittagLefflerOfAMatrix, BoundsItsErrorWhereItIsDefective) {
     EXPECT_LE(abs(Precise(Precise(few[i].re) - Precise(many[i].re))), Precise(few[i].bound)) << i;
     EXPECT_LE(Precise(few[i].bound), 1e-38 * (abs(Precise(many[i].re)) + 1e-20)) << i;
   }
+}
+
+struct KnownMatrix {
+  double alpha, beta;
+  std::vector<Value> matrix, value;
+};
+
+// mpmath 1.3: the power series at 200 digits. Far from normal, defective, complex, next to singular.
+const std::vector<KnownMatrix> by_power_series{
+    {0.75,
+     1.0,
+     {-2.0, 1.0, 0.5, -3.0},
+     {0.22117069925160007104, 0.081750660757899789432, 0.040875330378949894716, 0.13942003849370028161}},
+    {1.5,
+     1.0,
+     {-40.0, 64.0, 0.0, -8.0},
+     {-0.009930965478693434638, -0.38588114752006945531, 0.0, -0.20287153923872816229}},
+    {0.625,
+     0.625,
+     {-2.0, 1.0, 0.0, -1.0, 0.0, 1.0, 1.0, -1.0, -1.0},
+     {0.045511087991657740341, 0.13491407924539492857, 0.1150559571199741192, -0.019858122125420809369,
+      0.20028328936247347828, 0.24997003636536904777, 0.13491407924539492857, -0.13491407924539492857,
+      0.065369210117078549711}},
+    {1.75,
+     1.25,
+     {{-20.0, 3.0}, 4.0, 1.0, 2.0, -9.0, {0.0, -1.0}, 1.0, 1.0, -30.0},
+     {{0.050066302568889368904, -0.08742712882718133887},
+      {-0.15683159740280979976, -0.008774220155564632842},
+      {-0.0087280722348683258859, -0.00044231893613804581634},
+      {-0.077534512934066679532, -0.0030774488025890082391},
+      {-0.38250505190297548674, 0.0057381592396710555358},
+      {-0.0026502437756820668208, 0.024674241144237366423},
+      {-0.012253215304221207271, -0.0056809640369112785438},
+      {-0.029912886245010599151, 0.00087489929367081456455},
+      {0.13784682305632212476, 0.0013149100646644310135}}},
+    {0.5,
+     1.0,
+     {-4.0, 1.0, 0.0, 0.5, 2.0, -6.0, 1.0, 0.0, 0.0, 1.0, -3.0, 0.25, -1.0, 0.0, 0.5, -2.0},
+     {0.14123896482944649382, 0.024637737094659383191, 0.011932100380891849794, 0.031661591245621392476,
+      0.047120941999049556021, 0.10570746917979282442, 0.034398870618399784063, 0.013368455174404656702,
+      0.0098104375243871165528, 0.032244338428130573701, 0.19172410786041080538, 0.022310826860500565885,
+      -0.059014118110704364227, -0.0036237563175464943912, 0.036003524959924290321, 0.24711446965356867521}},
+    {0.875,
+     1.0,
+     {0.5, 1.0, 1.0, 1.25},
+     {3.6803462477307130839, 4.1289685530933472175, 4.1289685530933472175, 6.777072662550723497}}};
+
+ComplexMatrix square(const std::vector<Value>& entries) {
+  const auto rows = static_cast<int>(std::lround(std::sqrt(static_cast<double>(entries.size()))));
+  ComplexMatrix matrix(rows, rows);
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < rows; ++j) matrix(i, j) = entries[static_cast<std::size_t>(i * rows + j)];
+  }
+  return matrix;
+}
+
+TEST(MittagLefflerOfASmallMatrix, MeetsValuesFromAnIndependentSummation) {
+  for (const auto& [alpha, beta, entries, values] : by_power_series) {
+    const auto quick = mittag_leffler_matrix_quick(alpha, beta, square(entries));
+    ASSERT_TRUE(quick) << alpha;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto& [value, error] = (*quick)[i];
+      EXPECT_LE(std::abs(Value(value) - values[i]), static_cast<double>(error) + 2e-16 * std::abs(values[i]))
+          << alpha << " entry " << i;
+      EXPECT_LE(error, quick_tolerance * std::abs(value)) << alpha << " entry " << i;
+    }
+    const auto whole = mittag_leffler(alpha, beta, square(entries));
+    EXPECT_TRUE(((whole.value - square(values)).cwiseAbs().array() <=
+                 whole.bound.array() + 2e-16 * square(values).cwiseAbs().array())
+                    .all())
+        << alpha;
+  }
+}
+
+// What the quick way states and what 30 digits have, for matrices of many sizes: small whole numbers over 4,
+// times a power of two. (Their decimals are exact.)
+TEST(MittagLefflerOfASmallMatrix, StatesBoundsThatHold) {
+  int quick_ones = 0;
+  for (int n = 0; n < 48; ++n) {
+    const int rows = 2 + n % 3;
+    const double alpha = 0.25 * (1 + n % 7), beta = 0.5 * (1 + n % 4), size = std::ldexp(1.0, n % 8 - 3);
+    ComplexMatrix matrix(rows, rows);
+    std::vector<DecimalComplex> decimals;
+    for (int i = 0; i < rows; ++i) {
+      for (int j = 0; j < rows; ++j) {
+        const double re = size * ((i * 7 + j * 5 + n * 3) % 9 - (i == j ? 12 : 4)) / 4.0;
+        const double im = n % 2 == 0 ? 0.0 : size * ((i * 3 + j * 4 + n) % 5 - 2) / 4.0;
+        matrix(i, j) = {re, im};
+        decimals.push_back({fmt::format("{}", re), fmt::format("{}", im), "0"});
+      }
+    }
+    const auto quick = mittag_leffler_matrix_quick(alpha, beta, matrix);
+    if (!quick) continue;
+    ++quick_ones;
+    const auto known = mittag_leffler(fmt::format("{}", alpha), fmt::format("{}", beta), decimals, 30);
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      const Precise re = Precise(known[i].re) - Precise((*quick)[i].value.real()),
+                    im = Precise(known[i].im) - Precise((*quick)[i].value.imag());
+      EXPECT_LE(sqrt(Precise(re * re + im * im)), Precise((*quick)[i].error) + Precise(known[i].bound))
+          << "matrix " << n << " entry " << i;
+    }
+  }
+  EXPECT_GE(quick_ones, 40);
 }
 
 TEST(MittagLefflerOfAMatrix, HasZerosByStructureWithSmallBounds) {

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "prabhakar_and_matrix/prabhakar_quick.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -57,6 +58,52 @@ TEST(Prabhakar, MeetsValuesFromAnIndependentSummation) {
   for (const auto& [alpha, beta, gamma, z, value] : by_power_series) {
     expect_same(prabhakar(alpha, beta, gamma, z), value, 2e-16 * std::abs(value),
                 name_of(alpha, beta, gamma, z));
+  }
+}
+
+// mpmath 1.3: the power series at 200 digits. Of each kind that a contour in double-double has: no
+// singularity on the sheet, one far up inside, one on the positive axis, one so far to the left that it adds
+// nothing.
+const std::vector<Known> on_a_contour{
+    {0.75, 1, 1.5, -20.0, -0.0011599938916278277578},
+    {0.5, 0.5, 0.25, -3.0, 0.32428117250747484299},
+    {1.5, 1, 1.5, -100.0, 0.00034750430056852317827},
+    {1.875, 1, 2.75, -400.0, -1.3726405048721079301},
+    {1.75, 0.75, 0.5, -600.0, -0.0046338479627974778789},
+    {1.25, 1, 1.5, -700.0, -6.2386955398091130819e-6},
+    {1.25, 1.5, 2.5, {-60.0, -25.0}, {7.880724139459679743e-6, -0.000010926006175760974673}},
+    {0.875, 1, 1.25, 4.5, 534.70362093002372891},
+    {2, 1, 1.5, -900.0, 3.4761638949176478843},
+    {0.625, -1.5, 3.25, {-2.0, 7.0}, {-0.0016586723223759628514, -0.015708421565897785081}},
+    {2.5, 1, 0.5, -300.0, -3.4689008379861016369},
+    {1.125, 1, 0.75, {-300.0, 40.0}, {0.0023024956235531178988, 0.0002297908287451892208}}};
+
+TEST(PrabhakarOnContour, MeetsValuesFromAnIndependentSummation) {
+  for (const auto& [alpha, beta, gamma, z, value] : on_a_contour) {
+    const std::string name = name_of(alpha, beta, gamma, z);
+    const bool mirrored = z.imag() < 0.0;
+    const auto known = prabhakar_on_contour(alpha, {beta, 0.0}, gamma, mirrored ? std::conj(z) : z);
+    ASSERT_TRUE(known) << name;
+    const auto upper = mirrored ? std::conj(value) : value;
+    const double off = std::abs(std::complex<double>(known->value) - upper);
+    EXPECT_LE(off, static_cast<double>(known->error) + 2e-16 * std::abs(value)) << name;
+    EXPECT_LE(known->error, quick_tolerance * std::abs(known->value)) << name;
+    expect_same(prabhakar(alpha, beta, gamma, z), value, 2e-16 * std::abs(value), name);
+  }
+}
+
+// mpmath 1.3, as above: beyond the orders that the recurrence in z takes, and at a small z.
+TEST(MittagLefflerDerivative, OfHighOrderMeetsAnIndependentSummation) {
+  struct Row {
+    int k;
+    double alpha, beta, z, value;
+  };
+  for (const auto& [k, alpha, beta, z, value] :
+       {Row{4, 0.5, 1.0, -0.5, 2.9800877667725085589}, Row{12, 0.75, 1.0, -2.5, 5.4304878370561937991},
+        Row{20, 1.5, 0.5, -6.0, 2.3926940315212387608e-14},
+        Row{6, 0.875, 1e-12, 0.625, 57.545601167585971088}}) {
+    expect_same(mittag_leffler_derivative(k, alpha, beta, z), value, 2e-16 * std::abs(value),
+                fmt::format("k = {}, z = {}", k, z));
   }
 }
 

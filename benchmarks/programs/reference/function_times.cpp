@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "mittag_leffler/mittag_leffler.hpp"
+#include "prabhakar_and_matrix/mittag_leffler_matrix.hpp"
 #include "prabhakar_and_matrix/prabhakar.hpp"
 
 namespace {
@@ -81,6 +83,17 @@ std::vector<Region> regions() {
            }}};
 }
 
+// Of a matrix of n rows, no two alike, whose eigenvalues are about z and smaller.
+template <int n>
+double of_matrix(const Arguments& x) {
+  Eigen::MatrixXd matrix(n, n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j)
+      matrix(i, j) = x.z * (i == j ? 1.0 / (1.0 + i) : 0.3 * std::sin(1.0 + 3.0 * i + 5.0 * j));
+  }
+  return fde::mittag_leffler(x.alpha, x.beta, matrix).value(0, n - 1).real();
+}
+
 // Of the last of the functions: with |z| up to `largest`.
 Arguments up_to(double largest, const Random& random) {
   const double alpha = 2.0 - 1.8 * random();
@@ -95,13 +108,19 @@ std::vector<Region> other_functions() {
   };
   const auto far = [](const Random& random) { return up_to(4.0, random); };
   const auto near = [](const Random& random) { return up_to(0.0, random); };
-  const auto prabhakar = [](const Arguments& x) {
-    return fde::prabhakar(x.alpha, x.beta, 1.5, x.z).value.real();
+  const auto prabhakar = [](double gamma) {
+    return [gamma](const Arguments& x) { return fde::prabhakar(x.alpha, x.beta, gamma, x.z).value.real(); };
   };
   return {{"first derivative", far, derivative(1)},
           {"second derivative", far, derivative(2)},
           {"fourth derivative", far, derivative(4)},
-          {"Prabhakar gamma = 1.5, |z| <= 1", near, prabhakar}};
+          {"Prabhakar gamma = 1.5, |z| <= 1", near, prabhakar(1.5)},
+          {"Prabhakar gamma = 1.5", far, prabhakar(1.5)},
+          {"Prabhakar gamma = 0.5", far, prabhakar(0.5)},
+          {"Prabhakar gamma = 2.7", far, prabhakar(2.7)},
+          {"2 x 2 matrix", far, of_matrix<2>},
+          {"3 x 3 matrix", far, of_matrix<3>},
+          {"4 x 4 matrix", far, of_matrix<4>}};
 }
 
 void print_row(const Region& region, int points) {
@@ -123,6 +142,7 @@ int main() {
   constexpr int points = 20000;
   fde::mittag_leffler(0.5, 1.0, -1.0);  // makes the tables
   fmt::print("region,points,median,95 %,99.9 %,worst\n");
+  fde::prabhakar(0.5, 1.0, 1.5, -1.0);
   for (const Region& region : regions()) print_row(region, points);
   for (const Region& region : other_functions()) print_row(region, points / 20);
 }

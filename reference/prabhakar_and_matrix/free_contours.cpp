@@ -1,0 +1,46 @@
+#include "prabhakar_and_matrix/free_contours.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fde {
+namespace {
+
+constexpr int digits = 45;
+
+ContourNodes nodes_of(const ShiftedShape& shape) {
+  const Precision precision(digits);
+  return ContourNodes(Contour<BigReal>(shape.mu, shape.omega, shape.depth, false), shape.offset);
+}
+
+}  // namespace
+
+FreeContour::FreeContour(const ShiftedShape& of) : shape(of), strip(of), nodes(nodes_of(of)) {}
+
+// Without singularities far up the first ones do. Those with mu = 16, 30, 60, 100 enclose some farther and
+// farther up, the one with mu = 64 some on the positive axis; the one with mu = 2 leaves outside what is far
+// to the left.
+const std::array<FreeContour, 8>& free_contours() {
+  static const std::array<FreeContour, 8> all{
+      FreeContour({0.0, 6.0, 52.0, 43.5}),     FreeContour({0.0, 7.0, 64.0, 60.0}),
+      FreeContour({0.0, 2.0, 64.0, 60.0}),     FreeContour({0.0, 16.0, 128.0, 70.0}),
+      FreeContour({-14.0, 30.0, 372.0, 46.0}), FreeContour({-44.0, 60.0, 800.0, 20.0}),
+      FreeContour({0.0, 64.0, 420.0, 110.0}),  FreeContour({-84.0, 100.0, 1400.0, 12.0})};
+  return all;
+}
+
+FreeRoots::FreeRoots(double alpha, const std::complex<double>& log_z, int first_sheet)
+    : log_size(log_z.real()), poles(poles_of(alpha, log_z, first_sheet)) {
+  for (const auto& pole : poles.seen)
+    roots.push_back(std::polar(std::exp(0.5 * pole.log.real()), 0.5 * pole.log.imag()));
+}
+
+double FreeRoots::growth() const {
+  double largest = 0.0;
+  for (const auto& root : roots) {
+    if (root.real() > 0.0) largest = std::max(largest, (root * root).real());
+  }
+  return largest;
+}
+
+}  // namespace fde
