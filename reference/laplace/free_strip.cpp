@@ -147,7 +147,7 @@ double FreeStrip::log_left_out(const Product& product) const {
   return weight + power - std::log1p(-ratio);
 }
 
-double FreeStrip::log_line(const Line& line, const Product& product) const {
+double FreeStrip::log_line(const Line& line, const Product& product) {
   const double size = log_size(product, [&](double exponent) {
     return exponent <= 0.0 ? line.log_inner + line.inner.log_at(exponent)
                            : line.log_outer + line.outer.log_at(exponent);
@@ -164,7 +164,7 @@ std::optional<FreeStrip::Result> FreeStrip::at(const Product& product) const {
   }
   const Places places(*this, product);
   double innermost = corner_, outermost = infinity;
-  Result result{infinity, 0.0, 0.0, 0.0, false, false};
+  Result result{infinity, 0.0, 0.0, false, false};
   places.for_each([&](double place) {
     if (place < 1.0) {
       result.inside = true;
@@ -189,7 +189,6 @@ std::optional<FreeStrip::Result> FreeStrip::at(const Product& product) const {
     if (!(bound < far)) continue;
     far = bound;
     far_clearance = clearance;
-    result.far = line.distance;
   }
   if (std::isinf(near) || std::isinf(far)) return std::nullopt;
   result.log_clearance = std::min(near_clearance, far_clearance);

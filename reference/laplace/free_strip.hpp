@@ -47,7 +47,6 @@ class FreeStrip {
     double log_clearance;  // |s^alpha - z_i| in the strip is at least max(|s|^alpha, |z_i|) times factors
                            // whose product, to the power of their strengths, has this logarithm
     double least_size;     // of s in the strip
-    double far;
     bool inside, outside;  // there are s* on the principal sheet left of the strip, right of it
   };
   // Empty where an s* is too near the contour for any strip.
@@ -65,7 +64,7 @@ class FreeStrip {
   };
   class Places;
   [[nodiscard]] Line line_at(double distance) const;
-  [[nodiscard]] double log_line(const Line& line, const Product& product) const;
+  [[nodiscard]] static double log_line(const Line& line, const Product& product);
   [[nodiscard]] double log_left_out(const Product& product) const;
 
   ShiftedShape shape_;
