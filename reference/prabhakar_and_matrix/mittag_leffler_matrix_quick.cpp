@@ -17,7 +17,7 @@ namespace {
 using Long = long double;
 using Value = std::complex<Long>;
 template <class T>
-using Small = boost::container::static_vector<T, most_quick_rows * most_quick_rows>;
+using Small = boost::container::static_vector<T, std::size_t{most_quick_rows} * std::size_t{most_quick_rows}>;
 
 // More than what an operation in double-double is off by, relative to the sizes of its operands.
 constexpr double unit = 0x1p-98;
@@ -52,10 +52,11 @@ ComplexDoubleDouble to_complex(const ComplexDoubleDouble& a) { return a; }
 
 template <class Number>
 Number number_of(const std::complex<double>& x) {
-  if constexpr (std::is_same_v<Number, DoubleDouble>)
+  if constexpr (std::is_same_v<Number, DoubleDouble>) {
     return {x.real(), 0.0};
-  else
+  } else {
     return {{x.real(), 0.0}, {x.imag(), 0.0}};
+  }
 }
 
 // det(x - A) and the N_j with their errors; of p without the leading coefficient, from 1 on.
@@ -86,7 +87,7 @@ Adjugate adjugate_of(const ComplexMatrix& matrix) {
     result.part_errors[j] = error;
     Small<Number> product(n * n, number_of<Number>(0.0));
     Small<double> product_error(n * n, 0.0);
-    Number trace = number_of<Number>(0.0);
+    auto trace = number_of<Number>(0.0);
     double trace_error = 0.0;
     for (std::size_t i = 0; i < n * n; ++i) {
       for (std::size_t k = 0; k < n; ++k) {
@@ -174,9 +175,10 @@ std::vector<Long> distances(const Adjugate& adjugate, const std::vector<Value>& 
     }
   }
   std::vector<Long> off;
-  for (std::size_t j = 0; j < n; ++j)
+  for (std::size_t j = 0; j < n; ++j) {
     off.push_back(std::abs(known[j] - to_long(adjugate.coefficients[j])) + adjugate.errors[j] +
                   few_ulps * sizes[j]);
+  }
   return off;
 }
 

@@ -36,9 +36,8 @@ bool DenseNewtonMatrix::factorise_linear(const Vec& kappa) {
 }
 
 int DenseNewtonMatrix::determinant_sign() {
-  int sign = static_cast<int>(factors_.permutationP().determinant());
-  for (const double pivot : factors_.matrixLU().diagonal()) sign *= (pivot > 0.0) - (pivot < 0.0);
-  return sign;
+  const double signs = factors_.matrixLU().diagonal().array().sign().prod();
+  return static_cast<int>(signs) * static_cast<int>(factors_.permutationP().determinant());
 }
 
 void DenseNewtonMatrix::assemble(const Vec& kappa) {

@@ -183,10 +183,11 @@ const std::vector<KnownMatrix> by_power_series{
      {3.6803462477307130839, 4.1289685530933472175, 4.1289685530933472175, 6.777072662550723497}}};
 
 ComplexMatrix square(const std::vector<Value>& entries) {
-  const auto rows = static_cast<int>(std::lround(std::sqrt(static_cast<double>(entries.size()))));
+  const auto rows = std::lround(std::sqrt(static_cast<double>(entries.size())));
   ComplexMatrix matrix(rows, rows);
-  for (int i = 0; i < rows; ++i) {
-    for (int j = 0; j < rows; ++j) matrix(i, j) = entries[static_cast<std::size_t>(i * rows + j)];
+  auto entry = entries.begin();
+  for (auto row : matrix.rowwise()) {
+    for (auto& x : row) x = *entry++;
   }
   return matrix;
 }
