@@ -1,4 +1,5 @@
 #include "measures/accuracy.hpp"
+#include "measures/error_kind.hpp"
 #include "measures/measures.hpp"
 
 namespace fde {
@@ -9,9 +10,23 @@ using Value = std::optional<double>;
 bool has_reference(const FinishedRun& run) { return run.reference.cols() > 0; }
 bool has_rounding(const FinishedRun& run) { return run.observed.rounded.cols() > 0; }
 
-template <double (*error)(const Rows& values, const Rows& reference)>
-Value against_reference(const FinishedRun& run) {
-  return has_reference(run) ? Value(error(run.values, run.reference)) : std::nullopt;
+template <Norm norm, Scale scale>
+Value error(const FinishedRun& run) {
+  if (!has_reference(run)) return std::nullopt;
+  return error_of(norm, run.values, run.reference, divisors(scale, run.path.times, run.reference));
+}
+
+// Only where the run is no better.
+template <Norm norm, Scale scale>
+Value trivial(const FinishedRun& run) {
+  if (!has_reference(run)) return std::nullopt;
+  const auto& times = run.path.times;
+  const double least = trivial_error(norm, times, run.reference, divisors(scale, times, run.reference));
+  return least <= *error<norm, scale>(run) ? Value(least) : std::nullopt;
+}
+
+Value digits(const FinishedRun& run) {
+  return has_reference(run) ? Value(mescd(run.values, run.reference)) : std::nullopt;
 }
 
 Value relative(const FinishedRun& run) {
@@ -20,7 +35,7 @@ Value relative(const FinishedRun& run) {
 
 Value rounding_at_end(const FinishedRun& run) {
   if (!has_rounding(run)) return std::nullopt;
-  return error_end(run.values, run.observed.rounded);
+  return (run.values - run.observed.rounded).rightCols(1).cwiseAbs().maxCoeff();
 }
 
 Value rounding_decides_from(const FinishedRun& run) {
@@ -36,12 +51,29 @@ Value bound_of_reference(const FinishedRun& run) {
 
 }  // namespace
 
-constinit const Measure measure::error_end{"error_end", "", against_reference<fde::error_end>};
-constinit const Measure measure::error_maximum{"error_maximum", "", against_reference<fde::error_maximum>};
+constinit const Measure measure::error_end{"error_end", "", error<Norm::end, Scale::absolute>};
+constinit const Measure measure::error_end_relative{"error_end_relative", "",
+                                                    error<Norm::end, Scale::relative>};
+constinit const Measure measure::error_end_mixed{"error_end_mixed", "", error<Norm::end, Scale::mixed>};
+constinit const Measure measure::error_maximum{"error_maximum", "", error<Norm::maximum, Scale::absolute>};
+constinit const Measure measure::error_maximum_relative{"error_maximum_relative", "",
+                                                        error<Norm::maximum, Scale::relative>};
+constinit const Measure measure::error_maximum_mixed{"error_maximum_mixed", "",
+                                                     error<Norm::maximum, Scale::mixed>};
+constinit const Measure measure::trivial_end{"trivial_end", "", trivial<Norm::end, Scale::absolute>};
+constinit const Measure measure::trivial_end_relative{"trivial_end_relative", "",
+                                                      trivial<Norm::end, Scale::relative>};
+constinit const Measure measure::trivial_end_mixed{"trivial_end_mixed", "", trivial<Norm::end, Scale::mixed>};
+constinit const Measure measure::trivial_maximum{"trivial_maximum", "",
+                                                 trivial<Norm::maximum, Scale::absolute>};
+constinit const Measure measure::trivial_maximum_relative{"trivial_maximum_relative", "",
+                                                          trivial<Norm::maximum, Scale::relative>};
+constinit const Measure measure::trivial_maximum_mixed{"trivial_maximum_mixed", "",
+                                                       trivial<Norm::maximum, Scale::mixed>};
 constinit const Measure measure::error_relative{"error_relative", "", relative};
 constinit const Measure measure::rounding{"rounding", "", rounding_at_end};
 constinit const Measure measure::rounding_from{"rounding_from", "t", rounding_decides_from};
-constinit const Measure measure::mescd{"mescd", "digits", against_reference<fde::mescd>};
+constinit const Measure measure::mescd{"mescd", "digits", digits};
 constinit const Measure measure::reference_bound{"reference_bound", "", bound_of_reference};
 
 }  // namespace fde

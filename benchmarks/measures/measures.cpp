@@ -4,21 +4,22 @@
 #include <array>
 #include <cmath>
 
+#include "measures/time_spread.hpp"
+
 namespace fde {
 namespace {
 
 double minimum(const std::vector<double>& seconds) { return std::ranges::min(seconds); }
 
-double median(const std::vector<double>& seconds) {
-  auto values = seconds;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
+double median(const std::vector<double>& seconds) { return spread_of(seconds).median; }
+double low(const std::vector<double>& seconds) { return spread_of(seconds).low; }
+double high(const std::vector<double>& seconds) { return spread_of(seconds).high; }
 
 constexpr std::array all_of_time{
     TimeMeasure{"time_minimum", minimum},
     TimeMeasure{"time_median", median},
+    TimeMeasure{"time_low", low},
+    TimeMeasure{"time_high", high},
 };
 
 }  // namespace
@@ -33,14 +34,6 @@ std::span<const Measure* const> measures() {
 }
 
 std::span<const TimeMeasure> time_measures() { return all_of_time; }
-
-double error_end(const Rows& values, const Rows& reference) {
-  return (values.rightCols(1) - reference.rightCols(1)).cwiseAbs().maxCoeff();
-}
-
-double error_maximum(const Rows& values, const Rows& reference) {
-  return (values - reference).cwiseAbs().maxCoeff();
-}
 
 double mescd(const Rows& values, const Rows& reference) {
   const auto error = (values.rightCols(1) - reference.rightCols(1)).array().abs();

@@ -62,10 +62,6 @@ struct Measured {
   double value;
 };
 
-// max_i |y_i - reference_i| at the last time; over all times.
-double error_end(const Rows& values, const Rows& reference);
-double error_maximum(const Rows& values, const Rows& reference);
-
 // -log10 max_i |y_i - reference_i| / (1 + |reference_i|) at the last time: the significant digits of the IVP
 // test set (Bari) and FDE-Testset (Brugnano et al. 2025). At most 17, where the two are equal.
 double mescd(const Rows& values, const Rows& reference);

@@ -63,4 +63,10 @@ std::string rough_count_text(double count) {
   return count_text(std::round(count / unit) * unit);
 }
 
+std::string error_title(const ErrorKind& kind) {
+  const std::string scale = kind.scale == Scale::absolute ? "" : fmt::format("{} ", name(kind.scale));
+  return kind.norm == Norm::end ? fmt::format("{}error at the end", scale)
+                                : fmt::format("{}maximum error", scale);
+}
+
 }  // namespace fde

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "measures/error_kind.hpp"
+
 namespace fde {
 
 // Numbers as a reader wants them, the same in the report and on the command line.
@@ -20,5 +22,8 @@ std::string count_text(double count);
 
 // The number rounded to two significant digits: 35 000 for 34567.
 std::string rough_count_text(double count);
+
+// "maximum error", "relative error at the end", "mixed maximum error".
+std::string error_title(const ErrorKind& kind);
 
 }  // namespace fde

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -7,8 +5,6 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "analysis/answer.hpp"
-#include "analysis/runs.hpp"
 #include "command/arguments.hpp"
 #include "command/command.hpp"
 #include "command/progress.hpp"
@@ -32,12 +28,6 @@ struct RunArguments {
   MeansArguments means{.budget = "600"};
   std::string repeats = "3", out;
   bool trials = false, thorough = false;
-};
-
-struct ChooseArguments {
-  SceneArguments scene;
-  std::string error;
-  std::optional<std::string> results;
 };
 
 std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts,
@@ -116,35 +106,6 @@ void run(const RunArguments& arguments, const Streams& streams, const Scenes& kn
   streams.out << std::filesystem::absolute(arguments.out).string() << '\n';
 }
 
-// The results of the default sweep of one scene, measured now, as far as they can answer: schemes that are
-// far slower than the cheapest are no answer.
-Results measure(const SceneVariant& scene, double error, const Streams& streams) {
-  constexpr double far = 10.0;
-  Results results;
-  results.sessions.push_back(this_session());
-  Sweep sweep{.scenes = {scene}, .schemes = sweep_schemes(), .ladder = default_ladder()};
-  sweep.ladder.goal = Goal{.errors = {error}, .margin = far};
-  sweep.repeats.enough_seconds = brief;
-  run_and_show(
-      {sweep}, streams, [](const auto&) { return RecordedRun(); },
-      [&](const auto& rows) { std::ranges::copy(rows, std::back_inserter(results.records)); });
-  return results;
-}
-
-void choose(const ChooseArguments& arguments, const Streams& streams, const Scenes& known) {
-  const auto scene = parse_variant(arguments.scene.scene, arguments.scene.settings, known);
-  const double error = parse_number("--error", arguments.error, positive);
-  const Results results =
-      arguments.results ? read_results(*arguments.results) : measure(scene, error, streams);
-  const bool measured =
-      std::ranges::any_of(results.records, [&](const Record& row) { return row.key.scene == scene.key(); });
-  if (!measured) {
-    throw std::invalid_argument(
-        fmt::format("--results = {}: has no run of {}", *arguments.results, scene.label()));
-  }
-  streams.out << advice(results, scene.key(), error);
-}
-
 }  // namespace
 
 void add_sweep_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
@@ -169,13 +130,6 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
   report_command.required("--out", *folder, "folder of the page");
   report_command.callback(
       [=] { streams.out << write_report(read_results(*file), *folder).string() << '\n'; });
-
-  auto of_choose = std::make_shared<ChooseArguments>();
-  Subcommand choose_command(program, "choose", "The cheapest scheme for a scene and an accuracy");
-  add_scene(choose_command, of_choose->scene);
-  choose_command.required("--error", of_choose->error, "largest error wanted at the end");
-  choose_command.option("--results", of_choose->results, "results file; default: measure now");
-  choose_command.callback([=, &known] { choose(*of_choose, streams, known); });
 }
 
 }  // namespace fde

@@ -72,36 +72,28 @@ function chart(description, points, rest) {
   };
 }
 
-function errorAgainstTime(scene, channels) {
-  const points = scene.points.filter((point) => point.end && point.seconds);
-  const encoding = { x: logAxis(points, "seconds", "run time", labels.time), y: logAxis(points, "end", "error at the end", labels.number) };
+function errorAgainstTime(scene, channels, kind) {
+  const points = scene.points.filter((point) => point.error && point.seconds);
+  const encoding = { x: logAxis(points, "seconds", "run time", labels.time), y: logAxis(points, "error", kind.title, labels.number) };
   return {
     title: "Error against run time", points,
-    spec: chart(`${scene.title}: error at the end against run time, a line for each scheme`, points,
+    spec: chart(`${scene.title}: ${kind.title} against run time, a line for each scheme`, points,
       { layer: lineLayers(encoding, channels) }),
   };
 }
 
-// Both norms in one chart, a choice below it decides which; dashed lines have the slope that theory promises.
-function errorAgainstStep(scene, channels) {
-  const points = scene.points.flatMap((point) =>
-    ["end", "maximum"].filter((norm) => point[norm]).map((norm) => ({ ...point, norm, error: point[norm] })));
-  const inNorm = [{ filter: "datum.norm === norm" }];
-  const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "error", "error", labels.number) };
+// Dashed lines have the slope that theory promises.
+function errorAgainstStep(scene, channels, kind) {
+  const points = scene.points.filter((point) => point.error);
+  const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "error", kind.title, labels.number) };
   const guides = {
-    data: { values: scene.guides }, transform: inNorm,
+    data: { values: scene.guides.filter((guide) => guide.kind === kind.id) },
     mark: { type: "line", strokeDash: [4, 4], strokeWidth: 1 }, encoding: { ...encoding, ...channels.colour },
-  };
-  const norm = {
-    name: "norm", value: "end",
-    bind: { input: "radio", name: "Error ", options: ["end", "maximum"], labels: ["at the end", "maximum over all steps"] },
   };
   return {
     title: "Error against step; dashed: theoretical rate", points,
-    spec: chart(`${scene.title}: error against step, a line for each scheme and dashed its theoretical rate`, points, {
-      params: [norm],
-      layer: [guides, ...lineLayers(encoding, channels).map((layer) => ({ ...layer, transform: inNorm }))],
-    }),
+    spec: chart(`${scene.title}: ${kind.title} against step, a line for each scheme and dashed its theoretical rate`, points,
+      { layer: [guides, ...lineLayers(encoding, channels)] }),
   };
 }
 
@@ -115,11 +107,12 @@ function energyAgainstStep(scene, channels) {
   };
 }
 
-// The charts of a scene that have points, as { title, spec }.
-function chartsOf(scene, lines) {
+// The charts of a scene that have points, as { title, spec }, with errors of this kind.
+function chartsOf(scene, lines, kind) {
   const shown = lines.filter((line) => scene.points.some((point) => point.line === line));
   const channels = lineChannels(lines, shown);
-  const drawn = { ...scene, points: scene.points.map((point) => ({ ...point, words: Object.fromEntries(point.words) })) };
+  const drawn = { ...scene, points: scene.points.map((point) =>
+    ({ ...point, error: point.errors[kind.id], words: Object.fromEntries(point.words) })) };
   return [errorAgainstTime, errorAgainstStep, energyAgainstStep]
-    .map((make) => make(drawn, channels)).filter((made) => made.points.length > 0);
+    .map((make) => make(drawn, channels, kind)).filter((made) => made.points.length > 0);
 }

@@ -59,9 +59,9 @@ function tableFrame(table, lines) {
       ...table.groups.map((group) => tableGroup(group, table.columns, lines))));
 }
 
-function drawCharts(scene, lines, frame) {
+function drawCharts(scene, lines, kind, frame) {
   const actions = { export: true, source: false, compiled: false, editor: false };
-  for (const { title, spec } of chartsOf(scene, lines)) {
+  for (const { title, spec } of chartsOf(scene, lines, kind)) {
     const place = element("div", { class: "chart" });
     frame.append(element("figure", {}, element("figcaption", {}, title), place));
     vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: `${scene.id}` });
@@ -78,19 +78,37 @@ function link(section) {
   document.querySelector("nav").append(element("a", { href: `#${section.id}` }, text));
 }
 
-function show(section, lines) {
+// What of a section depends on the kind of error: its table and its charts.
+function showKind(section, lines, kind, place) {
+  const shown = [];
+  const table = section.tables?.[kind.id] ?? section.table;
+  if (table) shown.push(tableFrame(table, lines));
+  if (section.points) shown.push(element("div", { class: "charts" }));
+  place.replaceChildren(...shown);
+  if (section.points) drawCharts(section, lines, kind, shown.at(-1));
+}
+
+function show(section) {
   const heading = element("h2", {}, section.title);
   if (section.name) heading.append(" ", element("code", {}, section.name));
-  const shown = element("section", { id: section.id }, heading, ...section.paragraphs.map((text) => element("p", {}, text)));
-  if (section.table) shown.append(tableFrame(section.table, lines));
-  document.querySelector("main").append(shown);
+  const place = element("div");
+  document.querySelector("main").append(element("section", { id: section.id }, heading,
+    ...section.paragraphs.map((text) => element("p", {}, text)), place));
   link(section);
-  if (!section.points) return;
-  const frame = element("div", { class: "charts" });
-  shown.append(frame);
-  drawCharts(section, lines, frame);
+  return place;
+}
+
+// The controls name a norm and a scale; both together are a kind of error.
+function chosenKind(kinds) {
+  const [norm, scale] = ["norm", "scale"].map((name) => document.getElementById(name).value);
+  return kinds.find((kind) => kind.norm === norm && kind.scale === scale);
 }
 
 const data = JSON.parse(document.getElementById("data").textContent);
 document.getElementById("sessions").append(tableFrame(data.sessions, data.lines));
-for (const section of data.sections) show(section, data.lines);
+const places = data.sections.map(show);
+const draw = (changed) => data.sections.forEach((section, i) => {
+  if (!changed || section.tables || section.points) showKind(section, data.lines, chosenKind(data.kinds), places[i]);
+});
+draw(false);
+for (const name of ["norm", "scale"]) document.getElementById(name).addEventListener("change", () => draw(true));

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "analysis/text.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/scene.hpp"
 #include "stepping/scheme.hpp"
@@ -20,7 +21,21 @@ using nlohmann::json;
 json to_json(const Section& section) {
   json shown{{"id", section.id}, {"title", section.title}, {"paragraphs", section.paragraphs}};
   if (!section.table.empty()) shown["table"] = to_json(section.table);
+  for (std::size_t i = 0; i < section.tables.size(); ++i)
+    shown["tables"][error_measure(error_kinds()[i])] = to_json(section.tables[i]);
   return shown;
+}
+
+// The kinds of error that the controls choose from.
+json kinds() {
+  json all = json::array();
+  for (const ErrorKind& kind : error_kinds()) {
+    all.push_back({{"id", error_measure(kind)},
+                   {"norm", name(kind.norm)},
+                   {"scale", name(kind.scale)},
+                   {"title", error_title(kind)}});
+  }
+  return all;
 }
 
 // The labels of all lines, each once, schemes in the order of their list: the order gives them their colours.
@@ -78,7 +93,7 @@ json page_data(const Results& results) {
   page.rates = rates(page.runs);
   json sections = json::array();
   const auto add = [&](const Section& section) {
-    if (!section.table.empty()) sections.push_back(to_json(section));
+    if (!section.table.empty() || !section.tables.empty()) sections.push_back(to_json(section));
   };
   add(answers_section(page));
   add(stability_section(page));
@@ -90,7 +105,10 @@ json page_data(const Results& results) {
   add(reference_section(page));
   add(failures_section(page));
   add(schemes_section(page));
-  return {{"lines", line_labels(page)}, {"sessions", to_json(sessions_table(page))}, {"sections", sections}};
+  return {{"lines", line_labels(page)},
+          {"kinds", kinds()},
+          {"sessions", to_json(sessions_table(page))},
+          {"sections", sections}};
 }
 
 }  // namespace fde

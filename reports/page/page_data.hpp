@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/answer.hpp"
 #include "analysis/line_names.hpp"
+#include "analysis/line_rates.hpp"
+#include "analysis/option.hpp"
 #include "page/table.hpp"
 #include "records/record.hpp"
 
@@ -25,7 +26,7 @@ struct PageInput {
 
   // What the run's line is called on the page.
   [[nodiscard]] std::string label(const RunKey& run) const { return names.name(run.scheme, run.setup); }
-  [[nodiscard]] std::string label(const Choice& of) const { return names.name(of.scheme, of.setup); }
+  [[nodiscard]] std::string label(const Option& of) const { return names.name(of.schemes.front(), of.setup); }
   [[nodiscard]] std::string label(const RateRow& of) const { return names.name(of.scheme, of.setup); }
 };
 
@@ -34,6 +35,7 @@ struct Section {
   std::string id, title;
   std::vector<std::string> paragraphs{};
   Table table{};
+  std::vector<Table> tables{};  // in its place one for each of error_kinds()
 };
 
 Table sessions_table(const PageInput& page);

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "analysis/answer.hpp"
+#include "analysis/recommendation.hpp"
 #include "fuzz/fuzzing.hpp"
 #include "page/page_data.hpp"
 #include "records/results_file.hpp"
@@ -21,9 +21,15 @@ void show(const Results& results) {
   fuzz::require(page.find(":null") == std::string::npos && page.find("[null") == std::string::npos,
                 "numbers of the charts are finite", page);
   if (results.records.empty()) return;
-  for (const double error : {1e-3, 1e-12}) {
-    const std::string text = advice(results, results.records.front().key.scene, error);
-    fuzz::require(!text.empty() && !fuzz::shows_no_number(text), "numbers of the advice", text);
+  for (const double accuracy : {1e-3, 1e-12}) {
+    for (const ErrorKind& kind : error_kinds()) {
+      const auto made = recommend(results, results.records.front().key.scene, kind, accuracy);
+      for (const auto& text : made.others)
+        fuzz::require(!fuzz::shows_no_number(text), "numbers of what is missing", text);
+      if (made.options.empty()) continue;
+      const std::string text = text_of(made) + json_of(made);
+      fuzz::require(!fuzz::shows_no_number(text), "numbers of the recommendation", text);
+    }
   }
 }
 

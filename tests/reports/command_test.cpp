@@ -261,7 +261,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"run --scene relaxation --steps 8,0 --out /tmp/never", "--steps = 0: must be"},
         Mistake{"report /nonexistent.jsonl --out /tmp/never", "/nonexistent.jsonl: cannot be read"},
         Mistake{"run --scene pendulum:alpha=3 --out /tmp/never", "alpha = 3: must be a number in [1, 2]"},
-        Mistake{"choose relaxation --error 0", "--error = 0: must be a finite number above 0"},
+        Mistake{"choose relaxation --error 0", "--error = 0: must be a number in (1e-15, 1)"},
+        Mistake{"choose relaxation --error 1", "--error = 1: must be a number in (1e-15, 1)"},
+        Mistake{"choose relaxation --error 1e-3 --norm start", "--norm = start: must be end or maximum"},
+        Mistake{"choose relaxation --error 1e-3 --scale log",
+                "--scale = log: must be absolute, relative or mixed"},
+        Mistake{"choose pendulum --error 1e-3 --columns phi,psi", "--columns = psi: must be of phi, "},
+        Mistake{"choose relaxation --error 1e-3 --max-time 0", "--max-time = 0: must be"},
+        Mistake{"choose relaxation:until=2 --error 1e-3 --until 3", "until"},
         Mistake{"solv pendulum", "command solv: no such command, did you mean 'solve'?"},
         Mistake{"", "subcommand"}),
     [](const auto& test) { return "mistake_" + std::to_string(test.index); });
@@ -281,19 +288,49 @@ TEST(Run, ThenReportThenChoose) {
   EXPECT_EQ(report.code, 0) << report.err;
   EXPECT_GT(std::filesystem::file_size(page + "/index.html"), 500'000U);
 
-  const auto choice = fdebench("choose relaxation --error 1e-4 --results " + file);
-  EXPECT_THAT(choice.out, StartsWith("adams_pc"));
-  EXPECT_THAT(fdebench("choose relaxation --error 1e-9 --results " + file).out,
-              HasSubstr("no run of relaxation reaches"));
+  const auto choice = fdebench("choose relaxation --norm end --error 1e-4 --results " + file);
+  EXPECT_THAT(choice.out, HasSubstr("\nadams_pc: N = "));
+  const auto none = fdebench("choose relaxation --norm end --error 1e-9 --results " + file);
+  EXPECT_EQ(none.code, 3);
+  EXPECT_THAT(
+      none.err,
+      StartsWith("fdebench: no run of relaxation is within 1.0e-9 (at the end, mixed scale): best: "));
   std::filesystem::remove_all(folder);
 }
 
-// product_trapezoidal is within 1e-4 with 64 steps, and by then no scheme is far slower.
-TEST(Choose, MeasuresTheSceneAsFarAsTheErrorNeeds) {
-  const auto choice = fdebench("choose power --error 1e-4");
+TEST(Choose, MakesTheRunThatItNames) {
+  const auto choice = fdebench("choose power --error 1e-4 --json --max-time 5");
   EXPECT_EQ(choice.code, 0) << choice.err;
-  EXPECT_THAT(choice.out, HasSubstr("product_trapezoidal (auto): N = 64, "));
-  EXPECT_THAT(choice.out, testing::Not(HasSubstr("none")));
+  const auto json = nlohmann::json::parse(choice.out);
+  EXPECT_LE(json["error"], 1e-4);
+  EXPECT_LE(json["seconds_low"], json["seconds"]);
+  EXPECT_GE(json["seconds_high"], json["seconds"]);
+  const std::string command = json["command"];
+  const auto again = fdebench(command.substr(command.find(' ') + 1));
+  EXPECT_EQ(again.code, 0) << again.err;
+  double worst = 0.0;
+  for (const auto& row : csv_rows(again.out)) {
+    const double exact = row[0] * row[0];
+    worst = std::max(worst, std::abs(row[1] - exact) / (1.0 + exact));
+  }
+  EXPECT_NEAR(worst / json["error"].get<double>(), 1.0, 1e-6);
+}
+
+TEST(Choose, SaysWhatWouldBeNeeded) {
+  const auto choice = fdebench("choose bagley_torvik --error 1e-9 --max-time 2");
+  EXPECT_EQ(choice.code, 3);
+  EXPECT_EQ(choice.out, "");
+  EXPECT_THAT(choice.err, HasSubstr("would need about N = "));
+  EXPECT_EQ(std::ranges::count(choice.err, '\n'), 1);
+}
+
+// dy starts like the root of t, y does not.
+TEST(Choose, CountsTheColumnsThatAreNamed) {
+  const std::string words = "choose pendulum --until 2 --error 1e-4 --max-time 5 --json ";
+  const auto all = nlohmann::json::parse(fdebench(words).out),
+             one = nlohmann::json::parse(fdebench(words + "--columns phi").out);
+  EXPECT_LT(one["seconds"], all["seconds"]);
+  EXPECT_EQ(one["columns"], std::vector<std::string>{"phi"});
 }
 
 TEST(Run, TakesVariantsOfScenes) {
@@ -324,8 +361,8 @@ TEST(Run, WritesTheWholeSetupAndContinuesByIt) {
   EXPECT_THAT(text.str(), HasSubstr(R"("budget":60.0,)"));
   EXPECT_THAT(text.str(), HasSubstr(R"("grid":"graded:2","h":0.0625,"history":"direct")"));
   EXPECT_THAT(text.str(), HasSubstr(R"("tolerance":1e-08)"));
-  EXPECT_THAT(fdebench("choose relaxation --error 1 --results " + file).out,
-              HasSubstr("l1 (direct, graded:2, tolerance 1e-08, budget 60 s): N = 16"));
+  EXPECT_THAT(fdebench("choose relaxation --error 0.9 --results " + file).out,
+              HasSubstr("--scheme l1 --steps 16"));
   std::filesystem::remove(file);
 }
 

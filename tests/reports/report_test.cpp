@@ -13,7 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/answer.hpp"
+#include "analysis/line_rates.hpp"
+#include "analysis/recommendation.hpp"
 #include "analysis/text.hpp"
 
 namespace fde {
@@ -66,7 +67,7 @@ void add_run(Results& results, const Run& run, double error, double seconds) {
 // Errors 0.01 h^rate at the end and h in the maximum norm, a time proportional to the steps.
 void add_line(Results& results, const std::string& scheme, double rate, double seconds_a_step) {
   for (const int steps : all_steps) {
-    const Run run{"pendulum", scheme, steps};
+    const struct Run run { "pendulum", scheme, steps };
     const double h = end_time / steps;
     add_row(results, run, "error_maximum", h);
     add_row(results, run, "reference_bound", 1e-15);
@@ -84,53 +85,115 @@ Results two_lines() {
   return results;
 }
 
-TEST(Cheapest, RanksTheMeasuredRunsThatReachTheError) {
-  const auto ranked = cheapest(runs_of(two_lines()), {"pendulum"}, 3e-5);
+constexpr ErrorKind at_end{Norm::end, Scale::absolute};
+
+std::vector<Option> within(const Results& results, double accuracy) {
+  return options_within(runs_of(results), {"pendulum"}, at_end, accuracy);
+}
+
+TEST(Options, AreTheQuickestRunsWithinTheAccuracy) {
+  const auto ranked = within(two_lines(), 3e-5);
   ASSERT_EQ(ranked.size(), 2);
-  EXPECT_EQ(ranked[0].scheme, "l1");
+  EXPECT_EQ(ranked[0].schemes.front(), "l1");
   EXPECT_EQ(ranked[0].steps, 512);
-  EXPECT_DOUBLE_EQ(ranked[0].seconds, 512e-6);
-  EXPECT_EQ(ranked[1].scheme, "adams_pc");
+  EXPECT_DOUBLE_EQ(ranked[0].time.median, 512e-6);
+  EXPECT_NEAR(ranked[0].predicted_error.value() / ranked[0].error, 1.0, 1e-3) << "by the coarser runs alone";
+  EXPECT_EQ(ranked[1].schemes.front(), "adams_pc");
   EXPECT_EQ(ranked[1].steps, 256);
 }
 
-TEST(Cheapest, LeavesOutSchemesThatDoNotReachTheError) {
-  const auto ranked = cheapest(runs_of(two_lines()), {"pendulum"}, 1e-5);
+TEST(Options, LeaveOutSchemesThatDoNotReachTheError) {
+  const auto ranked = within(two_lines(), 1e-5);
   ASSERT_EQ(ranked.size(), 1);
-  EXPECT_EQ(ranked[0].scheme, "adams_pc");
+  EXPECT_EQ(ranked[0].schemes.front(), "adams_pc");
 }
 
-TEST(Cheapest, PrefersTheSmallerErrorAtEqualTimes) {
+TEST(Options, PreferTheSmallerErrorAtEqualTimes) {
   Results results = empty_results();
   add_run(results, {"pendulum", "adams_pc", 64}, 2e-3, 1.0);
   add_run(results, {"pendulum", "l1", 64}, 1e-3, 1.0);
-  const auto ranked = cheapest(runs_of(results), {"pendulum"}, 1e-2);
+  const auto ranked = within(results, 1e-2);
   ASSERT_EQ(ranked.size(), 2);
-  EXPECT_EQ(ranked[0].scheme, "l1");
+  EXPECT_EQ(ranked[0].schemes.front(), "l1");
 }
 
-TEST(Cheapest, CountsARunMeasuredAgainWithItsLastSession) {
+TEST(Options, CountARunMeasuredAgainWithItsLastSession) {
   Results results = empty_results();
   add_run(results, {"pendulum", "l1", 64}, 1e-3, 1.0);
   results.sessions.push_back(results.sessions.front());
   add_run(results, {"pendulum", "l1", 64}, 1e-3, 2.0);
-  const auto ranked = cheapest(runs_of(results), {"pendulum"}, 1e-2);
+  const auto ranked = within(results, 1e-2);
   ASSERT_EQ(ranked.size(), 1);
-  EXPECT_EQ(ranked[0].seconds, 2.0);
+  EXPECT_EQ(ranked[0].time.median, 2.0);
   EXPECT_EQ(ranked[0].session, 1);
 }
 
-TEST(Shortfall, NamesTheBestErrorAndExtrapolatesTheBestRate) {
+TEST(Options, AreNoRunsThatZeroWouldMatch) {
+  Results results = empty_results();
+  const struct Run run { "pendulum", "l1", 64 };
+  add_row(results, run, "trivial_end", 5e-4);
+  add_run(results, run, 1e-3, 1.0);
+  EXPECT_TRUE(within(results, 1e-2).empty());
+}
+
+TEST(Options, DifferInTheKindOfError) {
+  const auto ranked =
+      options_within(runs_of(two_lines()), {"pendulum"}, {Norm::maximum, Scale::absolute}, 0.1);
+  ASSERT_EQ(ranked.size(), 2);
+  EXPECT_EQ(ranked[0].error, end_time / ranked[0].steps);
+}
+
+TEST(Shortfall, NamesTheBestErrorAndTheStepsThatAreNeeded) {
   const Runs runs = runs_of(two_lines());
-  EXPECT_TRUE(cheapest(runs, {"pendulum"}, 1e-9).empty());
-  const auto missed = shortfall(runs, {"pendulum"}, 1e-9);
-  ASSERT_TRUE(missed && missed->needed);
-  EXPECT_EQ(missed->best.scheme, "adams_pc");
+  const auto missed = shortfall(runs, {"pendulum"}, at_end, 1e-9);
+  ASSERT_TRUE(missed && missed->steps_needed);
+  EXPECT_EQ(missed->best.schemes.front(), "adams_pc");
   EXPECT_EQ(missed->best.steps, 512);
-  EXPECT_EQ(missed->needed->scheme, "adams_pc");
-  EXPECT_NEAR(missed->needed->steps, 512 * std::sqrt(0.01 / 4096 / 1e-9), 1.0);
-  EXPECT_THAT(advice(two_lines(), {"pendulum"}, 1e-9), HasSubstr("extrapolated"));
-  EXPECT_FALSE(shortfall(runs, {"brusselator"}, 1e-9));
+  EXPECT_EQ(missed->line.schemes.front(), "adams_pc");
+  const double exact = 512 * std::sqrt(0.01 / 4096 / 1e-9);
+  EXPECT_NEAR(missed->steps_needed->value / exact, 1.0, 0.01);
+  EXPECT_LE(missed->steps_needed->low, exact);
+  EXPECT_GE(missed->steps_needed->high, exact);
+  EXPECT_FALSE(shortfall(runs, {"brusselator"}, at_end, 1e-9));
+}
+
+// A run that is examined but not timed is no answer, and not missing either.
+TEST(Shortfall, CountsRunsThatAreNotTimedYet) {
+  Results results = empty_results();
+  const struct Run run { "pendulum", "l1", 64 };
+  add_row(results, run, "error_end", 1e-5);
+  add_ending(results, run, end_time);
+  EXPECT_TRUE(within(results, 1e-3).empty());
+  EXPECT_EQ(shortfall(runs_of(results), {"pendulum"}, at_end, 1e-3)->untimed, 1U);
+  EXPECT_THAT(recommend(results, {"pendulum"}, at_end, 1e-3).others,
+              testing::Contains(HasSubstr("not timed yet")));
+}
+
+Option option(const std::string& scheme, int steps, const TimeSpread& time) {
+  return {.schemes = {scheme}, .setup = {.resolution = steps}, .steps = steps, .error = 1e-7, .time = time};
+}
+
+// Intervals [9, 11], [10.5, 13] and [20, 21].
+TEST(Recommendation, TellsWhatIsWithinNoise) {
+  const Recommendation made{
+      .scene = {"pendulum"},
+      .kind = at_end,
+      .accuracy = 1e-6,
+      .options = {option("l1", 512, {10.0, 9.0, 11.0}), option("adams_pc", 256, {12.0, 10.5, 13.0}),
+                  option("product_trapezoidal", 64, {20.5, 20.0, 21.0})}};
+  EXPECT_THAT(within_noise(made), testing::ElementsAre("adams_pc"));
+  EXPECT_EQ(runner_up(made)->schemes.front(), "adams_pc");
+  const auto json = nlohmann::json::parse(json_of(made));
+  for (const auto* field :
+       {"scene", "scheme", "grid", "steps", "norm", "scale", "error", "predicted_error", "seconds",
+        "seconds_low", "seconds_high", "within_noise", "runner_up", "factor", "command"}) {
+    EXPECT_TRUE(json.contains(field)) << field;
+  }
+  EXPECT_EQ(json["steps"], 512);
+  EXPECT_DOUBLE_EQ(json["factor"], 1.2);
+  EXPECT_EQ(json["command"], "fdebench solve pendulum --scheme l1 --steps 512");
+  EXPECT_THAT(text_of(made), HasSubstr("within noise of adams_pc\n"));
+  EXPECT_THAT(text_of(made), HasSubstr("2 times more steps"));
 }
 
 TEST(Rates, AreThoseOfExactPowers) {
@@ -213,7 +276,8 @@ TEST(Report, NamesALineByWhatTellsItsSetupFromOthers) {
   };
   EXPECT_THAT(lines(results),
               testing::UnorderedElementsAre("adams_pc, uniform", "l1, uniform", "l1, graded:2"));
-  EXPECT_THAT(advice(results, {"pendulum"}, 3e-5), HasSubstr("l1 (auto, graded:2): N = 512"));
+  EXPECT_THAT(text_of(recommend(results, {"pendulum"}, {Norm::end, Scale::absolute}, 3e-5)),
+              HasSubstr("l1, graded:2: N = 512"));
   EXPECT_THAT(lines(two_lines()), testing::UnorderedElementsAre("adams_pc", "l1"));
 }
 

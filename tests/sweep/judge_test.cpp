@@ -44,8 +44,10 @@ TEST(Judge, TakesWhatAnotherProgramWrote) {
   EXPECT_NEAR(*value(judged, "error_end"), 0.02, 1e-15);
   EXPECT_NEAR(*value(judged, "error_maximum"), 0.02, 1e-15);
   EXPECT_NEAR(*value(judged, "mescd"), -std::log10(0.02 / 5.0), 1e-12);
-  EXPECT_THAT(ids(judged), testing::ElementsAre("error_end", "error_maximum", "error_relative", "mescd",
-                                                "reference_bound"));
+  EXPECT_THAT(ids(judged),
+              testing::ElementsAre("error_end", "error_end_relative", "error_end_mixed", "error_maximum",
+                                   "error_maximum_relative", "error_maximum_mixed", "error_relative", "mescd",
+                                   "reference_bound"));
 }
 
 TEST(Judge, SaysFromWhenOnTheAccuracyIsLost) {

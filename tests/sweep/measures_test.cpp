@@ -5,8 +5,16 @@
 #include <gsl/gsl_odeiv2.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <string_view>
+#include <vector>
 
+#include "measures/error_kind.hpp"
+#include "measures/time_spread.hpp"
 #include "observers/energy_balance.hpp"
 #include "observers/rate.hpp"
 #include "observers/watched_steps.hpp"
@@ -23,15 +31,68 @@ double time_measure(std::string_view id, const std::vector<double>& seconds) {
 TEST(Measures, OfValuesBesideAReference) {
   const Rows values = (Rows(2, 3) << 1.0, 2.0, 3.0, 0.0, 0.0, 10.0).finished();
   const Rows reference = (Rows(2, 3) << 1.0, 4.5, 3.25, 0.0, 0.0, 9.0).finished();
-  EXPECT_EQ(error_end(values, reference), 1.0);
-  EXPECT_EQ(error_maximum(values, reference), 2.5);
   EXPECT_NEAR(mescd(values, reference), -std::log10(0.1), 1e-15);
+  const std::vector<double> times{0.0, 1.0, 2.0};
+  const auto error = [&](Norm norm, Scale scale) {
+    return error_of(norm, values, reference, divisors(scale, times, reference));
+  };
+  EXPECT_EQ(error(Norm::end, Scale::absolute), 1.0);
+  EXPECT_EQ(error(Norm::maximum, Scale::absolute), 2.5);
+  EXPECT_DOUBLE_EQ(error(Norm::end, Scale::relative), 1.0 / 9.0);
+  EXPECT_DOUBLE_EQ(error(Norm::maximum, Scale::relative), 2.5 / 4.5);
+  EXPECT_DOUBLE_EQ(error(Norm::end, Scale::mixed), 0.1);
+  EXPECT_DOUBLE_EQ(error(Norm::maximum, Scale::mixed), 2.5 / 5.5);
+}
+
+// Size 1 within [0.9 t, t]: 0.95 counts as a thousandth of it. At 2 and before 0.9 nothing is near, and a
+// reference that is 0 says nothing of relative errors.
+TEST(RelativeErrors, TakeAZeroForAThousandthOfTheSizeNearby) {
+  const std::vector<double> times{0.0, 0.9, 0.95, 2.0};
+  const Rows reference = (Rows(1, 4) << 0.0, 1.0, 1e-6, 0.0).finished();
+  const Rows by = divisors(Scale::relative, times, reference);
+  EXPECT_EQ(by(0, 0), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(by(0, 1), 1.0);
+  EXPECT_EQ(by(0, 2), 1e-3);
+  EXPECT_EQ(by(0, 3), std::numeric_limits<double>::infinity());
+}
+
+// |y - 0| is 1, 2, 4 and |y - y(0)| is 0, 1, 3; at t = 0 nobody errs.
+TEST(TrivialError, IsThatOfZeroOrOfTheInitialValue) {
+  const Rows reference = (Rows(1, 3) << 1.0, 2.0, 4.0).finished(), one = Rows::Ones(1, 3);
+  EXPECT_EQ(trivial_error(Norm::end, {0.0, 1.0, 2.0}, reference, one), 3.0);
+  EXPECT_EQ(trivial_error(Norm::maximum, {0.0, 1.0, 2.0}, reference, one), 3.0);
+  EXPECT_EQ(trivial_error(Norm::end, {0.5, 1.0, 2.0}, reference, one), 4.0);
+}
+
+TEST(ErrorKinds, HaveAMeasureAndAWordEach) {
+  std::set<std::string_view> ids;
+  for (const auto* measure : measures()) ids.insert(measure->id);
+  for (const ErrorKind& kind : error_kinds()) {
+    EXPECT_TRUE(ids.contains(error_measure(kind))) << error_measure(kind);
+    EXPECT_TRUE(ids.contains(trivial_measure(kind))) << trivial_measure(kind);
+    EXPECT_EQ(parse_norm(name(kind.norm)), kind.norm);
+    EXPECT_EQ(parse_scale(name(kind.scale)), kind.scale);
+  }
+  expect_message([] { parse_norm("start"); }, "--norm = start: must be end or maximum");
+  expect_message([] { parse_scale("log"); }, "--scale = log: must be absolute, relative or mixed");
 }
 
 TEST(Measures, OfTimes) {
   EXPECT_EQ(time_measure("time_minimum", {3.0, 1.0, 2.0}), 1.0);
   EXPECT_EQ(time_measure("time_median", {3.0, 1.0, 2.0}), 2.0);
   EXPECT_EQ(time_measure("time_median", {3.0, 1.0, 10.0, 2.0}), 2.5);
+}
+
+// Of 25 values the 8th and the 18th enclose the median with 95 % probability (any table of the sign test).
+TEST(TimeSpread, IsAnIntervalOfTheMedian) {
+  std::vector<double> seconds(25);
+  std::iota(seconds.rbegin(), seconds.rend(), 1.0);
+  const auto [median, low, high] = spread_of(seconds);
+  EXPECT_EQ(median, 13.0);
+  EXPECT_EQ(low, 8.0);
+  EXPECT_EQ(high, 18.0);
+  EXPECT_EQ(time_measure("time_low", {3.0, 1.0, 2.0}), 1.0) << "few tell no more than their limits";
+  EXPECT_EQ(time_measure("time_high", {3.0, 1.0, 2.0}), 3.0);
 }
 
 TEST(WatchedSteps, AreAllUpToALimitAndThenSpread) {

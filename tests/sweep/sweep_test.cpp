@@ -33,7 +33,7 @@ TEST(ContinuedSweeps, TimeWhatIsExamined) {
              .append = [&](const auto& some) { rows.insert(rows.end(), some.begin(), some.end()); },
              .tell = silence});
   EXPECT_EQ(std::ranges::count(rows, "ending", &Record::quantity), 1);
-  EXPECT_EQ(std::ranges::count(rows, "time_median", &Record::quantity), 2);
+  EXPECT_EQ(std::ranges::count(rows, "time_high", &Record::quantity), 2);
 }
 
 std::string words_of(const SweepEvent& event) {
@@ -61,9 +61,9 @@ TEST(Sweeps, TakeOneRungAfterTheOtherAndTellEachRun) {
             {.recorded = nothing_is_recorded,
              .append = [&](const auto& some) { events.push_back(some.back().quantity); },
              .tell = [&](const auto& event) { events.push_back(words_of(event)); }});
-  EXPECT_THAT(events, testing::ElementsAre("examines N = 16", "ending", "times N = 16", "time_median",
+  EXPECT_THAT(events, testing::ElementsAre("examines N = 16", "ending", "times N = 16", "time_high",
                                            "N = 16 is done", "examines N = 32", "ending", "times N = 32",
-                                           "time_median", "N = 32 is done", "line ends at N = 32"));
+                                           "time_high", "N = 32 is done", "line ends at N = 32"));
 }
 
 // While one thread is appending the others go on: nothing but a failure ends their scenes.

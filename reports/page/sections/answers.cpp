@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -15,23 +16,51 @@ constexpr std::array accuracies{1e-2, 1e-4, 1e-6, 1e-8};
 std::string accuracy_text(double accuracy) { return fmt::format("error ≤ 1e{:.0f}", std::log10(accuracy)); }
 
 // Times of different sessions may come from different machines: say whose they are.
-std::string session_note(const PageInput& page, const Choice& choice) {
-  return page.results.sessions.size() > 1 ? fmt::format(", session {}", choice.session + 1) : "";
+std::string session_note(const PageInput& page, const Option& option) {
+  return page.results.sessions.size() > 1 ? fmt::format(", session {}", option.session + 1) : "";
 }
 
-Cell answer(const PageInput& page, const SceneSettings& scene, double accuracy) {
-  if (const auto ranked = cheapest(page.runs, scene, accuracy); !ranked.empty()) {
-    const Choice& first = ranked.front();
-    const std::string label = page.label(first);
-    return {.text = label, .detail = describe(first) + session_note(page, first), .line = label};
+// Lines whose time meets that of the first.
+std::string noise_note(const PageInput& page, const std::vector<Option>& ranked) {
+  std::vector<std::string> names;
+  for (const Option& option : ranked) {
+    if (&option != &ranked.front() && option.time.low <= ranked.front().time.high)
+      names.push_back(page.label(option));
   }
-  const auto missed = shortfall(page.runs, scene, accuracy);
-  if (!missed) return {.text = "no run finished"};
-  Cell cell{.text = "none measured reaches it",
-            .detail = fmt::format("Best: {}, {}{}.", page.label(missed->best), describe(missed->best),
+  return names.empty() ? "" : fmt::format("; within noise of {}", fmt::join(names, ", "));
+}
+
+Cell answer(const PageInput& page, const SceneSettings& scene, const ErrorKind& kind, double accuracy) {
+  if (const auto ranked = options_within(page.runs, scene, kind, accuracy); !ranked.empty()) {
+    const Option& first = ranked.front();
+    const std::string label = page.label(first);
+    return {.text = label,
+            .detail = run_text(first) + session_note(page, first) + noise_note(page, ranked),
+            .line = label};
+  }
+  const auto missed = shortfall(page.runs, scene, kind, accuracy);
+  if (!missed) return {.text = "no run has this error"};
+  Cell cell{.text = missed->untimed > 0 ? "reached, not timed yet" : "none measured reaches it",
+            .detail = fmt::format("Best: {}, {}{}.", page.label(missed->best), run_text(missed->best),
                                   session_note(page, missed->best))};
-  if (missed->needed) cell.detail += fmt::format(" {}.", describe(*missed->needed));
+  if (missed->steps_needed)
+    cell.detail += fmt::format(" {}.", needed_text(page.label(missed->line), *missed->steps_needed));
   return cell;
+}
+
+Table answers_table(const PageInput& page, const ErrorKind& kind) {
+  Table table{.caption = fmt::format("The cheapest measured run by scene and {}", error_title(kind)),
+              .columns = {{"scene"}}};
+  for (const double accuracy : accuracies) table.columns.push_back({accuracy_text(accuracy)});
+  RowGroup rows;
+  for (const RunSpan runs : by_scene(page.runs.finished)) {
+    const SceneSettings& scene = runs.front().key.scene;
+    std::vector<Cell> cells{{.text = name_of_scene(scene).title, .detail = label_of(scene)}};
+    for (const double accuracy : accuracies) cells.push_back(answer(page, scene, kind, accuracy));
+    rows.rows.push_back(std::move(cells));
+  }
+  table.groups.push_back(std::move(rows));
+  return table;
 }
 
 std::vector<Cell> row(std::string name, const std::vector<Session>& sessions,
@@ -47,26 +76,18 @@ Section answers_section(const PageInput& page) {
   Section section{
       .id = "answer",
       .title = "Which scheme is cheapest",
-      .paragraphs = {"For each scene and each error at the end of the interval, the measured run that gets "
-                     "there in the least time. Nothing between the measured step counts is interpolated. "
-                     "An error is the largest absolute one of the scene's columns; a time is the least of "
-                     "the repeats, of the solve alone."},
-      .table = {.caption = "The cheapest measured run by scene and error at the end",
-                .columns = {{"scene"}}}};
+      .paragraphs = {
+          "For each scene and each error, the measured run that gets there in the least time. Nothing "
+          "between the measured step counts is interpolated. No run counts that y = 0 or y = y(0) "
+          "would match. The error is the largest over the scene's columns, on the scale chosen "
+          "above; a time is the median of the repeats with its 95 % interval, of the solve alone."}};
   if (page.results.sessions.size() > 1) {
     section.paragraphs.emplace_back(
         "The results were made in several sessions; times of different machines or builds do not "
         "compare. A run made more than once counts with its last session.");
   }
-  for (const double accuracy : accuracies) section.table.columns.push_back({accuracy_text(accuracy)});
-  RowGroup rows;
-  for (const RunSpan runs : by_scene(page.runs.finished)) {
-    const SceneSettings& scene = runs.front().key.scene;
-    std::vector<Cell> cells{{.text = name_of_scene(scene).title, .detail = label_of(scene)}};
-    for (const double accuracy : accuracies) cells.push_back(answer(page, scene, accuracy));
-    rows.rows.push_back(std::move(cells));
-  }
-  if (!rows.rows.empty()) section.table.groups.push_back(std::move(rows));
+  if (page.runs.finished.empty()) return section;
+  for (const ErrorKind& kind : error_kinds()) section.tables.push_back(answers_table(page, kind));
   return section;
 }
 

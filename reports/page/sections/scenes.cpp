@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -12,14 +11,6 @@ namespace fde {
 namespace {
 
 using nlohmann::json;
-
-// An error as the charts name it, as the records name it, and its rate.
-struct Shown {
-  const char *name, *quantity;
-  NormRate RateRow::*rate;
-};
-constexpr std::array norms{Shown{"end", "error_end", &RateRow::end},
-                           Shown{"maximum", "error_maximum", &RateRow::maximum}};
 
 // A logarithmic axis shows positive values only.
 std::optional<double> positive(const MeasuredRun& run, std::string_view quantity) {
@@ -44,8 +35,9 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
   add("title", page.label(run.key));  // shown as the heading
   add("N", count_text(run.steps));
   add("h", fmt::format("{:.3g}", run.h));
-  if (const auto error = run["error_end"]) add("error at the end", error_text(*error));
-  if (const auto error = run["error_maximum"]) add("maximum error", error_text(*error));
+  for (const ErrorKind& kind : error_kinds()) {
+    if (const auto error = run[error_measure(kind)]) add(error_title(kind), error_text(*error));
+  }
   if (const auto residual = run["energy_residual"]) add("energy residual", error_text(*residual));
   if (const auto drift = run["drift_internal"]) add("internal drift", error_text(*drift));
   if (const auto drift = run["drift_independent"]) add("independent drift", error_text(*drift));
@@ -64,9 +56,11 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
 
 json point(const PageInput& page, const MeasuredRun& run, const MeasuredRun* coarser) {
   json shown{{"line", page.label(run.key)}, {"steps", run.steps}, {"h", run.h}};
-  for (const auto& norm : norms) {
-    if (const auto value = positive(run, norm.quantity)) shown[norm.name] = *value;
+  json errors = json::object();
+  for (const ErrorKind& kind : error_kinds()) {
+    if (const auto value = positive(run, error_measure(kind))) errors[error_measure(kind)] = *value;
   }
+  shown["errors"] = std::move(errors);
   if (const auto value = positive(run, "time_minimum")) shown["seconds"] = *value;
   if (const auto value = positive(run, "energy_residual")) shown["energy"] = *value;
   shown["words"] = tooltip(page, run, coarser);
@@ -83,19 +77,19 @@ json points(const PageInput& page, RunSpan scene) {
   return shown;
 }
 
-// The theoretical slope of each line and norm, from its finest point to its coarsest step.
+// The theoretical slope of each line and kind of error, from its finest point to its coarsest step.
 json guides(const PageInput& page, RunSpan scene) {
   json shown = json::array();
   for (const RunSpan line : by_line(scene)) {
     const RateRow rate = rate_of(line);
     const MeasuredRun& finest = line.back();
-    for (const auto& [name, quantity, of_norm] : norms) {
-      const auto& expected = (rate.*of_norm).expected;
-      const auto anchor = positive(finest, quantity);
+    for (const ErrorKind& kind : error_kinds()) {
+      const auto& expected = (kind.norm == Norm::end ? rate.end : rate.maximum).expected;
+      const auto anchor = positive(finest, error_measure(kind));
       if (!expected || !anchor || line.size() < 2 || !(finest.h > 0.0)) continue;
       for (const double h : {finest.h, line.front().h}) {
         shown.push_back({{"line", page.label(finest.key)},
-                         {"norm", name},
+                         {"kind", error_measure(kind)},
                          {"h", h},
                          {"error", *anchor * std::pow(h / finest.h, *expected)}});
       }

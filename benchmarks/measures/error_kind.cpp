@@ -1,0 +1,121 @@
+#include "measures/error_kind.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "scenes/number_text.hpp"
+
+namespace fde {
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+constexpr std::array norms{std::pair{Norm::end, "end"sv}, std::pair{Norm::maximum, "maximum"sv}};
+constexpr std::array scales{std::pair{Scale::absolute, "absolute"sv},
+                            std::pair{Scale::relative, "relative"sv}, std::pair{Scale::mixed, "mixed"sv}};
+
+template <class Names, class One>
+std::string_view name_in(const Names& names, One one) {
+  return std::ranges::find(names, one, &Names::value_type::first)->second;
+}
+
+constexpr std::array all_kinds{
+    ErrorKind{Norm::end, Scale::absolute},     ErrorKind{Norm::end, Scale::relative},
+    ErrorKind{Norm::end, Scale::mixed},        ErrorKind{Norm::maximum, Scale::absolute},
+    ErrorKind{Norm::maximum, Scale::relative}, ErrorKind{Norm::maximum, Scale::mixed}};
+
+struct KindNames {
+  ErrorKind kind;
+  std::string_view error, trivial;
+};
+constexpr std::array kinds{
+    KindNames{{Norm::end, Scale::absolute}, "error_end", "trivial_end"},
+    KindNames{{Norm::end, Scale::relative}, "error_end_relative", "trivial_end_relative"},
+    KindNames{{Norm::end, Scale::mixed}, "error_end_mixed", "trivial_end_mixed"},
+    KindNames{{Norm::maximum, Scale::absolute}, "error_maximum", "trivial_maximum"},
+    KindNames{{Norm::maximum, Scale::relative}, "error_maximum_relative", "trivial_maximum_relative"},
+    KindNames{{Norm::maximum, Scale::mixed}, "error_maximum_mixed", "trivial_maximum_mixed"}};
+
+const KindNames& names_of(const ErrorKind& kind) { return *std::ranges::find(kinds, kind, &KindNames::kind); }
+
+// The largest |r| of one column in [0.9 t, t], for each t. The window keeps those that no later one exceeds.
+Vec sizes_nearby(const std::vector<double>& times, const Eigen::Ref<const Eigen::RowVectorXd>& reference) {
+  constexpr double window = 0.9;
+  Vec sizes(reference.size());
+  std::deque<Eigen::Index> largest;
+  const auto time = [&](Eigen::Index c) { return times[static_cast<std::size_t>(c)]; };
+  for (Eigen::Index c = 0; c < reference.size(); ++c) {
+    const double size = std::abs(reference[c]);
+    while (!largest.empty() && std::abs(reference[largest.back()]) <= size) largest.pop_back();
+    largest.push_back(c);
+    while (time(largest.front()) < window * time(c)) largest.pop_front();
+    sizes[c] = std::abs(reference[largest.front()]);
+  }
+  return sizes;
+}
+
+Rows relative_divisors(const std::vector<double>& times, const Rows& reference) {
+  constexpr double passing = 1e-3;
+  Rows of = reference.cwiseAbs();
+  for (Eigen::Index i = 0; i < of.rows(); ++i) {
+    const Vec nearby = passing * sizes_nearby(times, reference.row(i));
+    of.row(i) = of.row(i).cwiseMax(nearby.transpose());
+  }
+  return (of.array() > 0.0).select(of, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+std::span<const ErrorKind> error_kinds() { return all_kinds; }
+
+std::string_view name(Norm norm) { return name_in(norms, norm); }
+std::string_view name(Scale scale) { return name_in(scales, scale); }
+
+Norm parse_norm(std::string_view text) {
+  const auto* found = std::ranges::find(norms, text, &decltype(norms)::value_type::second);
+  if (found == norms.end()) reject_text("--norm", text, "end or maximum");
+  return found->first;
+}
+
+Scale parse_scale(std::string_view text) {
+  const auto* found = std::ranges::find(scales, text, &decltype(scales)::value_type::second);
+  if (found == scales.end()) reject_text("--scale", text, "absolute, relative or mixed");
+  return found->first;
+}
+
+std::string_view error_measure(const ErrorKind& kind) { return names_of(kind).error; }
+std::string_view trivial_measure(const ErrorKind& kind) { return names_of(kind).trivial; }
+
+Rows divisors(Scale scale, const std::vector<double>& times, const Rows& reference) {
+  switch (scale) {
+    case Scale::absolute:
+      return Rows::Ones(reference.rows(), reference.cols());
+    case Scale::relative:
+      return relative_divisors(times, reference);
+    case Scale::mixed:
+      return (1.0 + reference.array().abs()).matrix();
+  }
+  throw std::logic_error("a scale without divisors");
+}
+
+double error_of(Norm norm, const Rows& values, const Rows& reference, const Rows& divisors) {
+  const auto parts = (values - reference).cwiseAbs().cwiseQuotient(divisors);
+  return norm == Norm::end ? parts.rightCols(1).maxCoeff() : parts.maxCoeff();
+}
+
+double trivial_error(Norm norm, const std::vector<double>& times, const Rows& reference,
+                     const Rows& divisors) {
+  const bool from_start = times.front() == 0.0 && times.size() > 1;
+  const Eigen::Index later = reference.cols() - (from_start ? 1 : 0);
+  const Rows seen = reference.rightCols(later), by = divisors.rightCols(later);
+  const double zero = error_of(norm, Rows::Zero(seen.rows(), later), seen, by);
+  if (!from_start) return zero;
+  return std::min(zero, error_of(norm, reference.col(0).replicate(1, later), seen, by));
+}
+
+}  // namespace fde

@@ -1,0 +1,86 @@
+#include "search/attempt.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "observers/watched_steps.hpp"
+
+namespace fde {
+
+Examiner::Examiner(const Scene& scene, Question question)
+    : scene_(scene), question_(std::move(question)), reference_(scene) {}
+
+Rows Examiner::counted(const Rows& columns) const { return columns(question_.columns, Eigen::all); }
+
+Trajectory Examiner::solve(const Way& way, int steps, const std::vector<double>& times, double budget) const {
+  const Grid grid{.end = scene_.problem.end, .steps = steps, .grading = way.grading};
+  return way.scheme->solve(scene_.problem, grid, {.budget = budget, .at = times});
+}
+
+Attempt Examiner::examine(const Way& way, int steps, int watched, double budget) {
+  const Grid grid{.end = scene_.problem.end, .steps = steps, .grading = way.grading};
+  const bool at_end = question_.kind.norm == Norm::end;
+  const auto times = at_end ? std::vector{scene_.problem.end} : watched_times(grid, watched);
+  Attempt attempt{.steps = steps};
+  const auto start = std::chrono::steady_clock::now();
+  const auto path = solve(way, steps, times, budget);
+  attempt.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  attempt.ending = ending_of(scene_.problem, path);
+  if (path.ending != Ending::finished) return attempt;
+  attempt.values = counted(columns_of(scene_.outputs, path));
+  const auto [error, trivial] = at_end ? judge_end(attempt.values) : judge_all(path.times, attempt.values);
+  attempt.error = error;
+  attempt.trivial = trivial;
+  attempt.within = error <= question_.accuracy && error < trivial;
+  if (attempt.values.rows() == 1 && at_end)
+    attempt.signed_error = attempt.values(0, 0) - at_end_->reference.rightCols(1)(0, 0);
+  return attempt;
+}
+
+bool Examiner::same_values(const Way& one, const Way& other, int steps) {
+  const auto times = watched_times({.end = scene_.problem.end, .steps = steps, .grading = one.grading});
+  const double budget = std::numeric_limits<double>::infinity();
+  const auto first = solve(one, steps, times, budget), second = solve(other, steps, times, budget);
+  return first.ending == Ending::finished && second.ending == Ending::finished &&
+         first.times == second.times &&
+         columns_of(scene_.outputs, first) == columns_of(scene_.outputs, second);
+}
+
+void Examiner::solve_to_end(const Way& way, int steps) const {
+  solve(way, steps, {scene_.problem.end}, std::numeric_limits<double>::infinity());
+}
+
+void Examiner::know_reference(int times) {
+  reference_.at(watched_times({.end = scene_.problem.end, .steps = times}));
+}
+
+double Examiner::reference_bound() {
+  const Vec bound = reference_.bound(scene_.problem.end)(question_.columns);
+  return bound.cwiseQuotient(at_end().divisors.rightCols(1)).maxCoeff();
+}
+
+Examiner::Judged Examiner::judge_all(const std::vector<double>& times, const Rows& values) {
+  const Rows reference = counted(reference_.at(times));
+  const Rows by = divisors(question_.kind.scale, times, reference);
+  return {error_of(Norm::maximum, values, reference, by), trivial_error(Norm::maximum, times, reference, by)};
+}
+
+Examiner::Judged Examiner::judge_end(const Rows& values) {
+  const auto& [reference, by, trivial] = at_end();
+  return {error_of(Norm::end, values, reference.rightCols(1), by.rightCols(1)), trivial};
+}
+
+// The scale of a value needs those shortly before it, what is trivial the first one.
+const Examiner::AtEnd& Examiner::at_end() {
+  if (at_end_) return *at_end_;
+  constexpr int nearby = 64;
+  const double end = scene_.problem.end;
+  std::vector<double> times{0.0};
+  for (int i = 0; i <= nearby; ++i) times.push_back(end * (9 * nearby + i) / (10 * nearby));
+  Rows reference = counted(reference_.at(times));
+  Rows by = divisors(question_.kind.scale, times, reference);
+  const double trivial = trivial_error(Norm::end, times, reference, by);
+  return at_end_.emplace(AtEnd{std::move(reference), std::move(by), trivial});
+}
+
+}  // namespace fde

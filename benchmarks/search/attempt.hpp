@@ -1,0 +1,76 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "measures/ending.hpp"
+#include "references/watched_reference.hpp"
+#include "search/question.hpp"
+#include "stepping/scheme.hpp"
+
+namespace fde {
+
+// One way to solve a scene with any number of steps.
+struct Way {
+  const Scheme* scheme = nullptr;
+  double grading = 1.0;
+};
+
+// One run of a way.
+struct Attempt {
+  int steps = 0;
+  double error = std::numeric_limits<double>::infinity();  // infinite: it did not come to its end
+  double trivial = 0.0;                                    // that y = 0 or y = y(0) has
+  double signed_error = 0.0;  // at the end, of the column that counts, where it is one
+  bool within = false;        // the accuracy, and better than what is trivial
+  double seconds = 0.0;       // of the solve, roughly
+  RunEnding ending{};
+  Rows values{};  // the columns that count, at the watched times
+};
+
+// Makes attempts at a scene and judges them by its reference. The scene must live as long.
+class Examiner {
+ public:
+  Examiner(const Scene& scene, Question question);
+
+  // The run is compared at `watched` steps or less, at the last one only where the norm is the end, and
+  // ends after so many seconds. Throws std::runtime_error where there is no reference.
+  Attempt examine(const Way& way, int steps, int watched, double budget);
+
+  // Whether runs of two ways give the same values, bit for bit.
+  bool same_values(const Way& one, const Way& other, int steps);
+
+  // Only solves.
+  void solve_to_end(const Way& way, int steps) const;
+
+  // Evaluates the reference at so many times, spread evenly.
+  void know_reference(int times);
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const Question& question() const { return question_; }
+
+  // Up to which error the reference is known at the end, on the scale asked for.
+  double reference_bound();
+
+ private:
+  struct Judged {
+    double error, trivial;
+  };
+  Judged judge_all(const std::vector<double>& times, const Rows& values);
+  Judged judge_end(const Rows& values);
+  Rows counted(const Rows& columns) const;
+  Trajectory solve(const Way& way, int steps, const std::vector<double>& times, double budget) const;
+
+  const Scene& scene_;
+  Question question_;
+  WatchedReference reference_;
+  struct AtEnd {
+    Rows reference, divisors;
+    double trivial;
+  };
+  const AtEnd& at_end();
+  std::optional<AtEnd> at_end_{};
+};
+
+}  // namespace fde

@@ -1,0 +1,83 @@
+#include "search/fewest_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fde {
+namespace {
+
+using Try = std::function<Attempt(int steps)>;
+
+// A number that is easy to read, at most a hundredth above; a multiple of the unit.
+int rounded_up(double steps, int unit) {
+  constexpr double digits_kept = 100.0;
+  const double place = std::max(1.0, std::pow(10.0, std::floor(std::log10(steps / digits_kept))));
+  const double whole = std::ceil(steps / place) * place;
+  return static_cast<int>(std::ceil(whole / unit) * unit);
+}
+
+// Where the straight line through both errors, in logarithms, meets the accuracy.
+double steps_between(const Attempt& low, const Attempt& high, double accuracy) {
+  const double middle = std::sqrt(static_cast<double>(low.steps) * high.steps);
+  if (!std::isfinite(low.error) || !(low.error > high.error) || !(high.error > 0.0)) return middle;
+  const double rate =
+      std::log(low.error / high.error) / std::log(static_cast<double>(high.steps) / low.steps);
+  return low.steps * std::pow(low.error / accuracy, 1.0 / rate);
+}
+
+// Closes the bracket to a hundredth and a half.
+Attempt between(Attempt low, Attempt high, double accuracy, int unit, const Try& attempt) {
+  constexpr int most_tries = 8;
+  constexpr double close = 1.015, more = 1.003;
+  for (int i = 0; i < most_tries && high.steps > close * low.steps; ++i) {
+    int steps = rounded_up(more * steps_between(low, high, accuracy), unit);
+    if (steps <= low.steps || steps >= high.steps || i % 3 == 2)
+      steps = rounded_up(std::sqrt(static_cast<double>(low.steps) * high.steps), unit);
+    if (steps <= low.steps || steps >= high.steps) break;
+    Attempt made = attempt(steps);
+    (made.within ? high : low) = std::move(made);
+  }
+  return high;
+}
+
+// An error that changes its sign between two attempts is small at some number of steps between them.
+std::optional<Attempt> at_sign_change(Attempt few, Attempt many, int unit, const Try& attempt) {
+  while (many.steps - few.steps > unit) {
+    Attempt made = attempt((few.steps + many.steps) / 2 / unit * unit);
+    if (made.steps <= few.steps || !std::isfinite(made.error)) return std::nullopt;
+    if (made.within) return made;
+    (made.signed_error * many.signed_error > 0.0 ? many : few) = std::move(made);
+  }
+  return std::nullopt;
+}
+
+Attempt scanned_below(Attempt best, int unit, const Try& attempt) {
+  constexpr double ratio = 1.05, part = 16.0;
+  const double last = best.steps / part;
+  Attempt before = best;
+  for (int steps = best.steps; steps > unit && steps > last;) {
+    steps = std::min(steps - 1, static_cast<int>(steps / ratio)) / unit * unit;
+    if (steps < 1) break;
+    Attempt made = attempt(steps);
+    if (made.within) {
+      best = made;
+    } else if (!before.within && made.signed_error * before.signed_error < 0.0) {
+      if (auto found = at_sign_change(made, before, unit, attempt)) best = std::move(*found);
+    }
+    before = std::move(made);
+  }
+  return best;
+}
+
+}  // namespace
+
+Attempt fewest_steps(const std::vector<Attempt>& ladder, double accuracy, int unit, bool scan,
+                     const Try& attempt) {
+  Attempt best = ladder.back();
+  if (ladder.size() > 1) best = between(ladder[ladder.size() - 2], best, accuracy, unit, attempt);
+  return scan ? scanned_below(std::move(best), unit, attempt) : best;
+}
+
+int more_steps(int steps, int unit) { return rounded_up(1.01 * steps + 1.0, unit); }
+
+}  // namespace fde

@@ -1,0 +1,311 @@
+#include "search/search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "observers/watched_steps.hpp"
+#include "records/setup.hpp"
+#include "search/fewest_steps.hpp"
+
+namespace fde {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Tell = std::function<void(const std::string& what, double part)>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int first_rung = 4;
+constexpr std::size_t rungs_to_compare = 5;  // after which two ways are one
+
+// How far a way may be behind the quickest by one solve of each and still be timed against it.
+constexpr double margin = 1.5;
+
+// By how much a way may be expected to exceed the time that is left and still go on.
+constexpr double far = 10.0;
+
+bool is_hopeless(Ending ending) { return ending == Ending::singular || ending == Ending::out_of_budget; }
+
+std::vector<ErrorWith> errors_of(const std::vector<Attempt>& ladder) {
+  std::vector<ErrorWith> errors;
+  for (const Attempt& attempt : ladder) {
+    if (std::isfinite(attempt.error)) errors.push_back({attempt.steps, attempt.error});
+  }
+  return errors;
+}
+
+class Search {
+ public:
+  Search(const Scene& scene, const Question& question, double seconds, const Tell& tell)
+      : examiner_(scene, question), seconds_(seconds), tell_(tell) {
+    for (const Scheme& scheme : schemes()) add_ways(scheme);
+  }
+
+  std::vector<SearchedWay> run() {
+    watch();
+    while (climb()) {
+    }
+    for (std::size_t i = 0; i < ways_.size(); ++i) merge_repeats(i);
+    for (SearchedWay& of : ways_) conclude(of);
+    while (!settle()) {
+    }
+    std::ranges::stable_sort(ways_, {}, rank);
+    return std::move(ways_);
+  }
+
+ private:
+  void add_ways(const Scheme& scheme) {
+    const Scene& scene = examiner_.scene();
+    for (const double grading : gradings_of(scheme, scene, examiner_.question().kind.norm)) {
+      SearchedWay of{.way = {&scheme, grading}, .names = {std::string(scheme.id)}};
+      const auto reason = refusal(scheme, scene.problem,
+                                  Grid{.end = scene.problem.end, .steps = first_rung, .grading = grading});
+      if (reason) {
+        of.found = Found::refused;
+        of.reason = *reason;
+        if (grading != 1.0) continue;
+      }
+      climbing_.push_back(!reason);
+      ways_.push_back(std::move(of));
+    }
+  }
+
+  // How often runs are compared with a reference that takes its time.
+  void watch() {
+    constexpr int most = 512, least = 64, most_at_last = most_watched;
+    const auto start = Clock::now();
+    constexpr int some = 8;
+    examiner_.know_reference(some);
+    const double each = std::max(1e-9, std::chrono::duration<double>(Clock::now() - start).count() / some);
+    watched_ = static_cast<int>(std::clamp(seconds_ / (300.0 * each), 1.0 * least, 1.0 * most));
+    watched_at_last_ = static_cast<int>(std::clamp(seconds_ / (10.0 * each), 1.0 * most, 1.0 * most_at_last));
+  }
+
+  [[nodiscard]] double elapsed() const {
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+  // Of the part of the time that is there to look for runs.
+  [[nodiscard]] double left() const { return std::max(0.0, 0.7 * seconds_ - elapsed()); }
+
+  Attempt examine(const SearchedWay& of, int steps, int watched) {
+    tell_(fmt::format("{} {} N = {}", of.way.scheme->id, grid_text(of.way.grading), steps),
+          std::min(1.0, elapsed() / seconds_));
+    return examiner_.examine(of.way, steps, watched, std::max(1.0, left()));
+  }
+
+  // One more rung for those who climb and are not expected to be slower than another; false: nobody climbs.
+  bool climb() {
+    double expected = quickest_;
+    for (std::size_t i = 0; i < ways_.size(); ++i) {
+      if (climbing_[i]) expected = std::min(expected, seconds_of(ways_[i], &Expected::high));
+    }
+    for (std::size_t i = 0; i < ways_.size(); ++i) {
+      if (!climbing_[i] || least_seconds(ways_[i]) > margin * expected) continue;
+      climbing_[i] = climb(ways_[i]);
+      if (ways_[i].ladder.size() == rungs_to_compare) merge_repeats(i);
+    }
+    for (std::size_t i = 0; i < ways_.size(); ++i) {
+      if (!climbing_[i] || least_seconds(ways_[i]) <= margin * quickest_) continue;
+      ways_[i].found = Found::slower;
+      climbing_[i] = false;
+    }
+    return std::ranges::find(climbing_, true) != climbing_.end();
+  }
+
+  // Whether it climbs on.
+  bool climb(SearchedWay& of) {
+    const int steps = of.ladder.empty() ? std::max(first_rung, unit_of_steps()) : 2 * of.ladder.back().steps;
+    if (steps > most_steps_ / 2 || expected_seconds(of) > 0.3 * left()) return false;
+    of.ladder.push_back(examine(of, steps, watched_));
+    const Attempt& last = of.ladder.back();
+    of.step_seconds = last.seconds / last.steps;
+    if (last.within) {
+      find_fewest(of);
+      return false;
+    }
+    if (is_hopeless(last.ending.kind)) {
+      of.found = last.ending.kind == Ending::out_of_budget ? Found::out_of_time : Found::fails;
+      of.reason = sentence(last.ending);
+      return false;
+    }
+    if (is_at_floor(of)) {
+      of.found = Found::at_floor;
+      return false;
+    }
+    return least_seconds(of) < far * left();
+  }
+
+  // Of the next rung.
+  static double expected_seconds(const SearchedWay& of) {
+    constexpr double most_growth = 16.0;
+    if (of.ladder.size() < 2) return 0.0;
+    const double last = of.ladder.back().seconds, before = of.ladder[of.ladder.size() - 2].seconds;
+    return last * std::clamp(last / before, 2.0, most_growth);
+  }
+
+  // Whether its errors fall as they will go on.
+  static bool has_begun(const SearchedWay& of) {
+    constexpr double begun = 0.1;
+    return !of.ladder.empty() && of.ladder.back().error < begun * of.ladder.back().trivial;
+  }
+
+  // Errors far below the size of the solution that fall no more.
+  static bool is_at_floor(const SearchedWay& of) {
+    constexpr double small = 1e-8, falling = 0.7;
+    const auto& ladder = of.ladder;
+    if (ladder.size() < 3) return false;
+    const double last = ladder.back().error, before = ladder[ladder.size() - 2].error,
+                 first = ladder[ladder.size() - 3].error;
+    return last < small * ladder.back().trivial && last > falling * before && before > falling * first;
+  }
+
+  // That a run within the accuracy is expected to take, with fewer steps or more as the errors leave it open;
+  // infinity where they have not begun to fall as they will go on.
+  [[nodiscard]] double seconds_of(const SearchedWay& of, double Expected::*steps) const {
+    constexpr std::size_t fewest = 5;
+    if (of.ladder.size() < fewest || !has_begun(of)) return infinity;
+    const ErrorModel model(errors_of(of.ladder));
+    return model.empty() ? infinity : of.step_seconds * (model.steps(examiner_.question().accuracy).*steps);
+  }
+
+  // The least that it takes: what the last one took, and more where its errors tell.
+  [[nodiscard]] double least_seconds(const SearchedWay& of) const {
+    constexpr double hope = 0.8;
+    if (of.ladder.empty()) return 0.0;
+    const double seconds = seconds_of(of, &Expected::low);
+    return hope * (seconds < infinity ? seconds : of.ladder.back().seconds);
+  }
+
+  void find_fewest(SearchedWay& of) {
+    const auto attempt = [&](int steps) { return examine(of, steps, watched_); };
+    const bool may_pass_zero = examiner_.question().kind.norm == Norm::end;
+    const double seconds = of.ladder.back().seconds;
+    constexpr double runs_of_scan = 25.0;  // as long as the longest
+    const bool scan = may_pass_zero && runs_of_scan * seconds < 0.1 * left();
+    of.best = fewest_steps(of.ladder, examiner_.question().accuracy, unit_of_steps(), scan, attempt);
+    of.found = Found::within;
+    quickest_ = std::min(quickest_, of.best.seconds);
+  }
+
+  // A jump of a right-hand side shall be at a time of the grid.
+  [[nodiscard]] int unit_of_steps() const {
+    constexpr int for_jumps = 20;
+    return examiner_.scene().smoothness.jumps.empty() ? 1 : for_jumps;
+  }
+
+  // A way that gives the bits of one before it counts with that one.
+  void merge_repeats(std::size_t second) {
+    for (std::size_t first = 0; first < second && ways_[second].found != Found::repeats; ++first) {
+      if (!is_repeated(ways_[first], ways_[second])) continue;
+      ways_[first].names.push_back(std::string(ways_[second].way.scheme->id));
+      ways_[second].found = Found::repeats;
+      climbing_[second] = false;
+    }
+  }
+
+  bool is_repeated(const SearchedWay& first, const SearchedWay& second) {
+    const auto is_alive = [](const SearchedWay& of) {
+      return of.found == Found::within || of.found == Found::out_of_time;
+    };
+    if (!is_alive(first) || !is_alive(second) || first.way.grading != second.way.grading) return false;
+    const std::size_t common = std::min(first.ladder.size(), second.ladder.size());
+    const auto same = [](const Attempt& a, const Attempt& b) {
+      return std::isfinite(a.error) && a.values == b.values;
+    };
+    return common > 0 &&
+           std::equal(second.ladder.begin(), second.ladder.begin() + common, first.ladder.begin(), same) &&
+           examiner_.same_values(first.way, second.way, second.ladder[common - 1].steps);
+  }
+
+  // What the ladder says of the error at `best`, or of the steps that were not taken.
+  void conclude(SearchedWay& of) const {
+    const auto errors = errors_of(of.ladder);
+    const ErrorModel model(errors);
+    if (model.empty()) return;
+    if (of.found == Found::within) of.predicted = model.error(of.best.steps);
+    if (of.found != Found::within && !has_begun(of)) return;
+    of.rate = std::log2(errors[errors.size() - 2].error / errors.back().error);
+    if (of.found == Found::slower || of.found == Found::out_of_time)
+      of.steps_needed = model.steps(examiner_.question().accuracy);
+  }
+
+  // Times the quickest against each other and compares the first with the reference at more steps; false: it
+  // needs more steps than it had.
+  bool settle() {
+    std::vector<SearchedWay*> quick;
+    for (SearchedWay& of : ways_) {
+      of.time.reset();
+      if (of.found == Found::within && of.best.seconds <= margin * quickest_) quick.push_back(&of);
+    }
+    if (quick.empty()) return true;
+    std::vector<std::function<void()>> solves;
+    for (const auto* of : quick)
+      solves.push_back([this, of] { examiner_.solve_to_end(of->way, of->best.steps); });
+    tell_(fmt::format("timing {} runs", quick.size()), std::min(1.0, elapsed() / seconds_));
+    const auto times = time_interleaved(solves, timing_part * seconds_);
+    for (std::size_t i = 0; i < quick.size(); ++i) quick[i]->time = times[i];
+    auto& first = **std::ranges::min_element(quick, {}, [](const auto* of) { return of->time->median; });
+    return is_verified(first);
+  }
+
+  bool is_verified(SearchedWay& first) {
+    if (first.best.steps == verified_steps_ && &first == verified_) return true;
+    Attempt attempt = examine(first, first.best.steps, watched_at_last_);
+    const bool within = attempt.within;
+    while (!attempt.within && attempt.steps < most_steps_)
+      attempt = examine(first, more_steps(attempt.steps, unit_of_steps()), watched_at_last_);
+    first.best = std::move(attempt);
+    verified_ = &first;
+    verified_steps_ = first.best.steps;
+    return within;
+  }
+
+  // The quickest first, those without a time behind those with one.
+  static std::pair<int, double> rank(const SearchedWay& of) {
+    if (of.time) return {-1, of.time->median};
+    return {static_cast<int>(of.found), of.best.seconds};
+  }
+
+  static constexpr int most_steps_ = 1 << 30;
+  static constexpr double timing_part = 0.05;
+  Examiner examiner_;
+  double seconds_;
+  const Tell& tell_;
+  Clock::time_point start_ = Clock::now();
+  std::vector<SearchedWay> ways_{};
+  std::vector<bool> climbing_{};  // beside ways_
+  double quickest_ = infinity;    // of those within, by one solve
+  int watched_ = 0, watched_at_last_ = 0;
+  const SearchedWay* verified_ = nullptr;
+  int verified_steps_ = 0;
+};
+
+}  // namespace
+
+std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm) {
+  std::vector<double> gradings{1.0};
+  if (scheme.needs.uniform_grid) return gradings;
+  gradings.insert(gradings.end(), {1.5, 2.0, 3.0});
+  if (!scheme.expected_rate || scene.smoothness.powers.empty()) return gradings;
+  constexpr double most = 10.0, step = 0.25;
+  double best = 1.0, best_rate = scheme.expected_rate(scene.problem, scene.smoothness, best, norm);
+  for (double grading = 1.0; grading <= most; grading += step) {
+    const double rate = scheme.expected_rate(scene.problem, scene.smoothness, grading, norm);
+    if (rate > best_rate + 1e-9) std::tie(best, best_rate) = std::tuple(grading, rate);
+  }
+  if (best == 1.0) return {1.0};
+  if (std::ranges::find(gradings, best) == gradings.end()) gradings.push_back(best);
+  return gradings;
+}
+
+std::vector<SearchedWay> search(const Scene& scene, const Question& question, double seconds,
+                                const Tell& tell) {
+  return Search(scene, question, seconds, tell).run();
+}
+
+}  // namespace fde

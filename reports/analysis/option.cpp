@@ -1,0 +1,119 @@
+#include "analysis/option.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "analysis/text.hpp"
+
+namespace fde {
+namespace {
+
+// nullopt: it has no such error.
+std::optional<Option> option_of(const MeasuredRun& run, const ErrorKind& kind) {
+  const auto error = run[error_measure(kind)];
+  if (!error) return std::nullopt;
+  Option option{.schemes = {run.key.scheme},
+                .setup = run.key.setup,
+                .steps = run.steps,
+                .error = *error,
+                .session = run.session};
+  if (const auto least = run["time_minimum"]) {
+    const double median = run["time_median"].value_or(*least);
+    option.time = {median, run["time_low"].value_or(*least), run["time_high"].value_or(median)};
+  }
+  return option;
+}
+
+bool is_timed(const Option& option) { return option.time.median > 0.0; }
+
+bool is_quicker(const Option& a, const Option& b) {
+  return std::tie(a.time.median, a.error) < std::tie(b.time.median, b.error);
+}
+
+// Better than what is trivial. A run has that measure only where it is not.
+bool counts(const MeasuredRun& run, const ErrorKind& kind) { return !run[trivial_measure(kind)]; }
+
+std::vector<ErrorWith> errors_of(RunSpan line, const ErrorKind& kind, int below) {
+  std::vector<ErrorWith> errors;
+  for (const MeasuredRun& run : line) {
+    const auto error = run[error_measure(kind)];
+    if (error && run.steps > 0 && run.steps < below) errors.push_back({run.steps, *error});
+  }
+  return errors;
+}
+
+std::optional<Option> quickest_within(RunSpan line, const ErrorKind& kind, double accuracy) {
+  std::optional<Option> best;
+  for (const MeasuredRun& run : line) {
+    const auto option = option_of(run, kind);
+    if (!option || option->error > accuracy || !is_timed(*option) || !counts(run, kind)) continue;
+    if (!best || is_quicker(*option, *best)) best = option;
+  }
+  if (!best) return best;
+  const ErrorModel model(errors_of(line, kind, best->steps));
+  if (model.empty()) return best;
+  best->rate = model.rate();
+  best->predicted_error = model.error(best->steps).value;
+  return best;
+}
+
+std::size_t count_untimed(RunSpan runs, const ErrorKind& kind, double accuracy) {
+  return static_cast<std::size_t>(std::ranges::count_if(runs, [&](const MeasuredRun& run) {
+    const auto option = option_of(run, kind);
+    return option && option->error <= accuracy && counts(run, kind) && !is_timed(*option);
+  }));
+}
+
+}  // namespace
+
+std::vector<Option> options_within(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
+                                   double accuracy) {
+  std::vector<Option> ranked;
+  for (const RunSpan line : by_line(of_scene(runs.finished, scene))) {
+    if (auto best = quickest_within(line, kind, accuracy)) ranked.push_back(std::move(*best));
+  }
+  std::ranges::stable_sort(ranked, is_quicker);
+  return ranked;
+}
+
+std::optional<Shortfall> shortfall(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
+                                   double accuracy) {
+  const RunSpan of_this = of_scene(runs.finished, scene);
+  std::optional<Option> best;
+  for (const MeasuredRun& run : of_this) {
+    const auto option = option_of(run, kind);
+    if (option && (!best || option->error < best->error)) best = option;
+  }
+  if (!best) return std::nullopt;
+  Shortfall found{.best = *best, .untimed = count_untimed(of_this, kind, accuracy)};
+  for (const RunSpan line : by_line(of_this)) {
+    const int finest = line.back().steps;
+    const ErrorModel model(errors_of(line, kind, finest + 1));
+    if (model.empty()) continue;
+    Expected needed = model.steps(accuracy);
+    needed.value = std::max(needed.value, finest + 1.0);
+    needed.high = std::max(needed.high, needed.value);
+    needed.low = std::max(needed.low, finest + 1.0);
+    if (found.steps_needed && needed.value >= found.steps_needed->value) continue;
+    found.steps_needed = needed;
+    found.line = option_of(line.back(), kind).value_or(Option{.schemes = {line.back().key.scheme}});
+  }
+  return found;
+}
+
+std::string run_text(const Option& option) {
+  std::string text = fmt::format("N = {}, error {}", count_text(option.steps), error_text(option.error));
+  if (!is_timed(option)) return text + ", not timed";
+  const auto& [median, low, high] = option.time;
+  return text + fmt::format(", {} ({} ... {})", time_text(median), time_text(low), time_text(high));
+}
+
+std::string needed_text(const std::string& name, const Expected& steps) {
+  return fmt::format("{} would need about N = {} ({} ... {}), by its errors so far", name,
+                     rough_count_text(steps.value), rough_count_text(steps.low),
+                     rough_count_text(steps.high));
+}
+
+}  // namespace fde

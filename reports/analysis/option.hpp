@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/runs.hpp"
+#include "measures/error_kind.hpp"
+#include "measures/time_spread.hpp"
+#include "search/error_model.hpp"
+
+namespace fde {
+
+// A run that was made, compared with the reference and timed.
+struct Option {
+  std::vector<std::string> schemes{};  // the one that ran; behind it those that are the same algorithm here
+  Setup setup{};
+  int steps = 0;
+  double error = 0.0;
+  std::optional<double> predicted_error{};  // by the errors with other numbers of steps
+  TimeSpread time{};
+  std::optional<double> rate{};  // observed
+  std::size_t session = 0;       // of results; index into Results::sessions
+
+  [[nodiscard]] double step_seconds() const { return time.median / steps; }
+};
+
+// Of each line the quickest run within the accuracy that does better than y = 0 or y = y(0), the quickest
+// line first; equal times: the more accurate first.
+std::vector<Option> options_within(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
+                                   double accuracy);
+
+// What there is to say where no run is within an accuracy.
+struct Shortfall {
+  Option best{};                           // the smallest error; without a time where it is not timed
+  std::optional<Expected> steps_needed{};  // by the errors of `line`, the line that needs the fewest
+  Option line{};
+  std::size_t untimed = 0;  // runs that are within the accuracy and not timed yet
+};
+
+// nullopt: the scene has no run with this kind of error.
+std::optional<Shortfall> shortfall(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
+                                   double accuracy);
+
+// "N = 64, error 1.2e-7, 12.3 µs (12.1 ... 12.6)", without the name of its scheme.
+std::string run_text(const Option& option);
+
+// "l1, graded:2 would need about N = 35 000 (33 000 ... 37 000), by its errors so far".
+std::string needed_text(const std::string& name, const Expected& steps);
+
+}  // namespace fde

@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/line_names.hpp"
+#include "analysis/recommendation.hpp"
+#include "analysis/text.hpp"
+
+namespace fde {
+namespace {
+
+constexpr double most_steps_told = 2e9, most_seconds_told = 1e4;
+
+Setup setup_of(const Way& way, int steps) { return {.resolution = steps, .grading = way.grading}; }
+
+Option option_of(const SearchedWay& of) {
+  Option option{.schemes = of.names,
+                .setup = setup_of(of.way, of.best.steps),
+                .steps = of.best.steps,
+                .error = of.best.error,
+                .time = of.time.value_or(TimeSpread{of.best.seconds, of.best.seconds, of.best.seconds}),
+                .rate = of.rate};
+  if (of.predicted) option.predicted_error = of.predicted->value;
+  return option;
+}
+
+std::string name_of(const SearchedWay& of) {
+  return name_of(Option{.schemes = of.names, .setup = setup_of(of.way, 1)});
+}
+
+// The finest run that has an error; nullptr: none has.
+const Attempt* finest(const SearchedWay& of) {
+  const auto found = std::find_if(of.ladder.rbegin(), of.ladder.rend(),
+                                  [](const Attempt& attempt) { return std::isfinite(attempt.error); });
+  return found == of.ladder.rend() ? nullptr : &*found;
+}
+
+std::string so_far(const SearchedWay& of) {
+  if (const auto* attempt = finest(of))
+    return fmt::format("error {} with N = {}", error_text(attempt->error), count_text(attempt->steps));
+  return of.ladder.empty() ? "no run" : sentence(of.ladder.back().ending);
+}
+
+// What became of a way that has no steps to go on to.
+std::string fate(const SearchedWay& of) {
+  switch (of.found) {
+    case Found::at_floor:
+      return fmt::format("{}: its error falls no more: {}", name_of(of), so_far(of));
+    case Found::refused:
+      return fmt::format("{}: refused: {}", name_of(of), of.reason);
+    case Found::fails:
+      return fmt::format("{}: {}", name_of(of), of.reason);
+    default:
+      return fmt::format("{}: {}{}", name_of(of), so_far(of),
+                         of.steps_needed ? "; " + needed_text("it", *of.steps_needed) : "");
+  }
+}
+
+// The run that would be within the accuracy; nullopt: none would, as far as can be told.
+std::optional<Option> expected_of(const SearchedWay& of, double accuracy) {
+  if (!of.steps_needed || of.steps_needed->value > most_steps_told ||
+      of.steps_needed->high * of.step_seconds > most_seconds_told)
+    return std::nullopt;
+  const auto& steps = *of.steps_needed;
+  return Option{
+      .schemes = of.names,
+      .setup = setup_of(of.way, 1),
+      .steps = static_cast<int>(steps.value),
+      .error = accuracy,
+      .time = {steps.value * of.step_seconds, steps.low * of.step_seconds, steps.high * of.step_seconds},
+      .rate = of.rate};
+}
+
+bool is_told(const Recommendation& made, const SearchedWay& of) {
+  const auto same = [&](const Option& option) { return option.schemes.front() == of.names.front(); };
+  return std::ranges::any_of(made.options, same) || std::ranges::any_of(made.expected, same);
+}
+
+// The best way of each scheme that is no option, as expected, and what became of those schemes that have
+// none.
+void tell_others(const std::vector<SearchedWay>& searched, Recommendation& made) {
+  std::vector<Option> expected;
+  for (const SearchedWay& of : searched) {
+    if (auto option = expected_of(of, made.accuracy)) expected.push_back(std::move(*option));
+  }
+  std::ranges::stable_sort(expected, {}, [](const Option& option) { return option.time.median; });
+  for (Option& option : expected) {
+    const auto same = [&](const Option& other) { return other.schemes == option.schemes; };
+    if (std::ranges::none_of(made.options, same) && std::ranges::none_of(made.expected, same))
+      made.expected.push_back(std::move(option));
+  }
+  for (const SearchedWay& of : searched) {
+    if (of.found != Found::repeats && of.way.grading == 1.0 && !is_told(made, of))
+      made.others.push_back(fate(of));
+  }
+}
+
+// What there is to say without options: the smallest error, and the least time that another run would take.
+void tell_shortfall(const std::vector<SearchedWay>& searched, Recommendation& made) {
+  const SearchedWay* best = nullptr;
+  for (const SearchedWay& of : searched) {
+    const auto* attempt = finest(of);
+    if (attempt != nullptr && (best == nullptr || attempt->error < finest(*best)->error)) best = &of;
+  }
+  if (best == nullptr) return tell_others(searched, made);
+  made.others.push_back(fmt::format("best: {}: {}", name_of(*best), so_far(*best)));
+  const SearchedWay* least = nullptr;
+  const auto seconds = [](const SearchedWay& of) { return of.steps_needed->value * of.step_seconds; };
+  for (const SearchedWay& of : searched) {
+    if (of.steps_needed && (least == nullptr || seconds(of) < seconds(*least))) least = &of;
+  }
+  if (least == nullptr) return;
+  made.others.push_back(needed_text(name_of(*least), *least->steps_needed) +
+                        fmt::format(", {}", time_text(seconds(*least))));
+}
+
+}  // namespace
+
+Recommendation recommend(const std::vector<SearchedWay>& searched, const SceneSettings& scene,
+                         const Question& question) {
+  Recommendation made{.scene = scene, .kind = question.kind, .accuracy = question.accuracy};
+  for (const SearchedWay& of : searched) {
+    if (of.found == Found::within) made.options.push_back(option_of(of));
+  }
+  made.options.empty() ? tell_shortfall(searched, made) : tell_others(searched, made);
+  return made;
+}
+
+Recommendation recommend(const Results& results, const SceneSettings& scene, const ErrorKind& kind,
+                         double accuracy) {
+  const Runs runs = runs_of(results);
+  const LineNames names(runs);
+  Recommendation made{.scene = scene,
+                      .kind = kind,
+                      .accuracy = accuracy,
+                      .options = options_within(runs, scene, kind, accuracy)};
+  if (!made.options.empty()) return made;
+  const auto missed = shortfall(runs, scene, kind, accuracy);
+  if (!missed) {
+    made.others.push_back(fmt::format("no finished run has {}", error_measure(kind)));
+    return made;
+  }
+  const auto name = [&](const Option& of) { return names.name(of.schemes.front(), of.setup); };
+  made.others.push_back(fmt::format("best: {}: {}", name(missed->best), run_text(missed->best)));
+  if (missed->untimed > 0)
+    made.others.push_back(
+        fmt::format("{} runs within it are not timed yet: continue the sweep", missed->untimed));
+  if (missed->steps_needed) made.others.push_back(needed_text(name(missed->line), *missed->steps_needed));
+  return made;
+}
+
+}  // namespace fde

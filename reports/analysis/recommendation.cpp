@@ -1,0 +1,113 @@
+#include "analysis/recommendation.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "analysis/text.hpp"
+
+namespace fde {
+namespace {
+
+bool same_scheme(const Option& a, const Option& b) { return a.schemes == b.schemes; }
+
+bool meet(const TimeSpread& a, const TimeSpread& b) { return a.low <= b.high && b.low <= a.high; }
+
+// Why the first is quicker than the second: fewer steps or cheaper ones.
+std::string reason(const Option& first, const Option& second) {
+  const double steps = static_cast<double>(second.steps) / first.steps,
+               cost = first.step_seconds() / second.step_seconds();
+  const auto compared = [](double ratio, const char* more, const char* less) {
+    if (ratio > 1.05) return fmt::format("{:.2g} times {}", ratio, more);
+    if (ratio < 0.95) return fmt::format("{:.2g} times {}", 1.0 / ratio, less);
+    return std::string();
+  };
+  std::string count = compared(steps, "fewer", "more"), each = compared(cost, "as much", "less");
+  std::string rates;
+  if (first.rate && second.rate)
+    rates = fmt::format(" (its error falls with rate {:.2f}, there {:.2f})", *first.rate, *second.rate);
+  count = count.empty() ? "it needs as many steps" : fmt::format("it needs {} steps", count);
+  each = each.empty() ? "a step costs the same" : fmt::format("a step costs {}", each);
+  return fmt::format("{}{}, {}", count, rates, each);
+}
+
+std::string expected_text(const Option& option) {
+  return fmt::format("expected {} ({} ... {}) with about N = {}", time_text(option.time.median),
+                     time_text(option.time.low), time_text(option.time.high), rough_count_text(option.steps));
+}
+
+// What follows the first option.
+std::string comparison(const Recommendation& made) {
+  const Option& first = made.options.front();
+  std::string text;
+  if (const auto noise = within_noise(made); !noise.empty())
+    text += fmt::format("within noise of {}\n", fmt::join(noise, ", "));
+  if (const auto* second = runner_up(made))
+    text += fmt::format("why: against {} {}\n", name_of(*second), reason(first, *second));
+  const auto times_as_long = [&](const Option& option) {
+    return fmt::format("{:.2f} times as long", option.time.median / first.time.median);
+  };
+  for (const Option& option : made.options) {
+    if (&option != &first)
+      text += fmt::format("{}: {}, {}\n", name_of(option), run_text(option), times_as_long(option));
+  }
+  for (const Option& option : made.expected)
+    text += fmt::format("{}: {}, {}\n", name_of(option), expected_text(option), times_as_long(option));
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> within_noise(const Recommendation& made) {
+  std::vector<std::string> names;
+  const Option& first = made.options.front();
+  for (const Option& option : made.options) {
+    if (same_scheme(option, first) || !meet(option.time, first.time)) continue;
+    if (std::ranges::find(names, option.schemes.front()) == names.end())
+      names.push_back(option.schemes.front());
+  }
+  return names;
+}
+
+const Option* runner_up(const Recommendation& made) {
+  const auto is_other = [&](const Option& option) { return !same_scheme(option, made.options.front()); };
+  const auto found = std::ranges::find_if(made.options, is_other);
+  if (found != made.options.end()) return &*found;
+  return made.expected.empty() ? nullptr : &made.expected.front();
+}
+
+std::string command_of(const SceneSettings& scene, const Option& option) {
+  std::string command = fmt::format("fdebench solve {} --scheme {} --steps {}", label_of(scene),
+                                    option.schemes.front(), option.steps);
+  if (option.setup.grading != 1.0) command += fmt::format(" --grid {}", grid_text(option.setup.grading));
+  if (option.setup.history != HistoryKind::automatic)
+    command += fmt::format(" --history {}", name(option.setup.history));
+  if (option.setup.tolerance != Setup().tolerance)
+    command += fmt::format(" --tolerance {}", option.setup.tolerance);
+  return command;
+}
+
+std::string kind_text(const ErrorKind& kind) {
+  const auto* where = kind.norm == Norm::end ? "at the end" : "maximum over all steps";
+  return fmt::format("{}, {} scale", where, name(kind.scale));
+}
+
+std::string name_of(const Option& option) {
+  std::string text = fmt::format("{}", fmt::join(option.schemes, " = "));
+  if (option.setup.grading != 1.0) text += ", " + grid_text(option.setup.grading);
+  return text;
+}
+
+std::string text_of(const Recommendation& made) {
+  const Option& first = made.options.front();
+  std::string text =
+      fmt::format("{} to {} ({})\n", label_of(made.scene), error_text(made.accuracy), kind_text(made.kind));
+  text += fmt::format("{}: {}\n", name_of(first), run_text(first));
+  if (first.predicted_error) text += fmt::format("predicted error {}\n", error_text(*first.predicted_error));
+  text += comparison(made);
+  for (const auto& other : made.others) text += other + "\n";
+  return text + fmt::format("again: {}\n", command_of(made.scene, first));
+}
+
+}  // namespace fde

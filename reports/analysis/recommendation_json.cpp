@@ -1,0 +1,37 @@
+#include <nlohmann/json.hpp>
+
+#include "analysis/recommendation.hpp"
+
+namespace fde {
+
+std::string json_of(const Recommendation& made) {
+  using Json = nlohmann::json;
+  const Option& first = made.options.front();
+  const auto* second = runner_up(made);
+  Json json{{"scene", label_of(made.scene)},
+            {"scheme", first.schemes.front()},
+            {"same_as", std::vector(first.schemes.begin() + 1, first.schemes.end())},
+            {"grid", grid_text(first.setup.grading)},
+            {"steps", first.steps},
+            {"norm", name(made.kind.norm)},
+            {"scale", name(made.kind.scale)},
+            {"accuracy", made.accuracy},
+            {"error", first.error},
+            {"predicted_error", nullptr},
+            {"seconds", first.time.median},
+            {"seconds_low", first.time.low},
+            {"seconds_high", first.time.high},
+            {"within_noise", within_noise(made)},
+            {"runner_up", nullptr},
+            {"factor", nullptr},
+            {"command", command_of(made.scene, first)}};
+  if (first.predicted_error) json["predicted_error"] = *first.predicted_error;
+  if (!made.columns.empty()) json["columns"] = made.columns;
+  if (second != nullptr) {
+    json["runner_up"] = second->schemes.front();
+    json["factor"] = second->time.median / first.time.median;
+  }
+  return json.dump() + '\n';
+}
+
+}  // namespace fde

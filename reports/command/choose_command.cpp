@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numeric>
+#include <ostream>
+#include <stdexcept>
+
+#include "analysis/recommendation.hpp"
+#include "analysis/text.hpp"
+#include "command/arguments.hpp"
+#include "command/command.hpp"
+#include "command/progress.hpp"
+#include "records/results_file.hpp"
+#include "scenes/number_text.hpp"
+
+namespace fde {
+namespace {
+
+struct ChooseArguments {
+  SceneArguments scene;
+  std::string error, norm = "maximum", scale = "mixed";
+  std::optional<std::string> columns, until, max_time, results;
+  bool json = false;
+};
+
+constexpr double default_seconds = 60.0;
+constexpr Range accuracies{.low = 1e-15, .high = 1.0, .open_low = true, .open_high = true};
+constexpr Range search_seconds{.low = 0.0, .high = 1e6, .open_low = true};
+
+SceneVariant chosen_scene(const ChooseArguments& arguments, const Scenes& known) {
+  auto settings = arguments.scene.settings;
+  if (arguments.until) settings.push_back("until=" + *arguments.until);
+  return parse_variant(arguments.scene.scene, settings, known);
+}
+
+// Those named, or all.
+std::vector<Eigen::Index> chosen_columns(const Scene& scene, const std::optional<std::string>& asked) {
+  const auto& names = scene.outputs.names;
+  std::vector<Eigen::Index> columns;
+  if (!asked) {
+    columns.resize(names.size());
+    std::iota(columns.begin(), columns.end(), Eigen::Index{0});
+    return columns;
+  }
+  for (const auto& name : split_list(*asked)) {
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) reject_text("--columns", name, fmt::format("of {}", fmt::join(names, ", ")));
+    columns.push_back(found - names.begin());
+  }
+  return columns;
+}
+
+Recommendation searched(const SceneVariant& variant, const Scene& scene, const Question& question,
+                        double seconds, const Streams& streams) {
+  const auto show = progress_line(streams);
+  const auto whole = static_cast<std::size_t>(std::max(1.0, seconds));
+  const auto found = search(scene, question, seconds, [&](const std::string& what, double part) {
+    const auto done = static_cast<std::size_t>(part * static_cast<double>(whole));
+    show(std::min(done, whole - 1), whole, what);
+  });
+  show(whole, whole, "");
+  return recommend(found, variant.key(), question);
+}
+
+// Results say nothing of single columns and take no time.
+Recommendation recorded(const SceneVariant& variant, const ErrorKind& kind, double accuracy,
+                        const ChooseArguments& arguments) {
+  if (arguments.columns)
+    reject_text("--columns", *arguments.columns, "without --results, which has all columns");
+  if (arguments.max_time) reject_text("--max-time", *arguments.max_time, "without --results");
+  const Results results = read_results(*arguments.results);
+  const bool measured =
+      std::ranges::any_of(results.records, [&](const Record& row) { return row.key.scene == variant.key(); });
+  if (!measured) {
+    throw std::invalid_argument(
+        fmt::format("--results = {}: has no run of {}", *arguments.results, variant.label()));
+  }
+  return recommend(results, variant.key(), kind, accuracy);
+}
+
+void choose(const ChooseArguments& arguments, const Streams& streams, const Scenes& known) {
+  const auto variant = chosen_scene(arguments, known);
+  const double accuracy = parse_number("--error", arguments.error, accuracies);
+  const ErrorKind kind{parse_norm(arguments.norm), parse_scale(arguments.scale)};
+  const double seconds =
+      arguments.max_time ? parse_number("--max-time", *arguments.max_time, search_seconds) : default_seconds;
+  Recommendation made;
+  if (arguments.results) {
+    made = recorded(variant, kind, accuracy, arguments);
+  } else {
+    const Scene scene = make_scene(variant);
+    const Question question{kind, accuracy, chosen_columns(scene, arguments.columns)};
+    made = searched(variant, scene, question, seconds, streams);
+    if (arguments.columns) made.columns = split_list(*arguments.columns);
+  }
+  if (made.options.empty()) {
+    throw NumericalFailure(fmt::format("no run of {} is within {} ({}): {}", variant.label(),
+                                       error_text(accuracy), kind_text(kind), fmt::join(made.others, "; ")));
+  }
+  streams.out << (arguments.json ? json_of(made) : text_of(made));
+}
+
+}  // namespace
+
+void add_choose_command(CommandLine& program, const Streams& streams, const Scenes& known) {
+  auto arguments = std::make_shared<ChooseArguments>();
+  Subcommand command(program, "choose", "The scheme, grid and steps to use for a scene and an accuracy");
+  add_scene(command, arguments->scene);
+  command.required("--error", arguments->error, "largest error wanted, in (1e-15, 1)");
+  command.option("--norm", arguments->norm, "where: end or maximum; default maximum");
+  command.option("--scale", arguments->scale, "absolute, relative or mixed; default mixed");
+  command.option("--columns", arguments->columns, "columns A,B,... that count; default all");
+  command.option("--until", arguments->until, "end of the time interval");
+  command.option("--max-time", arguments->max_time, "seconds for the search; default 60");
+  command.option("--results", arguments->results, "results file; default: measure now");
+  command.flag("--json", arguments->json, "one JSON object");
+  command.callback([=, &known] { choose(*arguments, streams, known); });
+}
+
+}  // namespace fde

@@ -1,0 +1,94 @@
+// What a search finds is held against runs that it did not make.
+
+#include "search/search.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "scenes/variant.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+using testing::ElementsAre;
+
+struct Asked {
+  const char* scene;
+  ErrorKind kind;
+  double accuracy;
+};
+std::ostream& operator<<(std::ostream& out, const Asked& asked) {
+  return out << asked.scene << " " << error_measure(asked.kind) << " " << asked.accuracy;
+}
+
+Question question_of(const Scene& scene, const Asked& asked) {
+  Question question{asked.kind, asked.accuracy, {}};
+  question.columns.resize(scene.outputs.names.size());
+  std::iota(question.columns.begin(), question.columns.end(), Eigen::Index{0});
+  return question;
+}
+
+std::vector<SearchedWay> found_for(const Scene& scene, const Asked& asked) {
+  return search(scene, question_of(scene, asked), 10.0, [](const std::string&, double) {});
+}
+
+class SearchFor : public testing::TestWithParam<Asked> {};
+
+// At a fixed time an error may be small by chance, and grows with the steps before it falls.
+TEST_P(SearchFor, FindsTheFewestStepsWithinTheAccuracy) {
+  const Scene scene = make_scene(parse_variant(GetParam().scene));
+  const auto found = found_for(scene, GetParam());
+  const SearchedWay& first = found.front();
+  ASSERT_EQ(first.found, Found::within);
+  Examiner examiner(scene, question_of(scene, GetParam()));
+  const auto again = examiner.examine(first.way, first.best.steps, first.best.steps, 60.0);
+  EXPECT_TRUE(again.within) << "compared at all steps";
+  EXPECT_EQ(again.error, first.best.error);
+  for (double steps = 0.95 * first.best.steps; steps >= 4.0; steps /= 1.1) {
+    const auto fewer = examiner.examine(first.way, static_cast<int>(steps), 8192, 60.0);
+    EXPECT_FALSE(fewer.within) << fewer.steps << " of " << first.best.steps;
+  }
+  ASSERT_TRUE(first.predicted);
+  EXPECT_NEAR(first.predicted->value / first.best.error, 1.0, 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SearchFor,
+                         testing::Values(Asked{"relaxation", {Norm::maximum, Scale::mixed}, 1e-4},
+                                         Asked{"relaxation:gamma=1.5", {Norm::end, Scale::relative}, 1e-5},
+                                         Asked{"power", {Norm::maximum, Scale::absolute}, 1e-3},
+                                         Asked{"diethelm", {Norm::end, Scale::mixed}, 1e-4},
+                                         Asked{"linear_system", {Norm::maximum, Scale::mixed}, 1e-3}));
+
+TEST(Search, GivesOneAlgorithmAllItsNames) {
+  const Scene scene = scene_of("relaxation");
+  const auto found = found_for(scene, {"", {Norm::end, Scale::mixed}, 1e-4});
+  const auto adams = std::ranges::find_if(
+      found, [](const SearchedWay& of) { return of.way.scheme->id == "adams_pc" && of.way.grading == 1.0; });
+  EXPECT_THAT(adams->names, ElementsAre("adams_pc", "decoupled_multi_order", "commensurate_adams_pc"));
+}
+
+// y decays to 5.6e-7 at once: y = 0 has that absolute error, and a run needs a smaller one.
+TEST(Search, CreditsNoRunThatIsNoBetterThanZero) {
+  const Scene scene = scene_of("stiff_relaxation");
+  const auto found = found_for(scene, {"", {Norm::end, Scale::absolute}, 1e-3});
+  ASSERT_EQ(found.front().found, Found::within);
+  EXPECT_LT(found.front().best.error, found.front().best.trivial);
+  EXPECT_LT(found.front().best.trivial, 1e-6);
+}
+
+// D^g y starts like t^g, and the trapezoidal rule is off by h^(2g) at the first step of a uniform grid, by
+// h^(1+g) at the end: graded 1/g or 2/(1+g), both have rate 2.
+TEST(Gradings, AreUsualOnesAndTheLeastWithTheBestRate) {
+  const Scene scene = scene_of("relaxation", {{"gamma", 0.2}});
+  const Scheme &rule = *find_scheme("product_trapezoidal"), &uniform = *find_scheme("grunwald_letnikov");
+  EXPECT_THAT(gradings_of(rule, scene, Norm::maximum), ElementsAre(1.0, 1.5, 2.0, 3.0, 5.0));
+  EXPECT_THAT(gradings_of(rule, scene, Norm::end), ElementsAre(1.0, 1.5, 2.0, 3.0, 1.75));
+  EXPECT_THAT(gradings_of(uniform, scene, Norm::maximum), ElementsAre(1.0));
+}
+
+}  // namespace
+}  // namespace fde
