@@ -38,7 +38,9 @@ std::vector<SceneVariant> sweep_scenes() {
   return variants;
 }
 
-Ladder thorough_ladder() { return {{64, 128, 256, 512, 1024, 2048, 4096, 8192, 32768, 131072, 524288}}; }
+Ladder thorough_ladder() {
+  return {{64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536, 131072, 262144, 524288}};
+}
 
 Ladder default_ladder() { return {thorough_ladder().rungs, Goal{}}; }
 

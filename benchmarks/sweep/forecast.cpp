@@ -29,17 +29,23 @@ class Probe {
     }
     if (failed_) return;
     error_ = (results[2] - results[1]).cwiseAbs().maxCoeff();
-    if (scheme.expected_rate)
-      rate_ = scheme.expected_rate(scene.problem, scene.smoothness, sweep.setup.grading, Norm::end);
+    if (!scheme.expected_rate) return;
+    const double grading = sweep.setup.grading;
+    end_rate_ = scheme.expected_rate(scene.problem, scene.smoothness, grading, Norm::end);
+    maximum_rate_ = scheme.expected_rate(scene.problem, scene.smoothness, grading, Norm::maximum);
   }
 
   // A run with so many steps.
   [[nodiscard]] Rung rung(int steps) const {
     const double ratio = static_cast<double>(steps_) / steps;
-    Rung rung{.steps = steps, .hopeless = refused_, .rate = rate_};
+    Rung rung{.steps = steps, .hopeless = refused_};
     if (failed_) return rung;
     rung.seconds = seconds_ / ratio;
-    rung.error = error_ * std::pow(ratio, rate_.value_or(1.0));
+    const auto falling = [&](std::optional<double> rate) {
+      return FallingError{error_ * std::pow(ratio, rate.value_or(1.0)), rate};
+    };
+    rung.end = falling(end_rate_);
+    rung.maximum = falling(maximum_rate_);
     return rung;
   }
 
@@ -75,7 +81,7 @@ class Probe {
   int steps_ = 1;
   bool refused_ = false, failed_ = false;
   double seconds_ = 0.0, error_ = 0.0;  // with steps_
-  std::optional<double> rate_{};
+  std::optional<double> end_rate_{}, maximum_rate_{};
 };
 
 // Seconds that the reference of a scene takes to be evaluated at one time.

@@ -26,23 +26,24 @@ bool is_hopeless(Ending ending) {
 }
 
 // The rates at which the error fell last and at which theory expects it to, the smaller first.
-std::optional<std::pair<double, double>> rates_of(const Climb& climb) {
+std::optional<std::pair<double, double>> rates_of(const Climb& climb, ErrorOfRung of) {
   const Rung& last = climb.back();
   std::vector<double> rates;
-  if (last.rate) rates.push_back(*last.rate);
-  if (climb.size() > 1 && climb[climb.size() - 2].error.value_or(0.0) > 0.0) {
+  if ((last.*of).rate) rates.push_back(*(last.*of).rate);
+  if (climb.size() > 1 && (climb[climb.size() - 2].*of).error.value_or(0.0) > 0.0) {
     const Rung& before = climb[climb.size() - 2];
-    rates.push_back(std::log(*before.error / *last.error) /
+    rates.push_back(std::log(*(before.*of).error / *(last.*of).error) /
                     std::log(static_cast<double>(last.steps) / before.steps));
   }
   if (rates.empty()) return std::nullopt;
   return std::minmax({rates.front(), rates.back()});
 }
 
-std::optional<double> measured_seconds(const Climb& climb, double error) {
+std::optional<double> measured_seconds(const Climb& climb, ErrorOfRung of, double error) {
   double least = infinity;
   for (const Rung& rung : climb) {
-    if (rung.error.value_or(infinity) <= error) least = std::min(least, rung.seconds.value_or(infinity));
+    if ((rung.*of).error.value_or(infinity) <= error)
+      least = std::min(least, rung.seconds.value_or(infinity));
   }
   return least < infinity ? std::optional(least) : std::nullopt;
 }
@@ -66,7 +67,8 @@ int steps_of(const StepsOrAccuracy& rung) {
 // same algorithm on this scene.
 bool is_repeated(std::span<const Climb> of_scene, const Climb& climb) {
   const auto same = [](const Rung& rung, const Rung& other) {
-    return rung.steps == other.steps && rung.error && rung.error == other.error;
+    return rung.steps == other.steps && rung.end.error && rung.end == other.end &&
+           rung.maximum.error == other.maximum.error;
   };
   for (const Climb& other : of_scene) {
     if (&other == &climb) return false;
@@ -77,15 +79,27 @@ bool is_repeated(std::span<const Climb> of_scene, const Climb& climb) {
 }
 
 // Whether the climb, going on, could not be the answer within this error.
-bool is_answered(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb, double error) {
-  if (measured_seconds(climb, error)) return true;
-  if (!climb.back().error || !rates_of(climb)) return false;
-  const double own = seconds_needed(ladder, climb, error, true).value_or(infinity);
+bool is_answered(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb, ErrorOfRung of,
+                 double error) {
+  if (measured_seconds(climb, of, error)) return true;
+  if (!(climb.back().*of).error || !rates_of(climb, of)) return false;
+  const double own = seconds_needed(ladder, climb, of, error, true).value_or(infinity);
   if (own > ladder.goal->most_seconds) return true;
   return std::ranges::any_of(of_scene, [&](const Climb& other) {
     if (&other == &climb || other.empty()) return false;
-    return own > ladder.goal->margin * seconds_needed(ladder, other, error, false).value_or(infinity);
+    return own > ladder.goal->margin * seconds_needed(ladder, other, of, error, false).value_or(infinity);
   });
+}
+
+// Whether more steps have nothing to add to the answers to this kind of error.
+bool is_settled(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb, ErrorOfRung of) {
+  const Rung& last = climb.back();
+  const auto& errors = ladder.goal->errors;
+  if ((last.*of).error.value_or(infinity) <= std::ranges::min(errors)) return true;
+  if (of == &Rung::end && last.at_floor) return true;
+  return climb.size() >= fewest_rungs && std::ranges::all_of(errors, [&](double error) {
+           return is_answered(ladder, of_scene, climb, of, error);
+         });
 }
 
 }  // namespace
@@ -93,23 +107,25 @@ bool is_answered(const Ladder& ladder, std::span<const Climb> of_scene, const Cl
 Rung rung_of(const Setup& setup, const RecordedRun& run) {
   Rung rung{.steps = steps_of(setup.resolution),
             .hopeless = run.ending() && is_hopeless(*run.ending()),
-            .error = run["error_end"],
-            .seconds = run["time_minimum"],
-            .rate = run["expected_rate_end"]};
-  rung.at_floor = rung.error && (run["rounding_from"] || *rung.error <= run["reference_bound"].value_or(0.0));
+            .end = {run["error_end"], run["expected_rate_end"]},
+            .maximum = {run["error_maximum"], run["expected_rate_maximum"]},
+            .seconds = run["time_minimum"]};
+  rung.at_floor =
+      rung.end.error && (run["rounding_from"] || *rung.end.error <= run["reference_bound"].value_or(0.0));
   return rung;
 }
 
-std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, double error, bool hopeful) {
+std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, ErrorOfRung of, double error,
+                                     bool hopeful) {
   constexpr double hope = 0.5;
-  if (const auto measured = measured_seconds(climb, error)) return measured;
+  if (const auto measured = measured_seconds(climb, of, error)) return measured;
   const Rung& last = climb.back();
-  if (!last.error || !last.seconds) return std::nullopt;
-  const auto rates = rates_of(climb);
+  if (!(last.*of).error || !last.seconds) return std::nullopt;
+  const auto rates = rates_of(climb, of);
   if (!rates) return std::nullopt;
   const double rate = hopeful ? rates->second + hope : rates->first;
   if (rate <= 0.0) return std::nullopt;
-  const double least = last.steps * std::pow(*last.error / error, 1.0 / rate);
+  const double least = last.steps * std::pow(*(last.*of).error / error, 1.0 / rate);
   const auto found = std::ranges::find_if(
       ladder.rungs, [&](const auto& rung) { return steps_of(rung) > last.steps && steps_of(rung) >= least; });
   if (found == ladder.rungs.end()) return std::nullopt;
@@ -119,16 +135,13 @@ std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, d
 bool has_ended(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb) {
   if (climb.size() == ladder.rungs.size()) return true;
   if (!ladder.goal || climb.empty()) return false;
-  const auto& [errors, most_seconds, margin] = *ladder.goal;
   const Rung& last = climb.back();
-  if (last.hopeless || last.at_floor) return true;
-  if (last.error.value_or(infinity) <= std::ranges::min(errors)) return true;
-  if (!last.seconds) return false;
-  if (seconds_with(climb, steps_of(ladder.rungs[climb.size()])) > most_seconds) return true;
-  if (climb.size() < fewest_rungs) return false;
-  return is_repeated(of_scene, climb) || std::ranges::all_of(errors, [&](double error) {
-           return is_answered(ladder, of_scene, climb, error);
-         });
+  if (last.hopeless) return true;
+  if (last.seconds && seconds_with(climb, steps_of(ladder.rungs[climb.size()])) > ladder.goal->most_seconds)
+    return true;
+  if (climb.size() >= fewest_rungs && is_repeated(of_scene, climb)) return true;
+  return is_settled(ladder, of_scene, climb, &Rung::end) &&
+         is_settled(ladder, of_scene, climb, &Rung::maximum);
 }
 
 }  // namespace fde

@@ -9,7 +9,7 @@
 
 namespace fde {
 
-// What a ladder is climbed for: the cheapest run within each of some errors at the end.
+// What a ladder is climbed for: the cheapest run within each of some errors, at the end and as maxima.
 struct Goal {
   std::vector<double> errors{1e-2, 1e-4, 1e-6, 1e-8};
   double most_seconds = 1.0;  // of a solve: what takes longer is no answer
@@ -23,15 +23,22 @@ struct Ladder {
   std::optional<Goal> goal{};
 };
 
+// An error, and the rate that theory expects of it.
+struct FallingError {
+  std::optional<double> error{}, rate{};
+
+  bool operator==(const FallingError&) const = default;
+};
+
 // What a run says of those with more steps.
 struct Rung {
   int steps = 0;
   bool hopeless = false;            // more steps end in the same way: refused, without a reference, ...
-  bool at_floor = false;            // its error is that of rounding, or of the reference
-  std::optional<double> error{};    // at the end
+  bool at_floor = false;            // its error at the end is that of rounding, or of the reference
+  FallingError end{}, maximum{};    // absolute; those on the mixed scale are no larger
   std::optional<double> seconds{};  // of a solve
-  std::optional<double> rate{};     // that theory expects of the error
 };
+using ErrorOfRung = FallingError Rung::*;
 Rung rung_of(const Setup& setup, const RecordedRun& run);
 
 // The rungs that one scheme has taken on a scene, the coarsest first.
@@ -40,12 +47,13 @@ using Climb = std::vector<Rung>;
 // The seconds of the first rung that is within the error: measured, or as the error is forecast to fall. The
 // forecast takes the observed rate or the expected one: the smaller, or where it is `hopeful` the larger and
 // a half more. nullopt: no rung is, or nothing is known.
-std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, double error, bool hopeful);
+std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, ErrorOfRung of, double error,
+                                     bool hopeful);
 
 // Whether the rungs that are left cannot change an answer, so that the climb ends. One of all climbs of a
 // scene ends
 //   - at the top, or where its rung is hopeless;
-//   - within the least error of the goal, or at the floor;
+//   - within the least error of the goal, or at the floor, in both norms;
 //   - where the next rung is forecast to take more than most_seconds;
 //   - from the fifth rung on, with which a rate is known, where each error not reached is out of its hopeful
 //     reach, or another climb is within it in less time, by its measured or its forecast seconds;

@@ -21,10 +21,8 @@ Climb climb_of(int rungs, double constant, double rate, double seconds_a_step = 
   Climb climb;
   for (int i = 0; i < rungs; ++i) {
     const int steps = std::get<int>(ladder.rungs[static_cast<std::size_t>(i)]);
-    climb.push_back({.steps = steps,
-                     .error = constant * std::pow(steps, -rate),
-                     .seconds = seconds_a_step * steps,
-                     .rate = rate});
+    const FallingError error{constant * std::pow(steps, -rate), rate};
+    climb.push_back({.steps = steps, .end = error, .maximum = error, .seconds = seconds_a_step * steps});
   }
   return climb;
 }
@@ -38,8 +36,18 @@ TEST(Ladders, EndAtTheFirstRungWithinTheLeastError) {
 
 TEST(Ladders, EndWhereTheErrorIsRounding) {
   auto climb = climb_of(3, 1.0, 1.0);
+  climb.back().maximum = {1e-9, 1.0};
   EXPECT_FALSE(ends({climb}));
   climb.back().at_floor = true;
+  EXPECT_TRUE(ends({climb}));
+}
+
+// At the end it is within 1e-8 long before it is at the first steps.
+TEST(Ladders, EndWhereBothNormsHaveTheirAnswers) {
+  auto climb = climb_of(2, 1e-4, 2.0);
+  climb.back().maximum = {1e-5, 1.0};
+  EXPECT_FALSE(ends({climb}));
+  climb.back().maximum = {1e-9, 1.0};
   EXPECT_TRUE(ends({climb}));
 }
 
@@ -85,7 +93,7 @@ TEST(Ladders, EndWhereAnotherSchemeListedBeforeIsTheSameAlgorithm) {
   EXPECT_FALSE(ended({four, four}, 1)) << "four equal errors may be chance";
   EXPECT_FALSE(ended({four, five}, 1)) << "the other one has ended for a reason of its own";
   auto nearly = five;
-  nearly.back().error = std::nextafter(*nearly.back().error, 0.0);
+  nearly.back().end.error = std::nextafter(*nearly.back().end.error, 0.0);
   EXPECT_FALSE(ended({five, nearly}, 1));
 }
 
