@@ -28,12 +28,8 @@ Attempt Examiner::examine(const Way& way, int steps, int watched, double budget)
   attempt.ending = ending_of(scene_.problem, path);
   if (path.ending != Ending::finished) return attempt;
   attempt.values = counted(columns_of(scene_.outputs, path));
-  const auto [error, trivial] = at_end ? judge_end(attempt.values) : judge_all(path.times, attempt.values);
-  attempt.error = error;
-  attempt.trivial = trivial;
-  attempt.within = error <= question_.accuracy && error < trivial;
-  if (attempt.values.rows() == 1 && at_end)
-    attempt.signed_error = attempt.values(0, 0) - at_end_->reference.rightCols(1)(0, 0);
+  at_end ? judge_end(attempt) : judge_all(path.times, attempt);
+  attempt.within = attempt.error <= question_.accuracy && attempt.error < attempt.trivial;
   return attempt;
 }
 
@@ -59,15 +55,25 @@ double Examiner::reference_bound() {
   return bound.cwiseQuotient(at_end().divisors.rightCols(1)).maxCoeff();
 }
 
-Examiner::Judged Examiner::judge_all(const std::vector<double>& times, const Rows& values) {
+void Examiner::judge_all(const std::vector<double>& times, Attempt& attempt) {
   const Rows reference = counted(reference_.at(times));
   const Rows by = divisors(question_.kind.scale, times, reference);
-  return {error_of(Norm::maximum, values, reference, by), trivial_error(Norm::maximum, times, reference, by)};
+  Eigen::Index row = 0, column = 0;
+  attempt.error = (attempt.values - reference).cwiseAbs().cwiseQuotient(by).maxCoeff(&row, &column);
+  attempt.trivial = trivial_error(Norm::maximum, times, reference, by);
+  attempt.column = question_.columns[static_cast<std::size_t>(row)];
+  attempt.time = times[static_cast<std::size_t>(column)];
 }
 
-Examiner::Judged Examiner::judge_end(const Rows& values) {
+void Examiner::judge_end(Attempt& attempt) {
   const auto& [reference, by, trivial] = at_end();
-  return {error_of(Norm::end, values, reference.rightCols(1), by.rightCols(1)), trivial};
+  const Vec difference = attempt.values.rightCols(1) - reference.rightCols(1);
+  Eigen::Index row = 0;
+  attempt.error = difference.cwiseAbs().cwiseQuotient(by.rightCols(1)).maxCoeff(&row);
+  attempt.trivial = trivial;
+  attempt.column = question_.columns[static_cast<std::size_t>(row)];
+  attempt.time = scene_.problem.end;
+  if (difference.size() == 1) attempt.signed_error = difference[0];
 }
 
 // The scale of a value needs those shortly before it, what is trivial the first one.

@@ -22,6 +22,8 @@ struct Attempt {
   int steps = 0;
   double error = std::numeric_limits<double>::infinity();  // infinite: it did not come to its end
   double trivial = 0.0;                                    // that y = 0 or y = y(0) has
+  Eigen::Index column = 0;  // of the scene, the one with the largest error, at this time
+  double time = 0.0;
   double signed_error = 0.0;  // at the end, of the column that counts, where it is one
   bool within = false;        // the accuracy, and better than what is trivial
   double seconds = 0.0;       // of the solve, roughly
@@ -54,11 +56,8 @@ class Examiner {
   double reference_bound();
 
  private:
-  struct Judged {
-    double error, trivial;
-  };
-  Judged judge_all(const std::vector<double>& times, const Rows& values);
-  Judged judge_end(const Rows& values);
+  void judge_all(const std::vector<double>& times, Attempt& attempt);
+  void judge_end(Attempt& attempt);
   Rows counted(const Rows& columns) const;
   Trajectory solve(const Way& way, int steps, const std::vector<double>& times, double budget) const;
 

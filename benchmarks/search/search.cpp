@@ -6,12 +6,12 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "observers/watched_steps.hpp"
 #include "records/setup.hpp"
 #include "search/fewest_steps.hpp"
+#include "search/interleaved_times.hpp"
 
 namespace fde {
 namespace {
@@ -26,18 +26,13 @@ constexpr std::size_t rungs_to_compare = 5;  // after which two ways are one
 // How far a way may be behind the quickest by one solve of each and still be timed against it.
 constexpr double margin = 1.5;
 
+// The part of the time left that one run may take.
+constexpr double most_of_rest = 0.3;
+
 // By how much a way may be expected to exceed the time that is left and still go on.
 constexpr double far = 10.0;
 
 bool is_hopeless(Ending ending) { return ending == Ending::singular || ending == Ending::out_of_budget; }
-
-std::vector<ErrorWith> errors_of(const std::vector<Attempt>& ladder) {
-  std::vector<ErrorWith> errors;
-  for (const Attempt& attempt : ladder) {
-    if (std::isfinite(attempt.error)) errors.push_back({attempt.steps, attempt.error});
-  }
-  return errors;
-}
 
 class Search {
  public:
@@ -92,6 +87,8 @@ class Search {
   // Of the part of the time that is there to look for runs.
   [[nodiscard]] double left() const { return std::max(0.0, 0.7 * seconds_ - elapsed()); }
 
+  [[nodiscard]] double accuracy() const { return examiner_.question().accuracy; }
+
   Attempt examine(const SearchedWay& of, int steps, int watched) {
     tell_(fmt::format("{} {} N = {}", of.way.scheme->id, grid_text(of.way.grading), steps),
           std::min(1.0, elapsed() / seconds_));
@@ -102,15 +99,16 @@ class Search {
   bool climb() {
     double expected = quickest_;
     for (std::size_t i = 0; i < ways_.size(); ++i) {
-      if (climbing_[i]) expected = std::min(expected, seconds_of(ways_[i], &Expected::high));
+      if (climbing_[i])
+        expected = std::min(expected, expected_seconds(ways_[i], accuracy(), &Expected::high));
     }
     for (std::size_t i = 0; i < ways_.size(); ++i) {
-      if (!climbing_[i] || least_seconds(ways_[i]) > margin * expected) continue;
+      if (!climbing_[i] || least_seconds(ways_[i], accuracy()) > margin * expected) continue;
       climbing_[i] = climb(ways_[i]);
       if (ways_[i].ladder.size() == rungs_to_compare) merge_repeats(i);
     }
     for (std::size_t i = 0; i < ways_.size(); ++i) {
-      if (!climbing_[i] || least_seconds(ways_[i]) <= margin * quickest_) continue;
+      if (!climbing_[i] || least_seconds(ways_[i], accuracy()) <= margin * quickest_) continue;
       ways_[i].found = Found::slower;
       climbing_[i] = false;
     }
@@ -120,7 +118,7 @@ class Search {
   // Whether it climbs on.
   bool climb(SearchedWay& of) {
     const int steps = of.ladder.empty() ? std::max(first_rung, unit_of_steps()) : 2 * of.ladder.back().steps;
-    if (steps > most_steps_ / 2 || expected_seconds(of) > 0.3 * left()) return false;
+    if (steps > most_steps_ / 2 || next_seconds(of) > most_of_rest * left()) return false;
     of.ladder.push_back(examine(of, steps, watched_));
     const Attempt& last = of.ladder.back();
     of.step_seconds = last.seconds / last.steps;
@@ -137,59 +135,26 @@ class Search {
       of.found = Found::at_floor;
       return false;
     }
-    return least_seconds(of) < far * left();
-  }
-
-  // Of the next rung.
-  static double expected_seconds(const SearchedWay& of) {
-    constexpr double most_growth = 16.0;
-    if (of.ladder.size() < 2) return 0.0;
-    const double last = of.ladder.back().seconds, before = of.ladder[of.ladder.size() - 2].seconds;
-    return last * std::clamp(last / before, 2.0, most_growth);
-  }
-
-  // Whether its errors fall as they will go on.
-  static bool has_begun(const SearchedWay& of) {
-    constexpr double begun = 0.1;
-    return !of.ladder.empty() && of.ladder.back().error < begun * of.ladder.back().trivial;
-  }
-
-  // Errors far below the size of the solution that fall no more.
-  static bool is_at_floor(const SearchedWay& of) {
-    constexpr double small = 1e-8, falling = 0.7;
-    const auto& ladder = of.ladder;
-    if (ladder.size() < 3) return false;
-    const double last = ladder.back().error, before = ladder[ladder.size() - 2].error,
-                 first = ladder[ladder.size() - 3].error;
-    return last < small * ladder.back().trivial && last > falling * before && before > falling * first;
-  }
-
-  // That a run within the accuracy is expected to take, with fewer steps or more as the errors leave it open;
-  // infinity where they have not begun to fall as they will go on.
-  [[nodiscard]] double seconds_of(const SearchedWay& of, double Expected::*steps) const {
-    constexpr std::size_t fewest = 5;
-    if (of.ladder.size() < fewest || !has_begun(of)) return infinity;
-    const ErrorModel model(errors_of(of.ladder));
-    return model.empty() ? infinity : of.step_seconds * (model.steps(examiner_.question().accuracy).*steps);
-  }
-
-  // The least that it takes: what the last one took, and more where its errors tell.
-  [[nodiscard]] double least_seconds(const SearchedWay& of) const {
-    constexpr double hope = 0.8;
-    if (of.ladder.empty()) return 0.0;
-    const double seconds = seconds_of(of, &Expected::low);
-    return hope * (seconds < infinity ? seconds : of.ladder.back().seconds);
+    return least_seconds(of, accuracy()) < far * left();
   }
 
   void find_fewest(SearchedWay& of) {
+    constexpr double runs_of_scan = 25.0, part_of_scan = 0.1;  // as long as the longest
+    constexpr int more_solves = 2;
     const auto attempt = [&](int steps) { return examine(of, steps, watched_); };
     const bool may_pass_zero = examiner_.question().kind.norm == Norm::end;
-    const double seconds = of.ladder.back().seconds;
-    constexpr double runs_of_scan = 25.0;  // as long as the longest
-    const bool scan = may_pass_zero && runs_of_scan * seconds < 0.1 * left();
-    of.best = fewest_steps(of.ladder, examiner_.question().accuracy, unit_of_steps(), scan, attempt);
+    const bool scan = may_pass_zero && runs_of_scan * of.ladder.back().seconds < part_of_scan * left();
+    of.best = fewest_steps(of.ladder, accuracy(), unit_of_steps(), scan, attempt);
     of.found = Found::within;
+    for (int i = 0; i < more_solves && of.best.seconds < part_of_scan * left(); ++i)
+      of.best.seconds = std::min(of.best.seconds, seconds_to_end(of));
     quickest_ = std::min(quickest_, of.best.seconds);
+  }
+
+  [[nodiscard]] double seconds_to_end(const SearchedWay& of) const {
+    const auto start = Clock::now();
+    examiner_.solve_to_end(of.way, of.best.steps);
+    return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
   // A jump of a right-hand side shall be at a time of the grid.
@@ -224,14 +189,14 @@ class Search {
 
   // What the ladder says of the error at `best`, or of the steps that were not taken.
   void conclude(SearchedWay& of) const {
-    const auto errors = errors_of(of.ladder);
+    const auto errors = errors_of(of);
     const ErrorModel model(errors);
     if (model.empty()) return;
     if (of.found == Found::within) of.predicted = model.error(of.best.steps);
     if (of.found != Found::within && !has_begun(of)) return;
     of.rate = std::log2(errors[errors.size() - 2].error / errors.back().error);
     if (of.found == Found::slower || of.found == Found::out_of_time)
-      of.steps_needed = model.steps(examiner_.question().accuracy);
+      of.steps_needed = model.steps(accuracy());
   }
 
   // Times the quickest against each other and compares the first with the reference at more steps; false: it
@@ -286,22 +251,6 @@ class Search {
 };
 
 }  // namespace
-
-std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm) {
-  std::vector<double> gradings{1.0};
-  if (scheme.needs.uniform_grid) return gradings;
-  gradings.insert(gradings.end(), {1.5, 2.0, 3.0});
-  if (!scheme.expected_rate || scene.smoothness.powers.empty()) return gradings;
-  constexpr double most = 10.0, step = 0.25;
-  double best = 1.0, best_rate = scheme.expected_rate(scene.problem, scene.smoothness, best, norm);
-  for (double grading = 1.0; grading <= most; grading += step) {
-    const double rate = scheme.expected_rate(scene.problem, scene.smoothness, grading, norm);
-    if (rate > best_rate + 1e-9) std::tie(best, best_rate) = std::tuple(grading, rate);
-  }
-  if (best == 1.0) return {1.0};
-  if (std::ranges::find(gradings, best) == gradings.end()) gradings.push_back(best);
-  return gradings;
-}
 
 std::vector<SearchedWay> search(const Scene& scene, const Question& question, double seconds,
                                 const Tell& tell) {

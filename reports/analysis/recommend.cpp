@@ -98,14 +98,17 @@ void tell_others(const std::vector<SearchedWay>& searched, Recommendation& made)
 }
 
 // What there is to say without options: the smallest error, and the least time that another run would take.
-void tell_shortfall(const std::vector<SearchedWay>& searched, Recommendation& made) {
+void tell_shortfall(const std::vector<SearchedWay>& searched, const std::vector<std::string>& columns,
+                    Recommendation& made) {
   const SearchedWay* best = nullptr;
   for (const SearchedWay& of : searched) {
     const auto* attempt = finest(of);
     if (attempt != nullptr && (best == nullptr || attempt->error < finest(*best)->error)) best = &of;
   }
   if (best == nullptr) return tell_others(searched, made);
-  made.others.push_back(fmt::format("best: {}: {}", name_of(*best), so_far(*best)));
+  const Attempt& last = *finest(*best);
+  made.others.push_back(fmt::format("best: {}: {}, in {} at t = {:.6g}", name_of(*best), so_far(*best),
+                                    columns[static_cast<std::size_t>(last.column)], last.time));
   const SearchedWay* least = nullptr;
   const auto seconds = [](const SearchedWay& of) { return of.steps_needed->value * of.step_seconds; };
   for (const SearchedWay& of : searched) {
@@ -119,12 +122,12 @@ void tell_shortfall(const std::vector<SearchedWay>& searched, Recommendation& ma
 }  // namespace
 
 Recommendation recommend(const std::vector<SearchedWay>& searched, const SceneSettings& scene,
-                         const Question& question) {
+                         const std::vector<std::string>& columns, const Question& question) {
   Recommendation made{.scene = scene, .kind = question.kind, .accuracy = question.accuracy};
   for (const SearchedWay& of : searched) {
     if (of.found == Found::within) made.options.push_back(option_of(of));
   }
-  made.options.empty() ? tell_shortfall(searched, made) : tell_others(searched, made);
+  made.options.empty() ? tell_shortfall(searched, columns, made) : tell_others(searched, made);
   return made;
 }
 

@@ -24,9 +24,9 @@ struct Recommendation {
 Recommendation recommend(const Results& results, const SceneSettings& scene, const ErrorKind& kind,
                          double accuracy);
 
-// Of a search.
+// Of a search in a scene with these columns.
 Recommendation recommend(const std::vector<SearchedWay>& searched, const SceneSettings& scene,
-                         const Question& question);
+                         const std::vector<std::string>& columns, const Question& question);
 
 // Schemes other than the first option's whose interval of time meets its own.
 std::vector<std::string> within_noise(const Recommendation& made);

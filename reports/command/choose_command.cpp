@@ -60,7 +60,7 @@ Recommendation searched(const SceneVariant& variant, const Scene& scene, const Q
     show(std::min(done, whole - 1), whole, what);
   });
   show(whole, whole, "");
-  return recommend(found, variant.key(), question);
+  return recommend(found, variant.key(), scene.outputs.names, question);
 }
 
 // Results say nothing of single columns and take no time.

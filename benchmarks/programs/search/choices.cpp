@@ -1,0 +1,101 @@
+// Holds what `choose` recommends against all runs of all schemes with numbers of steps a tenth apart, over
+// five gradings: choices [SCENE...]. Prints CSV: the recommendation, the quickest of those runs that is
+// within the accuracy, and the ratio of their times, measured in turns.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <numeric>
+
+#include "scenes/variant.hpp"
+#include "search/interleaved_times.hpp"
+#include "search/search.hpp"
+
+namespace fde {
+namespace {
+
+constexpr std::array scenes_of_all{"relaxation",
+                                   "relaxation:gamma=1.5",
+                                   "relaxation_pair",
+                                   "stiff_relaxation",
+                                   "power",
+                                   "diethelm",
+                                   "linear_system",
+                                   "fractional_oscillator",
+                                   "bagley_torvik:load=0,y0=1",
+                                   "damped_oscillator",
+                                   "brusselator",
+                                   "pendulum:until=5"};
+constexpr std::array accuracies{1e-2, 1e-4, 1e-6, 1e-8};
+constexpr std::array gradings{1.0, 1.5, 2.0, 3.0, 4.0};
+
+struct Best {
+  Way way{};
+  int steps = 0;
+  double seconds = std::numeric_limits<double>::infinity();
+};
+
+// The runs of one way with up to so many seconds.
+void try_all(Examiner& examiner, const Way& way, double most_seconds, Best& best) {
+  constexpr double ratio = 1.1;
+  constexpr int watched = 256;
+  for (double steps = 4.0; steps < 1e8; steps = std::max(steps + 1.0, std::floor(ratio * steps))) {
+    const auto made = examiner.examine(way, static_cast<int>(steps), watched, 10.0 * most_seconds + 1.0);
+    if (made.seconds > 2.0 * most_seconds) return;
+    if (!made.within) continue;
+    const auto time = time_interleaved({[&] { examiner.solve_to_end(way, made.steps); }}, 0.0);
+    if (time.front().median < best.seconds) best = {way, made.steps, time.front().median};
+    if (time.front().low > most_seconds) return;
+  }
+}
+
+void compare(const char* label, const ErrorKind& kind, double accuracy) {
+  const Scene scene = make_scene(parse_variant(label));
+  Question question{kind, accuracy, {}};
+  question.columns.resize(scene.outputs.names.size());
+  std::iota(question.columns.begin(), question.columns.end(), Eigen::Index{0});
+  const auto found = search(scene, question, 60.0, [](const std::string&, double) {});
+  const SearchedWay& first = found.front();
+  if (first.found != Found::within) {
+    fmt::print("{},{},{:g},none\n", label, error_measure(kind), accuracy);
+    return;
+  }
+  Examiner examiner(scene, question);
+  Best best;
+  for (const Scheme& scheme : schemes()) {
+    for (const double grading : gradings) {
+      if (!refusal(scheme, scene.problem, Grid{scene.problem.end, 4, grading}))
+        try_all(examiner, {&scheme, grading}, first.time->median, best);
+    }
+  }
+  double ratio = 0.0;
+  if (best.steps > 0) {
+    const auto times = time_interleaved({[&] { examiner.solve_to_end(first.way, first.best.steps); },
+                                         [&] { examiner.solve_to_end(best.way, best.steps); }},
+                                        1.0);
+    ratio = times[0].median / times[1].median;
+  }
+  fmt::print("{},{},{:g},{},{},{},{:.3g},{:.3g},{},{},{},{:.2f}\n", label, error_measure(kind), accuracy,
+             first.way.scheme->id, first.way.grading, first.best.steps, first.best.error, first.time->median,
+             best.steps > 0 ? best.way.scheme->id : "none", best.way.grading, best.steps, ratio);
+  std::fflush(stdout);
+}
+
+}  // namespace
+}  // namespace fde
+
+int main(int count, char** words) try {
+  fmt::print("scene,error,accuracy,scheme,grading,steps,verified,seconds,best,its_grading,its_steps,ratio\n");
+  const std::vector<const char*> asked(words + 1, words + count);
+  for (const auto* scene :
+       asked.empty() ? std::vector(fde::scenes_of_all.begin(), fde::scenes_of_all.end()) : asked) {
+    for (const auto norm : {fde::Norm::maximum, fde::Norm::end}) {
+      for (const double accuracy : fde::accuracies) fde::compare(scene, {norm, fde::Scale::mixed}, accuracy);
+    }
+  }
+} catch (const std::exception& error) {
+  fmt::print(stderr, "{}\n", error.what());
+  return 1;
+}

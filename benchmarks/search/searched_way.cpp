@@ -1,0 +1,70 @@
+#include "search/searched_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace fde {
+
+std::vector<ErrorWith> errors_of(const SearchedWay& of) {
+  std::vector<ErrorWith> errors;
+  for (const Attempt& attempt : of.ladder) {
+    if (std::isfinite(attempt.error)) errors.push_back({attempt.steps, attempt.error});
+  }
+  return errors;
+}
+
+bool has_begun(const SearchedWay& of) {
+  constexpr double begun = 0.1;
+  return !of.ladder.empty() && of.ladder.back().error < begun * of.ladder.back().trivial;
+}
+
+bool is_at_floor(const SearchedWay& of) {
+  constexpr double small = 1e-8, falling = 0.7;
+  const auto& ladder = of.ladder;
+  if (ladder.size() < 3) return false;
+  const double last = ladder.back().error, before = ladder[ladder.size() - 2].error,
+               first = ladder[ladder.size() - 3].error;
+  return last < small * ladder.back().trivial && last > falling * before && before > falling * first;
+}
+
+double next_seconds(const SearchedWay& of) {
+  constexpr double most_growth = 16.0;
+  if (of.ladder.size() < 2) return 0.0;
+  const double last = of.ladder.back().seconds, before = of.ladder[of.ladder.size() - 2].seconds;
+  return last * std::clamp(last / before, 2.0, most_growth);
+}
+
+double expected_seconds(const SearchedWay& of, double accuracy, double Expected::*steps) {
+  constexpr std::size_t fewest = 5;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (of.ladder.size() < fewest || !has_begun(of)) return infinity;
+  const ErrorModel model(errors_of(of));
+  return model.empty() ? infinity : of.step_seconds * (model.steps(accuracy).*steps);
+}
+
+double least_seconds(const SearchedWay& of, double accuracy) {
+  constexpr double hope = 0.8;
+  if (of.ladder.empty()) return 0.0;
+  const double expected = expected_seconds(of, accuracy, &Expected::low);
+  return hope * (std::isfinite(expected) ? expected : of.ladder.back().seconds);
+}
+
+std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm) {
+  std::vector<double> gradings{1.0};
+  if (scheme.needs.uniform_grid) return gradings;
+  gradings.insert(gradings.end(), {1.5, 2.0, 3.0});
+  if (!scheme.expected_rate || scene.smoothness.powers.empty()) return gradings;
+  constexpr double most = 10.0, step = 0.25;
+  double best = 1.0, best_rate = scheme.expected_rate(scene.problem, scene.smoothness, best, norm);
+  for (double grading = 1.0; grading <= most; grading += step) {
+    const double rate = scheme.expected_rate(scene.problem, scene.smoothness, grading, norm);
+    if (rate > best_rate + 1e-9) std::tie(best, best_rate) = std::tuple(grading, rate);
+  }
+  if (best == 1.0) return {1.0};
+  if (std::ranges::find(gradings, best) == gradings.end()) gradings.push_back(best);
+  return gradings;
+}
+
+}  // namespace fde
