@@ -43,12 +43,14 @@ class Search {
 
   std::vector<SearchedWay> run() {
     watch();
-    while (climb()) {
-    }
-    for (std::size_t i = 0; i < ways_.size(); ++i) merge_repeats(i);
+    do {
+      while (climb()) {
+      }
+      for (std::size_t i = 0; i < ways_.size(); ++i) merge_repeats(i);
+      while (!settle()) {
+      }
+    } while (revive());
     for (SearchedWay& of : ways_) conclude(of);
-    while (!settle()) {
-    }
     std::ranges::stable_sort(ways_, {}, rank);
     return std::move(ways_);
   }
@@ -216,6 +218,20 @@ class Search {
     for (std::size_t i = 0; i < quick.size(); ++i) quick[i]->time = times[i];
     auto& first = **std::ranges::min_element(quick, {}, [](const auto* of) { return of->time->median; });
     return is_verified(first);
+  }
+
+  // Ways that were left behind and would be quicker than the first turned out to be climb on.
+  bool revive() {
+    quickest_ = infinity;
+    for (const SearchedWay& of : ways_) {
+      if (of.time) quickest_ = std::min(quickest_, of.time->median);
+    }
+    for (std::size_t i = 0; i < ways_.size(); ++i) {
+      if (ways_[i].found != Found::slower || least_seconds(ways_[i], accuracy()) > quickest_) continue;
+      ways_[i].found = Found::out_of_time;
+      climbing_[i] = left() > 0.0;
+    }
+    return std::ranges::find(climbing_, true) != climbing_.end();
   }
 
   bool is_verified(SearchedWay& first) {

@@ -6,6 +6,12 @@
 #include <tuple>
 
 namespace fde {
+namespace {
+
+// With so many steps the history has taken its long form, from which on a step costs the same.
+constexpr int settled_steps = 8192;
+
+}  // namespace
 
 std::vector<ErrorWith> errors_of(const SearchedWay& of) {
   std::vector<ErrorWith> errors;
@@ -37,18 +43,19 @@ double next_seconds(const SearchedWay& of) {
 }
 
 double expected_seconds(const SearchedWay& of, double accuracy, double Expected::*steps) {
-  constexpr std::size_t fewest = 5;
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (of.ladder.size() < fewest || !has_begun(of)) return infinity;
+  if (!has_begun(of) || of.ladder.back().steps < settled_steps) return infinity;
   const ErrorModel model(errors_of(of));
   return model.empty() ? infinity : of.step_seconds * (model.steps(accuracy).*steps);
 }
 
 double least_seconds(const SearchedWay& of, double accuracy) {
-  constexpr double hope = 0.8;
+  constexpr double hope = 0.8, open = 0.25;
   if (of.ladder.empty()) return 0.0;
+  const Attempt& last = of.ladder.back();
   const double expected = expected_seconds(of, accuracy, &Expected::low);
-  return hope * (std::isfinite(expected) ? expected : of.ladder.back().seconds);
+  if (std::isfinite(expected)) return hope * expected;
+  return (last.steps < settled_steps ? open : hope) * last.seconds;
 }
 
 std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm) {

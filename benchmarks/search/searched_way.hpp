@@ -49,10 +49,10 @@ bool is_at_floor(const SearchedWay& of);
 double next_seconds(const SearchedWay& of);
 
 // That a run within the accuracy is expected to take, with fewer steps or more as the errors leave it open;
-// infinity where they have not begun to fall as they will go on.
+// infinity where its errors have not begun to fall as they will go on, or its steps to cost what they will.
 double expected_seconds(const SearchedWay& of, double accuracy, double Expected::*steps);
 
-// The least that it takes: about what the last rung took, and more where the errors tell.
+// The least that it takes, as far as can be told: more than the last rung where errors and steps tell.
 double least_seconds(const SearchedWay& of, double accuracy);
 
 // The gradings over which a scheme is tried on a scene: the uniform grid, some usual ones, and the least that

@@ -38,8 +38,11 @@ const Attempt* finest(const SearchedWay& of) {
 }
 
 std::string so_far(const SearchedWay& of) {
-  if (const auto* attempt = finest(of))
-    return fmt::format("error {} with N = {}", error_text(attempt->error), count_text(attempt->steps));
+  if (const auto* attempt = finest(of)) {
+    const auto* worse = attempt->error < attempt->trivial ? "" : "worse than y = 0, ";
+    return fmt::format("{}error {} with N = {}", worse, error_text(attempt->error),
+                       count_text(attempt->steps));
+  }
   return of.ladder.empty() ? "no run" : sentence(of.ladder.back().ending);
 }
 
