@@ -1,8 +1,12 @@
 #include "search/attempt.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <stdexcept>
 #include <utility>
 
+#include "measures/accuracy.hpp"
 #include "observers/watched_steps.hpp"
 
 namespace fde {
@@ -55,8 +59,17 @@ double Examiner::reference_bound() {
   return bound.cwiseQuotient(at_end().divisors.rightCols(1)).maxCoeff();
 }
 
+Rows Examiner::finite_reference(const std::vector<double>& times) {
+  Rows reference = counted(reference_.at(times));
+  if (const auto column = first_overflow(reference))
+    throw std::runtime_error(
+        fmt::format("the solution overflows at t = {:.6g}: nothing can be compared with it",
+                    times[static_cast<std::size_t>(*column)]));
+  return reference;
+}
+
 void Examiner::judge_all(const std::vector<double>& times, Attempt& attempt) {
-  const Rows reference = counted(reference_.at(times));
+  const Rows reference = finite_reference(times);
   const Rows by = divisors(question_.kind.scale, times, reference);
   Eigen::Index row = 0, column = 0;
   attempt.error = (attempt.values - reference).cwiseAbs().cwiseQuotient(by).maxCoeff(&row, &column);
@@ -83,7 +96,7 @@ const Examiner::AtEnd& Examiner::at_end() {
   const double end = scene_.problem.end;
   std::vector<double> times{0.0};
   for (int i = 0; i <= nearby; ++i) times.push_back(end * (9 * nearby + i) / (10 * nearby));
-  Rows reference = counted(reference_.at(times));
+  Rows reference = finite_reference(times);
   Rows by = divisors(question_.kind.scale, times, reference);
   const double trivial = trivial_error(Norm::end, times, reference, by);
   return at_end_.emplace(AtEnd{std::move(reference), std::move(by), trivial});

@@ -37,7 +37,7 @@ class Examiner {
   Examiner(const Scene& scene, Question question);
 
   // The run is compared at `watched` steps or less, at the last one only where the norm is the end, and
-  // ends after so many seconds. Throws std::runtime_error where there is no reference.
+  // ends after so many seconds. Throws std::runtime_error where there is no finite reference.
   Attempt examine(const Way& way, int steps, int watched, double budget);
 
   // Whether runs of two ways give the same values, bit for bit.
@@ -56,6 +56,7 @@ class Examiner {
   double reference_bound();
 
  private:
+  Rows finite_reference(const std::vector<double>& times);
   void judge_all(const std::vector<double>& times, Attempt& attempt);
   void judge_end(Attempt& attempt);
   Rows counted(const Rows& columns) const;

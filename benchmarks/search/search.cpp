@@ -58,17 +58,19 @@ class Search {
  private:
   void add_ways(const Scheme& scheme) {
     const Scene& scene = examiner_.scene();
-    for (const double grading : gradings_of(scheme, scene, examiner_.question().kind.norm)) {
-      SearchedWay of{.way = {&scheme, grading}, .names = {std::string(scheme.id)}};
-      const auto reason = refusal(scheme, scene.problem,
-                                  Grid{.end = scene.problem.end, .steps = first_rung, .grading = grading});
-      if (reason) {
-        of.found = Found::refused;
-        of.reason = *reason;
-        if (grading != 1.0) continue;
-      }
-      climbing_.push_back(!reason);
-      ways_.push_back(std::move(of));
+    const auto why_not = [&](double grading) {
+      return refusal(scheme, scene.problem,
+                     Grid{.end = scene.problem.end, .steps = first_rung, .grading = grading});
+    };
+    const auto refused = why_not(1.0);
+    for (const double grading :
+         refused ? std::vector{1.0} : gradings_of(scheme, scene, examiner_.question().kind.norm)) {
+      if (!refused && why_not(grading)) continue;
+      ways_.push_back({.way = {&scheme, grading},
+                       .found = refused ? Found::refused : Found::out_of_time,
+                       .reason = refused.value_or(""),
+                       .names = {std::string(scheme.id)}});
+      climbing_.push_back(!refused);
     }
   }
 

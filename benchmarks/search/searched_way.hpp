@@ -55,8 +55,8 @@ double expected_seconds(const SearchedWay& of, double accuracy, double Expected:
 // The least that it takes, as far as can be told: more than the last rung where errors and steps tell.
 double least_seconds(const SearchedWay& of, double accuracy);
 
-// The gradings over which a scheme is tried on a scene: the uniform grid, some usual ones, and the least that
-// has the best rate in theory.
+// The gradings over which a scheme that takes the scene's problem is tried: the uniform grid, some usual
+// ones, and the least that has the best rate in theory.
 std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm);
 
 }  // namespace fde
