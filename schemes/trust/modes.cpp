@@ -5,8 +5,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <numbers>
-#include <stdexcept>
+#include <ranges>
 
 #include "problem/jacobian.hpp"
 #include "problem/scalar_equation.hpp"
@@ -35,20 +36,24 @@ std::optional<double> common_order(const Problem& problem) {
 // The eigenvalue of largest modulus of a large matrix, where it is real: by power iteration, with differences
 // of f in place of the matrix.
 Spectrum dominant(const Problem& problem, double t, const Vec& y) {
+  constexpr int iterations = 30;
+  constexpr double close = 0.1;  // what is left of an eigenvector's equation
   const double shift = 0x1p-18 * std::max(1.0, y.lpNorm<Eigen::Infinity>());
   Vec direction(y.size()), f(y.size()), moved(y.size());
   for (Eigen::Index i = 0; i < y.size(); ++i) direction[i] = i % 2 == 0 ? 1.0 : -0.9;
   problem.rhs(t, y, f);
-  double eigenvalue = 0.0;
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 1; direction.allFinite() && !direction.isZero(0.0); ++i) {
     direction.normalize();
     problem.rhs(t, y + shift * direction, moved);
     const Vec image = (moved - f) / shift;
-    eigenvalue = direction.dot(image);
+    const double eigenvalue = direction.dot(image);
+    if (i == iterations) {
+      const bool found = (image - eigenvalue * direction).norm() < close * std::abs(eigenvalue);
+      return found ? Spectrum{eigenvalue} : Spectrum{};
+    }
     direction = image;
-    if (!direction.allFinite() || direction.isZero(0.0)) return {};
   }
-  return {eigenvalue};
+  return {};
 }
 
 // Eigenvalues of df/dy with imaginary parts that are not negative, by falling modulus.
@@ -79,43 +84,48 @@ Problem frozen(const Problem& problem, double t, const Vec& y) {
           .end = problem.end};
 }
 
-// How many modes grow; 0 where that cannot be told.
-int count(const Scheme& scheme, const Problem& problem, double length) {
+// How many modes grow; nullopt where that cannot be told.
+std::optional<int> count(const Scheme& scheme, const Problem& problem, double length) {
   constexpr Eigen::Index most_rows = 24;  // of the symbol, where a scheme splits orders
   try {
-    if (symbol_of(scheme, problem, length)(ComplexValue{0.0, 1.0}).rows() > most_rows) return 0;
-    return growing_modes(scheme, problem, length).value_or(0);
+    if (symbol_of(scheme, problem, length)(ComplexValue{0.0, 1.0}).rows() > most_rows) return std::nullopt;
+    return growing_modes(scheme, problem, length);
   } catch (const std::exception&) {
-    return 0;
+    return std::nullopt;
   }
 }
 
 // Of eigenvalues whose modes of the equation do not grow, whether those of the scheme do.
 bool unstable_at(const Scheme& scheme, double order, const Spectrum& rates, double length) {
   constexpr std::size_t looked_at = 2;  // of the largest
-  return std::ranges::any_of(
-      rates.begin(), rates.begin() + std::min(looked_at, rates.size()), [&](const ComplexValue rate) {
-        return rate != 0.0 && !grows(order, rate) && count(scheme, scalar_equation(order, rate), length) > 0;
-      });
+  const auto unstable = [&](const ComplexValue rate) {
+    return rate != 0.0 && !grows(order, rate) &&
+           count(scheme, scalar_equation(order, rate), length).value_or(0) > 0;
+  };
+  return std::ranges::any_of(rates | std::views::take(looked_at), unstable);
 }
 
 // Backward Euler's sum has no growing mode but those of the equation.
-int modes_of_equation(const Problem& linear_problem, double length) {
+std::optional<int> modes_of_equation(const Problem& linear_problem, double length) {
   return count(*find_scheme("grunwald_letnikov"), linear_problem, 0.01 * length);
 }
 
 bool unstable_at(const Scheme& scheme, const Problem& linear_problem, double length) {
   constexpr Eigen::Index largest = 8;
   if (linear_problem.size() > largest) return false;
-  const int of_scheme = count(scheme, linear_problem, length);
-  return of_scheme > 0 && of_scheme > modes_of_equation(linear_problem, length);
+  const auto of_scheme = count(scheme, linear_problem, length);
+  if (!of_scheme || *of_scheme == 0) return false;
+  const auto of_equation = modes_of_equation(linear_problem, length);
+  return of_equation && *of_scheme > *of_equation;
 }
 
+// True also where that cannot be told.
 bool equation_grows(const Problem& problem, double t, const Vec& y, double length) {
+  if (problem.size() > largest_dense) return true;
   if (const auto order = common_order(problem))
     return std::ranges::any_of(spectrum(problem, t, y),
                                [&](ComplexValue rate) { return grows(*order, rate); });
-  return problem.size() > largest_dense || modes_of_equation(frozen(problem, t, y), length) > 0;
+  return modes_of_equation(frozen(problem, t, y), length) != 0;
 }
 
 double step_at(const Grid& grid, double t) { return grid.step(std::max(1, grid.number(t))); }

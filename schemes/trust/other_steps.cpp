@@ -58,7 +58,9 @@ Difference difference(const Trajectory& path, const Trajectory& other, const std
   return worst;
 }
 
+// A first step may be too short, and only then: what it would have shown is unknown.
 Trajectory solve_other(const SolvedRun& run, const Grid& grid, const std::vector<double>& times) {
+  if (refusal(run.scheme, run.problem, grid)) return {.ending = Ending::refused};
   Options options = run.options;
   options.at = grid_times_at(grid, times);
   options.observer = {};
@@ -85,9 +87,10 @@ Comparison compare_with_finer(const SolvedRun& run, Eigen::Index times_as_many) 
     return of_difference(worst, worst.part > doubtful_part, run, grid.steps);
   }
   // Newton's method and the budget may end a run of more steps that says nothing against this one.
-  if (finer.ending == Ending::not_converged || finer.ending == Ending::out_of_budget) return {};
-  return {.agreement = Agreement::differs,
-          .numbers = fmt::format("with {} steps the run ends at t = {:.6g}", grid.steps, finer.reached)};
+  if (finer.ending != Ending::not_finite && finer.ending != Ending::singular) return {};
+  return {
+      .agreement = Agreement::differs,
+      .numbers = fmt::format("with {} steps the run breaks off after t = {:.6g}", grid.steps, finer.reached)};
 }
 
 // The error of a run from those of two coarser ones; see compare_with_other_steps.
@@ -165,7 +168,7 @@ Comparison compare_with_half_the_steps(const SolvedRun& run) {
   const auto half = solve_other(run, with_steps(run.grid, steps), times);
   if (half.ending != Ending::finished) {
     return {.agreement = Agreement::differs,
-            .numbers = fmt::format("with {} steps the run ends at t = {:.6g}", steps, half.reached)};
+            .numbers = fmt::format("with {} steps the run breaks off after t = {:.6g}", steps, half.reached)};
   }
   const auto worst = difference(run.path, half, times, late_sizes(run));
   return of_difference(worst, worst.part > doubtful_part, run, steps);
