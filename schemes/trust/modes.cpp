@@ -5,9 +5,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <exception>
+#include <functional>
 #include <numbers>
-#include <ranges>
+#include <vector>
 
 #include "problem/jacobian.hpp"
 #include "problem/scalar_equation.hpp"
@@ -102,7 +104,8 @@ bool unstable_at(const Scheme& scheme, double order, const Spectrum& rates, doub
     return rate != 0.0 && !grows(order, rate) &&
            count(scheme, scalar_equation(order, rate), length).value_or(0) > 0;
   };
-  return std::ranges::any_of(rates | std::views::take(looked_at), unstable);
+  const auto end = rates.begin() + static_cast<std::ptrdiff_t>(std::min(looked_at, rates.size()));
+  return std::any_of(rates.begin(), end, unstable);
 }
 
 // Backward Euler's sum has no growing mode but those of the equation.
@@ -122,9 +125,10 @@ bool unstable_at(const Scheme& scheme, const Problem& linear_problem, double len
 // True also where that cannot be told.
 bool equation_grows(const Problem& problem, double t, const Vec& y, double length) {
   if (problem.size() > largest_dense) return true;
-  if (const auto order = common_order(problem))
+  if (const auto order = common_order(problem)) {
     return std::ranges::any_of(spectrum(problem, t, y),
-                               [&](ComplexValue rate) { return grows(*order, rate); });
+                               [&](const ComplexValue rate) { return grows(*order, rate); });
+  }
   return modes_of_equation(frozen(problem, t, y), length) != 0;
 }
 

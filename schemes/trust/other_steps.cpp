@@ -142,7 +142,7 @@ Vec late_sizes(const SolvedRun& run) {
 Comparison compare_with_other_steps(const SolvedRun& run) {
   const auto at_once = affordable_times(run, finer_work);
   if (at_once >= fewest_times) {
-    const auto finer = compare_with_finer(run, std::min(at_once, most_times));
+    auto finer = compare_with_finer(run, std::min(at_once, most_times));
     if (finer.agreement != Agreement::unknown) return finer;
   }
   // An estimate is uncertain by half; where a finer run can settle the doubt, any doubt will do.
@@ -154,7 +154,7 @@ Comparison compare_with_other_steps(const SolvedRun& run) {
     if (last && last->error <= enough) return {.agreement = Agreement::agrees};
   }
   if (settled) {
-    const auto finer = compare_with_finer(run, fewest_times);
+    auto finer = compare_with_finer(run, fewest_times);
     if (finer.agreement != Agreement::unknown) return finer;
   }
   if (!last || last->error <= 1.5 * doubtful_part) return {};
@@ -166,6 +166,7 @@ Comparison compare_with_half_the_steps(const SolvedRun& run) {
   if (steps == 0) return {};
   const auto times = late_times(with_steps(run.grid, steps));
   const auto half = solve_other(run, with_steps(run.grid, steps), times);
+  if (half.ending == Ending::refused || half.ending == Ending::out_of_budget) return {};
   if (half.ending != Ending::finished) {
     return {.agreement = Agreement::differs,
             .numbers = fmt::format("with {} steps the run breaks off after t = {:.6g}", steps, half.reached)};
