@@ -181,6 +181,19 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Resolution& reso
   err << shown.dump() << '\n';
 }
 
+// The column that shows a component as it is, "" where none does: seen where all components differ.
+std::vector<std::string> columns_of_components(const Scene& scene) {
+  const Vec y = Vec::LinSpaced(scene.problem.size(), 0.1, 0.7);
+  const Vec columns = columns_at(scene.outputs, 0.0, y);
+  std::vector<std::string> names(static_cast<std::size_t>(y.size()));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto shown = std::ranges::find(columns, y[static_cast<Eigen::Index>(i)]);
+    if (shown != columns.end())
+      names[i] = scene.outputs.names[static_cast<std::size_t>(shown - columns.begin())];
+  }
+  return names;
+}
+
 // One line of all that speaks against the numbers of a run; empty: nothing.
 std::string warning_line(const SolvedRun& run, bool check) {
   std::vector<std::string> texts;
@@ -214,7 +227,9 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
     throw NumericalFailure(fmt::format("{}: {}", scheme.id, describe(scene.problem, path)));
   const Table table = table_of(scene, scheme, grid, path, asked);
   const std::string warning =
-      grid ? warning_line({scheme, scene.problem, *grid, options, path}, arguments.check) : "";
+      grid ? warning_line({scheme, scene.problem, *grid, options, path, columns_of_components(scene)},
+                          arguments.check)
+           : "";
   if (arguments.strict && !warning.empty()) throw NumericalFailure(warning);
   print_rows(table, streams.out);
   if (!warning.empty()) streams.err << fmt::format("fdebench: {}\n", warning);

@@ -68,9 +68,9 @@ Trajectory solve_other(const SolvedRun& run, const Grid& grid, const std::vector
 }
 
 std::string numbers(const Difference& worst, const SolvedRun& run, int steps) {
-  return fmt::format("component {} at t = {:.6g} is {:.3g} with {} step{} and {:.3g} with {}",
-                     worst.component, worst.t, worst.value, run.grid.steps, run.grid.steps == 1 ? "" : "s",
-                     worst.other, steps);
+  return fmt::format("{} at t = {:.6g} is {:.3g} with {} step{} and {:.3g} with {}",
+                     run.name(worst.component), worst.t, worst.value, run.grid.steps,
+                     run.grid.steps == 1 ? "" : "s", worst.other, steps);
 }
 
 Comparison of_difference(const Difference& worst, bool doubtful, const SolvedRun& run, int steps) {
@@ -129,6 +129,12 @@ std::optional<Estimate> estimate_from_coarser(const SolvedRun& run, int steps) {
 }
 
 }  // namespace
+
+std::string SolvedRun::name(Eigen::Index component) const {
+  const auto index = static_cast<std::size_t>(component);
+  if (index < names.size() && !names[index].empty()) return names[index];
+  return fmt::format("component {}", component);
+}
 
 Vec late_sizes(const SolvedRun& run) {
   constexpr double of_component = 1e-9, of_all = 1e-12;

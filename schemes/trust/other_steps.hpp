@@ -8,13 +8,16 @@
 
 namespace fde {
 
-// A run and what it was asked.
+// A run and what it was asked. Names of components, "" where one has none, are for the text; empty: none has.
 struct SolvedRun {
   const Scheme& scheme;
   const Problem& problem;
   const Grid& grid;
   const Options& options;
   const Trajectory& path;
+  std::vector<std::string> names{};
+
+  [[nodiscard]] std::string name(Eigen::Index component) const;
 };
 
 // What the scheme makes of the same problem with another number of steps, in the last quarter of the steps.

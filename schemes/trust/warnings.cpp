@@ -42,7 +42,7 @@ std::optional<std::string> alternation(const SolvedRun& run) {
   for (Eigen::Index i = 0; i < sizes.size(); ++i) {
     const double part = 0.25 * std::min(std::abs(before[i]), std::abs(after[i]));
     if (before[i] * after[i] < 0.0 && part > doubtful_part * sizes[i])
-      return fmt::format("component {} goes up and down from step to step by {:.3g}", i, part);
+      return fmt::format("{} goes up and down from step to step by {:.3g}", run.name(i), part);
   }
   return std::nullopt;
 }

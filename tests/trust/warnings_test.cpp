@@ -223,8 +223,8 @@ TEST(Warnings, AskHalfTheStepsOnRequest) {
   const std::string shorter = "solve relaxation:lambda=2.5 --scheme l1 --steps 64 --at 1";
   EXPECT_EQ(fdebench(shorter).err, "");
   EXPECT_THAT(fdebench(shorter + " --check").err,
-              AllOf(StartsWith("fdebench: warning: component 0 at t = 1 is "),
-                    HasSubstr(" with 64 steps and "), HasSubstr(" with 32")));
+              AllOf(StartsWith("fdebench: warning: y at t = 1 is "), HasSubstr(" with 64 steps and "),
+                    HasSubstr(" with 32")));
 }
 
 // What is looked at besides is stored and not printed.
