@@ -13,6 +13,7 @@
 #include "scenes/number_text.hpp"
 #include "scenes/registry.hpp"
 #include "sweep/experiment.hpp"
+#include "trust/warnings.hpp"
 
 namespace fde {
 namespace {
@@ -25,7 +26,7 @@ struct SolveArguments {
   std::string scheme;
   std::optional<std::string> steps, accuracy, until, at, every, points;
   MeansArguments means{.budget = "3600"};
-  bool cost = false;
+  bool cost = false, check = false, strict = false;
 };
 
 constexpr double rounding = 1e-12;
@@ -180,6 +181,26 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Resolution& reso
   err << shown.dump() << '\n';
 }
 
+// The column that shows a component as it is, "" where none does: seen where all components differ.
+std::vector<std::string> columns_of_components(const Scene& scene) {
+  const Vec y = Vec::LinSpaced(scene.problem.size(), 0.1, 0.7);
+  const Vec columns = columns_at(scene.outputs, 0.0, y);
+  std::vector<std::string> names(static_cast<std::size_t>(y.size()));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto shown = std::ranges::find(columns, y[static_cast<Eigen::Index>(i)]);
+    if (shown != columns.end())
+      names[i] = scene.outputs.names[static_cast<std::size_t>(shown - columns.begin())];
+  }
+  return names;
+}
+
+// One line of all that speaks against the numbers of a run; empty: nothing.
+std::string warning_line(const SolvedRun& run, bool check) {
+  std::vector<std::string> texts;
+  for (const Warning& warning : warnings(run, check)) texts.push_back(warning.text);
+  return texts.empty() ? "" : fmt::format("warning: {}", fmt::join(texts, "; "));
+}
+
 void solve(const SolveArguments& arguments, const Streams& streams, const Scenes& known) {
   auto variant = read_variant(arguments.scene, known);
   const auto& scheme = scheme_named(arguments.scheme);
@@ -194,6 +215,7 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
   if (grid) require_affordable(*grid, options.history);
   const auto asked = times_of(arguments, resolution, scene.problem.end);
   options.at = with_times_beside(scene.reactions, grid, asked);
+  if (grid) options.at = with_times_looked_at(scene.problem, *grid, options.at);
   if (const auto reason = refusal(scheme, scene.problem, resolution)) {
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
   }
@@ -203,7 +225,14 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (path.ending != Ending::finished)
     throw NumericalFailure(fmt::format("{}: {}", scheme.id, describe(scene.problem, path)));
-  print_rows(table_of(scene, scheme, grid, path, asked), streams.out);
+  const Table table = table_of(scene, scheme, grid, path, asked);
+  const std::string warning =
+      grid ? warning_line({scheme, scene.problem, *grid, options, path, columns_of_components(scene)},
+                          arguments.check)
+           : "";
+  if (arguments.strict && !warning.empty()) throw NumericalFailure(warning);
+  print_rows(table, streams.out);
+  if (!warning.empty()) streams.err << fmt::format("fdebench: {}\n", warning);
   if (arguments.cost)
     print_cost(scene, scheme, resolution, path.cost, options.history, elapsed.count(), streams.err);
 }
@@ -227,6 +256,8 @@ void add_solve_command(CommandLine& program, const Streams& streams, const Scene
   Subcommand::exclude(points, at);
   Subcommand::exclude(points, every);
   add_options(command, arguments->means);
+  command.flag("--check", arguments->check, "also warn where half the steps give another result");
+  command.flag("--strict", arguments->strict, "a warning is a failure: exit 3, nothing printed but its line");
   command.flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");
   command.callback([=, &known] {
     if (!arguments->steps && !arguments->accuracy) throw std::invalid_argument("--steps is required");

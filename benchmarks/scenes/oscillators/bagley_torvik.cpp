@@ -1,8 +1,23 @@
 #include "linear/linear_equation.hpp"
 #include "problem/chain_problem.hpp"
+#include "problem/jumps.hpp"
 #include "scenes/scene.hpp"
 
 namespace fde {
+namespace {
+
+Problem loaded_problem(const Chain& chain, double stiffness, double load, double until) {
+  const auto force = [=](double t, In y) {
+    const double share = t < until ? 1.0 : (t == until ? 0.5 : 0.0);
+    return share * load - stiffness * y[0];
+  };
+  Problem problem =
+      chain_problem({{.chain = chain, .force = force, .derivatives = LinearForce{-stiffness}}}, 16.0);
+  if (load != 0.0) problem.rhs = JumpingRhs{problem.rhs, {until}};
+  return problem;
+}
+
+}  // namespace
 
 // A y'' + B D^alpha y + C y = load for t < load_until, then 0: a plate in a viscous fluid. At t = load_until
 // the load has its mean value, so that grids with this time keep their rate; on others the jump falls inside
@@ -35,12 +50,7 @@ SceneMaker bagley_torvik() {
             for (const double order : orders) rows.push_back(*chain.row(order));
             Smoothness smoothness = chain_smoothness({chain});
             if (load != 0.0) smoothness.jumps = {chain.size() - 1};
-            const auto force = [=](double t, In y) {
-              const double share = t < until ? 1.0 : (t == until ? 0.5 : 0.0);
-              return share * load - stiffness * y[0];
-            };
-            return {.problem = chain_problem(
-                        {{.chain = chain, .force = force, .derivatives = LinearForce{-stiffness}}}, 16.0),
+            return {.problem = loaded_problem(chain, stiffness, load, until),
                     .smoothness = smoothness,
                     .outputs = picked(names, rows),
                     .reference =

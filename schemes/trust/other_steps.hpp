@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stepping/scheme.hpp"
+
+namespace fde {
+
+// A run and what it was asked. Names of components, "" where one has none, are for the text; empty: none has.
+struct SolvedRun {
+  const Scheme& scheme;
+  const Problem& problem;
+  const Grid& grid;
+  const Options& options;
+  const Trajectory& path;
+  std::vector<std::string> names{};
+
+  [[nodiscard]] std::string name(Eigen::Index component) const;
+};
+
+// What the scheme makes of the same problem with another number of steps, in the last quarter of the steps.
+// All numbers are parts of the value: of the largest |y_i| there, of each component its own.
+enum class Agreement { agrees, differs, unknown };
+struct Comparison {
+  Agreement agreement = Agreement::unknown;
+  std::string numbers{};  // where it differs: both values and their numbers of steps
+};
+
+// An error of more than this part of the value is worth a warning.
+inline constexpr double doubtful_part = 0.1;
+
+// Short runs are compared with 4 to 16 times as many steps, whose error is a fraction of theirs. Of longer
+// ones this would take too long: they are compared with two coarser runs, n and n/2 steps, from a 64th of the
+// steps on to half of them. With D_0 the difference of the run from the finer one of the two, which has 1/r
+// of the steps, and D_1 that of the two, the error is taken to fall like N^-p, so that
+//   D_1 / D_0 = (2^p - 1) / (1 - r^-p),  error = D_0 / (r^p - 1),  1/2 <= p <= 2.
+// Where that leaves a doubt, four times as many steps settle it for runs that are not very long. Of those the
+// estimate decides; it is unknown where half of the steps make nothing that could be compared.
+Comparison compare_with_other_steps(const SolvedRun& run);
+
+// With half the steps; differs where the difference itself is above doubtful_part.
+Comparison compare_with_half_the_steps(const SolvedRun& run);
+
+// Of each component the largest |y_i| in the last quarter of the steps; at least what rounding leaves of the
+// component's and of all components' largest at the times looked at.
+Vec late_sizes(const SolvedRun& run);
+
+// The times that a run has to store for these.
+std::vector<double> times_compared(const Problem& problem, const Grid& grid);
+
+}  // namespace fde
