@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "observers/watched_steps.hpp"
+#include "stepping/rates.hpp"
 #include "sweep/in_parallel.hpp"
 
 namespace fde {
@@ -29,8 +30,7 @@ class Probe {
     }
     if (failed_) return;
     error_ = (results[2] - results[1]).cwiseAbs().maxCoeff();
-    if (scheme.expected_rate)
-      rate_ = scheme.expected_rate(scene.problem, scene.smoothness, sweep.setup.grading, Norm::end);
+    rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, sweep.setup.grading, Norm::end);
   }
 
   // A run with so many steps.

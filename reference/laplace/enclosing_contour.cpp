@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "progress/work.hpp"
+
 namespace fde {
 namespace {
 
@@ -122,6 +124,7 @@ std::vector<EnclosingContour::Node> EnclosingContour::nodes_from(int first) cons
                                       scale = step * mu / pi<BigReal>();
   std::vector<Node> nodes;
   for (int k = first; k <= count_; ++k) {
+    report_work(nodes.size(), static_cast<std::size_t>(count_ - first + 1));
     const BigReal theta = k * step;
     const BigComplex root(BigReal(1), theta);
     const BigComplex s(BigReal(left + mu * (1 - theta * theta)), BigReal(y + 2 * mu * theta));

@@ -27,11 +27,12 @@ std::string duration_text(double seconds);
 // terminal: the same without the bar and the work at hand.
 std::string progress_text(const Progress& progress, int columns);
 
-// Overwrites one line of err with what has been done, on a terminal only.
+// Shows on err what has been done: on a terminal in one line, elsewhere in a line a minute.
 std::function<void(std::size_t done, std::size_t total, const std::string& what)> progress_line(
     const Streams& streams);
 
-// The same for work whose end may not be known: without a total only what is at hand and the steps done.
+// The same at once, for work whose end may not be known: without a total only what is at hand and the steps
+// done.
 void show_work(const Streams& streams, std::size_t done, std::size_t total, const std::string& what);
 
 // Shows on err how far a sweep is: before it how many runs and how long it is expected to take, where that is
