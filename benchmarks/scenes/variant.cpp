@@ -114,9 +114,10 @@ std::vector<SceneVariant> read_variants(const std::string& text, const std::vect
   std::vector<SceneVariant> variants{{.maker = &scene_named(named.id, among)}};
   for (const auto& setting : named.settings) {
     const auto values = values_of(setting);
-    if (values.size() * variants.size() > most_variants)
+    if (values.size() * variants.size() > most_variants) {
       reject_text("--set", setting,
                   fmt::format("a range of at most {} scenes with the others", most_variants));
+    }
     std::vector<SceneVariant> more;
     for (const auto& variant : variants) {
       for (const auto& value : values) add_setting(value, more.emplace_back(variant));

@@ -11,7 +11,7 @@ namespace {
 BigReal gamma_by_series(const BigReal& x) {
   const auto many = static_cast<unsigned>(std::numbers::ln10 * BigReal::default_precision()) + 1;
   constexpr unsigned terms = 4;  // times N at most: they fall from the N-th on
-  const BigReal smallest = epsilon<BigReal>();
+  const auto smallest = epsilon<BigReal>();
   BigReal term = 1 / x, sum = term;
   for (unsigned k = 1; k < many || term > smallest * sum; ++k) {
     report_work(k, std::size_t{terms} * many);

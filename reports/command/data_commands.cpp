@@ -49,8 +49,8 @@ void print(const TableVerdict& verdict, std::ostream& out) {
 std::string outcome(const std::vector<TableVerdict>& tables) {
   const auto guessed = std::ranges::count(tables, false, &TableVerdict::described);
   if (guessed == 0) return "all hold";
-  return fmt::format("none is wrong, but what {} of them {} of is a guess, without a JSON", guessed,
-                     guessed == 1 ? "is" : "are");
+  return fmt::format("none is wrong, but {} without a JSON {} not say what {}", guessed,
+                     guessed == 1 ? "does" : "do", guessed == 1 ? "it is" : "they are");
 }
 
 std::string summary(const std::vector<TableVerdict>& tables) {

@@ -74,14 +74,21 @@ void show_work(const Streams& streams, std::size_t done, std::size_t total, cons
   show_line(streams, fmt::format("{}{}{} steps", what, what.empty() ? "" : "  ", done));
 }
 
-SweepProgress::SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact)
+SweepProgress::SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact,
+                             std::chrono::milliseconds between_lines)
     : streams_(streams), remaining_(std::move(expected)) {
   constexpr double worth_saying = 5.0;
   const double seconds = remaining_.seconds_left(0.0);
-  if (seconds < worth_saying) return;
-  streams_.err << fmt::format("{}{} runs, about {}\n", count_is_exact ? "" : "about ",
-                              remaining_.runs_expected(), duration_text(seconds));
-  streams_.err.flush();
+  if (seconds >= worth_saying) {
+    streams_.err << fmt::format("{}{} runs, about {}\n", count_is_exact ? "" : "about ",
+                                remaining_.runs_expected(), duration_text(seconds));
+    streams_.err.flush();
+  }
+  if (streams_.columns > 0) return;
+  lines_ = std::jthread([this, between_lines](const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (!ended_.wait_for(lock, stop, between_lines, [&] { return stop.stop_requested(); })) show();
+  });
 }
 
 SweepProgress::~SweepProgress() {
@@ -90,18 +97,20 @@ SweepProgress::~SweepProgress() {
 
 void SweepProgress::hear(const SweepEvent& event) {
   using namespace std::chrono_literals;
+  const std::scoped_lock lock(mutex_);
   remaining_.hear(event);
-  const bool terminal = streams_.columns > 0;
-  const auto now = Clock::now();
-  if (line_is_open_ ? now - shown_ < 100ms : !terminal && now - shown_ < 1min) return;
-  shown_ = now;
-  const Progress progress{.part = remaining_.part_done(),
-                          .done = remaining_.runs_done(),
-                          .total = remaining_.runs_expected(),
-                          .seconds_left = remaining_.seconds_left(duration<double>(now - start_).count()),
-                          .at_hand = remaining_.at_hand()};
-  line_is_open_ = terminal;
-  show_line(streams_, progress);
+  const bool soon = line_is_open_ && Clock::now() - shown_ < 100ms;
+  if (streams_.columns > 0 && !soon) show();
+}
+
+void SweepProgress::show() {
+  shown_ = Clock::now();
+  line_is_open_ = streams_.columns > 0;
+  show_line(streams_, {.part = remaining_.part_done(),
+                       .done = remaining_.runs_done(),
+                       .total = remaining_.runs_expected(),
+                       .seconds_left = remaining_.seconds_left(duration<double>(shown_ - start_).count()),
+                       .at_hand = remaining_.at_hand()});
 }
 
 }  // namespace fde

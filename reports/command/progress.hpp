@@ -1,10 +1,13 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "command/command.hpp"
 #include "sweep/remaining.hpp"
@@ -36,10 +39,12 @@ std::function<void(std::size_t done, std::size_t total, const std::string& what)
 void show_work(const Streams& streams, std::size_t done, std::size_t total, const std::string& what);
 
 // Shows on err how far a sweep is: before it how many runs and how long it is expected to take, where that is
-// more than some seconds; then the progress, on a terminal in one line, otherwise in a line a minute.
+// more than some seconds; then the progress, on a terminal in one line, otherwise in a line a minute, also
+// during a run that takes longer.
 class SweepProgress {
  public:
-  SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact);
+  SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact,
+                std::chrono::milliseconds between_lines = std::chrono::minutes(1));
   SweepProgress(const SweepProgress&) = delete;
   SweepProgress& operator=(const SweepProgress&) = delete;
   ~SweepProgress();  // ends the line
@@ -48,11 +53,15 @@ class SweepProgress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  void show();
 
   const Streams& streams_;
+  std::mutex mutex_{};  // of what follows
   Remaining remaining_;
   Clock::time_point start_ = Clock::now(), shown_ = start_;
   bool line_is_open_ = false;
+  std::condition_variable_any ended_{};
+  std::jthread lines_{};  // where there is no terminal
 };
 
 }  // namespace fde

@@ -62,8 +62,8 @@ TEST_F(Written, ATableWithoutItsJsonIsNotSaidToHold) {
   const auto answer = check(data_);
   EXPECT_EQ(answer.code, 0) << answer.err;
   EXPECT_THAT(answer.out,
-              AllOf(HasSubstr("\n4 tables, 138 rows recomputed: none is wrong, but what 1 of them is of "
-                              "is a guess, without a JSON; worst ratio "),
+              AllOf(HasSubstr("\n4 tables, 138 rows recomputed: none is wrong, but 1 without a JSON does not "
+                              "say what it is; worst ratio "),
                     testing::Not(HasSubstr("hold"))));
 }
 

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <ranges>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -191,8 +190,9 @@ Results over_gamma(const std::vector<double>& values) {
     for (const auto& [scheme, most] : {std::pair{"l1", 256}, std::pair{"adams_pc", 128}}) {
       for (int steps = 64; steps <= most; steps *= 2) {
         add_run(results, {"relaxation", scheme, steps}, gamma / steps, 1e-6 * steps);
-        for (auto& row : results.records | std::views::reverse | std::views::take(3))
-          if (gamma != 0.5) row.key.scene.values = {{"gamma", gamma}};
+        constexpr std::ptrdiff_t rows = 3;  // of each run
+        for (auto row = results.records.end() - rows; row != results.records.end(); ++row)
+          if (gamma != 0.5) row->key.scene.values = {{"gamma", gamma}};
       }
     }
   }
