@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -92,7 +93,13 @@ void Comparison::read(Column& column) const {
 
 Comparison::Meant Comparison::meant(std::size_t row, const Column& column) const {
   const auto& text = given_.rows[row][column.at];
-  if (bound_) return {parse<BigReal>(text), parse<BigReal>(given_.rows[row][*bound_])};
+  if (bound_) {
+    const auto& bound = given_.rows[row][*bound_];
+    const auto allowed = parse<BigReal>(bound);
+    if (!std::isfinite(allowed.convert_to<double>()))
+      throw std::runtime_error(fmt::format("a bound of {} says nothing of a value", bound));
+    return {parse<BigReal>(text), allowed};
+  }
   const auto [value, allowed] =
       meant_by(text, number_at(given_, row, column.at), column.digits, column.last_place);
   return {value, allowed};

@@ -35,7 +35,8 @@ class Comparison {
   // The most significant digits of any value.
   [[nodiscard]] int digits() const { return digits_; }
 
-  // recomputed: one a value column, in their order, as are those below.
+  // recomputed: one a value column, in their order, as are those below. Both throw std::runtime_error where
+  // the bound in the row is beyond double.
   [[nodiscard]] RowVerdict operator()(std::size_t row, const std::vector<Decimal>& recomputed) const;
 
   // What is known too badly decides nothing. Throws std::runtime_error where the bound of a recomputed value

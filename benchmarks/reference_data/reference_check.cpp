@@ -119,6 +119,7 @@ GivenTable read_table(const fs::path& file) {
         fmt::format("{}: has no rows below its header; lines end with \\n", given.table.name));
   }
   given.checksum = sha256(text);
+  verdict.described = described;
   if (!described)
     verdict.absent.emplace_back(given.kind->of_scenes() ? "description: default parameters" : "description");
   return given;

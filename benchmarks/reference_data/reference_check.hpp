@@ -18,6 +18,7 @@ struct TableVerdict {
   std::size_t worst_line = 0;  // in the file, of the row with the largest ratio
   std::string worst_row{};     // its cells
   RowVerdict worst{};
+  bool described = false;             // by a JSON; without it what the table is of is a guess
   std::vector<std::string> absent{};  // what the folder does not say, and what was taken for it
 };
 

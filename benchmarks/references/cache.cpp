@@ -99,6 +99,15 @@ std::optional<std::filesystem::path> variable(const char* name) {
   return value;
 }
 
+// Whether it is in a $HOME that is not there, as that of a service has no folder: it is not ours to make.
+bool in_missing_home(const std::filesystem::path& folder) {
+  const auto home = variable("HOME");
+  std::error_code none;
+  if (!home || !home->is_absolute() || std::filesystem::exists(*home, none)) return false;
+  const auto below = folder.lexically_normal().lexically_relative(home->lexically_normal());
+  return !below.empty() && *below.begin() != "..";
+}
+
 PanelTable table_of(const Problem& problem) {
   return two_sided(problem) ? two_sided_table(problem) : reference_table(problem);
 }
@@ -132,7 +141,7 @@ std::optional<PanelTable> ReferenceCache::load(const std::string& key, const Pro
 }
 
 void ReferenceCache::store(const std::string& key, const PanelTable& table) const {
-  if (!folder_) return;
+  if (!folder_ || in_missing_home(*folder_)) return;
   const auto content = json::to_cbor(json{{"key", key}, {"panels", to_json(table)}});
   const std::string text(content.begin(), content.end());
   const auto file = file_of(key), unfinished = temporary(file);

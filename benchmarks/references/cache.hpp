@@ -18,7 +18,8 @@ class ReferenceCache {
   // The table stored under the key for this problem, to the last bit.
   [[nodiscard]] std::optional<PanelTable> load(const std::string& key, const Problem& problem) const;
 
-  // A folder that cannot be written keeps nothing, silently: the reference is at hand all the same.
+  // A folder that cannot be written, or is in a $HOME that is not there, keeps nothing, silently: the
+  // reference is at hand all the same.
   void store(const std::string& key, const PanelTable& table) const;
 
   // Needs a folder.

@@ -4,24 +4,64 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <stdexcept>
+#include <system_error>
 
 namespace fde {
 namespace {
 
+// None where the text is no number to its end, or one beyond the type: then the error says so.
 template <typename Number>
-std::optional<Number> read(std::string_view text) {
+std::optional<Number> read(std::string_view text, std::errc* error = nullptr) {
   if (text.starts_with('+')) text.remove_prefix(1);
   Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
+  const auto [end, found] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (end != text.data() + text.size()) return std::nullopt;
+  if (error != nullptr) *error = found;
+  return found == std::errc{} ? std::optional(number) : std::nullopt;
+}
+
+bool out_of_range(std::string_view text) {
+  std::errc error{};
+  return !read<double>(text, &error) && error == std::errc::result_out_of_range;
+}
+
+// Whether a decimal number beyond double is less than 1 in size: the power of ten of its first digit.
+bool is_small(std::string_view text) {
+  const auto e = std::min(text.find_first_of("eE"), text.size());
+  const auto mantissa = text.substr(0, e);
+  const auto point = std::min(mantissa.find('.'), mantissa.size()),
+             first = mantissa.find_first_of("123456789");
+  const auto places = static_cast<double>(point) - static_cast<double>(first);
+  // an exponent beyond int is far beyond the places
+  auto exponent = e < text.size() ? text.substr(e + 1) : "0";
+  const bool negative = exponent.starts_with('-');
+  const auto size = read<int>(exponent.starts_with('+') || negative ? exponent.substr(1) : exponent);
+  if (!size) return negative;
+  return places + (negative ? -*size : *size) <= 0.0;
 }
 
 }  // namespace
 
+bool is_decimal(std::string_view text) {
+  const auto number = number_in(text);
+  return number ? std::isfinite(*number) : out_of_range(text);
+}
+
+std::string beyond_double(std::string_view text) {
+  using Double = std::numeric_limits<double>;
+  if (!out_of_range(text)) return {};
+  return is_small(text)
+             ? fmt::format("underflows double, whose least number is {:.2g}, and ", Double::denorm_min())
+             : fmt::format("overflows double, whose largest number is {:.2g}, and ", Double::max());
+}
+
 void reject_text(std::string_view name, std::string_view text, std::string_view allowed) {
-  throw std::invalid_argument(fmt::format("{} = {}: must be {}", name, text, allowed));
+  throw std::invalid_argument(fmt::format("{} = {}: {}must be {}", name, text, beyond_double(text), allowed));
 }
 
 std::optional<double> number_in(std::string_view text) { return read<double>(text); }
@@ -60,6 +100,75 @@ std::vector<std::string> split_list(std::string_view text) {
     begin = end + 1;
   }
   return parts;
+}
+
+namespace {
+
+// units * 10^place, exactly.
+struct ExactDecimal {
+  std::int64_t units = 0;
+  int place = 0;
+};
+
+// Of 15 digits at most; none where the text has more, or is no decimal.
+std::optional<ExactDecimal> exact_decimal(std::string_view text) {
+  constexpr std::size_t most_digits = 15;
+  if (!is_decimal(text)) return std::nullopt;
+  const auto e = std::min(text.find_first_of("eE"), text.size());
+  std::string digits(text.substr(text.starts_with('+') ? 1 : 0, e - (text.starts_with('+') ? 1 : 0)));
+  const auto exponent = e < text.size() ? read<int>(text.substr(e + 1)) : 0;
+  int place = exponent.value_or(0);
+  if (const auto point = digits.find('.'); point != std::string::npos) {
+    place -= static_cast<int>(digits.size() - point) - 1;
+    digits.erase(point, 1);
+  }
+  while (place < 0 && digits.ends_with('0') && digits.size() > 1) {
+    digits.pop_back();
+    ++place;
+  }
+  const auto units = read<std::int64_t>(digits);
+  if (!exponent || !units || digits.size() - (digits.starts_with('-') ? 1 : 0) > most_digits)
+    return std::nullopt;
+  return ExactDecimal{*units, place};
+}
+
+// In units of 10^place; none where that takes too many.
+std::optional<std::int64_t> in_units(const ExactDecimal& x, int place) {
+  constexpr std::int64_t most = 1'000'000'000'000'000;
+  std::int64_t units = x.units;
+  for (int k = x.place; k > place; --k) {
+    if (std::abs(units) > most) return std::nullopt;
+    units *= 10;
+    if (units == 0) return 0;
+  }
+  return units;
+}
+
+}  // namespace
+
+std::vector<std::string> decimals_of_range(std::string_view name, std::string_view text, std::size_t most) {
+  const auto refuse = [&] [[noreturn]] (std::string_view allowed) { reject_text(name, text, allowed); };
+  std::vector<ExactDecimal> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find(':', begin), text.size());
+    const auto part = exact_decimal(text.substr(begin, end - begin));
+    if (!part) refuse("FIRST:LAST:STEP, decimals of at most 15 digits");
+    parts.push_back(*part);
+    begin = end + 1;
+  }
+  if (parts.size() != 3) refuse("FIRST:LAST:STEP, decimals of at most 15 digits");
+  const int place = std::ranges::min(parts, {}, &ExactDecimal::place).place;
+  const auto first = in_units(parts[0], place), last = in_units(parts[1], place),
+             step = in_units(parts[2], place);
+  if (!first || !last || !step) refuse("FIRST:LAST:STEP of sizes that are not so far apart");
+  if (*step == 0 || (*last < *first) != (*step < 0))
+    refuse("FIRST:LAST:STEP with a step from FIRST towards LAST");
+  const auto count = static_cast<std::size_t>((*last - *first) / *step) + 1;
+  if (count > most) refuse(fmt::format("a range of at most {} values, not {}", most, count));
+  std::vector<std::string> decimals;
+  for (std::size_t k = 0; k < count; ++k)
+    decimals.push_back(fmt::format("{}e{}", *first + static_cast<std::int64_t>(k) * *step, place));
+  return decimals;
 }
 
 std::vector<double> parse_numbers(std::string_view name, std::string_view text, const Range& allowed) {

@@ -56,7 +56,8 @@ ParameterValue Parameter::read(std::string_view text) const {
   } else if (!derived.empty() && text == derived) {
     return derived;
   }
-  throw std::invalid_argument(fmt::format("--set {} = {}: must be {}{}", name, text, allowed(), suggestion));
+  throw std::invalid_argument(
+      fmt::format("--set {} = {}: {}must be {}{}", name, text, beyond_double(text), allowed(), suggestion));
 }
 
 Parameter choice(std::string name, std::vector<std::string> choices, std::string meaning) {

@@ -24,6 +24,32 @@ std::vector<std::string> split_settings(std::string_view text) {
   return settings;
 }
 
+// "pendulum" of "pendulum:alpha=1.9", and all settings.
+struct Named {
+  std::string id;
+  std::vector<std::string> settings;
+};
+
+Named split_variant(const std::string& text, const std::vector<std::string>& settings) {
+  const auto colon = text.find(':');
+  Named named{.id = text.substr(0, colon), .settings = {}};
+  if (colon != std::string::npos) named.settings = split_settings(std::string_view(text).substr(colon + 1));
+  named.settings.insert(named.settings.end(), settings.begin(), settings.end());
+  return named;
+}
+
+// "gamma=0.1:0.9:0.1" into "gamma=0.1", ..., "gamma=0.9"; what has no range is left as it is.
+std::vector<std::string> values_of(const std::string& setting) {
+  const auto equals = setting.find('=');
+  if (equals == std::string::npos || setting.find(':', equals) == std::string::npos) return {setting};
+  const std::string name = setting.substr(0, equals);
+  std::vector<std::string> all;
+  for (const auto& value :
+       decimals_of_range(name, std::string_view(setting).substr(equals + 1), most_variants))
+    all.push_back(fmt::format("{}={}", name, value));
+  return all;
+}
+
 // NAME=VALUE, of a parameter or of the end.
 void add_setting(const std::string& setting, SceneVariant& variant) {
   const auto equals = setting.find('=');
@@ -47,6 +73,11 @@ SceneSettings SceneVariant::key() const { return {.id = maker->id, .values = val
 Scene make_known_scene(const SceneMaker& maker, const ParameterValues& values) {
   const Parameters parameters(maker.id, maker.parameters, values);
   Scene scene = maker.make(parameters);
+  const auto rows = scene.smoothness.powers.size(), components = scene.problem.components.size();
+  if (rows != 0 && rows != components && scene.refusal.empty()) {
+    throw std::invalid_argument(
+        fmt::format("scene {}: its smoothness has {} rows for {} components", maker.id, rows, components));
+  }
   scene.name = fmt::format("{} {}", maker.id, parameters.text());
   return scene;
 }
@@ -71,13 +102,29 @@ Scene make_scene(const SceneVariant& variant) {
 
 SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,
                           const Scenes& among) {
-  const auto colon = text.find(':');
-  SceneVariant variant{.maker = &scene_named(text.substr(0, colon), among)};
-  auto all = colon == std::string::npos ? std::vector<std::string>{}
-                                        : split_settings(std::string_view(text).substr(colon + 1));
-  all.insert(all.end(), settings.begin(), settings.end());
-  for (const auto& setting : all) add_setting(setting, variant);
+  const auto named = split_variant(text, settings);
+  SceneVariant variant{.maker = &scene_named(named.id, among)};
+  for (const auto& setting : named.settings) add_setting(setting, variant);
   return variant;
+}
+
+std::vector<SceneVariant> read_variants(const std::string& text, const std::vector<std::string>& settings,
+                                        const Scenes& among) {
+  const auto named = split_variant(text, settings);
+  std::vector<SceneVariant> variants{{.maker = &scene_named(named.id, among)}};
+  for (const auto& setting : named.settings) {
+    const auto values = values_of(setting);
+    if (values.size() * variants.size() > most_variants) {
+      reject_text("--set", setting,
+                  fmt::format("a range of at most {} scenes with the others", most_variants));
+    }
+    std::vector<SceneVariant> more;
+    for (const auto& variant : variants) {
+      for (const auto& value : values) add_setting(value, more.emplace_back(variant));
+    }
+    variants = std::move(more);
+  }
+  return variants;
 }
 
 SceneVariant parse_variant(const std::string& text, const Scenes& among) {
@@ -89,6 +136,13 @@ SceneVariant parse_variant(const std::string& text, const std::vector<std::strin
   SceneVariant variant = read_variant(text, settings, among);
   [[maybe_unused]] const Scene checked = make_scene(variant);
   return variant;
+}
+
+std::vector<SceneVariant> parse_variants(const std::string& text, const std::vector<std::string>& settings,
+                                         const Scenes& among) {
+  auto variants = read_variants(text, settings, among);
+  for (const auto& variant : variants) [[maybe_unused]] const Scene checked = make_scene(variant);
+  return variants;
 }
 
 }  // namespace fde

@@ -37,10 +37,20 @@ Scene make_scene(const SceneVariant& variant);
 SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,
                           const Scenes& among = scenes());
 
+// A scene for each value of a range NAME=FIRST:LAST:STEP among the settings, which may be decreasing; for
+// each choice of values where there are several ranges, the last of which runs fastest. Values are decimals:
+// 0.1:0.9:0.1 has 0.3. Throws as read_variant does, and where a range has no value or there are more than
+// most_variants.
+inline constexpr std::size_t most_variants = 1000;
+std::vector<SceneVariant> read_variants(const std::string& text, const std::vector<std::string>& settings,
+                                        const Scenes& among = scenes());
+
 // The same, with a problem to solve.
 SceneVariant parse_variant(const std::string& text, const Scenes& among = scenes());
 SceneVariant parse_variant(const std::string& text, const std::vector<std::string>& settings,
                            const Scenes& among = scenes());
+std::vector<SceneVariant> parse_variants(const std::string& text, const std::vector<std::string>& settings,
+                                         const Scenes& among = scenes());
 
 // Ends of time intervals: their products with a number of steps are doubles.
 inline constexpr Range any_end{.low = 0.0, .high = 1e290, .open_low = true};

@@ -12,6 +12,7 @@
 #include "observers/drift.hpp"
 #include "observers/energy_balance.hpp"
 #include "observers/watched_steps.hpp"
+#include "stepping/rates.hpp"
 
 namespace fde {
 
@@ -57,9 +58,8 @@ Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Resolutio
 }
 
 void tell_rates(const Scene& scene, const Scheme& scheme, double grading, Observed& observed) {
-  if (!scheme.expected_rate) return;
   const auto rate = [&](Norm norm) {
-    return scheme.expected_rate(scene.problem, scene.smoothness, grading, norm);
+    return theoretical_rate(scheme, scene.problem, scene.smoothness, grading, norm);
   };
   observed.expected_rate_end = rate(Norm::end);
   observed.expected_rate_maximum = rate(Norm::maximum);

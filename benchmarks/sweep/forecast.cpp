@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "observers/watched_steps.hpp"
+#include "stepping/rates.hpp"
 #include "sweep/in_parallel.hpp"
 
 namespace fde {
@@ -29,10 +30,9 @@ class Probe {
     }
     if (failed_) return;
     error_ = (results[2] - results[1]).cwiseAbs().maxCoeff();
-    if (!scheme.expected_rate) return;
     const double grading = sweep.setup.grading;
-    end_rate_ = scheme.expected_rate(scene.problem, scene.smoothness, grading, Norm::end);
-    maximum_rate_ = scheme.expected_rate(scene.problem, scene.smoothness, grading, Norm::maximum);
+    end_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grading, Norm::end);
+    maximum_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grading, Norm::maximum);
   }
 
   // A run with so many steps.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "numbers/raise_digits.hpp"
+#include "progress/work.hpp"
 
 namespace fde {
 namespace {
@@ -17,7 +18,11 @@ std::vector<Sum<BigReal>> sum_over_nodes(const EnclosedTransform& transform,
                                          const EnclosingContour& contour) {
   std::vector<Sum<BigReal>> sums;
   const auto add = transform.prepare();
-  for (const auto& node : transform.real ? contour.upper_nodes() : contour.nodes()) add(node, sums);
+  const auto nodes = transform.real ? contour.upper_nodes() : contour.nodes();
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    report_work(k, nodes.size());
+    add(nodes[k], sums);
+  }
   for (auto& sum : sums) {
     if (transform.real) {
       sum.value = BigComplex(BigReal(2 * real_part<BigReal>(sum.value)));

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "progress/work.hpp"
+
 namespace fde {
 namespace {
 
@@ -120,8 +122,10 @@ Point EnclosingContour::at(const Point& theta) const {
 std::vector<EnclosingContour::Node> EnclosingContour::nodes_from(int first) const {
   const BigReal mu(mu_), step(step_), left = BigReal(sigma_) - BigReal(c_), y(y_),
                                       scale = step * mu / pi<BigReal>();
+  const int total = count_ - first + 1;
   std::vector<Node> nodes;
   for (int k = first; k <= count_; ++k) {
+    report_work(nodes.size(), static_cast<std::size_t>(total));
     const BigReal theta = k * step;
     const BigComplex root(BigReal(1), theta);
     const BigComplex s(BigReal(left + mu * (1 - theta * theta)), BigReal(y + 2 * mu * theta));

@@ -38,6 +38,16 @@ BigComplex read_complex(const std::string& function, const std::string& re, cons
   return {read_argument(function, "re z", re), read_argument(function, "im z", im)};
 }
 
+std::optional<double> exact_double(const std::string& text) {
+  const Precision precision(std::numeric_limits<double>::max_digits10);
+  BigReal value;
+  char* end = nullptr;
+  const int rounded = mpfr_strtofr(value.backend().data(), text.c_str(), &end, 10, MPFR_RNDN);
+  if (rounded != 0 || text.empty() || *end != '\0' || !isfinite(value)) return std::nullopt;
+  const auto number = value.convert_to<double>();
+  return value == number ? std::optional(number) : std::nullopt;
+}
+
 void require_order(const std::string& function, double alpha) { check_order(function, alpha); }
 void require_order(const std::string& function, const BigReal& alpha) { check_order(function, alpha); }
 
@@ -78,6 +88,16 @@ DecimalComplex write_complex(const Bounded<BigReal>& x, bool real, int digits) {
   if (real) return {re.value, "0", write_bound(re.bound)};
   const DecimalText im = write_decimal(imag_part<BigReal>(x.value), x.bound, digits);
   return {re.value, im.value, write_bound(BigReal(re.bound + im.bound))};
+}
+
+MittagLefflerValue rounded_to_double(const DecimalComplex& written) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (written.bound == "inf") return {infinity, infinity};
+  constexpr int guard_digits = 10;
+  const Precision precision(static_cast<int>(std::max(written.re.size(), written.im.size())) + guard_digits);
+  const auto [value, bound] = to_double(
+      {BigComplex(parse<BigReal>(written.re), parse<BigReal>(written.im)), parse<BigReal>(written.bound)});
+  return {value, bound};
 }
 
 }  // namespace fde

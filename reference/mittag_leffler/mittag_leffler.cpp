@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "laplace/contour.hpp"
@@ -55,6 +56,14 @@ MittagLefflerValue upper_half_plane(double alpha, double beta, std::complex<doub
   return {real ? std::complex(value.real()) : value, bound};
 }
 
+// Whether E of an order below 1e-30 is proportional to it, as at a zero beta of 1/Gamma:
+//   E_{alpha,beta}(z) = alpha (1/Gamma)'(beta) z/(1-z)^2 (1 + O(alpha)),
+// where no pole s^alpha = z is near. The rounding of the order is then that of the value.
+bool is_proportional_to_order(double alpha, double beta, std::complex<double> z) {
+  return alpha <= 1e-30 && beta <= 0.0 && beta >= -170.0 && std::floor(beta) == beta &&
+         (z.real() <= 0.5 || std::abs(z) <= 0.5);
+}
+
 }  // namespace
 
 MittagLefflerValue mittag_leffler(double alpha, double beta, std::complex<double> z) {
@@ -83,6 +92,23 @@ DecimalComplex mittag_leffler(const std::string& alpha, const std::string& beta,
   require_parameter(function_name, "beta", x.beta);
   const int places = std::max(decimal_places(alpha), decimal_places(beta));
   return write_complex(mittag_leffler_to(digits, places, read), x.real(), digits);
+}
+
+MittagLefflerValue mittag_leffler_in_double(const std::string& alpha, const std::string& beta,
+                                            const std::string& re, const std::string& im) {
+  constexpr int guard_digits = 3;
+  const auto order = exact_double(alpha), parameter = exact_double(beta), x = exact_double(re),
+             y = exact_double(im);
+  if (parameter && x && y) {
+    const std::complex<double> z(*x, *y);
+    if (order) return mittag_leffler(*order, *parameter, z);
+    const double near = std::strtod(alpha.c_str(), nullptr);
+    if (near >= std::numeric_limits<double>::min() && is_proportional_to_order(near, *parameter, z)) {
+      const auto [value, bound] = mittag_leffler(near, *parameter, z);
+      return {value, bound + std::numeric_limits<double>::epsilon() * std::abs(value)};
+    }
+  }
+  return rounded_to_double(mittag_leffler(alpha, beta, re, im, double_digits + guard_digits));
 }
 
 }  // namespace fde

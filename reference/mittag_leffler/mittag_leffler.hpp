@@ -28,4 +28,8 @@ struct DecimalComplex {
 DecimalComplex mittag_leffler(const std::string& alpha, const std::string& beta, const std::string& re,
                               const std::string& im, int digits);
 
+// The same rounded to double. Where all texts name doubles this is the function of these, in microseconds.
+MittagLefflerValue mittag_leffler_in_double(const std::string& alpha, const std::string& beta,
+                                            const std::string& re, const std::string& im);
+
 }  // namespace fde

@@ -1,16 +1,72 @@
 #include "numbers/reciprocal_gamma.hpp"
 
+#include "progress/work.hpp"
+
 namespace fde {
+namespace {
+
+// Gamma on [1, 2] to about the digits of the moment, from the series of the lower incomplete function,
+//   gamma(x, N) = N^x e^-N sum_k N^k / (x (x+1) ... (x+k)),   Gamma(x) - gamma(x, N) <= 2 N^(x-1) e^-N.
+// All terms are positive.
+BigReal gamma_by_series(const BigReal& x) {
+  const auto many = static_cast<unsigned>(std::numbers::ln10 * BigReal::default_precision()) + 1;
+  constexpr unsigned terms = 4;  // times N at most: they fall from the N-th on
+  const auto smallest = epsilon<BigReal>();
+  BigReal term = 1 / x, sum = term;
+  for (unsigned k = 1; k < many || term > smallest * sum; ++k) {
+    report_work(k, std::size_t{terms} * many);
+    term *= many;
+    term /= x + k;
+    sum += term;
+  }
+  return sum * exp(BigReal(x * log(BigReal(many)) - many));
+}
+
+// Gamma of x >= 1/2. mpfr's own takes minutes from some thousand digits on and cannot be ended.
+BigReal patient_gamma(const BigReal& x) {
+  constexpr unsigned few_digits = 2000;
+  constexpr int guard_digits = 25;
+  const unsigned digits = BigReal::default_precision();
+  if (digits <= few_digits) return gamma(x);
+  BigReal result;
+  const Precision precision(static_cast<int>(digits) + guard_digits);
+  BigReal argument, factor(1);
+  mpfr_set(argument.backend().data(), x.backend().data(), MPFR_RNDN);
+  if (argument < 1) {
+    factor /= argument;
+    argument += 1;
+  }
+  for (; argument > 2; report_work(0)) {
+    argument -= 1;
+    factor *= argument;
+  }
+  const BigReal known = factor * gamma_by_series(argument);
+  mpfr_set(result.backend().data(), known.backend().data(), MPFR_RNDN);
+  return result;
+}
+
+// With Gamma(x) Gamma(1-x) sin(pi x) = pi.
+BigReal patient_reciprocal_gamma(const BigReal& x) {
+  constexpr unsigned few_digits = 2000;
+  if (BigReal::default_precision() <= few_digits) return reciprocal_gamma(x);
+  if (x > 0.5) return 1 / patient_gamma(x);
+  const BigReal whole = round(x), beyond = x - whole;
+  const bool even = BigReal(2 * round(BigReal(whole / 2))) == whole;
+  const BigReal sine = sin(BigReal(pi<BigReal>() * beyond));
+  return patient_gamma(BigReal(1 - x)) * (even ? sine : BigReal(-sine)) / pi<BigReal>();
+}
+
+}  // namespace
 
 void add_reciprocal_gamma(Sum<BigReal>& sum, const BigComplex& factor, const BigReal& x, const BigReal& size,
                           const BigReal& factor_ulps) {
   const BigReal whole = round(x), rounding = 4 * size * epsilon<BigReal>();
   if (whole <= 0 && abs(BigReal(x - whole)) <= rounding) return;
-  sum.add(BigComplex(factor * reciprocal_gamma(x)),
+  sum.add(BigComplex(factor * patient_reciprocal_gamma(x)),
           BigReal((factor_ulps + 12 + 4 * size) * epsilon<BigReal>()));
   if (x > 0.5) return;
   // The slope of 1/Gamma is at most this; next to a pole of Gamma it makes nearly all of the error.
-  const BigReal slope = gamma(BigReal(1 - x)) * (2 + log(BigReal(2 + abs(x))));
+  const BigReal slope = patient_gamma(BigReal(1 - x)) * (2 + log(BigReal(2 + abs(x))));
   sum.error += size_of(factor) * slope * rounding;
 }
 

@@ -2,8 +2,10 @@
 
 #include <stdexcept>
 
+#include "numbers/log_gamma.hpp"
 #include "numbers/reciprocal_gamma.hpp"
 #include "prabhakar_and_matrix/prabhakar_transform.hpp"
+#include "progress/work.hpp"
 
 namespace fde {
 namespace {
@@ -18,7 +20,10 @@ BigReal tail(const PrabhakarArguments& x, int k, const BigComplex& next) {
   const BigReal power = abs(x.z) * std::max(BigReal(1), BigReal(abs(growing) / (k + 2)));
   const BigReal ratio = argument < 2 ? power : BigReal(power * pow(BigReal(argument - 1), -x.alpha));
   if (argument < 0 || growing <= 0 || ratio > 0.9) return {std::numeric_limits<double>::infinity()};
-  const BigReal first = argument < 2 ? BigReal(1.13) : reciprocal_gamma(argument);
+  constexpr double upwards = 1.01;
+  const BigReal first = argument < 2
+                            ? BigReal(1.13)
+                            : BigReal(upwards * exp(BigReal(-log_gamma(argument.convert_to<double>()))));
   return size_of(next) * first / (1 - ratio);
 }
 
@@ -30,6 +35,7 @@ Sum<BigReal> prabhakar_series(const PrabhakarArguments& x) {
   BigComplex factor(1);  // (gamma)_k z^k / k!
   BigReal factor_ulps(0);
   for (int k = 0; k < most_terms; ++k) {
+    report_work(static_cast<std::size_t>(k));
     // beta of a derivative is itself beta + (gamma - 1) alpha
     const BigReal argument = x.alpha * k + x.beta, size = x.alpha * (k + 2 * abs(x.gamma)) + abs(x.beta);
     const BigReal ulps = factor_ulps + abs(argument) * (2 + 2 * log1p(abs(argument)));

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scenes/number_text.hpp"
 
 namespace fde {
@@ -40,6 +42,22 @@ void add_options(Subcommand& command, MeansArguments& arguments) {
                  "relative, of Newton's method and of the weights of the past; default rounding");
   command.option("--budget", arguments.budget,
                  fmt::format("seconds after which the run ends; default {}", arguments.budget));
+}
+
+void require_decimal(std::string_view name, std::string_view text) {
+  if (!is_decimal(text)) reject_text(name, text, any_number.text());
+}
+
+std::optional<double> parse_budget(const std::optional<std::string>& text) {
+  if (!text) return std::nullopt;
+  return parse_number("--budget", *text, positive);
+}
+
+std::vector<double> sorted_times(std::string_view name, std::string_view text) {
+  auto times = parse_numbers(name, text, not_negative);
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
 }
 
 Accuracy parse_accuracy(std::string_view text) {

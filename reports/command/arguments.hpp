@@ -39,6 +39,15 @@ struct MeansArguments {
 void add_options(Subcommand& command, MeansArguments& arguments);
 Setup parse_means(const MeansArguments& arguments);
 
+// Throws where the text is no decimal number; it may be beyond double.
+void require_decimal(std::string_view name, std::string_view text);
+
+// The seconds of --budget; none where it is not given.
+std::optional<double> parse_budget(const std::optional<std::string>& text);
+
+// "2,1,2" into 1, 2: times that are not negative, in increasing order, each once.
+std::vector<double> sorted_times(std::string_view name, std::string_view text);
+
 Accuracy parse_accuracy(std::string_view text);  // one number, relative and absolute
 
 inline constexpr int most_digits = 100'000;

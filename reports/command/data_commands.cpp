@@ -45,13 +45,21 @@ void print(const TableVerdict& verdict, std::ostream& out) {
   for (const auto& what : verdict.absent) out << fmt::format("  absent: {}\n", what);
 }
 
+// Of tables without a wrong row. Only one that says what it is of can hold.
+std::string outcome(const std::vector<TableVerdict>& tables) {
+  const auto guessed = std::ranges::count(tables, false, &TableVerdict::described);
+  if (guessed == 0) return "all hold";
+  return fmt::format("none is wrong, but {} without a JSON {} not say what {}", guessed,
+                     guessed == 1 ? "does" : "do", guessed == 1 ? "it is" : "they are");
+}
+
 std::string summary(const std::vector<TableVerdict>& tables) {
   const auto worst =
       std::ranges::max_element(tables, {}, [](const TableVerdict& table) { return table.worst.ratio; });
   std::size_t rows = 0;
   for (const auto& table : tables) rows += table.recomputed;
-  return fmt::format("{} tables, {} rows recomputed: all hold; worst ratio {:.3g}, {} line {}", tables.size(),
-                     rows, worst->worst.ratio, worst->table, worst->worst_line);
+  return fmt::format("{} tables, {} rows recomputed: {}; worst ratio {:.3g}, {} line {}", tables.size(), rows,
+                     outcome(tables), worst->worst.ratio, worst->table, worst->worst_line);
 }
 
 // A wrong number weighs more than a checksum, which it changes too.

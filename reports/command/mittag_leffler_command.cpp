@@ -4,9 +4,15 @@
 #include <cmath>
 #include <optional>
 #include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
+#include "command/reference_work.hpp"
+#include "mittag_leffler/decimal_arguments.hpp"
+#include "mittag_leffler/mittag_leffler.hpp"
 #include "prabhakar_and_matrix/mittag_leffler_matrix.hpp"
 #include "prabhakar_and_matrix/prabhakar.hpp"
 #include "references/written_bound.hpp"
@@ -17,13 +23,12 @@ namespace {
 
 struct Arguments {
   std::string alpha, beta;
-  std::optional<std::string> z, derivative, gamma, matrix, digits;
+  std::optional<std::string> z, derivative, gamma, matrix, digits, budget;
 };
 
-struct Function {
-  double alpha = 0.0, beta = 0.0;
-  std::optional<int> digits{};
-};
+// Without --digits values are doubles; then these are enough to round one, with a bound of hardly more than
+// half its last place.
+constexpr int digits_of_doubles = 20;
 
 [[noreturn]] void reject_option(std::string_view name, const std::string& value, std::string_view allowed) {
   throw std::invalid_argument(fmt::format("{} = {}: must be {}", name, value, allowed));
@@ -39,11 +44,16 @@ void check(const Arguments& x) {
     throw std::invalid_argument("Z is missing: must be RE, RE,IM or RE+IMi, or --matrix in its place");
 }
 
-Function function_of(const Arguments& x) {
-  Function function{.alpha = parse_number("ALPHA", x.alpha, {.low = 0.0, .high = 5.0, .open_low = true}),
-                    .beta = parse_number("BETA", x.beta, any_number)};
-  if (x.digits) function.digits = parse_count("--digits", *x.digits, 1, most_digits);
-  return function;
+// What can be said of the parameters before z is looked at.
+void check_parameters(const Arguments& x) {
+  parse_number("ALPHA", x.alpha, {.low = 0.0, .high = 5.0, .open_low = true});
+  require_decimal("BETA", x.beta);
+  if (x.gamma) require_decimal("--gamma", *x.gamma);
+}
+
+std::optional<int> digits_of(const Arguments& x) {
+  if (!x.digits) return std::nullopt;
+  return parse_count("--digits", *x.digits, 1, most_digits);
 }
 
 // A value of digits without a finite bound is beyond the exponents of the multiprecision type.
@@ -65,26 +75,35 @@ void print(std::complex<double> value, double bound, std::ostream& out) {
                      bound_text(bound_of_text(value.imag(), bound_of_text(value.real(), bound))));
 }
 
-void of_number(const Arguments& x, const Function& function, std::ostream& out) {
-  const auto [re, im] = split_complex(*x.z);
-  const auto [alpha, beta, digits] = function;
-  // Decimals need not be within the range of a double.
-  if (digits && !x.derivative && !x.gamma)
-    return print(mittag_leffler(x.alpha, x.beta, re, im, *digits), out);
-  const std::complex<double> z{parse_number("Z", re, any_number), parse_number("Z", im, any_number)};
+DecimalComplex in_digits(const Arguments& x, const ComplexText& z, int digits) {
   if (x.derivative) {
     const int k = parse_count("--derivative", *x.derivative, 0, most_derivatives);
-    if (digits) return print(mittag_leffler_derivative(k, x.alpha, x.beta, re, im, *digits), out);
-    const auto [value, bound] = mittag_leffler_derivative(k, alpha, beta, z);
-    return print(value, bound, out);
+    return mittag_leffler_derivative(k, x.alpha, x.beta, z.re, z.im, digits);
   }
-  if (x.gamma) {
-    const double gamma = parse_number("--gamma", *x.gamma, any_number);
-    if (digits) return print(prabhakar(x.alpha, x.beta, *x.gamma, re, im, *digits), out);
-    const auto [value, bound] = prabhakar(alpha, beta, gamma, z);
-    return print(value, bound, out);
-  }
-  const auto [value, bound] = mittag_leffler(alpha, beta, z);
+  return x.gamma ? prabhakar(x.alpha, x.beta, *x.gamma, z.re, z.im, digits)
+                 : mittag_leffler(x.alpha, x.beta, z.re, z.im, digits);
+}
+
+// The same in double, in microseconds where each argument is a double: 0.5, not 0.1.
+MittagLefflerValue in_double(const Arguments& x, const ComplexText& text) {
+  if (!x.derivative && !x.gamma) return mittag_leffler_in_double(x.alpha, x.beta, text.re, text.im);
+  const auto alpha = exact_double(x.alpha), beta = exact_double(x.beta),
+             gamma = exact_double(x.gamma.value_or("1")), re = exact_double(text.re),
+             im = exact_double(text.im);
+  if (!alpha || !beta || !gamma || !re || !im)
+    return rounded_to_double(in_digits(x, text, digits_of_doubles));
+  const std::complex<double> z(*re, *im);
+  if (x.gamma) return prabhakar(*alpha, *beta, *gamma, z);
+  const int k = parse_count("--derivative", *x.derivative, 0, most_derivatives);
+  return mittag_leffler_derivative(k, *alpha, *beta, z);
+}
+
+void of_number(const Arguments& x, std::ostream& out) {
+  const auto z = split_complex(*x.z);
+  require_decimal("Z", z.re);
+  require_decimal("Z", z.im);
+  if (const auto digits = digits_of(x)) return print(in_digits(x, z, *digits), out);
+  const auto [value, bound] = in_double(x, z);
   print(value, bound, out);
 }
 
@@ -104,38 +123,60 @@ std::vector<DecimalComplex> entries_of(const std::string& text) {
     }
     for (const auto& entry : row) {
       const auto [re, im] = split_complex(entry);
+      require_decimal("--matrix", re);
+      require_decimal("--matrix", im);
       entries.push_back({re, im, "0"});
     }
   }
   return entries;
 }
 
-void of_matrix(const Arguments& x, const Function& function, std::ostream& out) {
-  const auto entries = entries_of(*x.matrix);
-  std::vector<std::complex<double>> numbers;
-  for (const auto& [re, im, bound] : entries)
-    numbers.emplace_back(parse_number("--matrix", re, any_number), parse_number("--matrix", im, any_number));
-  const auto size = static_cast<Eigen::Index>(std::lround(std::sqrt(static_cast<double>(entries.size()))));
-  if (function.digits) {
-    const auto values = mittag_leffler(x.alpha, x.beta, entries, *function.digits);
-    std::ranges::for_each(values, require_known);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      out << fmt::format("{} {} ", i / static_cast<std::size_t>(size) + 1,
-                         i % static_cast<std::size_t>(size) + 1);
-      print(values[i], out);
+void print(const std::vector<DecimalComplex>& entries, std::size_t size, bool in_double, std::ostream& out) {
+  std::ranges::for_each(entries, require_known);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto place = fmt::format("{} {} ", i / size + 1, i % size + 1);
+    if (in_double) {
+      const auto [value, bound] = rounded_to_double(entries[i]);
+      out << place;
+      print(value, bound, out);
+    } else {
+      out << place;
+      print(entries[i], out);
     }
-    return;
   }
-  using ByRows = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const ComplexMatrix matrix = Eigen::Map<const ByRows>(numbers.data(), size, size);
-  const auto [value, bound] = mittag_leffler(function.alpha, function.beta, matrix);
+}
+
+void print(const MatrixValue& matrix, std::ostream& out) {
+  const auto& [value, bound] = matrix;
   if (!value.allFinite() || !bound.allFinite()) refuse_overflow();
-  for (Eigen::Index i = 0; i < size; ++i) {
-    for (Eigen::Index j = 0; j < size; ++j) {
+  for (Eigen::Index i = 0; i < value.rows(); ++i) {
+    for (Eigen::Index j = 0; j < value.cols(); ++j) {
       out << fmt::format("{} {} ", i + 1, j + 1);
       print(value(i, j), bound(i, j), out);
     }
   }
+}
+
+// The entries where all are doubles, and with them the parameters.
+std::optional<ComplexMatrix> exact_matrix(const std::vector<DecimalComplex>& entries, Eigen::Index size) {
+  ComplexMatrix matrix(size, size);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto re = exact_double(entries[i].re), im = exact_double(entries[i].im);
+    if (!re || !im) return std::nullopt;
+    const auto at = static_cast<Eigen::Index>(i);
+    matrix(at / size, at % size) = {*re, *im};
+  }
+  return matrix;
+}
+
+void of_matrix(const Arguments& x, std::ostream& out) {
+  const auto entries = entries_of(*x.matrix);
+  const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(entries.size()))));
+  const auto digits = digits_of(x);
+  const auto alpha = exact_double(x.alpha), beta = exact_double(x.beta);
+  const auto matrix = exact_matrix(entries, static_cast<Eigen::Index>(size));
+  if (!digits && alpha && beta && matrix) return print(mittag_leffler(*alpha, *beta, *matrix), out);
+  print(mittag_leffler(x.alpha, x.beta, entries, digits.value_or(digits_of_doubles)), size, !digits, out);
 }
 
 }  // namespace
@@ -151,11 +192,18 @@ void add_mittag_leffler_command(CommandLine& program, const Streams& streams, co
   command.option("--matrix", arguments->matrix,
                  "\"1,2;3,4+i\" in place of Z; then a line for each entry: row column re im bound");
   command.option("--digits", arguments->digits, "number of decimal digits; default double");
+  command.option("--budget", arguments->budget, "seconds after which the evaluation ends; default none");
   command.callback([=] {
     check(*arguments);
-    const Function function = function_of(*arguments);
-    if (arguments->matrix) return of_matrix(*arguments, function, streams.out);
-    of_number(*arguments, function, streams.out);
+    check_parameters(*arguments);
+    ReferenceWork work(streams, parse_budget(arguments->budget), "the value");
+    try {
+      std::ostringstream lines;
+      arguments->matrix ? of_matrix(*arguments, lines) : of_number(*arguments, lines);
+      streams.out << lines.str();
+    } catch (const WorkEnded&) {
+      work.fail();
+    }
   });
 }
 

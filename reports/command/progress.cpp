@@ -12,14 +12,18 @@ namespace {
 
 using std::chrono::duration;
 
-// Of a text that fits.
-void overwrite_line(const Streams& streams, const std::string& text) {
-  streams.err << fmt::format("\r{:<{}}", text, streams.columns - 1);
+// One that is overwritten on a terminal, another one elsewhere.
+void show_line(const Streams& streams, const std::string& text) {
+  if (streams.columns > 0) {
+    streams.err << fmt::format("\r{0:<{1}.{1}}", text, streams.columns - 1);
+  } else {
+    streams.err << text << '\n';
+  }
   streams.err.flush();
 }
 
-void overwrite_line(const Streams& streams, const Progress& progress) {
-  overwrite_line(streams, progress_text(progress, streams.columns));
+void show_line(const Streams& streams, const Progress& progress) {
+  show_line(streams, progress_text(progress, streams.columns));
 }
 
 std::string bar_text(double part) {
@@ -49,31 +53,42 @@ std::string progress_text(const Progress& progress, int columns) {
 }
 
 std::function<void(std::size_t, std::size_t, const std::string&)> progress_line(const Streams& streams) {
-  return [&streams](std::size_t done, std::size_t total, const std::string& what) {
-    if (streams.columns == 0) return;
-    const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 1.0;
-    overwrite_line(streams, {.part = part, .done = done, .total = total, .at_hand = what});
-    if (done == total) streams.err << '\n';
-  };
+  using namespace std::chrono_literals;
+  using Clock = std::chrono::steady_clock;
+  return
+      [&streams, shown = Clock::now()](std::size_t done, std::size_t total, const std::string& what) mutable {
+        const bool terminal = streams.columns > 0;
+        if (!terminal && Clock::now() - shown < 1min) return;
+        shown = Clock::now();
+        const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 1.0;
+        show_line(streams, {.part = part, .done = done, .total = total, .at_hand = what});
+        if (terminal && done == total) streams.err << '\n';
+      };
 }
 
 void show_work(const Streams& streams, std::size_t done, std::size_t total, const std::string& what) {
   if (total > 0) {
     const double part = static_cast<double>(done) / static_cast<double>(total);
-    return overwrite_line(streams, {.part = part, .done = done, .total = total, .at_hand = what});
+    return show_line(streams, {.part = part, .done = done, .total = total, .at_hand = what});
   }
-  const std::string text = fmt::format("{}  {} steps", what, done);
-  overwrite_line(streams, text.substr(0, static_cast<std::size_t>(streams.columns - 1)));
+  show_line(streams, fmt::format("{}{}{} steps", what, what.empty() ? "" : "  ", done));
 }
 
-SweepProgress::SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact)
+SweepProgress::SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact,
+                             std::chrono::milliseconds between_lines)
     : streams_(streams), remaining_(std::move(expected)) {
   constexpr double worth_saying = 5.0;
   const double seconds = remaining_.seconds_left(0.0);
-  if (seconds < worth_saying) return;
-  streams_.err << fmt::format("{}{} runs, about {}\n", count_is_exact ? "" : "about ",
-                              remaining_.runs_expected(), duration_text(seconds));
-  streams_.err.flush();
+  if (seconds >= worth_saying) {
+    streams_.err << fmt::format("{}{} runs, about {}\n", count_is_exact ? "" : "about ",
+                                remaining_.runs_expected(), duration_text(seconds));
+    streams_.err.flush();
+  }
+  if (streams_.columns > 0) return;
+  lines_ = std::jthread([this, between_lines](const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (!ended_.wait_for(lock, stop, between_lines, [&] { return stop.stop_requested(); })) show();
+  });
 }
 
 SweepProgress::~SweepProgress() {
@@ -82,20 +97,20 @@ SweepProgress::~SweepProgress() {
 
 void SweepProgress::hear(const SweepEvent& event) {
   using namespace std::chrono_literals;
+  const std::scoped_lock lock(mutex_);
   remaining_.hear(event);
-  const bool terminal = streams_.columns > 0;
-  const auto now = Clock::now();
-  if (line_is_open_ ? now - shown_ < 100ms : !terminal && now - shown_ < 1min) return;
-  shown_ = now;
-  const Progress progress{.part = remaining_.part_done(),
-                          .done = remaining_.runs_done(),
-                          .total = remaining_.runs_expected(),
-                          .seconds_left = remaining_.seconds_left(duration<double>(now - start_).count()),
-                          .at_hand = remaining_.at_hand()};
-  line_is_open_ = terminal;
-  if (terminal) return overwrite_line(streams_, progress);
-  streams_.err << progress_text(progress, 0) << '\n';
-  streams_.err.flush();
+  const bool soon = line_is_open_ && Clock::now() - shown_ < 100ms;
+  if (streams_.columns > 0 && !soon) show();
+}
+
+void SweepProgress::show() {
+  shown_ = Clock::now();
+  line_is_open_ = streams_.columns > 0;
+  show_line(streams_, {.part = remaining_.part_done(),
+                       .done = remaining_.runs_done(),
+                       .total = remaining_.runs_expected(),
+                       .seconds_left = remaining_.seconds_left(duration<double>(shown_ - start_).count()),
+                       .at_hand = remaining_.at_hand()});
 }
 
 }  // namespace fde

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "command/command.hpp"
 #include "sweep/remaining.hpp"
@@ -27,18 +30,21 @@ std::string duration_text(double seconds);
 // terminal: the same without the bar and the work at hand.
 std::string progress_text(const Progress& progress, int columns);
 
-// Overwrites one line of err with what has been done, on a terminal only.
+// Shows on err what has been done: on a terminal in one line, elsewhere in a line a minute.
 std::function<void(std::size_t done, std::size_t total, const std::string& what)> progress_line(
     const Streams& streams);
 
-// The same for work whose end may not be known: without a total only what is at hand and the steps done.
+// The same at once, for work whose end may not be known: without a total only what is at hand and the steps
+// done.
 void show_work(const Streams& streams, std::size_t done, std::size_t total, const std::string& what);
 
 // Shows on err how far a sweep is: before it how many runs and how long it is expected to take, where that is
-// more than some seconds; then the progress, on a terminal in one line, otherwise in a line a minute.
+// more than some seconds; then the progress, on a terminal in one line, otherwise in a line a minute, also
+// during a run that takes longer.
 class SweepProgress {
  public:
-  SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact);
+  SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact,
+                std::chrono::milliseconds between_lines = std::chrono::minutes(1));
   SweepProgress(const SweepProgress&) = delete;
   SweepProgress& operator=(const SweepProgress&) = delete;
   ~SweepProgress();  // ends the line
@@ -47,11 +53,15 @@ class SweepProgress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  void show();
 
   const Streams& streams_;
+  std::mutex mutex_{};  // of what follows
   Remaining remaining_;
   Clock::time_point start_ = Clock::now(), shown_ = start_;
   bool line_is_open_ = false;
+  std::condition_variable_any ended_{};
+  std::jthread lines_{};  // where there is no terminal
 };
 
 }  // namespace fde

@@ -25,6 +25,8 @@ struct ExactArguments {
   bool bounds = false;
 };
 
+std::string time_text(double t) { return fmt::format("t = {}", t); }
+
 // The columns may be finite, and what is said of them not.
 void require_finite(bool finite, std::string_view what, std::string_view range, double t) {
   if (!finite) throw NumericalFailure(fmt::format("the {} is beyond {} at t = {}", what, range, t));
@@ -59,10 +61,10 @@ std::string rows_in_double(const Scene& scene, const std::vector<double>& times,
   auto names = printed_names(scene);
   if (scene.reactions.known()) std::ranges::copy(reaction_names(scene), std::back_inserter(names));
   std::string rows = header(names, scene.outputs.names, each_bound);
-  work.begin(scene.problem.end);
+  work.begin(time_text(scene.problem.end));
   const Reference exact = reference_of(scene);
   for (const double t : times) {
-    work.begin(t);
+    work.begin(time_text(t));
     const auto [value, bounds] = exact.at(t);
     report_work(1, 1);
     require_finite(value.allFinite(), "exact solution", "double", t);
@@ -82,7 +84,7 @@ std::string rows_in_digits(const Scene& scene, const std::vector<double>& times,
                            ReferenceWork& work) {
   std::string rows = header(scene.outputs.names, scene.outputs.names, each_bound);
   for (const double t : times) {
-    work.begin(t);
+    work.begin(time_text(t));
     const auto decimals = scene.reference.digits(t, digits);
     report_work(1, 1);
     rows += fmt::format("{}", t);
@@ -109,16 +111,15 @@ std::optional<int> parse_digits(const ExactArguments& arguments, const Scene& sc
 void exact(const ExactArguments& arguments, const Streams& streams, const Scenes& known) {
   const auto variant = read_variant(arguments.scene, known);
   Scene scene = make_known_scene(*variant.maker, variant.values);
-  const auto times = parse_numbers("--at", arguments.at, not_negative);
-  const double last = std::ranges::max(times);
-  std::optional<double> budget;
-  if (arguments.budget) budget = parse_number("--budget", *arguments.budget, positive);
+  const auto times = sorted_times("--at", arguments.at);
+  const double last = times.back();
+  const auto budget = parse_budget(arguments.budget);
   const bool two_ends = two_sided(scene.problem);
   if (two_ends && last > scene.problem.end)
     reject("--at", last, fmt::format("in [0, {}], the time of the scene", scene.problem.end));
   const auto digits = parse_digits(arguments, scene, variant.maker->id);
   if (!digits && !two_ends && last > 0.0) scene.problem.end = last;
-  ReferenceWork work(streams, budget);
+  ReferenceWork work(streams, budget, "the reference");
   try {
     streams.out << (digits ? rows_in_digits(scene, times, *digits, arguments.bounds, work)
                            : rows_in_double(scene, times, arguments.bounds, work));

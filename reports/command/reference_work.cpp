@@ -3,14 +3,16 @@
 #include <fmt/format.h>
 
 #include <ostream>
+#include <utility>
 
 #include "command/progress.hpp"
 
 namespace fde {
 
-ReferenceWork::ReferenceWork(const Streams& streams, std::optional<double> budget)
+ReferenceWork::ReferenceWork(const Streams& streams, std::optional<double> budget, std::string sought)
     : streams_(streams),
       budget_(budget),
+      sought_(std::move(sought)),
       listening_([this](std::size_t done, std::size_t total) { hear(done, total); }) {}
 
 ReferenceWork::~ReferenceWork() {
@@ -18,18 +20,19 @@ ReferenceWork::~ReferenceWork() {
 }
 
 void ReferenceWork::fail() const {
-  throw NumericalFailure(
-      fmt::format("the budget of {:g} s ran out before the reference was known at t = {}", *budget_, time_));
+  throw NumericalFailure(fmt::format("the budget of {:g} s ran out before {} was known{}", *budget_, sought_,
+                                     place_.empty() ? "" : " at " + place_));
 }
 
 void ReferenceWork::hear(std::size_t done, std::size_t total) {
   using namespace std::chrono_literals;
   const auto now = Clock::now();
   if (budget_ && std::chrono::duration<double>(now - start_).count() > *budget_) throw WorkEnded();
-  if (streams_.columns == 0 || now - start_ < 1s || now - shown_ < 100ms) return;
+  const bool terminal = streams_.columns > 0;
+  if (terminal ? now - start_ < 1s || now - shown_ < 100ms : now - shown_ < 1min) return;
   shown_ = now;
-  line_is_open_ = true;
-  show_work(streams_, done, total, fmt::format("t = {}", time_));
+  line_is_open_ = terminal;
+  show_work(streams_, done, total, place_);
 }
 
 }  // namespace fde

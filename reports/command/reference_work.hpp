@@ -2,23 +2,26 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "command/command.hpp"
 #include "progress/work.hpp"
 
 namespace fde {
 
-// Listens to references that are evaluated while it lives: shows on err how far they are, on a terminal and
-// after a second, and ends them with WorkEnded when the budget is spent.
+// Listens to evaluations while it lives: shows on err how far they are, on a terminal after a second in one
+// line, otherwise in a line a minute, and ends them with WorkEnded when the budget is spent.
 class ReferenceWork {
  public:
-  ReferenceWork(const Streams& streams, std::optional<double> budget);
+  // sought: what is evaluated, "the reference".
+  ReferenceWork(const Streams& streams, std::optional<double> budget, std::string sought);
   ReferenceWork(const ReferenceWork&) = delete;
   ReferenceWork& operator=(const ReferenceWork&) = delete;
   ~ReferenceWork();  // takes the line away
 
-  // Evaluations from now on are for this time.
-  void begin(double t) { time_ = t; }
+  // Evaluations from now on are for this, "t = 1".
+  void begin(std::string place) { place_ = std::move(place); }
   // Throws NumericalFailure: what ran out, and where.
   [[noreturn]] void fail() const;
 
@@ -28,7 +31,7 @@ class ReferenceWork {
 
   const Streams& streams_;
   std::optional<double> budget_;
-  double time_ = 0.0;
+  std::string sought_, place_{};
   Clock::time_point start_ = Clock::now(), shown_ = start_;
   bool line_is_open_ = false;
   ListeningToWork listening_;

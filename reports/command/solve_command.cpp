@@ -12,6 +12,7 @@
 #include "observers/reaction_path.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/registry.hpp"
+#include "stepping/rates.hpp"
 #include "sweep/experiment.hpp"
 #include "trust/warnings.hpp"
 
@@ -176,8 +177,8 @@ void print_cost(const Scene& scene, const Scheme& scheme, const Resolution& reso
   if (grid != nullptr && cost.history_bytes) shown["history"] = name(resolve(history, step_plan(*grid)));
   add("history_bytes", cost.history_bytes);
   add("states", cost.states);
-  if (grid != nullptr && scheme.expected_rate)
-    shown["expected_rate"] = scheme.expected_rate(scene.problem, scene.smoothness, grid->grading, Norm::end);
+  if (grid != nullptr)
+    add("expected_rate", theoretical_rate(scheme, scene.problem, scene.smoothness, grid->grading, Norm::end));
   err << shown.dump() << '\n';
 }
 

@@ -7,6 +7,7 @@
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
+#include "command/last_words.hpp"
 #include "command/progress.hpp"
 #include "page/report.hpp"
 #include "records/results_file.hpp"
@@ -35,7 +36,8 @@ std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts,
   if (texts.empty() && !settings.empty()) reject_text("--set", settings.front(), "with --scene");
   if (texts.empty()) return sweep_scenes();
   std::vector<SceneVariant> variants;
-  for (const auto& text : texts) variants.push_back(parse_variant(text, settings, known));
+  for (const auto& text : texts)
+    std::ranges::copy(parse_variants(text, settings, known), std::back_inserter(variants));
   return variants;
 }
 
@@ -100,6 +102,9 @@ void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams,
 void run(const RunArguments& arguments, const Streams& streams, const Scenes& known) {
   const auto sweeps = sweeps_of(arguments, known);
   ResultsFile file(arguments.out);
+  const LastWords words(
+      fmt::format("{}fdebench: stopped; the same command continues, what is measured is kept\n",
+                  streams.columns > 0 ? "\n" : ""));
   run_and_show(
       sweeps, streams, [&](const RunKey& key) { return file.recorded(key); },
       [&](const auto& rows) { file.append(rows); });
@@ -112,7 +117,8 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
   auto of_run = std::make_shared<RunArguments>();
   Subcommand run_command(program, "run", "Measure schemes on scenes; a file that exists is continued");
   run_command.list("--scene", of_run->scenes, "ids of scenes, or ID:NAME=VALUE,...; default all");
-  run_command.list("--set", of_run->settings, "a parameter of all these scenes, NAME=VALUE");
+  run_command.list("--set", of_run->settings,
+                   "a parameter of all these scenes, NAME=VALUE or a range FIRST:LAST:STEP");
   run_command.list("--scheme", of_run->schemes, "ids of schemes; default all");
   run_command.option("--steps", of_run->steps, "numbers of steps N1,N2,...");
   run_command.option("--accuracy", of_run->accuracies,

@@ -32,6 +32,14 @@ function logAxis(points, field, title, labelExpr) {
   };
 }
 
+// Of a parameter: logarithmic where its values are of several sizes.
+function parameterAxis(points, title) {
+  const values = points.map((point) => point.value);
+  const [low, high] = [Math.min(...values), Math.max(...values)];
+  if (low > 0 && high > 50 * low) return logAxis(points, "value", title, labels.number);
+  return { field: "value", title, type: "quantitative", scale: { zero: false, nice: false, padding: 14 } };
+}
+
 // Colour and shape of the lines in this chart, the same on the whole page. A click in the legend isolates a line.
 function lineChannels(lines, shown) {
   const widest = 7 * Math.max(...shown.map((line) => line.length)) + 26;
@@ -47,11 +55,11 @@ function lineChannels(lines, shown) {
 
 const picked = { name: "picked", select: { type: "point", fields: ["line"] }, bind: "legend" };
 
-// Lines through the points of each scheme, in the order of their steps; hovering shows a point's words.
-function lineLayers(encoding, channels) {
+// Lines through the points of each scheme, by default in the order of their steps; hovering shows a point's words.
+function lineLayers(encoding, channels, field = "steps") {
   const all = { ...encoding, ...channels.colour };
   return [
-    { mark: { type: "line", strokeWidth: 1.5 }, encoding: { ...all, order: { field: "steps", type: "quantitative" } } },
+    { mark: { type: "line", strokeWidth: 1.5 }, encoding: { ...all, order: { field, type: "quantitative" } } },
     {
       mark: { type: "point", filled: true, size: 45, tooltip: { expr: "datum.words" } },
       params: [picked],
@@ -107,12 +115,30 @@ function energyAgainstStep(scene, channels) {
   };
 }
 
-// The charts of a scene that have points, as { title, spec }, with errors of this kind.
+// What is named by a field, over the parameter of the section.
+function overParameter(field, labelExpr, nameOf) {
+  return (section, channels, kind) => {
+    const name = nameOf(kind);
+    const points = section.points.filter((point) => point[field]);
+    const encoding = { x: parameterAxis(points, section.parameter), y: logAxis(points, field, name, labelExpr) };
+    return {
+      title: `${name[0].toUpperCase()}${name.slice(1)} over ${section.parameter}`, points,
+      spec: chart(`${section.title}: ${name}, a line for each scheme`, points, { layer: lineLayers(encoding, channels, "value") }),
+    };
+  };
+}
+
+const chartsOfScenes = [errorAgainstTime, errorAgainstStep, energyAgainstStep];
+const chartsOfCurves = [
+  overParameter("error", labels.number, (kind) => kind.title), overParameter("seconds", labels.time, () => "run time"),
+];
+
+// The charts of a scene, or over a parameter, that have points, as { title, spec }, with errors of this kind.
 function chartsOf(scene, lines, kind) {
   const shown = lines.filter((line) => scene.points.some((point) => point.line === line));
   const channels = lineChannels(lines, shown);
   const drawn = { ...scene, points: scene.points.map((point) =>
     ({ ...point, error: point.errors[kind.id], words: Object.fromEntries(point.words) })) };
-  return [errorAgainstTime, errorAgainstStep, energyAgainstStep]
+  return (scene.parameter ? chartsOfCurves : chartsOfScenes)
     .map((make) => make(drawn, channels, kind)).filter((made) => made.points.length > 0);
 }

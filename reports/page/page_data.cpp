@@ -98,6 +98,7 @@ json page_data(const Results& results) {
   add(answers_section(page));
   add(stability_section(page));
   for (auto& scene : scene_sections(page)) sections.push_back(std::move(scene));
+  for (auto& curves : curve_sections(page)) sections.push_back(std::move(curves));
   add(rates_section(page));
   add(drift_section(page));
   add(cost_section(page));

@@ -126,4 +126,11 @@ double split_rate(const RateTheory& theory, const Problem& problem, const Smooth
       {rate(theory, all, starts, grading, Norm::end), first_step, smallest_at_jumps(problem, smoothness)});
 }
 
+std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
+                                       const Smoothness& smoothness, double grading, Norm norm) {
+  const bool declared = smoothness.powers.size() == problem.components.size();
+  if (!scheme.expected_rate || !declared) return std::nullopt;
+  return scheme.expected_rate(problem, smoothness, grading, norm);
+}
+
 }  // namespace fde

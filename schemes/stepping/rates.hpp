@@ -47,4 +47,9 @@ double rate(const RateTheory& theory, const Problem& problem, const Smoothness& 
 double split_rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
                   const Links& links, double grading, Norm norm);
 
+// The rate that theory expects of a scheme, as Scheme::expected_rate has it; nullopt: there is none, or how
+// the solution starts is not declared.
+std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
+                                       const Smoothness& smoothness, double grading, Norm norm);
+
 }  // namespace fde

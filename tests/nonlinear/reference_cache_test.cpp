@@ -171,6 +171,23 @@ TEST_F(Cache, IsWhereTheEnvironmentSays) {
   setenv("FDEBENCH_CACHE", "", 1);
 }
 
+TEST_F(Cache, MakesNoHomeThatIsNotThere) {
+  const std::string home = std::getenv("HOME") == nullptr ? "" : std::getenv("HOME");
+  const auto nobody = folder_ / "nobody", cached = nobody / ".cache" / "fdebench";
+  const auto keep = [&] {
+    const Counted counted;
+    const ReferenceCache cache(cached);
+    cached_reference("cubic", counted.problem, cache);
+  };
+  setenv("HOME", nobody.c_str(), 1);
+  keep();
+  EXPECT_FALSE(fs::exists(nobody));
+  fs::create_directories(nobody);
+  keep();
+  EXPECT_TRUE(fs::exists(cached));
+  setenv("HOME", home.c_str(), 1);
+}
+
 TEST_F(Cache, HoldsScenesByTheirParametersAndEnd) {
   setenv("FDEBENCH_CACHE", folder_.c_str(), 1);
   auto scene = scene_of("pendulum");

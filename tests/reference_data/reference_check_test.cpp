@@ -87,6 +87,15 @@ TEST(ReferenceCheck, ABoundDecidesWhereThereIsOne) {
               testing::Not(Contains(HasSubstr("bound"))));
 }
 
+// A bound beyond double is met by any value.
+TEST(ReferenceCheck, ABoundThatSaysNothingMakesItsRowWrong) {
+  const auto verdict = verdict_of("e.csv", "alpha,beta,re_z,re,bound\n1,1,1,7,1e999\n1,1,1,2.7,0.02\n");
+  EXPECT_EQ(verdict.wrong, 1U);
+  EXPECT_EQ(verdict.worst_line, 2U);
+  EXPECT_THAT(verdict.worst.failure, HasSubstr("a bound of 1e999 says nothing of a value"));
+  EXPECT_THROW(verdict_of("e.csv", "alpha,beta,re_z,re,bound\n1,1,1,7,inf\n"), BadTable);
+}
+
 // The double nearest to e, as %.17g and as the shortest text that names it, in a column of 17 digits; and its
 // neighbours.
 TEST(ReferenceCheck, SeventeenDigitsAreADouble) {

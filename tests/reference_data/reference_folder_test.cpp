@@ -56,6 +56,17 @@ TEST_F(Written, PassesItsOwnCheck) {
                                 testing::Not(HasSubstr("absent"))));
 }
 
+// What a table without a description is of is a guess; the check says no more than that it is not wrong.
+TEST_F(Written, ATableWithoutItsJsonIsNotSaidToHold) {
+  for (const auto* name : {"index.json", "SHA256SUMS", "trajectories/power.json"}) fs::remove(data_ / name);
+  const auto answer = check(data_);
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out,
+              AllOf(HasSubstr("\n4 tables, 138 rows recomputed: none is wrong, but 1 without a JSON does not "
+                              "say what it is; worst ratio "),
+                    testing::Not(HasSubstr("hold"))));
+}
+
 TEST_F(Written, AWrongDigitIsFoundAndItsRowNamed) {
   change(data_ / "trajectories/power.csv", "\n12,144.", "\n12,145.");
   const auto answer = check(data_);

@@ -68,6 +68,15 @@ TEST(Exact, GivesAnyNumberOfDigits) {
 
 // nu tau^beta and its like are put together at the precision asked for. By mpmath's Talbot inversion at 60
 // digits.
+TEST(Exact, SortsTimesAndTakesEachOnceAsSolveDoes) {
+  for (const std::string digits : {"", " --digits 20"}) {
+    const auto sorted = fdebench("exact relaxation --at 0,1,2" + digits);
+    EXPECT_EQ(fdebench("exact relaxation --at 2,0,1,2" + digits).out, sorted.out);
+  }
+  const auto solved = fdebench("solve relaxation --scheme l1 --steps 4 --until 2 --at 2,0,1,2").out;
+  EXPECT_EQ(csv_rows(solved).size(), 3U);
+}
+
 TEST(Exact, TakesDecimalsAtTheirWord) {
   EXPECT_THAT(fdebench("exact damped_oscillator --at 1 --digits 40").out,
               HasSubstr("0.33194262273616016761353451367782687069"));

@@ -12,8 +12,10 @@
 #include <sstream>
 
 #include "command/command.hpp"
+#include "records/results_file.hpp"
 #include "scenes/variant.hpp"
 #include "support/answer_of_words.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -94,6 +96,40 @@ SceneMaker decay() {
                     .smoothness = {{power_lattice({p["g"]}, {p["g"]}, p["g"] + 2.0)}},
                     .outputs = {{"y"}}};
           }};
+}
+
+// How its solution starts is not declared: no rate is expected of any scheme, and everything else is done.
+TEST(ScenesMadeAtRunTime, NeedNoSmoothness) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "r.jsonl").string();
+  Scenes mine;
+  SceneMaker bare = decay(), wrong = decay();
+  bare.make = [](const Parameters& p) {
+    Scene scene = decay().make(p);
+    scene.smoothness = {};
+    return scene;
+  };
+  wrong.id = "wrong";
+  wrong.make = [](const Parameters& p) {
+    Scene scene = decay().make(p);
+    scene.smoothness.powers.push_back({1.0});
+    return scene;
+  };
+  mine.add(bare);
+  mine.add(wrong);
+  const auto run = fde::fdebench({"run", "--scene", "decay", "--steps", "16,32,64", "--out", file}, mine);
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const auto& row : read_results(file).records)
+    EXPECT_THAT(row.quantity, testing::Not(StartsWith("expected_rate")));
+  for (const std::string scheme : {"l1", "decoupled_multi_order", "grunwald_letnikov"}) {
+    const auto solved = fde::fdebench({"solve", "decay", "--scheme", scheme, "--steps", "8", "--cost"}, mine);
+    EXPECT_EQ(solved.code, 0) << solved.err;
+    EXPECT_THAT(solved.err, testing::Not(HasSubstr("expected_rate")));
+  }
+  EXPECT_EQ(fde::fdebench({"choose", "decay", "--error", "1e-2"}, mine).code, 0);
+  const auto refused = fde::fdebench({"solve", "wrong", "--scheme", "l1", "--steps", "8"}, mine);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("scene wrong: its smoothness has 2 rows for 1 components"));
 }
 
 TEST(ScenesMadeAtRunTime, AreListedSolvedAndKnown) {

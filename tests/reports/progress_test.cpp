@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <sstream>
+#include <thread>
 
 namespace fde {
 namespace {
@@ -32,6 +34,20 @@ TEST(ProgressTexts, AreShorterThanAnyTerminal) {
 
 TEST(ProgressTexts, OfNoTerminalHaveNoBar) {
   EXPECT_EQ(progress_text(quarter, 0), " 25 %  530/2120  2 min 31 s left");
+}
+
+// What work without a known end shows.
+std::string shown_work(const std::string& what, int columns) {
+  std::ostringstream out, err;
+  show_work({.out = out, .err = err, .columns = columns}, 42, 0, what);
+  return err.str();
+}
+
+TEST(Work, IsShownInOneLineOfATerminalAndInALineElsewhere) {
+  EXPECT_EQ(shown_work("t = 1", 0), "t = 1  42 steps\n");
+  EXPECT_EQ(shown_work("", 0), "42 steps\n");
+  EXPECT_EQ(shown_work(std::string(200, 'x'), 80), "\r" + std::string(79, 'x'));
+  EXPECT_EQ(shown_work("t = 1", 20), "\rt = 1  42 steps    ");
 }
 
 TEST(Durations, AreTextsOfTwoUnits) {
@@ -66,6 +82,18 @@ TEST(SweepsProgress, OverwritesOneLineOfATerminalAndEndsIt) {
   EXPECT_THAT(text, HasSubstr("power l1 N = 64"));
   EXPECT_EQ(text.back(), '\n');
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+}
+
+// A run may take longer than lines are apart: they do not wait for it.
+TEST(SweepsProgress, GoesOnDuringALongRunWhereThereIsNoTerminal) {
+  std::ostringstream out, err;
+  {
+    const Streams streams{.out = out, .err = err, .columns = 0};
+    SweepProgress progress(streams, {{run_with(64), 1.0}}, true, std::chrono::milliseconds(5));
+    progress.hear({SweepEvent::Kind::examines, run_with(64)});
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+  EXPECT_THAT(err.str(), StartsWith("  0 %  0/1  1 s left\n  0 %  0/1  1 s left\n"));
 }
 
 }  // namespace

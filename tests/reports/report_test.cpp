@@ -11,6 +11,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/line_rates.hpp"
@@ -243,6 +244,43 @@ std::vector<std::string> section_ids(const nlohmann::json& data) {
   std::vector<std::string> ids;
   for (const auto& section : data["sections"]) ids.push_back(section["id"]);
   return ids;
+}
+
+// Runs of relaxation with errors gamma / N, and of no other scheme beyond 128 steps.
+Results over_gamma(const std::vector<double>& values) {
+  Results results = empty_results();
+  for (const double gamma : values) {
+    for (const auto& [scheme, most] : {std::pair{"l1", 256}, std::pair{"adams_pc", 128}}) {
+      for (int steps = 64; steps <= most; steps *= 2) {
+        add_run(results, {"relaxation", scheme, steps}, gamma / steps, 1e-6 * steps);
+        constexpr std::ptrdiff_t rows = 3;  // of each run
+        for (auto row = results.records.end() - rows; row != results.records.end(); ++row)
+          if (gamma != 0.5) row->key.scene.values = {{"gamma", gamma}};
+      }
+    }
+  }
+  return results;
+}
+
+// Half is the default of gamma. N = 256 is not common to both lines.
+TEST(Report, DrawsErrorAndTimeOverAParameterOfThreeValues) {
+  const auto data = data_of(written(over_gamma({0.9, 0.1, 0.5})));
+  ASSERT_THAT(section_ids(data), testing::Contains("curve-relaxation-gamma"));
+  for (const auto& section : data["sections"]) {
+    if (section["id"] != "curve-relaxation-gamma") continue;
+    EXPECT_EQ(section["parameter"], "gamma");
+    ASSERT_EQ(section["points"].size(), 6U);
+    std::vector<double> values;
+    for (const auto& point : section["points"]) {
+      EXPECT_EQ(point["steps"], 128);
+      EXPECT_DOUBLE_EQ(point["end"].get<double>(), point["value"].get<double>() / 128);
+      EXPECT_DOUBLE_EQ(point["seconds"].get<double>(), 1.28e-4);
+      if (point["line"] == "l1") values.push_back(point["value"]);
+    }
+    EXPECT_THAT(values, testing::ElementsAre(0.1, 0.5, 0.9));
+  }
+  EXPECT_THAT(section_ids(data_of(written(over_gamma({0.9, 0.5})))),
+              Not(testing::Contains("curve-relaxation-gamma")));
 }
 
 TEST(Report, HoldsEverySceneSchemeSessionAndFailure) {

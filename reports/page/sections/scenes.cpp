@@ -56,11 +56,7 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
 
 json point(const PageInput& page, const MeasuredRun& run, const MeasuredRun* coarser) {
   json shown{{"line", page.label(run.key)}, {"steps", run.steps}, {"h", run.h}};
-  json errors = json::object();
-  for (const ErrorKind& kind : error_kinds()) {
-    if (const auto value = positive(run, error_measure(kind))) errors[error_measure(kind)] = *value;
-  }
-  shown["errors"] = std::move(errors);
+  shown["errors"] = errors_of(run);
   if (const auto value = positive(run, "time_minimum")) shown["seconds"] = *value;
   if (const auto value = positive(run, "energy_residual")) shown["energy"] = *value;
   shown["words"] = tooltip(page, run, coarser);
@@ -112,6 +108,14 @@ std::string not_drawn(const PageInput& page, RunSpan scene) {
 }
 
 }  // namespace
+
+json errors_of(const MeasuredRun& run) {
+  json errors = json::object();
+  for (const ErrorKind& kind : error_kinds()) {
+    if (const auto value = positive(run, error_measure(kind))) errors[error_measure(kind)] = *value;
+  }
+  return errors;
+}
 
 json scene_sections(const PageInput& page) {
   json sections = json::array();

@@ -1,0 +1,116 @@
+#include "analysis/parameter_curves.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "scenes/registry.hpp"
+#include "scenes/scene.hpp"
+
+namespace fde {
+namespace {
+
+constexpr auto end_name = "until";
+
+// With the defaults of what is not said, where this build knows the scene.
+SceneSettings with_defaults(SceneSettings scene) {
+  if (const auto* maker = find_scene(scene.id)) {
+    for (const auto& parameter : maker->parameters) scene.values.try_emplace(parameter.name, parameter.value);
+  }
+  return scene;
+}
+
+// The numbers of a scene by their names.
+std::map<std::string, double> numbers_of(const SceneSettings& scene) {
+  std::map<std::string, double> numbers;
+  for (const auto& [name, value] : scene.values) {
+    if (const auto* number = std::get_if<double>(&value)) numbers.emplace(name, *number);
+  }
+  if (scene.until) numbers.emplace(end_name, *scene.until);
+  return numbers;
+}
+
+SceneSettings without(SceneSettings scene, const std::string& name) {
+  if (name == end_name) {
+    scene.until.reset();
+  } else {
+    scene.values.erase(name);
+  }
+  return scene;
+}
+
+// Scenes by their value of the parameter in which alone they differ.
+using Family = std::map<double, RunSpan>;
+
+// A scheme with its setup but for the resolution.
+using Line = std::pair<std::string, Setup>;
+
+Line line_of(const RunKey& run) {
+  Line line{run.scheme, run.setup};
+  line.second.resolution = 1;
+  return line;
+}
+
+// The steps that each line has at all its values; lines with too few values are left out.
+std::map<Line, std::set<int>> common_steps(const Family& family) {
+  std::map<Line, std::set<int>> steps;
+  std::map<Line, std::size_t> values;
+  for (const auto& [value, scene] : family) {
+    for (const RunSpan runs : by_line(scene)) {
+      const Line line = line_of(runs.front().key);
+      std::set<int> here, both;
+      for (const MeasuredRun& run : runs) here.insert(run.steps);
+      if (values[line]++ == 0) steps[line] = here;
+      std::ranges::set_intersection(steps[line], here, std::inserter(both, both.end()));
+      steps[line] = both;
+    }
+  }
+  std::erase_if(steps, [&](const auto& line) { return values[line.first] < fewest_values; });
+  return steps;
+}
+
+// The largest number that is in all sets.
+std::optional<int> largest_common(const std::map<Line, std::set<int>>& steps) {
+  if (steps.empty()) return std::nullopt;
+  const auto& first = steps.begin()->second;
+  const auto found = std::find_if(first.rbegin(), first.rend(), [&](int count) {
+    return std::ranges::all_of(steps, [&](const auto& line) { return line.second.contains(count); });
+  });
+  return found == first.rend() ? std::nullopt : std::optional(*found);
+}
+
+std::vector<CurvePoint> points_of(const Family& family, const std::map<Line, std::set<int>>& lines,
+                                  int steps) {
+  std::vector<CurvePoint> points;
+  for (const auto& [value, scene] : family) {
+    for (const MeasuredRun& run : scene) {
+      if (run.steps == steps && lines.contains(line_of(run.key))) points.push_back({value, &run});
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<ParameterCurves> parameter_curves(const Runs& runs) {
+  std::map<std::pair<SceneSettings, std::string>, Family> families;
+  for (const RunSpan scene : by_scene(runs.finished)) {
+    const auto whole = with_defaults(scene.front().key.scene);
+    for (const auto& [name, value] : numbers_of(whole))
+      families[{without(whole, name), name}].emplace(value, scene);
+  }
+  std::vector<ParameterCurves> curves;
+  for (const auto& [of, family] : families) {
+    if (family.size() < fewest_values) continue;
+    const auto lines = common_steps(family);
+    const auto steps = largest_common(lines);
+    if (!steps) continue;
+    curves.push_back({of.first, of.second, *steps, points_of(family, lines, *steps)});
+  }
+  return curves;
+}
+
+}  // namespace fde

@@ -1,0 +1,42 @@
+#include "command/last_words.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <utility>
+
+namespace fde {
+namespace {
+
+std::atomic<const std::string*> words = nullptr;
+static_assert(std::atomic<const std::string*>::is_always_lock_free);
+
+// Nothing but what a signal handler may call. The action is the default again (SA_RESETHAND), and the signal
+// raised here arrives when the handler has returned.
+void say_and_end(int signal) {
+  if (const auto* text = words.load()) {
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, text->data(), text->size());
+  }
+  [[maybe_unused]] const int raised = raise(signal);
+}
+
+}  // namespace
+
+LastWords::LastWords(std::string text) : text_(std::move(text)) {
+  words = &text_;
+  struct sigaction action {};
+  action.sa_handler = say_and_end;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigemptyset(&action.sa_mask);
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    sigaction(signals[i], nullptr, &before_[i]);
+    if (before_[i].sa_handler == SIG_DFL) sigaction(signals[i], &action, nullptr);
+  }
+}
+
+LastWords::~LastWords() {
+  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+  words = nullptr;
+}
+
+}  // namespace fde
