@@ -34,10 +34,25 @@ constexpr double far = 10.0;
 
 bool is_hopeless(Ending ending) { return ending == Ending::singular || ending == Ending::out_of_budget; }
 
+// The least number of equal steps whose times are those at which the right-hand side jumps; 1 where there is
+// none up to a thousand.
+int meeting_jumps(const Problem& problem) {
+  constexpr int most = 1000;
+  constexpr double rounding = 1e-12;
+  for (int steps = 1; steps <= most; ++steps) {
+    const auto is_met = [&](double t) {
+      const double n = t / problem.end * steps;
+      return std::abs(n - std::round(n)) <= rounding * steps;
+    };
+    if (std::ranges::all_of(problem.jumps, is_met)) return steps;
+  }
+  return 1;
+}
+
 class Search {
  public:
   Search(const Scene& scene, const Question& question, double seconds, const Tell& tell)
-      : examiner_(scene, question), seconds_(seconds), tell_(tell) {
+      : examiner_(scene, question), unit_(meeting_jumps(scene.problem)), seconds_(seconds), tell_(tell) {
     for (const Scheme& scheme : schemes()) add_ways(scheme);
   }
 
@@ -121,7 +136,7 @@ class Search {
 
   // Whether it climbs on.
   bool climb(SearchedWay& of) {
-    const int steps = of.ladder.empty() ? std::max(first_rung, unit_of_steps()) : 2 * of.ladder.back().steps;
+    const int steps = of.ladder.empty() ? std::max(first_rung, unit_) : 2 * of.ladder.back().steps;
     if (steps > most_steps_ / 2 || next_seconds(of) > most_of_rest * left()) return false;
     of.ladder.push_back(examine(of, steps, watched_));
     const Attempt& last = of.ladder.back();
@@ -148,7 +163,7 @@ class Search {
     const auto attempt = [&](int steps) { return examine(of, steps, watched_); };
     const bool may_pass_zero = examiner_.question().kind.norm == Norm::end;
     const bool scan = may_pass_zero && runs_of_scan * of.ladder.back().seconds < part_of_scan * left();
-    of.best = fewest_steps(of.ladder, accuracy(), unit_of_steps(), scan, attempt);
+    of.best = fewest_steps(of.ladder, accuracy(), unit_, scan, attempt);
     of.found = Found::within;
     for (int i = 0; i < more_solves && of.best.seconds < part_of_scan * left(); ++i)
       of.best.seconds = std::min(of.best.seconds, seconds_to_end(of));
@@ -159,12 +174,6 @@ class Search {
     const auto start = Clock::now();
     examiner_.solve_to_end(of.way, of.best.steps);
     return std::chrono::duration<double>(Clock::now() - start).count();
-  }
-
-  // A jump of a right-hand side shall be at a time of the grid.
-  [[nodiscard]] int unit_of_steps() const {
-    constexpr int for_jumps = 20;
-    return examiner_.scene().smoothness.jumps.empty() ? 1 : for_jumps;
   }
 
   // A way that gives the bits of one before it counts with that one.
@@ -241,7 +250,7 @@ class Search {
     Attempt attempt = examine(first, first.best.steps, watched_at_last_);
     const bool within = attempt.within;
     while (!attempt.within && attempt.steps < most_steps_)
-      attempt = examine(first, more_steps(attempt.steps, unit_of_steps()), watched_at_last_);
+      attempt = examine(first, more_steps(attempt.steps, unit_), watched_at_last_);
     first.best = std::move(attempt);
     verified_ = &first;
     verified_steps_ = first.best.steps;
@@ -257,6 +266,7 @@ class Search {
   static constexpr int most_steps_ = 1 << 30;
   static constexpr double timing_part = 0.05;
   Examiner examiner_;
+  int unit_;  // of which all numbers of steps are multiples
   double seconds_;
   const Tell& tell_;
   Clock::time_point start_ = Clock::now();

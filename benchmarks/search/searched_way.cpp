@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "stepping/rates.hpp"
+
 namespace fde {
 namespace {
 
@@ -62,12 +64,12 @@ std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm n
   std::vector<double> gradings{1.0};
   if (scheme.needs.uniform_grid) return gradings;
   gradings.insert(gradings.end(), {1.5, 2.0, 3.0});
-  if (!scheme.expected_rate || scene.smoothness.powers.empty()) return gradings;
   constexpr double most = 10.0, step = 0.25;
-  double best = 1.0, best_rate = scheme.expected_rate(scene.problem, scene.smoothness, best, norm);
+  double best = 1.0, best_rate = 0.0;
   for (double grading = 1.0; grading <= most; grading += step) {
-    const double rate = scheme.expected_rate(scene.problem, scene.smoothness, grading, norm);
-    if (rate > best_rate + 1e-9) std::tie(best, best_rate) = std::tuple(grading, rate);
+    const auto rate = theoretical_rate(scheme, scene.problem, scene.smoothness, grading, norm);
+    if (!rate) return gradings;
+    if (*rate > best_rate + 1e-9) std::tie(best, best_rate) = std::tuple(grading, *rate);
   }
   if (best == 1.0) return {1.0};
   if (std::ranges::find(gradings, best) == gradings.end()) gradings.push_back(best);

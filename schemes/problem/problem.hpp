@@ -49,7 +49,8 @@ struct Problem {
   double end = 1.0;
   // residual = 0, as many numbers as there are unknown initial values; empty: none is unknown.
   std::function<void(In at_start, In at_end, Out residual)> conditions{};
-  Domain domain{};  // a step out of it has crossed a singularity
+  Domain domain{};              // a step out of it has crossed a singularity
+  std::vector<double> jumps{};  // the times after 0, increasing, at which rhs jumps
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };

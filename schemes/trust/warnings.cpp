@@ -7,7 +7,6 @@
 #include <iterator>
 #include <optional>
 
-#include "problem/jumps.hpp"
 #include "trust/modes.hpp"
 #include "trust/stored_path.hpp"
 
@@ -17,7 +16,7 @@ namespace {
 // A step longer than the time from a jump, or from 0, to the next.
 std::optional<std::string> short_feature(const Problem& problem, const Grid& grid) {
   double begin = 0.0;
-  for (const double end : jumps(problem)) {
+  for (const double end : problem.jumps) {
     if (end >= grid.end) break;
     const int n = grid.number(end);
     const double longest = grid.step(std::min(grid.steps, std::max(1, n + (grid.time(n) < end ? 1 : 0))));

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "problem/jumps.hpp"
 #include "support/answer_of_words.hpp"
 #include "support/testing.hpp"
 #include "sweep/default_sweep.hpp"
@@ -235,19 +234,20 @@ TEST(Warnings, ChangeNothingThatIsPrinted) {
 }
 
 TEST(Warnings, KnowTheJumpsThatAProblemTells) {
-  EXPECT_THAT(jumps(scene_of("bagley_torvik", {{"load_until", 0.25}}).problem), ElementsAre(0.25));
-  EXPECT_THAT(jumps(scene_of("bagley_torvik", {{"load", 0.0}}).problem), IsEmpty());
-  EXPECT_THAT(jumps(scene_of("pendulum").problem), IsEmpty());
+  EXPECT_THAT(scene_of("bagley_torvik", {{"load_until", 0.25}}).problem.jumps, ElementsAre(0.25));
+  EXPECT_THAT(scene_of("bagley_torvik", {{"load", 0.0}}).problem.jumps, IsEmpty());
+  EXPECT_THAT(scene_of("pendulum").problem.jumps, IsEmpty());
 }
 
 // A pulse between two jumps inside one step, far from the start.
 TEST(Warnings, NameAPulseBetweenTwoJumps) {
   const Problem problem{.components = {{0.5, {1.0}}},
-                        .rhs = JumpingRhs{[](double t, In y, Out f) {
-                                            f = -y;
-                                            if (t > 0.501 && t < 0.502) f[0] += 1e3;
-                                          },
-                                          {0.501, 0.502}}};
+                        .rhs =
+                            [](double t, In y, Out f) {
+                              f = -y;
+                              if (t > 0.501 && t < 0.502) f[0] += 1e3;
+                            },
+                        .jumps = {0.501, 0.502}};
   const Options options;
   const auto found = [&](int steps) {
     const Grid grid{problem.end, steps};

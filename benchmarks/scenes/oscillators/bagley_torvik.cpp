@@ -1,6 +1,5 @@
 #include "linear/linear_equation.hpp"
 #include "problem/chain_problem.hpp"
-#include "problem/jumps.hpp"
 #include "scenes/scene.hpp"
 
 namespace fde {
@@ -13,7 +12,7 @@ Problem loaded_problem(const Chain& chain, double stiffness, double load, double
   };
   Problem problem =
       chain_problem({{.chain = chain, .force = force, .derivatives = LinearForce{-stiffness}}}, 16.0);
-  if (load != 0.0) problem.rhs = JumpingRhs{problem.rhs, {until}};
+  if (load != 0.0) problem.jumps = {until};
   return problem;
 }
 
