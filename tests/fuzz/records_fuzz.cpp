@@ -48,6 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                    .steps = 1,
                    .h = 1.0,
                    .quantity = "ending",
+                   .unit = "t",
                    .ending = RunEnding{}};
   ResultsFile(file).append({row});
   fuzz::require(read_results(file).records.size() == count + 1, "a file that was read can be continued");
