@@ -97,11 +97,11 @@ bool prints(std::string_view text) {
 
 }  // namespace
 
-void require_external_name(std::string_view argument, std::string_view name) {
+void require_external_name(std::string_view name, std::string_view text) {
   constexpr std::size_t most = 100;
-  if (name.empty() || name.size() > most || !prints(name))
-    reject_text(argument, name, fmt::format("1 to {} bytes of UTF-8 that print", most));
-  if (find_scheme(name) != nullptr) reject_text(argument, name, "another name than those of our schemes");
+  if (text.empty() || text.size() > most || !prints(text))
+    reject_text(name, text, fmt::format("1 to {} bytes of UTF-8 that print", most));
+  if (find_scheme(text) != nullptr) reject_text(name, text, "another name than those of our schemes");
 }
 
 void PossibleRows::require(const Record& row) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "records/record.hpp"
 #include "scenes/registry.hpp"
@@ -24,6 +25,6 @@ class PossibleRows {
 
 // Throws std::invalid_argument naming the argument where no program may be called so: an id of our schemes,
 // nothing, more than 100 bytes, what is not UTF-8 and what does not print.
-void require_external_name(std::string_view argument, std::string_view name);
+void require_external_name(std::string_view name, std::string_view text);
 
 }  // namespace fde

@@ -20,7 +20,7 @@ struct RunKey {
   Setup setup{};
   bool external = false;  // of another program
 
-  auto operator<=>(const RunKey&) const = default;
+  auto operator<=>(const RunKey&) const = default;  // NOLINT(readability-implicit-bool-conversion)
 };
 
 // One number of one run: a row of tidy results.

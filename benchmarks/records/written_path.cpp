@@ -71,9 +71,10 @@ class PathReader {
     for (const auto& place : places_) {
       if (place) path_.columns.push_back(*place);
     }
-    if (path_.columns.empty())
+    if (path_.columns.empty()) {
       throw std::invalid_argument(
           fmt::format("has no column of the scene; they are {}", fmt::join(scene.outputs.names, ", ")));
+    }
   }
 
   void take(std::string_view line) {

@@ -12,18 +12,23 @@
 namespace fde {
 namespace {
 
-// What is not known of an error of this quantity in one run.
-double doubt(const MeasuredRun& run, std::string_view quantity, double error) {
+// What is not known of the errors of a run, absolute and at the end.
+double doubt(const MeasuredRun& run) {
   constexpr double samples = 4.0;
-  const double absolute = samples * run["rounding"].value_or(0.0) + run["reference_bound"].value_or(0.0);
+  return samples * run["rounding"].value_or(0.0) + run["reference_bound"].value_or(0.0);
+}
+
+// The unit of an error of this quantity in one run: by how much it is more than the absolute one at the end.
+double unit_of(const MeasuredRun& run, std::string_view quantity, double error) {
   const double at_end = run["error_end"].value_or(0.0);
   const bool is_absolute = quantity == "error_end" || quantity == "error_maximum";
-  return is_absolute || at_end == 0.0 ? absolute : absolute * error / at_end;
+  return is_absolute || at_end == 0.0 ? 1.0 : error / at_end;
 }
 
 std::optional<MovedError> moved(const CommonRun& run, std::string_view quantity, double before, double now) {
   constexpr double part = 0.01;
-  const double unknown = std::max(doubt(*run.before, quantity, before), doubt(*run.now, quantity, now));
+  const double unknown = std::max(doubt(*run.before), doubt(*run.now)) *
+                         std::min(unit_of(*run.before, quantity, before), unit_of(*run.now, quantity, now));
   if (std::abs(now - before) <= unknown) return std::nullopt;
   if (std::max(now, before) <= (1.0 + part) * std::min(now, before)) return std::nullopt;
   return MovedError{.run = run, .quantity = quantity, .before = before, .now = now};

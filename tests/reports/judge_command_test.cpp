@@ -88,7 +88,7 @@ TEST_F(Judging, SaysOfOurOwnRunWhatRunSays) {
 }
 
 TEST_F(Judging, IsOfTheColumnsThatAreThere) {
-  const auto solved = fdebench("solve damped_oscillator --scheme l1 --steps 64 --every 8").out;
+  const auto solved = fdebench("solve damped_oscillator --scheme l1 --steps 4096 --every 256").out;
   std::istringstream lines(solved);
   std::string csv, line;
   while (std::getline(lines, line)) csv += line.substr(0, line.find(',', line.find(',') + 1)) + "\n";
@@ -143,9 +143,9 @@ TEST_F(Judging, AddsToResultsUnderItsName) {
   EXPECT_TRUE(row.key.external);
   EXPECT_EQ(row.key.scheme, "my solver");
   EXPECT_EQ(row.steps, 2);
-  const auto chosen = fdebench({"choose", "power:p=2", "--error", "0.01", "--results", results_});
-  EXPECT_THAT(chosen.out, HasSubstr("my solver: N = 2, 250 ms, error 1.0e-3\n"));
-  EXPECT_THAT(chosen.out, HasSubstr("l1 (auto): N = 16, "));
+  const auto chosen = fdebench({"choose", "power:p=2", "--error", "0.1", "--results", results_});
+  EXPECT_THAT(chosen.out, HasSubstr("my solver: N = 2, "));
+  EXPECT_THAT(chosen.out, testing::ContainsRegex("l1[^\n]*: N = 16, "));
 }
 
 TEST_F(Judging, RefusesNamesThatWouldMislead) {

@@ -1,5 +1,6 @@
 // Two sets of results beside each other, and files of several machines in one.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -178,7 +179,7 @@ TEST_F(Comparisons, AreOfMergedFilesToo) {
   const auto all = (folder_.path() / "all").string();
   const auto merged = fdebench({"merge", one, other, "--out", all});
   EXPECT_EQ(merged.code, 0) << merged.err;
-  EXPECT_EQ(merged.out, all + "\n2 sessions, 10 rows, 0 repeated rows left out\n");
+  EXPECT_EQ(merged.out, all + "\n2 sessions, 12 rows, 0 repeated rows left out\n");
   EXPECT_THAT(fdebench({"compare", one, all}).out, HasSubstr("1 runs in both, 0 only in the first, 1 only"));
   EXPECT_EQ(fdebench({"merge", one, "--out", all}).err,
             "fdebench: " + all + ": exists, it must be a new file\n");
@@ -204,7 +205,7 @@ TEST_F(Comparisons, ShardsTogetherAreTheWhole) {
   std::vector<std::string> merge{"merge", "--out", folder_.path() / "all"};
   EXPECT_EQ(fdebench(sweep + "whole").code, 0);
   for (const std::string part : {"1", "2", "3"}) {
-    EXPECT_EQ(fdebench(sweep + part + " --shard " + part + "/3").code, 0);
+    EXPECT_EQ(fdebench(fmt::format("{}{} --shard {}/3", sweep, part, part)).code, 0);
     merge.push_back(folder_.path() / part);
   }
   EXPECT_EQ(fdebench(merge).code, 0);
@@ -212,13 +213,13 @@ TEST_F(Comparisons, ShardsTogetherAreTheWhole) {
   EXPECT_GT(together.size(), 300U);
   EXPECT_EQ(together, rows_of(folder_.path() / "whole"));
   for (const std::string shard : {"0/3", "4/3", "1", "1/0"})
-    EXPECT_EQ(fdebench(sweep + "none --shard " + shard).code, 2) << shard;
+    EXPECT_EQ(fdebench(fmt::format("{}none --shard {}", sweep, shard)).code, 2) << shard;
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "none"));
 }
 
 TEST_F(Comparisons, DryRunsListTheRunsThatAreLeft) {
   const auto file = (folder_.path() / "r").string();
-  const std::string sweep = "run --scene power --scheme l1 --scheme adams_pc --steps 16,32 --repeat 1";
+  const std::string sweep = "run --scene power --scheme l1 --scheme adams_pc --repeat 1 --steps 16,32";
   const auto dry = fdebench(sweep + " --dry-run");
   EXPECT_EQ(dry.code, 0) << dry.err;
   EXPECT_EQ(std::ranges::count(dry.out, '\n'), 5);

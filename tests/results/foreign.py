@@ -37,9 +37,9 @@ class Foreign(unittest.TestCase):
             ours = run(PROGRAM, "run", "--scene", "relaxation", "--scheme", "l1", "--scheme", "grunwald_letnikov", "--steps",
                        "64,128,256,512", "--out", results)
             self.assertEqual(ours.returncode, 0, ours.stderr)
-            chosen = run(PROGRAM, "choose", "relaxation", "--error", "1e-2", "--results", results)
+            chosen = run(PROGRAM, "choose", "relaxation", "--error", "5e-2", "--results", results)
             self.assertIn(f"{NAME}: N = ", chosen.stdout)
-            self.assertIn("l1 (auto): N = ", chosen.stdout)
+            self.assertRegex(chosen.stdout, r"(?m)^l1.*: N = ")
             reported = run(PROGRAM, "report", results, "--out", folder)
             if "no charts" in reported.stderr:
                 self.skipTest("a build without charts")
