@@ -1,13 +1,10 @@
 #include "analysis/comparison.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
-#include <utility>
 
 namespace fde {
 namespace {

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <string>
+#include <vector>
 
 #include "analysis/comparison.hpp"
 #include "analysis/text.hpp"
