@@ -14,6 +14,9 @@ for option in "$@"; do
     --tests)
       packages+=(libbenchmark-dev libgtest-dev libgmock-dev libflint-dev libflint-arb-dev)
       command -v python3 >/dev/null || packages+=(python3)
+      for package in numpy jsonschema; do
+        python3 -c "import $package" 2>/dev/null || packages+=("python3-$package")
+      done
       command -v octave-cli >/dev/null || packages+=(octave)
       ;;
     --lint) packages+=(clang-format clang-tidy libclang-dev llvm-dev python3) ;;

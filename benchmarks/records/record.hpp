@@ -12,13 +12,15 @@
 
 namespace fde {
 
-// What names a run of one build.
+// What names a run of one build, or a trajectory that another program wrote: its scheme is that program's
+// name, and nothing is known of its setup but the number of its times.
 struct RunKey {
   SceneSettings scene{};
   std::string scheme{};
   Setup setup{};
+  bool external = false;  // of another program
 
-  auto operator<=>(const RunKey&) const = default;
+  auto operator<=>(const RunKey&) const = default;  // NOLINT(readability-implicit-bool-conversion)
 };
 
 // One number of one run: a row of tidy results.
@@ -44,8 +46,8 @@ Session this_session();
 
 // All that a results file holds.
 struct Results {
-  std::vector<Session> sessions;
-  std::vector<Record> records;
+  std::vector<Session> sessions{};
+  std::vector<Record> records{};
 };
 
 // Whether two sessions were of the same build on the same machine, so that their rows belong together.

@@ -1,7 +1,11 @@
 #include "records/record_text.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 
 namespace fde {
@@ -59,27 +63,40 @@ Setup setup_of(const Json& json, int steps) {
 }
 
 RunEnding ending_of(const Json& json) {
-  const auto kind = ending_named(json.at("ending").get<std::string>());
-  if (!kind) throw std::invalid_argument("no such ending");
+  const auto text = json.at("ending").get<std::string>();
+  const auto kind = ending_named(text);
+  if (!kind) throw std::invalid_argument(fmt::format("ending {}: no such ending", text));
   return {*kind, json.value("detail", "")};
 }
 
 // A run to an accuracy may have made none.
 int steps_of(const Json& json) {
+  constexpr int most = std::numeric_limits<int>::max();
   const auto& given = json.at("steps");
-  if (!given.is_number_integer()) throw std::invalid_argument("steps are no whole number");
-  const int steps = given, fewest = json.contains("accuracy") ? 0 : 1;
-  if (given != steps || steps < fewest) throw std::invalid_argument("an impossible number of steps");
-  return steps;
+  const int fewest = json.contains("accuracy") ? 0 : 1;
+  if (given.is_number_integer() && given >= fewest && given <= most) return given;
+  throw std::invalid_argument(
+      fmt::format("steps = {}: must be a whole number from {} to {}", given.dump(), fewest, most));
+}
+
+double value_of(const Json& json) {
+  const auto& value = json.at("value");
+  if (value.is_number()) return value;
+  throw std::invalid_argument(
+      fmt::format("{} = {}: must be a number", json.at("quantity").get<std::string>(), value.dump()));
 }
 
 Record row_of(const Json& json) {
   const int steps = steps_of(json);
-  Record row{.key = {.scene = scene_of(json), .scheme = json.at("scheme"), .setup = setup_of(json, steps)},
+  const bool external = json.value("external", false);
+  Record row{.key = {.scene = scene_of(json),
+                     .scheme = json.at("scheme"),
+                     .setup = external ? Setup{.resolution = steps} : setup_of(json, steps),
+                     .external = external},
              .steps = steps,
              .h = json.at("h"),
              .quantity = json.at("quantity"),
-             .value = json.at("value"),
+             .value = value_of(json),
              .unit = json.at("unit")};
   if (json.contains("ending")) row.ending = ending_of(json);
   return row;
@@ -100,7 +117,11 @@ std::string line_of(const Record& row, bool last) {
             {"quantity", row.quantity},
             {"value", row.value},
             {"unit", row.unit}};
-  add_setup(row.key.setup, json);
+  if (row.key.external) {
+    json["external"] = true;
+  } else {
+    add_setup(row.key.setup, json);
+  }
   if (row.ending) json["ending"] = name(row.ending->kind);
   if (row.ending && !row.ending->detail.empty()) json["detail"] = row.ending->detail;
   if (last) json["last"] = true;

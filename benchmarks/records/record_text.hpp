@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "records/record.hpp"
 
@@ -26,7 +27,8 @@ struct OtherFormat : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-// Throws OtherFormat, and std::exception for whatever else is no such line.
+// Throws OtherFormat, std::invalid_argument for a row that says something impossible, and std::exception for
+// whatever else is no such line.
 ResultsLine parse_line(const std::string& line);
 
 // With what every session begins, and so every file.

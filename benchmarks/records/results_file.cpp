@@ -8,88 +8,45 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <tuple>
 #include <utility>
 
+#include "records/lines.hpp"
 #include "records/record_text.hpp"
+#include "records/results_scan.hpp"
 
 namespace fde {
 
 namespace {
 
-struct Parsed {
-  Results results;
-  std::size_t valid = 0;  // bytes up to the end of the last complete write
-};
-
-// Adds one line; true when it is a session or the last row of one write, so that the file is whole up to
-// here.
-bool add_line(const std::string& text, Results& results, std::vector<Record>& open_rows) {
-  auto line = parse_line(text);
-  if (line.session) {
-    results.sessions.push_back(*line.session);
-    return true;
-  }
-  if (results.sessions.empty()) throw std::invalid_argument("a record before the first session");
-  line.row.session = results.sessions.size() - 1;
-  open_rows.push_back(std::move(line.row));
-  if (!line.last) return false;
-  std::ranges::move(open_rows, std::back_inserter(results.records));
-  open_rows.clear();
-  return true;
-}
-
-Parsed parse(const std::string& text, const std::filesystem::path& file) {
-  Parsed parsed;
-  std::vector<Record> open_rows;
-  std::size_t begin = 0;
-  for (int number = 1; begin < text.size(); ++number) {
-    const auto end = text.find('\n', begin);
-    const bool ours = parsed.valid > 0 || text.starts_with(first_words) || first_words.starts_with(text);
-    if (end == std::string::npos && ours) break;  // the line a killed sweep was writing
-    try {
-      if (add_line(text.substr(begin, end - begin), parsed.results, open_rows)) parsed.valid = end + 1;
-      if (end == std::string::npos) throw std::invalid_argument("no line end");
-    } catch (const OtherFormat&) {
-      throw std::invalid_argument(
-          fmt::format("{}: line {}: results of another version of fdebench, to be measured again",
-                      file.string(), number));
-    } catch (const std::exception&) {
-      throw std::invalid_argument(
-          fmt::format("{}: line {} is not a row of fdebench results", file.string(), number));
-    }
-    begin = end + 1;
-  }
-  return parsed;
-}
-
-// A folder, a pipe or a device; what cannot be looked at says so when it is opened.
-bool is_something_else(const std::filesystem::path& file) {
-  std::error_code problem;
-  const auto status = std::filesystem::status(file, problem);
-  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-}
-
-std::string read_text(const std::filesystem::path& file) {
-  const auto cannot = [&](const char* reason) {
-    return std::invalid_argument(fmt::format("{}: cannot be read: {}", file.string(), reason));
-  };
-  if (is_something_else(file)) throw cannot("is not a file");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw cannot(std::strerror(errno));
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 std::invalid_argument cannot_be_written(const std::filesystem::path& file, const char* reason) {
   return std::invalid_argument(fmt::format("{}: cannot be written: {}", file.string(), reason));
+}
+
+// The runs of the builds that are this one, and the bytes up to the end of the last complete write.
+struct Found {
+  RecordedByKey runs;
+  std::uint64_t valid = 0;
+};
+Found recorded_in(const std::filesystem::path& file, const Session& build, const Scenes& known) {
+  Found found;
+  bool is_ours = false;
+  found.valid =
+      scan_results(file,
+                   {.session = [&](const Session& session, auto) { is_ours = same_build(session, build); },
+                    .rows =
+                        [&](const std::vector<Record>& rows, auto) {
+                          for (const Record& row : rows) {
+                            if (is_ours) found.runs[row.key].note(row);
+                          }
+                        }},
+                   known);
+  return found;
 }
 
 }  // namespace
@@ -103,22 +60,40 @@ bool same_build(const Session& a, const Session& b) {
 
 bool is_time(const Record& row) { return row.quantity.starts_with("time_"); }
 
-Results read_results(const std::filesystem::path& file) { return parse(read_text(file), file).results; }
+// Rows are counted first: a vector that grows would hold them twice.
+Results read_results(const std::filesystem::path& file, const Scenes& known) {
+  std::size_t count = 0;
+  for (LineReader line(file); line.next();) ++count;
+  Results results;
+  results.records.reserve(count);
+  scan_results(file,
+               {.session = [&](const Session& session, auto) { results.sessions.push_back(session); },
+                .rows = [&](std::vector<Record> rows,
+                            auto) { std::ranges::move(rows, std::back_inserter(results.records)); }},
+               known);
+  return results;
+}
 
-ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
-  if (is_something_else(path_)) read_text(path_);  // says why not
+RecordedRun recorded_of(const RecordedByKey& runs, const RunKey& run) {
+  const auto found = runs.find(run);
+  return found == runs.end() ? RecordedRun() : found->second;
+}
+
+RecordedByKey read_recorded(const std::filesystem::path& file, const Scenes& known) {
+  return std::filesystem::exists(file) ? recorded_in(file, this_session(), known).runs : RecordedByKey();
+}
+
+ResultsFile::ResultsFile(std::filesystem::path file, const Scenes& known) : path_(std::move(file)) {
+  require_file(path_);
   descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (descriptor_ < 0) throw cannot_be_written(path_, std::strerror(errno));
   try {
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
       throw cannot_be_written(path_, "another run is writing to it");
-    const auto parsed = parse(read_text(path_), path_);
-    for (const Record& row : parsed.results.records) {
-      if (same_build(parsed.results.sessions[row.session], session_)) recorded_[row.key].note(row);
-    }
-    if (ftruncate(descriptor_, static_cast<off_t>(parsed.valid)) != 0) {
+    auto found = recorded_in(path_, session_, known);
+    recorded_ = std::move(found.runs);
+    if (ftruncate(descriptor_, static_cast<off_t>(found.valid)) != 0)
       throw cannot_be_written(path_, std::strerror(errno));
-    }
   } catch (...) {
     close(descriptor_);
     throw;
@@ -126,11 +101,6 @@ ResultsFile::ResultsFile(std::filesystem::path file) : path_(std::move(file)) {
 }
 
 ResultsFile::~ResultsFile() { close(descriptor_); }
-
-RecordedRun ResultsFile::recorded(const RunKey& run) const {
-  const auto found = recorded_.find(run);
-  return found == recorded_.end() ? RecordedRun() : found->second;
-}
 
 void ResultsFile::append(const std::vector<Record>& rows) {
   std::string text;

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -27,6 +26,8 @@ using nlohmann::json;
 constexpr int version = 3;
 
 constexpr std::size_t digest_size = 64;
+
+constexpr std::size_t most_bytes = std::size_t{256} << 20;  // of a file
 
 std::vector<double> numbers(const Matrix& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
 
@@ -72,11 +73,17 @@ bool fits(const PanelTable& table, const Problem& problem) {
   return time == problem.end;
 }
 
+// Empty where it cannot be read, is no file (a pipe might never end), or is larger than any of ours.
 std::string read(const std::filesystem::path& file) {
-  std::ostringstream bytes;  // a file that cannot be read leaves it empty
-  std::error_code none;      // anything else, like a pipe, might never end
-  if (std::filesystem::is_regular_file(file, none)) bytes << std::ifstream(file, std::ios::binary).rdbuf();
-  return bytes.str();
+  std::error_code problem;
+  if (!std::filesystem::is_regular_file(file, problem)) return {};
+  const auto size = std::filesystem::file_size(file, problem);
+  if (problem || size > most_bytes) return {};
+  std::string bytes(size, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes.data(), static_cast<std::streamsize>(size));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return bytes;
 }
 
 // What stands behind a SHA-256, if that is its own.
@@ -144,6 +151,7 @@ void ReferenceCache::store(const std::string& key, const PanelTable& table) cons
   if (!folder_ || in_missing_home(*folder_)) return;
   const auto content = json::to_cbor(json{{"key", key}, {"panels", to_json(table)}});
   const std::string text(content.begin(), content.end());
+  if (text.size() > most_bytes - digest_size) return;
   const auto file = file_of(key), unfinished = temporary(file);
   std::error_code ignored;
   std::filesystem::create_directories(*folder_, ignored);

@@ -1,14 +1,29 @@
 #include "references/watched_reference.hpp"
 
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "references/reference_of.hpp"
 
 namespace fde {
+namespace {
+
+std::vector<Eigen::Index> all_columns(const Scene& scene) {
+  std::vector<Eigen::Index> all(scene.outputs.names.size());
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
+  return all;
+}
+
+}  // namespace
+
+WatchedReference::WatchedReference(const Scene& scene) : WatchedReference(scene, all_columns(scene)) {}
+
+WatchedReference::WatchedReference(const Scene& scene, std::vector<Eigen::Index> columns)
+    : scene_(scene), columns_(std::move(columns)) {}
 
 Rows WatchedReference::at(const std::vector<double>& times) {
-  Rows columns(static_cast<Eigen::Index>(scene_.outputs.names.size()),
-               static_cast<Eigen::Index>(times.size()));
+  Rows columns(std::ssize(columns_), std::ssize(times));
   for (std::size_t c = 0; c < times.size(); ++c) {
     const double t = times[c];
     auto found = known_.find(t);
@@ -24,7 +39,8 @@ ReferenceValue WatchedReference::reference(double t) {
   if (failure_) std::rethrow_exception(failure_);
   try {
     if (!exact_.at) exact_ = reference_of(scene_);
-    return exact_.at(t);
+    const auto [value, bound] = exact_.at(t);
+    return {value(columns_), bound(columns_)};
   } catch (const std::runtime_error&) {
     failure_ = std::current_exception();
     throw;

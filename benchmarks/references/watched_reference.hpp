@@ -12,19 +12,23 @@ namespace fde {
 // times. The scene must live as long.
 class WatchedReference {
  public:
-  explicit WatchedReference(const Scene& scene) : scene_(scene) {}
+  explicit WatchedReference(const Scene& scene);
 
-  // The scene's columns at these times, one column a time. Throws std::runtime_error where there is no
+  // Of these columns of the scene alone, by their place among its names.
+  WatchedReference(const Scene& scene, std::vector<Eigen::Index> columns);
+
+  // The columns at these times, one column a time. Throws std::runtime_error where there is no
   // reference to be had, a Singularity where that is why.
   Rows at(const std::vector<double>& times);
 
-  // The bound of the reference at this time, one value a column of the scene.
+  // The bound of the reference at this time, one value a column.
   Vec bound(double t);
 
  private:
   ReferenceValue reference(double t);
 
   const Scene& scene_;
+  std::vector<Eigen::Index> columns_;
   Reference exact_{};             // made when first asked for
   std::exception_ptr failure_{};  // why there is none: the same for every time
   std::map<double, Vec> known_{};

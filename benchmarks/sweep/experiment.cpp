@@ -12,6 +12,7 @@
 #include "observers/drift.hpp"
 #include "observers/energy_balance.hpp"
 #include "observers/watched_steps.hpp"
+#include "records/run_rows.hpp"
 #include "stepping/rates.hpp"
 
 namespace fde {
@@ -103,21 +104,6 @@ Record row_of(const SceneSettings& name, const Scene& scene, const Scheme& schem
           .h = steps > 0 ? scene.problem.end / steps : 0.0};
 }
 
-Record with_value(Record row, const Measured& measured) {
-  row.quantity = std::string(measured.id);
-  row.value = measured.value;
-  row.unit = std::string(measured.unit);
-  return row;
-}
-
-std::vector<Record> records_of(const Record& row, Judgement judgement) {
-  std::vector<Record> rows;
-  for (const auto& measured : judgement.measured) rows.push_back(with_value(row, measured));
-  rows.push_back(with_value(row, {"ending", "t", judgement.until}));
-  rows.back().ending = std::move(judgement.ending);
-  return rows;
-}
-
 struct Timed {
   std::int64_t steps = 0;
   std::vector<double> seconds{};
@@ -142,8 +128,8 @@ Timed solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resol
 
 std::vector<Record> examine(const SceneSettings& name, const Scene& scene, WatchedReference& reference,
                             const Scheme& scheme, const Setup& setup) {
-  auto [steps, judgement] = solve_and_judge(scene, reference, scheme, setup);
-  return records_of(row_of(name, scene, scheme, setup, steps), std::move(judgement));
+  const auto [steps, judgement] = solve_and_judge(scene, reference, scheme, setup);
+  return rows_of_examination(row_of(name, scene, scheme, setup, steps), judgement);
 }
 
 std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
@@ -153,11 +139,7 @@ std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, c
   options.at = {scene.problem.end};
   const auto [steps, seconds] =
       solve_repeatedly(scheme, scene.problem, resolution_of(setup, scene.problem.end), options, repeats);
-  const Record row = row_of(name, scene, scheme, setup, steps);
-  std::vector<Record> rows;
-  for (const auto& measure : time_measures())
-    rows.push_back(with_value(row, {measure.id, "s", measure.value(seconds)}));
-  return rows;
+  return rows_of_times(row_of(name, scene, scheme, setup, steps), seconds);
 }
 
 }  // namespace fde

@@ -31,6 +31,10 @@ LineNames::LineNames(const Runs& runs) {
   const MeasuredRun* first = nullptr;
   for (const auto* some : {&runs.finished, &runs.failed}) {
     for (const MeasuredRun& run : *some) {
+      if (run.key.external) {
+        external_.insert(run.key.scheme);
+        continue;
+      }
       if (first == nullptr) first = &run;
       const auto means = means_of(run.key.setup), others = means_of(first->key.setup);
       for (std::size_t i = 0; i < means.size(); ++i) differ_[i] = differ_[i] || means[i] != others[i];
@@ -39,11 +43,13 @@ LineNames::LineNames(const Runs& runs) {
 }
 
 std::string LineNames::name(const std::string& scheme, const Setup& setup) const {
+  if (external_.contains(scheme)) return scheme;
   const auto means = told(setup, differ_);
   return means.empty() ? scheme : fmt::format("{}, {}", scheme, means);
 }
 
 std::string LineNames::name_with_history(const std::string& scheme, const Setup& setup) const {
+  if (external_.contains(scheme)) return scheme;
   auto which = differ_;
   which[0] = true;
   return fmt::format("{} ({})", scheme, told(setup, which));

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <set>
 #include <string>
 
 #include "analysis/runs.hpp"
@@ -8,7 +10,7 @@
 namespace fde {
 
 // What lines are called: by their scheme, and by those of their means (history, grid, tolerance, budget) that
-// are not the same for all runs.
+// are not the same for all runs of ours. Nothing is known of the means of other programs.
 class LineNames {
  public:
   explicit LineNames(const Runs& runs);
@@ -21,6 +23,7 @@ class LineNames {
 
  private:
   std::array<bool, 4> differ_{};
+  std::set<std::string, std::less<>> external_{};  // names of other programs
 };
 
 }  // namespace fde

@@ -18,7 +18,8 @@ std::optional<Option> option_of(const MeasuredRun& run, const ErrorKind& kind) {
                 .setup = run.key.setup,
                 .steps = run.steps,
                 .error = *error,
-                .session = run.session};
+                .session = run.session,
+                .external = run.key.external};
   if (const auto least = run["time_minimum"]) {
     const double median = run["time_median"].value_or(*least);
     option.time = {median, run["time_low"].value_or(*least), run["time_high"].value_or(median)};

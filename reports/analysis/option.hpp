@@ -21,6 +21,7 @@ struct Option {
   TimeSpread time{};
   std::optional<double> rate{};  // observed
   std::size_t session = 0;       // of results; index into Results::sessions
+  bool external = false;         // of another program
 
   [[nodiscard]] double step_seconds() const { return time.median / steps; }
 };

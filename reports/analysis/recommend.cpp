@@ -134,9 +134,8 @@ Recommendation recommend(const std::vector<SearchedWay>& searched, const SceneSe
   return made;
 }
 
-Recommendation recommend(const Results& results, const SceneSettings& scene, const ErrorKind& kind,
+Recommendation recommend(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
                          double accuracy) {
-  const Runs runs = runs_of(results);
   const LineNames names(runs);
   Recommendation made{.scene = scene,
                       .kind = kind,

@@ -78,6 +78,7 @@ const Option* runner_up(const Recommendation& made) {
 }
 
 std::string command_of(const SceneSettings& scene, const Option& option) {
+  if (option.external) return "";
   std::string command = fmt::format("fdebench solve {} --scheme {} --steps {}", label_of(scene),
                                     option.schemes.front(), option.steps);
   if (option.setup.grading != 1.0) command += fmt::format(" --grid {}", grid_text(option.setup.grading));
@@ -107,7 +108,7 @@ std::string text_of(const Recommendation& made) {
   if (first.predicted_error) text += fmt::format("predicted error {}\n", error_text(*first.predicted_error));
   text += comparison(made);
   for (const auto& other : made.others) text += other + "\n";
-  return text + fmt::format("again: {}\n", command_of(made.scene, first));
+  return first.external ? text : text + fmt::format("again: {}\n", command_of(made.scene, first));
 }
 
 }  // namespace fde

@@ -21,7 +21,7 @@ struct Recommendation {
 };
 
 // Of the results of a sweep. Without options `others` say what is missing.
-Recommendation recommend(const Results& results, const SceneSettings& scene, const ErrorKind& kind,
+Recommendation recommend(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
                          double accuracy);
 
 // Of a search in a scene with these columns.
@@ -34,7 +34,7 @@ std::vector<std::string> within_noise(const Recommendation& made);
 // The first option of another scheme than the first, or the first that is expected; nullptr: there is none.
 const Option* runner_up(const Recommendation& made);
 
-// The command that makes the run again.
+// The command that makes the run again; empty for one of another program.
 std::string command_of(const SceneSettings& scene, const Option& option);
 
 // "maximum over all steps, mixed scale".

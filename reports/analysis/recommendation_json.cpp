@@ -24,7 +24,8 @@ std::string json_of(const Recommendation& made) {
             {"within_noise", within_noise(made)},
             {"runner_up", nullptr},
             {"factor", nullptr},
-            {"command", command_of(made.scene, first)}};
+            {"command", nullptr}};
+  if (!first.external) json["command"] = command_of(made.scene, first);
   if (first.predicted_error) json["predicted_error"] = *first.predicted_error;
   if (!made.columns.empty()) json["columns"] = made.columns;
   if (second != nullptr) {

@@ -1,10 +1,14 @@
 #include "analysis/runs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
+#include "records/results_scan.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/scene.hpp"
 #include "stepping/scheme.hpp"
@@ -33,17 +37,6 @@ auto order_of(const RunKey& key) {
                     position(schemes(), &Scheme::id, key.scheme), key.scheme, line, fineness(key.setup));
 }
 using Order = decltype(order_of({}));
-
-// For each session the first one of the same build on the same machine.
-std::vector<std::size_t> builds_of(const std::vector<Session>& sessions) {
-  std::vector<std::size_t> builds;
-  for (const Session& session : sessions) {
-    const auto first =
-        std::ranges::find_if(sessions, [&](const auto& one) { return same_build(one, session); });
-    builds.push_back(static_cast<std::size_t>(first - sessions.begin()));
-  }
-  return builds;
-}
 
 // One run as one build made it.
 struct MadeRun {
@@ -78,6 +71,37 @@ MadeRun& run_of(Made& made, std::size_t build) {
   return made.emplace_back(std::move(one)).second;
 }
 
+// Makes runs of rows that come one after the other.
+class Collector {
+ public:
+  void begin(const Session& session) {
+    const auto first =
+        std::ranges::find_if(sessions_, [&](const auto& one) { return same_build(one, session); });
+    builds_.push_back(static_cast<std::size_t>(first - sessions_.begin()));
+    sessions_.push_back(session);
+  }
+
+  void take(const Record& row) { add(run_of(all_[order_of(row.key)], builds_[row.session]), row); }
+
+  [[nodiscard]] const std::vector<Session>& sessions() const { return sessions_; }
+
+  Runs runs() && {
+    Runs runs;
+    for (auto& [order, made] : all_) {
+      std::erase_if(made, [](const auto& one) { return !one.second.ended; });  // times of no run
+      if (made.empty()) continue;
+      auto& run = made.back().second.run;
+      (run.ending.kind == Ending::finished ? runs.finished : runs.failed).push_back(std::move(run));
+    }
+    return runs;
+  }
+
+ private:
+  std::vector<Session> sessions_{};
+  std::vector<std::size_t> builds_{};  // for each session the first one of the same build on the same machine
+  std::map<Order, Made> all_{};
+};
+
 template <typename Same>
 std::vector<RunSpan> chunks(RunSpan runs, Same same) {
   std::vector<RunSpan> found;
@@ -100,17 +124,26 @@ std::optional<double> MeasuredRun::operator[](std::string_view quantity) const {
 }
 
 Runs runs_of(const Results& results) {
-  const auto builds = builds_of(results.sessions);
-  std::map<Order, Made> all;
-  for (const Record& row : results.records) add(run_of(all[order_of(row.key)], builds[row.session]), row);
-  Runs runs;
-  for (auto& [order, made] : all) {
-    std::erase_if(made, [](const auto& one) { return !one.second.ended; });  // times of no run
-    if (made.empty()) continue;
-    auto& run = made.back().second.run;
-    (run.ending.kind == Ending::finished ? runs.finished : runs.failed).push_back(std::move(run));
-  }
-  return runs;
+  Collector collector;
+  for (const Session& session : results.sessions) collector.begin(session);
+  for (const Record& row : results.records) collector.take(row);
+  return std::move(collector).runs();
+}
+
+ReadRuns read_runs(const std::filesystem::path& file, const Scenes& known) {
+  Collector collector;
+  scan_results(file,
+               {.session = [&](const Session& session, auto) { collector.begin(session); },
+                .rows =
+                    [&](const std::vector<Record>& rows, auto) {
+                      for (const Record& row : rows) collector.take(row);
+                    }},
+               known);
+  ReadRuns read{.sessions = collector.sessions()};
+  read.runs = std::move(collector).runs();
+  if (read.runs.finished.empty() && read.runs.failed.empty())
+    throw std::invalid_argument(fmt::format("{}: holds no run", file.string()));
+  return read;
 }
 
 std::vector<RunSpan> by_scene(RunSpan runs) { return chunks(runs, same_scene); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "records/record.hpp"
+#include "scenes/registry.hpp"
 
 namespace fde {
 
@@ -32,6 +34,14 @@ struct Runs {
 };
 
 Runs runs_of(const Results& results);
+
+// A results file as sessions and runs, as runs_of makes them. Rows are not held, which take twice the size of
+// the file. Throws std::invalid_argument naming the file where it holds no run, and as scan_results does.
+struct ReadRuns {
+  std::vector<Session> sessions{};
+  Runs runs{};
+};
+ReadRuns read_runs(const std::filesystem::path& file, const Scenes& known = scenes());
 
 // Neighbouring runs of the same scene; of the same scene, scheme and setup but for the resolution: a line of
 // a chart, the coarsest first.

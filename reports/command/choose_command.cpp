@@ -11,7 +11,6 @@
 #include "command/arguments.hpp"
 #include "command/command.hpp"
 #include "command/progress.hpp"
-#include "records/results_file.hpp"
 #include "scenes/number_text.hpp"
 
 namespace fde {
@@ -65,18 +64,17 @@ Recommendation searched(const SceneVariant& variant, const Scene& scene, const Q
 
 // Results say nothing of single columns and take no time.
 Recommendation recorded(const SceneVariant& variant, const ErrorKind& kind, double accuracy,
-                        const ChooseArguments& arguments) {
+                        const ChooseArguments& arguments, const Scenes& known) {
   if (arguments.columns)
     reject_text("--columns", *arguments.columns, "without --results, which has all columns");
   if (arguments.max_time) reject_text("--max-time", *arguments.max_time, "without --results");
-  const Results results = read_results(*arguments.results);
-  const bool measured =
-      std::ranges::any_of(results.records, [&](const Record& row) { return row.key.scene == variant.key(); });
-  if (!measured) {
+  const Runs runs = read_runs(*arguments.results, known).runs;
+  const auto is_of_scene = [&](const MeasuredRun& run) { return run.key.scene == variant.key(); };
+  if (std::ranges::none_of(runs.finished, is_of_scene) && std::ranges::none_of(runs.failed, is_of_scene)) {
     throw std::invalid_argument(
         fmt::format("--results = {}: has no run of {}", *arguments.results, variant.label()));
   }
-  return recommend(results, variant.key(), kind, accuracy);
+  return recommend(runs, variant.key(), kind, accuracy);
 }
 
 void choose(const ChooseArguments& arguments, const Streams& streams, const Scenes& known) {
@@ -87,7 +85,7 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
       arguments.max_time ? parse_number("--max-time", *arguments.max_time, search_seconds) : default_seconds;
   Recommendation made;
   if (arguments.results) {
-    made = recorded(variant, kind, accuracy, arguments);
+    made = recorded(variant, kind, accuracy, arguments, known);
   } else {
     const Scene scene = make_scene(variant);
     const Question question{kind, accuracy, chosen_columns(scene, arguments.columns)};

@@ -15,6 +15,7 @@
 namespace fde {
 namespace {
 
+constexpr int worse_results = 1;
 constexpr int bad_input = 2;
 constexpr int numerical_failure = 3;
 
@@ -73,6 +74,10 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& strea
     program.run(arguments, streams.out, streams.err);
     streams.out.flush();
     return streams.out.good() ? 0 : complain(streams, bad_input, "standard output: cannot be written");
+  } catch (const WorseResults& worse) {
+    streams.out.flush();
+    return streams.out.good() ? complain(streams, worse_results, worse.what())
+                              : complain(streams, bad_input, "standard output: cannot be written");
   } catch (const NumericalFailure& failure) {
     return complain(streams, numerical_failure, failure.what());
   } catch (const std::invalid_argument& error) {

@@ -16,6 +16,11 @@ struct NumericalFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Results that are worse than those before them: exit code 1.
+struct WorseResults : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // Where a command writes: results to out, everything else to err.
 struct Streams {
   std::ostream& out;
@@ -24,8 +29,8 @@ struct Streams {
 };
 
 // The command `fdebench` without its process: arguments after the program's name. Returns the exit code: 0
-// done, 2 bad input or output that cannot be written, 3 numerical failure; both with one line on err. known:
-// the scenes that arguments may name.
+// done, 1 worse results, 2 bad input or output that cannot be written, 3 numerical failure; all but 0 with
+// one line on err. known: the scenes that arguments may name.
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams,
                  const Scenes& known = scenes());
 

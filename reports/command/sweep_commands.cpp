@@ -4,7 +4,10 @@
 #include <optional>
 #include <ostream>
 #include <stdexcept>
+#include <utility>
 
+#include "analysis/runs.hpp"
+#include "analysis/text.hpp"
 #include "command/arguments.hpp"
 #include "command/command.hpp"
 #include "command/last_words.hpp"
@@ -14,6 +17,7 @@
 #include "scenes/number_text.hpp"
 #include "sweep/default_sweep.hpp"
 #include "sweep/forecast.hpp"
+#include "sweep/shard.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep/trials.hpp"
 
@@ -27,8 +31,10 @@ struct RunArguments {
   std::vector<std::string> scenes, settings, schemes;
   std::optional<std::string> steps, accuracies;
   MeansArguments means{.budget = "600"};
-  std::string repeats = "3", out;
-  bool trials = false, thorough = false;
+  std::string repeats = "3";
+  std::optional<std::string> out;
+  std::optional<std::string> shard;
+  bool trials = false, thorough = false, dry_run = false;
 };
 
 std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts,
@@ -84,31 +90,55 @@ std::vector<Sweep> sweeps_of(const RunArguments& arguments, const Scenes& known)
   if (arguments.trials || (!listed && arguments.scenes.empty()))
     sweeps = sweeps_of_trials(sweep, arguments.thorough);
   if (!arguments.trials) sweeps.push_back(sweep);
-  return sweeps;
+  return arguments.shard ? shard_of(std::move(sweeps), parse_shard(*arguments.shard)) : sweeps;
+}
+
+// Another number of steps may be reached than is expected.
+bool count_is_exact(const std::vector<Sweep>& sweeps) {
+  return std::ranges::none_of(sweeps, [](const auto& sweep) { return sweep.ladder.goal.has_value(); });
+}
+
+Forecast forecast_of(const std::vector<Sweep>& sweeps,
+                     const std::function<RecordedRun(const RunKey&)>& recorded) {
+  Forecast expected;
+  for (const auto& sweep : sweeps) expected.merge(forecast(sweep, recorded));
+  return expected;
 }
 
 void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams,
                   const std::function<RecordedRun(const RunKey&)>& recorded,
                   const std::function<void(const std::vector<Record>&)>& append) {
-  Forecast expected;
-  for (const auto& sweep : sweeps) expected.merge(forecast(sweep, recorded));
-  const bool count_is_exact =
-      std::ranges::none_of(sweeps, [](const auto& sweep) { return sweep.ladder.goal.has_value(); });
-  SweepProgress progress(streams, expected, count_is_exact);
+  const Forecast expected = forecast_of(sweeps, recorded);
+  SweepProgress progress(streams, expected, count_is_exact(sweeps));
   const SweepHooks hooks{recorded, append, [&](const SweepEvent& event) { progress.hear(event); }};
   for (const auto& sweep : sweeps) run_sweep(sweep, hooks, expected);
 }
 
+// The runs that are left, with the seconds that each is expected to add, and their sum.
+void list_runs(const std::vector<Sweep>& sweeps, const RunArguments& arguments, const Streams& streams,
+               const Scenes& known) {
+  const auto recorded = arguments.out ? read_recorded(*arguments.out, known) : RecordedByKey();
+  const auto expected = forecast_of(sweeps, [&](const RunKey& key) { return recorded_of(recorded, key); });
+  for (const auto& [run, seconds] : expected) {
+    streams.out << fmt::format("{} {} {}  {}\n", label_of(run.scene), run.scheme, resolution_text(run.setup),
+                               time_text(seconds));
+  }
+  streams.out << fmt::format("{}{} runs, about {}\n", count_is_exact(sweeps) ? "" : "about ", expected.size(),
+                             duration_text(total_seconds(expected)));
+}
+
 void run(const RunArguments& arguments, const Streams& streams, const Scenes& known) {
   const auto sweeps = sweeps_of(arguments, known);
-  ResultsFile file(arguments.out);
+  if (arguments.dry_run) return list_runs(sweeps, arguments, streams, known);
+  if (!arguments.out) throw std::invalid_argument("--out is required");
+  ResultsFile file(*arguments.out, known);
   const LastWords words(
       fmt::format("{}fdebench: stopped; the same command continues, what is measured is kept\n",
                   streams.columns > 0 ? "\n" : ""));
   run_and_show(
       sweeps, streams, [&](const RunKey& key) { return file.recorded(key); },
       [&](const auto& rows) { file.append(rows); });
-  streams.out << std::filesystem::absolute(arguments.out).string() << '\n';
+  streams.out << std::filesystem::absolute(*arguments.out).string() << '\n';
 }
 
 }  // namespace
@@ -127,7 +157,9 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
   add_options(run_command, of_run->means);
   run_command.flag("--thorough", of_run->thorough, "all numbers of steps and all trials");
   run_command.flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
-  run_command.required("--out", of_run->out, "results file");
+  run_command.option("--shard", of_run->shard, "I/N: every N-th scene, from the I-th on");
+  run_command.flag("--dry-run", of_run->dry_run, "list the runs and how long they take, and do nothing");
+  run_command.option("--out", of_run->out, "results file");
   run_command.callback([=, &known] { run(*of_run, streams, known); });
 
   auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
@@ -135,7 +167,7 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
   report_command.required("file", *file, "results file");
   report_command.required("--out", *folder, "folder of the page");
   report_command.callback(
-      [=] { streams.out << write_report(read_results(*file), *folder).string() << '\n'; });
+      [=, &known] { streams.out << write_report(read_runs(*file, known), *folder).string() << '\n'; });
 }
 
 }  // namespace fde

@@ -85,9 +85,10 @@ SceneName name_of_scene(const SceneSettings& scene) {
       .source = std::string(found->source)};
 }
 
-json page_data(const Results& results) {
-  Runs runs = runs_of(results);
-  PageInput page{.results = results, .names = LineNames(runs)};
+json page_data(const Results& results) { return page_data(results, runs_of(results)); }
+
+json page_data(const Results& sessions, Runs runs) {
+  PageInput page{.results = sessions, .names = LineNames(runs)};
   page.runs = std::move(runs);
   page.trials = take_trials(page.runs);
   page.rates = rates(page.runs);

@@ -16,6 +16,9 @@ namespace fde {
 // already.
 nlohmann::json page_data(const Results& results);
 
+// The same of runs that were made of the rows, of which only the sessions are looked at.
+nlohmann::json page_data(const Results& sessions, Runs runs);
+
 // What the sections are made from.
 struct PageInput {
   const Results& results;

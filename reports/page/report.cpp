@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "page/assets.hpp"
 #include "page/page_data.hpp"
@@ -83,6 +84,10 @@ void replace_file(const fs::path& path, std::string_view text) {
 }  // namespace
 
 fs::path write_report(const Results& results, const fs::path& directory) {
+  return write_report(ReadRuns{results.sessions, runs_of(results)}, directory);
+}
+
+fs::path write_report(ReadRuns read, const fs::path& directory) {
   if (assets::vega().empty()) {
     throw std::invalid_argument(
         "report: this build has no charts; run ./setup.sh, then configure and build again");
@@ -90,7 +95,8 @@ fs::path write_report(const Results& results, const fs::path& directory) {
   std::error_code problem;
   fs::create_directories(directory, problem);
   if (problem) reject(directory, problem.message());
-  const std::string data = as_script_data(page_data(results)), licences = as_html(assets::licences());
+  const std::string data = as_script_data(page_data({.sessions = read.sessions}, std::move(read.runs))),
+                    licences = as_html(assets::licences());
   fs::path path = directory / "index.html";
   replace_file(path, fill(assets::page(), {{"style", assets::style()},
                                            {"data", data},

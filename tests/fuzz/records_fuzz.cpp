@@ -23,7 +23,7 @@ void show(const Results& results) {
   if (results.records.empty()) return;
   for (const double accuracy : {1e-3, 1e-12}) {
     for (const ErrorKind& kind : error_kinds()) {
-      const auto made = recommend(results, results.records.front().key.scene, kind, accuracy);
+      const auto made = recommend(runs_of(results), results.records.front().key.scene, kind, accuracy);
       for (const auto& text : made.others)
         fuzz::require(!fuzz::shows_no_number(text), "numbers of what is missing", text);
       if (made.options.empty()) continue;
@@ -54,6 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                    .steps = 1,
                    .h = 1.0,
                    .quantity = "ending",
+                   .unit = "t",
                    .ending = RunEnding{}};
   ResultsFile(file).append({row});
   fuzz::require(read_results(file).records.size() == count + 1, "a file that was read can be continued");

@@ -60,6 +60,7 @@ TEST_F(Unwritable, AFolderThatVanishesDuringARun) {
                       .steps = 8,
                       .h = 1.0,
                       .quantity = "ending",
+                      .unit = "t",
                       .ending = RunEnding{}};
   results.append({ending});
   fs::remove_all(folder_.path() / "here");

@@ -19,7 +19,9 @@ class RecordedRuns : public testing::Test {
             .h = 1.0 / 16,
             .quantity = std::string(quantity),
             .value = value,
-            .unit = quantity.starts_with("time_") ? "s" : "1"};
+            .unit = quantity.starts_with("time_") ? "s"
+                    : quantity == "ending"        ? "t"
+                                                  : ""};
   }
   static std::vector<Record> examination(const RunEnding& how = {}, double error = 0.1) {
     Record ending = row("ending", 1.0);

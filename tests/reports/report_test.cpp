@@ -166,7 +166,7 @@ TEST(Shortfall, CountsRunsThatAreNotTimedYet) {
   add_ending(results, run, end_time);
   EXPECT_TRUE(within(results, 1e-3).empty());
   EXPECT_EQ(shortfall(runs_of(results), {"pendulum"}, at_end, 1e-3)->untimed, 1U);
-  EXPECT_THAT(recommend(results, {"pendulum"}, at_end, 1e-3).others,
+  EXPECT_THAT(recommend(runs_of(results), {"pendulum"}, at_end, 1e-3).others,
               testing::Contains(HasSubstr("not timed yet")));
 }
 
@@ -314,7 +314,7 @@ TEST(Report, NamesALineByWhatTellsItsSetupFromOthers) {
   };
   EXPECT_THAT(lines(results),
               testing::UnorderedElementsAre("adams_pc, uniform", "l1, uniform", "l1, graded:2"));
-  EXPECT_THAT(text_of(recommend(results, {"pendulum"}, {Norm::end, Scale::absolute}, 3e-5)),
+  EXPECT_THAT(text_of(recommend(runs_of(results), {"pendulum"}, {Norm::end, Scale::absolute}, 3e-5)),
               HasSubstr("l1, graded:2: N = 512"));
   EXPECT_THAT(lines(two_lines()), testing::UnorderedElementsAre("adams_pc", "l1"));
 }

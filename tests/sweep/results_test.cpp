@@ -39,6 +39,7 @@ class ResultsFiles : public testing::Test {
     error.quantity = "error_end";
     error.value = 0.1 / steps;
     ending.quantity = "ending";
+    ending.unit = "t";
     ending.ending = RunEnding{};
     return {error, ending};
   }
@@ -98,15 +99,17 @@ TEST_F(ResultsFiles, TellRunsApartByTheirWholeKey) {
 
 TEST_F(ResultsFiles, KeepEveryMemberOfARun) {
   auto some = rows("l1", 64);
-  some.back().key = {.scene = {"pendulum", {{"alpha", 1.9}, {"formulation", "multiplier"}}, 5.0},
-                     .scheme = "adaptive",
-                     .setup = {Accuracy{1e-6, 1e-9}, 2.5, HistoryKind::direct, 1e-8, 60.0}};
+  for (auto& row : some) {
+    row.key = {.scene = {"knife_edge", {{"omega", 1.9}, {"formulation", "multiplier"}}, 5.0},
+               .scheme = "l1",
+               .setup = {Accuracy{1e-6, 1e-9}, 2.5, HistoryKind::direct, 1e-8, 60.0}};
+  }
   some.back().ending = RunEnding{Ending::not_finite, "at step 3, t = 0.5"};
   ResultsFile(file_).append(some);
   const Record read = read_results(file_).records.back();
   EXPECT_EQ(read.key, some.back().key);
   EXPECT_EQ(read.ending, some.back().ending);
-  EXPECT_EQ(label_of(read.key.scene), "pendulum:alpha=1.9,formulation=multiplier,until=5");
+  EXPECT_EQ(label_of(read.key.scene), "knife_edge:formulation=multiplier,omega=1.9,until=5");
 }
 
 TEST_F(ResultsFiles, OfAnotherVersionAreRefusedAsSuch) {
@@ -181,8 +184,68 @@ TEST_F(ResultsFiles, WithImpossibleStepsAreRefused) {
     changed.replace(changed.find(R"("steps":64)"), 10, std::string(R"("steps":)") + steps);
     const auto other = folder_ / "changed.jsonl";
     std::ofstream(other) << changed;
-    EXPECT_EQ(message(other), other.string() + ": line 2 is not a row of fdebench results") << steps;
+    EXPECT_EQ(message(other), other.string() + ": line 2: steps = " + steps +
+                                  ": must be a whole number from 1 to 2147483647");
   }
+}
+
+// What no run can have is named with its line, also in the middle of a file; a torn row in the middle is one.
+TEST_F(ResultsFiles, WithImpossibleRowsAreRefused) {
+  {
+    ResultsFile file(file_);
+    file.append(rows("l1", 64));
+    file.append(rows("l1", 128));
+  }
+  const auto whole = text();
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    auto other = whole;
+    const auto at = other.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    write(other.replace(at, from.size(), to));
+    return message(file_).substr(file_.string().size());
+  };
+  EXPECT_EQ(changed(R"("value":0.0015625)", R"("value":-1.0)"),
+            ": line 2: error_end = -1: must be a finite number of at least 0");
+  EXPECT_EQ(changed(R"("value":0.0015625)", R"("value":null)"),
+            ": line 2: error_end = null: must be a number");
+  EXPECT_EQ(changed(R"("value":0.0015625)", R"("value":1e999)"), ": line 2 is not a row of fdebench results");
+  EXPECT_EQ(changed("error_end", "error_and"), ": line 2: quantity error_and: no such quantity");
+  EXPECT_EQ(changed(R"("scene":"relaxation")", R"("scene":"relaxatoin")").substr(0, 56),
+            ": line 2: scene relaxatoin: no such scene, did you mean ");
+  EXPECT_EQ(changed(R"("scheme":"l1")", R"("scheme":"l3")").substr(0, 49),
+            ": line 2: scheme l3: no such scheme, did you mean");
+  EXPECT_EQ(changed(R"("settings":{})", R"("settings":{"gamma":3})"),
+            ": line 2: gamma = 3: must be a number in (0, 2]");
+  EXPECT_EQ(changed(R"("unit":"")", R"("unit":"s")"), R"(: line 2: unit = s: must be "", that of error_end)");
+  EXPECT_EQ(changed(R"("ending":"finished")", R"("ending":"done")"), ": line 3: ending done: no such ending");
+  EXPECT_EQ(changed(R"("last":true)", R"("lest":true)"),
+            ": line 4: a row of another run before the last row of the measurement above");
+  write(whole.substr(0, whole.find("error_end")) + whole.substr(whole.find('\n') + 1));
+  EXPECT_EQ(message(file_), file_.string() + ": line 2 is not a row of fdebench results");
+  write(whole.substr(whole.find('\n') + 1));
+  EXPECT_EQ(message(file_), file_.string() + ": line 1: a row before the first session");
+}
+
+TEST_F(ResultsFiles, HaveNoLineOfMoreThanAMebibyte) {
+  ResultsFile(file_).append(rows("l1", 64));
+  const auto whole = text();
+  std::ofstream(file_, std::ios::app) << std::string(std::size_t{1} << 21, ' ') << '\n';
+  EXPECT_EQ(message(file_), file_.string() + ": line 4 is longer than 1048576 bytes");
+}
+
+// Nothing is known of another program's setup, and its name may be any but ours.
+TEST_F(ResultsFiles, KeepTheTrajectoriesOfOtherPrograms) {
+  auto some = rows("numpy λ", 64);
+  for (auto& row : some) row.key.external = true;
+  ResultsFile(file_).append(some);
+  EXPECT_EQ(text().find("grid"), std::string::npos);
+  EXPECT_EQ(read_results(file_).records.back().key, some.back().key);
+  auto ours = text();
+  for (auto at = ours.find("numpy λ"); at != std::string::npos; at = ours.find("numpy λ"))
+    ours.replace(at, std::string("numpy λ").size(), "l1");
+  write(ours);
+  EXPECT_EQ(message(file_),
+            file_.string() + ": line 2: scheme = l1: must be another name than those of our schemes");
 }
 
 TEST_F(ResultsFiles, ThatCannotBeWrittenAreNamed) {

@@ -16,10 +16,8 @@ using nlohmann::json;
 
 json point(const PageInput& page, const CurvePoint& of, const std::string& parameter) {
   const MeasuredRun& run = *of.run;
-  json shown{{"line", page.label(run.key)},
-             {"value", of.value},
-             {"steps", run.steps},
-             {"errors", errors_of(run)}};
+  json shown{
+      {"line", page.label(run.key)}, {"value", of.value}, {"steps", run.steps}, {"errors", errors_of(run)}};
   json words = json::array({{"title", page.label(run.key)}, {parameter, fmt::format("{}", of.value)}});
   words.push_back({"N", count_text(run.steps)});
   for (const ErrorKind& kind : error_kinds()) {

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "analysis/text.hpp"
 #include "page/page_data.hpp"
@@ -43,6 +44,7 @@ Section failures_section(const PageInput& page) {
   return section;
 }
 
+// Our schemes, and other programs behind them.
 Section schemes_section(const PageInput& page) {
   Section section{.id = "schemes",
                   .title = "The schemes",
@@ -57,6 +59,13 @@ Section schemes_section(const PageInput& page) {
           {{.text = id}, {.text = std::string(scheme.title)}, {.text = std::string(scheme.source)}});
     }
   }
+  std::set<std::string> external;
+  for (const auto* runs : {&page.runs.finished, &page.runs.failed, &page.trials}) {
+    for (const MeasuredRun& run : *runs) {
+      if (run.key.external) external.insert(run.key.scheme);
+    }
+  }
+  for (const auto& name : external) rows.rows.push_back({{.text = name}, {.text = "another program"}, {}});
   if (!rows.rows.empty()) section.table.groups.push_back(std::move(rows));
   return section;
 }

@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 // A logarithmic axis shows positive values only.
-std::optional<double> positive(const MeasuredRun& run, std::string_view quantity) {
+std::optional<double> above_zero(const MeasuredRun& run, std::string_view quantity) {
   const auto value = run[quantity];
   return value && *value > 0.0 ? value : std::nullopt;
 }
@@ -21,7 +21,7 @@ std::optional<double> positive(const MeasuredRun& run, std::string_view quantity
 // The slope between a run and the next coarser one of its line.
 std::optional<double> rate_between(const MeasuredRun& coarse, const MeasuredRun& fine,
                                    std::string_view quantity) {
-  const auto before = positive(coarse, quantity), now = positive(fine, quantity);
+  const auto before = above_zero(coarse, quantity), now = above_zero(fine, quantity);
   if (!before || !now || coarse.h == fine.h) return std::nullopt;
   return std::log(*before / *now) / std::log(coarse.h / fine.h);
 }
@@ -57,8 +57,8 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
 json point(const PageInput& page, const MeasuredRun& run, const MeasuredRun* coarser) {
   json shown{{"line", page.label(run.key)}, {"steps", run.steps}, {"h", run.h}};
   shown["errors"] = errors_of(run);
-  if (const auto value = positive(run, "time_minimum")) shown["seconds"] = *value;
-  if (const auto value = positive(run, "energy_residual")) shown["energy"] = *value;
+  if (const auto value = above_zero(run, "time_minimum")) shown["seconds"] = *value;
+  if (const auto value = above_zero(run, "energy_residual")) shown["energy"] = *value;
   shown["words"] = tooltip(page, run, coarser);
   return shown;
 }
@@ -81,7 +81,7 @@ json guides(const PageInput& page, RunSpan scene) {
     const MeasuredRun& finest = line.back();
     for (const ErrorKind& kind : error_kinds()) {
       const auto& expected = (kind.norm == Norm::end ? rate.end : rate.maximum).expected;
-      const auto anchor = positive(finest, error_measure(kind));
+      const auto anchor = above_zero(finest, error_measure(kind));
       if (!expected || !anchor || line.size() < 2 || !(finest.h > 0.0)) continue;
       for (const double h : {finest.h, line.front().h}) {
         shown.push_back({{"line", page.label(finest.key)},
@@ -98,7 +98,7 @@ json guides(const PageInput& page, RunSpan scene) {
 std::string not_drawn(const PageInput& page, RunSpan scene) {
   std::vector<std::string> names;
   for (const MeasuredRun& run : scene) {
-    if (run["error_end"] && !positive(run, "error_end")) {
+    if (run["error_end"] && !above_zero(run, "error_end")) {
       names.push_back(fmt::format("{} at N = {}", page.label(run.key), count_text(run.steps)));
     }
   }
@@ -112,7 +112,7 @@ std::string not_drawn(const PageInput& page, RunSpan scene) {
 json errors_of(const MeasuredRun& run) {
   json errors = json::object();
   for (const ErrorKind& kind : error_kinds()) {
-    if (const auto value = positive(run, error_measure(kind))) errors[error_measure(kind)] = *value;
+    if (const auto value = above_zero(run, error_measure(kind))) errors[error_measure(kind)] = *value;
   }
   return errors;
 }

@@ -1,0 +1,71 @@
+#include "records/lines.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace fde {
+namespace {
+
+std::invalid_argument cannot_be_read(const std::filesystem::path& file, const std::string& reason) {
+  return std::invalid_argument(fmt::format("{}: cannot be read: {}", file.string(), reason));
+}
+
+}  // namespace
+
+void require_file(const std::filesystem::path& file) {
+  std::error_code problem;
+  const auto status = std::filesystem::status(file, problem);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw cannot_be_read(file, "is not a file");
+}
+
+LineReader::LineReader(std::filesystem::path file) : file_(std::move(file)) {
+  require_file(file_);
+  stream_.open(file_, std::ios::binary);
+  if (!stream_) throw cannot_be_read(file_, std::generic_category().message(errno));
+}
+
+bool LineReader::fill() {
+  constexpr std::size_t piece = std::size_t{1} << 16;
+  buffer_.resize(piece);
+  stream_.read(buffer_.data(), static_cast<std::streamsize>(piece));
+  if (stream_.bad()) throw cannot_be_read(file_, std::generic_category().message(errno));
+  buffer_.resize(static_cast<std::size_t>(stream_.gcount()));
+  at_ = 0;
+  return !buffer_.empty();
+}
+
+bool LineReader::next() {
+  text_.clear();
+  has_end_ = false;
+  begin_ = end_;
+  ++number_;
+  while (!has_end_ && (at_ < buffer_.size() || fill())) {
+    const auto rest = std::string_view(buffer_).substr(at_);
+    const auto part = rest.substr(0, rest.find('\n'));
+    has_end_ = part.size() < rest.size();
+    text_ += part;
+    at_ += part.size() + (has_end_ ? 1 : 0);
+    if (text_.size() <= most_line_bytes) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: line {} is longer than {} bytes", file_.string(), number_, most_line_bytes));
+  }
+  end_ += text_.size() + (has_end_ ? 1 : 0);
+  return has_end_ || !text_.empty();
+}
+
+void LineReader::go_to(std::uint64_t bytes) {
+  stream_.clear();
+  stream_.seekg(static_cast<std::streamoff>(bytes));
+  buffer_.clear();
+  at_ = 0;
+  number_ = 0;
+  begin_ = end_ = bytes;
+}
+
+}  // namespace fde

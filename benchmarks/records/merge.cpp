@@ -1,0 +1,128 @@
+#include "records/merge.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "records/lines.hpp"
+#include "records/record_text.hpp"
+#include "records/results_scan.hpp"
+#include "references/checksum.hpp"
+
+namespace fde {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where rows of a session stand.
+struct Place {
+  fs::path file;
+  std::uint64_t begin = 0, end = 0;  // bytes
+};
+
+// A session's line with all the places that have its rows.
+struct Found {
+  std::string line;
+  std::vector<Place> places{};
+};
+
+void find_sessions(const fs::path& file, const Scenes& known, std::vector<Found>& all) {
+  Place* place = nullptr;
+  scan_results(file,
+               {.session =
+                    [&](const Session& session, std::uint64_t rows_begin) {
+                      const std::string line = line_of(session);
+                      auto found = std::ranges::find(all, line, &Found::line);
+                      if (found == all.end()) found = all.insert(all.end(), {.line = line});
+                      place = &found->places.emplace_back(Place{file, rows_begin, rows_begin});
+                    },
+                .rows = [&](const auto&, std::uint64_t rows_end) { place->end = rows_end; }},
+               known);
+}
+
+// Writes a file that appears whole, or not at all.
+class NewFile {
+ public:
+  explicit NewFile(fs::path path) : path_(std::move(path)) {
+    if (fs::exists(fs::symlink_status(path_)))
+      throw std::invalid_argument(fmt::format("{}: exists, it must be a new file", path_.string()));
+    unfinished_ += fmt::format(".{}.tmp", getpid());
+    stream_.open(unfinished_, std::ios::binary);
+    check();
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+  ~NewFile() {
+    std::error_code ignored;
+    fs::remove(unfinished_, ignored);
+  }
+
+  void write(const std::string& text) {
+    stream_ << text;
+    check();
+  }
+  void finish() {
+    stream_.close();
+    check();
+    fs::rename(unfinished_, path_);
+  }
+
+ private:
+  void check() const {
+    if (!stream_)
+      throw std::system_error(errno, std::generic_category(), path_.string() + ": cannot be written");
+  }
+
+  fs::path path_, unfinished_ = path_;
+  std::ofstream stream_{};
+};
+
+// Copies the measurements of a place that are not yet among those written. Lines were read before, so they
+// are rows.
+void copy_rows(const Place& place, bool is_alone, std::set<std::string>& written, NewFile& out,
+               Merged& merged) {
+  LineReader line(place.file);
+  line.go_to(place.begin);
+  std::string measurement;
+  std::size_t rows = 0;
+  while (line.end() < place.end && line.next()) {
+    measurement += line.text() + '\n';
+    ++rows;
+    if (!parse_line(line.text()).last) continue;
+    if (is_alone || written.insert(sha256(measurement)).second) {
+      out.write(measurement);
+      merged.rows += rows;
+    } else {
+      merged.repeated_rows += rows;
+    }
+    measurement.clear();
+    rows = 0;
+  }
+}
+
+}  // namespace
+
+Merged merge_results(const std::vector<fs::path>& files, const fs::path& out, const Scenes& known) {
+  NewFile file(out);
+  std::vector<Found> sessions;
+  for (const auto& from : files) find_sessions(from, known, sessions);
+  Merged merged{.sessions = sessions.size()};
+  for (const auto& [line, places] : sessions) {
+    file.write(line);
+    std::set<std::string> written;
+    for (const auto& place : places) copy_rows(place, places.size() == 1, written, file, merged);
+  }
+  file.finish();
+  return merged;
+}
+
+}  // namespace fde

@@ -1,0 +1,34 @@
+#include "records/run_rows.hpp"
+
+#include <string>
+
+#include "measures/measures.hpp"
+
+namespace fde {
+namespace {
+
+Record with_value(Record row, const Measured& measured) {
+  row.quantity = std::string(measured.id);
+  row.value = measured.value;
+  row.unit = std::string(measured.unit);
+  return row;
+}
+
+}  // namespace
+
+std::vector<Record> rows_of_examination(const Record& run, const Judgement& judgement) {
+  std::vector<Record> rows;
+  for (const auto& measured : judgement.measured) rows.push_back(with_value(run, measured));
+  rows.push_back(with_value(run, {"ending", "t", judgement.until}));
+  rows.back().ending = judgement.ending;
+  return rows;
+}
+
+std::vector<Record> rows_of_times(const Record& run, const std::vector<double>& seconds) {
+  std::vector<Record> rows;
+  for (const auto& measure : time_measures())
+    rows.push_back(with_value(run, {measure.id, "s", measure.value(seconds)}));
+  return rows;
+}
+
+}  // namespace fde

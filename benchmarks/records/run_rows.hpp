@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "measures/judge.hpp"
+#include "records/record.hpp"
+
+namespace fde {
+
+// The rows of an examination, one a measure and the last of the ending; of the times of repeated solves, in
+// seconds. `run` is a row without its number.
+std::vector<Record> rows_of_examination(const Record& run, const Judgement& judgement);
+std::vector<Record> rows_of_times(const Record& run, const std::vector<double>& seconds);
+
+}  // namespace fde

@@ -1,0 +1,181 @@
+#include "records/written_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "observers/watched_steps.hpp"
+#include "records/lines.hpp"
+#include "references/watched_reference.hpp"
+#include "scenes/entry_named.hpp"
+#include "scenes/number_text.hpp"
+
+namespace fde {
+namespace {
+
+constexpr std::size_t most_values = 10'000'000;
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blank = " \t\r";
+  const auto first = text.find_first_not_of(blank);
+  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+std::string_view unquoted(std::string_view cell) {
+  const bool quoted = cell.size() > 1 && cell.front() == '"' && cell.back() == '"';
+  return quoted ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+// The names behind t. np.savetxt begins the header with #, spreadsheets with a byte order mark.
+std::vector<std::string> names_in(std::string_view header) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (header.starts_with(byte_order_mark)) header.remove_prefix(byte_order_mark.size());
+  header = trimmed(header);
+  if (header.starts_with('#')) header.remove_prefix(1);
+  std::vector<std::string> names;
+  for (const auto& cell : split_list(header)) names.emplace_back(unquoted(trimmed(cell)));
+  if (names.front() != "t") throw std::invalid_argument("must be a header, t and columns of the scene");
+  names.erase(names.begin());
+  return names;
+}
+
+// Of each cell behind t the column of the scene; nullopt: it is passed over.
+using Places = std::vector<std::optional<Eigen::Index>>;
+
+Places places_of(const std::vector<std::string>& names, const Scene& scene) {
+  auto printed = printed_names(scene);
+  std::ranges::copy(reaction_names(scene), std::back_inserter(printed));
+  const auto own = std::ssize(scene.outputs.names);
+  Places places;
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (std::find(names.begin(), name, *name) != name)
+      throw std::invalid_argument(fmt::format("column {} stands there twice", *name));
+    const auto found = std::ranges::find(printed, *name);
+    if (found == printed.end()) no_such("column", *name, {printed.begin(), printed.begin() + own});
+    const auto place = found - printed.begin();
+    places.push_back(place < own ? std::optional<Eigen::Index>(place) : std::nullopt);
+  }
+  return places;
+}
+
+class PathReader {
+ public:
+  PathReader(const std::string& header, const Scene& scene)
+      : names_(names_in(header)), places_(places_of(names_, scene)), end_(scene.problem.end) {
+    for (const auto& place : places_) {
+      if (place) path_.columns.push_back(*place);
+    }
+    if (path_.columns.empty()) {
+      throw std::invalid_argument(
+          fmt::format("has no column of the scene; they are {}", fmt::join(scene.outputs.names, ", ")));
+    }
+  }
+
+  void take(std::string_view line) {
+    const auto cells = split_list(line);
+    if (cells.size() != names_.size() + 1) {
+      throw std::invalid_argument(
+          fmt::format("must have {} cells, as the header, not {}", names_.size() + 1, cells.size()));
+    }
+    take_time(trimmed(cells.front()));
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      const auto cell = trimmed(cells[i + 1]);
+      const auto value = number_in(cell);
+      if (!value) reject_text(names_[i], cell, "a number");
+      if (places_[i]) values_.push_back(*value);
+    }
+    if (values_.size() > most_values)
+      throw std::invalid_argument(fmt::format("there are more than {} values", most_values));
+  }
+
+  WrittenPath path() && {
+    if (path_.times.empty() || path_.times.back() == 0.0)
+      throw std::invalid_argument("there is no row behind t = 0");
+    path_.values =
+        Eigen::Map<const Matrix>(values_.data(), std::ssize(path_.columns), std::ssize(path_.times));
+    return std::move(path_);
+  }
+
+ private:
+  // The end may have been rounded.
+  void take_time(std::string_view cell) {
+    constexpr double rounding = 1e-12;
+    double t = parse_number("t", cell, not_negative);
+    if (t > end_ * (1.0 + rounding)) reject_text("t", cell, fmt::format("in [0, {}], as in the scene", end_));
+    if (std::abs(t - end_) <= rounding * end_) t = end_;
+    if (!path_.times.empty() && t <= path_.times.back())
+      reject_text("t", cell, fmt::format("above {}, the time before", path_.times.back()));
+    path_.times.push_back(t);
+  }
+
+  std::vector<std::string> names_;
+  Places places_;
+  double end_;
+  WrittenPath path_{};
+  std::vector<double> values_{};
+};
+
+WrittenPath read_lines(LineReader& line, const Scene& scene) {
+  if (!line.next()) throw std::invalid_argument("there is no header");
+  PathReader reader(line.text(), scene);
+  bool is_over = false;  // only empty lines may follow
+  while (line.next()) {
+    const bool is_empty = trimmed(line.text()).empty();
+    if (is_over && !is_empty) throw std::invalid_argument("a row behind an empty line");
+    is_over = is_empty;
+    if (!is_empty) reader.take(line.text());
+  }
+  return std::move(reader).path();
+}
+
+// Every row, or as many as are compared of a run.
+WrittenPath watched(const WrittenPath& path) {
+  WrittenPath some{.columns = path.columns};
+  const auto rows = watched_steps(static_cast<int>(path.times.size()) - 1);
+  for (const int row : rows) some.times.push_back(path.times[static_cast<std::size_t>(row)]);
+  some.values = path.values(Eigen::all, rows);
+  return some;
+}
+
+Judgement judge_values(const Scene& scene, const WrittenPath& path) {
+  for (Eigen::Index c = 0; c < path.values.cols(); ++c) {
+    const double t = path.times[static_cast<std::size_t>(c)];
+    if (!path.values.col(c).allFinite()) return {{Ending::not_finite, at_time(std::nullopt, t)}, t};
+  }
+  const auto some = watched(path);
+  WatchedReference reference(scene, path.columns);
+  return judge_columns(some.times, some.values, reference);
+}
+
+}  // namespace
+
+WrittenPath read_path(const std::filesystem::path& file, const Scene& scene) {
+  LineReader line(file);
+  try {
+    return read_lines(line, scene);
+  } catch (const std::invalid_argument& error) {
+    const std::string_view what = error.what();
+    if (what.starts_with(file.string() + ":")) throw;  // of the line itself
+    throw std::invalid_argument(fmt::format("{}: line {}: {}", file.string(), line.number(), what));
+  }
+}
+
+Judgement judge_path(const Scene& scene, const WrittenPath& path) {
+  Judgement judgement = judge_values(scene, path);
+  if (std::ssize(path.columns) == std::ssize(scene.outputs.names)) return judgement;
+  std::vector<std::string> names;
+  for (const auto column : path.columns)
+    names.push_back(scene.outputs.names[static_cast<std::size_t>(column)]);
+  auto& detail = judgement.ending.detail;
+  detail += fmt::format("{}in {}", detail.empty() ? "" : " ", fmt::join(names, ", "));
+  return judgement;
+}
+
+}  // namespace fde

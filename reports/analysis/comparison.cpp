@@ -1,0 +1,114 @@
+#include "analysis/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace fde {
+namespace {
+
+// What is not known of the errors of a run, absolute and at the end.
+double doubt(const MeasuredRun& run) {
+  constexpr double samples = 4.0;
+  return samples * run["rounding"].value_or(0.0) + run["reference_bound"].value_or(0.0);
+}
+
+// The unit of an error of this quantity in one run: by how much it is more than the absolute one at the end.
+double unit_of(const MeasuredRun& run, std::string_view quantity, double error) {
+  const double at_end = run["error_end"].value_or(0.0);
+  const bool is_absolute = quantity == "error_end" || quantity == "error_maximum";
+  return is_absolute || at_end == 0.0 ? 1.0 : error / at_end;
+}
+
+std::optional<MovedError> moved(const CommonRun& run, std::string_view quantity, double before, double now) {
+  constexpr double part = 0.01;
+  const double unknown = std::max(doubt(*run.before), doubt(*run.now)) *
+                         std::min(unit_of(*run.before, quantity, before), unit_of(*run.now, quantity, now));
+  if (std::abs(now - before) <= unknown) return std::nullopt;
+  if (std::max(now, before) <= (1.0 + part) * std::min(now, before)) return std::nullopt;
+  return MovedError{.run = run, .quantity = quantity, .before = before, .now = now};
+}
+
+double growth(const MovedError& error) {
+  return error.before > 0.0 ? error.now / error.before : std::numeric_limits<double>::infinity();
+}
+
+void compare_errors(const CommonRun& run, std::vector<MovedError>& all) {
+  std::optional<MovedError> worst;
+  for (const auto& [quantity, before] : run.before->values) {
+    const auto now = (*run.now)[quantity];
+    if (!quantity.starts_with("error_") || !now) continue;
+    const auto found = moved(run, quantity, before, *now);
+    if (found && (!worst || growth(*found) > growth(*worst))) worst = found;
+  }
+  if (worst) all.push_back(*worst);
+}
+
+void compare_times(const CommonRun& run, std::vector<TimeRatio>& all) {
+  const auto least_before = (*run.before)["time_minimum"], least_now = (*run.now)["time_minimum"];
+  if (!least_before || !least_now || *least_before <= 0.0 || *least_now <= 0.0) return;
+  const double median_before = (*run.before)["time_median"].value_or(*least_before),
+               median_now = (*run.now)["time_median"].value_or(*least_now);
+  all.push_back({.run = run,
+                 .ratio = *least_now / *least_before,
+                 .low = *least_now / median_before,
+                 .high = median_now / *least_before});
+}
+
+void compare_endings(const CommonRun& run, std::vector<ChangedEnding>& all) {
+  const Verdict before = verdict(*run.before), now = verdict(*run.now);
+  if (before != now || run.before->ending.kind != run.now->ending.kind)
+    all.push_back({.run = run, .before = before, .now = now});
+}
+
+// The better verdict is more; those between say nothing of each other.
+int rank(const Verdict& verdict) {
+  if (verdict == survives || verdict == stops) return 2;
+  return verdict == fails ? 0 : 1;
+}
+
+void put_worst_first(Comparison& comparison) {
+  const auto fall = [](const ChangedEnding& change) { return rank(change.now) - rank(change.before); };
+  std::ranges::stable_sort(comparison.endings, {}, fall);
+  std::ranges::stable_sort(comparison.errors, std::ranges::greater{}, growth);
+  std::ranges::stable_sort(comparison.times, std::ranges::greater{}, &TimeRatio::ratio);
+}
+
+// The runs by their keys, finished and failed alike, in the order of the keys.
+std::map<RunKey, const MeasuredRun*> by_key(const Runs& runs) {
+  std::map<RunKey, const MeasuredRun*> all;
+  for (const auto* some : {&runs.finished, &runs.failed}) {
+    for (const MeasuredRun& run : *some) all.emplace(run.key, &run);
+  }
+  return all;
+}
+
+}  // namespace
+
+bool ChangedEnding::fell() const { return rank(now) < rank(before); }
+
+bool Comparison::is_worse() const {
+  return std::ranges::any_of(errors, &MovedError::grew) || std::ranges::any_of(endings, &ChangedEnding::fell);
+}
+
+Comparison compare(const Runs& before, const Runs& now) {
+  const auto of_before = by_key(before), of_now = by_key(now);
+  Comparison comparison;
+  for (const auto& [key, run] : of_before) {
+    const auto found = of_now.find(key);
+    if (found == of_now.end()) continue;
+    const CommonRun common{.before = run, .now = found->second};
+    ++comparison.common;
+    compare_errors(common, comparison.errors);
+    compare_times(common, comparison.times);
+    compare_endings(common, comparison.endings);
+  }
+  comparison.only_before = of_before.size() - comparison.common;
+  comparison.only_now = of_now.size() - comparison.common;
+  put_worst_first(comparison);
+  return comparison;
+}
+
+}  // namespace fde

@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "command/arguments.hpp"
+#include "command/command.hpp"
+#include "measures/measures.hpp"
+#include "records/possible.hpp"
+#include "records/results_file.hpp"
+#include "records/run_rows.hpp"
+#include "records/written_path.hpp"
+#include "scenes/number_text.hpp"
+
+namespace fde {
+namespace {
+
+struct JudgeArguments {
+  SceneArguments scene;
+  std::string file;
+  std::optional<std::string> seconds, name, out;
+};
+
+// A trajectory that ends before the scene is one of that scene with another end: its last error is not that
+// at the end of the scene.
+void end_with(const WrittenPath& path, const std::string& file, SceneVariant& variant, Scene& scene) {
+  const double last = path.times.back(), end = scene.problem.end;
+  if (last == end) return;
+  if (two_sided(scene.problem)) {
+    throw std::invalid_argument(fmt::format("{}: ends at t = {}, scene {} is posed at both ends, 0 and {}",
+                                            file, last, variant.maker->id, end));
+  }
+  variant.until = last;
+  scene.problem.end = last;
+}
+
+// Its row without a number: nothing is known of its setup.
+Record row_of(const SceneVariant& scene, const std::string& name, const WrittenPath& path) {
+  const auto steps = static_cast<int>(path.times.size());
+  return {.key = {.scene = scene.key(), .scheme = name, .setup = {.resolution = steps}, .external = true},
+          .steps = steps,
+          .h = path.times.back() / steps};
+}
+
+void print(const SceneVariant& scene, const std::vector<Record>& rows, std::ostream& out) {
+  out << fmt::format("scene {}\nrows {}\n", scene.label(), rows.front().steps);
+  for (const Record& row : rows) {
+    if (row.ending) {
+      out << fmt::format("ending {}\n", sentence(*row.ending));
+    } else {
+      out << fmt::format("{} {}{}{}\n", row.quantity, row.value, row.unit.empty() ? "" : " ", row.unit);
+    }
+  }
+}
+
+void judge(const JudgeArguments& arguments, const Streams& streams, const Scenes& known) {
+  auto variant = read_variant(arguments.scene, known);
+  Scene scene = make_scene(variant);
+  const auto name = arguments.name.value_or(std::filesystem::path(arguments.file).stem().string());
+  if (arguments.name || arguments.out) require_external_name("--name", name);
+  std::vector<double> seconds;
+  if (arguments.seconds) seconds = parse_numbers("--seconds", *arguments.seconds, positive);
+  const auto path = read_path(arguments.file, scene);
+  end_with(path, arguments.file, variant, scene);
+  std::optional<ResultsFile> file;
+  if (arguments.out) file.emplace(*arguments.out, known);
+
+  const Record row = row_of(variant, name, path);
+  const auto judgement = judge_path(scene, path);
+  auto rows = rows_of_examination(row, judgement);
+  if (file) file->append(rows);
+  if (!seconds.empty() && is_compared(judgement.ending.kind)) {
+    const auto times = rows_of_times(row, seconds);
+    if (file) file->append(times);
+    rows.insert(rows.end(), times.begin(), times.end());
+  }
+  print(variant, rows, streams.out);
+}
+
+}  // namespace
+
+void add_judge_command(CommandLine& program, const Streams& streams, const Scenes& known) {
+  auto arguments = std::make_shared<JudgeArguments>();
+  Subcommand command(program, "judge", "Judge a trajectory that another program wrote");
+  add_scene(command, arguments->scene);
+  command.required("file", arguments->file, "CSV with the header t,COLUMN,... of the scene");
+  command.option("--seconds", arguments->seconds, "time of the other program, or those of repeats S1,S2,...");
+  command.option("--name", arguments->name, "what to call it; default the name of the file");
+  command.option("--out", arguments->out, "results file that it is added to");
+  command.callback([=, &known] { judge(*arguments, streams, known); });
+}
+
+}  // namespace fde

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""schema.py FDEBENCH: what fdebench writes is what docs/results.schema.json says; what that forbids fdebench refuses."""
+
+import copy
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import jsonschema
+
+ROOT = Path(__file__).resolve().parents[2]
+SCHEMA = json.loads((ROOT / "docs" / "results.schema.json").read_text())
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+PROGRAM = sys.argv.pop(1)
+
+
+def fdebench(*words):
+    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True)
+
+
+class Results(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.file = Path(cls.folder.name) / "results.jsonl"
+        runs = [
+            ["--scene", "relaxation", "--scheme", "l1", "--scheme", "adams_pc", "--steps", "16,32"],
+            ["--scene", "multi_term:alpha=1.2,1.6,until=2", "--scene", "knife_edge:formulation=multiplier", "--steps", "32"],
+            ["--scene", "relaxation", "--steps", "16", "--grid", "graded:2.5", "--history", "direct", "--tolerance", "1e-8"],
+            ["--scene", "relaxation", "--accuracy", "1e-3", "--scheme", "l1"],
+        ]
+        for words in runs:
+            run = fdebench("run", *words, "--repeat", 1, "--out", cls.file)
+            assert run.returncode == 0, run.stderr
+        written = Path(cls.folder.name) / "written.csv"
+        written.write_text("t,y\n0,1\n1,0.43\n")
+        judged = fdebench("judge", "relaxation", written, "--seconds", 1, "--name", "ours λ", "--out", cls.file)
+        assert judged.returncode == 0, judged.stderr
+        cls.lines = [json.loads(line) for line in cls.file.read_text().splitlines()]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def is_read(self, lines):
+        """Whether fdebench takes a file of these lines; what it says."""
+        file = Path(self.folder.name) / "changed.jsonl"
+        file.write_text("".join(json.dumps(line) + "\n" for line in lines))
+        answer = fdebench("compare", file, file)
+        self.assertIn(answer.returncode, (0, 2))
+        if answer.returncode == 2:
+            self.assertRegex(answer.stderr, re.escape(f"fdebench: {file}: line ") + r"\d+.*\n$")
+            self.assertEqual(answer.stderr.count("\n"), 1)
+        return answer.returncode == 0, answer.stderr
+
+    def test_what_is_written_is_valid(self):
+        jsonschema.Draft202012Validator.check_schema(SCHEMA)
+        for line in self.lines:
+            VALIDATOR.validate(line)
+        self.assertEqual(sum("session" in line for line in self.lines), 5)
+        self.assertTrue({"external", "accuracy", "detail", "budget"} <= set().union(*self.lines))
+
+    def test_quantities_are_those_of_the_lists(self):
+        lists = (ROOT / "benchmarks" / "measures" / "list.def").read_text()
+        times = (ROOT / "benchmarks" / "measures" / "measures.cpp").read_text()
+        measures = set(re.findall(r"FDE_MEASURE\((\w+)\)", lists)) | set(re.findall(r'TimeMeasure{"(\w+)"', times))
+        self.assertEqual(set(SCHEMA["$defs"]["quantity"]["enum"]), measures | {"ending"})
+        page = (ROOT / "docs" / "results.md").read_text()
+        for name in measures | set(SCHEMA["$defs"]["row"]["properties"]):
+            self.assertIn(f"`{name}`", page)
+
+    def changed(self, number, change):
+        lines = copy.deepcopy(self.lines)
+        change(lines[number])
+        return lines
+
+    def test_what_the_schema_forbids_is_refused_with_its_line(self):
+        error = next(i for i, line in enumerate(self.lines) if line.get("quantity") == "error_end")
+        ending = next(i for i, line in enumerate(self.lines) if line.get("quantity") == "ending")
+        external = next(i for i, line in enumerate(self.lines) if "external" in line)
+        changes = [
+            (error, {"value": -1.0}), (error, {"value": None}), (error, {"value": "1"}), (error, {"quantity": "eror_end"}),
+            (error, {"unit": "m"}), (error, {"steps": 0}), (error, {"steps": 2.5}), (error, {"steps": 2**31}),
+            (error, {"h": -1.0}), (error, {"tolerance": 2.0}), (error, {"budget": 0.0}), (error, {"grid": "curved"}),
+            (error, {"history": "none"}), (error, {"scene": ""}), (error, {"scheme": ""}), (error, {"ending": "finished"}),
+            (error, {"settings": {"until": 0.0}}), (error, {"settings": 1}), (ending, {"value": -1.0}),
+            (ending, {"ending": "done"}), (ending, {"unit": "s"}), (external, {"scheme": "a\nb"}), (external, {"scheme": ""}),
+            (external, {"scheme": "x" * 101}), (error, {"external": True, "scheme": ""}),
+        ]  # fmt: skip
+        for number, change in changes:
+            with self.subTest(change=change):
+                lines = self.changed(number, lambda line, change=change: line.update(change))
+                self.assertFalse(VALIDATOR.is_valid(lines[number]))
+                taken, said = self.is_read(lines)
+                self.assertFalse(taken)
+                self.assertIn(f": line {number + 1}", said)
+        for field in ("scene", "settings", "scheme", "steps", "h", "quantity", "value", "unit", "grid", "history", "tolerance"):
+            with self.subTest(without=field):
+                lines = self.changed(error, lambda line, field=field: line.pop(field))
+                self.assertFalse(VALIDATOR.is_valid(lines[error]))
+                self.assertFalse(self.is_read(lines)[0])
+        lines = self.changed(ending, lambda line: line.pop("ending"))
+        self.assertFalse(VALIDATOR.is_valid(lines[ending]))
+        self.assertFalse(self.is_read(lines)[0])
+        self.assertTrue(self.is_read(self.lines)[0])
+
+    def test_what_is_not_in_one_line_is_refused_too(self):
+        """A scene, a setting and a scheme that there is not; rows in the wrong order."""
+        error = next(i for i, line in enumerate(self.lines) if line.get("quantity") == "error_end")
+        for change, said in [
+            ({"scene": "relaxatoin"}, "did you mean 'relaxation'?"), ({"scheme": "l2"}, "did you mean 'l1'?"),
+            ({"settings": {"gama": 0.5}}, "gama"), ({"settings": {"gamma": 3.0}}, "gamma = 3"),
+            ({"steps": 17}, "a row of another run"), ({"external": True}, "another name than those of our schemes"),
+        ]:  # fmt: skip
+            with self.subTest(change=change):
+                taken, why = self.is_read(self.changed(error, lambda line, change=change: line.update(change)))
+                self.assertFalse(taken)
+                self.assertIn(said, why)
+        second = [i for i, line in enumerate(self.lines) if "session" in line][1]
+        for lines, said in [
+            (self.lines[1:], "line 1: a row before the first session"),
+            (self.lines[: second - 1] + self.lines[second:], f"line {second}: a session begins before the last row"),
+        ]:
+            taken, why = self.is_read(lines)
+            self.assertFalse(taken)
+            self.assertIn(said, why)
+
+
+if __name__ == "__main__":
+    unittest.main()
