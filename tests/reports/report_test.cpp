@@ -273,7 +273,7 @@ TEST(Report, DrawsErrorAndTimeOverAParameterOfThreeValues) {
     std::vector<double> values;
     for (const auto& point : section["points"]) {
       EXPECT_EQ(point["steps"], 128);
-      EXPECT_DOUBLE_EQ(point["end"].get<double>(), point["value"].get<double>() / 128);
+      EXPECT_DOUBLE_EQ(point["errors"]["error_end"].get<double>(), point["value"].get<double>() / 128);
       EXPECT_DOUBLE_EQ(point["seconds"].get<double>(), 1.28e-4);
       if (point["line"] == "l1") values.push_back(point["value"]);
     }
