@@ -13,11 +13,11 @@
 namespace fde {
 namespace {
 
-using std::string_view_literals::operator""sv;
-
-constexpr std::array norms{std::pair{Norm::end, "end"sv}, std::pair{Norm::maximum, "maximum"sv}};
-constexpr std::array scales{std::pair{Scale::absolute, "absolute"sv},
-                            std::pair{Scale::relative, "relative"sv}, std::pair{Scale::mixed, "mixed"sv}};
+constexpr std::array norms{std::pair{Norm::end, std::string_view("end")},
+                           std::pair{Norm::maximum, std::string_view("maximum")}};
+constexpr std::array scales{std::pair{Scale::absolute, std::string_view("absolute")},
+                            std::pair{Scale::relative, std::string_view("relative")},
+                            std::pair{Scale::mixed, std::string_view("mixed")}};
 
 template <class Names, class One>
 std::string_view name_in(const Names& names, One one) {

@@ -47,7 +47,7 @@ bool Examiner::same_values(const Way& one, const Way& other, int steps) {
 }
 
 void Examiner::solve_to_end(const Way& way, int steps) const {
-  solve(way, steps, {scene_.problem.end}, std::numeric_limits<double>::infinity());
+  static_cast<void>(solve(way, steps, {scene_.problem.end}, std::numeric_limits<double>::infinity()));
 }
 
 void Examiner::know_reference(int times) {
@@ -61,10 +61,11 @@ double Examiner::reference_bound() {
 
 Rows Examiner::finite_reference(const std::vector<double>& times) {
   Rows reference = counted(reference_.at(times));
-  if (const auto column = first_overflow(reference))
+  if (const auto column = first_overflow(reference)) {
     throw std::runtime_error(
         fmt::format("the solution overflows at t = {:.6g}: nothing can be compared with it",
                     times[static_cast<std::size_t>(*column)]));
+  }
   return reference;
 }
 

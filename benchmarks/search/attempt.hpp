@@ -59,8 +59,9 @@ class Examiner {
   Rows finite_reference(const std::vector<double>& times);
   void judge_all(const std::vector<double>& times, Attempt& attempt);
   void judge_end(Attempt& attempt);
-  Rows counted(const Rows& columns) const;
-  Trajectory solve(const Way& way, int steps, const std::vector<double>& times, double budget) const;
+  [[nodiscard]] Rows counted(const Rows& columns) const;
+  [[nodiscard]] Trajectory solve(const Way& way, int steps, const std::vector<double>& times,
+                                 double budget) const;
 
   const Scene& scene_;
   Question question_;

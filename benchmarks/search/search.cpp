@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "observers/watched_steps.hpp"
@@ -180,7 +181,7 @@ class Search {
   void merge_repeats(std::size_t second) {
     for (std::size_t first = 0; first < second && ways_[second].found != Found::repeats; ++first) {
       if (!is_repeated(ways_[first], ways_[second])) continue;
-      ways_[first].names.push_back(std::string(ways_[second].way.scheme->id));
+      ways_[first].names.emplace_back(ways_[second].way.scheme->id);
       ways_[second].found = Found::repeats;
       climbing_[second] = false;
     }
@@ -196,7 +197,8 @@ class Search {
       return std::isfinite(a.error) && a.values == b.values;
     };
     return common > 0 &&
-           std::equal(second.ladder.begin(), second.ladder.begin() + common, first.ladder.begin(), same) &&
+           std::ranges::equal(std::span(first.ladder).first(common), std::span(second.ladder).first(common),
+                              same) &&
            examiner_.same_values(first.way, second.way, second.ladder[common - 1].steps);
   }
 
@@ -223,7 +225,7 @@ class Search {
     if (quick.empty()) return true;
     std::vector<std::function<void()>> solves;
     for (const auto* of : quick)
-      solves.push_back([this, of] { examiner_.solve_to_end(of->way, of->best.steps); });
+      solves.emplace_back([this, of] { examiner_.solve_to_end(of->way, of->best.steps); });
     tell_(fmt::format("timing {} runs", quick.size()), std::min(1.0, elapsed() / seconds_));
     const auto times = time_interleaved(solves, timing_part * seconds_);
     for (std::size_t i = 0; i < quick.size(); ++i) quick[i]->time = times[i];

@@ -149,9 +149,10 @@ Recommendation recommend(const Runs& runs, const SceneSettings& scene, const Err
   }
   const auto name = [&](const Option& of) { return names.name(of.schemes.front(), of.setup); };
   made.others.push_back(fmt::format("best: {}: {}", name(missed->best), run_text(missed->best)));
-  if (missed->untimed > 0)
+  if (missed->untimed > 0) {
     made.others.push_back(
         fmt::format("{} runs within it are not timed yet: continue the sweep", missed->untimed));
+  }
   if (missed->steps_needed) made.others.push_back(needed_text(name(missed->line), *missed->steps_needed));
   return made;
 }
