@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace fde {
 namespace {
 
 constexpr std::size_t most_fitted = 5;
-constexpr double least_power = 0.05, most_power = 8.0, power_step = 0.05;
-constexpr double least_gap = 0.2, most_gap = 3.0, gap_step = 0.2;
+// Powers are multiples of a step: those of a curve, and by how much its second one is larger.
+constexpr double power_step = 0.05;
+constexpr std::size_t least_power = 1, most_power = 160, least_gap = 4, most_gap = 60, gap_step = 4;
 
 // What a curve may miss beside what the best one misses: errors are no exact sums of two powers.
 constexpr double tolerated = 0.01;
@@ -27,23 +29,41 @@ std::vector<Point> points_of(std::span<const ErrorWith> measured) {
   return points;
 }
 
-// The a and b with the least sum of (a n^-p / e + b n^-q / e - 1)^2.
+// n^-p / e at each point.
+using Column = std::vector<double>;
+std::vector<Column> columns_of(const std::vector<Point>& points) {
+  std::vector<Column> columns;
+  for (std::size_t k = 0; k <= most_power + most_gap; ++k) {
+    Column& column = columns.emplace_back();
+    for (const auto& [n, error] : points)
+      column.push_back(std::pow(n, -power_step * static_cast<double>(k)) / error);
+  }
+  return columns;
+}
+
+// The a and b with the least sum of (a u + b v - 1)^2.
 struct Coefficients {
   double a = 0.0, b = 0.0;
 };
-Coefficients fitted(const std::vector<Point>& points, double p, double q) {
+Coefficients fitted(const Column& u, const Column& v) {
   double uu = 0.0, uv = 0.0, vv = 0.0, u1 = 0.0, v1 = 0.0;
-  for (const auto& [n, error] : points) {
-    const double u = std::pow(n, -p) / error, v = std::pow(n, -q) / error;
-    uu += u * u;
-    uv += u * v;
-    vv += v * v;
-    u1 += u;
-    v1 += v;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    uu += u[i] * u[i];
+    uv += u[i] * v[i];
+    vv += v[i] * v[i];
+    u1 += u[i];
+    v1 += v[i];
   }
-  if (points.size() < 3) return {u1 / uu, 0.0};
+  if (u.size() < 3) return {u1 / uu, 0.0};
   const double determinant = uu * vv - uv * uv;
   return {(u1 * vv - v1 * uv) / determinant, (uu * v1 - uv * u1) / determinant};
+}
+
+// The root of the mean square of a u + b v - 1.
+double misfit_of(const Coefficients& with, const Column& u, const Column& v) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < u.size(); ++i) sum += std::pow(with.a * u[i] + with.b * v[i] - 1.0, 2);
+  return std::sqrt(sum / static_cast<double>(u.size()));
 }
 
 }  // namespace
@@ -54,16 +74,19 @@ ErrorModel::ErrorModel(std::span<const ErrorWith> measured) {
   const auto points = points_of(measured);
   if (points.size() < 2) return;
   scale_ = measured.back().steps;
+  const auto columns = columns_of(points);
   double best = std::numeric_limits<double>::infinity();
-  for (double p = least_power; p <= most_power; p += power_step) {
-    for (double gap = least_gap; gap <= most_gap; gap += gap_step) {
-      const auto [a, b] = fitted(points, p, p + gap);
-      Curve curve{.p = p, .q = p + gap, .a = a, .b = b};
-      if (!(a > 0.0) || !(a + b > 0.0)) continue;  // not an error beyond the finest
-      for (const auto& [n, error] : points) curve.misfit += std::pow(curve.at(n) / error - 1.0, 2);
-      curve.misfit = std::sqrt(curve.misfit / static_cast<double>(points.size()));
-      best = std::min(best, curve.misfit);
-      curves_.push_back(curve);
+  for (std::size_t p = least_power; p <= most_power; ++p) {
+    for (std::size_t gap = least_gap; gap <= most_gap; gap += gap_step) {
+      const auto with = fitted(columns[p], columns[p + gap]);
+      if (!(with.a > 0.0) || !(with.a + with.b > 0.0)) continue;  // not an error beyond the finest
+      const double misfit = misfit_of(with, columns[p], columns[p + gap]);
+      best = std::min(best, misfit);
+      curves_.push_back({.p = power_step * static_cast<double>(p),
+                         .q = power_step * static_cast<double>(p + gap),
+                         .a = with.a,
+                         .b = with.b,
+                         .misfit = misfit});
       if (points.size() < 3) break;  // one power
     }
   }
@@ -82,14 +105,22 @@ Expected ErrorModel::error(double steps) const {
   return error;
 }
 
+// Newton's method in the logarithms, in which a curve is nearly straight, kept between both ends.
 double ErrorModel::steps_of(const Curve& curve, double error) const {
-  constexpr double most = 1e30;
+  constexpr double most = 1e30, stride = 32.0, close = 1e-6;
+  constexpr int most_steps = 60;
   double few = 1.0, many = 1.0;  // relative to scale_
-  while (many < most && curve.at(many) > error) many *= 2.0;
-  while (few > 1.0 / scale_ && curve.at(few) <= error) few /= 2.0;
-  for (int i = 0; i < 60 && many > few * (1.0 + 1e-6); ++i) {
-    const double middle = std::sqrt(few * many);
-    (curve.at(middle) > error ? few : many) = middle;
+  while (many < most && curve.at(many) > error) few = std::exchange(many, many * stride);
+  while (few > 1.0 / scale_ && curve.at(few) <= error) many = std::exchange(few, few / stride);
+  double n = many;
+  for (int i = 0; i < most_steps && many > few * (1.0 + close); ++i) {
+    const double value = curve.at(n);
+    (value > error ? few : many) = n;
+    const double slope =
+        -(curve.p * curve.a * std::pow(n, -curve.p) + curve.q * curve.b * std::pow(n, -curve.q)) / value;
+    const double next =
+        value > 0.0 && slope < 0.0 ? n * std::pow(error / value, 1.0 / slope) * (1.0 + 0.1 * close) : 0.0;
+    n = next > few && next < many ? next : std::sqrt(few * many);
   }
   return std::ceil(many * scale_);
 }

@@ -12,7 +12,7 @@ namespace fde {
 // What a ladder is climbed for: the cheapest run within each of some errors, at the end and as maxima.
 struct Goal {
   std::vector<double> errors{1e-2, 1e-4, 1e-6, 1e-8};
-  double most_seconds = 0.5;  // of a solve: what takes longer is no answer
+  double most_seconds = 0.3;  // of a solve: what takes longer is no answer
   double margin = 2.0;        // by which the forecast of another scheme's time may be wrong
 };
 

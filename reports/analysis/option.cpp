@@ -52,11 +52,6 @@ std::optional<Option> quickest_within(RunSpan line, const ErrorKind& kind, doubl
     if (!option || option->error > accuracy || !is_timed(*option) || !counts(run, kind)) continue;
     if (!best || is_quicker(*option, *best)) best = option;
   }
-  if (!best) return best;
-  const ErrorModel model(errors_of(line, kind, best->steps));
-  if (model.empty()) return best;
-  best->rate = model.rate();
-  best->predicted_error = model.error(best->steps).value;
   return best;
 }
 
@@ -77,6 +72,18 @@ std::vector<Option> options_within(const Runs& runs, const SceneSettings& scene,
   }
   std::ranges::stable_sort(ranked, is_quicker);
   return ranked;
+}
+
+Option with_prediction(Option option, const Runs& runs, const SceneSettings& scene, const ErrorKind& kind) {
+  for (const RunSpan line : by_line(of_scene(runs.finished, scene))) {
+    const RunKey& key = line.front().key;
+    if (key.scheme != option.schemes.front() || !same_line(key.setup, option.setup)) continue;
+    const ErrorModel model(errors_of(line, kind, option.steps));
+    if (model.empty()) break;
+    option.rate = model.rate();
+    option.predicted_error = model.error(option.steps).value;
+  }
+  return option;
 }
 
 std::optional<Shortfall> shortfall(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,

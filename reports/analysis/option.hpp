@@ -31,6 +31,9 @@ struct Option {
 std::vector<Option> options_within(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
                                    double accuracy);
 
+// The same with its predicted error and its rate, by the coarser runs of its line.
+Option with_prediction(Option option, const Runs& runs, const SceneSettings& scene, const ErrorKind& kind);
+
 // What there is to say where no run is within an accuracy.
 struct Shortfall {
   Option best{};                           // the smallest error; without a time where it is not timed

@@ -141,6 +141,7 @@ Recommendation recommend(const Runs& runs, const SceneSettings& scene, const Err
                       .kind = kind,
                       .accuracy = accuracy,
                       .options = options_within(runs, scene, kind, accuracy)};
+  for (Option& option : made.options) option = with_prediction(std::move(option), runs, scene, kind);
   if (!made.options.empty()) return made;
   const auto missed = shortfall(runs, scene, kind, accuracy);
   if (!missed) {
