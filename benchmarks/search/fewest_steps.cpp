@@ -40,17 +40,6 @@ Attempt between(Attempt low, Attempt high, double accuracy, int unit, const Try&
   return high;
 }
 
-// An error that changes its sign between two attempts is small at some number of steps between them.
-std::optional<Attempt> at_sign_change(Attempt few, Attempt many, int unit, const Try& attempt) {
-  while (many.steps - few.steps > unit) {
-    Attempt made = attempt((few.steps + many.steps) / 2 / unit * unit);
-    if (made.steps <= few.steps || !std::isfinite(made.error)) return std::nullopt;
-    if (made.within) return made;
-    (made.signed_error * many.signed_error > 0.0 ? many : few) = std::move(made);
-  }
-  return std::nullopt;
-}
-
 Attempt scanned_below(Attempt best, int unit, const Try& attempt) {
   constexpr double ratio = 1.05, part = 16.0;
   const double last = best.steps / part;
@@ -70,6 +59,16 @@ Attempt scanned_below(Attempt best, int unit, const Try& attempt) {
 }
 
 }  // namespace
+
+std::optional<Attempt> at_sign_change(Attempt few, Attempt many, int unit, const Try& attempt) {
+  while (many.steps - few.steps > unit) {
+    Attempt made = attempt((few.steps + many.steps) / 2 / unit * unit);
+    if (made.steps <= few.steps || !std::isfinite(made.error)) return std::nullopt;
+    if (made.within) return made;
+    (made.signed_error * many.signed_error > 0.0 ? many : few) = std::move(made);
+  }
+  return std::nullopt;
+}
 
 Attempt fewest_steps(const std::vector<Attempt>& ladder, double accuracy, int unit, bool scan,
                      const Try& attempt) {

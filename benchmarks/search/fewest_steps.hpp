@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "search/attempt.hpp"
@@ -12,6 +13,12 @@ namespace fde {
 // sixteenth are tried, a twentieth apart, and those between two of which the error changes its sign.
 Attempt fewest_steps(const std::vector<Attempt>& ladder, double accuracy, int unit, bool scan,
                      const std::function<Attempt(int steps)>& attempt);
+
+// An attempt within the accuracy between two whose errors at the end have opposite signs: somewhere between
+// them the error passes through 0. nullopt: it is small at no whole number of steps, or passes through
+// infinity.
+std::optional<Attempt> at_sign_change(Attempt few, Attempt many, int unit,
+                                      const std::function<Attempt(int steps)>& attempt);
 
 // About a hundredth more.
 int more_steps(int steps, int unit);

@@ -146,6 +146,7 @@ class Search {
       find_fewest(of);
       return false;
     }
+    if (passes_zero(of)) return false;
     if (is_hopeless(last.ending.kind)) {
       of.found = last.ending.kind == Ending::out_of_budget ? Found::out_of_time : Found::fails;
       of.reason = sentence(last.ending);
@@ -158,12 +159,28 @@ class Search {
     return least_seconds(of, accuracy()) < far * left();
   }
 
+  // Whether the error is within the accuracy at some number of steps between the last two rungs, where it
+  // changes its sign.
+  bool passes_zero(SearchedWay& of) {
+    const auto& ladder = of.ladder;
+    if (ladder.size() < 2 || ladder.back().signed_error * ladder[ladder.size() - 2].signed_error >= 0.0)
+      return false;
+    auto found = at_sign_change(ladder[ladder.size() - 2], ladder.back(), unit_,
+                                [&](int steps) { return examine(of, steps, watched_); });
+    if (!found) return false;
+    of.best = std::move(*found);
+    of.found = Found::within;
+    quickest_ = std::min(quickest_, of.best.seconds);
+    return true;
+  }
+
   void find_fewest(SearchedWay& of) {
     constexpr double runs_of_scan = 25.0, part_of_scan = 0.1;  // as long as the longest
-    constexpr int more_solves = 2;
+    constexpr int more_solves = 2, few_steps = 64;  // with so few an error need not fall from one to the next
     const auto attempt = [&](int steps) { return examine(of, steps, watched_); };
     const bool may_pass_zero = examiner_.question().kind.norm == Norm::end;
-    const bool scan = may_pass_zero && runs_of_scan * of.ladder.back().seconds < part_of_scan * left();
+    const bool is_short = runs_of_scan * of.ladder.back().seconds < part_of_scan * left();
+    const bool scan = is_short && (may_pass_zero || of.ladder.back().steps <= few_steps);
     of.best = fewest_steps(of.ladder, accuracy(), unit_, scan, attempt);
     of.found = Found::within;
     for (int i = 0; i < more_solves && of.best.seconds < part_of_scan * left(); ++i)

@@ -71,7 +71,6 @@ std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm n
     if (!rate) return gradings;
     if (*rate > best_rate + 1e-9) std::tie(best, best_rate) = std::tuple(grading, *rate);
   }
-  if (best == 1.0) return {1.0};
   if (std::ranges::find(gradings, best) == gradings.end()) gradings.push_back(best);
   return gradings;
 }

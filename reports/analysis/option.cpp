@@ -55,6 +55,46 @@ std::optional<Option> quickest_within(RunSpan line, const ErrorKind& kind, doubl
   return best;
 }
 
+// Lines that are one algorithm on their scene: the longest of them, under all their names.
+struct NamedLine {
+  RunSpan runs;
+  std::vector<std::string> names;
+};
+
+// Whether both have the same errors, to the last bit, with all numbers of steps that both have.
+bool is_same_algorithm(RunSpan a, RunSpan b) {
+  constexpr int fewest = 5;
+  if (!same_line(a.front().key.setup, b.front().key.setup)) return false;
+  int common = 0;
+  for (const MeasuredRun& run : a) {
+    const auto other = std::ranges::find(b, run.steps, &MeasuredRun::steps);
+    if (other == b.end()) continue;
+    for (const auto* error : {"error_end", "error_maximum"}) {
+      if (!run[error] || run[error] != (*other)[error]) return false;
+    }
+    ++common;
+  }
+  return common >= fewest;
+}
+
+std::vector<NamedLine> named_lines(const Runs& runs, const SceneSettings& scene) {
+  std::vector<NamedLine> lines;
+  for (const RunSpan line : by_line(of_scene(runs.finished, scene))) {
+    const auto& name = line.front().key.scheme;
+    const auto first = std::ranges::find_if(
+        lines, [&](const NamedLine& other) { return is_same_algorithm(other.runs, line); });
+    if (first == lines.end()) {
+      lines.push_back({line, {name}});
+    } else if (line.size() > first->runs.size()) {
+      first->runs = line;
+      first->names.insert(first->names.begin(), name);
+    } else {
+      first->names.push_back(name);
+    }
+  }
+  return lines;
+}
+
 std::size_t count_untimed(RunSpan runs, const ErrorKind& kind, double accuracy) {
   return static_cast<std::size_t>(std::ranges::count_if(runs, [&](const MeasuredRun& run) {
     const auto option = option_of(run, kind);
@@ -67,8 +107,11 @@ std::size_t count_untimed(RunSpan runs, const ErrorKind& kind, double accuracy) 
 std::vector<Option> options_within(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
                                    double accuracy) {
   std::vector<Option> ranked;
-  for (const RunSpan line : by_line(of_scene(runs.finished, scene))) {
-    if (auto best = quickest_within(line, kind, accuracy)) ranked.push_back(std::move(*best));
+  for (const auto& [line, names] : named_lines(runs, scene)) {
+    auto best = quickest_within(line, kind, accuracy);
+    if (!best) continue;
+    best->schemes = names;
+    ranked.push_back(std::move(*best));
   }
   std::ranges::stable_sort(ranked, is_quicker);
   return ranked;
@@ -96,7 +139,7 @@ std::optional<Shortfall> shortfall(const Runs& runs, const SceneSettings& scene,
   }
   if (!best) return std::nullopt;
   Shortfall found{.best = *best, .untimed = count_untimed(of_this, kind, accuracy)};
-  for (const RunSpan line : by_line(of_this)) {
+  for (const auto& [line, names] : named_lines(runs, scene)) {
     const int finest = line.back().steps;
     const ErrorModel model(errors_of(line, kind, finest + 1));
     if (model.empty()) continue;

@@ -171,6 +171,25 @@ TEST(Shortfall, CountsRunsThatAreNotTimedYet) {
               testing::Contains(HasSubstr("not timed yet")));
 }
 
+// The errors of adams_pc under another name, on fewer rungs: one line, which its longest runs stand for.
+TEST(Options, OfOneAlgorithmAreOneWithSeveralNames) {
+  Results results = empty_results();
+  for (const auto* scheme : {"adams_pc", "decoupled_multi_order"}) {
+    for (const int steps : {8, 16, 32, 64, 128, 256}) {
+      if (steps == 256 && std::string_view(scheme) == "decoupled_multi_order") continue;
+      const struct Run run { "pendulum", scheme, steps };
+      add_row(results, run, "error_maximum", 1.0 / steps);
+      add_run(results, run, 1.0 / steps, 1e-6 * steps);
+    }
+  }
+  const auto ranked = within(results, 5e-3);
+  ASSERT_EQ(ranked.size(), 1);
+  EXPECT_EQ(ranked[0].steps, 256);
+  EXPECT_THAT(ranked[0].schemes, testing::ElementsAre("adams_pc", "decoupled_multi_order"));
+  EXPECT_EQ(shortfall(runs_of(results), {"pendulum"}, at_end, 1e-3)->line.schemes.front(), "adams_pc");
+  EXPECT_GE(shortfall(runs_of(results), {"pendulum"}, at_end, 1e-3)->steps_needed->low, 257.0);
+}
+
 Option option(const std::string& scheme, int steps, const TimeSpread& time) {
   return {.schemes = {scheme}, .setup = {.resolution = steps}, .steps = steps, .error = 1e-7, .time = time};
 }

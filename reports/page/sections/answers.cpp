@@ -20,6 +20,13 @@ std::string session_note(const PageInput& page, const Option& option) {
   return page.results.sessions.size() > 1 ? fmt::format(", session {}", option.session + 1) : "";
 }
 
+// The other names of one algorithm.
+std::string names_note(const Option& option) {
+  if (option.schemes.size() < 2) return "";
+  return fmt::format("; here the same as {}",
+                     fmt::join(option.schemes.begin() + 1, option.schemes.end(), ", "));
+}
+
 // Lines whose time meets that of the first.
 std::string noise_note(const PageInput& page, const std::vector<Option>& ranked) {
   std::vector<std::string> names;
@@ -34,9 +41,10 @@ Cell answer(const PageInput& page, const SceneSettings& scene, const ErrorKind& 
   if (const auto ranked = options_within(page.runs, scene, kind, accuracy); !ranked.empty()) {
     const Option& first = ranked.front();
     const std::string label = page.label(first);
-    return {.text = label,
-            .detail = run_text(first) + session_note(page, first) + noise_note(page, ranked),
-            .line = label};
+    return {
+        .text = label,
+        .detail = run_text(first) + names_note(first) + session_note(page, first) + noise_note(page, ranked),
+        .line = label};
   }
   const auto missed = shortfall(page.runs, scene, kind, accuracy);
   if (!missed) return {.text = "no run has this error"};
