@@ -40,7 +40,7 @@ struct Best {
 // The runs of one way with up to so many seconds.
 void try_all(Examiner& examiner, const Way& way, double most_seconds, Best& best) {
   constexpr double ratio = 1.1;
-  constexpr int watched = 256;
+  constexpr int watched = 2048;
   for (double steps = 4.0; steps < 1e8; steps = std::max(steps + 1.0, std::floor(ratio * steps))) {
     const auto made = examiner.examine(way, static_cast<int>(steps), watched, 10.0 * most_seconds + 1.0);
     if (made.seconds > 2.0 * most_seconds) return;
