@@ -33,7 +33,7 @@ Attempt Examiner::examine(const Way& way, int steps, int watched, double budget)
   if (path.ending != Ending::finished) return attempt;
   attempt.values = counted(columns_of(scene_.outputs, path));
   at_end ? judge_end(attempt) : judge_all(path.times, attempt);
-  attempt.within = attempt.error <= question_.accuracy && attempt.error < attempt.trivial;
+  attempt.within = attempt.error + reference_bound() <= question_.accuracy && attempt.error < attempt.trivial;
   return attempt;
 }
 
@@ -52,11 +52,6 @@ void Examiner::solve_to_end(const Way& way, int steps) const {
 
 void Examiner::know_reference(int times) {
   reference_.at(watched_times({.end = scene_.problem.end, .steps = times}));
-}
-
-double Examiner::reference_bound() {
-  const Vec bound = reference_.bound(scene_.problem.end)(question_.columns);
-  return bound.cwiseQuotient(at_end().divisors.rightCols(1)).maxCoeff();
 }
 
 Rows Examiner::finite_reference(const std::vector<double>& times) {
@@ -80,7 +75,7 @@ void Examiner::judge_all(const std::vector<double>& times, Attempt& attempt) {
 }
 
 void Examiner::judge_end(Attempt& attempt) {
-  const auto& [reference, by, trivial] = at_end();
+  const auto& [reference, by, trivial, bound] = at_end();
   const Vec difference = attempt.values.rightCols(1) - reference.rightCols(1);
   Eigen::Index row = 0;
   attempt.error = difference.cwiseAbs().cwiseQuotient(by.rightCols(1)).maxCoeff(&row);
@@ -100,7 +95,9 @@ const Examiner::AtEnd& Examiner::at_end() {
   Rows reference = finite_reference(times);
   Rows by = divisors(question_.kind.scale, times, reference);
   const double trivial = trivial_error(Norm::end, times, reference, by);
-  return at_end_.emplace(AtEnd{std::move(reference), std::move(by), trivial});
+  const Vec unknown = reference_.bound(end)(question_.columns);
+  const double bound = unknown.cwiseQuotient(by.rightCols(1)).maxCoeff();
+  return at_end_.emplace(AtEnd{std::move(reference), std::move(by), trivial, bound});
 }
 
 }  // namespace fde

@@ -25,8 +25,9 @@ struct Attempt {
   Eigen::Index column = 0;  // of the scene, the one with the largest error, at this time
   double time = 0.0;
   double signed_error = 0.0;  // at the end, of the column that counts, where it is one
-  bool within = false;        // the accuracy, and better than what is trivial
-  double seconds = 0.0;       // of the solve, roughly
+  bool within =
+      false;  // the accuracy, what is not known of the reference included; better than what is trivial
+  double seconds = 0.0;  // of the solve, roughly
   RunEnding ending{};
   Rows values{};  // the columns that count, at the watched times
 };
@@ -52,8 +53,9 @@ class Examiner {
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const Question& question() const { return question_; }
 
-  // Up to which error the reference is known at the end, on the scale asked for.
-  double reference_bound();
+  // What is not known of the reference at the end, on the scale asked for. An error is taken to be more by
+  // this.
+  double reference_bound() { return at_end().bound; }
 
  private:
   Rows finite_reference(const std::vector<double>& times);
@@ -68,7 +70,7 @@ class Examiner {
   WatchedReference reference_;
   struct AtEnd {
     Rows reference, divisors;
-    double trivial;
+    double trivial, bound;
   };
   const AtEnd& at_end();
   std::optional<AtEnd> at_end_{};

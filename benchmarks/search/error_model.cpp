@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "observers/rate.hpp"
+
 namespace fde {
 namespace {
 
@@ -67,6 +69,14 @@ double misfit_of(const Coefficients& with, const Column& u, const Column& v) {
 }
 
 }  // namespace
+
+std::optional<double> observed_rate(std::span<const ErrorWith> measured) {
+  std::vector<ErrorAt> points;
+  for (const auto& [steps, error] : measured.last(std::min(measured.size(), most_fitted)))
+    points.push_back({1.0 / steps, error});
+  const Fit fit = fit_rate(points);
+  return fit.points > 0 ? std::optional(fit.slope) : std::nullopt;
+}
 
 double ErrorModel::Curve::at(double n) const { return a * std::pow(n, -p) + b * std::pow(n, -q); }
 

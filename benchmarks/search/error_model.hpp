@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,10 @@ struct Expected {
   double value = 0.0, low = 0.0, high = 0.0;
 };
 
+// The slope of the finest of these errors, at most five, by the fit of all rates; nullopt: too few above
+// rounding.
+std::optional<double> observed_rate(std::span<const ErrorWith> measured);
+
 // How the error of a line falls with its steps: e(N) = a N^-p + b N^-q, p < q. All pairs of powers whose
 // curve goes through the measured errors about as well as the best are kept; what they differ by is the
 // uncertainty.
@@ -29,7 +34,6 @@ class ErrorModel {
   // Preconditions: not empty.
   [[nodiscard]] Expected error(double steps) const;
   [[nodiscard]] Expected steps(double error) const;  // the fewest with this error
-  [[nodiscard]] double rate() const { return curves_[best_].p; }
 
  private:
   struct Curve {

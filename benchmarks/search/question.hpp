@@ -1,9 +1,10 @@
 #pragma once
 
+#include <numeric>
 #include <vector>
 
 #include "measures/error_kind.hpp"
-#include "stepping/trajectory.hpp"
+#include "scenes/scene.hpp"
 
 namespace fde {
 
@@ -13,5 +14,11 @@ struct Question {
   double accuracy = 1e-6;
   std::vector<Eigen::Index> columns{};  // of the scene, those that count
 };
+
+inline std::vector<Eigen::Index> all_columns(const Scene& scene) {
+  std::vector<Eigen::Index> columns(scene.outputs.names.size());
+  std::iota(columns.begin(), columns.end(), Eigen::Index{0});
+  return columns;
+}
 
 }  // namespace fde

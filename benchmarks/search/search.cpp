@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "observers/watched_steps.hpp"
@@ -58,6 +59,11 @@ class Search {
   }
 
   std::vector<SearchedWay> run() {
+    if (examiner_.reference_bound() >= accuracy()) {
+      throw std::runtime_error(
+          fmt::format("the reference is known up to {:.1e} only, which is no less than {:.1e}",
+                      examiner_.reference_bound(), accuracy()));
+    }
     watch();
     do {
       while (climb()) {
@@ -226,7 +232,7 @@ class Search {
     if (model.empty()) return;
     if (of.found == Found::within) of.predicted = model.error(of.best.steps);
     if (of.found != Found::within && !has_begun(of)) return;
-    of.rate = std::log2(errors[errors.size() - 2].error / errors.back().error);
+    of.rate = observed_rate(errors);
     if (of.found == Found::slower || of.found == Found::out_of_time)
       of.steps_needed = model.steps(accuracy());
   }

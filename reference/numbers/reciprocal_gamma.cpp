@@ -22,9 +22,11 @@ BigReal gamma_by_series(const BigReal& x) {
   return sum * exp(BigReal(x * log(BigReal(many)) - many));
 }
 
-// Gamma of x >= 1/2. mpfr's own takes minutes from some thousand digits on and cannot be ended.
+// Beyond these mpfr's own Gamma takes minutes and cannot be ended.
+constexpr unsigned few_digits = 2000;
+
+// Gamma of x >= 1/2.
 BigReal patient_gamma(const BigReal& x) {
-  constexpr unsigned few_digits = 2000;
   constexpr int guard_digits = 25;
   const unsigned digits = BigReal::default_precision();
   if (digits <= few_digits) return gamma(x);
@@ -47,7 +49,6 @@ BigReal patient_gamma(const BigReal& x) {
 
 // With Gamma(x) Gamma(1-x) sin(pi x) = pi.
 BigReal patient_reciprocal_gamma(const BigReal& x) {
-  constexpr unsigned few_digits = 2000;
   if (BigReal::default_precision() <= few_digits) return reciprocal_gamma(x);
   if (x > 0.5) return 1 / patient_gamma(x);
   const BigReal whole = round(x), beyond = x - whole;

@@ -47,14 +47,14 @@ void compare_errors(const CommonRun& run, std::vector<MovedError>& all) {
 }
 
 void compare_times(const CommonRun& run, std::vector<TimeRatio>& all) {
-  const auto least_before = (*run.before)["time_minimum"], least_now = (*run.now)["time_minimum"];
-  if (!least_before || !least_now || *least_before <= 0.0 || *least_now <= 0.0) return;
-  const double median_before = (*run.before)["time_median"].value_or(*least_before),
-               median_now = (*run.now)["time_median"].value_or(*least_now);
+  const auto before = time_of(*run.before), now = time_of(*run.now);
+  if (!before || !now || before->low <= 0.0 || now->low <= 0.0) return;
   all.push_back({.run = run,
-                 .ratio = *least_now / *least_before,
-                 .low = *least_now / median_before,
-                 .high = median_now / *least_before});
+                 .before = *before,
+                 .now = *now,
+                 .ratio = now->median / before->median,
+                 .low = now->low / before->high,
+                 .high = now->high / before->low});
 }
 
 void compare_endings(const CommonRun& run, std::vector<ChangedEnding>& all) {

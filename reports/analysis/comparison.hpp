@@ -16,12 +16,12 @@ struct CommonRun {
   const MeasuredRun *before, *now;
 };
 
-// The ratio of two times, now to before, each known to lie between the least and the median of its repeats:
-// low = least now / median before, high = median now / least before. What differs between two sessions as a
-// whole (another load, another clock) is not in these.
+// The ratio of two times, now to before, and between which it is by the intervals of both medians. What
+// differs between two sessions as a whole (another load, another clock) is not in these.
 struct TimeRatio {
   CommonRun run;
-  double ratio = 1.0;  // of the least times
+  TimeSpread before{}, now{};
+  double ratio = 1.0;  // of the medians
   double low = 1.0, high = 1.0;
 
   [[nodiscard]] bool slower() const { return low > 1.0; }

@@ -47,32 +47,33 @@ std::string error_change_text(const MovedError& error) {
                      error_text(error.before), error_text(error.now), error.quantity);
 }
 
-std::string seconds_text(const MeasuredRun& run) { return time_text(run["time_minimum"].value_or(0.0)); }
-
 std::string ratio_text(double ratio, double low, double high) {
   return fmt::format("x {:.3g} ({:.3g} to {:.3g})", ratio, low, high);
 }
 
 std::string time_change_text(const TimeRatio& time) {
   return fmt::format("{:<6}  {:<28}  {:>8} -> {:>8}", time.slower() ? "slower" : "faster",
-                     ratio_text(time.ratio, time.low, time.high), seconds_text(*time.run.before),
-                     seconds_text(*time.run.now));
+                     ratio_text(time.ratio, time.low, time.high), time_text(time.before.median),
+                     time_text(time.now.median));
 }
 
 std::string sum_of_times(const std::vector<TimeRatio>& times) {
-  double before = 0.0, now = 0.0, longest_before = 0.0, longest_now = 0.0, logarithms = 0.0;
+  TimeSpread before, now;
+  double logarithms = 0.0;
+  const auto add = [](TimeSpread& sum, const TimeSpread& time) {
+    sum.median += time.median;
+    sum.low += time.low;
+    sum.high += time.high;
+  };
   for (const TimeRatio& time : times) {
-    const double least = (*time.run.before)["time_minimum"].value_or(0.0);
-    before += least;
-    now += time.ratio * least;
-    longest_before += time.ratio * least / time.low;
-    longest_now += time.high * least;
+    add(before, time.before);
+    add(now, time.now);
     logarithms += std::log(time.ratio);
   }
   if (times.empty()) return "no run was timed in both\n";
   return fmt::format("time of {} runs: {} -> {}, {}; geometric mean x {:.3g}\n", times.size(),
-                     time_text(before), time_text(now),
-                     ratio_text(now / before, now / longest_before, longest_now / before),
+                     time_text(before.median), time_text(now.median),
+                     ratio_text(now.median / before.median, now.low / before.high, now.high / before.low),
                      std::exp(logarithms / static_cast<double>(times.size())));
 }
 

@@ -48,11 +48,4 @@ std::string LineNames::name(const std::string& scheme, const Setup& setup) const
   return means.empty() ? scheme : fmt::format("{}, {}", scheme, means);
 }
 
-std::string LineNames::name_with_history(const std::string& scheme, const Setup& setup) const {
-  if (external_.contains(scheme)) return scheme;
-  auto which = differ_;
-  which[0] = true;
-  return fmt::format("{} ({})", scheme, told(setup, which));
-}
-
 }  // namespace fde

@@ -18,9 +18,6 @@ class LineNames {
   // "l1", or "l1, direct, graded:2".
   [[nodiscard]] std::string name(const std::string& scheme, const Setup& setup) const;
 
-  // "l1 (auto)", or "l1 (auto, graded:2)": with the history always.
-  [[nodiscard]] std::string name_with_history(const std::string& scheme, const Setup& setup) const;
-
  private:
   std::array<bool, 4> differ_{};
   std::set<std::string, std::less<>> external_{};  // names of other programs

@@ -20,10 +20,7 @@ std::optional<Option> option_of(const MeasuredRun& run, const ErrorKind& kind) {
                 .error = *error,
                 .session = run.session,
                 .external = run.key.external};
-  if (const auto least = run["time_minimum"]) {
-    const double median = run["time_median"].value_or(*least);
-    option.time = {median, run["time_low"].value_or(*least), run["time_high"].value_or(median)};
-  }
+  option.time = time_of(run).value_or(TimeSpread{});
   return option;
 }
 
@@ -121,10 +118,9 @@ Option with_prediction(Option option, const Runs& runs, const SceneSettings& sce
   for (const RunSpan line : by_line(of_scene(runs.finished, scene))) {
     const RunKey& key = line.front().key;
     if (key.scheme != option.schemes.front() || !same_line(key.setup, option.setup)) continue;
+    option.rate = observed_rate(errors_of(line, kind, option.steps + 1));
     const ErrorModel model(errors_of(line, kind, option.steps));
-    if (model.empty()) break;
-    option.rate = model.rate();
-    option.predicted_error = model.error(option.steps).value;
+    if (!model.empty()) option.predicted_error = model.error(option.steps).value;
   }
   return option;
 }

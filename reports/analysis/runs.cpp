@@ -123,6 +123,13 @@ std::optional<double> MeasuredRun::operator[](std::string_view quantity) const {
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::optional<TimeSpread> time_of(const MeasuredRun& run) {
+  const auto least = run["time_minimum"];
+  if (!least) return std::nullopt;
+  const double median = run["time_median"].value_or(*least);
+  return TimeSpread{median, run["time_low"].value_or(*least), run["time_high"].value_or(median)};
+}
+
 Runs runs_of(const Results& results) {
   Collector collector;
   for (const Session& session : results.sessions) collector.begin(session);

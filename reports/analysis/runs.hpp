@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "measures/time_spread.hpp"
 #include "records/record.hpp"
 #include "scenes/registry.hpp"
 
@@ -25,6 +26,10 @@ struct MeasuredRun {
   // The value of a quantity; nullopt: not measured.
   [[nodiscard]] std::optional<double> operator[](std::string_view quantity) const;
 };
+
+// What a solve of the run takes; of results without an interval from the least time to the median. nullopt:
+// it is not timed.
+std::optional<TimeSpread> time_of(const MeasuredRun& run);
 
 // The runs of a results file, ordered by scene, scheme (as in their lists) and setup, the coarsest first. A
 // run that was made in several sessions counts with the last one; its times may be of a later session of the

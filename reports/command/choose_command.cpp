@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
 #include <ostream>
 #include <stdexcept>
 
@@ -35,13 +34,9 @@ SceneVariant chosen_scene(const ChooseArguments& arguments, const Scenes& known)
 
 // Those named, or all.
 std::vector<Eigen::Index> chosen_columns(const Scene& scene, const std::optional<std::string>& asked) {
+  if (!asked) return all_columns(scene);
   const auto& names = scene.outputs.names;
   std::vector<Eigen::Index> columns;
-  if (!asked) {
-    columns.resize(names.size());
-    std::iota(columns.begin(), columns.end(), Eigen::Index{0});
-    return columns;
-  }
   for (const auto& name : split_list(*asked)) {
     const auto found = std::ranges::find(names, name);
     if (found == names.end()) reject_text("--columns", name, fmt::format("of {}", fmt::join(names, ", ")));

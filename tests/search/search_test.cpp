@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "scenes/variant.hpp"
 #include "support/testing.hpp"
@@ -26,10 +25,7 @@ std::ostream& operator<<(std::ostream& out, const Asked& asked) {
 }
 
 Question question_of(const Scene& scene, const Asked& asked) {
-  Question question{asked.kind, asked.accuracy, {}};
-  question.columns.resize(scene.outputs.names.size());
-  std::iota(question.columns.begin(), question.columns.end(), Eigen::Index{0});
-  return question;
+  return {asked.kind, asked.accuracy, all_columns(scene)};
 }
 
 std::vector<SearchedWay> found_for(const Scene& scene, const Asked& asked) {
@@ -78,6 +74,31 @@ TEST(Search, CreditsNoRunThatIsNoBetterThanZero) {
   ASSERT_EQ(found.front().found, Found::within);
   EXPECT_LT(found.front().best.error, found.front().best.trivial);
   EXPECT_LT(found.front().best.trivial, 1e-6);
+}
+
+// No error can be shown to be below what the reference is known to.
+TEST(Search, RefusesAnAccuracyThatTheReferenceDoesNotHave) {
+  Scene scene = scene_of("relaxation");
+  scene.reference = {[](double) { return ReferenceValue{Vec::Ones(1), Vec::Constant(1, 1e-5)}; }};
+  expect_message(
+      [&] {
+        found_for(scene, {"", {Norm::end, Scale::absolute}, 1e-6});
+      },
+      "the reference is known up to 1.0e-05 only, which is no less than 1.0e-06");
+}
+
+TEST(Search, CountsWhatIsNotKnownOfTheReferenceAsError) {
+  const auto within = [](double bound) {
+    Scene scene = scene_of("relaxation");
+    const Reference exact = scene.reference;
+    scene.reference = {[=](double t) { return ReferenceValue{exact.at(t).value, Vec::Constant(1, bound)}; }};
+    Examiner examiner(scene, {{Norm::end, Scale::absolute}, 1e-4, all_columns(scene)});
+    return examiner.examine({find_scheme("adams_pc"), 1.0}, 64, 64, 10.0);
+  };
+  const auto exactly = within(0.0);
+  EXPECT_TRUE(exactly.within);
+  EXPECT_FALSE(within(1.01 * (1e-4 - exactly.error)).within);
+  EXPECT_TRUE(within(0.99 * (1e-4 - exactly.error)).within);
 }
 
 // D^g y starts like t^g, and the trapezoidal rule is off by h^(2g) at the first step of a uniform grid, by

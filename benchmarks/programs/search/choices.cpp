@@ -7,7 +7,6 @@
 #include <array>
 #include <cstdio>
 #include <exception>
-#include <numeric>
 
 #include "scenes/variant.hpp"
 #include "search/interleaved_times.hpp"
@@ -53,9 +52,7 @@ void try_all(Examiner& examiner, const Way& way, double most_seconds, Best& best
 
 void compare(const char* label, const ErrorKind& kind, double accuracy) {
   const Scene scene = make_scene(parse_variant(label));
-  Question question{kind, accuracy, {}};
-  question.columns.resize(scene.outputs.names.size());
-  std::iota(question.columns.begin(), question.columns.end(), Eigen::Index{0});
+  const Question question{kind, accuracy, all_columns(scene)};
   const auto found = search(scene, question, 60.0, [](const std::string&, double) {});
   const SearchedWay& first = found.front();
   if (first.found != Found::within) {
