@@ -3,10 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -17,6 +15,7 @@
 #include "analysis/line_rates.hpp"
 #include "analysis/recommendation.hpp"
 #include "analysis/text.hpp"
+#include "reports/made_results.hpp"
 
 namespace fde {
 namespace {
@@ -24,198 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr double end_time = 8.0;
-const std::vector<int> all_steps{64, 128, 256, 512};
-
-Results empty_results() {
-  return {.sessions = {{.date = "2025-01-02T03:04:05Z",
-                        .machine = "the machine",
-                        .system = "",
-                        .compiler = "the compiler",
-                        .flags = "-O3",
-                        .commit = "0123abc",
-                        .version = ""}},
-          .records = {}};
-}
-
-struct Run {
-  std::string scene, scheme;
-  int steps;
-};
-
-void add_row(Results& results, const Run& run, const std::string& quantity, double value) {
-  results.records.push_back(
-      {.key = {.scene = {run.scene}, .scheme = run.scheme, .setup = {.resolution = run.steps}},
-       .steps = run.steps,
-       .h = end_time / run.steps,
-       .quantity = quantity,
-       .value = value,
-       .session = results.sessions.size() - 1});
-}
-
-void add_ending(Results& results, const Run& run, double until, const RunEnding& ending = {}) {
-  add_row(results, run, "ending", until);
-  results.records.back().ending = ending;
-}
-
-void add_run(Results& results, const Run& run, double error, double seconds) {
-  add_row(results, run, "error_end", error);
-  add_row(results, run, "time_minimum", seconds);
-  add_ending(results, run, end_time);
-}
-
-// Errors 0.01 h^rate at the end and h in the maximum norm, a time proportional to the steps.
-void add_line(Results& results, const std::string& scheme, double rate, double seconds_a_step) {
-  for (const int steps : all_steps) {
-    const struct Run run { "pendulum", scheme, steps };
-    const double h = end_time / steps;
-    add_row(results, run, "error_maximum", h);
-    add_row(results, run, "reference_bound", 1e-15);
-    add_row(results, run, "expected_rate_end", rate);
-    add_row(results, run, "expected_rate_maximum", 2.0);
-    add_run(results, run, 0.01 * std::pow(h, rate), seconds_a_step * steps);
-  }
-}
-
-// At the end l1 has 4.4e-4, 1.6e-4, 5.5e-5, 2.0e-5 and adams_pc 1.6e-4, 3.9e-5, 9.8e-6, 2.4e-6.
-Results two_lines() {
-  Results results = empty_results();
-  add_line(results, "l1", 1.5, 1e-6);
-  add_line(results, "adams_pc", 2.0, 3e-6);
-  return results;
-}
-
-constexpr ErrorKind at_end{Norm::end, Scale::absolute};
-
-std::vector<Option> within(const Results& results, double accuracy) {
-  return options_within(runs_of(results), {"pendulum"}, at_end, accuracy);
-}
-
-TEST(Options, AreTheQuickestRunsWithinTheAccuracy) {
-  const auto ranked = within(two_lines(), 3e-5);
-  ASSERT_EQ(ranked.size(), 2);
-  EXPECT_EQ(ranked[0].schemes.front(), "l1");
-  EXPECT_EQ(ranked[0].steps, 512);
-  EXPECT_DOUBLE_EQ(ranked[0].time.median, 512e-6);
-  const auto predicted = with_prediction(ranked[0], runs_of(two_lines()), {"pendulum"}, at_end);
-  EXPECT_NEAR(predicted.predicted_error.value() / ranked[0].error, 1.0, 1e-3) << "by the coarser runs alone";
-  EXPECT_EQ(ranked[1].schemes.front(), "adams_pc");
-  EXPECT_EQ(ranked[1].steps, 256);
-}
-
-TEST(Options, LeaveOutSchemesThatDoNotReachTheError) {
-  const auto ranked = within(two_lines(), 1e-5);
-  ASSERT_EQ(ranked.size(), 1);
-  EXPECT_EQ(ranked[0].schemes.front(), "adams_pc");
-}
-
-TEST(Options, PreferTheSmallerErrorAtEqualTimes) {
-  Results results = empty_results();
-  add_run(results, {"pendulum", "adams_pc", 64}, 2e-3, 1.0);
-  add_run(results, {"pendulum", "l1", 64}, 1e-3, 1.0);
-  const auto ranked = within(results, 1e-2);
-  ASSERT_EQ(ranked.size(), 2);
-  EXPECT_EQ(ranked[0].schemes.front(), "l1");
-}
-
-TEST(Options, CountARunMeasuredAgainWithItsLastSession) {
-  Results results = empty_results();
-  add_run(results, {"pendulum", "l1", 64}, 1e-3, 1.0);
-  results.sessions.push_back(results.sessions.front());
-  add_run(results, {"pendulum", "l1", 64}, 1e-3, 2.0);
-  const auto ranked = within(results, 1e-2);
-  ASSERT_EQ(ranked.size(), 1);
-  EXPECT_EQ(ranked[0].time.median, 2.0);
-  EXPECT_EQ(ranked[0].session, 1);
-}
-
-TEST(Options, AreNoRunsThatZeroWouldMatch) {
-  Results results = empty_results();
-  const struct Run run { "pendulum", "l1", 64 };
-  add_row(results, run, "trivial_end", 5e-4);
-  add_run(results, run, 1e-3, 1.0);
-  EXPECT_TRUE(within(results, 1e-2).empty());
-}
-
-TEST(Options, DifferInTheKindOfError) {
-  const auto ranked =
-      options_within(runs_of(two_lines()), {"pendulum"}, {Norm::maximum, Scale::absolute}, 0.1);
-  ASSERT_EQ(ranked.size(), 2);
-  EXPECT_EQ(ranked[0].error, end_time / ranked[0].steps);
-}
-
-TEST(Shortfall, NamesTheBestErrorAndTheStepsThatAreNeeded) {
-  const Runs runs = runs_of(two_lines());
-  const auto missed = shortfall(runs, {"pendulum"}, at_end, 1e-9);
-  ASSERT_TRUE(missed && missed->steps_needed);
-  EXPECT_EQ(missed->best.schemes.front(), "adams_pc");
-  EXPECT_EQ(missed->best.steps, 512);
-  EXPECT_EQ(missed->line.schemes.front(), "adams_pc");
-  const double exact = 512 * std::sqrt(0.01 / 4096 / 1e-9);
-  EXPECT_NEAR(missed->steps_needed->value / exact, 1.0, 0.01);
-  EXPECT_LE(missed->steps_needed->low, exact);
-  EXPECT_GE(missed->steps_needed->high, exact);
-  EXPECT_FALSE(shortfall(runs, {"brusselator"}, at_end, 1e-9));
-}
-
-// A run that is examined but not timed is no answer, and not missing either.
-TEST(Shortfall, CountsRunsThatAreNotTimedYet) {
-  Results results = empty_results();
-  const struct Run run { "pendulum", "l1", 64 };
-  add_row(results, run, "error_end", 1e-5);
-  add_ending(results, run, end_time);
-  EXPECT_TRUE(within(results, 1e-3).empty());
-  EXPECT_EQ(shortfall(runs_of(results), {"pendulum"}, at_end, 1e-3)->untimed, 1U);
-  EXPECT_THAT(recommend(runs_of(results), {"pendulum"}, at_end, 1e-3).others,
-              testing::Contains(HasSubstr("not timed yet")));
-}
-
-// The errors of adams_pc under another name, on fewer rungs: one line, which its longest runs stand for.
-TEST(Options, OfOneAlgorithmAreOneWithSeveralNames) {
-  Results results = empty_results();
-  for (const auto* scheme : {"adams_pc", "decoupled_multi_order"}) {
-    for (const int steps : {8, 16, 32, 64, 128, 256}) {
-      if (steps == 256 && std::string_view(scheme) == "decoupled_multi_order") continue;
-      const struct Run run { "pendulum", scheme, steps };
-      add_row(results, run, "error_maximum", 1.0 / steps);
-      add_run(results, run, 1.0 / steps, 1e-6 * steps);
-    }
-  }
-  const auto ranked = within(results, 5e-3);
-  ASSERT_EQ(ranked.size(), 1);
-  EXPECT_EQ(ranked[0].steps, 256);
-  EXPECT_THAT(ranked[0].schemes, testing::ElementsAre("adams_pc", "decoupled_multi_order"));
-  EXPECT_EQ(shortfall(runs_of(results), {"pendulum"}, at_end, 1e-3)->line.schemes.front(), "adams_pc");
-  EXPECT_GE(shortfall(runs_of(results), {"pendulum"}, at_end, 1e-3)->steps_needed->low, 257.0);
-}
-
-Option option(const std::string& scheme, int steps, const TimeSpread& time) {
-  return {.schemes = {scheme}, .setup = {.resolution = steps}, .steps = steps, .error = 1e-7, .time = time};
-}
-
-// Intervals [9, 11], [10.5, 13] and [20, 21].
-TEST(Recommendation, TellsWhatIsWithinNoise) {
-  const Recommendation made{
-      .scene = {"pendulum"},
-      .kind = at_end,
-      .accuracy = 1e-6,
-      .options = {option("l1", 512, {10.0, 9.0, 11.0}), option("adams_pc", 256, {12.0, 10.5, 13.0}),
-                  option("product_trapezoidal", 64, {20.5, 20.0, 21.0})}};
-  EXPECT_THAT(within_noise(made), testing::ElementsAre("adams_pc"));
-  EXPECT_EQ(runner_up(made)->schemes.front(), "adams_pc");
-  const auto json = nlohmann::json::parse(json_of(made));
-  for (const auto* field :
-       {"scene", "scheme", "grid", "steps", "norm", "scale", "error", "predicted_error", "seconds",
-        "seconds_low", "seconds_high", "within_noise", "runner_up", "factor", "command"}) {
-    EXPECT_TRUE(json.contains(field)) << field;
-  }
-  EXPECT_EQ(json["steps"], 512);
-  EXPECT_DOUBLE_EQ(json["factor"], 1.2);
-  EXPECT_EQ(json["command"], "fdebench solve pendulum --scheme l1 --steps 512");
-  EXPECT_THAT(text_of(made), HasSubstr("within noise of adams_pc\n"));
-  EXPECT_THAT(text_of(made), HasSubstr("2 times more steps"));
-}
 
 TEST(Rates, AreThoseOfExactPowers) {
   const auto rows = rates(runs_of(two_lines()));
