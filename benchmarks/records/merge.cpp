@@ -1,22 +1,18 @@
 #include "records/merge.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <fstream>
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <system_error>
-#include <utility>
 
 #include "records/lines.hpp"
 #include "records/record_text.hpp"
 #include "records/results_scan.hpp"
 #include "references/checksum.hpp"
+#include "references/whole_file.hpp"
 
 namespace fde {
 namespace {
@@ -49,46 +45,9 @@ void find_sessions(const fs::path& file, const Scenes& known, std::vector<Found>
                known);
 }
 
-// Writes a file that appears whole, or not at all.
-class NewFile {
- public:
-  explicit NewFile(fs::path path) : path_(std::move(path)) {
-    if (fs::exists(fs::symlink_status(path_)))
-      throw std::invalid_argument(fmt::format("{}: exists, it must be a new file", path_.string()));
-    unfinished_ += fmt::format(".{}.tmp", getpid());
-    stream_.open(unfinished_, std::ios::binary);
-    check();
-  }
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
-  ~NewFile() {
-    std::error_code ignored;
-    fs::remove(unfinished_, ignored);
-  }
-
-  void write(const std::string& text) {
-    stream_ << text;
-    check();
-  }
-  void finish() {
-    stream_.close();
-    check();
-    fs::rename(unfinished_, path_);
-  }
-
- private:
-  void check() const {
-    if (!stream_)
-      throw std::system_error(errno, std::generic_category(), path_.string() + ": cannot be written");
-  }
-
-  fs::path path_, unfinished_ = path_;
-  std::ofstream stream_{};
-};
-
 // Copies the measurements of a place that are not yet among those written. Lines were read before, so they
 // are rows.
-void copy_rows(const Place& place, bool is_alone, std::set<std::string>& written, NewFile& out,
+void copy_rows(const Place& place, bool is_alone, std::set<std::string>& written, WholeFile& out,
                Merged& merged) {
   LineReader line(place.file);
   line.go_to(place.begin);
@@ -112,7 +71,9 @@ void copy_rows(const Place& place, bool is_alone, std::set<std::string>& written
 }  // namespace
 
 Merged merge_results(const std::vector<fs::path>& files, const fs::path& out, const Scenes& known) {
-  NewFile file(out);
+  if (fs::exists(fs::symlink_status(out)))
+    throw std::invalid_argument(fmt::format("{}: exists, it must be a new file", out.string()));
+  WholeFile file(out);
   std::vector<Found> sessions;
   for (const auto& from : files) find_sessions(from, known, sessions);
   Merged merged{.sessions = sessions.size()};

@@ -1,9 +1,7 @@
 #include "references/cache.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -14,6 +12,7 @@
 
 #include "nonlinear/collocation.hpp"
 #include "references/checksum.hpp"
+#include "references/whole_file.hpp"
 #include "two_sided/solution.hpp"
 
 namespace fde {
@@ -94,12 +93,6 @@ std::optional<std::string_view> checked(std::string_view bytes) {
   return content;
 }
 
-// A name that no other process or thread writes to.
-std::filesystem::path temporary(const std::filesystem::path& file) {
-  static std::atomic<unsigned> count = 0;
-  return file.string() + fmt::format(".{}.{}", getpid(), count++);
-}
-
 std::optional<std::filesystem::path> variable(const char* name) {
   const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
   if (value == nullptr) return std::nullopt;
@@ -152,14 +145,15 @@ void ReferenceCache::store(const std::string& key, const PanelTable& table) cons
   const auto content = json::to_cbor(json{{"key", key}, {"panels", to_json(table)}});
   const std::string text(content.begin(), content.end());
   if (text.size() > most_bytes - digest_size) return;
-  const auto file = file_of(key), unfinished = temporary(file);
   std::error_code ignored;
   std::filesystem::create_directories(*folder_, ignored);
-  std::ofstream stream(unfinished, std::ios::binary);
-  stream << sha256(text) << text;
-  stream.close();
-  if (stream) std::filesystem::rename(unfinished, file, ignored);
-  std::filesystem::remove(unfinished, ignored);
+  try {
+    WholeFile file(file_of(key));
+    file.write(sha256(text) + text);
+    file.finish();
+  } catch (const std::invalid_argument&) {
+    return;
+  }
 }
 
 std::optional<std::filesystem::path> cache_folder() {

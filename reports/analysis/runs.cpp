@@ -130,6 +130,8 @@ std::optional<TimeSpread> time_of(const MeasuredRun& run) {
   return TimeSpread{median, run["time_low"].value_or(*least), run["time_high"].value_or(median)};
 }
 
+ReadRuns read_runs(const Results& results) { return {results.sessions, runs_of(results)}; }
+
 Runs runs_of(const Results& results) {
   Collector collector;
   for (const Session& session : results.sessions) collector.begin(session);

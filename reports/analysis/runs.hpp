@@ -47,6 +47,7 @@ struct ReadRuns {
   Runs runs{};
 };
 ReadRuns read_runs(const std::filesystem::path& file, const Scenes& known = scenes());
+ReadRuns read_runs(const Results& results);
 
 // Neighbouring runs of the same scene; of the same scene, scheme and setup but for the resolution: a line of
 // a chart, the coarsest first.

@@ -85,11 +85,9 @@ SceneName name_of_scene(const SceneSettings& scene) {
       .source = std::string(found->source)};
 }
 
-json page_data(const Results& results) { return page_data(results, runs_of(results)); }
-
-json page_data(const Results& sessions, Runs runs) {
-  PageInput page{.results = sessions, .names = LineNames(runs)};
-  page.runs = std::move(runs);
+json page_data(ReadRuns read) {
+  PageInput page{.sessions = std::move(read.sessions), .names = LineNames(read.runs)};
+  page.runs = std::move(read.runs);
   page.trials = take_trials(page.runs);
   page.rates = rates(page.runs);
   json sections = json::array();

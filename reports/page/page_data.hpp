@@ -8,20 +8,16 @@
 #include "analysis/line_rates.hpp"
 #include "analysis/option.hpp"
 #include "page/table.hpp"
-#include "records/record.hpp"
 
 namespace fde {
 
 // All that the page shows, as its script takes it: lines, sessions, sections. Numbers in tables are text
 // already.
-nlohmann::json page_data(const Results& results);
-
-// The same of runs that were made of the rows, of which only the sessions are looked at.
-nlohmann::json page_data(const Results& sessions, Runs runs);
+nlohmann::json page_data(ReadRuns read);
 
 // What the sections are made from.
 struct PageInput {
-  const Results& results;
+  std::vector<Session> sessions{};
   Runs runs{};                        // but for those that only a trial asked for
   std::vector<MeasuredRun> trials{};  // the runs of trials, finished or not
   std::vector<RateRow> rates{};

@@ -1,10 +1,7 @@
 #include "page/report.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -15,6 +12,7 @@
 
 #include "page/assets.hpp"
 #include "page/page_data.hpp"
+#include "references/whole_file.hpp"
 
 namespace fde {
 namespace {
@@ -55,37 +53,7 @@ std::string fill(std::string_view page, const std::map<std::string_view, std::st
   }
 }
 
-[[noreturn]] void reject(const fs::path& path, const std::string& reason) {
-  throw std::invalid_argument(fmt::format("{}: cannot be written: {}", path.string(), reason));
-}
-
-void write(const fs::path& path, std::string_view text) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();
-  if (!file) reject(path, std::generic_category().message(errno));
-}
-
-// Under another name first: the rename is the moment at which the page changes.
-void replace_file(const fs::path& path, std::string_view text) {
-  fs::path temporary = path;
-  temporary += fmt::format(".{}.tmp", getpid());
-  std::error_code problem;
-  try {
-    write(temporary, text);
-    fs::rename(temporary, path, problem);
-    if (problem) reject(path, problem.message());
-  } catch (...) {
-    fs::remove(temporary, problem);
-    throw;
-  }
-}
-
 }  // namespace
-
-fs::path write_report(const Results& results, const fs::path& directory) {
-  return write_report(ReadRuns{results.sessions, runs_of(results)}, directory);
-}
 
 fs::path write_report(ReadRuns read, const fs::path& directory) {
   if (assets::vega().empty()) {
@@ -94,15 +62,19 @@ fs::path write_report(ReadRuns read, const fs::path& directory) {
   }
   std::error_code problem;
   fs::create_directories(directory, problem);
-  if (problem) reject(directory, problem.message());
-  const std::string data = as_script_data(page_data({.sessions = read.sessions}, std::move(read.runs))),
-                    licences = as_html(assets::licences());
+  if (problem) {
+    throw std::invalid_argument(
+        fmt::format("{}: cannot be written: {}", directory.string(), problem.message()));
+  }
+  const std::string data = as_script_data(page_data(std::move(read))), licences = as_html(assets::licences());
   fs::path path = directory / "index.html";
-  replace_file(path, fill(assets::page(), {{"style", assets::style()},
-                                           {"data", data},
-                                           {"vega", assets::vega()},
-                                           {"script", assets::script()},
-                                           {"licences", licences}}));
+  WholeFile file(path);
+  file.write(fill(assets::page(), {{"style", assets::style()},
+                                   {"data", data},
+                                   {"vega", assets::vega()},
+                                   {"script", assets::script()},
+                                   {"licences", licences}}));
+  file.finish();
   return path;
 }
 

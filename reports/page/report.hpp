@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "analysis/runs.hpp"
-#include "records/record.hpp"
 
 namespace fde {
 
@@ -11,9 +10,6 @@ namespace fde {
 // scene, and what was refused or failed. Makes the directory where it is missing; a reader of an older page
 // never sees half a page. Returns the path. Throws std::invalid_argument naming the path that cannot be
 // written, or where the charts' scripts were missing when this was built.
-std::filesystem::path write_report(const Results& results, const std::filesystem::path& directory);
-
-// The same of a file that was read as runs.
 std::filesystem::path write_report(ReadRuns read, const std::filesystem::path& directory);
 
 }  // namespace fde

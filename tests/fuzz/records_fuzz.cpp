@@ -16,7 +16,7 @@ namespace {
 using namespace fde;
 
 void show(const Results& results) {
-  const std::string page = page_data(results).dump();
+  const std::string page = page_data(read_runs(results)).dump();
   fuzz::require(!fuzz::shows_no_number(page), "numbers on the page", page);
   fuzz::require(page.find(":null") == std::string::npos && page.find("[null") == std::string::npos,
                 "numbers of the charts are finite", page);

@@ -64,7 +64,7 @@ Results three_formulations() {
 }
 
 nlohmann::json section_of(const Results& results) {
-  const auto data = page_data(results);
+  const auto data = page_data(read_runs(results));
   for (const auto& section : data["sections"]) {
     if (section["id"] == "drift") return section;
   }

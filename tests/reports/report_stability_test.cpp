@@ -52,7 +52,7 @@ TEST(StabilitySection, HasAVerdictInEveryCell) {
           0.0);
   add_run(results, first.scene.key(), "l1", first.steps, {}, 1e-4);
   add_run(results, trials()[1].scene.key(), "l1", trials()[1].steps, {}, 0.5);
-  const auto table = section(page_data(results), "stability")["table"];
+  const auto table = section(page_data(read_runs(results)), "stability")["table"];
   const auto& groups = table["groups"];
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_THAT(texts(groups[0]["rows"][0]), ElementsAre("survived", "0 of 1", "1 of 2"));
@@ -66,16 +66,16 @@ TEST(StabilitySection, LeavesScenesWithTrialsOnlyToItself) {
   const Trial& first = trials().front();
   Results results{.sessions = {Session{}}, .records = {}};
   add_run(results, first.scene.key(), "l1", first.steps, {}, 1e-4);
-  EXPECT_TRUE(section(page_data(results), "answer").is_null());
+  EXPECT_TRUE(section(page_data(read_runs(results)), "answer").is_null());
   add_run(results, first.scene.key(), "l1", first.steps / 2, {}, 1e-4);
-  EXPECT_FALSE(section(page_data(results), "answer").is_null());
-  EXPECT_FALSE(section(page_data(results), "stability").is_null());
+  EXPECT_FALSE(section(page_data(read_runs(results)), "answer").is_null());
+  EXPECT_FALSE(section(page_data(read_runs(results)), "stability").is_null());
 }
 
 TEST(StabilitySection, IsLeftOutWithoutTrials) {
   Results results{.sessions = {Session{}}, .records = {}};
   add_run(results, {"relaxation"}, "l1", 64, {}, 1e-4);
-  EXPECT_TRUE(section(page_data(results), "stability").is_null());
+  EXPECT_TRUE(section(page_data(read_runs(results)), "stability").is_null());
 }
 
 }  // namespace

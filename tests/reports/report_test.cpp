@@ -56,7 +56,7 @@ fs::path fresh_folder() {
 
 std::string written(const Results& results) {
   std::ostringstream text;
-  text << std::ifstream(write_report(results, fresh_folder())).rdbuf();
+  text << std::ifstream(write_report(read_runs(results), fresh_folder())).rdbuf();
   return text.str();
 }
 
@@ -168,10 +168,10 @@ TEST(Report, LoadsNothingFromANetwork) {
 
 TEST(Report, LeavesOneFileAndReplacesAnOlderOne) {
   const fs::path folder = fresh_folder() / "new" / "folder";
-  const fs::path path = write_report(empty_results(), folder);
+  const fs::path path = write_report(read_runs(empty_results()), folder);
   EXPECT_EQ(path, folder / "index.html");
   const auto before = fs::file_size(path);
-  write_report(two_lines(), folder);
+  write_report(read_runs(two_lines()), folder);
   EXPECT_GT(fs::file_size(path), before);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
 }
@@ -181,7 +181,7 @@ TEST(Report, NamesThePathThatCannotBeWritten) {
   fs::create_directories(folder);
   std::ofstream(file) << "x";
   try {
-    write_report(two_lines(), file / "below");
+    write_report(read_runs(two_lines()), file / "below");
     FAIL() << "a folder below a file";
   } catch (const std::invalid_argument& error) {
     EXPECT_THAT(error.what(), HasSubstr((file / "below").string()));

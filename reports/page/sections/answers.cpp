@@ -17,7 +17,7 @@ std::string accuracy_text(double accuracy) { return fmt::format("error ≤ 1e{:.
 
 // Times of different sessions may come from different machines: say whose they are.
 std::string session_note(const PageInput& page, const Option& option) {
-  return page.results.sessions.size() > 1 ? fmt::format(", session {}", option.session + 1) : "";
+  return page.sessions.size() > 1 ? fmt::format(", session {}", option.session + 1) : "";
 }
 
 // The other names of one algorithm.
@@ -89,7 +89,7 @@ Section answers_section(const PageInput& page) {
           "between the measured step counts is interpolated. No run counts that y = 0 or y = y(0) "
           "would match. The error is the largest over the scene's columns, on the scale chosen "
           "above; a time is the median of the repeats with its 95 % interval, of the solve alone."}};
-  if (page.results.sessions.size() > 1) {
+  if (page.sessions.size() > 1) {
     section.paragraphs.emplace_back(
         "The results were made in several sessions; times of different machines or builds do not "
         "compare. A run made more than once counts with its last session.");
@@ -100,7 +100,7 @@ Section answers_section(const PageInput& page) {
 }
 
 Table sessions_table(const PageInput& page) {
-  const auto& sessions = page.results.sessions;
+  const auto& sessions = page.sessions;
   Table table{.caption = "Where and with what the numbers were made", .columns = {{"session"}}};
   for (std::size_t i = 0; i < sessions.size(); ++i) table.columns.push_back({std::to_string(i + 1)});
   std::vector<std::vector<Cell>> rows{

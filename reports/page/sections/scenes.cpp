@@ -50,7 +50,7 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
     if (const auto rate = rate_between(*coarser, run, "error_maximum"))
       add("maximum rate " + since, fmt::format("{:.2f}", *rate));
   }
-  if (page.results.sessions.size() > 1) add("session", std::to_string(run.session + 1));
+  if (page.sessions.size() > 1) add("session", std::to_string(run.session + 1));
   return words;
 }
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+namespace fde {
+
+// A file that appears whole, in place of one that is there, or not at all: it is written under another name,
+// of this process and object alone, and renamed at the end. Throws std::invalid_argument naming the path and
+// why it cannot be written.
+class WholeFile {
+ public:
+  explicit WholeFile(std::filesystem::path path);
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
+  ~WholeFile();  // what is not finished is removed
+
+  void write(std::string_view text);
+  void finish();
+
+ private:
+  void check() const;
+
+  std::filesystem::path path_, unfinished_;
+  std::ofstream stream_;
+};
+
+}  // namespace fde

@@ -1,0 +1,68 @@
+#include "references/whole_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include "support/temporary_folder.hpp"
+
+namespace fde {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::ptrdiff_t files_in(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+}
+
+TEST(WholeFile, ReplacesAnotherWhenItIsFinished) {
+  const TemporaryFolder folder;
+  folder.write("page", "old");
+  WholeFile file(folder.path() / "page");
+  file.write("new ");
+  file.write("text");
+  EXPECT_EQ(content(folder.path() / "page"), "old");
+  file.finish();
+  EXPECT_EQ(content(folder.path() / "page"), "new text");
+  EXPECT_EQ(files_in(folder.path()), 1);
+}
+
+TEST(WholeFile, LeavesNothingWhereItIsNotFinished) {
+  const TemporaryFolder folder;
+  { WholeFile(folder.path() / "page").write("half a "); }
+  EXPECT_EQ(files_in(folder.path()), 0);
+}
+
+TEST(WholeFile, OfTheSameNameTwiceIsOneOfBoth) {
+  const TemporaryFolder folder;
+  WholeFile one(folder.path() / "page"), other(folder.path() / "page");
+  one.write("one");
+  other.write("other");
+  one.finish();
+  other.finish();
+  EXPECT_EQ(content(folder.path() / "page"), "other");
+}
+
+TEST(WholeFile, NamesThePathThatCannotBeWritten) {
+  const TemporaryFolder folder;
+  const auto missing = folder.path() / "missing" / "page";
+  EXPECT_THAT([&] { WholeFile{missing}; },
+              testing::ThrowsMessage<std::invalid_argument>(
+                  missing.string() + ": cannot be written: No such file or directory"));
+  fs::create_directories(folder.path() / "page");
+  WholeFile file(folder.path() / "page");
+  EXPECT_THROW(file.finish(), std::invalid_argument) << "a folder is not replaced";
+}
+
+}  // namespace
+}  // namespace fde
