@@ -168,6 +168,7 @@ std::string reference_key(const std::string& name, const Problem& problem) {
   std::string key = fmt::format("fdebench reference {}\n{}\nend {}\n", version, name, problem.end);
   for (const auto& [order, initial, side] : problem.components)
     key += fmt::format("order {} initial {}\n", order, fmt::join(initial, " "));
+  if (!problem.jumps.empty()) key += fmt::format("jumps {}\n", fmt::join(problem.jumps, " "));
   constexpr int points = 7;
   Vec f(problem.size());
   for (int k = 0; k < points; ++k) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "collocation/panel_noise.hpp"
+#include "march/jumps.hpp"
 #include "march/pace.hpp"
 #include "march/rhs_at.hpp"
 #include "march/singularity.hpp"
@@ -94,13 +95,13 @@ class March {
     constexpr double shortest = 1e-12;  // relative to the time
     const double from = time();
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
-      const double to = next_break(from, length_, problem_.end);
+      const double to = next_break(from, length_, next_stop(problem_, from));
       if (to - from <= shortest * from) {
         break;
       }
       const auto solution =
           equations_.solve(history_.at_targets(panels_, from, to), from, to, last_rhs_, sizes_);
-      const double growth = solution ? growth_after(*solution, to) : 0.5;
+      const double growth = solution ? growth_after(*solution, from, to) : 0.5;
       if (growth < slow && noise_found(solution, from, to)) {
         sizes_.noise = noise_.of_rhs();
         continue;
@@ -115,9 +116,12 @@ class March {
   }
 
   // By which factor the panel could have been longer; below 1 it does not resolve y and f.
-  [[nodiscard]] double growth_after(const Solution& solution, double to) const {
+  [[nodiscard]] double growth_after(const Solution& solution, double from, double to) const {
     if (to <= options_.weightless * problem_.end) {
       return panels_.empty() ? 1.0 : 2.0;
+    }
+    if (just_after_jump(problem_, from, to)) {
+      return jumps_at(problem_, from) ? 1.0 : 2.0;
     }
     const Matrix values = solution.values.topRows(basis_.points());
     const double tolerance = options_.tolerance;
@@ -150,6 +154,7 @@ class March {
     sizes_ = solution.sizes;
     sizes_.noise = noise_.of_rhs();
     panels_.push_back({from, to, solution.rhs, values, size});
+    if (jumps_at(problem_, to)) length_ = options_.first_after_jump * to;
   }
 
   const Problem& problem_;

@@ -8,9 +8,10 @@
 namespace fde {
 
 struct MarchOptions {
-  int points;          // Gauss points of a panel
-  double first_panel;  // its length relative to the end; what it misses of a weak singularity dies out
-  double tolerance;    // of the last Legendre coefficients of f and y on a panel, relative to their sizes
+  int points;               // Gauss points of a panel
+  double first_panel;       // its length relative to the end; what it misses of a weak singularity dies out
+  double first_after_jump;  // the same behind a jump of f, relative to its time
+  double tolerance;  // of the last Legendre coefficients of f and y on a panel, relative to their sizes
   double weightless = 1e-18;  // of the end: an error of f before it is lost in rounding later on
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "march/jumps.hpp"
 #include "march/rhs_at.hpp"
 #include "march/unit_increment.hpp"
 
@@ -40,7 +41,7 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past
   constexpr double nearly_converged = 1e-12;
   const Eigen::Index points = basis_.points();
   const double length = to - from;
-  const Vec times = from + length * basis_.nodes.array();
+  const Vec times = times_of_piece(problem_, from, length, basis_.nodes);
   Solution found{};
   found.values = past + integrate(first_rhs.transpose().replicate(points, 1), length);
   LinearisedStep newton;

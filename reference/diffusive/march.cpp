@@ -8,6 +8,7 @@
 
 #include "diffusive/memory.hpp"
 #include "diffusive/stage_noise.hpp"
+#include "march/jumps.hpp"
 #include "march/pace.hpp"
 #include "march/posed_problem.hpp"
 #include "march/rhs_at.hpp"
@@ -45,7 +46,7 @@ class DiffusiveMarch {
         fail("more steps than it can afford", time_);
       }
       report_work(solution.times.size());
-      add_step(stop);
+      add_step(std::min(stop, next_stop(problem_, time_)));
       solution.times.push_back(time_);
       solution.values.push_back(value_);
     }
@@ -117,7 +118,7 @@ class DiffusiveMarch {
   // The last two Legendre coefficients of y, and of f as it adds to y, beyond their noise and relative to the
   // tolerance. Above 1 the step is too long.
   [[nodiscard]] double unresolved_by(const StageSolution& stages, double length) const {
-    if (time_ < options_.weightless * problem_.end) {
+    if (time_ < options_.weightless * problem_.end || just_after_jump(problem_, time_, time_ + length)) {
       return 0.0;
     }
     Matrix y(stages.y.rows() + 1, stages.y.cols());
@@ -145,7 +146,11 @@ class DiffusiveMarch {
     noise_.follow(stages, length, end);
     equations_.allow_noise(noise_.of_rhs());
     --steps_to_growth_;
-    if (unresolved * doubling() < 1.0 && length_ <= time_ && steps_to_growth_ <= 0) {
+    if (jumps_at(problem_, time_)) {
+      length_ = problem_.end * std::exp2(std::floor(std::log2(first_after_jump * time_ / problem_.end)));
+      steps_to_growth_ = 0;
+    } else if (unresolved * doubling() < 1.0 && length_ <= time_ - last_jump(problem_, time_) &&
+               steps_to_growth_ <= 0) {
       length_ *= 2;
     }
   }

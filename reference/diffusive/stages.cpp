@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "march/jumps.hpp"
 #include "march/rhs_at.hpp"
 
 namespace fde {
@@ -54,7 +55,7 @@ std::optional<StageSolution> StageEquations::solve(const Matrix& past, const std
                                                    double from, double length, In first_rhs, In size) const {
   constexpr int most_iterations = 40;
   constexpr double nearly_converged = 1e-12;
-  const Vec times = from + length * nodes_.array();
+  const Vec times = times_of_piece(problem_, from, length, nodes_);
   StageSolution found{};
   found.y = past + weighted(weights, first_rhs.transpose().replicate(nodes_.size(), 1));
   LinearisedStep newton;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "march/jumps.hpp"
+
 namespace fde {
 
 namespace {
@@ -35,6 +37,12 @@ std::vector<Vec> differences_to(const DiffusiveSolution& second, const Piecewise
   return largest;
 }
 
+// Whether the panel is among the first behind a jump, seen from a later time.
+bool died_out(const Problem& problem, const Panel& panel, double now) {
+  const double jump = last_jump(problem, panel.from);
+  return jump > 0.0 && panel.to - jump < (now - jump) / window;
+}
+
 // How fast each component changes on a panel.
 Vec slope_on(const Panel& panel) {
   return (panel.values.colwise().maxCoeff() - panel.values.colwise().minCoeff()).transpose() / panel.length();
@@ -42,8 +50,8 @@ Vec slope_on(const Panel& panel) {
 
 }  // namespace
 
-std::vector<Vec> error_estimates(const PiecewiseSolution& solution, const PiecewiseSolution& other,
-                                 const DiffusiveSolution& second) {
+std::vector<Vec> error_estimates(const Problem& problem, const PiecewiseSolution& solution,
+                                 const PiecewiseSolution& other, const DiffusiveSolution& second) {
   constexpr double safety = 2.0;
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const auto& panels = solution.panels();
@@ -57,6 +65,7 @@ std::vector<Vec> error_estimates(const PiecewiseSolution& solution, const Piecew
     const Vec slope = slopes[last].cwiseMax(slopes[last > 0 ? last - 1 : last]);
     Vec difference = to_other[last].cwiseMax(to_second[last]);
     for (std::size_t k = solution.panel_of(panels[last].from / window); k < last; ++k) {
+      if (died_out(problem, panels[k], panels[last].from)) continue;
       const Vec share = (slope.array() / (slopes[k].array() + std::numeric_limits<double>::min())).min(1.0);
       difference = difference.cwiseMax(to_other[k]).cwiseMax(to_second[k].cwiseProduct(share));
     }

@@ -11,6 +11,7 @@
 
 #include "collocation/march.hpp"
 #include "diffusive/march.hpp"
+#include "march/jumps.hpp"
 #include "march/posed_problem.hpp"
 #include "march/rhs_at.hpp"
 #include "nonlinear/bound.hpp"
@@ -71,17 +72,18 @@ Reference table_reference(PanelTable table, const Problem& problem) {
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options) {
   require_posed(problem);
   const Starts starts = starts_of(problem);
-  const auto solve = [&](int points, double first_panel) -> PiecewiseSolution {
+  const auto solve = [&](int points, double shortest) -> PiecewiseSolution {
     return {problem,
             {.points = points,
-             .first_panel = first_panel,
+             .first_panel = shortest * starts.panel,
+             .first_after_jump = shortest * first_after_jump,
              .tolerance = options.tolerance,
              .weightless = starts.weightless}};
   };
-  const auto solution = solve(20, starts.panel), other = solve(16, 3.0 * starts.panel);
+  const auto solution = solve(20, 1.0), other = solve(16, 3.0);
   const auto second =
       diffusive_solution(problem, {.first_step = starts.step, .weightless = starts.weightless});
-  const auto estimates = error_estimates(solution, other, second);
+  const auto estimates = error_estimates(problem, solution, other, second);
   PanelTable table;
   for (const Panel& panel : solution.panels()) {
     table.panels.push_back(
