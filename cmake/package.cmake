@@ -1,4 +1,5 @@
-# A Debian package of what has been built of the program, the libraries and the Python module: cpack --config BUILD/CPackConfig.cmake
+# A Debian package of what has been built of the program, the libraries and the Python module:
+# cpack --config BUILD/CPackConfig.cmake
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "the fdebench authors <fdebench@localhost>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

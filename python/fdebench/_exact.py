@@ -65,9 +65,9 @@ def mittag_leffler(
 ) -> NDArray | tuple[NDArray, NDArray[numpy.float64]]:
     """E_{alpha,beta}(z) = sum_k z^k / Gamma(alpha k + beta), with NumPy's broadcasting.
 
-    ``alpha`` in (0, 5], ``beta`` real, ``z`` real or complex; real z give real values. Each argument is the double that it is: 0.1 is not
-    one tenth. With ``bounds`` also bounds of the absolute errors, at most 7 ulp and nearly always half an ulp. Values beyond
-    double are inf.
+    ``alpha`` in (0, 5], ``beta`` real, ``z`` real or complex; real z give real values. Each argument is the double that it is: 0.1
+    is not one tenth. With ``bounds`` also bounds of the absolute errors, at most 7 ulp and nearly always half an ulp. Values
+    beyond double are inf.
 
     >>> mittag_leffler(0.5, 1, [0.0, -1.0])
     array([1.        , 0.42758358])

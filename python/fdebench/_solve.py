@@ -18,8 +18,8 @@ from ._scene import Problem, Scene, _command, _known, _text
 class Solution(Mapping[str, NDArray[numpy.float64]]):
     """Columns at times: ``solution.times``, and ``solution["y"]`` for each name of ``solution.names``.
 
-    ``values`` has a row for each time and a column for each name. ``cost`` has what the solve used: seconds, calls of the right-hand
-    side, memory, the rate that theory expects. ``warning`` says what speaks against the numbers, "" if nothing does.
+    ``values`` has a row for each time and a column for each name. ``cost`` has what the solve used: seconds, calls of the
+    right-hand side, memory, the rate that theory expects. ``warning`` says what speaks against the numbers, "" if nothing does.
     """
 
     def __init__(self, names: list[str], times: NDArray[numpy.float64], values: NDArray[numpy.float64], warning: str, cost: str):
@@ -58,10 +58,10 @@ def solve(
 ) -> Solution:
     """Solve a scene or a problem with a scheme in so many steps.
 
-    ``grid``: "uniform", or "graded:R" with the times end (n / steps)^R. ``at``: the grid times to return, or ``every`` K-th, or so many
-    ``points`` from 0 to the end; default all. ``history``: "auto", "direct" or "exponentials". ``tolerance``: relative, of Newton's method
-    and of the weights of the past. ``budget``: seconds after which the solve ends. ``check``: also solve with half the steps,
-    and warn where that gives another result.
+    ``grid``: "uniform", or "graded:R" with the times end (n / steps)^R. ``at``: the grid times to return, or ``every`` K-th, or so
+    many ``points`` from 0 to the end; default all. ``accuracy`` in place of steps: for schemes that choose their own. ``history``:
+    "auto", "direct" or "exponentials". ``tolerance``: relative, of Newton's method and of the weights of the past. ``budget``:
+    seconds after which the solve ends. ``check``: also solve with half the steps, and warn where that gives another result.
 
     Other threads run meanwhile, and Ctrl-C ends it. Raises ValueError for what cannot be solved, NumericalFailure for a
     solve that did not come to its end; warns with DoubtfulResult.
@@ -93,10 +93,10 @@ def choose(
 ) -> dict[str, Any]:
     """The scheme, grid and number of steps to take for an accuracy, found by making runs.
 
-    ``norm``: "maximum" over all steps, or "end". ``scale``: "absolute", "relative" or "mixed", |e| / (1 + |y|). ``columns``: those that
-    count; default all. ``seconds``: for the search. Returns the fields that ``fdebench choose --json`` has: scheme, grid, steps,
-    error, seconds, runner_up, ...; of a problem of one's own ``command`` is None. Raises NumericalFailure where no run is within
-    the accuracy.
+    ``norm``: "maximum" over all steps, or "end". ``scale``: "absolute", "relative" or "mixed", |e| / (1 + |y|). ``columns``: those
+    that count; default all. ``seconds``: for the search; default 60. Returns the fields that ``fdebench choose --json`` has: scheme,
+    grid, steps, error, seconds, runner_up, ...; of a problem of one's own ``command`` is None. Raises NumericalFailure where no
+    run is within the accuracy.
     """
     options = ["--error", _text(error), "--norm", norm, "--scale", scale, "--json"]
     if columns is not None:

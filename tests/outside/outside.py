@@ -85,7 +85,8 @@ def check_cheapest(program):
 
 def project(cmake, compiler, prefix, work, fdebench):
     shutil.rmtree(work, ignore_errors=True)
-    run(cmake, "-G", "Ninja", "-S", PROJECT, "-B", work, f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_COMPILER={compiler}")
+    settings = f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_COMPILER={compiler}"
+    run(cmake, "-G", "Ninja", "-S", PROJECT, "-B", work, *settings)
     run(cmake, "--build", work)
     check_riccati(Path(work, "riccati"))
     check_functions(Path(work, "functions"))
