@@ -13,10 +13,9 @@ for option in "$@"; do
   case $option in
     --tests)
       packages+=(libbenchmark-dev libgtest-dev libgmock-dev libflint-dev libflint-arb-dev)
-      command -v python3 >/dev/null || packages+=(python3)
-      for package in numpy jsonschema; do
-        python3 -c "import $package" 2>/dev/null || packages+=("python3-$package")
-      done
+      # Of the Python module and its tests.
+      packages+=(dpkg-dev python3 python3-dev pybind11-dev python3-numpy python3-pytest python3-mpmath python3-matplotlib)
+      python3 -c "import jsonschema" 2>/dev/null || packages+=(python3-jsonschema)
       command -v octave-cli >/dev/null || packages+=(octave)
       ;;
     --lint) packages+=(clang-format clang-tidy libclang-dev llvm-dev python3) ;;

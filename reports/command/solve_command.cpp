@@ -1,160 +1,26 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include <memory>
 #include <optional>
 #include <ostream>
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
-#include "observers/reaction_path.hpp"
+#include "command/solved_table.hpp"
 #include "scenes/number_text.hpp"
-#include "scenes/registry.hpp"
-#include "stepping/rates.hpp"
-#include "sweep/experiment.hpp"
-#include "trust/warnings.hpp"
 
 namespace fde {
 namespace {
 
-constexpr int most_direct_steps = 1 << 21;  // beyond, hours
-constexpr int most_rows = 10'000'000;
-
 struct SolveArguments {
   SceneArguments scene;
-  std::string scheme;
-  std::optional<std::string> steps, accuracy, until, at, every, points;
-  MeansArguments means{.budget = "3600"};
-  bool cost = false, check = false, strict = false;
+  RunArguments run;
+  std::optional<std::string> until;
+  bool cost = false, strict = false;
 };
 
-constexpr double rounding = 1e-12;
-
-Setup parse_setup(const SolveArguments& arguments) {
-  StepsOrAccuracy resolution;
-  if (arguments.accuracy) {
-    resolution = parse_accuracy(*arguments.accuracy);
-  } else {
-    resolution = parse_count("--steps", *arguments.steps, 1, most_steps);
-  }
-  Setup setup = parse_means(arguments.means);
-  setup.resolution = resolution;
-  return setup;
-}
-
-// Throws std::invalid_argument where the run would take hours or print too much.
-void require_affordable(const Grid& grid, HistoryKind history) {
-  if (resolve(history, step_plan(grid)) == HistoryKind::direct && grid.steps > most_direct_steps) {
-    throw std::invalid_argument(
-        fmt::format("--history = direct: takes up to {} steps, its work grows with their square, not {}",
-                    most_direct_steps, grid.steps));
-  }
-}
-
-// The time of the grid that is t to rounding. Throws std::invalid_argument naming the neighbours of a time
-// off the grid.
-double time_at(const Grid& grid, double t) {
-  const int nearest = grid.number(t);
-  if (std::abs(grid.time(nearest) - t) <= rounding * t) return grid.time(nearest);
-  const int below = std::clamp(grid.time(nearest) < t ? nearest : nearest - 1, 0, grid.steps - 1);
-  reject("--at", t,
-         fmt::format("a time of the grid: its neighbours are {:.17g} and {:.17g}", grid.time(below),
-                     grid.time(below + 1)));
-}
-
-std::vector<double> parse_times(const std::string& text, const Resolution& resolution, double end) {
-  const auto* grid = std::get_if<Grid>(&resolution);
-  std::vector<double> times;
-  for (const double t : parse_numbers("--at", text, not_negative)) {
-    if (t > end * (1 + rounding)) reject("--at", t, fmt::format("in [0, {}], the times of the run", end));
-    times.push_back(grid != nullptr ? time_at(*grid, t) : t);
-  }
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
-}
-
-// Every K-th time of the grid and the last, or so many of them from 0 to the end, evenly spread over the
-// steps.
-std::vector<double> spread_times(const SolveArguments& arguments, const Grid& grid) {
-  int count = 0;
-  double stride = 0.0;
-  if (arguments.every) {
-    const int fewest = grid.steps / most_rows + 1;
-    const int each = parse_count("--every", *arguments.every, fewest, most_steps);
-    count = 1 + (grid.steps - 1) / each + 1;
-    stride = each;
-  } else {
-    count = parse_count("--points", *arguments.points, 2, most_rows);
-    stride = static_cast<double>(grid.steps) / (count - 1);
-  }
-  std::vector<double> times;
-  for (int i = 0; i < count; ++i)
-    times.push_back(grid.time(std::min(grid.steps, static_cast<int>(std::lround(i * stride)))));
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
-}
-
-// The times to print; none: all.
-std::vector<double> times_of(const SolveArguments& arguments, const Resolution& resolution, double end) {
-  if (arguments.at) return parse_times(*arguments.at, resolution, end);
-  const auto* grid = std::get_if<Grid>(&resolution);
-  if (arguments.every || arguments.points) {
-    if (grid == nullptr) throw std::invalid_argument("--every and --points: are only taken with --steps");
-    return spread_times(arguments, *grid);
-  }
-  if (grid != nullptr && grid->steps > most_rows) {
-    throw std::invalid_argument(
-        fmt::format("--at, --every or --points is needed beyond {} steps, not all {} are printed", most_rows,
-                    grid->steps));
-  }
-  return {};
-}
-
-std::optional<Grid> grid_of(const Resolution& resolution) {
-  const auto* grid = std::get_if<Grid>(&resolution);
-  return grid == nullptr ? std::nullopt : std::optional(*grid);
-}
-
-// What is printed of a path: at all its times, or at those asked for.
-struct Table {
-  std::vector<std::string> names{};
-  std::vector<double> times{};
-  Rows values{};  // one row a name, one column a time
-};
-
-// A state may be finite and its energy not: throws NumericalFailure then.
-void require_finite(const Vec& values, const Table& table, const Scheme& scheme,
-                    const std::optional<Grid>& grid, double t) {
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    if (std::isfinite(values[i])) continue;
-    throw NumericalFailure(fmt::format("{}: {} not finite {}", scheme.id,
-                                       table.names[static_cast<std::size_t>(i)], at_time(grid, t)));
-  }
-}
-
-Table table_of(const Scene& scene, const Scheme& scheme, const std::optional<Grid>& grid,
-               const Trajectory& path, const std::vector<double>& asked) {
-  const ReactionPath reactions(scene, grid, path);
-  Table table{.names = printed_names(scene), .times = asked.empty() ? path.times : asked};
-  const auto of_reactions = reactions.names();
-  table.names.insert(table.names.end(), of_reactions.begin(), of_reactions.end());
-  table.values.resize(std::ssize(table.names), std::ssize(table.times));
-  Eigen::Index next = 0;
-  for (Eigen::Index c = 0; c < path.y.cols() && next < table.values.cols(); ++c) {
-    const double t = path.time(c);
-    if (t != table.times[static_cast<std::size_t>(next)]) continue;
-    const Vec columns = columns_at(scene.outputs, t, path.y.col(c));
-    const Vec values = printed_values(scene, t, columns);
-    require_finite(values, table, scheme, grid, t);
-    table.values.col(next++) << values, reactions.at(c, columns);
-  }
-  return table;
-}
-
-void print_rows(const Table& table, std::ostream& out) {
+void print_rows(const SolvedTable& table, std::ostream& out) {
   out << fmt::format("t,{}\n", fmt::join(table.names, ","));
   for (std::size_t c = 0; c < table.times.size(); ++c) {
     out << fmt::format("{:.17g}", table.times[c]);
@@ -164,78 +30,17 @@ void print_rows(const Table& table, std::ostream& out) {
   }
 }
 
-// What was not counted or is not known is left out.
-void print_cost(const Scene& scene, const Scheme& scheme, const Resolution& resolution, const Cost& cost,
-                HistoryKind history, double seconds, std::ostream& err) {
-  const auto* grid = std::get_if<Grid>(&resolution);
-  nlohmann::ordered_json shown{{"seconds", seconds}};
-  const auto add = [&shown](const char* key, const auto& count) {
-    if (count) shown[key] = *count;
-  };
-  add("rhs", cost.rhs_calls);
-  add("newton", cost.newton_iterations);
-  if (grid != nullptr && cost.history_bytes) shown["history"] = name(resolve(history, step_plan(*grid)));
-  add("history_bytes", cost.history_bytes);
-  add("states", cost.states);
-  if (grid != nullptr)
-    add("expected_rate", theoretical_rate(scheme, scene.problem, scene.smoothness, grid->grading, Norm::end));
-  err << shown.dump() << '\n';
-}
-
-// The column that shows a component as it is, "" where none does: seen where all components differ.
-std::vector<std::string> columns_of_components(const Scene& scene) {
-  const Vec y = Vec::LinSpaced(scene.problem.size(), 0.1, 0.7);
-  const Vec columns = columns_at(scene.outputs, 0.0, y);
-  std::vector<std::string> names(static_cast<std::size_t>(y.size()));
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto shown = std::ranges::find(columns, y[static_cast<Eigen::Index>(i)]);
-    if (shown != columns.end())
-      names[i] = scene.outputs.names[static_cast<std::size_t>(shown - columns.begin())];
-  }
-  return names;
-}
-
-// One line of all that speaks against the numbers of a run; empty: nothing.
-std::string warning_line(const SolvedRun& run, bool check) {
-  std::vector<std::string> texts;
-  for (const Warning& warning : warnings(run, check)) texts.push_back(warning.text);
-  return texts.empty() ? "" : fmt::format("warning: {}", fmt::join(texts, "; "));
-}
-
 void solve(const SolveArguments& arguments, const Streams& streams, const Scenes& known) {
   auto variant = read_variant(arguments.scene, known);
-  const auto& scheme = scheme_named(arguments.scheme);
   if (arguments.until && variant.until)
     reject_text("--until", *arguments.until, "without until= in the scene");
   if (arguments.until) variant.until = parse_number("--until", *arguments.until, any_end);
   const Scene scene = make_scene(variant);
-  const Setup setup = parse_setup(arguments);
-  const Resolution resolution = resolution_of(setup, scene.problem.end);
-  Options options = setup.options();
-  const auto grid = grid_of(resolution);
-  if (grid) require_affordable(*grid, options.history);
-  const auto asked = times_of(arguments, resolution, scene.problem.end);
-  options.at = with_times_beside(scene.reactions, grid, asked);
-  if (grid) options.at = with_times_looked_at(scene.problem, *grid, options.at);
-  if (const auto reason = refusal(scheme, scene.problem, resolution)) {
-    throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
-  }
-
-  const auto start = std::chrono::steady_clock::now();
-  const Trajectory path = scheme.solve(scene.problem, resolution, options);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  if (path.ending != Ending::finished)
-    throw NumericalFailure(fmt::format("{}: {}", scheme.id, describe(scene.problem, path)));
-  const Table table = table_of(scene, scheme, grid, path, asked);
-  const std::string warning =
-      grid ? warning_line({scheme, scene.problem, *grid, options, path, columns_of_components(scene)},
-                          arguments.check)
-           : "";
-  if (arguments.strict && !warning.empty()) throw NumericalFailure(warning);
+  const SolvedTable table = solved_table(scene, arguments.run);
+  if (arguments.strict && !table.warning.empty()) throw NumericalFailure(table.warning);
   print_rows(table, streams.out);
-  if (!warning.empty()) streams.err << fmt::format("fdebench: {}\n", warning);
-  if (arguments.cost)
-    print_cost(scene, scheme, resolution, path.cost, options.history, elapsed.count(), streams.err);
+  if (!table.warning.empty()) streams.err << fmt::format("fdebench: {}\n", table.warning);
+  if (arguments.cost) streams.err << table.cost << '\n';
 }
 
 }  // namespace
@@ -244,26 +49,23 @@ void add_solve_command(CommandLine& program, const Streams& streams, const Scene
   auto arguments = std::make_shared<SolveArguments>();
   Subcommand command(program, "solve", "Solve a scene with a scheme; CSV on standard output");
   add_scene(command, arguments->scene);
-  command.required("--scheme", arguments->scheme, "id of the scheme");
-  auto* steps = command.option("--steps", arguments->steps, "number of steps N");
-  auto* accuracy = command.option("--accuracy", arguments->accuracy,
+  command.required("--scheme", arguments->run.scheme, "id of the scheme");
+  auto* steps = command.option("--steps", arguments->run.steps, "number of steps N");
+  auto* accuracy = command.option("--accuracy", arguments->run.accuracy,
                                   "of schemes that choose their steps: relative, and absolute");
   Subcommand::exclude(accuracy, steps);
   command.option("--until", arguments->until, "end of the time interval");
-  auto* at = command.option("--at", arguments->at, "grid times to print, T1,T2,...; default all");
-  auto* every = command.option("--every", arguments->every, "print each K-th grid time, and the last");
-  auto* points = command.option("--points", arguments->points, "print K grid times from 0 to the end");
+  auto* at = command.option("--at", arguments->run.at, "grid times to print, T1,T2,...; default all");
+  auto* every = command.option("--every", arguments->run.every, "print each K-th grid time, and the last");
+  auto* points = command.option("--points", arguments->run.points, "print K grid times from 0 to the end");
   Subcommand::exclude(every, at);
   Subcommand::exclude(points, at);
   Subcommand::exclude(points, every);
-  add_options(command, arguments->means);
-  command.flag("--check", arguments->check, "also warn where half the steps give another result");
+  add_options(command, arguments->run.means);
+  command.flag("--check", arguments->run.check, "also warn where half the steps give another result");
   command.flag("--strict", arguments->strict, "a warning is a failure: exit 3, nothing printed but its line");
   command.flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");
-  command.callback([=, &known] {
-    if (!arguments->steps && !arguments->accuracy) throw std::invalid_argument("--steps is required");
-    solve(*arguments, streams, known);
-  });
+  command.callback([=, &known] { solve(*arguments, streams, known); });
 }
 
 }  // namespace fde

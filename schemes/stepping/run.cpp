@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "progress/work.hpp"
+
 namespace fde {
 
 Run::Run(const Problem& problem, const Options& options, int steps)
@@ -45,6 +47,7 @@ void Run::fail(Ending ending, double t) {
 }
 
 bool Run::out_of_budget() const {
+  report_work(static_cast<std::size_t>(path_.steps));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin_;
   return taken.count() > options_.budget;
 }

@@ -27,7 +27,7 @@ class Run {
   // Ends the run where the step to t has no result.
   void fail(Ending ending, double t);
 
-  // Whether the run has taken longer than it may; looks at the clock.
+  // Whether the run has taken longer than it may; looks at the clock, and who listens to work hears of it.
   [[nodiscard]] bool out_of_budget() const;
 
   Cost& cost() { return path_.cost; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unsupported/Eigen/IterativeSolvers>
 
+#include "progress/work.hpp"
+
 namespace fde {
 class LinearOperator;
 }  // namespace fde
@@ -25,7 +27,10 @@ class LinearOperator : public Eigen::EigenBase<LinearOperator> {
       : apply_(apply), size_(size) {}
   [[nodiscard]] Eigen::Index rows() const { return size_; }
   [[nodiscard]] Eigen::Index cols() const { return size_; }
-  [[nodiscard]] Vec applied(const Vec& x) const { return apply_(x); }
+  [[nodiscard]] Vec applied(const Vec& x) const {
+    report_work(0);
+    return apply_(x);
+  }
   template <typename Right>
   Eigen::Product<LinearOperator, Right, Eigen::AliasFreeProduct> operator*(
       const Eigen::MatrixBase<Right>& x) const {

@@ -12,7 +12,7 @@ from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FLOORS = ["schemes", "reference", "benchmarks", "reports"]  # a file is looked for in its own floor first, then in these
+FLOORS = ["schemes", "reference", "benchmarks", "reports", "python"]  # a file is looked for in its own floor first, then in these
 TABLE = Path(__file__).with_name("rooms.txt")
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 

@@ -4,7 +4,7 @@
 #include <exception>
 #include <functional>
 
-// Long evaluations say how far they are; who listens may end them there.
+// Solves and long evaluations say how far they are; who listens may end them there.
 namespace fde {
 
 // Hears of each step: how many are done of how many, 0 where that is not known.
@@ -15,7 +15,7 @@ struct WorkEnded : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "the work was ended"; }
 };
 
-// The evaluations of this thread are listened to while it lives.
+// The work of this thread is listened to while it lives, also by those who listened before.
 class ListeningToWork {
  public:
   explicit ListeningToWork(WorkListener listener);
@@ -26,10 +26,12 @@ class ListeningToWork {
   ListeningToWork& operator=(ListeningToWork&&) = delete;
 
  private:
-  WorkListener before_;
+  friend void report_work(std::size_t done, std::size_t total);
+  WorkListener listener_;
+  ListeningToWork* before_;
 };
 
-// A step of long work is done. Throws what the listener throws.
+// A step of long work is done. Throws what a listener throws.
 void report_work(std::size_t done, std::size_t total = 0);
 
 }  // namespace fde

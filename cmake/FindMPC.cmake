@@ -1,0 +1,13 @@
+# GNU MPC as MPC::MPC, and the MPFR that it computes with as PkgConfig::MPFR.
+find_package(PkgConfig QUIET)
+if(PKG_CONFIG_FOUND)
+  pkg_check_modules(MPFR QUIET IMPORTED_TARGET GLOBAL mpfr)
+endif()
+find_library(MPC_LIBRARY mpc)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(MPC REQUIRED_VARS MPC_LIBRARY MPFR_LIBRARIES)
+if(MPC_FOUND AND NOT TARGET MPC::MPC)
+  add_library(MPC::MPC UNKNOWN IMPORTED GLOBAL)
+  set_target_properties(MPC::MPC PROPERTIES IMPORTED_LOCATION ${MPC_LIBRARY})
+  target_link_libraries(MPC::MPC INTERFACE PkgConfig::MPFR)
+endif()

@@ -1,0 +1,32 @@
+# The libraries for other projects, as the component `library`: docs/library.md shows how they are taken.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+set(cmake_files ${CMAKE_INSTALL_LIBDIR}/cmake/fdebench)
+
+install(TARGETS fde_problem fde_schemes fde_reference fde_benchmarks EXPORT fdebench
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
+install(EXPORT fdebench NAMESPACE fdebench:: FILE fdebench-targets.cmake DESTINATION ${cmake_files} COMPONENT library)
+foreach(floor schemes reference benchmarks)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${floor} DESTINATION include/fdebench COMPONENT library
+    FILES_MATCHING PATTERN *.hpp PATTERN *.def PATTERN programs EXCLUDE PATTERN data EXCLUDE)
+endforeach()
+
+configure_package_config_file(cmake/fdebench-config.cmake.in ${PROJECT_BINARY_DIR}/fdebench-config.cmake
+  INSTALL_DESTINATION ${cmake_files})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/fdebench-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/fdebench-config.cmake ${PROJECT_BINARY_DIR}/fdebench-config-version.cmake
+  cmake/FindHWY.cmake cmake/FindMPC.cmake DESTINATION ${cmake_files} COMPONENT library)
+
+# The libraries are static, so what they link is named with them. The alignment is part of how objects are laid out.
+get_target_property(alignment fde_problem INTERFACE_COMPILE_DEFINITIONS)
+function(install_pkg_config name what needs libraries flags)
+  set(file ${PROJECT_BINARY_DIR}/fdebench-${name}.pc)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/fdebench.pc.in ${file} @ONLY)
+  install(FILES ${file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
+endfunction()
+install_pkg_config(schemes "Schemes for fractional differential equations" "eigen3 fmt libhwy"
+  "-lfde_schemes -lfde_problem" -D${alignment})
+install_pkg_config(reference "References for fractional differential equations, Mittag-Leffler functions"
+  "eigen3 fmt libhwy mpfr" "-lfde_reference -lfde_problem -lmpc" "-I\${prefix}/include/fdebench/schemes -D${alignment}")
+install_pkg_config(benchmarks "Scenes, measures and the search for the cheapest scheme"
+  "fdebench-schemes fdebench-reference gsl libcrypto" -lfde_benchmarks "")

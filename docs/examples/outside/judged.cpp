@@ -1,0 +1,18 @@
+#include <cstdio>
+#include <string>
+
+#include "measures/judge.hpp"
+#include "references/watched_reference.hpp"
+#include "scenes/variant.hpp"
+#include "stepping/scheme.hpp"
+
+// The pendulum of Yin, Liu & Anh up to t = 5 by the trapezoidal rule, judged by its reference.
+int main() {
+  const fde::Scene pendulum = fde::make_scene(fde::read_variant("pendulum:alpha=1.9,until=5", {}));
+  const fde::Grid grid{.end = pendulum.problem.end, .steps = 512};
+  const auto path = fde::find_scheme("product_trapezoidal")->solve(pendulum.problem, grid, {});
+  fde::WatchedReference reference(pendulum);
+  const fde::Judgement judged = fde::judge(pendulum, path, reference, {.grid = grid});
+  for (const auto& [id, unit, value] : judged.measured)
+    std::printf("%s %g %s\n", std::string(id).c_str(), value, std::string(unit).c_str());
+}

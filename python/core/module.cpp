@@ -1,0 +1,188 @@
+#include <pybind11/complex.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <complex>
+#include <cstddef>
+#include <exception>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "command/arguments.hpp"
+#include "command/command.hpp"
+#include "command/solved_table.hpp"
+#include "core/python_problem.hpp"
+#include "core/released.hpp"
+#include "mittag_leffler/mittag_leffler.hpp"
+#include "scenes/variant.hpp"
+
+// What the package `fdebench` is written with: texts and arrays in, texts and arrays out. The functions that
+// people call, with what they say of themselves, are in ../fdebench.
+namespace py = pybind11;
+
+namespace fde::python {
+namespace {
+
+// What names a scene: SCENE and its settings NAME=VALUE, or a problem of Python's.
+struct Named {
+  std::string name;
+  std::vector<std::string> settings;
+  const Scene* problem;
+};
+
+SceneVariant variant_of(const Named& named) {
+  return read_variant(SceneArguments{named.name, named.settings}, scenes());
+}
+
+// The command with these arguments; what it prints. Throws std::invalid_argument and NumericalFailure with
+// the line that it complains with.
+std::string command(const std::vector<std::string>& arguments, const Scene* problem) {
+  std::ostringstream out, err;
+  const int code = released([&] {
+    return problem == nullptr ? run_fdebench(arguments, {.out = out, .err = err})
+                              : run_fdebench(arguments, {.out = out, .err = err}, with_problem(*problem));
+  });
+  if (code == 0) return out.str();
+  std::string line = err.str();
+  if (line.ends_with('\n')) line.pop_back();
+  line = line.substr(line.find_last_of('\n') + 1);
+  constexpr std::string_view speaker = "fdebench: ";
+  if (line.starts_with(speaker)) line = line.substr(speaker.size());
+  constexpr int bad_input = 2;
+  if (code == bad_input) throw std::invalid_argument(line);
+  throw NumericalFailure(line);
+}
+
+// id, columns, orders and end.
+py::tuple facts(const Named& named) {
+  const auto [id, scene] = released([&]() -> std::pair<std::string, Scene> {
+    const auto variant = variant_of(named);
+    Scene known = make_known_scene(*variant.maker, variant.values);
+    known.problem.end = variant.until.value_or(known.problem.end);
+    return {variant.maker->id, std::move(known)};
+  });
+  std::vector<double> orders;
+  for (const auto& component : scene.problem.components) orders.push_back(component.order);
+  return py::make_tuple(id, scene.outputs.names, orders, scene.problem.end);
+}
+
+// Names, times, values with a row for each time, a warning, and the cost as JSON.
+py::tuple solve(const Named& named, const RunArguments& arguments) {
+  const SolvedTable table = released([&] {
+    return solved_table(named.problem == nullptr ? make_scene(variant_of(named)) : *named.problem, arguments);
+  });
+  const py::array_t<double> times(std::ssize(table.times), table.times.data());
+  const py::array_t<double> values({table.values.cols(), table.values.rows()}, table.values.data());
+  return py::make_tuple(table.names, times, values, table.warning, table.cost);
+}
+
+// E_{alpha,beta}(z) of arrays of one length, and bounds of the errors.
+using Reals = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Complexes = py::array_t<std::complex<double>, py::array::c_style | py::array::forcecast>;
+py::tuple mittag_leffler_of(const Reals& alpha, const Reals& beta, const Complexes& z) {
+  Complexes values(z.size());
+  Reals bounds(z.size());
+  const auto *a = alpha.data(), *b = beta.data();
+  const auto* x = z.data();
+  auto* value = values.mutable_data();
+  auto* bound = bounds.mutable_data();
+  const auto count = z.size();
+  released([=] {
+    for (py::ssize_t i = 0; i < count; ++i) {
+      report_work(static_cast<std::size_t>(i), static_cast<std::size_t>(count));
+      const auto result = mittag_leffler(a[i], b[i], x[i]);
+      value[i] = result.value;
+      bound[i] = result.bound;
+    }
+  });
+  return py::make_tuple(values, bounds);
+}
+
+py::tuple mittag_leffler_in_digits(const std::string& alpha, const std::string& beta, const std::string& re,
+                                   const std::string& im, int digits) {
+  const auto value = released([&] { return mittag_leffler(alpha, beta, re, im, digits); });
+  return py::make_tuple(value.re, value.im, value.bound);
+}
+
+// The command's options are arguments here: "--steps = 0: must be ..." without the dashes.
+std::string without_dashes(std::string text) {
+  for (auto at = text.find("--"); at != std::string::npos; at = text.find("--", at)) {
+    const bool begins_option = at == 0 || text[at - 1] == ' ';
+    if (begins_option) text.erase(at, 2);
+    at += 1;
+  }
+  return text;
+}
+
+// fdebench.NumericalFailure, with what is known of the step.
+void raise_failure(const std::string& message, const py::object& scheme, const py::object& step,
+                   const py::object& time) {
+  const auto type = py::module_::import("fdebench").attr("NumericalFailure");
+  const py::object failure = type(message, scheme, step, time);
+  PyErr_SetObject(type.ptr(), failure.ptr());
+}
+
+void translate(
+    std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): as pybind11 has it
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const RunFailure& failure) {
+    raise_failure(failure.what(), py::str(failure.scheme), py::int_(failure.step), py::cast(failure.time));
+  } catch (const NumericalFailure& failure) {
+    raise_failure(failure.what(), py::none(), py::none(), py::none());
+  } catch (const std::invalid_argument& error) {
+    PyErr_SetString(PyExc_ValueError, without_dashes(error.what()).c_str());
+  }
+}
+
+RunArguments run_arguments(const std::string& scheme, const std::map<std::string, std::string>& texts,
+                           bool check) {
+  RunArguments arguments;
+  arguments.scheme = scheme;
+  arguments.check = check;
+  const auto take = [&](const char* name, auto& into) {
+    if (const auto found = texts.find(name); found != texts.end()) into = found->second;
+  };
+  take("steps", arguments.steps);
+  take("accuracy", arguments.accuracy);
+  take("at", arguments.at);
+  take("every", arguments.every);
+  take("points", arguments.points);
+  take("grid", arguments.means.grid);
+  take("history", arguments.means.history);
+  take("tolerance", arguments.means.tolerance);
+  take("budget", arguments.means.budget);
+  return arguments;
+}
+
+}  // namespace
+}  // namespace fde::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace fde::python;
+  using fde::Scene;
+  py::register_exception_translator(translate);
+  py::class_<Scene>(module, "Problem")
+      .def(py::init([](const std::vector<double>& orders, const std::vector<std::vector<double>>& initial,
+                       const py::object& rhs, double end, const py::object& jacobian,
+                       const std::vector<std::string>& names, const std::vector<double>& jumps) {
+        return python_scene({orders, initial, end, names, jumps}, rhs, jacobian);
+      }));
+  module.def("command", command);
+  module.def("facts", [](const std::string& name, const std::vector<std::string>& settings) {
+    return facts({name, settings, nullptr});
+  });
+  module.def("solve",
+             [](const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
+                const std::string& scheme, const std::map<std::string, std::string>& texts, bool check) {
+               return solve({name, settings, problem}, run_arguments(scheme, texts, check));
+             });
+  module.def("mittag_leffler", mittag_leffler_of);
+  module.def("mittag_leffler_in_digits", mittag_leffler_in_digits);
+}

@@ -1,0 +1,108 @@
+#include "core/python_problem.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <pybind11/numpy.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "references/cache.hpp"
+
+namespace py = pybind11;
+
+namespace fde::python {
+namespace {
+
+// Copies of a Python object that are made and dropped without the interpreter's lock.
+using Shared = std::shared_ptr<const py::object>;
+Shared shared(const py::object& object) {
+  return {new py::object(object), [](const py::object* held) {
+            const py::gil_scoped_acquire lock;
+            delete held;
+          }};
+}
+
+// What function(t, y) returns, as numbers. Throws what it raises, and ValueError where the shape is another;
+// no std::runtime_error, which would be taken for a failure of the solve.
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+Numbers call(const py::object& function, const char* name, double t, In y,
+             const std::vector<py::ssize_t>& shape) {
+  const py::object result = function(t, py::array_t<double>(y.size(), y.data()));
+  auto numbers = Numbers::ensure(result);
+  if (!numbers) throw py::error_already_set();
+  const std::vector<py::ssize_t> given(numbers.shape(), numbers.shape() + numbers.ndim());
+  const bool one_number = numbers.ndim() == 0 && y.size() == 1;
+  if (given != shape && !one_number) {
+    PyErr_SetString(PyExc_ValueError, fmt::format("{}: returned an array of shape ({}), must be ({})", name,
+                                                  fmt::join(given, ", "), fmt::join(shape, ", "))
+                                          .c_str());
+    throw py::error_already_set();
+  }
+  return numbers;
+}
+
+std::function<void(double, In, Out)> rhs_of(const py::object& function) {
+  return [function = shared(function)](double t, In y, Out f) {
+    const py::gil_scoped_acquire lock;
+    const Numbers numbers = call(*function, "rhs", t, y, {y.size()});
+    f = Eigen::Map<const Vec>(numbers.data(), y.size());
+  };
+}
+
+DenseJacobian jacobian_of(const py::object& function) {
+  return {[function = shared(function)](double t, In y, OutMatrix jacobian) {
+    using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const py::gil_scoped_acquire lock;
+    const Numbers numbers = call(*function, "jacobian", t, y, {y.size(), y.size()});
+    jacobian = Eigen::Map<const ByRows>(numbers.data(), y.size(), y.size());
+  }};
+}
+
+// A reference that is computed when a time is asked for, once.
+class OnceComputed {
+ public:
+  explicit OnceComputed(Problem problem) : problem_(std::move(problem)) {}
+  ReferenceValue at(double t) {
+    const std::scoped_lock lock(mutex_);
+    if (!known_) known_ = computed_reference(problem_);
+    return known_->at(t);
+  }
+
+ private:
+  Problem problem_;
+  std::mutex mutex_{};
+  std::optional<Reference> known_{};
+};
+
+}  // namespace
+
+Scene python_scene(const ProblemFacts& facts, const py::object& rhs, const py::object& jacobian) {
+  Scene scene{.outputs = {.names = facts.names}};
+  Problem& problem = scene.problem;
+  for (std::size_t i = 0; i < facts.orders.size(); ++i)
+    problem.components.push_back({.order = facts.orders[i], .initial = facts.initial[i]});
+  problem.rhs = rhs_of(rhs);
+  if (!jacobian.is_none()) problem.derivatives = jacobian_of(jacobian);
+  problem.end = facts.end;
+  problem.jumps = facts.jumps;
+  scene.reference.at = [reference = std::make_shared<OnceComputed>(problem)](double t) {
+    return reference->at(t);
+  };
+  return scene;
+}
+
+Scenes with_problem(const Scene& scene) {
+  Scenes known;
+  known.add({.id = "problem",
+             .title = "a problem of one's own",
+             .source = "Python",
+             .parameters = {},
+             .make = [scene](const Parameters&) { return scene; }});
+  return known;
+}
+
+}  // namespace fde::python

@@ -1,0 +1,34 @@
+"""Which numerical scheme to use for a fractional differential equation, with proof.
+
+>>> import fdebench
+>>> solution = fdebench.solve("pendulum", "product_trapezoidal", 1024)
+>>> solution.times, solution["phi"]
+>>> fdebench.exact("relaxation", [0.5, 1.0])["y"]
+>>> fdebench.choose("relaxation", error=1e-6)["scheme"]
+
+scenes() and schemes() list what there is; Problem is an equation of one's own.
+"""
+
+from ._exact import Digits, Exact, exact, mittag_leffler, mittag_leffler_digits
+from ._failure import DoubtfulResult, NumericalFailure
+from ._scene import Problem, Scene, Scheme, scene_facts, scenes, schemes
+from ._solve import Solution, choose, solve
+
+__all__ = [
+    "Digits",
+    "DoubtfulResult",
+    "Exact",
+    "NumericalFailure",
+    "Problem",
+    "Scene",
+    "Scheme",
+    "Solution",
+    "choose",
+    "exact",
+    "mittag_leffler",
+    "mittag_leffler_digits",
+    "scene_facts",
+    "scenes",
+    "schemes",
+    "solve",
+]

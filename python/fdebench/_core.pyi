@@ -1,0 +1,30 @@
+"""The compiled half: texts and arrays in, texts and arrays out. Raises ValueError and NumericalFailure."""
+
+from collections.abc import Callable, Sequence
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+Rhs = Callable[[float, NDArray[numpy.float64]], ArrayLike]
+
+class Problem:
+    def __init__(
+        self,
+        orders: Sequence[float],
+        initial: Sequence[Sequence[float]],
+        rhs: Rhs,
+        end: float,
+        jacobian: Rhs | None,
+        names: Sequence[str],
+        jumps: Sequence[float],
+    ) -> None: ...
+
+def command(arguments: Sequence[str], problem: Problem | None) -> str: ...
+def facts(name: str, settings: Sequence[str]) -> tuple[str, list[str], list[float], float]: ...
+def solve(
+    name: str, settings: Sequence[str], problem: Problem | None, scheme: str, texts: dict[str, str], check: bool
+) -> tuple[list[str], NDArray[numpy.float64], NDArray[numpy.float64], str, str]: ...
+def mittag_leffler(
+    alpha: NDArray[numpy.float64], beta: NDArray[numpy.float64], z: NDArray[numpy.complex128]
+) -> tuple[NDArray[numpy.complex128], NDArray[numpy.float64]]: ...
+def mittag_leffler_in_digits(alpha: str, beta: str, re: str, im: str, digits: int) -> tuple[str, str, str]: ...

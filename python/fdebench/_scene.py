@@ -1,0 +1,200 @@
+"""Scenes and problems of one's own."""
+
+from __future__ import annotations
+
+import json
+import math
+import numbers
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Union
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+
+Value = Union[float, str, Sequence[float]]
+
+
+def _text(value: Value) -> str:
+    """As the command takes it: numbers in the fewest digits that tell them from all others, lists with commas."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (Sequence, numpy.ndarray)):
+        return ",".join(map(_text, value))
+    return str(int(value)) if isinstance(value, numbers.Integral) else repr(float(value))
+
+
+class Scene:
+    """A scene that fdebench knows, with some of its parameters replaced.
+
+    >>> Scene("pendulum", alpha=1.9, until=5)
+    Scene('pendulum:alpha=1.9,until=5')
+    >>> Scene("relaxation", {"lambda": -2}).columns
+    ['y']
+
+    ``until`` is the end of the time interval. Names are those of the command; parameters that are no Python names stand
+    in a mapping, or in the text: ``Scene("relaxation:lambda=-2")``. Raises ValueError naming what is wrong and what is allowed.
+    """
+
+    def __init__(self, name: str, parameters: Mapping[str, Value] | None = None, /, **more: Value):
+        self._name = name
+        self._settings = [f"{key}={_text(value)}" for key, value in {**(parameters or {}), **more}.items()]
+        self._id, self._columns, self._orders, self._end = _core.facts(self._name, self._settings)
+
+    @property
+    def id(self) -> str:
+        """Its name without parameters."""
+        return self._id
+
+    @property
+    def label(self) -> str:
+        """Its name with the parameters that were replaced."""
+        if not self._settings:
+            return self._name
+        return self._name + ("," if ":" in self._name else ":") + ",".join(self._settings)
+
+    @property
+    def columns(self) -> list[str]:
+        """The names of what a solve gives at each time; energies, constraints and reactions come behind them."""
+        return list(self._columns)
+
+    @property
+    def orders(self) -> list[float]:
+        """The order of the derivative in each row of its problem; 0 of an algebraic row."""
+        return list(self._orders)
+
+    @property
+    def end(self) -> float:
+        """The last time."""
+        return self._end
+
+    def __repr__(self) -> str:
+        return f"Scene({self.label!r})"
+
+
+Rhs = Callable[[float, NDArray[numpy.float64]], ArrayLike]
+
+
+class Problem:
+    """A problem of one's own: D^orders[i] y_i = rhs(t, y)[i] for 0 < t <= end, with Caputo derivatives.
+
+    >>> Problem(orders=[0.5], initial=[1.0], rhs=lambda t, y: -y, end=1.0)
+    Problem(orders=[0.5], end=1.0)
+
+    ``initial[i]`` are y_i(0), y_i'(0), ...: as many numbers as the order rounded up, or one number where that is 1. Order 0 is an
+    algebraic row, 0 = rhs(t, y)[i], whose initial value is a guess. ``rhs`` gets a float and an array and returns as many numbers;
+    ``jacobian``, if given, returns the matrix of their derivatives, row i those of rhs[i]: without it implicit schemes take
+    differences. ``jumps`` are times at which rhs jumps.
+
+    ``exact`` and ``choose`` compute a reference by two methods that share nothing; it is kept with the problem.
+    """
+
+    def __init__(
+        self,
+        orders: Sequence[float],
+        initial: Sequence[float | Sequence[float]],
+        rhs: Rhs,
+        end: float,
+        *,
+        jacobian: Rhs | None = None,
+        names: Sequence[str] | None = None,
+        jumps: Sequence[float] = (),
+    ):
+        self._orders = [_order(order) for order in orders]
+        if not self._orders or len(initial) != len(self._orders):
+            raise ValueError(f"initial: has {len(initial)} entries for {len(self._orders)} orders, must have one for each")
+        values = [_initial(i, order, initial[i]) for i, order in enumerate(self._orders)]
+        self._end = _positive("end", end)
+        self._columns = list(names) if names is not None else _usual_names(len(self._orders))
+        if len(set(self._columns)) != len(self._orders):
+            raise ValueError(f"names = {self._columns}: must be {len(self._orders)} different names")
+        times = [_positive("jumps", time) for time in jumps]
+        if times != sorted(set(times)):
+            raise ValueError(f"jumps = {times}: must increase")
+        for name, function in {"rhs": rhs, "jacobian": jacobian}.items():
+            if not callable(function) and (name == "rhs" or function is not None):
+                raise ValueError(f"{name} = {function!r}: must be a function of t and y")
+        self._core = _core.Problem(self._orders, values, rhs, self._end, jacobian, self._columns, times)
+
+    @property
+    def columns(self) -> list[str]:
+        """The names of the unknowns."""
+        return list(self._columns)
+
+    @property
+    def orders(self) -> list[float]:
+        """The order of the derivative in each row."""
+        return list(self._orders)
+
+    @property
+    def end(self) -> float:
+        """The last time."""
+        return self._end
+
+    def __repr__(self) -> str:
+        return f"Problem(orders={self._orders}, end={self._end})"
+
+
+def _order(order: float) -> float:
+    if not 0.0 <= order <= 2.0:
+        raise ValueError(f"orders = {order}: must be a number in [0, 2]")
+    return float(order)
+
+
+def _initial(row: int, order: float, given: float | Sequence[float]) -> list[float]:
+    values = [float(value) for value in numpy.atleast_1d(numpy.asarray(given, dtype=float))]
+    wanted = max(1, math.ceil(order))
+    if len(values) != wanted or not all(map(math.isfinite, values)):
+        raise ValueError(f"initial[{row}] = {given}: must be {wanted} finite number{'s' * (wanted > 1)} for order {order}")
+    return values
+
+
+def _positive(name: str, value: float) -> float:
+    if not (value > 0.0 and math.isfinite(value)):
+        raise ValueError(f"{name} = {value}: must be a number above 0")
+    return float(value)
+
+
+def _usual_names(count: int) -> list[str]:
+    return ["y"] if count == 1 else [f"y{i + 1}" for i in range(count)]
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """A scheme, and what it takes; ``needs`` are the facts that ``fdebench schemes --needs`` shows."""
+
+    id: str
+    title: str
+    source: str
+    needs: dict[str, Any]
+
+
+def scenes() -> list[Scene]:
+    """All scenes, with their default parameters."""
+    return [Scene(facts["id"]) for facts in scene_facts()]
+
+
+def scene_facts() -> list[dict[str, Any]]:
+    """Title, source, parameters with what is allowed, end and columns of all scenes, as ``fdebench scenes --json`` has them."""
+    return json.loads(_core.command(["scenes", "--json"], None))
+
+
+def schemes() -> list[Scheme]:
+    """All schemes."""
+    known = json.loads(_core.command(["schemes", "--json"], None))
+    return [Scheme(facts.pop("id"), facts.pop("title"), facts.pop("source"), facts) for facts in known]
+
+
+def _known(scene: str | Scene | Problem) -> Scene | Problem:
+    return Scene(scene) if isinstance(scene, str) else scene
+
+
+def _command(command: str, scene: str | Scene | Problem, options: Sequence[str]) -> str:
+    """What a command prints of a scene or a problem."""
+    known = _known(scene)
+    if isinstance(known, Problem):
+        return _core.command([command, "problem", *options], known._core)
+    settings = [word for setting in known._settings for word in ("--set", setting)]
+    return _core.command([command, known._name, *settings, *options], None)

@@ -1,0 +1,109 @@
+"""Solutions by a scheme, and which scheme to take."""
+
+from __future__ import annotations
+
+import json
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._failure import DoubtfulResult
+from ._scene import Problem, Scene, _command, _known, _text
+
+
+class Solution(Mapping[str, NDArray[numpy.float64]]):
+    """Columns at times: ``solution.times``, and ``solution["y"]`` for each name of ``solution.names``.
+
+    ``values`` has a row for each time and a column for each name. ``cost`` has what the solve used: seconds, calls of the
+    right-hand side, memory, the rate that theory expects. ``warning`` says what speaks against the numbers, "" if nothing does.
+    """
+
+    def __init__(self, names: list[str], times: NDArray[numpy.float64], values: NDArray[numpy.float64], warning: str, cost: str):
+        self.names, self.times, self.values, self.warning = names, times, values, warning
+        self.cost: dict[str, Any] = json.loads(cost)
+
+    def __getitem__(self, name: str) -> NDArray[numpy.float64]:
+        if name not in self.names:
+            raise KeyError(f"{name}: there are {', '.join(self.names)}")
+        return self.values[:, self.names.index(name)]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.names)
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def __repr__(self) -> str:
+        return f"Solution({', '.join(self.names)} at {len(self.times)} times)"
+
+
+def solve(
+    scene: str | Scene | Problem,
+    scheme: str,
+    steps: int | None = None,
+    *,
+    grid: str = "uniform",
+    at: ArrayLike | None = None,
+    every: int | None = None,
+    points: int | None = None,
+    accuracy: float | None = None,
+    history: str = "auto",
+    tolerance: float | None = None,
+    budget: float = 3600.0,
+    check: bool = False,
+) -> Solution:
+    """Solve a scene or a problem with a scheme in so many steps.
+
+    ``grid``: "uniform", or "graded:R" with the times end (n / steps)^R. ``at``: the grid times to return, or ``every`` K-th, or so
+    many ``points`` from 0 to the end; default all. ``accuracy`` in place of steps: for schemes that choose their own. ``history``:
+    "auto", "direct" or "exponentials". ``tolerance``: relative, of Newton's method and of the weights of the past. ``budget``:
+    seconds after which the solve ends. ``check``: also solve with half the steps, and warn where that gives another result.
+
+    Other threads run meanwhile, and Ctrl-C ends it. Raises ValueError for what cannot be solved, NumericalFailure for a
+    solve that did not come to its end; warns with DoubtfulResult.
+    """
+    known = _known(scene)
+    is_own = isinstance(known, Problem)
+    given = {"steps": steps, "grid": grid, "every": every, "points": points, "accuracy": accuracy, "history": history}
+    given |= {"tolerance": tolerance, "budget": budget}
+    texts = {name: _text(value) for name, value in given.items() if value is not None}
+    if at is not None:
+        texts["at"] = ",".join(map(repr, numpy.atleast_1d(numpy.asarray(at, dtype=float)).tolist()))
+    if (at is not None) + (every is not None) + (points is not None) > 1:
+        raise ValueError("at, every and points: one of them at most")
+    of = ("", [], known._core) if is_own else (known._name, known._settings, None)
+    solution = Solution(*_core.solve(*of, scheme, texts, check))
+    if solution.warning:
+        warnings.warn(solution.warning.removeprefix("warning: "), DoubtfulResult, stacklevel=2)
+    return solution
+
+
+def choose(
+    scene: str | Scene | Problem,
+    error: float,
+    *,
+    norm: str = "maximum",
+    scale: str = "mixed",
+    columns: Sequence[str] | None = None,
+    seconds: float | None = None,
+) -> dict[str, Any]:
+    """The scheme, grid and number of steps to take for an accuracy, found by making runs.
+
+    ``norm``: "maximum" over all steps, or "end". ``scale``: "absolute", "relative" or "mixed", |e| / (1 + |y|). ``columns``: those
+    that count; default all. ``seconds``: for the search; default 60. Returns the fields that ``fdebench choose --json`` has: scheme,
+    grid, steps, error, seconds, runner_up, ...; of a problem of one's own ``command`` is None. Raises NumericalFailure where no
+    run is within the accuracy.
+    """
+    options = ["--error", _text(error), "--norm", norm, "--scale", scale, "--json"]
+    if columns is not None:
+        options += ["--columns", ",".join(columns)]
+    if seconds is not None:
+        options += ["--max-time", _text(seconds)]
+    found = json.loads(_command("choose", scene, options))
+    if isinstance(scene, Problem):
+        found["command"] = None
+    return found

@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""fdebench installed, and a project outside the tree that takes it.
+
+    outside.py install CMAKE BUILD PREFIX            the component `library` of a build
+    outside.py project CMAKE COMPILER PREFIX WORK FDEBENCH
+                                                     docs/examples/outside with find_package, and what its programs print
+    outside.py pkg-config COMPILER PREFIX WORK       some of its programs with pkg-config
+    outside.py headers COMPILER PREFIX               each public header of docs/library.md alone
+"""
+
+import csv
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PROJECT = ROOT / "docs/examples/outside"
+
+
+def run(*command, **more):
+    """What a command prints; the end of this test where it fails."""
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **more)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def near(value, wanted, error, what):
+    if not abs(float(value) - wanted) <= error:
+        sys.exit(f"{what}: {value} is not within {error} of {wanted}")
+
+
+def install(cmake, build, prefix):
+    shutil.rmtree(prefix, ignore_errors=True)
+    run(cmake, "--install", build, "--component", "library", "--prefix", prefix)
+    if list(Path(prefix).glob("bin/*")) or not list(Path(prefix).glob("lib/*.a")):
+        sys.exit("the component `library` is not the libraries alone")
+
+
+def check_riccati(program):
+    """Order 1 is tanh; other orders: within what schemes of their rates leave at 1024 steps."""
+    printed = run(program, "1")
+    near(re.search(r"y\(1\) = (\S+),", printed).group(1), math.tanh(1.0), 1e-14, "the reference of order 1")
+    errors = dict(re.findall(r"^(\w+) +(\S+)$", run(program, "0.9"), re.MULTILINE))
+    near(errors["product_trapezoidal"], 0.0, 1e-6, "product_trapezoidal, order 0.9")
+    near(errors["grunwald_letnikov"], 0.0, 2e-3, "grunwald_letnikov, order 0.9")
+
+
+def check_functions(program):
+    """e erfc(1); its series by mpmath 1.2.1: exp(1) * erfc(1), mp.dps = 45. The derivative is checked by the program."""
+    double, digits, slopes = run(program).splitlines()
+    near(double.split()[0], math.e * math.erfc(1.0), 3e-16, "E_{1/2,1}(-1)")
+    if not digits.startswith("0.4275835761558070044107503444905151808202"):
+        sys.exit(f"E_{{1/2,1}}(-1) in digits: {digits}")
+    entry, slope = slopes.split(" = ")
+    near(entry, float(slope), 1e-14, "the derivative")
+
+
+def last_row(text):
+    names, *rows = csv.reader(text.splitlines())
+    return dict(zip(names, map(float, rows[-1])))
+
+
+def check_judged(program, fdebench):
+    """The error at the end is that of what the command prints."""
+    measured = dict(line.split()[:2] for line in run(program).splitlines())
+    scene = "pendulum:alpha=1.9,until=5"
+    solved = last_row(run(fdebench, "solve", scene, "--scheme", "product_trapezoidal", "--steps", "512", "--at", "5"))
+    exact = last_row(run(fdebench, "exact", "pendulum:alpha=1.9", "--at", "5"))
+    columns = ("phi", "Dbeta_phi", "dphi", "Dalpha_phi")
+    error = max(abs(solved[name] - exact[name]) for name in columns)
+    near(measured["error_end"], error, 1e-5 * error, "error_end of the pendulum")
+
+
+def check_cheapest(program):
+    errors = [float(line.split()[-1]) for line in run(program).splitlines()]
+    if not errors or max(errors) > 1e-5:
+        sys.exit(f"cheapest: {errors} must be at most 1e-5")
+
+
+def project(cmake, compiler, prefix, work, fdebench):
+    shutil.rmtree(work, ignore_errors=True)
+    settings = f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_COMPILER={compiler}"
+    run(cmake, "-G", "Ninja", "-S", PROJECT, "-B", work, *settings)
+    run(cmake, "--build", work)
+    check_riccati(Path(work, "riccati"))
+    check_functions(Path(work, "functions"))
+    check_judged(Path(work, "judged"), fdebench)
+    check_cheapest(Path(work, "cheapest"))
+
+
+def pkg_config(compiler, prefix, work):
+    Path(work).mkdir(exist_ok=True)
+    environment = os.environ | {"PKG_CONFIG_PATH": f"{prefix}/lib/pkgconfig"}
+    packages = {"riccati": "fdebench-schemes fdebench-reference", "functions": "fdebench-reference", "cheapest": "fdebench-benchmarks"}
+    for program, package in packages.items():
+        flags = run("pkg-config", "--cflags", "--libs", *package.split(), env=environment).split()
+        if "-DEIGEN_MAX_ALIGN_BYTES=64" not in flags:
+            sys.exit(f"{package}: the alignment is not among {flags}")
+        run(compiler, "-std=c++20", PROJECT / f"{program}.cpp", "-o", f"{work}/{program}", *flags)
+    check_riccati(Path(work, "riccati"))
+    check_functions(Path(work, "functions"))
+    check_cheapest(Path(work, "cheapest"))
+
+
+def public_headers():
+    """(room and file, floor) of each that docs/library.md names."""
+    page = (ROOT / "docs/library.md").read_text()
+    return re.findall(r"^\| `([\w/]+\.hpp)` \| `(\w+)`", page, re.MULTILINE)
+
+
+def headers(compiler, prefix):
+    """A header says what it needs: alone it compiles."""
+    flags = run("pkg-config", "--cflags", "eigen3").split() + ["-std=c++20", "-fsyntax-only", "-x", "c++", "-"]
+    flags.append("-DEIGEN_DONT_VECTORIZE")  # a quarter of the time, and nothing of what is declared
+    floors = [f"-I{prefix}/include/fdebench/{floor}" for floor in ("schemes", "reference", "benchmarks")]
+    named = public_headers()
+    if len(named) < 10:
+        sys.exit(f"docs/library.md: names {named} only")
+
+    def compile_alone(header):
+        name, floor = header
+        if not Path(prefix, "include/fdebench", floor, name).is_file():
+            sys.exit(f"{floor}/{name}: is not installed")
+        run(compiler, *floors, *flags, input=f'#include "{name}"\n')
+
+    with ThreadPoolExecutor(2) as workers:
+        list(workers.map(compile_alone, named))
+
+
+COMMANDS = {"install": install, "project": project, "pkg-config": pkg_config, "headers": headers}
+COMMANDS[sys.argv[1]](*sys.argv[2:])
+print(f"{sys.argv[1]}: as it should be")

@@ -1,0 +1,34 @@
+"""What docs/python.md shows runs, and the stub declares what there is."""
+
+import ast
+import inspect
+import re
+from pathlib import Path
+
+import pytest
+
+import fdebench
+
+PAGE = Path(__file__).parents[2] / "docs/python.md"
+PROGRAMS = re.findall(r"^```python\n(.*?)^```$", PAGE.read_text(), re.MULTILINE | re.DOTALL)
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=range(len(PROGRAMS)))
+def test_a_program_of_the_page_runs(program):
+    exec(program, {})
+
+
+def test_the_page_names_every_function():
+    named = PAGE.read_text()
+    assert [name for name in fdebench.__all__ if inspect.isfunction(getattr(fdebench, name)) and name not in named] == []
+
+
+def test_the_stub_declares_the_compiled_half():
+    stub = ast.parse(Path(fdebench.__file__).with_name("_core.pyi").read_text())
+    declared = {node.name for node in stub.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
+    assert declared == {name for name in dir(fdebench._core) if not name.startswith("_")}
+
+
+def test_everything_says_what_it_is():
+    public = [getattr(fdebench, name) for name in fdebench.__all__]
+    assert [thing.__name__ for thing in public if not thing.__doc__] == []

@@ -1,0 +1,132 @@
+"""Solves from Python, held against formulas and against the command."""
+
+import csv
+import io
+import math
+import subprocess
+import warnings
+
+import numpy
+import pytest
+from conftest import FDEBENCH
+
+import fdebench
+
+
+def relaxation(**more):
+    return fdebench.Problem(orders=[0.5], initial=[1.0], rhs=lambda t, y: -y, end=1.0, **more)
+
+
+def test_a_scene_has_the_columns_of_the_command_to_the_last_bit():
+    solution = fdebench.solve(fdebench.Scene("pendulum", until=5), "decoupled_multi_order", 512)
+    printed = subprocess.run(
+        [FDEBENCH, "solve", "pendulum", "--until", "5", "--scheme", "decoupled_multi_order", "--steps", "512"],
+        capture_output=True, text=True, check=True,
+    )
+    names, *rows = csv.reader(io.StringIO(printed.stdout))
+    assert ["t", *solution.names] == names
+    assert numpy.array_equal(numpy.column_stack([solution.times, solution.values]), numpy.array(rows, dtype=float))
+
+
+def test_a_problem_of_ones_own_has_its_solution():
+    """D^0.5 y = -y from 1 is e^t erfc(sqrt(t))."""
+    solution = fdebench.solve(relaxation(), "product_trapezoidal", 2048, grid="graded:2")
+    exact = [math.exp(t) * math.erfc(math.sqrt(t)) for t in solution.times]
+    assert numpy.max(numpy.abs(solution["y"] - exact)) < 1e-6
+
+
+def test_a_jacobian_of_python_saves_calls_and_changes_no_result():
+    told = relaxation(jacobian=lambda t, y: [[-1.0]])
+    with_jacobian, without = (fdebench.solve(problem, "l1", 64) for problem in (told, relaxation()))
+    assert with_jacobian.cost["rhs"] < without.cost["rhs"]
+    assert with_jacobian["y"] == pytest.approx(without["y"], rel=1e-13)
+
+
+def test_a_jacobian_has_the_derivatives_of_an_equation_in_its_row():
+    """u' = v, v' = -u from (1, 0) is a circle. A transposed matrix would not let Newton's method converge."""
+    circle = fdebench.Problem(
+        [1, 1], [1, 0], lambda t, y: [y[1], -y[0] + 2 * y[1] * 0], 1.0, jacobian=lambda t, y: [[0, 1], [-1, 0]], names=["u", "v"]
+    )
+    solution = fdebench.solve(circle, "product_trapezoidal", 1024, at=[0.5, 1.0])
+    assert solution["u"] == pytest.approx(numpy.cos([0.5, 1.0]), abs=1e-6)
+    assert solution["v"] == pytest.approx(-numpy.sin([0.5, 1.0]), abs=1e-6)
+
+
+def test_times_are_those_asked_for():
+    assert list(fdebench.solve("relaxation", "l1", 8, at=[1.0, 0.5]).times) == [0.5, 1.0]
+    assert list(fdebench.solve("relaxation", "l1", 8, points=3).times) == [0.0, 0.5, 1.0]
+    assert len(fdebench.solve("relaxation", "l1", 8).times) == 9
+
+
+def test_numbers_of_numpy_are_numbers():
+    scene = fdebench.Scene("multi_term", alpha=numpy.array([1.2, 1.6]), c=numpy.float64(0.5))
+    assert scene.label == "multi_term:alpha=1.2,1.6,c=0.5"
+    assert len(fdebench.solve(scene, "l1", numpy.int64(512)).times) == 513
+
+
+def test_the_cost_is_that_of_the_run():
+    assert fdebench.solve("relaxation", "grunwald_letnikov", 100).cost["rhs"] >= 100
+
+
+def test_a_doubtful_result_is_warned_of():
+    """A step of the explicit scheme is far outside its region of stability."""
+    with pytest.warns(fdebench.DoubtfulResult):
+        solution = fdebench.solve("relaxation:lambda=-200", "adams_pc", 64)
+    assert solution.warning
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        fdebench.solve("relaxation", "l1", 64)
+
+
+@pytest.mark.parametrize(
+    "wrong, message",
+    [
+        (lambda: fdebench.solve("pendulun", "l1", 8), "scene pendulun: no such scene, did you mean 'pendulum'"),
+        (lambda: fdebench.solve("pendulum", "l2", 8), "scheme l2: no such scheme"),
+        (lambda: fdebench.solve("pendulum", "l1", 0), r"^steps = 0: must be"),
+        (lambda: fdebench.solve("pendulum", "l1"), "^steps is required"),
+        (lambda: fdebench.solve("pendulum", "l1", 8, grid="square"), "^grid = square: must be"),
+        (lambda: fdebench.solve("pendulum", "l1", 8, at=[0.1234567]), "^at = 0.1234567: must be a time of the grid"),
+        (lambda: fdebench.Scene("pendulum", alpha=3), "alpha = 3: must be"),
+        (lambda: fdebench.Scene("pendulum", omega=3), "omega"),
+        (lambda: fdebench.Problem([2.5], [1.0], lambda t, y: y, 1.0), r"orders = 2.5: must be a number in \[0, 2\]"),
+        (lambda: fdebench.Problem([1.5], [1.0], lambda t, y: y, 1.0), r"initial\[0\] = 1.0: must be 2 finite numbers"),
+        (lambda: fdebench.Problem([0.5], [1.0], None, 1.0), "rhs = None: must be a function"),
+        (lambda: fdebench.Problem([0.5], [1.0], lambda t, y: y, -1.0), "end = -1.0: must be a number above 0"),
+        (lambda: fdebench.solve(relaxation(names=["t"]), "l1", 8, every=2, points=3), "one of them at most"),
+    ],
+)
+def test_bad_input_is_a_value_error_that_says_what_is_allowed(wrong, message):
+    with pytest.raises(ValueError, match=message):
+        wrong()
+
+
+def test_a_solve_that_leaves_double_says_scheme_step_and_time():
+    """D y = y^2 from 1 is 1/(1 - t), infinite at 1; the explicit scheme steps over that, and is beyond double soon."""
+    square = fdebench.Problem([1.0], [1.0], lambda t, y: y * y, 3.0)
+    with numpy.errstate(over="ignore"), pytest.raises(fdebench.NumericalFailure, match="adams_pc: not finite at step") as raised:
+        fdebench.solve(square, "adams_pc", 300)
+    assert raised.value.scheme == "adams_pc"
+    assert raised.value.time == pytest.approx(raised.value.step * 0.01)
+    assert 1.0 < raised.value.time < 1.5
+
+
+def test_what_a_right_hand_side_raises_comes_out_as_it_is():
+    class Mine(Exception):
+        pass
+
+    def rhs(t, y):
+        if t > 0.5:
+            raise Mine("beyond the middle")
+        return -y
+
+    problem = fdebench.Problem([0.5], [1.0], rhs, 1.0)
+    for solve in (lambda: fdebench.solve(problem, "l1", 8), lambda: fdebench.exact(problem, 1.0)):
+        with pytest.raises(Mine, match="beyond the middle"):
+            solve()
+
+
+def test_a_right_hand_side_returns_as_many_numbers_as_there_are_unknowns():
+    problem = fdebench.Problem([0.5, 0.5], [1.0, 1.0], lambda t, y: [0.0], 1.0)
+    with pytest.raises(ValueError, match=r"rhs: returned an array of shape \(1\), must be \(2\)"):
+        fdebench.solve(problem, "l1", 8)
