@@ -11,6 +11,7 @@
 #include "command/command.hpp"
 #include "observers/reaction_path.hpp"
 #include "scenes/number_text.hpp"
+#include "scenes/printable.hpp"
 #include "scenes/registry.hpp"
 #include "stepping/rates.hpp"
 #include "sweep/experiment.hpp"
@@ -155,7 +156,7 @@ Table table_of(const Scene& scene, const Scheme& scheme, const std::optional<Gri
 }
 
 void print_rows(const Table& table, std::ostream& out) {
-  out << fmt::format("t,{}\n", fmt::join(table.names, ","));
+  out << fmt::format("t,{}\n", csv_names(table.names));
   for (std::size_t c = 0; c < table.times.size(); ++c) {
     out << fmt::format("{:.17g}", table.times[c]);
     for (const double value : table.values.col(static_cast<Eigen::Index>(c)))
