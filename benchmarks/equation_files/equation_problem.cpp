@@ -42,13 +42,24 @@ std::vector<Entry> derivatives_of(const EquationSystem& system, FileFormulas& fo
   return entries;
 }
 
+// Whether it has jumps, where its derivative is not all that there is to it.
+bool jumps(Expression value, const Expressions& all) {
+  const auto used = all.parts(value);
+  for (Expression e = 0; e <= value; ++e) {
+    const auto operation = all[e].operation;
+    if (used[static_cast<std::size_t>(e)] && (operation == Operation::sign || operation == Operation::step))
+      return true;
+  }
+  return false;
+}
+
 // Whether it is a number, as it is written or as all its derivatives are 0: (y + 1)^2 - y^2 has a constant
 // derivative.
 std::optional<double> constant_of(Expression value, Eigen::Index size, Expressions& all) {
   constexpr Eigen::Index few = 12;
   if (const auto known = all.value(value)) return static_cast<double>(*known);
   const auto zero = all.number(0);
-  if (size > few) return std::nullopt;
+  if (size > few || jumps(value, all)) return std::nullopt;
   for (int variable = 0; variable <= size; ++variable) {
     const auto slope = all.derivative(value, variable);
     if (slope != zero && all.value(slope) != 0.0L) return std::nullopt;

@@ -149,10 +149,10 @@ class FormulaReader {
       require(")");
       return inner;
     }
-    if (token_.text.empty() || !is_in_name(token_.text.back())) {
-      if (token_.text.empty() || token_.text.back() != '.' || !is_digit(token_.text.front()))
-        expected("a number, a name or '('");
-    }
+    const bool is_single =
+        !token_.text.empty() && (is_letter(token_.text.front()) || is_digit(token_.text.front()) ||
+                                 (token_.text.front() == '.' && token_.text.size() > 1));
+    if (!is_single) expected("a number, a name or '('");
     const Token token = token_;
     advance();
     return is_letter(token.text.front()) ? named(token) : decimal(token);

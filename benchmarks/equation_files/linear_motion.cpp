@@ -88,7 +88,7 @@ std::optional<Reference> system_motion(const EquationSystem& system, const Probl
                                        const std::vector<std::size_t>& outputs, Expressions& all,
                                        Decimals& decimals) {
   LinearSystem rows{.orders = {}, .initial = {}, .matrix = {}, .outputs = outputs};
-  rows.matrix = std::get<DenseLinearPart>(problem.derivatives).matrix;
+  rows.matrix = Matrix::Zero(problem.size(), problem.size());
   for (const auto& unknown : system.unknowns) {
     const auto nodes = unknown.chain ? unknown.chain->nodes() : std::vector{0.0};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -108,7 +108,9 @@ std::optional<Reference> system_motion(const EquationSystem& system, const Probl
       const auto slope = all.derivative(system.rows[i], static_cast<int>(j) + 1);
       const auto value = all.value(all.without_variables(slope, 0));
       if (!value) return std::nullopt;
-      rows.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = decimals.take(*value);
+      const bool own = i == j && algebraic(component);  // 0 = f is posed as x = x + f
+      rows.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          decimals.take(*value + (own ? 1.0L : 0.0L));
     }
   }
   return linear_reference(rows);

@@ -32,6 +32,24 @@ TEST(MultiOrder, IsSolvedByItsSolution) {
   EXPECT_NEAR(f[2], std::tgamma(2.8) / std::tgamma(2.2) * std::pow(t, 1.2), 1e-14);
 }
 
+class MultiOrderConvergence : public testing::TestWithParam<const Scheme*> {};
+
+// Derivatives are infinite at t = 0. Four times as many steps have less than half the error.
+TEST_P(MultiOrderConvergence, IsThatOfAtLeastHalfTheSteps) {
+  const Scene scene = scene_of_example("multi_order.toml");
+  const auto error = [&](int steps) {
+    const auto path = solve(GetParam()->id, scene.problem, steps, {.at = {1.0}});
+    EXPECT_EQ(path.ending, Ending::finished) << describe(scene.problem, path);
+    return (path.y.col(0) - (Vec(3) << 2.0, 1.5, 1.3).finished()).cwiseAbs().maxCoeff();
+  };
+  const double coarse = error(512), fine = error(2048);
+  EXPECT_LT(fine, coarse / 2.0);
+  EXPECT_LT(fine, 3e-2);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEveryScheme, MultiOrderConvergence, testing::ValuesIn(grid_schemes()),
+                         id_of_param);
+
 TEST(MultiOrder, HasNoStartPowers) {
   EXPECT_TRUE(scene_of_example("multi_order.toml").smoothness.powers.empty());
 }
