@@ -23,13 +23,8 @@ std::vector<Entry> derivatives_of(const EquationSystem& system, FileFormulas& fo
     const auto& unknown = system.unknowns[u];
     for (Eigen::Index i = unknown.first; i < unknown.first + unknown.size(); ++i) {
       const auto row = system.rows[static_cast<std::size_t>(i)];
-      const auto used = all.parts(row);
-      for (Expression e = 0; e <= row; ++e) {
-        const auto& entry = all[e];
-        if (!used[static_cast<std::size_t>(e)] || entry.operation != Operation::variable ||
-            entry.variable == 0)
-          continue;
-        const int variable = entry.variable;
+      for (const int variable : all.variables_in(row)) {
+        if (variable == 0) continue;
         try {
           const auto value = all.derivative(row, variable);
           if (value != zero) entries.push_back({i, variable - 1, value});

@@ -135,12 +135,8 @@ template <class Real>
 std::vector<Rounded<Real>> rounded_values(const Expressions& all, const std::vector<Expression>& of,
                                           const Real& time) {
   using std::abs;
-  std::vector<Rounded<Real>> values(static_cast<std::size_t>(std::ranges::max(of)) + 1);
-  std::vector<bool> used(values.size(), false);
-  for (const auto result : of) {
-    const auto parts = all.parts(result);
-    for (std::size_t e = 0; e < parts.size(); ++e) used[e] = used[e] || parts[e];
-  }
+  const auto used = all.parts(of);
+  std::vector<Rounded<Real>> values(used.size());
   for (std::size_t e = 0; e < values.size(); ++e) {
     if (!used[e]) continue;
     const auto& entry = all[static_cast<Expression>(e)];

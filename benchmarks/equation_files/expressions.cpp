@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -152,10 +153,11 @@ Expression Expressions::make(Operation operation, Expression a, Expression b, Ex
   return known_[key] = add({.operation = operation, .of = of});
 }
 
-std::vector<bool> Expressions::parts(Expression of) const {
-  std::vector<bool> used(static_cast<std::size_t>(of) + 1, false);
-  used.back() = true;
-  for (Expression e = of; e >= 0; --e) {
+std::vector<bool> Expressions::parts(const std::vector<Expression>& of) const {
+  const Expression last = of.empty() ? none : std::ranges::max(of);
+  std::vector<bool> used(static_cast<std::size_t>(last + 1), false);
+  for (const auto e : of) used[static_cast<std::size_t>(e)] = true;
+  for (Expression e = last; e >= 0; --e) {
     if (!used[static_cast<std::size_t>(e)]) continue;
     for (const auto part : (*this)[e].of)
       if (part != none) used[static_cast<std::size_t>(part)] = true;
@@ -163,20 +165,22 @@ std::vector<bool> Expressions::parts(Expression of) const {
   return used;
 }
 
+std::vector<bool> Expressions::parts(Expression of) const { return parts(std::vector{of}); }
+
 bool Expressions::depends_on(Expression of, int variable) const {
   const auto found = known_.find(Key{Operation::variable, variable, none, none});
   return found != known_.end() && found->second <= of && parts(of)[static_cast<std::size_t>(found->second)];
 }
 
-bool Expressions::depends_on_any(Expression of, int first) const {
+std::set<int> Expressions::variables_in(Expression of) const {
   const auto used = parts(of);
+  std::set<int> found;
   for (Expression e = 0; e <= of; ++e) {
     const auto& entry = (*this)[e];
-    if (used[static_cast<std::size_t>(e)] && entry.operation == Operation::variable &&
-        entry.variable >= first)
-      return true;
+    if (used[static_cast<std::size_t>(e)] && entry.operation == Operation::variable)
+      found.insert(entry.variable);
   }
-  return false;
+  return found;
 }
 
 std::optional<long double> Expressions::value(Expression of) const {
@@ -184,14 +188,14 @@ std::optional<long double> Expressions::value(Expression of) const {
   const auto used = parts(of);
   std::vector<long double> values(used.size());
   for (Expression e = 0; e <= of; ++e) {
-    const auto& [operation, from, value, text, variable] = (*this)[e];
+    const auto& entry = (*this)[e];
     if (!used[static_cast<std::size_t>(e)]) continue;
-    if (operation == Operation::variable) return std::nullopt;
+    if (entry.operation == Operation::variable) return std::nullopt;
     const auto at = [&](std::size_t i) {
-      return from[i] == none ? 0.0L : values[static_cast<std::size_t>(from[i])];
+      return entry.of[i] == none ? 0.0L : values[static_cast<std::size_t>(entry.of[i])];
     };
     values[static_cast<std::size_t>(e)] =
-        operation == Operation::number ? value : apply(operation, at(0), at(1), at(2));
+        entry.operation == Operation::number ? entry.value : apply(entry.operation, at(0), at(1), at(2));
   }
   return values.back();
 }

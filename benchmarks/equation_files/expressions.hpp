@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -91,10 +92,11 @@ class Expressions {
 
   [[nodiscard]] const Entry& operator[](Expression e) const { return entries_[static_cast<std::size_t>(e)]; }
   [[nodiscard]] bool depends_on(Expression of, int variable) const;
-  [[nodiscard]] bool depends_on_any(Expression of, int first) const;  // of the variables from `first` on
+  [[nodiscard]] std::set<int> variables_in(Expression of) const;
   // The number that it is, if it is made of numbers alone.
   [[nodiscard]] std::optional<long double> value(Expression of) const;
-  // For each expression up to this one whether that is made of it.
+  // For each expression up to the last of these whether one of these is made of it.
+  [[nodiscard]] std::vector<bool> parts(const std::vector<Expression>& of) const;
   [[nodiscard]] std::vector<bool> parts(Expression of) const;
 
   static constexpr std::size_t most_expressions = 200'000;

@@ -12,12 +12,7 @@ namespace fde {
 Program::Program(const Expressions& all, const std::vector<Expression>& results, Eigen::Index size)
     : inputs_(static_cast<int>(size) + 1) {
   if (results.empty()) return;
-  const Expression last = std::ranges::max(results);
-  std::vector<bool> used(static_cast<std::size_t>(last) + 1, false);
-  for (const auto result : results) {
-    const auto parts = all.parts(result);
-    for (std::size_t e = 0; e < parts.size(); ++e) used[e] = used[e] || parts[e];
-  }
+  const auto used = all.parts(results);
   std::vector<int> places(used.size(), 0);
   for (std::size_t e = 0; e < used.size(); ++e) {
     const auto& entry = all[static_cast<Expression>(e)];

@@ -13,21 +13,24 @@ namespace {
 
 using Unknown = EquationSystem::Unknown;
 
+constexpr double range = 2.0;        // beyond the order, of powers that count
+constexpr double most_powers = 1e5;  // that are looked at
+
 // All expressions up to the last one at t = 0 and the initial values.
 std::vector<double> values_at_start(const EquationSystem& system, const Expressions& all, Expression last) {
   std::vector<double> values(static_cast<std::size_t>(last) + 1);
   for (Expression e = 0; e <= last; ++e) {
-    const auto& [operation, of, number, text, variable] = all[e];
+    const auto& entry = all[e];
     const auto at = [&](std::size_t i) {
-      return of[i] == Expressions::none ? 0.0 : values[static_cast<std::size_t>(of[i])];
+      return entry.of[i] == Expressions::none ? 0.0 : values[static_cast<std::size_t>(entry.of[i])];
     };
     auto& value = values[static_cast<std::size_t>(e)];
-    if (operation == Operation::number) {
-      value = static_cast<double>(number);
-    } else if (operation != Operation::variable) {
-      value = apply<double>(operation, at(0), at(1), at(2));
-    } else if (variable > 0) {
-      const auto row = static_cast<std::size_t>(variable) - 1;
+    if (entry.operation == Operation::number) {
+      value = static_cast<double>(entry.value);
+    } else if (entry.operation != Operation::variable) {
+      value = apply<double>(entry.operation, at(0), at(1), at(2));
+    } else if (entry.variable > 0) {
+      const auto row = static_cast<std::size_t>(entry.variable) - 1;
       if (row < system.components.size()) value = system.components[row].initial.front();
     }
   }
@@ -86,26 +89,29 @@ std::optional<std::set<double>> powers_in(const Expressions& all, Expression rhs
     const auto at = [&](std::size_t i) {
       return entry.of[i] == Expressions::none ? 0.0 : values[static_cast<std::size_t>(entry.of[i])];
     };
-    if (!is_smooth(entry.operation, at(0), at(1)) && all.depends_on_any(e, 0)) return std::nullopt;
+    if (!is_smooth(entry.operation, at(0), at(1)) && !all.variables_in(e).empty()) return std::nullopt;
   }
   return powers;
 }
 
-bool depends_on_row(const EquationSystem& system, const Expressions& all, const Unknown& unknown,
-                    Eigen::Index row) {
-  const auto last = static_cast<std::size_t>(unknown.first + unknown.size()) - 1;
-  return all.depends_on(system.rows[last], static_cast<int>(row) + 1);
+// Of each unknown the variables in its equation, its own terms among them.
+std::vector<std::set<int>> variables_of(const EquationSystem& system, const Expressions& all) {
+  std::vector<std::set<int>> variables;
+  for (const auto& unknown : system.unknowns)
+    variables.push_back(
+        all.variables_in(system.rows[static_cast<std::size_t>(unknown.first + unknown.size()) - 1]));
+  return variables;
 }
 
-// The unknowns whose rows a right-hand side depends on, and those that these depend on.
-std::vector<std::set<std::size_t>> dependences(const EquationSystem& system, const Expressions& all) {
-  const auto& unknowns = system.unknowns;
+// The unknowns whose rows an equation depends on, and those that these depend on.
+std::vector<std::set<std::size_t>> dependences(const std::vector<Unknown>& unknowns,
+                                               const std::vector<std::set<int>>& variables) {
   std::vector<std::set<std::size_t>> on(unknowns.size());
   for (std::size_t u = 0; u < unknowns.size(); ++u) {
     on[u].insert(u);
     for (std::size_t v = 0; v < unknowns.size(); ++v) {
-      for (Eigen::Index i = 0; i < unknowns[v].size(); ++i)
-        if (depends_on_row(system, all, unknowns[u], unknowns[v].first + i)) on[u].insert(v);
+      const auto next = variables[u].upper_bound(static_cast<int>(unknowns[v].first));
+      if (next != variables[u].end() && *next <= unknowns[v].first + unknowns[v].size()) on[u].insert(v);
     }
   }
   for (std::size_t through = 0; through < on.size(); ++through) {
@@ -129,48 +135,61 @@ std::set<double> increments_of(const Unknown& unknown, const std::set<double>& d
   return increments;
 }
 
+// The increments that each unknown brings; nothing where a right-hand side is not smooth at the start.
+std::optional<std::vector<std::set<double>>> all_increments(const EquationSystem& system,
+                                                            const Expressions& all,
+                                                            const std::vector<std::set<int>>& variables) {
+  const auto& unknowns = system.unknowns;
+  const auto values = values_at_start(system, all, std::ranges::max(system.rows));
+  std::set<int> used;
+  for (const auto& some : variables) used.insert(some.begin(), some.end());
+  std::vector<std::set<double>> increments;
+  for (std::size_t u = 0; u < unknowns.size(); ++u) {
+    const auto powers = powers_in(all, *unknowns[u].rhs, values);
+    if (!powers) return std::nullopt;
+    std::set<double> derivatives{0.0};
+    for (Eigen::Index i = 0; i < unknowns[u].size(); ++i) {
+      if (used.contains(static_cast<int>(unknowns[u].first + i) + 1))
+        derivatives.insert(unknowns[u].chain->nodes()[static_cast<std::size_t>(i)]);
+    }
+    increments.push_back(increments_of(unknowns[u], derivatives));
+    increments.back().insert(powers->begin(), powers->end());
+    if (variables[u].contains(0)) increments.back().insert(1.0);
+  }
+  return increments;
+}
+
+// Of the rows of a chain, of whose unknown these are the powers.
+void add_powers(const Chain& chain, std::vector<double> powers, Smoothness& smoothness) {
+  for (std::size_t k = 1; k < chain.initial().size(); ++k)
+    if (chain.initial()[k] != 0.0) powers.push_back(static_cast<double>(k));
+  std::ranges::sort(powers);
+  for (const double node : chain.nodes()) {
+    auto& of_node = smoothness.powers.emplace_back();
+    for (const double p : powers)
+      if (p > node && !same_order(p, node)) of_node.push_back(p - node);
+  }
+}
+
 }  // namespace
 
 Smoothness start_powers(const EquationSystem& system, const Expressions& all) {
   const auto& unknowns = system.unknowns;
   if (std::ranges::any_of(unknowns, [](const Unknown& one) { return !one.chain; })) return {};
-  const auto values = values_at_start(system, all, std::ranges::max(system.rows));
-  std::vector<std::set<double>> increments(unknowns.size());  // that each brings
-  for (std::size_t u = 0; u < unknowns.size(); ++u) {
-    const auto powers = powers_in(all, *unknowns[u].rhs, values);
-    if (!powers) return {};
-    std::set<double> derivatives{0.0};
-    for (Eigen::Index i = 0; i < unknowns[u].size(); ++i) {
-      const auto used = [&](const Unknown& by) {
-        return depends_on_row(system, all, by, unknowns[u].first + i);
-      };
-      if (std::ranges::any_of(unknowns, used))
-        derivatives.insert(unknowns[u].chain->nodes()[static_cast<std::size_t>(i)]);
-    }
-    increments[u] = increments_of(unknowns[u], derivatives);
-    increments[u].insert(powers->begin(), powers->end());
-    if (all.depends_on(*unknowns[u].rhs, 0)) increments[u].insert(1.0);
-  }
-  const auto on = dependences(system, all);
+  const auto variables = variables_of(system, all);
+  const auto increments = all_increments(system, all, variables);
+  if (!increments) return {};
+  const auto on = dependences(unknowns, variables);
   Smoothness smoothness;
   for (std::size_t u = 0; u < unknowns.size(); ++u) {
     std::set<double> steps;
-    for (const auto v : on[u]) steps.insert(increments[v].begin(), increments[v].end());
-    const auto& chain = *unknowns[u].chain;
-    const double order = chain.leading().order;
-    auto powers = power_lattice({order}, {steps.begin(), steps.end()}, order + 2.0);
-    for (std::size_t k = 1; k < chain.initial().size(); ++k)
-      if (chain.initial()[k] != 0.0) powers.push_back(static_cast<double>(k));
-    std::ranges::sort(powers);
-    for (const double node : chain.nodes()) {
-      auto& of_node = smoothness.powers.emplace_back();
-      for (const double p : powers)
-        if (p > node && !same_order(p, node)) of_node.push_back(p - node);
-    }
-  }
-  if (!system.jumps.empty()) {
-    for (const auto& unknown : unknowns)
-      if (all.depends_on(*unknown.rhs, 0)) smoothness.jumps.push_back(unknown.first + unknown.size() - 1);
+    for (const auto v : on[u]) steps.insert((*increments)[v].begin(), (*increments)[v].end());
+    const double order = unknowns[u].chain->leading().order;
+    if (static_cast<double>(steps.size()) * range / *steps.begin() > most_powers) return {};
+    add_powers(*unknowns[u].chain, power_lattice({order}, {steps.begin(), steps.end()}, order + range),
+               smoothness);
+    if (!system.jumps.empty() && variables[u].contains(0))
+      smoothness.jumps.push_back(unknowns[u].first + unknowns[u].size() - 1);
   }
   return smoothness;
 }
