@@ -5,24 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
+#include "equation_files/formula_tokens.hpp"
 #include "scenes/entry_named.hpp"
 #include "scenes/number_text.hpp"
 
 namespace fde {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_in_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
-// A decimal, a name, one character of an operation or bracket, or the end, which is empty.
-struct Token {
-  std::string_view text;
-  std::size_t place;
-};
 
 class FormulaReader {
  public:
@@ -64,35 +53,7 @@ class FormulaReader {
           token_.place);
   }
 
-  [[nodiscard]] char at(std::size_t place) const { return place < text_.size() ? text_[place] : '\0'; }
-
-  // Behind a decimal that begins here: digits, a point and digits, an exponent.
-  [[nodiscard]] std::size_t end_of_decimal(std::size_t place) const {
-    while (is_digit(at(place))) ++place;
-    if (at(place) == '.') ++place;
-    while (is_digit(at(place))) ++place;
-    if (at(place) != 'e' && at(place) != 'E') return place;
-    const std::size_t exponent = place + (at(place + 1) == '+' || at(place + 1) == '-' ? 2 : 1);
-    if (!is_digit(at(exponent))) return place;
-    place = exponent;
-    while (is_digit(at(place))) ++place;
-    return place;
-  }
-
-  void advance() {
-    while (next_ < text_.size() && is_blank(text_[next_])) ++next_;
-    const std::size_t begin = next_;
-    if (is_digit(at(begin)) || (at(begin) == '.' && is_digit(at(begin + 1)))) {
-      next_ = end_of_decimal(begin);
-    } else if (is_letter(at(begin))) {
-      while (is_in_name(at(next_))) ++next_;
-    } else if (begin < text_.size()) {
-      ++next_;
-      while (next_ < text_.size() && (static_cast<unsigned char>(text_[next_]) & 0xC0U) == 0x80U)
-        ++next_;  // the rest of a letter in UTF-8
-    }
-    token_ = {text_.substr(begin, next_ - begin), begin};
-  }
+  void advance() { token_ = next_token(text_, token_.place + token_.text.size()); }
 
   bool take(std::string_view symbol) {
     if (token_.text != symbol) return false;
@@ -153,19 +114,19 @@ class FormulaReader {
         !token_.text.empty() && (is_letter(token_.text.front()) || is_digit(token_.text.front()) ||
                                  (token_.text.front() == '.' && token_.text.size() > 1));
     if (!is_single) expected("a number, a name or '('");
-    const Token token = token_;
+    const FormulaToken token = token_;
     advance();
     return is_letter(token.text.front()) ? named(token) : decimal(token);
   }
 
-  Expression decimal(const Token& token) {
+  Expression decimal(const FormulaToken& token) {
     const std::string text(token.text);
     if (!number_in(text))
       fault(fmt::format("{}: {}must be {}", text, beyond_double(text), any_number.text()), token.place);
     return into_.number(text);
   }
 
-  Expression named(const Token& token) {
+  Expression named(const FormulaToken& token) {
     if (token.text == "D") return derivative(token);
     const auto function = std::ranges::find(known_functions(), token.text, &KnownFunction::name);
     if (function != known_functions().end()) return call(*function);
@@ -176,7 +137,7 @@ class FormulaReader {
     unknown_name(token);
   }
 
-  [[noreturn]] void unknown_name(const Token& token) const {
+  [[noreturn]] void unknown_name(const FormulaToken& token) const {
     auto known = names_.known;
     known.emplace_back("pi");
     auto nearby = known;
@@ -201,11 +162,11 @@ class FormulaReader {
     return made(function.operation, arguments[0], arguments[1], arguments[2]);
   }
 
-  Expression derivative(const Token& token) {
+  Expression derivative(const FormulaToken& token) {
     if (!names_.derivative) fault("D: no derivative may stand here", token.place);
     if (token_.text != "(") expected("'(', as in D(x, 0.5)");
     advance();
-    const Token unknown = token_;
+    const FormulaToken unknown = token_;
     if (!is_letter(unknown.text.empty() ? ' ' : unknown.text.front())) expected("an unknown");
     advance();
     if (!take(",")) expected("',', as in D(x, 0.5)");
@@ -221,8 +182,7 @@ class FormulaReader {
   std::string_view text_;
   const FormulaNames& names_;
   Expressions& into_;
-  std::size_t next_ = 0;
-  Token token_{};
+  FormulaToken token_{};
   int depth_ = 0;
 };
 

@@ -11,55 +11,20 @@
 #include "equation_files/deep_keys.hpp"
 #include "equation_files/equation_text.hpp"
 #include "equation_files/formula.hpp"
+#include "equation_files/toml_text.hpp"
 #include "references/checksum.hpp"
-#include "scenes/entry_named.hpp"
 
 namespace fde {
 namespace {
 
-using Keys = std::vector<std::string_view>;
-
-TextPlace place_of(const toml::source_region& region) {
-  return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
-}
-TextPlace place_of(const toml::node& node) { return place_of(node.source()); }
-
-std::string_view kind_of(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::table:
-      return "a table";
-    case toml::node_type::array:
-      return "a list";
-    case toml::node_type::string:
-      return "a text";
-    case toml::node_type::integer:
-    case toml::node_type::floating_point:
-      return "a number";
-    case toml::node_type::boolean:
-      return "true or false";
-    default:
-      return "a date or time";
-  }
-}
-
-// An entry of a table, and where its key stands.
-struct Entry {
-  std::string name;
-  TextPlace place;
-  const toml::node* node;
-};
-
-class EquationReader {
+class EquationReader : TomlText {
  public:
-  EquationReader(const std::string& file, std::string_view text) : file_(file), text_(text) {
-    for (std::size_t i = 0; i < text.size(); ++i)
-      if (text[i] == '\n') lines_.push_back(i + 1);
-  }
+  using TomlText::TomlText;
 
-  EquationText read(const toml::table& all) {
+  [[nodiscard]] EquationText read(const toml::table& all) const {
     require_keys(all, "the file",
                  {"title", "end", "parameters", "unknown", "exact", "energy", "constraint", "jump"});
-    EquationText read{.file = file_};
+    EquationText read{.file = file()};
     if (const auto* title = all.get("title")) read.title = title_of(*title);
     read.end = formula(required(all, {}, "the file", "end"), "end");
     if (const auto* parameters = all.get("parameters")) read.parameters = parameters_of(*parameters);
@@ -75,78 +40,7 @@ class EquationReader {
   }
 
  private:
-  [[noreturn]] void reject(const TextPlace& place, const std::string& what) const {
-    reject_at(file_, place, what);
-  }
-  [[noreturn]] void reject_kind(const toml::node& node, std::string_view name,
-                                std::string_view allowed) const {
-    reject(place_of(node), fmt::format("{}: is {}, must be {}", name, kind_of(node), allowed));
-  }
-
-  const toml::table& table(const toml::node& node, std::string_view name) const {
-    if (const auto* found = node.as_table()) return *found;
-    reject_kind(node, name, "a table");
-  }
-  const toml::array& array(const toml::node& node, std::string_view name, std::string_view of) const {
-    if (const auto* found = node.as_array()) return *found;
-    reject_kind(node, name, of);
-  }
-
-  // The entries in the order of the file.
-  std::vector<Entry> entries(const toml::node& node, std::string_view name) const {
-    std::vector<Entry> found;
-    for (const auto& [key, value] : table(node, name))
-      found.push_back({std::string(key.str()), place_of(key.source()), &value});
-    std::ranges::stable_sort(
-        found, {}, [](const Entry& entry) { return std::pair(entry.place.line, entry.place.column); });
-    return found;
-  }
-
-  void require_keys(const toml::table& of, std::string_view name, const Keys& allowed) const {
-    for (const auto& entry : entries(of, name)) {
-      if (std::ranges::find(allowed, entry.name) != allowed.end()) continue;
-      reject(entry.place, fmt::format("{}: no such key of {}{}; there are {}", entry.name, name,
-                                      nearest(entry.name, allowed), fmt::join(allowed, ", ")));
-    }
-  }
-
-  const toml::node& required(const toml::table& of, const TextPlace& place, std::string_view name,
-                             std::string_view key) const {
-    if (const auto* found = of.get(key)) return *found;
-    reject(place, fmt::format("{}: has no {}, which it must have", name, key));
-  }
-
-  // A string without escapes on one line stands in the file as it is.
-  FormulaText formula(const toml::node& node, std::string_view name) const {
-    FormulaText made{.place = place_of(node)};
-    if (const auto* text = node.as_string()) {
-      made.text = text->get();
-      const auto before = static_cast<std::size_t>(made.place.column);
-      const auto line = line_of(made.place.line);
-      if (line.size() > before && (line[before - 1] == '"' || line[before - 1] == '\'') &&
-          line.substr(before, made.text.size()) == made.text &&
-          std::ranges::all_of(line.substr(0, before), [](char c) { return c > 0; })) {
-        made.bytes_count = true;
-        ++made.place.column;
-      }
-    } else if (const auto* whole = node.as_integer()) {
-      made.text = std::to_string(whole->get());
-    } else if (const auto* number = node.as_floating_point()) {
-      if (!std::isfinite(number->get()))
-        reject(made.place, fmt::format("{} = {}: must be a finite number", name, number->get()));
-      made.text = fmt::format("{}", number->get());
-    } else {
-      reject_kind(node, name, "a number or a formula");
-    }
-    return made;
-  }
-
-  [[nodiscard]] std::string_view line_of(int number) const {
-    const auto begin = lines_[static_cast<std::size_t>(number) - 1];
-    return text_.substr(begin, text_.find('\n', begin) - begin);
-  }
-
-  std::string title_of(const toml::node& node) const {
+  [[nodiscard]] std::string title_of(const toml::node& node) const {
     constexpr std::size_t longest = 200;
     const auto* text = node.as_string();
     if (text == nullptr) reject_kind(node, "title", "a text");
@@ -158,7 +52,7 @@ class EquationReader {
   }
 
   // A name that formulas may use.
-  void require_name(const Entry& entry, std::string_view kind) const {
+  void require_name(const TomlEntry& entry, std::string_view kind) const {
     if (!is_name(entry.name)) {
       reject(entry.place, fmt::format("{} {}: must be letters, digits and _, at most 64, a letter first",
                                       kind, entry.name));
@@ -168,7 +62,7 @@ class EquationReader {
              fmt::format("{} {}: must be another name, formulas know this one", kind, entry.name));
   }
 
-  std::vector<ParameterText> parameters_of(const toml::node& node) const {
+  [[nodiscard]] std::vector<ParameterText> parameters_of(const toml::node& node) const {
     std::vector<ParameterText> parameters;
     for (const auto& entry : entries(node, "parameters")) {
       require_name(entry, "parameter");
@@ -183,8 +77,8 @@ class EquationReader {
     return parameters;
   }
 
-  std::vector<UnknownText> unknowns_of(const toml::node& node,
-                                       const std::vector<ParameterText>& parameters) const {
+  [[nodiscard]] std::vector<UnknownText> unknowns_of(const toml::node& node,
+                                                     const std::vector<ParameterText>& parameters) const {
     constexpr std::array<std::string_view, 3> columns{"energy", "constraint", "bound"};
     const auto found = entries(node, "unknown");
     if (found.empty() || found.size() > most_unknowns) {
@@ -205,7 +99,7 @@ class EquationReader {
     return unknowns;
   }
 
-  UnknownText unknown_of(const Entry& entry) const {
+  [[nodiscard]] UnknownText unknown_of(const TomlEntry& entry) const {
     const auto name = fmt::format("unknown {}", entry.name);
     const auto& of = table(*entry.node, name);
     require_keys(of, name, {"terms", "order", "rhs", "initial"});
@@ -226,7 +120,7 @@ class EquationReader {
     return unknown;
   }
 
-  std::vector<TermText> terms_of(const toml::node& node) const {
+  [[nodiscard]] std::vector<TermText> terms_of(const toml::node& node) const {
     constexpr std::string_view allowed = "a list of pairs [coefficient, order]";
     constexpr std::size_t most = 100;
     const auto& list = array(node, "terms", allowed);
@@ -244,7 +138,7 @@ class EquationReader {
     return terms;
   }
 
-  EnergyText energy_of(const toml::node& node) const {
+  [[nodiscard]] EnergyText energy_of(const toml::node& node) const {
     const auto& of = table(node, "energy");
     require_keys(of, "energy", {"value", "power"});
     EnergyText energy{.value = formula(required(of, place_of(node), "energy", "value"), "value")};
@@ -252,7 +146,7 @@ class EquationReader {
     return energy;
   }
 
-  std::vector<FormulaText> constraints_of(const toml::node& node) const {
+  [[nodiscard]] std::vector<FormulaText> constraints_of(const toml::node& node) const {
     constexpr std::size_t most = 100;
     const auto& of = table(node, "constraint");
     require_keys(of, "constraint", {"f"});
@@ -265,7 +159,7 @@ class EquationReader {
     return constraints;
   }
 
-  std::vector<FormulaText> jumps_of(const toml::node& node) const {
+  [[nodiscard]] std::vector<FormulaText> jumps_of(const toml::node& node) const {
     constexpr std::size_t most = 1000;
     std::vector<FormulaText> jumps;
     const auto& list = array(node, "jump", "tables [[jump]]");
@@ -278,10 +172,6 @@ class EquationReader {
     }
     return jumps;
   }
-
-  const std::string& file_;
-  std::string_view text_;
-  std::vector<std::size_t> lines_{0};  // where they begin
 };
 
 // Keys in the order of the alphabet and values in one form, then the unknowns, whose order counts.
