@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
 namespace fde {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 // other.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
-  const bool is_long = text.substr(begin, 3) == std::string_view(quote == '"' ? "\"\"\"" : "'''");
+  const bool is_long = text.substr(begin, 3) == std::string(3, quote);
   const std::size_t quotes = is_long ? 3 : 1;
   for (auto i = begin + quotes; i < text.size(); ++i) {
     if (text[i] == '\\' && quote == '"') {

@@ -50,9 +50,10 @@ EquationSystem::Unknown unknown_of(const UnknownText& text, Eigen::Index first, 
   Term sum{0.0, top.order};
   for (const auto& term : terms)
     if (term.order == top.order) sum.coefficient += term.coefficient;
-  if (sum.coefficient == 0.0)
+  if (sum.coefficient == 0.0) {
     formulas.reject(leading->coefficient,
                     "the coefficient of the highest order is 0: must be another number");
+  }
   std::erase_if(terms, [&](const Term& term) { return term.order == top.order; });
   unknown.chain.emplace(sum, terms, initial_values(text, top.order, formulas), first);
   return unknown;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -13,7 +14,12 @@
 namespace fde {
 
 void reject_at(const std::string& file, const TextPlace& place, std::string_view what) {
-  std::string line(what);
+  constexpr std::size_t longest = 600;
+  std::size_t shown = std::min(what.size(), longest);
+  while (shown < what.size() && shown > 0 && (static_cast<unsigned char>(what[shown]) & 0xc0U) == 0x80U)
+    --shown;  // not in the middle of a letter
+  std::string line(what.substr(0, shown));
+  if (shown < what.size()) line += " ...";
   for (char& c : line)
     if (c == '\n' || c == '\r') c = ' ';
   throw std::invalid_argument(

@@ -32,8 +32,8 @@ class FormulaReader {
    public:
     explicit Deeper(FormulaReader& reader) : reader_(reader) {
       if (++reader_.depth_ > deepest_formula) {
-        reader_.fault(fmt::format("brackets, signs and powers stand more than {} deep", deepest_formula),
-                      reader_.token_.place);
+        fault(fmt::format("brackets, signs and powers stand more than {} deep", deepest_formula),
+              reader_.token_.place);
       }
     }
     ~Deeper() { --reader_.depth_; }
@@ -44,7 +44,7 @@ class FormulaReader {
     FormulaReader& reader_;
   };
 
-  [[noreturn]] void fault(const std::string& what, std::size_t place) const {
+  [[noreturn]] static void fault(const std::string& what, std::size_t place) {
     throw FormulaFault(what, place);
   }
   [[noreturn]] void expected(std::string_view allowed) const {

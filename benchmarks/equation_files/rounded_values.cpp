@@ -16,7 +16,9 @@ template <>
 struct SpecialFunctions<BigReal> {
   static BigReal pi() { return fde::pi<BigReal>(); }
   static BigReal gamma(const BigReal& x) { return fde::gamma(x); }
-  static BigReal mittag_leffler(const BigReal&, const BigReal&, const BigReal&) { return {}; }
+  static BigReal mittag_leffler(const BigReal& /*a*/, const BigReal& /*b*/, const BigReal& /*z*/) {
+    return {};
+  }
 };
 
 namespace {

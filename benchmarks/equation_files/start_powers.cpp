@@ -97,9 +97,10 @@ std::optional<std::set<double>> powers_in(const Expressions& all, Expression rhs
 // Of each unknown the variables in its equation, its own terms among them.
 std::vector<std::set<int>> variables_of(const EquationSystem& system, const Expressions& all) {
   std::vector<std::set<int>> variables;
-  for (const auto& unknown : system.unknowns)
-    variables.push_back(
-        all.variables_in(system.rows[static_cast<std::size_t>(unknown.first + unknown.size()) - 1]));
+  for (const auto& unknown : system.unknowns) {
+    const auto last = static_cast<std::size_t>(unknown.first + unknown.size()) - 1;
+    variables.push_back(all.variables_in(system.rows[last]));
+  }
   return variables;
 }
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 
 namespace fde {
 namespace {
@@ -17,11 +19,8 @@ class TimeTerms {
  public:
   explicit TimeTerms(Expressions& all) : all_(all) {}
 
-  Terms of(const Expressions::Entry& entry, const Terms& a, const Terms& b) {
-    switch (entry.operation) {
-      case Operation::variable:
-        if (entry.variable != 0) return std::nullopt;
-        return one(all_.number(1), all_.number(1));
+  Terms of(Operation operation, const Terms& a, const Terms& b) {
+    switch (operation) {
       case Operation::add:
         return sum(a, b);
       case Operation::subtract:
@@ -45,6 +44,7 @@ class TimeTerms {
   }
 
   [[nodiscard]] Terms constant(Expression value) { return one(value, all_.number(0)); }
+  [[nodiscard]] Terms time() { return one(all_.number(1), all_.number(1)); }
 
  private:
   static Terms one(Expression coefficient, Expression power) {
@@ -112,15 +112,21 @@ Terms time_terms(Expression of, Expressions& all) {
   for (Expression e = 0; e <= of; ++e) {
     const auto place = static_cast<std::size_t>(e);
     if (!used[place]) continue;
-    const Expressions::Entry entry = all[e];
-    varies[place] = entry.operation == Operation::variable;
-    for (const auto part : entry.of)
-      if (part != Expressions::none && varies[static_cast<std::size_t>(part)]) varies[place] = true;
-    const auto at = [&](std::size_t i) -> Terms {
-      if (entry.of[i] == Expressions::none) return std::nullopt;
-      return terms[static_cast<std::size_t>(entry.of[i])];
-    };
-    terms[place] = varies[place] ? rules.of(entry, at(0), at(1)) : rules.constant(e);
+    const auto [operation, of_these, variable] = std::tuple(all[e].operation, all[e].of, all[e].variable);
+    const bool is_variable = operation == Operation::variable;
+    std::array<Terms, 2> arguments;
+    varies[place] = is_variable;
+    for (std::size_t i = 0; i < of_these.size(); ++i) {
+      if (of_these[i] == Expressions::none) continue;
+      const auto part = static_cast<std::size_t>(of_these[i]);
+      if (varies[part]) varies[place] = true;
+      if (i < arguments.size()) arguments[i] = terms[part];
+    }
+    if (is_variable) {
+      if (variable == 0) terms[place] = rules.time();
+    } else {
+      terms[place] = varies[place] ? rules.of(operation, arguments[0], arguments[1]) : rules.constant(e);
+    }
   }
   return terms.back();
 }

@@ -57,9 +57,10 @@ class EquationReader : TomlText {
       reject(entry.place, fmt::format("{} {}: must be letters, digits and _, at most 64, a letter first",
                                       kind, entry.name));
     }
-    if (is_taken(entry.name))
+    if (is_taken(entry.name)) {
       reject(entry.place,
              fmt::format("{} {}: must be another name, formulas know this one", kind, entry.name));
+    }
   }
 
   [[nodiscard]] std::vector<ParameterText> parameters_of(const toml::node& node) const {
@@ -88,12 +89,14 @@ class EquationReader : TomlText {
     std::vector<UnknownText> unknowns;
     for (const auto& entry : found) {
       require_name(entry, "unknown");
-      if (std::ranges::find(columns, entry.name) != columns.end())
+      if (std::ranges::find(columns, entry.name) != columns.end()) {
         reject(entry.place,
                fmt::format("unknown {}: must be another name, a column has this one", entry.name));
-      if (std::ranges::find(parameters, entry.name, &ParameterText::name) != parameters.end())
+      }
+      if (std::ranges::find(parameters, entry.name, &ParameterText::name) != parameters.end()) {
         reject(entry.place,
                fmt::format("unknown {}: must be another name, a parameter has this one", entry.name));
+      }
       unknowns.push_back(unknown_of(entry));
     }
     return unknowns;

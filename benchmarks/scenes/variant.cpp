@@ -127,10 +127,10 @@ SceneVariant read_variant(const std::string& text, const std::vector<std::string
 SceneSettings read_settings(const std::string& text, const std::vector<std::string>& settings) {
   const auto named = split_variant(text, settings);
   SceneSettings scene{.id = named.id};
-  for (const auto& setting : named.settings)
-    add_setting(setting, scene, [](const std::string& name, std::string_view value) -> ParameterValue {
-      return parse_number(name, value, any_number);
-    });
+  const auto number = [](const std::string& name, std::string_view value) -> ParameterValue {
+    return parse_number(name, value, any_number);
+  };
+  for (const auto& setting : named.settings) add_setting(setting, scene, number);
   return scene;
 }
 

@@ -8,6 +8,7 @@
 #include "equation_files/equation_files_testing.hpp"
 #include "support/answer_of.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/testing.hpp"
 
 namespace fde {
 namespace {
@@ -145,6 +146,11 @@ INSTANTIATE_TEST_SUITE_P(
               "x: no such name here, did you mean 't'?; there are t, pi and functions"},
         Wrong{with(x + "[energy]\nvalue = \"t*x\"\n"), "line 7, column 10", "t: no such name here"},
         Wrong{with(x + "[constraint]\nf = [\"x - \"]\n"), "line 7, column 11", "the formula ends"}));
+
+TEST(WrongEquationFile, IsNotPrintedAsAWhole) {
+  expect_message([] { scene_of_text(relaxation_file(std::string(19'000, 'q'))); }, " ...");
+  expect_message([] { scene_of_text("end = 1\n" + std::string(500'000, 'q') + " = 1\n"); }, " ...");
+}
 
 TEST(MissingEquationFile, IsNamed) {
   const TemporaryFolder folder;

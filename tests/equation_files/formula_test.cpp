@@ -2,6 +2,7 @@
 
 #include "equation_files/formula.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -101,7 +102,7 @@ TEST(Expressions, AreMadeOnce) {
 // (((x + x)^2)^2)^2 ... squared out would have 2^(2^60) as its coefficient.
 TEST(Expressions, ArePowersNotMultipliedOut) {
   std::string text = "x + x";
-  for (int i = 0; i < 60; ++i) text = "(" + text + ")^2";
+  for (int i = 0; i < 60; ++i) text = fmt::format("({})^2", text);
   EXPECT_EQ(value_of(text), 0.0);
   EXPECT_TRUE(std::isinf(value_of("9^9^9^9")));
 }
