@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 packages=(git pkg-config cmake ninja-build g++ ccache libeigen3-dev libgsl-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev
-  libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev)
+  libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev libtomlplusplus-dev)
 command -v node >/dev/null || packages+=(nodejs)
 command -v npm >/dev/null || packages+=(npm)
 for option in "$@"; do

@@ -11,6 +11,7 @@
 
 #include "measures/measures.hpp"
 #include "scenes/number_text.hpp"
+#include "scenes/printable.hpp"
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
 
@@ -65,34 +66,28 @@ void require_setup(const Record& row) {
   if (std::isfinite(setup.budget)) require_in("budget", setup.budget, positive);
 }
 
-void require_scene(const SceneSettings& scene, const Scenes& known) {
-  const auto& maker = scene_named(scene.id, known);
-  [[maybe_unused]] const Parameters possible(maker.id, maker.parameters, scene.values);
-  if (scene.until) require_in("until", *scene.until, any_end);
+// A scene of a file, which need not be at hand: its name, the SHA-256 of what it says, and numbers.
+void require_file(const SceneSettings& scene) {
+  constexpr std::size_t digits = 64, most = 4096;
+  if (scene.id.empty() || scene.id.size() > most || !prints(scene.id))
+    reject_text("scene", scene.id, fmt::format("1 to {} bytes of UTF-8 that print", most));
+  if (scene.checksum.size() != digits ||
+      scene.checksum.find_first_not_of("0123456789abcdef") != std::string::npos)
+    reject_text("checksum", scene.checksum, "a SHA-256 in hexadecimal");
+  for (const auto& [name, value] : scene.values) {
+    const auto* number = std::get_if<double>(&value);
+    if (number == nullptr || !std::isfinite(*number)) reject_text(name, text_of(value), any_number.text());
+  }
 }
 
-// Well-formed UTF-8 (RFC 3629: no overlong forms, surrogates or code points beyond 10FFFF) without control
-// characters.
-bool prints(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  for (std::size_t i = 0; i < text.size();) {
-    const unsigned first = byte(i);
-    std::size_t more = 0;
-    unsigned low = 0x80, high = 0xbf;  // of the second byte
-    if (first >= 0xc2 && first <= 0xdf) more = 1;
-    if (first >= 0xe0 && first <= 0xef) more = 2;
-    if (first >= 0xf0 && first <= 0xf4) more = 3;
-    if (more == 0 && (first < ' ' || first >= 0x7f)) return false;
-    if (first == 0xc2 || first == 0xe0) low = 0xa0;  // U+0080 to U+009F are control characters
-    if (first == 0xed) high = 0x9f;
-    if (first == 0xf0) low = 0x90;
-    if (first == 0xf4) high = 0x8f;
-    for (std::size_t k = 1; k <= more; ++k) {
-      if (byte(i + k) < (k == 1 ? low : 0x80) || byte(i + k) > (k == 1 ? high : 0xbf)) return false;
-    }
-    i += more + 1;
+void require_scene(const SceneSettings& scene, const Scenes& known) {
+  if (scene.checksum.empty()) {
+    const auto& maker = entry_named(known, "scene", scene.id);
+    [[maybe_unused]] const Parameters possible(maker.id, maker.parameters, scene.values);
+  } else {
+    require_file(scene);
   }
-  return true;
+  if (scene.until) require_in("until", *scene.until, any_end);
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ Json settings_of(const SceneSettings& scene) {
 
 SceneSettings scene_of(const Json& json) {
   SceneSettings scene{.id = json.at("scene")};
+  if (json.contains("checksum")) scene.checksum = json["checksum"].get<std::string>();
+  if (json.contains("checksum") && scene.checksum.empty())
+    throw std::invalid_argument("checksum = : must be a SHA-256 in hexadecimal");
   for (const auto& [name, value] : json.at("settings").items()) {
     if (name == "until") {
       scene.until = value.get<double>();
@@ -117,6 +120,7 @@ std::string line_of(const Record& row, bool last) {
             {"quantity", row.quantity},
             {"value", row.value},
             {"unit", row.unit}};
+  if (!row.key.scene.checksum.empty()) json["checksum"] = row.key.scene.checksum;
   if (row.key.external) {
     json["external"] = true;
   } else {

@@ -16,6 +16,7 @@
 #include "references/watched_reference.hpp"
 #include "scenes/entry_named.hpp"
 #include "scenes/number_text.hpp"
+#include "scenes/printable.hpp"
 
 namespace fde {
 namespace {
@@ -40,7 +41,7 @@ std::vector<std::string> names_in(std::string_view header) {
   header = trimmed(header);
   if (header.starts_with('#')) header.remove_prefix(1);
   std::vector<std::string> names;
-  for (const auto& cell : split_list(header)) names.emplace_back(unquoted(trimmed(cell)));
+  for (const auto& cell : split_names(header)) names.emplace_back(unquoted(trimmed(cell)));
   if (names.front() != "t") throw std::invalid_argument("must be a header, t and columns of the scene");
   names.erase(names.begin());
   return names;

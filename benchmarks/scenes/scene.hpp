@@ -120,6 +120,7 @@ struct SceneMaker {
   std::string id, title, source;
   std::vector<Parameter> parameters;
   std::function<Scene(const Parameters&)> make;
+  std::string checksum{};  // of what a file says that it was read from; empty: it is of the code
 };
 
 // The columns of components at a time, or of a path.

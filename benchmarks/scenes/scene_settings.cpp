@@ -19,4 +19,9 @@ std::string label_of(const SceneSettings& scene) {
   return settings.empty() ? scene.id : fmt::format("{}:{}", scene.id, settings);
 }
 
+std::string short_checksum(const SceneSettings& scene) {
+  constexpr std::size_t digits = 8;
+  return scene.checksum.substr(0, digits);
+}
+
 }  // namespace fde

@@ -30,8 +30,16 @@ struct Named {
   std::vector<std::string> settings;
 };
 
+// Where the settings of a label begin: at its first colon, of a file's at the first one behind its name.
+std::size_t colon_of(const std::string& text) {
+  constexpr std::string_view file = ".toml";
+  const auto name = text.find(std::string(file) + ':');
+  if (name != std::string::npos) return name + file.size();
+  return text.ends_with(file) ? std::string::npos : text.find(':');
+}
+
 Named split_variant(const std::string& text, const std::vector<std::string>& settings) {
-  const auto colon = text.find(':');
+  const auto colon = colon_of(text);
   Named named{.id = text.substr(0, colon), .settings = {}};
   if (colon != std::string::npos) named.settings = split_settings(std::string_view(text).substr(colon + 1));
   named.settings.insert(named.settings.end(), settings.begin(), settings.end());
@@ -50,25 +58,33 @@ std::vector<std::string> values_of(const std::string& setting) {
   return all;
 }
 
-// NAME=VALUE, of a parameter or of the end.
-void add_setting(const std::string& setting, SceneVariant& variant) {
+// NAME=VALUE, of the end or of a parameter, whose values `read` reads. Scene: SceneVariant or SceneSettings.
+template <class Scene, class Read>
+void add_setting(const std::string& setting, Scene& scene, const Read& read) {
   const auto equals = setting.find('=');
   if (equals == std::string::npos || equals == 0) reject_text("--set", setting, "NAME=VALUE");
   const auto name = setting.substr(0, equals);
   const auto value = std::string_view(setting).substr(equals + 1);
-  bool first = !variant.until;
+  bool first = !scene.until;
   if (name == "until") {
-    variant.until = parse_number(name, value, any_end);
+    scene.until = parse_number(name, value, any_end);
   } else {
-    const auto& parameter = parameter_named(name, variant.maker->id, variant.maker->parameters);
-    first = variant.values.emplace(name, parameter.read(value)).second;
+    first = scene.values.emplace(name, read(name, value)).second;
   }
   if (!first) reject_text("--set", setting, "one value for each name");
 }
 
+void add_setting(const std::string& setting, SceneVariant& variant) {
+  add_setting(setting, variant, [&](const std::string& name, std::string_view value) {
+    return parameter_named(name, variant.maker->id, variant.maker->parameters).read(value);
+  });
+}
+
 }  // namespace
 
-SceneSettings SceneVariant::key() const { return {.id = maker->id, .values = values, .until = until}; }
+SceneSettings SceneVariant::key() const {
+  return {.id = maker->id, .values = values, .until = until, .checksum = maker->checksum};
+}
 
 Scene make_known_scene(const SceneMaker& maker, const ParameterValues& values) {
   const Parameters parameters(maker.id, maker.parameters, values);
@@ -78,7 +94,7 @@ Scene make_known_scene(const SceneMaker& maker, const ParameterValues& values) {
     throw std::invalid_argument(
         fmt::format("scene {}: its smoothness has {} rows for {} components", maker.id, rows, components));
   }
-  scene.name = fmt::format("{} {}", maker.id, parameters.text());
+  scene.name = fmt::format("{} {}", maker.checksum.empty() ? maker.id : maker.checksum, parameters.text());
   return scene;
 }
 
@@ -103,15 +119,25 @@ Scene make_scene(const SceneVariant& variant) {
 SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,
                           const Scenes& among) {
   const auto named = split_variant(text, settings);
-  SceneVariant variant{.maker = &scene_named(named.id, among)};
+  SceneVariant variant{.maker = &among.named(named.id)};
   for (const auto& setting : named.settings) add_setting(setting, variant);
   return variant;
+}
+
+SceneSettings read_settings(const std::string& text, const std::vector<std::string>& settings) {
+  const auto named = split_variant(text, settings);
+  SceneSettings scene{.id = named.id};
+  const auto number = [](const std::string& name, std::string_view value) -> ParameterValue {
+    return parse_number(name, value, any_number);
+  };
+  for (const auto& setting : named.settings) add_setting(setting, scene, number);
+  return scene;
 }
 
 std::vector<SceneVariant> read_variants(const std::string& text, const std::vector<std::string>& settings,
                                         const Scenes& among) {
   const auto named = split_variant(text, settings);
-  std::vector<SceneVariant> variants{{.maker = &scene_named(named.id, among)}};
+  std::vector<SceneVariant> variants{{.maker = &among.named(named.id)}};
   for (const auto& setting : named.settings) {
     const auto values = values_of(setting);
     if (values.size() * variants.size() > most_variants) {

@@ -37,6 +37,10 @@ Scene make_scene(const SceneVariant& variant);
 SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,
                           const Scenes& among = scenes());
 
+// The same of a scene that need not be known, as that of a file that is not at hand: its values are numbers.
+// No checksum.
+SceneSettings read_settings(const std::string& text, const std::vector<std::string>& settings);
+
 // A scene for each value of a range NAME=FIRST:LAST:STEP among the settings, which may be decreasing; for
 // each choice of values where there are several ranges, the last of which runs fastest. Values are decimals:
 // 0.1:0.9:0.1 has 0.3. Throws as read_variant does, and where a range has no value or there are more than

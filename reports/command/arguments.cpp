@@ -27,7 +27,7 @@ ComplexText split_complex(std::string_view text) {
 const Scheme& scheme_named(std::string_view id) { return entry_named(schemes(), "scheme", id); }
 
 void add_scene(Subcommand& command, SceneArguments& arguments, const std::string& what) {
-  command.required("scene", arguments.scene, what + ", or ID:NAME=VALUE,...");
+  command.required("scene", arguments.scene, what + " or file of equations, or ID:NAME=VALUE,...");
   command.list("--set", arguments.settings, "a parameter of the scene, NAME=VALUE");
 }
 

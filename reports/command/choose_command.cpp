@@ -2,8 +2,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
+#include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include "analysis/recommendation.hpp"
 #include "analysis/text.hpp"
@@ -11,6 +14,7 @@
 #include "command/command.hpp"
 #include "command/progress.hpp"
 #include "scenes/number_text.hpp"
+#include "scenes/printable.hpp"
 
 namespace fde {
 namespace {
@@ -26,10 +30,14 @@ constexpr double default_seconds = 60.0;
 constexpr Range accuracies{.low = 1e-15, .high = 1.0, .open_low = true, .open_high = true};
 constexpr Range search_seconds{.low = 0.0, .high = 1e6, .open_low = true};
 
-SceneVariant chosen_scene(const ChooseArguments& arguments, const Scenes& known) {
+std::vector<std::string> settings_of(const ChooseArguments& arguments) {
   auto settings = arguments.scene.settings;
   if (arguments.until) settings.push_back("until=" + *arguments.until);
-  return parse_variant(arguments.scene.scene, settings, known);
+  return settings;
+}
+
+SceneVariant chosen_scene(const ChooseArguments& arguments, const Scenes& known) {
+  return parse_variant(arguments.scene.scene, settings_of(arguments), known);
 }
 
 // Those named, or all.
@@ -37,7 +45,7 @@ std::vector<Eigen::Index> chosen_columns(const Scene& scene, const std::optional
   if (!asked) return all_columns(scene);
   const auto& names = scene.outputs.names;
   std::vector<Eigen::Index> columns;
-  for (const auto& name : split_list(*asked)) {
+  for (const auto& name : split_names(*asked)) {
     const auto found = std::ranges::find(names, name);
     if (found == names.end()) reject_text("--columns", name, fmt::format("of {}", fmt::join(names, ", ")));
     columns.push_back(found - names.begin());
@@ -57,38 +65,75 @@ Recommendation searched(const SceneVariant& variant, const Scene& scene, const Q
   return recommend(found, variant.key(), scene.outputs.names, question);
 }
 
+// The scenes of which there are runs.
+std::set<SceneSettings> scenes_of(const Runs& runs) {
+  std::set<SceneSettings> scenes;
+  for (const auto* some : {&runs.finished, &runs.failed})
+    for (const auto& run : *some) scenes.insert(run.key.scene);
+  return scenes;
+}
+
+// The settings of a scene whose file is not there; nothing of all others.
+std::optional<SceneSettings> settings_without_file(const ChooseArguments& arguments) {
+  constexpr std::string_view ending = ".toml";
+  const auto& scene = arguments.scene.scene;
+  const auto name = scene.find(ending);
+  if (name == std::string::npos || std::filesystem::exists(scene.substr(0, name + ending.size())))
+    return std::nullopt;
+  return read_settings(scene, settings_of(arguments));
+}
+
+// The scene asked for, one of these. That of a file need not be at hand: then it is the one of its name.
+SceneSettings scene_among(const std::set<SceneSettings>& scenes, const ChooseArguments& arguments,
+                          const Scenes& known) {
+  auto asked = settings_without_file(arguments);
+  const bool at_hand = !asked;
+  if (at_hand) asked = chosen_scene(arguments, known).key();
+  std::vector<SceneSettings> found;
+  const SceneSettings* other = nullptr;
+  for (const auto& scene : scenes) {
+    auto same_name = scene;
+    same_name.checksum = asked->checksum;
+    if (same_name != *asked) continue;
+    const bool same_file = !at_hand || scene.checksum == asked->checksum;
+    same_file ? found.push_back(scene) : void(other = &scene);
+  }
+  if (found.size() == 1) return found.front();
+  throw std::invalid_argument(fmt::format(
+      "--results = {}: has {} {}{}", *arguments.results,
+      found.empty() ? "no run of" : "runs of more than one file that was", label_of(*asked),
+      other == nullptr
+          ? ""
+          : fmt::format(" as it is, only of another file of this name ({})", short_checksum(*other))));
+}
+
 // Results say nothing of single columns and take no time.
-Recommendation recorded(const SceneVariant& variant, const ErrorKind& kind, double accuracy,
-                        const ChooseArguments& arguments, const Scenes& known) {
+Recommendation recorded(const ErrorKind& kind, double accuracy, const ChooseArguments& arguments,
+                        const Scenes& known) {
   if (arguments.columns)
     reject_text("--columns", *arguments.columns, "without --results, which has all columns");
   if (arguments.max_time) reject_text("--max-time", *arguments.max_time, "without --results");
   const Runs runs = read_runs(*arguments.results, known).runs;
-  const auto is_of_scene = [&](const MeasuredRun& run) { return run.key.scene == variant.key(); };
-  if (std::ranges::none_of(runs.finished, is_of_scene) && std::ranges::none_of(runs.failed, is_of_scene)) {
-    throw std::invalid_argument(
-        fmt::format("--results = {}: has no run of {}", *arguments.results, variant.label()));
-  }
-  return recommend(runs, variant.key(), kind, accuracy);
+  return recommend(runs, scene_among(scenes_of(runs), arguments, known), kind, accuracy);
 }
 
 void choose(const ChooseArguments& arguments, const Streams& streams, const Scenes& known) {
-  const auto variant = chosen_scene(arguments, known);
   const double accuracy = parse_number("--error", arguments.error, accuracies);
   const ErrorKind kind{parse_norm(arguments.norm), parse_scale(arguments.scale)};
   const double seconds =
       arguments.max_time ? parse_number("--max-time", *arguments.max_time, search_seconds) : default_seconds;
   Recommendation made;
   if (arguments.results) {
-    made = recorded(variant, kind, accuracy, arguments, known);
+    made = recorded(kind, accuracy, arguments, known);
   } else {
+    const auto variant = chosen_scene(arguments, known);
     const Scene scene = make_scene(variant);
     const Question question{kind, accuracy, chosen_columns(scene, arguments.columns)};
     made = searched(variant, scene, question, seconds, streams);
-    if (arguments.columns) made.columns = split_list(*arguments.columns);
+    if (arguments.columns) made.columns = split_names(*arguments.columns);
   }
   if (made.options.empty()) {
-    throw NumericalFailure(fmt::format("no run of {} is within {} ({}): {}", variant.label(),
+    throw NumericalFailure(fmt::format("no run of {} is within {} ({}): {}", label_of(made.scene),
                                        error_text(accuracy), kind_text(kind), fmt::join(made.others, "; ")));
   }
   streams.out << (arguments.json ? json_of(made) : text_of(made));

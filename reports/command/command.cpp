@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "command/command_line.hpp"
+#include "equation_files/equation_scene.hpp"
 #include "records/record.hpp"
 #include "scenes/parameters.hpp"
 
@@ -62,10 +63,11 @@ void check_subcommand(const CommandLine& program, const std::vector<std::string>
 }  // namespace
 
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams, const Scenes& known) {
+  const Scenes named = with_equation_files(known);
   CommandLine program("fdebench",
                       "Which numerical scheme to use for a fractional differential equation, with proof",
                       this_session().version);
-#define FDE_COMMAND(file) add_##file(program, streams, known);
+#define FDE_COMMAND(file) add_##file(program, streams, named);
 #include "command/list.def"
 #undef FDE_COMMAND
   try {

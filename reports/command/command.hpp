@@ -30,7 +30,7 @@ struct Streams {
 
 // The command `fdebench` without its process: arguments after the program's name. Returns the exit code: 0
 // done, 1 worse results, 2 bad input or output that cannot be written, 3 numerical failure; all but 0 with
-// one line on err. known: the scenes that arguments may name.
+// one line on err. known: the scenes that arguments may name, beside those of equation files.
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams,
                  const Scenes& known = scenes());
 

@@ -183,16 +183,16 @@ struct ListArguments {
 };
 
 // A command that lists what there is: id and title, or what the flag `detail` asks for; or tells all of one.
-template <typename Entries, typename Details>
-void add_list(Subcommand command, std::string_view kind, const std::string& detail, const std::string& help,
-              Entries entries, Details details, std::ostream& out) {
+template <typename Entries, typename Named, typename Details>
+void add_list(Subcommand command, const std::string& detail, const std::string& help, Entries entries,
+              Named named, Details details, std::ostream& out) {
   auto asked = std::make_shared<ListArguments>();
   auto* json = command.flag("--json", asked->json, "everything about each, as JSON");
   Subcommand::exclude(command.flag(detail, asked->detail, help), json);
   command.option("id", asked->id, "one of them, in full");
   command.callback([=, &out] {
     if (asked->id) {
-      const auto& one = entry_named(entries(), kind, *asked->id);
+      const auto& one = named(*asked->id);
       if (asked->json || asked->detail) reject_text("id", *asked->id, "alone");
       print_one(one, out);
     } else if (asked->json) {
@@ -207,11 +207,13 @@ void add_list(Subcommand command, std::string_view kind, const std::string& deta
 
 void add_list_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
   add_list(
-      Subcommand(program, "scenes", "List the scenes"), "scene", "--parameters",
+      Subcommand(program, "scenes", "List the scenes"), "--parameters",
       "the parameters of each, with defaults and what is allowed",
-      [&known]() -> const Scenes& { return known; }, parameters_of, streams.out);
-  add_list(Subcommand(program, "schemes", "List the schemes"), "scheme", "--needs",
-           "what each takes and asks of a problem", schemes, needs_of_all, streams.out);
+      [&known]() -> const Scenes& { return known; },
+      [&known](const std::string& id) -> const SceneMaker& { return known.named(id); }, parameters_of,
+      streams.out);
+  add_list(Subcommand(program, "schemes", "List the schemes"), "--needs",
+           "what each takes and asks of a problem", schemes, scheme_named, needs_of_all, streams.out);
 }
 
 }  // namespace fde

@@ -12,6 +12,7 @@
 #include "references/reference_of.hpp"
 #include "references/written_bound.hpp"
 #include "scenes/number_text.hpp"
+#include "scenes/printable.hpp"
 #include "scenes/registry.hpp"
 #include "sweep/experiment.hpp"
 
@@ -35,8 +36,11 @@ void require_finite(bool finite, std::string_view what, std::string_view range, 
 // "t,x,y,bound" with, where asked for, ",bound_x,bound_y": of the columns that have one.
 std::string header(const std::vector<std::string>& names, const std::vector<std::string>& bounded,
                    bool bounds) {
-  const std::string each = bounds ? fmt::format(",bound_{}", fmt::join(bounded, ",bound_")) : "";
-  return fmt::format("t,{},bound{}\n", fmt::join(names, ","), each);
+  std::vector<std::string> all = names;
+  all.emplace_back("bound");
+  if (bounds)
+    for (const auto& name : bounded) all.push_back("bound_" + name);
+  return fmt::format("t,{}\n", csv_names(all));
 }
 
 // The largest of the bounds, and where asked for each of them.

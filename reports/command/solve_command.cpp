@@ -9,6 +9,7 @@
 #include "command/command.hpp"
 #include "command/solved_table.hpp"
 #include "scenes/number_text.hpp"
+#include "scenes/printable.hpp"
 
 namespace fde {
 namespace {
@@ -21,7 +22,7 @@ struct SolveArguments {
 };
 
 void print_rows(const SolvedTable& table, std::ostream& out) {
-  out << fmt::format("t,{}\n", fmt::join(table.names, ","));
+  out << fmt::format("t,{}\n", csv_names(table.names));
   for (std::size_t c = 0; c < table.times.size(); ++c) {
     out << fmt::format("{:.17g}", table.times[c]);
     for (const double value : table.values.col(static_cast<Eigen::Index>(c)))

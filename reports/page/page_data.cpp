@@ -78,6 +78,8 @@ std::vector<MeasuredRun> take_trials(Runs& runs) {
 
 SceneName name_of_scene(const SceneSettings& scene) {
   const auto* found = find_scene(scene.id);
+  if (!scene.checksum.empty())
+    return {.title = fmt::format("{}, file {}", label_of(scene), short_checksum(scene))};
   if (found == nullptr) return {.title = label_of(scene)};
   const auto settings = settings_text(scene);
   return {

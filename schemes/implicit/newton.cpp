@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "problem/jacobian.hpp"
+
 namespace fde {
 namespace {
 
@@ -17,6 +19,7 @@ constexpr double slowest = 0.2;  // an increment with kept factors, relative to 
 // Increments that no longer shrink, and are so small that it is rounding that does not let them.
 bool stagnates(double now, double last) { return now >= last / 2 && now <= stagnation; }
 
+constexpr int most_sweeps = 8;
 constexpr int most_pseudo_steps = 200;
 constexpr double most_bend = 0.25;       // of the equations along a pseudo time step, relative
 constexpr double newton_inverse = 1e-3;  // of a pseudo time step that is as good as one without end
@@ -82,13 +85,33 @@ bool NewtonSolver::iterate_kept(Run& run, const StepEquations& step, Out y) {
 }
 
 bool NewtonSolver::iterate_anew(Run& run, const StepEquations& step, Out y) {
+  const Vec guess = y;
   Vec near = y;
   if (iterate(run, step, y, few_setbacks)) return true;
   if (approach(run, step, near) && iterate(run, step, near, few_setbacks)) {
     y = near;
     return true;
   }
-  return y.allFinite() && iterate(run, step, y, most_iterations);
+  if (y.allFinite()) return iterate(run, step, y, most_iterations);
+  y = guess;
+  return iterate_past_infinite_derivatives(run, step, y);
+}
+
+bool NewtonSolver::iterate_past_infinite_derivatives(Run& run, const StepEquations& step, Out y) {
+  const auto failed = [&] {
+    y.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return false;
+  };
+  if (jacobian_at(problem_, step.t, y).allFinite()) return failed();
+  const Vec& mass = matrix_->rows().mass;
+  for (int sweep = 0; sweep < most_sweeps && y.allFinite(); ++sweep) {
+    y += mass.cwiseProduct(step.past + step.kappa.cwiseProduct(run.rhs(step.t, y)) - y);
+    Vec near = y;
+    if (!iterate(run, step, near, few_setbacks)) continue;
+    y = near;
+    return true;
+  }
+  return failed();
 }
 
 bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {

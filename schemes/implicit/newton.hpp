@@ -25,7 +25,8 @@ namespace fde {
 // factors cost no more than an iteration, the matrix is made anew in each iteration from the guess on. Where
 // three increments are no smaller than those before them, as when the solution near the guess has just
 // vanished, it starts again from where pseudo time steps lead to; where these lead to nothing, it goes on
-// from where it had come to.
+// from where it had come to. Where derivatives at the guess are not finite, as that of y^(1/6) at 0, it
+// starts from y = past + kappa f(t, guess), up to eight times.
 //
 // |y| is the largest of the other unknowns where there are algebraic rows. An unknown lambda_i of an
 // algebraic row counts as what it does to the equations, max_k |M_ki| |lambda_i| with M the matrix of
@@ -47,8 +48,12 @@ class NewtonSolver {
   bool solve_linear(Run& run, const StepEquations& step, Out y);
   // From the continued path with the kept factors; y is the result, or, where these do not serve, as it was.
   bool iterate_kept(Run& run, const StepEquations& step, Out y);
-  // From y on: anew in each iteration, and, where that leads nowhere, from where pseudo time steps lead to.
+  // From y on: anew in each iteration, and, where that leads nowhere, from where pseudo time steps lead to,
+  // or where y has no derivatives.
   bool iterate_anew(Run& run, const StepEquations& step, Out y);
+  // From y = past + kappa f(t, y), again and again, where the derivatives at y are not finite. y is NaN where
+  // that does not help.
+  bool iterate_past_infinite_derivatives(Run& run, const StepEquations& step, Out y);
   // Newton's method from y on, given up at the last of so many increments that are no smaller than the one
   // before.
   bool iterate(Run& run, const StepEquations& step, Out y, int most_setbacks);

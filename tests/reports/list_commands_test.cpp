@@ -161,7 +161,7 @@ TEST(ScenesMadeAtRunTime, HaveIdsOfTheirOwn) {
   expect_message([&] { mine.add(named); }, "id = decay:2: must be a name without ':'");
   named.id = "decay2";
   mine.add(named);
-  EXPECT_EQ(&first, &scene_named("decay", mine));
+  EXPECT_EQ(&first, &mine.named("decay"));
   EXPECT_EQ(parse_variant("decay2:g=0.25,sign=plus", mine).label(), "decay2:g=0.25,sign=plus");
   EXPECT_EQ(find_scene("decay"), nullptr);
 }

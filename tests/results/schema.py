@@ -32,6 +32,7 @@ class Results(unittest.TestCase):
             ["--scene", "multi_term:alpha=1.2,1.6,until=2", "--scene", "knife_edge:formulation=multiplier", "--steps", "32"],
             ["--scene", "relaxation", "--steps", "16", "--grid", "graded:2.5", "--history", "direct", "--tolerance", "1e-8"],
             ["--scene", "relaxation", "--accuracy", "1e-3", "--scheme", "l1"],
+            ["--scene", f"{ROOT}/docs/examples/bagley_torvik.toml:B=0.3,until=2", "--scheme", "l1", "--steps", "16"],
         ]
         for words in runs:
             run = fdebench("run", *words, "--repeat", 1, "--out", cls.file)
@@ -61,8 +62,8 @@ class Results(unittest.TestCase):
         jsonschema.Draft202012Validator.check_schema(SCHEMA)
         for line in self.lines:
             VALIDATOR.validate(line)
-        self.assertEqual(sum("session" in line for line in self.lines), 5)
-        self.assertTrue({"external", "accuracy", "detail", "budget"} <= set().union(*self.lines))
+        self.assertEqual(sum("session" in line for line in self.lines), 6)
+        self.assertTrue({"external", "accuracy", "detail", "budget", "checksum"} <= set().union(*self.lines))
 
     def test_quantities_are_those_of_the_lists(self):
         lists = (ROOT / "benchmarks" / "measures" / "list.def").read_text()
@@ -82,6 +83,7 @@ class Results(unittest.TestCase):
         error = next(i for i, line in enumerate(self.lines) if line.get("quantity") == "error_end")
         ending = next(i for i, line in enumerate(self.lines) if line.get("quantity") == "ending")
         external = next(i for i, line in enumerate(self.lines) if "external" in line)
+        of_file = next(i for i, line in enumerate(self.lines) if "checksum" in line and line["quantity"] == "error_end")
         changes = [
             (error, {"value": -1.0}), (error, {"value": None}), (error, {"value": "1"}), (error, {"quantity": "eror_end"}),
             (error, {"unit": "m"}), (error, {"steps": 0}), (error, {"steps": 2.5}), (error, {"steps": 2**31}),
@@ -90,6 +92,8 @@ class Results(unittest.TestCase):
             (error, {"settings": {"until": 0.0}}), (error, {"settings": 1}), (ending, {"value": -1.0}),
             (ending, {"ending": "done"}), (ending, {"unit": "s"}), (external, {"scheme": "a\nb"}), (external, {"scheme": ""}),
             (external, {"scheme": "x" * 101}), (error, {"external": True, "scheme": ""}),
+            (of_file, {"checksum": ""}), (of_file, {"checksum": "abc"}), (of_file, {"checksum": "Z" * 64}),
+            (of_file, {"checksum": 1}), (of_file, {"settings": {"B": "wide"}}), (of_file, {"settings": {"B": [1.0]}}),
         ]  # fmt: skip
         for number, change in changes:
             with self.subTest(change=change):

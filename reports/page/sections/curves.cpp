@@ -52,7 +52,7 @@ json curve_sections(const PageInput& page) {
     json points = json::array();
     for (const auto& of : curves.points) points.push_back(point(page, of, curves.parameter));
     sections.push_back(
-        {{"id", fmt::format("curve-{}-{}", label_of(scene), curves.parameter)},
+        {{"id", fmt::format("curve-{}{}-{}", label_of(scene), short_checksum(scene), curves.parameter)},
          {"title", fmt::format("{} over {}", name_of_scene(scene).title, curves.parameter)},
          {"name", label_of(scene)},
          {"paragraphs",

@@ -127,7 +127,7 @@ json scene_sections(const PageInput& page) {
     for (const auto& text : {source, not_drawn(page, scene)}) {
       if (!text.empty()) paragraphs.push_back(text);
     }
-    sections.push_back({{"id", "scene-" + label},
+    sections.push_back({{"id", fmt::format("scene-{}{}", label, short_checksum(solved))},
                         {"title", title},
                         {"name", label},
                         {"paragraphs", paragraphs},

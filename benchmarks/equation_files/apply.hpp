@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "equation_files/expressions.hpp"
+#include "mittag_leffler/mittag_leffler.hpp"
+
+namespace fde {
+
+// Those that the standard library has not for every Real.
+template <class Real>
+struct SpecialFunctions {
+  static Real pi() { return std::numbers::pi_v<Real>; }
+  static Real gamma(const Real& x) { return std::tgamma(x); }
+  // In double. NaN outside of what it is known for.
+  static Real mittag_leffler(const Real& alpha, const Real& beta, const Real& z) {
+    constexpr double largest_order = 5.0, largest_parameter = 1e4;
+    const bool known = alpha > 0 && alpha <= largest_order && std::abs(beta) <= largest_parameter &&
+                       std::isfinite(static_cast<double>(z));
+    if (!known) return std::numeric_limits<Real>::quiet_NaN();
+    return fde::mittag_leffler(static_cast<double>(alpha), static_cast<double>(beta), static_cast<double>(z));
+  }
+};
+
+// The operation on its arguments; not of numbers and variables.
+template <class Real>
+Real apply(Operation operation, const Real& a, const Real& b, const Real& c) {
+  using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::log,
+      std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
+  const auto sign = [](const Real& x) { return x > 0 ? Real(1) : x < 0 ? Real(-1) : Real(x); };
+  switch (operation) {
+    case Operation::add:
+      return Real(a + b);
+    case Operation::subtract:
+      return Real(a - b);
+    case Operation::multiply:
+      return Real(a * b);
+    case Operation::divide:
+      return Real(a / b);
+    case Operation::power:
+      return Real(pow(a, b));
+    case Operation::negate:
+      return Real(-a);
+    case Operation::sin:
+      return Real(sin(a));
+    case Operation::cos:
+      return Real(cos(a));
+    case Operation::tan:
+      return Real(tan(a));
+    case Operation::asin:
+      return Real(asin(a));
+    case Operation::acos:
+      return Real(acos(a));
+    case Operation::atan:
+      return Real(atan(a));
+    case Operation::sinh:
+      return Real(sinh(a));
+    case Operation::cosh:
+      return Real(cosh(a));
+    case Operation::tanh:
+      return Real(tanh(a));
+    case Operation::exp:
+      return Real(exp(a));
+    case Operation::log:
+      return Real(log(a));
+    case Operation::sqrt:
+      return Real(sqrt(a));
+    case Operation::abs:
+      return Real(abs(a));
+    case Operation::sign:
+      return sign(a);
+    case Operation::step:
+      return Real((sign(a) + 1) / 2);
+    case Operation::gamma:
+      return SpecialFunctions<Real>::gamma(a);
+    case Operation::atan2:
+      return Real(atan2(a, b));
+    case Operation::min:
+      return b < a ? b : a;
+    case Operation::max:
+      return a < b ? b : a;
+    case Operation::mittag_leffler:
+      return SpecialFunctions<Real>::mittag_leffler(a, b, c);
+    case Operation::pi:
+      return SpecialFunctions<Real>::pi();
+    case Operation::number:
+    case Operation::variable:
+      break;
+  }
+  return Real(0);
+}
+
+}  // namespace fde

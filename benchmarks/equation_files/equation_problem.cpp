@@ -1,0 +1,115 @@
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "equation_files/equation_system.hpp"
+#include "equation_files/program.hpp"
+
+namespace fde {
+namespace {
+
+struct Entry {
+  Eigen::Index row, column;
+  Expression value;
+};
+
+// df_i/dy_j where it is not 0, row by row.
+std::vector<Entry> derivatives_of(const EquationSystem& system, FileFormulas& formulas) {
+  std::vector<Entry> entries;
+  auto& all = formulas.all();
+  const auto zero = all.number(0);
+  for (std::size_t u = 0; u < system.unknowns.size(); ++u) {
+    const auto& unknown = system.unknowns[u];
+    for (Eigen::Index i = unknown.first; i < unknown.first + unknown.size(); ++i) {
+      const auto row = system.rows[static_cast<std::size_t>(i)];
+      for (const int variable : all.variables_in(row)) {
+        if (variable == 0) continue;
+        try {
+          const auto value = all.derivative(row, variable);
+          if (value != zero) entries.push_back({i, variable - 1, value});
+        } catch (const std::invalid_argument& none) {
+          formulas.reject(formulas.text().unknowns[u].rhs, none.what());
+        }
+      }
+    }
+  }
+  return entries;
+}
+
+// Whether it has jumps, where its derivative is not all that there is to it.
+bool jumps(Expression value, const Expressions& all) {
+  const auto used = all.parts(value);
+  for (Expression e = 0; e <= value; ++e) {
+    const auto operation = all[e].operation;
+    if (used[static_cast<std::size_t>(e)] && (operation == Operation::sign || operation == Operation::step))
+      return true;
+  }
+  return false;
+}
+
+// Whether it is a number, as it is written or as all its derivatives are 0: (y + 1)^2 - y^2 has a constant
+// derivative.
+std::optional<double> constant_of(Expression value, Eigen::Index size, Expressions& all) {
+  constexpr Eigen::Index few = 12;
+  if (const auto known = all.value(value)) return static_cast<double>(*known);
+  const auto zero = all.number(0);
+  if (size > few || jumps(value, all)) return std::nullopt;
+  for (int variable = 0; variable <= size; ++variable) {
+    const auto slope = all.derivative(value, variable);
+    if (slope != zero && all.value(slope) != 0.0L) return std::nullopt;
+  }
+  const auto at_zero = all.value(all.without_variables(value, 0));
+  if (!at_zero || !std::isfinite(static_cast<double>(*at_zero))) return std::nullopt;
+  return static_cast<double>(*at_zero);
+}
+
+std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index size, Expressions& all) {
+  Matrix matrix = Matrix::Zero(size, size);
+  for (const auto& [row, column, value] : entries) {
+    const auto known = constant_of(value, size, all);
+    if (!known || !std::isfinite(*known)) return std::nullopt;
+    matrix(row, column) = *known;
+  }
+  return matrix;
+}
+
+DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, const Expressions& all) {
+  std::vector<Expression> values;
+  for (const auto& entry : entries) values.push_back(entry.value);
+  return {[entries, program = Program(all, values, size)](double t, In y, OutMatrix jacobian) {
+    std::vector<double> at(entries.size());
+    program.evaluate(t, y, at);
+    jacobian.setZero();
+    for (std::size_t e = 0; e < entries.size(); ++e) jacobian(entries[e].row, entries[e].column) = at[e];
+  }};
+}
+
+}  // namespace
+
+Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
+  const auto size = system.size();
+  auto& all = formulas.all();
+  Problem problem{.components = system.components, .end = system.end, .jumps = system.jumps};
+  problem.rhs = [program = Program(all, system.rows, size)](double t, In y, Out f) {
+    program.evaluate(t, y, {f.data(), static_cast<std::size_t>(f.size())});
+  };
+  const auto entries = derivatives_of(system, formulas);
+  if (auto matrix = matrix_of(entries, size, all)) {
+    problem.derivatives = DenseLinearPart{std::move(*matrix)};
+  } else {
+    problem.derivatives = jacobian_of(entries, size, all);
+  }
+  for (const auto& unknown : system.unknowns) {
+    if (!unknown.chain || unknown.chain->size() == 1) continue;
+    const auto& chain = *unknown.chain;
+    problem.equations.push_back({.first = chain.first(),
+                                 .leading = chain.leading(),
+                                 .terms = chain.terms(),
+                                 .force = Program(all, {*unknown.rhs}, size),
+                                 .factor = [](double, In) { return 1.0; }});
+  }
+  return problem;
+}
+
+}  // namespace fde

@@ -1,0 +1,99 @@
+#include "equation_files/equation_scene.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "equation_files/equation_system.hpp"
+#include "equation_files/exact_columns.hpp"
+#include "equation_files/linear_motion.hpp"
+#include "equation_files/program.hpp"
+#include "equation_files/start_powers.hpp"
+#include "scenes/number_text.hpp"
+#include "scenes/printable.hpp"
+
+namespace fde {
+namespace {
+
+// The columns are the components where all of these are unknowns.
+Outputs outputs_of(const std::vector<SystemColumn>& columns) {
+  std::vector<std::string> names;
+  std::vector<Eigen::Index> rows;
+  bool same = true;
+  for (const auto& column : columns) {
+    same = same && column.row == std::ssize(rows);
+    names.push_back(column.name);
+    rows.push_back(column.row);
+  }
+  return same ? Outputs{names} : picked(names, rows);
+}
+
+Energy energy_of(const EnergyText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
+  auto& all = formulas.all();
+  const auto size = std::ssize(columns);
+  const auto value = formulas.read(text.value, variables_of(columns, all, false));
+  Energy energy{.value = [program = Program(all, {value}, size)](In c) { return program(0.0, c); }};
+  if (text.power) {
+    const auto power = formulas.read(*text.power, variables_of(columns, all, true));
+    energy.power = Program(all, {power}, size);
+  }
+  return energy;
+}
+
+Constraint constraint_of(const std::vector<FormulaText>& texts, const std::vector<SystemColumn>& columns,
+                         FileFormulas& formulas) {
+  std::vector<Expression> values;
+  for (const auto& text : texts)
+    values.push_back(formulas.read(text, variables_of(columns, formulas.all(), true)));
+  return {.size = std::ssize(values),
+          .value = [program = Program(formulas.all(), values, std::ssize(columns))](double t, In c, Out f) {
+            program.evaluate(t, c, {f.data(), static_cast<std::size_t>(f.size())});
+          }};
+}
+
+Scene scene_of(const EquationText& text, const Parameters& parameters) {
+  FileFormulas formulas(text, parameters, Numbers::folded);
+  const auto system = read_system(formulas);
+  const auto columns = columns_of(system);
+  Scene scene{.problem = problem_of(system, formulas),
+              .smoothness = start_powers(system, formulas.all()),
+              .outputs = outputs_of(columns)};
+  if (!text.exact.empty()) {
+    scene.reference = exact_columns(text, parameters, columns);
+  } else if (auto motion = linear_motion(system, scene.problem, formulas.all())) {
+    scene.reference = std::move(*motion);
+  }
+  if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
+  if (!text.constraints.empty()) scene.constraint = constraint_of(text.constraints, columns, formulas);
+  return scene;
+}
+
+std::optional<SceneMaker> scene_of_file(std::string_view name) {
+  if (!name.ends_with(".toml")) return std::nullopt;
+  const std::string file(name);
+  if (!prints(file)) reject_text("scene", file, "a file whose name is UTF-8 that prints");
+  return equation_scene(read_equation_text(file));
+}
+
+}  // namespace
+
+SceneMaker equation_scene(EquationText text) {
+  const auto kept = std::make_shared<const EquationText>(std::move(text));
+  const std::filesystem::path file = kept->file;
+  SceneMaker maker{.id = kept->file,
+                   .title = kept->title.empty() ? file.stem().string() : kept->title,
+                   .source = kept->file,
+                   .parameters = {},
+                   .make = [kept](const Parameters& parameters) { return scene_of(*kept, parameters); },
+                   .checksum = kept->checksum};
+  for (const auto& [name, value] : kept->parameters)
+    maker.parameters.push_back({name, value, any_number, "of the file"});
+  return maker;
+}
+
+Scenes with_equation_files(const Scenes& scenes) { return {scenes, scene_of_file}; }
+
+}  // namespace fde

@@ -1,0 +1,55 @@
+#include "equation_files/equation_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "equation_files/deep_keys.hpp"
+
+namespace fde {
+
+void reject_at(const std::string& file, const TextPlace& place, std::string_view what) {
+  constexpr std::size_t longest = 600;
+  std::size_t shown = std::min(what.size(), longest);
+  while (shown < what.size() && shown > 0 && (static_cast<unsigned char>(what[shown]) & 0xc0U) == 0x80U)
+    --shown;  // not in the middle of a letter
+  std::string line(what.substr(0, shown));
+  if (shown < what.size()) line += " ...";
+  for (char& c : line)
+    if (c == '\n' || c == '\r') c = ' ';
+  throw std::invalid_argument(
+      fmt::format("{}: line {}, column {}: {}", file, place.line, place.column, line));
+}
+
+void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte, std::string_view what) {
+  if (!formula.bytes_count && byte > 0)
+    reject_at(file, formula.place, fmt::format("byte {} of the text: {}", byte + 1, what));
+  reject_at(file, {formula.place.line, formula.place.column + static_cast<int>(byte)}, what);
+}
+
+EquationText read_equation_text(const std::filesystem::path& file) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument(fmt::format("{}: cannot be read: {}", file.string(), why));
+  };
+  std::error_code problem;
+  const auto kind = std::filesystem::status(file, problem);
+  if (!std::filesystem::exists(kind)) refuse("there is no such file");
+  if (!std::filesystem::is_regular_file(kind)) refuse("it is no file");
+  const auto size = std::filesystem::file_size(file, problem);
+  if (problem) refuse(problem.message());
+  if (size > largest_equation_file)
+    refuse(fmt::format("it has {} bytes: must be at most {}", size, largest_equation_file));
+  std::string text(size, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) refuse(std::strerror(errno));
+  stream.read(text.data(), static_cast<std::streamsize>(size));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return parse_equation_text(file.string(), text);
+}
+
+}  // namespace fde

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fde {
+
+// Where something stands in a file: its line and column, from 1.
+struct TextPlace {
+  int line = 1, column = 1;
+};
+
+// A formula of an equation file as it is written there, or a number as its shortest decimal.
+struct FormulaText {
+  std::string text{};
+  TextPlace place{};         // of its first byte, or of the string
+  bool bytes_count = false;  // whether the columns of its bytes are counted on from there
+};
+
+struct TermText {
+  FormulaText coefficient, order;
+};
+
+// The equation of an unknown: the sum of its terms = rhs.
+struct UnknownText {
+  std::string name{};
+  TextPlace place{};
+  std::vector<TermText> terms{};
+  bool may_be_algebraic = false;  // its term is written as `order`, of which 0 stands for 0 = rhs
+  FormulaText rhs{};
+  std::vector<FormulaText> initial{};
+};
+
+struct NamedFormula {
+  std::string name{};
+  TextPlace place{};
+  FormulaText formula{};
+};
+
+struct EnergyText {
+  FormulaText value{};
+  std::optional<FormulaText> power{};
+};
+
+struct ParameterText {
+  std::string name{};
+  double value = 0.0;
+};
+
+// What an equation file says, its formulas unread: docs/equation_files.md.
+struct EquationText {
+  std::string file{};
+  std::string title{};
+  FormulaText end{};
+  std::vector<ParameterText> parameters{};  // these and the unknowns in their order in the file
+  std::vector<UnknownText> unknowns{};
+  std::vector<NamedFormula> exact{};
+  std::optional<EnergyText> energy{};
+  std::vector<FormulaText> constraints{};
+  std::vector<FormulaText> jumps{};
+  std::string checksum{};  // SHA-256 of all this but the title
+};
+
+inline constexpr std::size_t largest_equation_file = std::size_t{1} << 20;
+inline constexpr std::size_t most_unknowns = 100;
+
+// Each throws std::invalid_argument naming file, line and column, what stands there and what is allowed.
+EquationText read_equation_text(const std::filesystem::path& file);
+EquationText parse_equation_text(const std::string& file, std::string_view text);
+
+// "FILE: line L, column C: what"
+[[noreturn]] void reject_at(const std::string& file, const TextPlace& place, std::string_view what);
+// The same of a place in a formula.
+[[noreturn]] void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte,
+                            std::string_view what);
+
+}  // namespace fde

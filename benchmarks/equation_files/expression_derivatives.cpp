@@ -1,0 +1,122 @@
+#include <stdexcept>
+
+#include "equation_files/expressions.hpp"
+
+namespace fde {
+namespace {
+
+// f'(a) of the functions of one argument that have a derivative, f being f(a).
+std::optional<Expression> slope(Expressions& all, Operation operation, Expression a, Expression f) {
+  const auto make = [&](Operation how, Expression x, Expression y = Expressions::none) {
+    return all.make(how, x, y);
+  };
+  const auto square = [&](Expression x) { return make(Operation::multiply, x, x); };
+  const auto one_minus = [&](Expression x) { return make(Operation::subtract, all.number(1), x); };
+  const auto one_over = [&](Expression x) { return make(Operation::divide, all.number(1), x); };
+  switch (operation) {
+    case Operation::negate:
+      return all.number(-1);
+    case Operation::sin:
+      return make(Operation::cos, a);
+    case Operation::cos:
+      return make(Operation::negate, make(Operation::sin, a));
+    case Operation::tan:
+      return make(Operation::add, all.number(1), square(f));
+    case Operation::asin:
+      return one_over(make(Operation::sqrt, one_minus(square(a))));
+    case Operation::acos:
+      return make(Operation::negate, one_over(make(Operation::sqrt, one_minus(square(a)))));
+    case Operation::atan:
+      return one_over(make(Operation::add, all.number(1), square(a)));
+    case Operation::sinh:
+      return make(Operation::cosh, a);
+    case Operation::cosh:
+      return make(Operation::sinh, a);
+    case Operation::tanh:
+      return one_minus(square(f));
+    case Operation::exp:
+      return f;
+    case Operation::log:
+      return one_over(a);
+    case Operation::sqrt:
+      return make(Operation::divide, all.number("0.5"), f);
+    case Operation::abs:
+      return make(Operation::sign, a);
+    case Operation::sign:
+    case Operation::step:
+      return all.number(0);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+// By the chain rule; the derivatives are those of what the entry is made of.
+Expression Expressions::derivative_of(const Entry& entry, const std::vector<Expression>& derivatives) {
+  const auto [a, b, c] = entry.of;
+  const auto of = [&](Expression e) {
+    return e == none ? number(0) : derivatives[static_cast<std::size_t>(e)];
+  };
+  const Expression da = of(a), db = of(b), dc = of(c);
+  if (is(da, 0) && is(db, 0) && is(dc, 0)) return number(0);
+  const Expression self = make(entry.operation, a, b, c);
+  const auto times = [&](Expression x, Expression y) { return make(Operation::multiply, x, y); };
+  const auto plus = [&](Expression x, Expression y) { return make(Operation::add, x, y); };
+  const auto minus = [&](Expression x, Expression y) { return make(Operation::subtract, x, y); };
+  const auto over = [&](Expression x, Expression y) { return make(Operation::divide, x, y); };
+  switch (entry.operation) {
+    case Operation::add:
+      return plus(da, db);
+    case Operation::subtract:
+      return minus(da, db);
+    case Operation::multiply:
+      return plus(times(da, b), times(a, db));
+    case Operation::divide:
+      return is(db, 0) ? over(da, b) : over(minus(da, times(self, db)), b);
+    case Operation::power:
+      if (is(db, 0)) return times(times(b, make(Operation::power, a, minus(b, number(1)))), da);
+      return times(self, plus(times(db, make(Operation::log, a)), over(times(b, da), a)));
+    case Operation::atan2:
+      return over(minus(times(da, b), times(a, db)), plus(times(a, a), times(b, b)));
+    case Operation::min:
+      return plus(times(da, make(Operation::step, minus(b, a))),
+                  times(db, make(Operation::step, minus(a, b))));
+    case Operation::max:
+      return plus(times(da, make(Operation::step, minus(a, b))),
+                  times(db, make(Operation::step, minus(b, a))));
+    case Operation::mittag_leffler:
+      // E'_(a,b) = (E_(a,a+b-1) - (b-1) E_(a,a+b)) / a, from k = ((ak + b - 1) - (b - 1)) / a in its series
+      if (is(da, 0) && is(db, 0)) {
+        const auto higher = plus(a, b), lowered = minus(b, number(1));
+        const auto first = make(Operation::mittag_leffler, a, minus(higher, number(1)), c);
+        const auto second = times(lowered, make(Operation::mittag_leffler, a, higher, c));
+        return times(over(minus(first, second), a), dc);
+      }
+      throw std::invalid_argument("mittag_leffler: its first two arguments must be without unknowns");
+    default:
+      break;
+  }
+  const auto known = slope(*this, entry.operation, a, self);
+  if (!known) throw std::invalid_argument("gamma: its argument must be without unknowns");
+  return times(*known, da);
+}
+
+Expression Expressions::derivative(Expression of, int variable) {
+  if (!depends_on(of, variable)) return number(0);
+  const auto used = parts(of);
+  std::vector<Expression> derivatives(used.size(), none);
+  for (Expression e = 0; e <= of; ++e) {
+    if (!used[static_cast<std::size_t>(e)]) continue;
+    const Entry entry = (*this)[e];
+    auto& made = derivatives[static_cast<std::size_t>(e)];
+    if (entry.operation == Operation::variable) {
+      made = number(entry.variable == variable ? 1 : 0);
+    } else {
+      made = derivative_of(entry, derivatives);
+    }
+  }
+  return derivatives.back();
+}
+
+}  // namespace fde

@@ -1,0 +1,224 @@
+#include "equation_files/expressions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "equation_files/apply.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int largest_whole_power = 64;  // by multiplication
+
+constexpr std::array functions{KnownFunction{"sin", Operation::sin, 1},
+                               KnownFunction{"cos", Operation::cos, 1},
+                               KnownFunction{"tan", Operation::tan, 1},
+                               KnownFunction{"asin", Operation::asin, 1},
+                               KnownFunction{"acos", Operation::acos, 1},
+                               KnownFunction{"atan", Operation::atan, 1},
+                               KnownFunction{"atan2", Operation::atan2, 2},
+                               KnownFunction{"sinh", Operation::sinh, 1},
+                               KnownFunction{"cosh", Operation::cosh, 1},
+                               KnownFunction{"tanh", Operation::tanh, 1},
+                               KnownFunction{"exp", Operation::exp, 1},
+                               KnownFunction{"log", Operation::log, 1},
+                               KnownFunction{"sqrt", Operation::sqrt, 1},
+                               KnownFunction{"abs", Operation::abs, 1},
+                               KnownFunction{"sign", Operation::sign, 1},
+                               KnownFunction{"step", Operation::step, 1},
+                               KnownFunction{"min", Operation::min, 2},
+                               KnownFunction{"max", Operation::max, 2},
+                               KnownFunction{"gamma", Operation::gamma, 1},
+                               KnownFunction{"mittag_leffler", Operation::mittag_leffler, 3}};
+
+}  // namespace
+
+std::span<const KnownFunction> known_functions() { return functions; }
+
+Expression Expressions::add(Entry entry) {
+  if (entries_.size() >= most_expressions) {
+    throw std::invalid_argument(
+        fmt::format("its expressions have more than {} different parts", most_expressions));
+  }
+  entries_.push_back(std::move(entry));
+  return static_cast<Expression>(entries_.size()) - 1;
+}
+
+Expression Expressions::number(const std::string& decimal) {
+  const char* const end = decimal.data() + decimal.size();
+  long double value = 0.0L;
+  double nearest = 0.0;
+  std::from_chars(decimal.data(), end, value);
+  std::from_chars(decimal.data(), end, nearest);
+  if (static_cast<double>(value) != nearest) value = nearest;  // rounded twice it would be its neighbour
+  const std::pair key{value, numbers_ == Numbers::written ? decimal : ""};
+  const auto found = known_numbers_.find(key);
+  if (found != known_numbers_.end()) return found->second;
+  const auto made = add({.operation = Operation::number, .value = value, .text = key.second});
+  return known_numbers_[key] = made;
+}
+
+Expression Expressions::number(int whole) { return number(std::to_string(whole)); }
+
+Expression Expressions::folded(long double value) {
+  const std::pair<long double, std::string> key{value, ""};
+  const auto found = known_numbers_.find(key);
+  if (found != known_numbers_.end()) return found->second;
+  return known_numbers_[key] = add({.operation = Operation::number, .value = value});
+}
+
+Expression Expressions::pi() {
+  return numbers_ == Numbers::folded ? folded(std::numbers::pi_v<long double>)
+                                     : make(Operation::pi, none, none, none);
+}
+
+Expression Expressions::variable(int index) {
+  const auto [place, is_new] = known_.try_emplace(Key{Operation::variable, index, none, none}, none);
+  if (is_new) place->second = add({.operation = Operation::variable, .variable = index});
+  return place->second;
+}
+
+bool Expressions::is(Expression e, int whole) const {
+  return e != none && (*this)[e].operation == Operation::number &&
+         (*this)[e].value == static_cast<long double>(whole);
+}
+
+// By repeated squares.
+Expression Expressions::whole_power(Expression base, int exponent) {
+  if (exponent < 0) return make(Operation::divide, number(1), whole_power(base, -exponent));
+  if (exponent == 0) return number(1);
+  if (exponent == 1) return base;
+  const auto half = whole_power(base, exponent / 2);
+  const auto square = make(Operation::multiply, half, half);
+  return exponent % 2 == 0 ? square : make(Operation::multiply, square, base);
+}
+
+// What an operation is without 0 and 1.
+std::optional<Expression> Expressions::simplified(Operation operation, Expression a, Expression b) {
+  switch (operation) {
+    case Operation::add:
+      if (is(a, 0)) return b;
+      if (is(b, 0)) return a;
+      break;
+    case Operation::subtract:
+      if (is(b, 0)) return a;
+      if (is(a, 0)) return make(Operation::negate, b);
+      break;
+    case Operation::multiply:
+      if (is(a, 0) || is(b, 1)) return a;
+      if (is(b, 0) || is(a, 1)) return b;
+      break;
+    case Operation::divide:
+      if (is(b, 1)) return a;
+      break;
+    case Operation::negate:
+      if (is(a, 0)) return a;
+      if ((*this)[a].operation == Operation::negate) return (*this)[a].of[0];
+      break;
+    case Operation::power:
+      if ((*this)[b].operation == Operation::number && (*this)[b].value == std::rint((*this)[b].value) &&
+          std::abs((*this)[b].value) <= largest_whole_power)
+        return whole_power(a, static_cast<int>((*this)[b].value));
+      break;
+    default:
+      break;
+  }
+  return std::nullopt;
+}
+
+Expression Expressions::make(Operation operation, Expression a, Expression b, Expression c) {
+  const std::array of{a, b, c};
+  bool numbers = numbers_ == Numbers::folded && a != none;
+  std::array<long double, 3> values{};
+  for (std::size_t i = 0; i < of.size() && of[i] != none; ++i) {
+    numbers = numbers && (*this)[of[i]].operation == Operation::number;
+    if (numbers) values[i] = (*this)[of[i]].value;
+  }
+  if (numbers) {
+    const long double value = apply(operation, values[0], values[1], values[2]);
+    if (std::isfinite(value)) return folded(value);
+  }
+  if (a != none) {
+    if (const auto known = simplified(operation, a, b)) return *known;
+  }
+  const Key key{operation, a, b, c};
+  const auto found = known_.find(key);
+  if (found != known_.end()) return found->second;
+  return known_[key] = add({.operation = operation, .of = of});
+}
+
+std::vector<bool> Expressions::parts(const std::vector<Expression>& of) const {
+  const Expression last = of.empty() ? none : std::ranges::max(of);
+  std::vector<bool> used(static_cast<std::size_t>(last + 1), false);
+  for (const auto e : of) used[static_cast<std::size_t>(e)] = true;
+  for (Expression e = last; e >= 0; --e) {
+    if (!used[static_cast<std::size_t>(e)]) continue;
+    for (const auto part : (*this)[e].of)
+      if (part != none) used[static_cast<std::size_t>(part)] = true;
+  }
+  return used;
+}
+
+std::vector<bool> Expressions::parts(Expression of) const { return parts(std::vector{of}); }
+
+bool Expressions::depends_on(Expression of, int variable) const {
+  const auto found = known_.find(Key{Operation::variable, variable, none, none});
+  return found != known_.end() && found->second <= of && parts(of)[static_cast<std::size_t>(found->second)];
+}
+
+std::set<int> Expressions::variables_in(Expression of) const {
+  const auto used = parts(of);
+  std::set<int> found;
+  for (Expression e = 0; e <= of; ++e) {
+    const auto& entry = (*this)[e];
+    if (used[static_cast<std::size_t>(e)] && entry.operation == Operation::variable)
+      found.insert(entry.variable);
+  }
+  return found;
+}
+
+std::optional<long double> Expressions::value(Expression of) const {
+  if ((*this)[of].operation == Operation::number) return (*this)[of].value;
+  const auto used = parts(of);
+  std::vector<long double> values(used.size());
+  for (Expression e = 0; e <= of; ++e) {
+    const auto& entry = (*this)[e];
+    if (!used[static_cast<std::size_t>(e)]) continue;
+    if (entry.operation == Operation::variable) return std::nullopt;
+    const auto at = [&](std::size_t i) {
+      return entry.of[i] == none ? 0.0L : values[static_cast<std::size_t>(entry.of[i])];
+    };
+    values[static_cast<std::size_t>(e)] =
+        entry.operation == Operation::number ? entry.value : apply(entry.operation, at(0), at(1), at(2));
+  }
+  return values.back();
+}
+
+Expression Expressions::without_variables(Expression of, int first) {
+  const auto used = parts(of);
+  std::vector<Expression> made(used.size(), none);
+  for (Expression e = 0; e <= of; ++e) {
+    if (!used[static_cast<std::size_t>(e)]) continue;
+    const Entry entry = (*this)[e];
+    auto& replaced = made[static_cast<std::size_t>(e)];
+    if (entry.operation == Operation::variable) {
+      replaced = entry.variable >= first ? number(0) : e;
+    } else if (entry.of[0] == none) {
+      replaced = e;
+    } else {
+      std::array<Expression, 3> from{none, none, none};
+      for (std::size_t i = 0; i < from.size(); ++i)
+        if (entry.of[i] != none) from[i] = made[static_cast<std::size_t>(entry.of[i])];
+      replaced = make(entry.operation, from[0], from[1], from[2]);
+    }
+  }
+  return made.back();
+}
+
+}  // namespace fde

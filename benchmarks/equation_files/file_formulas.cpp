@@ -1,0 +1,69 @@
+#include "equation_files/file_formulas.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "equation_files/formula.hpp"
+
+namespace fde {
+namespace {
+
+std::optional<std::size_t> unknown_named(const EquationText& text, std::string_view name) {
+  const auto found = std::ranges::find(text.unknowns, name, &UnknownText::name);
+  if (found == text.unknowns.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - text.unknowns.begin());
+}
+
+}  // namespace
+
+Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables& variables) {
+  FormulaNames names;
+  if (variables.time) names.known.emplace_back("t");
+  for (const auto& parameter : text_.parameters) names.known.emplace_back(parameter.name);
+  if (variables.unknown) {
+    for (const auto& unknown : text_.unknowns) names.known.emplace_back(unknown.name);
+    names.derivative = [&](std::string_view unknown, Expression order) {
+      return derivative(unknown, order, variables);
+    };
+  }
+  names.of = [&](std::string_view name) -> std::optional<Expression> {
+    if (name == "t" && variables.time) return all_.variable(0);
+    if (std::ranges::find(text_.parameters, name, &ParameterText::name) != text_.parameters.end())
+      return all_.number(fmt::format("{}", parameters_[name]));
+    const auto unknown = unknown_named(text_, name);
+    if (!unknown || !variables.unknown) return std::nullopt;
+    return variables.unknown(*unknown, 0.0);
+  };
+  try {
+    return read_formula(formula.text, names, all_);
+  } catch (const FormulaFault& fault) {
+    reject_in(text_.file, formula, fault.place, fault.what());
+  } catch (const std::invalid_argument& fault) {
+    reject(formula, fault.what());
+  }
+}
+
+Expression FileFormulas::derivative(std::string_view unknown, Expression order,
+                                    const FormulaVariables& variables) {
+  const auto found = unknown_named(text_, unknown);
+  if (!found) throw std::invalid_argument(fmt::format("{}: must be an unknown, as in D(x, 0.5)", unknown));
+  const auto value = all_.value(order);
+  if (!value || !std::isfinite(static_cast<double>(*value)))
+    throw std::invalid_argument("D: its order must be a formula of the parameters");
+  return variables.unknown(*found, static_cast<double>(*value));
+}
+
+double FileFormulas::constant(const FormulaText& formula, std::string_view name, const Range& allowed) {
+  const auto read_value = all_.value(read(formula, {.time = false}));
+  const auto value = static_cast<double>(read_value.value());
+  if (!allowed.contains(value))
+    reject(formula, fmt::format("{} = {}: must be {}", name, value, allowed.text()));
+  return value;
+}
+
+}  // namespace fde

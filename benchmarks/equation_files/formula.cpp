@@ -1,0 +1,211 @@
+#include "equation_files/formula.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "equation_files/formula_tokens.hpp"
+#include "scenes/entry_named.hpp"
+#include "scenes/number_text.hpp"
+
+namespace fde {
+namespace {
+
+class FormulaReader {
+ public:
+  FormulaReader(std::string_view text, const FormulaNames& names, Expressions& into)
+      : text_(text), names_(names), into_(into) {
+    advance();
+  }
+
+  Expression read() {
+    const auto whole = sum();
+    if (!token_.text.empty()) expected("an operation or the end");
+    return whole;
+  }
+
+ private:
+  // Counts how deep formulas stand within each other, as long as it lives.
+  class Deeper {
+   public:
+    explicit Deeper(FormulaReader& reader) : reader_(reader) {
+      if (++reader_.depth_ > deepest_formula) {
+        fault(fmt::format("brackets, signs and powers stand more than {} deep", deepest_formula),
+              reader_.token_.place);
+      }
+    }
+    ~Deeper() { --reader_.depth_; }
+    Deeper(const Deeper&) = delete;
+    Deeper& operator=(const Deeper&) = delete;
+
+   private:
+    FormulaReader& reader_;
+  };
+
+  [[noreturn]] static void fault(const std::string& what, std::size_t place) {
+    throw FormulaFault(what, place);
+  }
+  [[noreturn]] void expected(std::string_view allowed) const {
+    fault(token_.text.empty() ? fmt::format("the formula ends, there must be {}", allowed)
+                              : fmt::format("'{}': must be {}", token_.text, allowed),
+          token_.place);
+  }
+
+  void advance() { token_ = next_token(text_, token_.place + token_.text.size()); }
+
+  bool take(std::string_view symbol) {
+    if (token_.text != symbol) return false;
+    advance();
+    return true;
+  }
+  void require(std::string_view symbol) {
+    if (!take(symbol)) expected(fmt::format("an operation or '{}'", symbol));
+  }
+
+  Expression made(Operation operation, Expression a, Expression b = Expressions::none,
+                  Expression c = Expressions::none) {
+    return into_.make(operation, a, b, c);
+  }
+
+  Expression sum() {
+    auto value = product();
+    while (true) {
+      if (take("+")) {
+        value = made(Operation::add, value, product());
+      } else if (take("-")) {
+        value = made(Operation::subtract, value, product());
+      } else {
+        return value;
+      }
+    }
+  }
+
+  Expression product() {
+    auto value = signed_power();
+    while (true) {
+      if (take("*")) {
+        value = made(Operation::multiply, value, signed_power());
+      } else if (take("/")) {
+        value = made(Operation::divide, value, signed_power());
+      } else {
+        return value;
+      }
+    }
+  }
+
+  Expression signed_power() {
+    const Deeper deeper(*this);
+    if (take("-")) return made(Operation::negate, signed_power());
+    if (take("+")) return signed_power();
+    const auto base = single();
+    return take("^") ? made(Operation::power, base, signed_power()) : base;
+  }
+
+  Expression single() {
+    const Deeper deeper(*this);
+    if (take("(")) {
+      const auto inner = sum();
+      require(")");
+      return inner;
+    }
+    const bool is_single =
+        !token_.text.empty() && (is_letter(token_.text.front()) || is_digit(token_.text.front()) ||
+                                 (token_.text.front() == '.' && token_.text.size() > 1));
+    if (!is_single) expected("a number, a name or '('");
+    const FormulaToken token = token_;
+    advance();
+    return is_letter(token.text.front()) ? named(token) : decimal(token);
+  }
+
+  Expression decimal(const FormulaToken& token) {
+    const std::string text(token.text);
+    if (!number_in(text))
+      fault(fmt::format("{}: {}must be {}", text, beyond_double(text), any_number.text()), token.place);
+    return into_.number(text);
+  }
+
+  Expression named(const FormulaToken& token) {
+    if (token.text == "D") return derivative(token);
+    const auto function = std::ranges::find(known_functions(), token.text, &KnownFunction::name);
+    if (function != known_functions().end()) return call(*function);
+    if (token.text == "pi") return into_.pi();
+    if (names_.of) {
+      if (const auto known = names_.of(token.text)) return *known;
+    }
+    unknown_name(token);
+  }
+
+  [[noreturn]] void unknown_name(const FormulaToken& token) const {
+    auto known = names_.known;
+    known.emplace_back("pi");
+    auto nearby = known;
+    for (const auto& function : known_functions()) nearby.push_back(function.name);
+    fault(fmt::format("{}: no such name here{}; there are {} and functions", token.text,
+                      nearest(token.text, nearby), fmt::join(known, ", ")),
+          token.place);
+  }
+
+  Expression call(const KnownFunction& function) {
+    if (token_.text != "(") expected(fmt::format("'(', {} being a function", function.name));
+    advance();
+    std::array<Expression, 3> arguments{Expressions::none, Expressions::none, Expressions::none};
+    for (std::size_t i = 0; i < function.arguments; ++i) {
+      arguments[i] = sum();
+      const bool is_last = i + 1 == function.arguments;
+      if (!take(is_last ? ")" : ",")) {
+        expected(fmt::format("'{}', {} taking {} argument{}", is_last ? ")" : ",", function.name,
+                             function.arguments, function.arguments == 1 ? "" : "s"));
+      }
+    }
+    return made(function.operation, arguments[0], arguments[1], arguments[2]);
+  }
+
+  Expression derivative(const FormulaToken& token) {
+    if (!names_.derivative) fault("D: no derivative may stand here", token.place);
+    if (token_.text != "(") expected("'(', as in D(x, 0.5)");
+    advance();
+    const FormulaToken unknown = token_;
+    if (!is_letter(unknown.text.empty() ? ' ' : unknown.text.front())) expected("an unknown");
+    advance();
+    if (!take(",")) expected("',', as in D(x, 0.5)");
+    const auto order = sum();
+    if (!take(")")) expected("')', as in D(x, 0.5)");
+    try {
+      return names_.derivative(unknown.text, order);
+    } catch (const std::invalid_argument& none) {
+      fault(none.what(), token.place);
+    }
+  }
+
+  std::string_view text_;
+  const FormulaNames& names_;
+  Expressions& into_;
+  FormulaToken token_{};
+  int depth_ = 0;
+};
+
+}  // namespace
+
+Expression read_formula(std::string_view text, const FormulaNames& names, Expressions& into) {
+  if (text.size() > longest_formula) {
+    throw FormulaFault(
+        fmt::format("the formula has {} bytes: must be at most {}", text.size(), longest_formula), 0);
+  }
+  return FormulaReader(text, names, into).read();
+}
+
+bool is_name(std::string_view text) {
+  constexpr std::size_t longest = 64;
+  return !text.empty() && text.size() <= longest && is_letter(text.front()) &&
+         std::ranges::all_of(text, is_in_name);
+}
+
+bool is_taken(std::string_view name) {
+  constexpr std::array<std::string_view, 3> others{"t", "D", "pi"};
+  return std::ranges::find(others, name) != others.end() ||
+         std::ranges::find(known_functions(), name, &KnownFunction::name) != known_functions().end();
+}
+
+}  // namespace fde

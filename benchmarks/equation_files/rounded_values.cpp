@@ -1,0 +1,169 @@
+#include "equation_files/rounded_values.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+
+#include "equation_files/apply.hpp"
+#include "mittag_leffler/mittag_leffler.hpp"
+
+namespace fde {
+
+template <>
+struct SpecialFunctions<BigReal> {
+  static BigReal pi() { return fde::pi<BigReal>(); }
+  static BigReal gamma(const BigReal& x) { return fde::gamma(x); }
+  static BigReal mittag_leffler(const BigReal& /*a*/, const BigReal& /*b*/, const BigReal& /*z*/) {
+    return {};
+  }
+};
+
+namespace {
+
+// E_(a,b)(z) and what its own error is in roundings of Real. In microseconds where a and b are doubles, z
+// being rounded to one; other orders, such as 0.7, are decimals, not their nearest doubles.
+Rounded<long double> mittag_leffler_of(long double alpha, long double beta, long double z) {
+  constexpr long double unit = closed_form_units * std::numeric_limits<long double>::epsilon();
+  constexpr long double double_unit = std::numeric_limits<double>::epsilon();
+  const auto is_double = [](long double x) { return static_cast<double>(x) == x; };
+  if (!std::isfinite(z)) return {z, z};
+  const auto text = [](long double x) { return fmt::format("{:.19g}", x); };
+  const bool quick = is_double(alpha) && is_double(beta) && std::isfinite(static_cast<double>(z));
+  const auto [value, bound] = quick
+                                  ? fde::mittag_leffler(static_cast<double>(alpha), static_cast<double>(beta),
+                                                        std::complex<double>(static_cast<double>(z)))
+                                  : mittag_leffler_in_double(text(alpha), text(beta), text(z), "0");
+  long double error = bound;
+  if (quick && !is_double(z)) {
+    const auto before = fde::mittag_leffler(static_cast<double>(alpha), static_cast<double>(beta) - 1.0,
+                                            std::complex<double>(static_cast<double>(z)));
+    error += double_unit * (std::abs(before.value) + std::abs(beta - 1.0L) * std::abs(value)) / alpha;
+  }
+  return {value.real(), std::abs(static_cast<long double>(value.real())) + error / unit};
+}
+Rounded<BigReal> mittag_leffler_of(const BigReal& alpha, const BigReal& beta, const BigReal& z) {
+  const int digits = static_cast<int>(-log10(epsilon<BigReal>())) + 2;
+  const auto known =
+      mittag_leffler(text_of(alpha, digits), text_of(beta, digits), text_of(z, digits), "0", digits);
+  const auto value = parse<BigReal>(known.re);
+  return {value, BigReal(abs(value))};
+}
+
+// The value of an operation and its size (closed_form.hpp): what its arguments hand on, by its derivatives.
+template <class Real>
+Rounded<Real> rounded_apply(Operation operation, const Rounded<Real>& a, const Rounded<Real>& b,
+                            const Rounded<Real>& c) {
+  using std::abs, std::cos, std::log, std::sin, std::sqrt;
+  if (operation == Operation::mittag_leffler) {
+    auto f = mittag_leffler_of(a.value, b.value, c.value);
+    // z E' = (E_(a,b-1) - (b-1) E_(a,b)) / a
+    const auto before = mittag_leffler_of(a.value, Real(b.value - 1), c.value);
+    const Real slope = (before.value - (b.value - 1) * f.value) / a.value;
+    const Real relative = c.value == 0 ? Real(0) : Real(c.size / abs(c.value));
+    f.size += abs(slope) * relative + abs(f.value);
+    return f;
+  }
+  const Real f = apply<Real>(operation, a.value, b.value, c.value);
+  const Real x = a.value;
+  const auto handed = [&](const Real& slope) { return Real(abs(slope) * a.size); };
+  Real size = abs(f);
+  switch (operation) {
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::min:
+    case Operation::max:
+    case Operation::atan2:
+      size += a.size + b.size;
+      break;
+    case Operation::multiply:
+      size += a.size * abs(b.value) + b.size * abs(x);
+      break;
+    case Operation::divide:
+      size += (a.size + abs(f) * b.size) / abs(b.value);
+      break;
+    case Operation::power:
+      if (x != 0) size += abs(f) * (abs(b.value / x) * a.size + abs(Real(log(abs(x)))) * b.size);
+      break;
+    case Operation::sin:
+    case Operation::cos:
+      size += handed(operation == Operation::sin ? Real(cos(x)) : Real(sin(x)));
+      break;
+    case Operation::tan:
+      size += handed(Real(1 + f * f));
+      break;
+    case Operation::asin:
+    case Operation::acos:
+      size += handed(Real(1 / sqrt(Real(1 - x * x))));
+      break;
+    case Operation::sinh:
+    case Operation::cosh:
+      size += handed(Real(1 + abs(f)));
+      break;
+    case Operation::exp:
+      size += handed(f);
+      break;
+    case Operation::log:
+      size += handed(Real(1 / x));
+      break;
+    case Operation::sqrt:
+      if (x != 0) size += handed(Real(f / (2 * x)));
+      break;
+    case Operation::gamma: {  // |digamma| <= |log x| + 1/x + 1 for x > 0
+      size += handed(Real(f * (abs(Real(log(abs(x)))) + abs(Real(1 / x)) + 1)));
+      break;
+    }
+    case Operation::sign:
+    case Operation::step:
+    case Operation::pi:
+      break;
+    default:  // of slope 1 at most
+      size += a.size;
+      break;
+  }
+  return {f, size};
+}
+
+// The expressions of t at a time.
+template <class Real>
+std::vector<Rounded<Real>> values_at(const Expressions& all, const std::vector<Expression>& of,
+                                     const Real& time) {
+  using std::abs;
+  const auto used = all.parts(of);
+  std::vector<Rounded<Real>> values(used.size());
+  for (std::size_t e = 0; e < values.size(); ++e) {
+    if (!used[e]) continue;
+    const auto& entry = all[static_cast<Expression>(e)];
+    const auto at = [&](std::size_t i) {
+      return entry.of[i] == Expressions::none ? Rounded<Real>{Real(0), Real(0)}
+                                              : values[static_cast<std::size_t>(entry.of[i])];
+    };
+    if (entry.operation == Operation::variable) {
+      values[e] = {time, time};
+    } else if (entry.operation == Operation::number) {
+      const auto number = parse<Real>(entry.text);
+      values[e] = {number, Real(abs(number))};
+    } else {
+      values[e] = rounded_apply<Real>(entry.operation, at(0), at(1), at(2));
+    }
+  }
+  std::vector<Rounded<Real>> results;
+  for (const auto result : of) results.push_back(values[static_cast<std::size_t>(result)]);
+  return results;
+}
+
+}  // namespace
+
+std::vector<Rounded<long double>> rounded_values(const Expressions& all, const std::vector<Expression>& of,
+                                                 const long double& time) {
+  return values_at<long double>(all, of, time);
+}
+
+std::vector<Rounded<BigReal>> rounded_values(const Expressions& all, const std::vector<Expression>& of,
+                                             const BigReal& time) {
+  return values_at<BigReal>(all, of, time);
+}
+
+}  // namespace fde

@@ -1,0 +1,198 @@
+#include "equation_files/start_powers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <set>
+
+#include "equation_files/apply.hpp"
+
+namespace fde {
+namespace {
+
+using Unknown = EquationSystem::Unknown;
+
+constexpr double range = 2.0;        // beyond the order, of powers that count
+constexpr double most_powers = 1e5;  // that are looked at
+
+// All expressions up to the last one at t = 0 and the initial values.
+std::vector<double> values_at_start(const EquationSystem& system, const Expressions& all, Expression last) {
+  std::vector<double> values(static_cast<std::size_t>(last) + 1);
+  for (Expression e = 0; e <= last; ++e) {
+    const auto& entry = all[e];
+    const auto at = [&](std::size_t i) {
+      return entry.of[i] == Expressions::none ? 0.0 : values[static_cast<std::size_t>(entry.of[i])];
+    };
+    auto& value = values[static_cast<std::size_t>(e)];
+    if (entry.operation == Operation::number) {
+      value = static_cast<double>(entry.value);
+    } else if (entry.operation != Operation::variable) {
+      value = apply<double>(entry.operation, at(0), at(1), at(2));
+    } else if (entry.variable > 0) {
+      const auto row = static_cast<std::size_t>(entry.variable) - 1;
+      if (row < system.components.size()) value = system.components[row].initial.front();
+    }
+  }
+  return values;
+}
+
+// The p of t^p, where p is not whole.
+std::optional<double> power_of_time(const Expressions& all, const Expressions::Entry& entry) {
+  const bool of_time = entry.of[0] != Expressions::none &&
+                       all[entry.of[0]].operation == Operation::variable && all[entry.of[0]].variable == 0;
+  if (!of_time) return std::nullopt;
+  if (entry.operation == Operation::sqrt) return 0.5;
+  if (entry.operation != Operation::power || all[entry.of[1]].operation != Operation::number)
+    return std::nullopt;
+  const auto power = static_cast<double>(all[entry.of[1]].value);
+  return power > 0.0 ? std::optional(power) : std::nullopt;
+}
+
+// Whether an operation is smooth at arguments a, b.
+bool is_smooth(Operation operation, double a, double b) {
+  switch (operation) {
+    case Operation::divide:
+      return b != 0.0;
+    case Operation::power:
+    case Operation::log:
+    case Operation::sqrt:
+    case Operation::abs:
+    case Operation::sign:
+    case Operation::step:
+      return a != 0.0;
+    case Operation::asin:
+    case Operation::acos:
+      return std::abs(a) != 1.0;
+    case Operation::atan2:
+      return a != 0.0 || b != 0.0;
+    case Operation::min:
+    case Operation::max:
+      return a != b;
+    default:
+      return true;
+  }
+}
+
+// The powers of t in a right-hand side beside whole ones; nothing: it is not smooth otherwise.
+std::optional<std::set<double>> powers_in(const Expressions& all, Expression rhs,
+                                          const std::vector<double>& values) {
+  std::set<double> powers;
+  const auto used = all.parts(rhs);
+  for (Expression e = 0; e <= rhs; ++e) {
+    const auto& entry = all[e];
+    if (!used[static_cast<std::size_t>(e)] || entry.of[0] == Expressions::none) continue;
+    if (const auto power = power_of_time(all, entry)) {
+      powers.insert(*power);
+      continue;
+    }
+    const auto at = [&](std::size_t i) {
+      return entry.of[i] == Expressions::none ? 0.0 : values[static_cast<std::size_t>(entry.of[i])];
+    };
+    if (!is_smooth(entry.operation, at(0), at(1)) && !all.variables_in(e).empty()) return std::nullopt;
+  }
+  return powers;
+}
+
+// Of each unknown the variables in its equation, its own terms among them.
+std::vector<std::set<int>> variables_of(const EquationSystem& system, const Expressions& all) {
+  std::vector<std::set<int>> variables;
+  for (const auto& unknown : system.unknowns) {
+    const auto last = static_cast<std::size_t>(unknown.first + unknown.size()) - 1;
+    variables.push_back(all.variables_in(system.rows[last]));
+  }
+  return variables;
+}
+
+// The unknowns whose rows an equation depends on, and those that these depend on.
+std::vector<std::set<std::size_t>> dependences(const std::vector<Unknown>& unknowns,
+                                               const std::vector<std::set<int>>& variables) {
+  std::vector<std::set<std::size_t>> on(unknowns.size());
+  for (std::size_t u = 0; u < unknowns.size(); ++u) {
+    on[u].insert(u);
+    for (std::size_t v = 0; v < unknowns.size(); ++v) {
+      const auto next = variables[u].upper_bound(static_cast<int>(unknowns[v].first));
+      if (next != variables[u].end() && *next <= unknowns[v].first + unknowns[v].size()) on[u].insert(v);
+    }
+  }
+  for (std::size_t through = 0; through < on.size(); ++through) {
+    for (auto& set : on)
+      if (set.contains(through)) set.insert(on[through].begin(), on[through].end());
+  }
+  return on;
+}
+
+// By what the powers of those that depend on an unknown grow: with its powers p, those of D^a of it.
+std::set<double> increments_of(const Unknown& unknown, const std::set<double>& derivatives) {
+  std::set<double> increments;
+  const auto& chain = *unknown.chain;
+  for (const double a : derivatives) {
+    increments.insert(chain.leading().order - a);
+    for (std::size_t k = 1; k < chain.initial().size(); ++k) {
+      const auto power = static_cast<double>(k);
+      if (chain.initial()[k] != 0.0 && power > a && power >= std::ceil(a)) increments.insert(power - a);
+    }
+  }
+  return increments;
+}
+
+// The increments that each unknown brings; nothing where a right-hand side is not smooth at the start.
+std::optional<std::vector<std::set<double>>> all_increments(const EquationSystem& system,
+                                                            const Expressions& all,
+                                                            const std::vector<std::set<int>>& variables) {
+  const auto& unknowns = system.unknowns;
+  const auto values = values_at_start(system, all, std::ranges::max(system.rows));
+  std::set<int> used;
+  for (const auto& some : variables) used.insert(some.begin(), some.end());
+  std::vector<std::set<double>> increments;
+  for (std::size_t u = 0; u < unknowns.size(); ++u) {
+    const auto powers = powers_in(all, *unknowns[u].rhs, values);
+    if (!powers) return std::nullopt;
+    std::set<double> derivatives{0.0};
+    for (Eigen::Index i = 0; i < unknowns[u].size(); ++i) {
+      if (used.contains(static_cast<int>(unknowns[u].first + i) + 1))
+        derivatives.insert(unknowns[u].chain->nodes()[static_cast<std::size_t>(i)]);
+    }
+    increments.push_back(increments_of(unknowns[u], derivatives));
+    increments.back().insert(powers->begin(), powers->end());
+    if (variables[u].contains(0)) increments.back().insert(1.0);
+  }
+  return increments;
+}
+
+// Of the rows of a chain, of whose unknown these are the powers.
+void add_powers(const Chain& chain, std::vector<double> powers, Smoothness& smoothness) {
+  for (std::size_t k = 1; k < chain.initial().size(); ++k)
+    if (chain.initial()[k] != 0.0) powers.push_back(static_cast<double>(k));
+  std::ranges::sort(powers);
+  for (const double node : chain.nodes()) {
+    auto& of_node = smoothness.powers.emplace_back();
+    for (const double p : powers)
+      if (p > node && !same_order(p, node)) of_node.push_back(p - node);
+  }
+}
+
+}  // namespace
+
+Smoothness start_powers(const EquationSystem& system, const Expressions& all) {
+  const auto& unknowns = system.unknowns;
+  if (std::ranges::any_of(unknowns, [](const Unknown& one) { return !one.chain; })) return {};
+  const auto variables = variables_of(system, all);
+  const auto increments = all_increments(system, all, variables);
+  if (!increments) return {};
+  const auto on = dependences(unknowns, variables);
+  Smoothness smoothness;
+  for (std::size_t u = 0; u < unknowns.size(); ++u) {
+    std::set<double> steps;
+    for (const auto v : on[u]) steps.insert((*increments)[v].begin(), (*increments)[v].end());
+    const double order = unknowns[u].chain->leading().order;
+    if (static_cast<double>(steps.size()) * range / *steps.begin() > most_powers) return {};
+    add_powers(*unknowns[u].chain, power_lattice({order}, {steps.begin(), steps.end()}, order + range),
+               smoothness);
+    if (!system.jumps.empty() && variables[u].contains(0))
+      smoothness.jumps.push_back(unknowns[u].first + unknowns[u].size() - 1);
+  }
+  return smoothness;
+}
+
+}  // namespace fde

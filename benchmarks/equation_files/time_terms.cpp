@@ -1,0 +1,154 @@
+#include "equation_files/time_terms.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+
+namespace fde {
+namespace {
+
+using Terms = std::optional<std::vector<TimeTerm>>;
+
+constexpr std::size_t most_terms = 100;
+
+// Of what an expression is made of the terms, of itself: by the rules of sums, products and powers.
+class TimeTerms {
+ public:
+  explicit TimeTerms(Expressions& all) : all_(all) {}
+
+  Terms of(Operation operation, const Terms& a, const Terms& b) {
+    switch (operation) {
+      case Operation::add:
+        return sum(a, b);
+      case Operation::subtract:
+        return sum(a, product(one(all_.number(-1), all_.number(0)), b));
+      case Operation::negate:
+        return product(one(all_.number(-1), all_.number(0)), a);
+      case Operation::multiply:
+        return product(a, b);
+      case Operation::divide:
+        return product(a, power(b, all_.number(-1)));
+      case Operation::power:
+        if (!b || b->size() != 1 || !is_constant(b->front())) return std::nullopt;
+        return power(a, b->front().coefficient);
+      case Operation::sqrt:
+        return power(a, all_.number("0.5"));
+      case Operation::step:
+        return step(a);
+      default:
+        return std::nullopt;
+    }
+  }
+
+  [[nodiscard]] Terms constant(Expression value) { return one(value, all_.number(0)); }
+  [[nodiscard]] Terms time() { return one(all_.number(1), all_.number(1)); }
+
+ private:
+  static Terms one(Expression coefficient, Expression power) {
+    return std::vector<TimeTerm>{{coefficient, power}};
+  }
+  Expression made(Operation operation, Expression a, Expression b) { return all_.make(operation, a, b); }
+  [[nodiscard]] bool is_constant(const TimeTerm& term) const {
+    return !term.from && all_.value(term.power) == 0.0L;
+  }
+
+  static Terms sum(Terms a, const Terms& b) {
+    if (!a || !b || a->size() + b->size() > most_terms) return std::nullopt;
+    a->insert(a->end(), b->begin(), b->end());
+    return a;
+  }
+
+  Terms product(const Terms& a, const Terms& b) {
+    if (!a || !b || a->size() * b->size() > most_terms) return std::nullopt;
+    std::vector<TimeTerm> terms;
+    for (const auto& x : *a) {
+      for (const auto& y : *b) {
+        if ((x.from && !is_constant(y)) || (y.from && !is_constant(x))) return std::nullopt;
+        terms.push_back({made(Operation::multiply, x.coefficient, y.coefficient),
+                         made(Operation::add, x.power, y.power), x.from ? x.from : y.from});
+      }
+    }
+    return terms;
+  }
+
+  Terms power(const Terms& a, Expression exponent) {
+    if (!a || a->size() != 1 || a->front().from) return std::nullopt;
+    const auto& [coefficient, power, from] = a->front();
+    return one(made(Operation::power, coefficient, exponent), made(Operation::multiply, power, exponent));
+  }
+
+  // step(a0 + a1 t): 1 behind the zero of its argument, or before it.
+  Terms step(const Terms& a) {
+    if (!a) return std::nullopt;
+    auto constant_part = all_.number(0), slope = all_.number(0);
+    for (const auto& term : *a) {
+      const auto power = all_.value(term.power);
+      if (term.from || (power != 0.0L && power != 1.0L)) return std::nullopt;
+      auto& of = power == 0.0L ? constant_part : slope;
+      of = made(Operation::add, of, term.coefficient);
+    }
+    const auto rise = all_.value(slope);
+    if (!rise || *rise == 0.0L) return std::nullopt;
+    const auto from = all_.make(Operation::negate, made(Operation::divide, constant_part, slope));
+    const bool rises = *rise > 0.0L;
+    if (all_.value(from) <= 0.0L) return constant(all_.number(rises ? 1 : 0));
+    const TimeTerm behind{all_.number(rises ? 1 : -1), all_.number(0), from};
+    return rises ? std::vector{behind} : std::vector{TimeTerm{all_.number(1), all_.number(0)}, behind};
+  }
+
+  Expressions& all_;
+};
+
+}  // namespace
+
+Terms time_terms(Expression of, Expressions& all) {
+  const auto used = all.parts(of);
+  std::vector<Terms> terms(used.size());
+  std::vector<bool> varies(used.size(), false);
+  TimeTerms rules(all);
+  for (Expression e = 0; e <= of; ++e) {
+    const auto place = static_cast<std::size_t>(e);
+    if (!used[place]) continue;
+    const auto [operation, of_these, variable] = std::tuple(all[e].operation, all[e].of, all[e].variable);
+    const bool is_variable = operation == Operation::variable;
+    std::array<Terms, 2> arguments;
+    varies[place] = is_variable;
+    for (std::size_t i = 0; i < of_these.size(); ++i) {
+      if (of_these[i] == Expressions::none) continue;
+      const auto part = static_cast<std::size_t>(of_these[i]);
+      if (varies[part]) varies[place] = true;
+      if (i < arguments.size()) arguments[i] = terms[part];
+    }
+    if (is_variable) {
+      if (variable == 0) terms[place] = rules.time();
+    } else {
+      terms[place] = varies[place] ? rules.of(operation, arguments[0], arguments[1]) : rules.constant(e);
+    }
+  }
+  return terms.back();
+}
+
+std::optional<Expression> caputo_derivative(const std::vector<TimeTerm>& terms, double order,
+                                            Expressions& all) {
+  const auto shift = all.number(fmt::format("{}", order)), one = all.number(1), t = all.variable(0);
+  auto sum = all.number(0);
+  for (const auto& [coefficient, power, from] : terms) {
+    const auto p = all.value(power);
+    if (from || !p || *p < 0.0L) return std::nullopt;
+    const bool is_whole = *p == std::floor(*p);
+    if (is_whole && static_cast<double>(*p) < std::ceil(order)) continue;
+    if (static_cast<double>(*p) <= std::ceil(order) - 1.0) return std::nullopt;
+    const auto next = all.make(Operation::add, power, one);
+    const auto ratio = all.make(Operation::divide, all.make(Operation::gamma, next),
+                                all.make(Operation::gamma, all.make(Operation::subtract, next, shift)));
+    const auto of_time = all.make(Operation::power, t, all.make(Operation::subtract, power, shift));
+    sum = all.make(Operation::add, sum,
+                   all.make(Operation::multiply, all.make(Operation::multiply, coefficient, ratio), of_time));
+  }
+  return sum;
+}
+
+}  // namespace fde

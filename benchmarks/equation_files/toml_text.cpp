@@ -1,0 +1,122 @@
+#include "equation_files/toml_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "scenes/entry_named.hpp"
+
+namespace fde {
+namespace {
+
+std::string_view kind_of(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
+  }
+}
+
+}  // namespace
+
+TextPlace place_of(const toml::source_region& region) {
+  return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+}
+
+TextPlace place_of(const toml::node& node) { return place_of(node.source()); }
+
+TomlText::TomlText(const std::string& file, std::string_view text) : file_(file), text_(text) {
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n') lines_.push_back(i + 1);
+}
+
+void TomlText::reject(const TextPlace& place, std::string_view what) const { reject_at(file_, place, what); }
+
+void TomlText::reject_kind(const toml::node& node, std::string_view name, std::string_view allowed) const {
+  reject(place_of(node), fmt::format("{}: is {}, must be {}", name, kind_of(node), allowed));
+}
+
+const toml::table& TomlText::table(const toml::node& node, std::string_view name) const {
+  if (const auto* found = node.as_table()) return *found;
+  reject_kind(node, name, "a table");
+}
+
+const toml::array& TomlText::array(const toml::node& node, std::string_view name,
+                                   std::string_view allowed) const {
+  if (const auto* found = node.as_array()) return *found;
+  reject_kind(node, name, allowed);
+}
+
+std::vector<TomlEntry> TomlText::entries(const toml::node& node, std::string_view name) const {
+  std::vector<TomlEntry> found;
+  for (const auto& [key, value] : table(node, name))
+    found.push_back({std::string(key.str()), place_of(key.source()), &value});
+  std::ranges::stable_sort(
+      found, {}, [](const TomlEntry& entry) { return std::pair(entry.place.line, entry.place.column); });
+  return found;
+}
+
+void TomlText::require_keys(const toml::table& of, std::string_view name,
+                            const std::vector<std::string_view>& allowed) const {
+  for (const auto& entry : entries(of, name)) {
+    if (std::ranges::find(allowed, entry.name) != allowed.end()) continue;
+    reject(entry.place, fmt::format("{}: no such key of {}{}; there are {}", entry.name, name,
+                                    nearest(entry.name, allowed), fmt::join(allowed, ", ")));
+  }
+}
+
+const toml::node& TomlText::required(const toml::table& of, const TextPlace& place, std::string_view name,
+                                     std::string_view key) const {
+  if (const auto* found = of.get(key)) return *found;
+  reject(place, fmt::format("{}: has no {}, which it must have", name, key));
+}
+
+FormulaText TomlText::formula(const toml::node& node, std::string_view name) const {
+  FormulaText made{.place = place_of(node)};
+  if (const auto* text = node.as_string()) {
+    made.text = text->get();
+    made.bytes_count = stands_as_it_is(made.text, made.place);
+    if (made.bytes_count) ++made.place.column;
+  } else if (const auto* whole = node.as_integer()) {
+    made.text = std::to_string(whole->get());
+  } else if (const auto* number = node.as_floating_point()) {
+    if (!std::isfinite(number->get()))
+      reject(made.place, fmt::format("{} = {}: must be a finite number", name, number->get()));
+    made.text = fmt::format("{}", number->get());
+  } else {
+    reject_kind(node, name, "a number or a formula");
+  }
+  return made;
+}
+
+std::string_view TomlText::line(int number) const {
+  const auto begin = lines_[static_cast<std::size_t>(number) - 1];
+  return text_.substr(begin, text_.find('\n', begin) - begin);
+}
+
+// Of a string on one line without escapes, its quote being there and no letter before it that takes several
+// bytes.
+bool TomlText::stands_as_it_is(const std::string& text, const TextPlace& place) const {
+  const auto of_line = line(place.line);
+  const auto begin = static_cast<std::size_t>(place.column);
+  if (of_line.size() <= begin || (of_line[begin - 1] != '"' && of_line[begin - 1] != '\'')) return false;
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80U; };
+  return of_line.substr(begin, text.size()) == text &&
+         std::ranges::all_of(of_line.substr(0, begin), is_ascii);
+}
+
+}  // namespace fde

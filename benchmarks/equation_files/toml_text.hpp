@@ -1,0 +1,58 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "equation_files/equation_text.hpp"
+
+namespace fde {
+
+// An entry of a table, and where its key stands.
+struct TomlEntry {
+  std::string name;
+  TextPlace place;
+  const toml::node* node;
+};
+
+TextPlace place_of(const toml::source_region& region);
+TextPlace place_of(const toml::node& node);
+
+// What TOML a file has, said with the places in its text. What is not of the kind asked for throws
+// std::invalid_argument naming file, line and column, what is there and what is allowed. File and text must
+// live as long.
+class TomlText {
+ public:
+  TomlText(const std::string& file, std::string_view text);
+
+ protected:
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[noreturn]] void reject(const TextPlace& place, std::string_view what) const;
+  [[noreturn]] void reject_kind(const toml::node& node, std::string_view name,
+                                std::string_view allowed) const;
+
+  [[nodiscard]] const toml::table& table(const toml::node& node, std::string_view name) const;
+  [[nodiscard]] const toml::array& array(const toml::node& node, std::string_view name,
+                                         std::string_view allowed) const;
+  // The entries of a table in the order of the file.
+  [[nodiscard]] std::vector<TomlEntry> entries(const toml::node& node, std::string_view name) const;
+  void require_keys(const toml::table& of, std::string_view name,
+                    const std::vector<std::string_view>& allowed) const;
+  // The value of a key; place: of the table.
+  [[nodiscard]] const toml::node& required(const toml::table& of, const TextPlace& place,
+                                           std::string_view name, std::string_view key) const;
+  // A number or a string.
+  [[nodiscard]] FormulaText formula(const toml::node& node, std::string_view name) const;
+
+ private:
+  [[nodiscard]] std::string_view line(int number) const;
+  [[nodiscard]] bool stands_as_it_is(const std::string& text, const TextPlace& place) const;
+
+  const std::string& file_;
+  std::string_view text_;
+  std::vector<std::size_t> lines_{0};  // where they begin
+};
+
+}  // namespace fde

@@ -1,0 +1,185 @@
+// Files that are no equations: one line with file, line and column.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "equation_files/equation_files_testing.hpp"
+#include "support/answer_of.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct Wrong {
+  std::string text, place, what;
+};
+
+class WrongEquationFile : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongEquationFile, IsRefusedInOneLine) {
+  const auto& [text, place, what] = GetParam();
+  const TemporaryFolder folder;
+  folder.write("f.toml", text);
+  const std::string file = folder.path() / "f.toml";
+  const auto answer = fdebench({"solve", file, "--scheme", "l1", "--steps", "4"});
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(answer.out, "");
+  EXPECT_THAT(answer.err, StartsWith("fdebench: " + file + ": " + place + ": "));
+  EXPECT_THAT(answer.err, HasSubstr(what));
+  EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1);
+}
+
+const std::string x = "[unknown.x]\norder = 0.5\nrhs = \"-x\"\ninitial = [1]\n";
+
+std::string with(const std::string& lines) { return "end = 1\n" + lines; }
+// An unknown x of one line each: order, rhs, initial.
+std::string unknown(const std::string& order, const std::string& rhs, const std::string& initial) {
+  return with("[unknown.x]\n" + order + "\nrhs = " + rhs + "\ninitial = " + initial + "\n");
+}
+
+// [a.a. ... .a], each a table in the one before.
+std::string deep_table() {
+  std::string text = "[";
+  for (int i = 0; i < 500'000; ++i) text += "a.";
+  return text + "a]\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Toml, WrongEquationFile,
+    testing::Values(Wrong{"end = = 1", "line 1, column 7", "no TOML: "},
+                    Wrong{"end = 1\nend = 2\n" + x, "line 2, column 7", "no TOML: "},
+                    Wrong{std::string("end = 1\n\0", 9) + x, "line 2, column 1", "no TOML: "},
+                    Wrong{"end = 1\nx = " + std::string(1'000'000, '['), "line 2, column 261", "no TOML: "},
+                    Wrong{deep_table(), "line 1, column 33", "a key of more than 16 parts"},
+                    Wrong{"end = 1e400\n" + x, "line 1, column 12", "'1e400'"},
+                    Wrong{"\xff\xfe", "line 1, column 1", "no TOML: "}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, WrongEquationFile,
+    testing::Values(
+        Wrong{"", "line 1, column 1", "the file: has no end"},
+        Wrong{"end = 1", "line 1, column 1", "the file: has no unknown"},
+        Wrong{with("  unknwon = 1\n" + x), "line 2, column 3",
+              "unknwon: no such key of the file, did you mean 'unknown'?; there are title, end"},
+        Wrong{with(x + "rsh = 1\n"), "line 6, column 1",
+              "rsh: no such key of unknown x, did you mean 'rhs'?; there are terms, order, rhs, initial"},
+        Wrong{with("__proto__ = 1\n" + x), "line 2, column 1", "__proto__: no such key"},
+        Wrong{with("[unknown]\n"), "line 2, column 1", "there are 0 unknowns: must be 1 to 100"},
+        Wrong{with("unknown = 3"), "line 2, column 11", "unknown: is a number, must be a table"},
+        Wrong{with("[unknown]\nx = 3"), "line 3, column 5", "unknown x: is a number, must be a table"},
+        Wrong{with("[unknown.x]\norder = 1\ninitial = [1]"), "line 2, column 10", "unknown x: has no rhs"},
+        Wrong{with("[unknown.x]\nrhs = 1\ninitial = [1]"), "line 2, column 10",
+              "unknown x: must have either order or terms"},
+        Wrong{unknown("order = 1", "true", "[1]"), "line 4, column 7",
+              "rhs: is true or false, must be a number or a formula"},
+        Wrong{unknown("order = 1", "1", "1"), "line 5, column 11",
+              "initial: is a number, must be a list of numbers or formulas"},
+        Wrong{unknown("terms = [[1, 0.5, 2]]", "1", "[1]"), "line 3, column 10",
+              "a term has 3 entries: must be [coefficient, order]"},
+        Wrong{unknown("terms = []", "1", "[1]"), "line 3, column 9", "terms: has 0 terms"},
+        Wrong{with("[parameters]\na = \"1\"\n" + x), "line 3, column 5", "a: is a text, must be a number"},
+        Wrong{with("[parameters]\na = nan\n" + x), "line 3, column 5", "a = nan: must be a finite number"},
+        Wrong{with("[constraint]\nf = []\n" + x), "line 3, column 5", "f: has 0 formulas"},
+        Wrong{with("[energy]\npower = 1\n" + x), "line 2, column 1", "energy: has no value"},
+        Wrong{with("[[jump]]\n" + x), "line 2, column 1", "jump: has no at"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Names, WrongEquationFile,
+    testing::Values(Wrong{with("[unknown.t]\n"), "line 2, column 10", "unknown t: must be another name"},
+                    Wrong{with("[unknown.D]\n"), "line 2, column 10", "unknown D: must be another name"},
+                    Wrong{with("[unknown.sin]\n"), "line 2, column 10", "unknown sin: must be another name"},
+                    Wrong{with("[unknown.energy]\n"), "line 2, column 10", "a column has this one"},
+                    Wrong{with("[unknown.__proto__]\n"), "line 2, column 10",
+                          "unknown __proto__: must be letters, digits and _, at most 64, a letter first"},
+                    Wrong{with("[unknown.\"x,y\"]\n"), "line 2, column 10", "must be letters, digits and _"},
+                    Wrong{with("[parameters]\nx = 1\n" + x), "line 4, column 10",
+                          "unknown x: must be another name, a parameter has this one"},
+                    Wrong{with("[parameters]\nuntil = 1\n" + x), "line 3, column 1", "parameter until"},
+                    Wrong{with("[parameters]\npi = 3\n" + x), "line 3, column 1", "parameter pi"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, WrongEquationFile,
+    testing::Values(
+        Wrong{"end = 0\n" + x, "line 1, column 7", "end = 0: must be a number in (0, 1e+290]"},
+        Wrong{"end = \"2*q\"\n" + x, "line 1, column 10", "q: no such name here"},
+        Wrong{"end = \"t\"\n" + x, "line 1, column 8", "t: no such name here"},
+        Wrong{"end = inf\n" + x, "line 1, column 7", "end = inf: must be a finite number"},
+        Wrong{unknown("order = 2.5", "1", "[1, 0, 0]"), "line 3, column 9",
+              "order = 2.5: must be a number in [0, 2]"},
+        Wrong{unknown("order = -0.5", "1", "[1]"), "line 3, column 9", "order = -0.5: must be"},
+        Wrong{unknown("order = nan", "1", "[1]"), "line 3, column 9", "order = nan: must be"},
+        Wrong{unknown("order = \"1/0\"", "1", "[1]"), "line 3, column 10", "order = inf: must be"},
+        Wrong{unknown("order = 1.5", "1", "[1]"), "line 2, column 10",
+              "unknown x: has 1 initial value: must have 2, as its order is 1.5"},
+        Wrong{unknown("order = 0.5", "1", "[1, 2]"), "line 2, column 10",
+              "has 2 initial values: must have 1"},
+        Wrong{unknown("order = 0.5", "1", "[\"x\"]"), "line 5, column 13", "x: no such name here"},
+        Wrong{unknown("terms = [[0, 1.5], [1, 0.5]]", "1", "[1, 0]"), "line 3, column 11",
+              "the coefficient of the highest order is 0"},
+        Wrong{unknown("terms = [[1, 0]]", "1", "[1]"), "line 3, column 14", "the highest order is 0"},
+        Wrong{with("[[jump]]\nat = -1\n" + x), "line 3, column 6",
+              "at = -1: must be a finite number above 0"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Formulas, WrongEquationFile,
+    testing::Values(
+        Wrong{unknown("order = 0.5", "\"-x +\"", "[1]"), "line 4, column 12", "the formula ends"},
+        Wrong{unknown("order = 0.5", "'-x + yy'", "[1]"), "line 4, column 13", "yy: no such name here"},
+        Wrong{unknown("order = 0.5", "\"\\u002dx + yy\"", "[1]"), "line 4, column 7",
+              "byte 6 of the text: yy: no such name here"},
+        Wrong{unknown("order = 0.5", "\"D(x, 0.3)\"", "[1]"), "line 4, column 8",
+              "D(x, 0.3): must be of an order of its chain, 0"},
+        Wrong{unknown("order = 0.5", "\"D(y, 0.3)\"", "[1]"), "line 4, column 8", "y: must be an unknown"},
+        Wrong{unknown("order = 0.5", "\"D(x, t)\"", "[1]"), "line 4, column 8",
+              "D: its order must be a formula of the parameters"},
+        Wrong{unknown("order = 0.5", "\"gamma(x)\"", "[1]"), "line 4, column 8",
+              "gamma: its argument must be without unknowns"},
+        Wrong{with(x + "[exact]\nz = \"t\"\n"), "line 7, column 1", "exact z: no such column; there are x"},
+        Wrong{with(x + "[exact]\nx = \"x\"\n"), "line 7, column 6",
+              "x: no such name here, did you mean 't'?; there are t, pi and functions"},
+        Wrong{with(x + "[energy]\nvalue = \"t*x\"\n"), "line 7, column 10", "t: no such name here"},
+        Wrong{with(x + "[constraint]\nf = [\"x - \"]\n"), "line 7, column 11", "the formula ends"}));
+
+TEST(WrongEquationFile, IsNotPrintedAsAWhole) {
+  expect_message([] { scene_of_text(relaxation_file(std::string(19'000, 'q'))); }, " ...");
+  expect_message([] { scene_of_text("end = 1\n" + std::string(500'000, 'q') + " = 1\n"); }, " ...");
+}
+
+TEST(MissingEquationFile, IsNamed) {
+  const TemporaryFolder folder;
+  const std::string place = folder.path();
+  for (const std::string command : {"solve", "exact"}) {
+    const auto answer = fdebench({command, place + "/no.toml", command == "solve" ? "--scheme" : "--at",
+                                  command == "solve" ? "l1" : "1"});
+    EXPECT_EQ(answer.code, 2);
+  }
+  EXPECT_EQ(fdebench({"exact", place + "/no.toml", "--at", "1"}).err,
+            "fdebench: " + place + "/no.toml: cannot be read: there is no such file\n");
+  std::filesystem::create_directory(folder.path() / "folder.toml");
+  EXPECT_THAT(fdebench({"scenes", place + "/folder.toml"}).err, EndsWith("cannot be read: it is no file\n"));
+  folder.write("large.toml", std::string((1 << 20) + 1, ' '));
+  EXPECT_THAT(fdebench({"scenes", place + "/large.toml"}).err, HasSubstr("must be at most 1048576"));
+}
+
+// 1/t at t = 0, and a root of a negative number on the way.
+TEST(EquationThatBreaksDown, IsANumericalFailure) {
+  const TemporaryFolder folder;
+  folder.write("pole.toml", relaxation_file("-x/t"));
+  folder.write("root.toml", relaxation_file("-sqrt(0.5 - t)", "1"));
+  for (const std::string file : {"pole.toml", "root.toml"}) {
+    const auto answer = fdebench({"solve", folder.path() / file, "--scheme", "adams_pc", "--steps", "16"});
+    EXPECT_EQ(answer.code, 3) << file;
+    EXPECT_THAT(answer.err, StartsWith("fdebench: adams_pc: ")) << file;
+    EXPECT_THAT(answer.err, HasSubstr("step")) << file;
+  }
+}
+
+}  // namespace
+}  // namespace fde

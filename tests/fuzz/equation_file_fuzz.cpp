@@ -1,0 +1,62 @@
+// Equation files of any text: a scene with its problem, a few steps of it and what is exactly known, or one
+// line that says why not.
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "equation_files/equation_scene.hpp"
+#include "fuzz/fuzzing.hpp"
+#include "problem/jacobian.hpp"
+#include "scenes/variant.hpp"
+#include "stepping/scheme.hpp"
+
+namespace {
+
+using namespace fde;
+
+void require_shapes(const Scene& scene) {
+  const auto size = scene.problem.size();
+  fuzz::require(scene.outputs.of || std::ssize(scene.outputs.names) == size, "a column for each component");
+  fuzz::require(scene.smoothness.powers.empty() || std::ssize(scene.smoothness.powers) == size,
+                "start powers of all rows, or of none");
+}
+
+void evaluate(const Scene& scene) {
+  const Problem& problem = scene.problem;
+  Vec y(problem.size()), f(problem.size());
+  for (Eigen::Index i = 0; i < y.size(); ++i)
+    y[i] = problem.components[static_cast<std::size_t>(i)].initial[0];
+  problem.rhs(0.5 * problem.end, y, f);
+  const Matrix jacobian = jacobian_at(problem, 0.5 * problem.end, y);
+  fuzz::require(jacobian.rows() == y.size(), "a row of derivatives for each component");
+  const Vec columns = columns_at(scene.outputs, 0.0, y);
+  [[maybe_unused]] const Vec values = printed_values(scene, 0.0, columns);
+}
+
+void solve(const Scene& scene, std::string_view scheme) {
+  constexpr int steps = 5;
+  const Grid grid{scene.problem.end, steps};
+  const auto* found = find_scheme(scheme);
+  if (refusal(*found, scene.problem, grid)) return;
+  const auto path = found->solve(scene.problem, grid, {.budget = 0.5});
+  fuzz::require(path.ending != Ending::finished || path.y.allFinite(), "what finished is finite", scene.name);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  fuzz::answers([&] {
+    const Scene scene = make_scene(equation_scene(parse_equation_text("fuzz.toml", text)));
+    require_shapes(scene);
+    evaluate(scene);
+    solve(scene, "adams_pc");
+    solve(scene, "product_trapezoidal");
+    if (scene.reference.at && size % 4 == 0) [[maybe_unused]]
+      const auto known = scene.reference.at(0.5 * scene.problem.end);
+  });
+  return 0;
+}
