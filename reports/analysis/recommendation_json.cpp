@@ -26,6 +26,7 @@ std::string json_of(const Recommendation& made) {
             {"factor", nullptr},
             {"command", nullptr}};
   if (!first.external) json["command"] = command_of(made.scene, first);
+  if (first.wall_clock) json["wall_clock"] = true;
   if (first.predicted_error) json["predicted_error"] = *first.predicted_error;
   if (!made.columns.empty()) json["columns"] = made.columns;
   if (second != nullptr) {

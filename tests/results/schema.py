@@ -32,6 +32,8 @@ class Results(unittest.TestCase):
             ["--scene", "multi_term:alpha=1.2,1.6,until=2", "--scene", "knife_edge:formulation=multiplier", "--steps", "32"],
             ["--scene", "relaxation", "--steps", "16", "--grid", "graded:2.5", "--history", "direct", "--tolerance", "1e-8"],
             ["--scene", "relaxation", "--accuracy", "1e-3", "--scheme", "l1"],
+            ["--scene", "relaxation", "--steps", "1", "--grid", "graded:2", "--external", "crash=kill -SEGV $$", "--external",
+             "end=echo 't,y\n0,1\n1,0.43' #"],
         ]
         for words in runs:
             run = fdebench("run", *words, "--repeat", 1, "--out", cls.file)
@@ -61,8 +63,8 @@ class Results(unittest.TestCase):
         jsonschema.Draft202012Validator.check_schema(SCHEMA)
         for line in self.lines:
             VALIDATOR.validate(line)
-        self.assertEqual(sum("session" in line for line in self.lines), 5)
-        self.assertTrue({"external", "accuracy", "detail", "budget"} <= set().union(*self.lines))
+        self.assertEqual(sum("session" in line for line in self.lines), 6)
+        self.assertTrue({"external", "accuracy", "detail", "budget", "wall_clock"} <= set().union(*self.lines))
 
     def test_quantities_are_those_of_the_lists(self):
         lists = (ROOT / "benchmarks" / "measures" / "list.def").read_text()
@@ -90,6 +92,7 @@ class Results(unittest.TestCase):
             (error, {"settings": {"until": 0.0}}), (error, {"settings": 1}), (ending, {"value": -1.0}),
             (ending, {"ending": "done"}), (ending, {"unit": "s"}), (external, {"scheme": "a\nb"}), (external, {"scheme": ""}),
             (external, {"scheme": "x" * 101}), (error, {"external": True, "scheme": ""}),
+            (error, {"wall_clock": True}), (external, {"wall_clock": True}),
         ]  # fmt: skip
         for number, change in changes:
             with self.subTest(change=change):
