@@ -77,7 +77,13 @@ int opened(pid_t child) { return static_cast<int>(syscall(SYS_pidfd_open, child,
 // A process that was started and is killed with its group and waited for when this goes.
 class Child {
  public:
-  explicit Child(pid_t child) : child_(child), trace_(std::in_place, child), descriptor_(opened(child)) {
+  Child(const SpawnSettings& settings, const std::string& command, const std::string& argument) {
+    {
+      const NotingTraces noting;
+      child_ = settings.start(command, argument);
+      trace_.emplace(child_);
+    }
+    descriptor_ = opened(child_);
     if (descriptor_ >= 0) return;
     const int error = errno;
     end();
@@ -111,9 +117,9 @@ class Child {
   }
 
  private:
-  pid_t child_;
-  std::optional<GroupTrace> trace_;
-  int descriptor_;
+  pid_t child_ = 0;
+  std::optional<GroupTrace> trace_{};
+  int descriptor_ = -1;
   bool ended_ = false;
 };
 
@@ -135,7 +141,7 @@ CommandEnd run_command(const std::string& command, const std::string& argument, 
   const SpawnSettings settings(out, err);
   const auto start = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  Child child(settings.start(command, argument));
+  Child child(settings, command, argument);
   while (true) {
     const double left = limits.seconds - elapsed();
     const auto milliseconds = static_cast<int>(std::ceil(1e3 * std::clamp(left, 0.0, look)));

@@ -12,6 +12,7 @@ namespace fde {
 TemporaryFile::TemporaryFile(std::string_view suffix) {
   std::string name = (std::filesystem::temp_directory_path() / "fdebench-XXXXXX").string();
   name += suffix;
+  const NotingTraces noting;
   descriptor_ = mkostemps(name.data(), static_cast<int>(suffix.size()), O_CLOEXEC);
   if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), name + ": cannot be written");
   path_ = name;

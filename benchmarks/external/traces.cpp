@@ -1,5 +1,6 @@
 #include "external/traces.hpp"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,6 +27,7 @@ struct Group {
   std::atomic<pid_t> group = 0;
 };
 std::atomic<bool> is_ending = false;
+std::atomic<int> noting = 0;
 std::array<File, most> files;
 std::array<Group, most> groups;
 static_assert(std::atomic<State>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
@@ -62,8 +64,23 @@ GroupTrace::~GroupTrace() {
   if (place_ != none) groups[place_].state = State::free;
 }
 
+NotingTraces::NotingTraces() {
+  sigset_t all{};
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before_);
+  ++noting;
+}
+
+// A signal that was held back arrives with the mask.
+NotingTraces::~NotingTraces() {
+  --noting;
+  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
 void remove_traces() {
+  constexpr int millisecond = 1;
   is_ending = true;
+  while (noting > 0) poll(nullptr, 0, millisecond);
   for (const Group& of : groups) {
     if (of.state == State::noted) kill(-of.group, SIGKILL);
   }

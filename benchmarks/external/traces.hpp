@@ -2,6 +2,8 @@
 
 #include <sys/types.h>
 
+#include <csignal>
+#include <cstddef>
 #include <string>
 
 namespace fde {
@@ -27,6 +29,19 @@ class GroupTrace {
 
  private:
   std::size_t place_;
+};
+
+// While it lives remove_traces waits: what this thread begins is noted before anything is removed. Signals
+// reach other threads.
+class NotingTraces {
+ public:
+  NotingTraces();
+  NotingTraces(const NotingTraces&) = delete;
+  NotingTraces& operator=(const NotingTraces&) = delete;
+  ~NotingTraces();
+
+ private:
+  sigset_t before_{};
 };
 
 // Kills and removes all that there is, because this process is about to end. A signal handler may call it.

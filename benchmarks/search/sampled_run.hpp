@@ -7,7 +7,7 @@ namespace fde {
 
 // A run over a grid as a function of time. Between the times t_n = T (n/N)^R the columns of the scene are
 // cubics in n, in which the grid is even: through the four nearest steps, so exact at each of them. Where the
-// solution is smooth in n this is off by N^-4, less than any scheme here. The scene must live as long.
+// solution is smooth in n this is off by N^-4, less than any scheme here.
 class SampledRun {
  public:
   // Preconditions: four steps at least; the scheme takes the problem over this grid.

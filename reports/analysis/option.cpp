@@ -151,8 +151,8 @@ std::optional<Shortfall> shortfall(const Runs& runs, const SceneSettings& scene,
   return found;
 }
 
-std::string run_text(const Option& option) {
-  std::string text = fmt::format("N = {}, error {}", count_text(option.steps), error_text(option.error));
+std::string run_text(const Option& option, std::string_view error) {
+  std::string text = fmt::format("N = {}, {} {}", count_text(option.steps), error, error_text(option.error));
   if (!is_timed(option)) return text + ", not timed";
   const auto& [median, low, high] = option.time;
   return text + fmt::format(", {} ({} ... {}){}", time_text(median), time_text(low), time_text(high),

@@ -2,8 +2,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <ostream>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/recommendation.hpp"
 #include "analysis/text.hpp"
@@ -11,6 +13,7 @@
 #include "command/command.hpp"
 #include "command/progress.hpp"
 #include "scenes/number_text.hpp"
+#include "search/estimated_reference.hpp"
 
 namespace fde {
 namespace {
@@ -45,16 +48,23 @@ std::vector<Eigen::Index> chosen_columns(const Scene& scene, const std::optional
   return columns;
 }
 
-Recommendation searched(const SceneVariant& variant, const Scene& scene, const Question& question,
-                        double seconds, const Streams& streams) {
+// Of the time a third at most is for an estimate, where there is no reference.
+Recommendation searched(const SceneVariant& variant, Scene scene, const Question& question, double seconds,
+                        const Streams& streams) {
+  constexpr double part_of_estimate = 1.0 / 3.0;
   const auto show = progress_line(streams);
   const auto whole = static_cast<std::size_t>(std::max(1.0, seconds));
-  const auto found = search(scene, question, seconds, [&](const std::string& what, double part) {
+  const Tell tell = [&](const std::string& what, double part) {
     const auto done = static_cast<std::size_t>(part * static_cast<double>(whole));
     show(std::min(done, whole - 1), whole, what);
-  });
+  };
+  const auto start = std::chrono::steady_clock::now();
+  auto known = reference_or_estimate(scene, question, part_of_estimate * seconds, tell);
+  scene.reference = std::move(known.reference);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  const auto found = search(scene, question, std::max(0.0, seconds - taken.count()), tell);
   show(whole, whole, "");
-  return recommend(found, variant.key(), scene.outputs.names, question);
+  return recommend(found, variant.key(), scene.outputs.names, question, known.estimate);
 }
 
 // Results say nothing of single columns and take no time.
@@ -88,6 +98,7 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
     if (arguments.columns) made.columns = split_list(*arguments.columns);
   }
   if (made.options.empty()) {
+    if (made.estimate) made.others.push_back(estimate_text(*made.estimate));
     throw NumericalFailure(fmt::format("no run of {} is within {} ({}): {}", variant.label(),
                                        error_text(accuracy), kind_text(kind), fmt::join(made.others, "; ")));
   }
