@@ -10,7 +10,10 @@
 namespace fde {
 
 TemporaryFile::TemporaryFile(std::string_view suffix) {
-  std::string name = (std::filesystem::temp_directory_path() / "fdebench-XXXXXX").string();
+  std::error_code error;
+  const auto folder = std::filesystem::temp_directory_path(error);
+  if (error) throw std::system_error(error, "the folder of temporary files, $TMPDIR or /tmp");
+  std::string name = (folder / "fdebench-XXXXXX").string();
   name += suffix;
   const NotingTraces noting;
   descriptor_ = mkostemps(name.data(), static_cast<int>(suffix.size()), O_CLOEXEC);

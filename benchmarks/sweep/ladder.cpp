@@ -92,7 +92,7 @@ bool is_answered(const Ladder& ladder, std::span<const Climb> of_scene, const Cl
   if (measured_seconds(climb, of, error)) return true;
   if (!(climb.back().*of).error || !rates_of(climb, of)) return false;
   const double own = seconds_needed(ladder, climb, of, error, true).value_or(infinity);
-  if (own > ladder.goal->most_seconds) return true;
+  if (own - start_up(climb) > ladder.goal->most_seconds) return true;
   return std::ranges::any_of(of_scene, [&](const Climb& other) {
     if (&other == &climb || other.empty()) return false;
     return own > ladder.goal->margin * seconds_needed(ladder, other, of, error, false).value_or(infinity);
