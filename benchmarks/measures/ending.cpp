@@ -26,6 +26,7 @@ constexpr std::array all_words{
     Words{Ending::no_reference, "no_reference", "no reference:"},
     Words{Ending::passed_singularity, "passed_singularity", "passed a singularity of the solution:"},
     Words{Ending::false_singularity, "false_singularity", "unlike the solution, ran into the singularity"},
+    Words{Ending::program_failed, "program_failed", "the program failed:"},
     Words{Ending::refused, "refused", "refused:"}};
 
 const Words& words_of(Ending ending) { return *std::ranges::find(all_words, ending, &Words::ending); }

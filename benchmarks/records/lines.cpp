@@ -11,8 +11,8 @@
 namespace fde {
 namespace {
 
-std::invalid_argument cannot_be_read(const std::filesystem::path& file, const std::string& reason) {
-  return std::invalid_argument(fmt::format("{}: cannot be read: {}", file.string(), reason));
+std::invalid_argument cannot_be_read(const std::string& file, const std::string& reason) {
+  return std::invalid_argument(fmt::format("{}: cannot be read: {}", file, reason));
 }
 
 }  // namespace
@@ -21,20 +21,20 @@ void require_file(const std::filesystem::path& file) {
   std::error_code problem;
   const auto status = std::filesystem::status(file, problem);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw cannot_be_read(file, "is not a file");
+    throw cannot_be_read(file.string(), "is not a file");
 }
 
-LineReader::LineReader(std::filesystem::path file) : file_(std::move(file)) {
-  require_file(file_);
-  stream_.open(file_, std::ios::binary);
-  if (!stream_) throw cannot_be_read(file_, std::generic_category().message(errno));
+LineReader::LineReader(const std::filesystem::path& file, std::string name) : name_(std::move(name)) {
+  require_file(file);
+  stream_.open(file, std::ios::binary);
+  if (!stream_) throw cannot_be_read(name_, std::generic_category().message(errno));
 }
 
 bool LineReader::fill() {
   constexpr std::size_t piece = std::size_t{1} << 16;
   buffer_.resize(piece);
   stream_.read(buffer_.data(), static_cast<std::streamsize>(piece));
-  if (stream_.bad()) throw cannot_be_read(file_, std::generic_category().message(errno));
+  if (stream_.bad()) throw cannot_be_read(name_, std::generic_category().message(errno));
   buffer_.resize(static_cast<std::size_t>(stream_.gcount()));
   at_ = 0;
   return !buffer_.empty();
@@ -53,7 +53,7 @@ bool LineReader::next() {
     at_ += part.size() + (has_end_ ? 1 : 0);
     if (text_.size() <= most_line_bytes) continue;
     throw std::invalid_argument(
-        fmt::format("{}: line {} is longer than {} bytes", file_.string(), number_, most_line_bytes));
+        fmt::format("{}: line {} is longer than {} bytes", name_, number_, most_line_bytes));
   }
   end_ += text_.size() + (has_end_ ? 1 : 0);
   return has_end_ || !text_.empty();

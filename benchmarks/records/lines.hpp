@@ -15,8 +15,9 @@ inline constexpr std::size_t most_line_bytes = std::size_t{1} << 20;
 class LineReader {
  public:
   // Throws std::invalid_argument naming the file where it cannot be read. A folder, a pipe and a device are
-  // no files.
-  explicit LineReader(std::filesystem::path file);
+  // no files. Errors call it `name`.
+  explicit LineReader(const std::filesystem::path& file) : LineReader(file, file.string()) {}
+  LineReader(const std::filesystem::path& file, std::string name);
 
   // Goes to the next line; false: there is none. Throws std::invalid_argument naming file and line where that
   // is longer than most_line_bytes.
@@ -36,7 +37,7 @@ class LineReader {
  private:
   bool fill();
 
-  std::filesystem::path file_;
+  std::string name_;
   std::ifstream stream_;
   std::string buffer_{}, text_{};
   std::size_t at_ = 0;  // in the buffer

@@ -111,6 +111,8 @@ void PossibleRows::require(const Record& row) {
   }
   require_setup(row);
   require_quantity(row);
+  if (row.wall_clock && (!row.key.external || !is_time(row)))
+    throw std::invalid_argument("wall_clock: must stand in times of other programs only");
 }
 
 }  // namespace fde

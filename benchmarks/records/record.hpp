@@ -13,7 +13,8 @@
 namespace fde {
 
 // What names a run of one build, or a trajectory that another program wrote: its scheme is that program's
-// name, and nothing is known of its setup but the number of its times.
+// name, and nothing is known of its setup but the number of its times; of one that a sweep started the steps
+// and the grid that it was asked for.
 struct RunKey {
   SceneSettings scene{};
   std::string scheme{};
@@ -33,6 +34,7 @@ struct Record {
   std::string unit{};
   std::optional<RunEnding> ending{};  // of an ending
   std::size_t session = 0;            // index into Results::sessions
+  bool wall_clock = false;            // a time of a whole process, whose program says none
 };
 
 // Where and with what numbers were made.

@@ -65,6 +65,11 @@ Setup setup_of(const Json& json, int steps) {
   return setup;
 }
 
+// Of another program.
+Setup external_setup_of(const Json& json, int steps) {
+  return {.resolution = steps, .grading = parse_grading(json.value("grid", grid_text(1.0)))};
+}
+
 RunEnding ending_of(const Json& json) {
   const auto text = json.at("ending").get<std::string>();
   const auto kind = ending_named(text);
@@ -94,13 +99,14 @@ Record row_of(const Json& json) {
   const bool external = json.value("external", false);
   Record row{.key = {.scene = scene_of(json),
                      .scheme = json.at("scheme"),
-                     .setup = external ? Setup{.resolution = steps} : setup_of(json, steps),
+                     .setup = external ? external_setup_of(json, steps) : setup_of(json, steps),
                      .external = external},
              .steps = steps,
              .h = json.at("h"),
              .quantity = json.at("quantity"),
              .value = value_of(json),
-             .unit = json.at("unit")};
+             .unit = json.at("unit"),
+             .wall_clock = json.value("wall_clock", false)};
   if (json.contains("ending")) row.ending = ending_of(json);
   return row;
 }
@@ -123,11 +129,13 @@ std::string line_of(const Record& row, bool last) {
   if (!row.key.scene.checksum.empty()) json["checksum"] = row.key.scene.checksum;
   if (row.key.external) {
     json["external"] = true;
+    if (row.key.setup.grading != 1.0) json["grid"] = grid_text(row.key.setup.grading);
   } else {
     add_setup(row.key.setup, json);
   }
   if (row.ending) json["ending"] = name(row.ending->kind);
   if (row.ending && !row.ending->detail.empty()) json["detail"] = row.ending->detail;
+  if (row.wall_clock) json["wall_clock"] = true;
   if (last) json["last"] = true;
   return json.dump() + '\n';
 }

@@ -6,6 +6,7 @@ void RecordedRun::note(const Record& row) {
   if (is_time(row)) {
     if (!ending_) return;
     timed_ = true;
+    wall_clock_ = row.wall_clock;
   } else if (ending_) {
     *this = {};
   }

@@ -23,12 +23,15 @@ class RecordedRun {
   // How it ended; nullopt: it is not examined.
   [[nodiscard]] std::optional<Ending> ending() const { return ending_; }
 
+  // Whether its times are of whole processes.
+  [[nodiscard]] bool wall_clock() const { return wall_clock_; }
+
   // The value of a quantity; nullopt: not measured.
   [[nodiscard]] std::optional<double> operator[](std::string_view quantity) const;
 
  private:
   std::optional<Ending> ending_{};
-  bool timed_ = false;
+  bool timed_ = false, wall_clock_ = false;
   std::map<std::string, double, std::less<>> values_{};  // by quantity
 };
 

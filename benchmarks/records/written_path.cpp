@@ -123,8 +123,18 @@ class PathReader {
   std::vector<double> values_{};
 };
 
+// Of a line `# seconds: S`; nullopt: it is another one.
+std::optional<double> seconds_in(std::string_view line) {
+  constexpr std::string_view begin = "# seconds:";
+  if (!line.starts_with(begin)) return std::nullopt;
+  return parse_number("seconds", trimmed(line.substr(begin.size())), positive);
+}
+
 WrittenPath read_lines(LineReader& line, const Scene& scene) {
-  if (!line.next()) throw std::invalid_argument("there is no header");
+  bool has_header = line.next();
+  const auto seconds = seconds_in(line.text());
+  if (seconds) has_header = line.next();
+  if (!has_header) throw std::invalid_argument("there is no header");
   PathReader reader(line.text(), scene);
   bool is_over = false;  // only empty lines may follow
   while (line.next()) {
@@ -133,7 +143,9 @@ WrittenPath read_lines(LineReader& line, const Scene& scene) {
     is_over = is_empty;
     if (!is_empty) reader.take(line.text());
   }
-  return std::move(reader).path();
+  auto path = std::move(reader).path();
+  path.seconds = seconds;
+  return path;
 }
 
 // Every row, or as many as are compared of a run.
@@ -145,31 +157,44 @@ WrittenPath watched(const WrittenPath& path) {
   return some;
 }
 
-Judgement judge_values(const Scene& scene, const WrittenPath& path) {
+// The reference is that of all columns.
+Judgement judge_values(const Scene& scene, const WrittenPath& path, WatchedReference& reference) {
   for (Eigen::Index c = 0; c < path.values.cols(); ++c) {
     const double t = path.times[static_cast<std::size_t>(c)];
     if (!path.values.col(c).allFinite()) return {{Ending::not_finite, at_time(std::nullopt, t)}, t};
   }
-  const auto some = watched(path);
-  WatchedReference reference(scene, path.columns);
-  return judge_columns(some.times, some.values, reference);
+  if (std::ssize(path.columns) < std::ssize(scene.outputs.names)) {
+    WatchedReference some(scene, path.columns);
+    return judge_columns(path.times, path.values, some);
+  }
+  Rows ordered(path.values.rows(), path.values.cols());
+  for (std::size_t i = 0; i < path.columns.size(); ++i)
+    ordered.row(path.columns[i]) = path.values.row(static_cast<Eigen::Index>(i));
+  return judge_columns(path.times, ordered, reference);
 }
 
 }  // namespace
 
-WrittenPath read_path(const std::filesystem::path& file, const Scene& scene) {
-  LineReader line(file);
+WrittenPath read_path(const std::filesystem::path& file, const Scene& scene, const std::string& name) {
+  const std::string called = name.empty() ? file.string() : name;
+  LineReader line(file, called);
   try {
     return read_lines(line, scene);
   } catch (const std::invalid_argument& error) {
     const std::string_view what = error.what();
-    if (what.starts_with(file.string() + ":")) throw;  // of the line itself
-    throw std::invalid_argument(fmt::format("{}: line {}: {}", file.string(), line.number(), what));
+    if (what.starts_with(called + ":")) throw;  // of the line itself
+    throw std::invalid_argument(fmt::format("{}: line {}: {}", called, line.number(), what));
   }
 }
 
 Judgement judge_path(const Scene& scene, const WrittenPath& path) {
-  Judgement judgement = judge_values(scene, path);
+  WatchedReference reference(scene);
+  const bool is_finite = path.values.allFinite();
+  return judge_path(scene, is_finite ? watched(path) : path, reference);
+}
+
+Judgement judge_path(const Scene& scene, const WrittenPath& path, WatchedReference& reference) {
+  Judgement judgement = judge_values(scene, path, reference);
   if (std::ssize(path.columns) == std::ssize(scene.outputs.names)) return judgement;
   std::vector<std::string> names;
   for (const auto column : path.columns)

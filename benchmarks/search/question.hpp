@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "measures/error_kind.hpp"
@@ -14,6 +16,9 @@ struct Question {
   double accuracy = 1e-6;
   std::vector<Eigen::Index> columns{};  // of the scene, those that count
 };
+
+// Hears what is tried, and which part of the time has gone.
+using Tell = std::function<void(const std::string& what, double part)>;
 
 inline std::vector<Eigen::Index> all_columns(const Scene& scene) {
   std::vector<Eigen::Index> columns(scene.outputs.names.size());

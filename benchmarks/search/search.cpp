@@ -19,7 +19,6 @@ namespace fde {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Tell = std::function<void(const std::string& what, double part)>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int first_rung = 4;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "search/searched_way.hpp"
@@ -13,8 +11,8 @@ namespace fde {
 // slower than another. Then the fewest steps are found between the last two by the error model, each taken by
 // a run; at the end, where an error may pass through 0, all numbers below them in steps of a twentieth. The
 // quickest are timed against each other, and the first of them is compared with the reference at as many
-// steps as records are. First those within the accuracy, the quickest first. tell hears what is tried.
+// steps as records are. First those within the accuracy, the quickest first.
 std::vector<SearchedWay> search(const Scene& scene, const Question& question, double seconds,
-                                const std::function<void(const std::string& what, double part)>& tell);
+                                const Tell& tell);
 
 }  // namespace fde

@@ -114,13 +114,16 @@ class ForecastScene {
     reference_ = seconds_of_reference(scene_);
     std::vector<Probe> probes;
     for (const auto* scheme : sweep_.schemes) probes.emplace_back(scene_, *scheme, sweep_);
-    std::vector<Climb> climbs(probes.size());
-    std::vector<bool> ended(probes.size(), false);
+    const std::size_t count = probes.size() + sweep_.programs.size();
+    std::vector<Climb> climbs(count);
+    std::vector<bool> ended(count, false);
     for (const auto& resolution : sweep_.ladder.rungs) {
-      for (std::size_t i = 0; i < probes.size(); ++i) {
-        if (!ended[i]) climbs[i].push_back(take(*sweep_.schemes[i], probes[i], resolution));
+      for (std::size_t i = 0; i < count; ++i) {
+        if (ended[i]) continue;
+        climbs[i].push_back(i < probes.size() ? take(*sweep_.schemes[i], probes[i], resolution)
+                                              : take(sweep_.programs[i - probes.size()], resolution));
       }
-      for (std::size_t i = 0; i < probes.size(); ++i)
+      for (std::size_t i = 0; i < count; ++i)
         ended[i] = ended[i] || has_ended(sweep_.ladder, climbs, climbs[i]);
     }
     return std::move(expected_);
@@ -136,6 +139,17 @@ class ForecastScene {
     const Rung rung = probe.rung(steps != nullptr ? *steps : 1);
     expected_[key] = seconds_of(rung) + seconds_of_timing(rung, sweep_.repeats);
     return rung;
+  }
+
+  // Programs are not started for a forecast: a second stands for each of their runs.
+  Rung take(const ExternalProgram& program, const StepsOrAccuracy& resolution) {
+    constexpr double guess = 1.0;
+    RunKey key = key_of(program, name_, sweep_.setup);
+    key.setup.resolution = resolution;
+    const RecordedRun recorded = recorded_(key);
+    if (recorded.amount() == Recorded::everything) return rung_of(key.setup, recorded);
+    expected_[key] = guess + guess * sweep_.repeats.most;
+    return {.steps = std::get<int>(resolution)};
   }
 
   // The examination: its two solves and what is new of the reference, a part of what goes on side by side.

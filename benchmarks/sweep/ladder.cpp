@@ -19,6 +19,7 @@ bool is_hopeless(Ending ending) {
     case Ending::singular:
     case Ending::passed_singularity:
     case Ending::out_of_budget:
+    case Ending::program_failed:
       return true;
     default:
       return false;
@@ -48,10 +49,17 @@ std::optional<double> measured_seconds(const Climb& climb, ErrorOfRung of, doubl
   return least < infinity ? std::optional(least) : std::nullopt;
 }
 
+// Of whole processes: what they take to start is taken to be what the first of them took.
+double start_up(const Climb& climb) {
+  return climb.back().wall_clock ? climb.front().seconds.value_or(0.0) : 0.0;
+}
+
 // The seconds with so many steps. A step costs what it did at the cheapest of the last rungs: a time is at
 // times too long, where the machine did something else, but not too short.
 double seconds_with(const Climb& climb, int steps) {
   constexpr std::size_t trusted = 3;
+  if (const double start = start_up(climb); start > 0.0)
+    return start + std::max(0.0, climb.back().seconds.value_or(start) - start) * steps / climb.back().steps;
   double step = infinity;
   for (const Rung& rung : std::span(climb).last(std::min(trusted, climb.size())))
     step = std::min(step, rung.seconds.value_or(infinity) / rung.steps);
@@ -84,7 +92,7 @@ bool is_answered(const Ladder& ladder, std::span<const Climb> of_scene, const Cl
   if (measured_seconds(climb, of, error)) return true;
   if (!(climb.back().*of).error || !rates_of(climb, of)) return false;
   const double own = seconds_needed(ladder, climb, of, error, true).value_or(infinity);
-  if (own > ladder.goal->most_seconds) return true;
+  if (own - start_up(climb) > ladder.goal->most_seconds) return true;
   return std::ranges::any_of(of_scene, [&](const Climb& other) {
     if (&other == &climb || other.empty()) return false;
     return own > ladder.goal->margin * seconds_needed(ladder, other, of, error, false).value_or(infinity);
@@ -109,7 +117,8 @@ Rung rung_of(const Setup& setup, const RecordedRun& run) {
             .hopeless = run.ending() && is_hopeless(*run.ending()),
             .end = {run["error_end"], run["expected_rate_end"]},
             .maximum = {run["error_maximum"], run["expected_rate_maximum"]},
-            .seconds = run["time_minimum"]};
+            .seconds = run["time_minimum"],
+            .wall_clock = run.wall_clock()};
   rung.at_floor =
       rung.end.error && (run["rounding_from"] || *rung.end.error <= run["reference_bound"].value_or(0.0));
   return rung;
@@ -137,8 +146,8 @@ bool has_ended(const Ladder& ladder, std::span<const Climb> of_scene, const Clim
   if (!ladder.goal || climb.empty()) return false;
   const Rung& last = climb.back();
   if (last.hopeless) return true;
-  if (last.seconds && seconds_with(climb, steps_of(ladder.rungs[climb.size()])) > ladder.goal->most_seconds)
-    return true;
+  const double next = seconds_with(climb, steps_of(ladder.rungs[climb.size()])) - start_up(climb);
+  if (last.seconds && next > ladder.goal->most_seconds) return true;
   if (climb.size() >= fewest_rungs && is_repeated(of_scene, climb)) return true;
   return is_settled(ladder, of_scene, climb, &Rung::end) &&
          is_settled(ladder, of_scene, climb, &Rung::maximum);

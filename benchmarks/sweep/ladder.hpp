@@ -37,6 +37,7 @@ struct Rung {
   bool at_floor = false;            // its error at the end is that of rounding, or of the reference
   FallingError end{}, maximum{};    // absolute; those on the mixed scale are no larger
   std::optional<double> seconds{};  // of a solve
+  bool wall_clock = false;          // of a whole process
 };
 using ErrorOfRung = FallingError Rung::*;
 Rung rung_of(const Setup& setup, const RecordedRun& run);
@@ -54,7 +55,7 @@ std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, E
 // scene ends
 //   - at the top, or where its rung is hopeless;
 //   - within the least error of the goal, or at the floor, in both norms;
-//   - where the next rung is forecast to take more than most_seconds;
+//   - where the next rung is forecast to take more than most_seconds, the start of a process not counted;
 //   - from the fifth rung on, with which a rate is known, where each error not reached is out of its hopeful
 //     reach, or another climb is within it in less time, by its measured or its forecast seconds;
 //   - from the fifth rung on, where a climb listed before has the same errors to the last bit: both schemes

@@ -5,6 +5,8 @@
 #include <deque>
 #include <mutex>
 #include <numeric>
+#include <utility>
+#include <variant>
 
 #include "sweep/in_parallel.hpp"
 
@@ -12,25 +14,30 @@ namespace fde {
 
 namespace {
 
-// The runs of one scheme on a scene, the coarsest first.
+// The runs of one scheme or program on a scene, the coarsest first.
 struct Line {
-  const Scheme* scheme;
+  std::variant<const Scheme*, const ExternalProgram*> solver;
   RunKey key;         // of the run at hand
+  Setup setup{};      // of it, with all means that a program is run with
   RecordedRun run{};  // the run at hand
   bool ended = false;
 };
 
 // One scene, examined by one thread.
 struct SweptScene {
-  SweptScene(const SceneVariant& variant, const Sweep& sweep)
-      : name(variant.key()), scene(make_scene(variant)) {
-    for (const auto* scheme : sweep.schemes) {
-      if (std::ranges::find(lines, scheme, &Line::scheme) != lines.end()) continue;
-      lines.push_back({scheme, {name, std::string(scheme->id), sweep.setup}});
-    }
+  SweptScene(const SceneVariant& swept, const Sweep& sweep)
+      : variant(swept), name(variant.key()), scene(make_scene(variant)) {
+    for (const auto* scheme : sweep.schemes) add({scheme, {name, std::string(scheme->id), sweep.setup}});
+    for (const auto& program : sweep.programs) add({&program, key_of(program, name, sweep.setup)});
     climbs.resize(lines.size());
+    for (Line& line : lines) line.setup = sweep.setup;
   }
 
+  void add(Line line) {
+    if (std::ranges::find(lines, line.solver, &Line::solver) == lines.end()) lines.push_back(std::move(line));
+  }
+
+  SceneVariant variant;
   SceneSettings name;
   Scene scene;
   WatchedReference reference{scene};
@@ -71,12 +78,24 @@ void append(const std::vector<Record>& rows, Line& line, SweepLog& log) {
   if (line.run.amount() == Recorded::everything) log.tell(SweepEvent::Kind::is_done, line.key);
 }
 
+std::vector<Record> examine(SweptScene& of, const Line& line) {
+  if (const auto* program = std::get_if<const ExternalProgram*>(&line.solver))
+    return examine(of.variant, of.scene, of.reference, **program, line.setup);
+  return examine(of.name, of.scene, of.reference, *std::get<const Scheme*>(line.solver), line.setup);
+}
+
+std::vector<Record> time_line(const SweptScene& of, const Line& line, const Repeats& repeats) {
+  if (const auto* program = std::get_if<const ExternalProgram*>(&line.solver))
+    return time_runs(of.variant, of.scene, **program, line.setup, repeats.most, repeats.enough_seconds);
+  return time_solves(of.name, of.scene, *std::get<const Scheme*>(line.solver), line.setup, repeats);
+}
+
 void examine_rung(SweptScene& of, SweepLog& log) {
   for (Line& line : of.lines) {
     if (log.failed()) return;
     if (line.ended || line.run.amount() != Recorded::nothing) continue;
     log.tell(SweepEvent::Kind::examines, line.key);
-    append(examine(of.name, of.scene, of.reference, *line.scheme, line.key.setup), line, log);
+    append(examine(of, line), line, log);
   }
 }
 
@@ -84,7 +103,7 @@ void time_rung(SweptScene& of, const Repeats& repeats, SweepLog& log) {
   for (Line& line : of.lines) {
     if (line.ended || line.run.amount() == Recorded::everything) continue;
     log.tell(SweepEvent::Kind::times, line.key);
-    append(time_solves(of.name, of.scene, *line.scheme, line.key.setup, repeats), line, log);
+    append(time_line(of, line, repeats), line, log);
   }
 }
 
@@ -126,7 +145,7 @@ void take_rung(std::deque<SweptScene>& scenes, const StepsOrAccuracy& rung, cons
   for (auto& of : scenes) {
     for (Line& line : of.lines) {
       if (line.ended) continue;
-      line.key.setup.resolution = rung;
+      line.key.setup.resolution = line.setup.resolution = rung;
       line.run = hooks.recorded(line.key);
     }
   }

@@ -6,6 +6,7 @@
 #include <thread>
 #include <vector>
 
+#include "external/external_program.hpp"
 #include "records/recorded_run.hpp"
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
@@ -14,10 +15,12 @@
 
 namespace fde {
 
-// Which runs: every scheme climbs the ladder on every scene.
+// Which runs: every scheme, and every program behind them, climbs the ladder on every scene. Programs take
+// numbers of steps only.
 struct Sweep {
   std::vector<SceneVariant> scenes;
   std::vector<const Scheme*> schemes;
+  std::vector<ExternalProgram> programs{};
   Ladder ladder;
   Setup setup{.budget = 600.0};  // of all runs, but for the resolution
   Repeats repeats{};

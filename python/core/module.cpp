@@ -19,6 +19,7 @@
 #include "command/solved_table.hpp"
 #include "core/python_problem.hpp"
 #include "core/released.hpp"
+#include "equation_files/equation_scene.hpp"
 #include "mittag_leffler/mittag_leffler.hpp"
 #include "scenes/variant.hpp"
 
@@ -36,8 +37,11 @@ struct Named {
   const Scene* problem;
 };
 
-SceneVariant variant_of(const Named& named) {
-  return read_variant(SceneArguments{named.name, named.settings}, scenes());
+// Files are read anew each time, as they may have changed.
+Scenes named_scenes() { return with_equation_files(scenes()); }
+
+SceneVariant variant_of(const Named& named, const Scenes& known) {
+  return read_variant(SceneArguments{named.name, named.settings}, known);
 }
 
 // The command with these arguments; what it prints. Throws std::invalid_argument and NumericalFailure with
@@ -62,7 +66,8 @@ std::string command(const std::vector<std::string>& arguments, const Scene* prob
 // id, columns, orders and end.
 py::tuple facts(const Named& named) {
   const auto [id, scene] = released([&]() -> std::pair<std::string, Scene> {
-    const auto variant = variant_of(named);
+    const Scenes all = named_scenes();
+    const auto variant = variant_of(named, all);
     Scene known = make_known_scene(*variant.maker, variant.values);
     known.problem.end = variant.until.value_or(known.problem.end);
     return {variant.maker->id, std::move(known)};
@@ -75,7 +80,9 @@ py::tuple facts(const Named& named) {
 // Names, times, values with a row for each time, a warning, and the cost as JSON.
 py::tuple solve(const Named& named, const RunArguments& arguments) {
   const SolvedTable table = released([&] {
-    return solved_table(named.problem == nullptr ? make_scene(variant_of(named)) : *named.problem, arguments);
+    const Scenes all = named_scenes();
+    return solved_table(named.problem == nullptr ? make_scene(variant_of(named, all)) : *named.problem,
+                        arguments);
   });
   const py::array_t<double> times(std::ssize(table.times), table.times.data());
   const py::array_t<double> values({table.values.cols(), table.values.rows()}, table.values.data());

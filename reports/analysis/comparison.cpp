@@ -49,6 +49,7 @@ void compare_errors(const CommonRun& run, std::vector<MovedError>& all) {
 void compare_times(const CommonRun& run, std::vector<TimeRatio>& all) {
   const auto before = time_of(*run.before), now = time_of(*run.now);
   if (!before || !now || before->low <= 0.0 || now->low <= 0.0) return;
+  if (run.before->wall_clock != run.now->wall_clock) return;
   all.push_back({.run = run,
                  .before = *before,
                  .now = *now,

@@ -43,7 +43,8 @@ LineNames::LineNames(const Runs& runs) {
 }
 
 std::string LineNames::name(const std::string& scheme, const Setup& setup) const {
-  if (external_.contains(scheme)) return scheme;
+  if (external_.contains(scheme))
+    return setup.grading == 1.0 ? scheme : fmt::format("{}, {}", scheme, grid_text(setup.grading));
   const auto means = told(setup, differ_);
   return means.empty() ? scheme : fmt::format("{}, {}", scheme, means);
 }

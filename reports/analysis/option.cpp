@@ -19,7 +19,8 @@ std::optional<Option> option_of(const MeasuredRun& run, const ErrorKind& kind) {
                 .steps = run.steps,
                 .error = *error,
                 .session = run.session,
-                .external = run.key.external};
+                .external = run.key.external,
+                .wall_clock = run.wall_clock};
   option.time = time_of(run).value_or(TimeSpread{});
   return option;
 }
@@ -150,11 +151,12 @@ std::optional<Shortfall> shortfall(const Runs& runs, const SceneSettings& scene,
   return found;
 }
 
-std::string run_text(const Option& option) {
-  std::string text = fmt::format("N = {}, error {}", count_text(option.steps), error_text(option.error));
+std::string run_text(const Option& option, std::string_view error) {
+  std::string text = fmt::format("N = {}, {} {}", count_text(option.steps), error, error_text(option.error));
   if (!is_timed(option)) return text + ", not timed";
   const auto& [median, low, high] = option.time;
-  return text + fmt::format(", {} ({} ... {})", time_text(median), time_text(low), time_text(high));
+  return text + fmt::format(", {} ({} ... {}){}", time_text(median), time_text(low), time_text(high),
+                            clock_note(option.wall_clock));
 }
 
 std::string needed_text(const std::string& name, const Expected& steps) {

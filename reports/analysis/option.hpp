@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/runs.hpp"
@@ -22,6 +23,7 @@ struct Option {
   std::optional<double> rate{};  // observed
   std::size_t session = 0;       // of results; index into Results::sessions
   bool external = false;         // of another program
+  bool wall_clock = false;       // its time is of a whole process
 
   [[nodiscard]] double step_seconds() const { return time.median / steps; }
 };
@@ -46,8 +48,9 @@ struct Shortfall {
 std::optional<Shortfall> shortfall(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
                                    double accuracy);
 
-// "N = 64, error 1.2e-7, 12.3 µs (12.1 ... 12.6)", without the name of its scheme.
-std::string run_text(const Option& option);
+// With what the error is called: "N = 64, error 1.2e-7, 12.3 µs (12.1 ... 12.6)", without the name of its
+// scheme, with the clock_note.
+std::string run_text(const Option& option, std::string_view error = "error");
 
 // "l1, graded:2 would need about N = 35 000 (33 000 ... 37 000), by its errors so far".
 std::string needed_text(const std::string& name, const Expected& steps);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "analysis/line_names.hpp"
@@ -37,26 +38,26 @@ const Attempt* finest(const SearchedWay& of) {
   return found == of.ladder.rend() ? nullptr : &*found;
 }
 
-std::string so_far(const SearchedWay& of) {
+std::string so_far(const SearchedWay& of, std::string_view error) {
   if (const auto* attempt = finest(of)) {
     const auto* worse = attempt->error < attempt->trivial ? "" : "worse than y = 0, ";
-    return fmt::format("{}error {} with N = {}", worse, error_text(attempt->error),
+    return fmt::format("{}{} {} with N = {}", worse, error, error_text(attempt->error),
                        count_text(attempt->steps));
   }
   return of.ladder.empty() ? "no run" : sentence(of.ladder.back().ending);
 }
 
 // What became of a way that has no steps to go on to.
-std::string fate(const SearchedWay& of) {
+std::string fate(const SearchedWay& of, std::string_view error) {
   switch (of.found) {
     case Found::at_floor:
-      return fmt::format("{}: its error falls no more: {}", name_of(of), so_far(of));
+      return fmt::format("{}: its {} falls no more: {}", name_of(of), error, so_far(of, error));
     case Found::refused:
       return fmt::format("{}: refused: {}", name_of(of), of.reason);
     case Found::fails:
       return fmt::format("{}: {}", name_of(of), of.reason);
     default:
-      return fmt::format("{}: {}{}", name_of(of), so_far(of),
+      return fmt::format("{}: {}{}", name_of(of), so_far(of, error),
                          of.steps_needed ? "; " + needed_text("it", *of.steps_needed) : "");
   }
 }
@@ -96,7 +97,7 @@ void tell_others(const std::vector<SearchedWay>& searched, Recommendation& made)
   }
   for (const SearchedWay& of : searched) {
     if (of.found != Found::repeats && of.way.grading == 1.0 && !is_told(made, of))
-      made.others.push_back(fate(of));
+      made.others.push_back(fate(of, error_word(made)));
   }
 }
 
@@ -110,7 +111,8 @@ void tell_shortfall(const std::vector<SearchedWay>& searched, const std::vector<
   }
   if (best == nullptr) return tell_others(searched, made);
   const Attempt& last = *finest(*best);
-  made.others.push_back(fmt::format("best: {}: {}, in {} at t = {:.6g}", name_of(*best), so_far(*best),
+  made.others.push_back(fmt::format("best: {}: {}, in {} at t = {:.6g}", name_of(*best),
+                                    so_far(*best, error_word(made)),
                                     columns[static_cast<std::size_t>(last.column)], last.time));
   const SearchedWay* least = nullptr;
   const auto seconds = [](const SearchedWay& of) { return of.steps_needed->value * of.step_seconds; };
@@ -125,8 +127,10 @@ void tell_shortfall(const std::vector<SearchedWay>& searched, const std::vector<
 }  // namespace
 
 Recommendation recommend(const std::vector<SearchedWay>& searched, const SceneSettings& scene,
-                         const std::vector<std::string>& columns, const Question& question) {
-  Recommendation made{.scene = scene, .kind = question.kind, .accuracy = question.accuracy};
+                         const std::vector<std::string>& columns, const Question& question,
+                         const std::optional<Estimate>& estimate) {
+  Recommendation made{
+      .scene = scene, .kind = question.kind, .accuracy = question.accuracy, .estimate = estimate};
   for (const SearchedWay& of : searched) {
     if (of.found == Found::within) made.options.push_back(option_of(of));
   }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "analysis/text.hpp"
 
@@ -15,7 +16,7 @@ bool same_scheme(const Option& a, const Option& b) { return a.schemes == b.schem
 bool meet(const TimeSpread& a, const TimeSpread& b) { return a.low <= b.high && b.low <= a.high; }
 
 // Why the first is quicker than the second: fewer steps or cheaper ones.
-std::string reason(const Option& first, const Option& second) {
+std::string reason(const Option& first, const Option& second, std::string_view error) {
   const double steps = static_cast<double>(second.steps) / first.steps,
                cost = first.step_seconds() / second.step_seconds();
   const auto compared = [](double ratio, const char* more, const char* less) {
@@ -26,7 +27,7 @@ std::string reason(const Option& first, const Option& second) {
   std::string count = compared(steps, "fewer", "more"), each = compared(cost, "as much", "less");
   std::string rates;
   if (first.rate && second.rate)
-    rates = fmt::format(" (its error falls with rate {:.2f}, there {:.2f})", *first.rate, *second.rate);
+    rates = fmt::format(" (its {} falls with rate {:.2f}, there {:.2f})", error, *first.rate, *second.rate);
   count = count.empty() ? "it needs as many steps" : fmt::format("it needs {} steps", count);
   each = each.empty() ? "a step costs the same" : fmt::format("a step costs {}", each);
   return fmt::format("{}{}, {}", count, rates, each);
@@ -37,6 +38,11 @@ std::string expected_text(const Option& option) {
                      time_text(option.time.low), time_text(option.time.high), rough_count_text(option.steps));
 }
 
+std::string way_text(const Way& way, int steps) {
+  const auto grid = way.grading == 1.0 ? "" : ", " + grid_text(way.grading);
+  return fmt::format("{}{} with N = {}", way.scheme->id, grid, count_text(steps));
+}
+
 // What follows the first option.
 std::string comparison(const Recommendation& made) {
   const Option& first = made.options.front();
@@ -44,13 +50,14 @@ std::string comparison(const Recommendation& made) {
   if (const auto noise = within_noise(made); !noise.empty())
     text += fmt::format("within noise of {}\n", fmt::join(noise, ", "));
   if (const auto* second = runner_up(made))
-    text += fmt::format("why: against {} {}\n", name_of(*second), reason(first, *second));
+    text += fmt::format("why: against {} {}\n", name_of(*second), reason(first, *second, error_word(made)));
   const auto times_as_long = [&](const Option& option) {
     return fmt::format("{:.2f} times as long", option.time.median / first.time.median);
   };
   for (const Option& option : made.options) {
     if (&option != &first)
-      text += fmt::format("{}: {}, {}\n", name_of(option), run_text(option), times_as_long(option));
+      text += fmt::format("{}: {}, {}\n", name_of(option), run_text(option, error_word(made)),
+                          times_as_long(option));
   }
   for (const Option& option : made.expected)
     text += fmt::format("{}: {}, {}\n", name_of(option), expected_text(option), times_as_long(option));
@@ -58,6 +65,10 @@ std::string comparison(const Recommendation& made) {
 }
 
 }  // namespace
+
+std::string_view error_word(const Recommendation& made) {
+  return made.estimate ? "estimated error" : "error";
+}
 
 std::vector<std::string> within_noise(const Recommendation& made) {
   std::vector<std::string> names;
@@ -89,6 +100,15 @@ std::string command_of(const SceneSettings& scene, const Option& option) {
   return command;
 }
 
+std::string estimate_text(const Estimate& estimate) {
+  return fmt::format(
+      "errors are estimated, not verified: there is no reference ({}); in its place stands {}, which {} "
+      "differs from by {}, so it is taken to be off by {}, which counts as error",
+      estimate.missing, way_text(estimate.first, estimate.first_steps),
+      way_text(estimate.second, estimate.second_steps), error_text(estimate.difference),
+      error_text(estimate.error()));
+}
+
 std::string kind_text(const ErrorKind& kind) {
   const auto* where = kind.norm == Norm::end ? "at the end" : "maximum over all steps";
   return fmt::format("{}, {} scale", where, name(kind.scale));
@@ -104,8 +124,10 @@ std::string text_of(const Recommendation& made) {
   const Option& first = made.options.front();
   std::string text =
       fmt::format("{} to {} ({})\n", label_of(made.scene), error_text(made.accuracy), kind_text(made.kind));
-  text += fmt::format("{}: {}\n", name_of(first), run_text(first));
-  if (first.predicted_error) text += fmt::format("predicted error {}\n", error_text(*first.predicted_error));
+  text += fmt::format("{}: {}\n", name_of(first), run_text(first, error_word(made)));
+  if (first.predicted_error)
+    text += fmt::format("predicted {} {}\n", error_word(made), error_text(*first.predicted_error));
+  if (made.estimate) text += estimate_text(*made.estimate) + "\n";
   text += comparison(made);
   for (const auto& other : made.others) text += other + "\n";
   return first.external ? text : text + fmt::format("again: {}\n", command_of(made.scene, first));

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/option.hpp"
+#include "search/estimated_reference.hpp"
 #include "search/question.hpp"
 #include "search/search.hpp"
 
@@ -18,15 +21,20 @@ struct Recommendation {
   std::vector<Option> options{};       // within the accuracy, the quickest first
   std::vector<Option> expected{};      // of other schemes, by their errors so far: slower, and not made
   std::vector<std::string> others{};   // a line for each other scheme: what became of it
+  std::optional<Estimate> estimate{};  // by which all errors are estimated; empty: they are known
 };
 
 // Of the results of a sweep. Without options `others` say what is missing.
 Recommendation recommend(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
                          double accuracy);
 
-// Of a search in a scene with these columns.
+// Of a search in a scene with these columns, whose errors may be estimated.
 Recommendation recommend(const std::vector<SearchedWay>& searched, const SceneSettings& scene,
-                         const std::vector<std::string>& columns, const Question& question);
+                         const std::vector<std::string>& columns, const Question& question,
+                         const std::optional<Estimate>& estimate = {});
+
+// What its errors are called: "error" or "estimated error".
+std::string_view error_word(const Recommendation& made);
 
 // Schemes other than the first option's whose interval of time meets its own.
 std::vector<std::string> within_noise(const Recommendation& made);
@@ -36,6 +44,9 @@ const Option* runner_up(const Recommendation& made);
 
 // The command that makes the run again; empty for one of another program.
 std::string command_of(const SceneSettings& scene, const Option& option);
+
+// What estimated errors stand on, as a sentence.
+std::string estimate_text(const Estimate& estimate);
 
 // "maximum over all steps, mixed scale".
 std::string kind_text(const ErrorKind& kind);

@@ -3,6 +3,21 @@
 #include "analysis/recommendation.hpp"
 
 namespace fde {
+namespace {
+
+nlohmann::json json_of(const Way& way, int steps) {
+  return {{"scheme", way.scheme->id}, {"grid", grid_text(way.grading)}, {"steps", steps}};
+}
+
+nlohmann::json json_of(const Estimate& estimate) {
+  return {{"missing", estimate.missing},
+          {"runs",
+           {json_of(estimate.first, estimate.first_steps), json_of(estimate.second, estimate.second_steps)}},
+          {"difference", estimate.difference},
+          {"error", estimate.error()}};
+}
+
+}  // namespace
 
 std::string json_of(const Recommendation& made) {
   using Json = nlohmann::json;
@@ -26,6 +41,11 @@ std::string json_of(const Recommendation& made) {
             {"factor", nullptr},
             {"command", nullptr}};
   if (!first.external) json["command"] = command_of(made.scene, first);
+  if (made.estimate) {
+    json["estimated"] = true;
+    json["estimate"] = json_of(*made.estimate);
+  }
+  if (first.wall_clock) json["wall_clock"] = true;
   if (first.predicted_error) json["predicted_error"] = *first.predicted_error;
   if (!made.columns.empty()) json["columns"] = made.columns;
   if (second != nullptr) {

@@ -55,6 +55,7 @@ void add(MadeRun& made, const Record& row) {
     made.ended = true;
   } else {
     run.values[row.quantity] = row.value;
+    if (is_time(row)) run.wall_clock = row.wall_clock;
   }
 }
 

@@ -22,6 +22,7 @@ struct MeasuredRun {
   std::size_t session = 0;  // of its examination; index into Results::sessions
   RunEnding ending{};
   std::map<std::string, double, std::less<>> values{};  // by quantity
+  bool wall_clock = false;                              // its times are of whole processes
 
   // The value of a quantity; nullopt: not measured.
   [[nodiscard]] std::optional<double> operator[](std::string_view quantity) const;

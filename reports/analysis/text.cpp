@@ -41,6 +41,8 @@ std::string time_text(double seconds) {
   return scaled(seconds, units);
 }
 
+std::string_view clock_note(bool wall_clock) { return wall_clock ? " of the wall clock" : ""; }
+
 std::string bytes_text(double bytes) {
   if (bytes < 1e3) return fmt::format("{:.0f} B", bytes);
   static constexpr std::array units{Unit{1e9, "GB"}, Unit{1e6, "MB"}, Unit{1e3, "kB"}};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "measures/error_kind.hpp"
 
@@ -13,6 +14,9 @@ std::string error_text(double error);
 
 // 12.3 µs, 4.56 ms, 78.9 s; three significant digits.
 std::string time_text(double seconds);
+
+// Behind a time of a whole process: " of the wall clock"; otherwise nothing.
+std::string_view clock_note(bool wall_clock);
 
 // 123 B, 4.56 kB, 78.9 MB; powers of 1000.
 std::string bytes_text(double bytes);

@@ -15,7 +15,8 @@ std::string with_measures(std::string text, const MeasuredRun& run) {
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   if (const auto error = run["error_relative"]) add(fmt::format("{} of the value", error_text(*error)));
   if (const auto from = run["rounding_from"]) add(fmt::format("rounding from t = {:.3g} on", *from));
-  if (const auto seconds = run["time_minimum"]) add(time_text(*seconds));
+  if (const auto seconds = run["time_minimum"])
+    add(fmt::format("{}{}", time_text(*seconds), clock_note(run.wall_clock)));
   return text;
 }
 
@@ -36,6 +37,7 @@ Verdict verdict(const MeasuredRun& run) {
     case Ending::accuracy_lost:
     case Ending::passed_singularity:
     case Ending::false_singularity:
+    case Ending::program_failed:
       return fails;
     case Ending::refused:
       return refuses;

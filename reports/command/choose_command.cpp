@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <chrono>
 #include <ostream>
 #include <set>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "analysis/recommendation.hpp"
 #include "analysis/text.hpp"
@@ -15,6 +17,7 @@
 #include "command/progress.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/printable.hpp"
+#include "search/estimated_reference.hpp"
 
 namespace fde {
 namespace {
@@ -53,16 +56,23 @@ std::vector<Eigen::Index> chosen_columns(const Scene& scene, const std::optional
   return columns;
 }
 
-Recommendation searched(const SceneVariant& variant, const Scene& scene, const Question& question,
-                        double seconds, const Streams& streams) {
+// Of the time a third at most is for an estimate, where there is no reference.
+Recommendation searched(const SceneVariant& variant, Scene scene, const Question& question, double seconds,
+                        const Streams& streams) {
+  constexpr double part_of_estimate = 1.0 / 3.0;
   const auto show = progress_line(streams);
   const auto whole = static_cast<std::size_t>(std::max(1.0, seconds));
-  const auto found = search(scene, question, seconds, [&](const std::string& what, double part) {
+  const Tell tell = [&](const std::string& what, double part) {
     const auto done = static_cast<std::size_t>(part * static_cast<double>(whole));
     show(std::min(done, whole - 1), whole, what);
-  });
+  };
+  const auto start = std::chrono::steady_clock::now();
+  auto known = reference_or_estimate(scene, question, part_of_estimate * seconds, tell);
+  scene.reference = std::move(known.reference);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  const auto found = search(scene, question, std::max(0.0, seconds - taken.count()), tell);
   show(whole, whole, "");
-  return recommend(found, variant.key(), scene.outputs.names, question);
+  return recommend(found, variant.key(), scene.outputs.names, question, known.estimate);
 }
 
 // The scenes of which there are runs.
@@ -133,6 +143,7 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
     if (arguments.columns) made.columns = split_names(*arguments.columns);
   }
   if (made.options.empty()) {
+    if (made.estimate) made.others.push_back(estimate_text(*made.estimate));
     throw NumericalFailure(fmt::format("no run of {} is within {} ({}): {}", label_of(made.scene),
                                        error_text(accuracy), kind_text(kind), fmt::join(made.others, "; ")));
   }

@@ -67,6 +67,7 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const Scenes
   std::vector<double> seconds;
   if (arguments.seconds) seconds = parse_numbers("--seconds", *arguments.seconds, positive);
   const auto path = read_path(arguments.file, scene);
+  if (!arguments.seconds && path.seconds) seconds = {*path.seconds};
   end_with(path, arguments.file, variant, scene);
   std::optional<ResultsFile> file;
   if (arguments.out) file.emplace(*arguments.out, known);

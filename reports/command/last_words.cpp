@@ -5,6 +5,8 @@
 #include <atomic>
 #include <utility>
 
+#include "external/traces.hpp"
+
 namespace fde {
 namespace {
 
@@ -14,6 +16,7 @@ static_assert(std::atomic<const std::string*>::is_always_lock_free);
 // Nothing but what a signal handler may call. The action is the default again (SA_RESETHAND), and the signal
 // raised here arrives when the handler has returned.
 void say_and_end(int signal) {
+  remove_traces();
   if (const auto* text = words.load()) {
     [[maybe_unused]] const auto written = write(STDERR_FILENO, text->data(), text->size());
   }

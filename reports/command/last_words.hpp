@@ -7,8 +7,9 @@
 
 namespace fde {
 
-// While it lives, a signal that asks the process to end (SIGINT, SIGTERM, SIGHUP) first writes this text on
-// standard error and then ends it as it would without. Signals that are ignored stay so. One at a time.
+// While it lives, a signal that asks the process to end (SIGINT, SIGTERM, SIGHUP) first kills the programs
+// that were started, writes this text on standard error and then ends it as it would without. Signals that
+// are ignored stay so. One at a time.
 class LastWords {
  public:
   explicit LastWords(std::string text);

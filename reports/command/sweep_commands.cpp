@@ -30,7 +30,7 @@ constexpr int most_repeats = 1000;
 constexpr double brief = 0.3;  // seconds after which a run of the default sweep is timed no more
 
 struct RunArguments {
-  std::vector<std::string> scenes, settings, schemes;
+  std::vector<std::string> scenes, settings, schemes, externals;
   std::optional<std::string> steps, accuracies;
   MeansArguments means{.budget = "600"};
   std::string repeats = "3";
@@ -49,11 +49,26 @@ std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts,
   return variants;
 }
 
-std::vector<const Scheme*> chosen_schemes(const std::vector<std::string>& ids) {
-  if (ids.empty()) return sweep_schemes();
+// Those named; where none is, all, but beside programs none.
+std::vector<const Scheme*> chosen_schemes(const RunArguments& arguments) {
+  const auto& ids = arguments.schemes;
+  if (ids.empty()) return arguments.externals.empty() ? sweep_schemes() : std::vector<const Scheme*>{};
   std::vector<const Scheme*> entries;
   for (const auto& id : ids) entries.push_back(&scheme_named(id));
   return entries;
+}
+
+std::vector<ExternalProgram> chosen_programs(const RunArguments& arguments) {
+  std::vector<ExternalProgram> programs;
+  for (const auto& text : arguments.externals) {
+    programs.push_back(parse_external(text));
+    const auto& name = programs.back().name;
+    if (std::ranges::count(programs, name, &ExternalProgram::name) > 1)
+      reject_text("--external", text, "a name that no other program has");
+  }
+  if (!programs.empty() && arguments.accuracies)
+    reject_text("--accuracy", *arguments.accuracies, "without --external, whose programs take --steps");
+  return programs;
 }
 
 // The numbers of steps and the accuracies asked for; where none are, as many steps as the answers need, or
@@ -72,7 +87,8 @@ Ladder chosen_ladder(const RunArguments& arguments) {
 
 Sweep sweep_of(const RunArguments& arguments, const Scenes& known) {
   Sweep sweep{.scenes = chosen_scenes(arguments.scenes, arguments.settings, known),
-              .schemes = chosen_schemes(arguments.schemes),
+              .schemes = chosen_schemes(arguments),
+              .programs = chosen_programs(arguments),
               .ladder = chosen_ladder(arguments),
               .setup = parse_means(arguments.means)};
   sweep.repeats.most = parse_count("--repeat", arguments.repeats, 1, most_repeats);
@@ -152,6 +168,8 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
   run_command.list("--set", of_run->settings,
                    "a parameter of all these scenes, NAME=VALUE or a range FIRST:LAST:STEP");
   run_command.list("--scheme", of_run->schemes, "ids of schemes; default all");
+  run_command.list("--external", of_run->externals,
+                   "NAME=COMMAND of another program; of ours then those that --scheme names");
   run_command.option("--steps", of_run->steps, "numbers of steps N1,N2,...");
   run_command.option("--accuracy", of_run->accuracies,
                      "accuracies E1,E2,... of schemes that choose their steps");

@@ -24,6 +24,7 @@ enum class Ending {
   no_reference,        // finished, and there is nothing to compare with
   passed_singularity,  // finished beyond a singularity of the solution
   false_singularity,   // singular, and the solution is not
+  program_failed,      // of another program, which came to no end of its own or wrote no trajectory
   refused,             // did not begin
 };
 

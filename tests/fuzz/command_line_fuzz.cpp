@@ -73,6 +73,7 @@ bool bound(Words& words) {
   for (const auto& word : words) {
     if (word.find('/') != std::string::npos) return false;
   }
+  if (names(words, "--external")) return false;  // runs any command of the shell
   const std::string command = words.front();
   clamp(words, "--steps", 100);
   clamp(words, "--digits", 40);

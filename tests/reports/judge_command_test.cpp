@@ -74,6 +74,15 @@ TEST_F(Judging, TakesTheFilesThatOtherProgramsWrite) {
   }
 }
 
+// A first line says how long the other program took, where the command does not.
+TEST_F(Judging, TakesTheTimeThatAFileSays) {
+  const std::string csv = "# seconds: 0.125\nt,y\n0,0\n1,1.5\n";
+  EXPECT_EQ(number(judge(csv), "time_minimum"), 0.125);
+  EXPECT_EQ(number(judge(csv, {"--seconds", "0.5"}), "time_minimum"), 0.5);
+  EXPECT_THAT(refusal("# seconds: 0\nt,y\n0,0\n1,1.5\n"), HasSubstr(": line 1: seconds = 0: must be"));
+  EXPECT_THAT(refusal("# seconds: 1\n"), HasSubstr(": line 2: there is no header"));
+}
+
 // What solve prints is judged as run judges it, the energy behind the columns passed over.
 TEST_F(Judging, SaysOfOurOwnRunWhatRunSays) {
   const auto solved = fdebench("solve damped_oscillator --scheme l1 --steps 64").out;

@@ -33,6 +33,8 @@ class Results(unittest.TestCase):
             ["--scene", "relaxation", "--steps", "16", "--grid", "graded:2.5", "--history", "direct", "--tolerance", "1e-8"],
             ["--scene", "relaxation", "--accuracy", "1e-3", "--scheme", "l1"],
             ["--scene", f"{ROOT}/docs/examples/bagley_torvik.toml:B=0.3,until=2", "--scheme", "l1", "--steps", "16"],
+            ["--scene", "relaxation", "--steps", "1", "--grid", "graded:2", "--external", "crash=kill -SEGV $$", "--external",
+             "end=echo 't,y\n0,1\n1,0.43' #"],
         ]
         for words in runs:
             run = fdebench("run", *words, "--repeat", 1, "--out", cls.file)
@@ -62,8 +64,8 @@ class Results(unittest.TestCase):
         jsonschema.Draft202012Validator.check_schema(SCHEMA)
         for line in self.lines:
             VALIDATOR.validate(line)
-        self.assertEqual(sum("session" in line for line in self.lines), 6)
-        self.assertTrue({"external", "accuracy", "detail", "budget", "checksum"} <= set().union(*self.lines))
+        self.assertEqual(sum("session" in line for line in self.lines), 7)
+        self.assertTrue({"external", "accuracy", "detail", "budget", "checksum", "wall_clock"} <= set().union(*self.lines))
 
     def test_quantities_are_those_of_the_lists(self):
         lists = (ROOT / "benchmarks" / "measures" / "list.def").read_text()
@@ -94,6 +96,7 @@ class Results(unittest.TestCase):
             (external, {"scheme": "x" * 101}), (error, {"external": True, "scheme": ""}),
             (of_file, {"checksum": ""}), (of_file, {"checksum": "abc"}), (of_file, {"checksum": "Z" * 64}),
             (of_file, {"checksum": 1}), (of_file, {"settings": {"B": "wide"}}), (of_file, {"settings": {"B": [1.0]}}),
+            (error, {"wall_clock": True}), (external, {"wall_clock": True}),
         ]  # fmt: skip
         for number, change in changes:
             with self.subTest(change=change):

@@ -57,6 +57,25 @@ TEST(Ladders, EndBeforeARungOfMoreThanTheMostSeconds) {
   EXPECT_TRUE(ends({climb_of(2, 10.0, 2.0, 1.1 * seconds / 256)}));
 }
 
+// Half a second to start and 1 ms a step, on the clock on the wall: the steps count, up to 256 of them.
+TEST(Ladders, DoNotCountTheStartOfAProcess) {
+  auto climb = climb_of(2, 10.0, 2.0);
+  for (Rung& rung : climb) {
+    rung.wall_clock = true;
+    rung.seconds = 0.5 + 1e-3 * rung.steps;
+  }
+  EXPECT_FALSE(ends({climb}));
+  climb = climb_of(3, 10.0, 2.0);
+  for (Rung& rung : climb) {
+    rung.wall_clock = true;
+    rung.seconds = 0.5 + 1e-3 * rung.steps;
+  }
+  EXPECT_TRUE(ends({climb}));  // 512 steps are forecast to take more than 0.3 s
+  for (Rung& rung : climb) rung.wall_clock = false;
+  climb.pop_back();
+  EXPECT_TRUE(ends({climb}));
+}
+
 TEST(Ladders, ForecastTheSecondsOfAStepByTheCheapestOfTheLastRungs) {
   auto climb = climb_of(3, 10.0, 2.0, 1e-6);
   *climb.back().seconds *= 1e6;  // the machine did something else

@@ -14,16 +14,26 @@ std::string digits_text(double digits) { return fmt::format("{:.1f}", digits); }
 
 Cell newton(const MeasuredRun& run) {
   const auto iterations = run["newton_iterations"];
-  if (!iterations) return {.text = "explicit"};
+  if (!iterations) return {.text = run.key.external ? "" : "explicit"};
   return {.text = fmt::format("{} (to {})", count_text(*iterations), error_text(run.key.setup.tolerance))};
+}
+
+Cell time_cell(const MeasuredRun& run) {
+  Cell shown = cell(run["time_minimum"], time_text);
+  shown.text += clock_note(run.wall_clock);
+  return shown;
 }
 
 std::vector<Cell> row(const PageInput& page, const MeasuredRun& run) {
   const std::string label = page.label(run.key);
-  return {{.text = label, .line = label},        {.text = count_text(run.steps)},
-          cell(run["time_minimum"], time_text),  cell(run["error_end"], error_text),
-          cell(run["mescd"], digits_text),       cell(run["states"], count_text),
-          cell(run["rhs_calls"], count_text),    newton(run),
+  return {{.text = label, .line = label},
+          {.text = count_text(run.steps)},
+          time_cell(run),
+          cell(run["error_end"], error_text),
+          cell(run["mescd"], digits_text),
+          cell(run["states"], count_text),
+          cell(run["rhs_calls"], count_text),
+          newton(run),
           cell(run["history_bytes"], bytes_text)};
 }
 

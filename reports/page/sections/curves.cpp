@@ -24,7 +24,7 @@ json point(const PageInput& page, const CurvePoint& of, const std::string& param
     if (const auto error = run[error_measure(kind)]) words.push_back({error_title(kind), error_text(*error)});
   }
   if (const auto seconds = run["time_minimum"]) {
-    words.push_back({"time", time_text(*seconds)});
+    words.push_back({"time", fmt::format("{}{}", time_text(*seconds), clock_note(run.wall_clock))});
     if (*seconds > 0.0) shown["seconds"] = *seconds;  // the axis is logarithmic
   }
   shown["words"] = words;

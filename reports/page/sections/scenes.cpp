@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
 
 #include "analysis/text.hpp"
 #include "page/page_data.hpp"
@@ -32,6 +34,9 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
   const auto add = [&](std::string name, std::string text) {
     words.push_back({std::move(name), std::move(text)});
   };
+  const auto time = [&](double seconds) {
+    return fmt::format("{}{}", time_text(seconds), clock_note(run.wall_clock));
+  };
   add("title", page.label(run.key));  // shown as the heading
   add("N", count_text(run.steps));
   add("h", fmt::format("{:.3g}", run.h));
@@ -41,8 +46,8 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
   if (const auto residual = run["energy_residual"]) add("energy residual", error_text(*residual));
   if (const auto drift = run["drift_internal"]) add("internal drift", error_text(*drift));
   if (const auto drift = run["drift_independent"]) add("independent drift", error_text(*drift));
-  if (const auto seconds = run["time_minimum"]) add("time", time_text(*seconds));
-  if (const auto seconds = run["time_median"]) add("median time", time_text(*seconds));
+  if (const auto seconds = run["time_minimum"]) add("time", time(*seconds));
+  if (const auto seconds = run["time_median"]) add("median time", time(*seconds));
   if (coarser != nullptr) {
     const std::string since = fmt::format("from N = {}", count_text(coarser->steps));
     if (const auto rate = rate_between(*coarser, run, "error_end"))
@@ -107,6 +112,17 @@ std::string not_drawn(const PageInput& page, RunSpan scene) {
                      fmt::join(names, ", "));
 }
 
+// Times that are not of solves alone.
+std::string on_wall_clock(const PageInput& page, RunSpan scene) {
+  std::set<std::string> names;
+  for (const MeasuredRun& run : scene) {
+    if (run.wall_clock) names.insert(page.label(run.key));
+  }
+  if (names.empty()) return {};
+  return fmt::format("Times of whole processes, by the wall clock and with their start: {}.",
+                     fmt::join(names, ", "));
+}
+
 }  // namespace
 
 json errors_of(const MeasuredRun& run) {
@@ -124,7 +140,7 @@ json scene_sections(const PageInput& page) {
     const auto label = label_of(solved);
     const auto [title, source] = name_of_scene(solved);
     std::vector<std::string> paragraphs;
-    for (const auto& text : {source, not_drawn(page, scene)}) {
+    for (const auto& text : {source, not_drawn(page, scene), on_wall_clock(page, scene)}) {
       if (!text.empty()) paragraphs.push_back(text);
     }
     sections.push_back({{"id", fmt::format("scene-{}{}", label, short_checksum(solved))},

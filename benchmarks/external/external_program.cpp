@@ -1,0 +1,182 @@
+#include "external/external_program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "external/shell_command.hpp"
+#include "external/task_text.hpp"
+#include "external/temporary_file.hpp"
+#include "observers/watched_steps.hpp"
+#include "records/possible.hpp"
+#include "records/run_rows.hpp"
+#include "records/written_path.hpp"
+#include "scenes/number_text.hpp"
+
+namespace fde {
+namespace {
+
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 28;
+constexpr int does_not_take = 77;  // the exit code of a program that does not take the scene
+
+// What a program says may hold any bytes; a detail of an ending prints.
+std::string printable(std::string_view text) {
+  constexpr std::size_t most = 200;
+  std::string shown;
+  for (const char c : text.substr(0, most)) shown += c < ' ' || c > '~' ? '?' : c;
+  return shown;
+}
+
+// The last line of a file that is not empty, of its end.
+std::string last_line(const std::filesystem::path& file) {
+  constexpr std::streamoff most = 4096;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  stream.seekg(std::max<std::streamoff>(0, stream.tellg() - most));
+  std::string line, last;
+  while (std::getline(stream, line)) {
+    if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
+  }
+  return printable(last);
+}
+
+std::string with(std::string reason, const std::string& said) {
+  return said.empty() ? std::move(reason) : fmt::format("{}: {}", reason, said);
+}
+
+// nullopt: it came to its end.
+std::optional<RunEnding> failure_of(const CommandEnd& end, const std::string& said, double budget) {
+  switch (end.how) {
+    case CommandEnd::How::out_of_time:
+      return RunEnding{Ending::out_of_budget, fmt::format("after {:g} s", budget)};
+    case CommandEnd::How::too_much_output:
+      return RunEnding{Ending::program_failed, fmt::format("it wrote more than {} bytes", most_bytes)};
+    case CommandEnd::How::killed: {
+      const char* known = sigdescr_np(end.code);
+      const std::string name = known != nullptr ? known : "unknown";
+      // The shell may have said no more than this.
+      return RunEnding{Ending::program_failed, with(fmt::format("ended by signal {} ({})", end.code, name),
+                                                    said.starts_with(name) ? "" : said)};
+    }
+    case CommandEnd::How::exited:
+      break;
+  }
+  if (end.code == does_not_take)
+    return RunEnding{Ending::refused, said.empty() ? fmt::format("exit code {}", end.code) : said};
+  if (end.code != 0)
+    return RunEnding{Ending::program_failed, with(fmt::format("exit code {}", end.code), said)};
+  return std::nullopt;
+}
+
+// The rows at these times. Throws std::invalid_argument where one is missing.
+WrittenPath at_times(const WrittenPath& path, const std::vector<double>& times) {
+  constexpr double rounding = 1e-12;
+  std::vector<Eigen::Index> rows;
+  for (const double t : times) {
+    const auto found = std::ranges::lower_bound(path.times, t * (1.0 - rounding));
+    if (found == path.times.end() || *found > t * (1.0 + rounding))
+      throw std::invalid_argument(fmt::format("standard output: has no row at t = {}", t));
+    rows.push_back(found - path.times.begin());
+  }
+  return {.columns = path.columns, .times = times, .values = path.values(Eigen::all, rows)};
+}
+
+// One run of a program.
+struct ProgramRun {
+  std::optional<RunEnding> failure{};
+  WrittenPath path{};  // at the times that were asked for; as far as it is finite where it is not
+  std::optional<double> told_seconds{};
+  double wall_seconds = 0.0;
+};
+
+ProgramRun failed(Ending kind, std::string_view detail) {
+  return {.failure = RunEnding{kind, std::string(detail)}};
+}
+
+ProgramRun run(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
+               const Setup& setup) {
+  const Grid grid{
+      .end = scene.problem.end, .steps = std::get<int>(setup.resolution), .grading = setup.grading};
+  const auto times = watched_times(grid);
+  const TemporaryFile task(".json"), out(".csv"), err(".txt");
+  task.write(task_text(variant, scene, setup, times));
+  CommandEnd end;
+  try {
+    end = run_command(program.command, task.path().string(), out.descriptor(), err.descriptor(),
+                      {setup.budget, most_bytes});
+  } catch (const std::system_error& error) {
+    return failed(Ending::program_failed, fmt::format("it cannot be started: {}", error.what()));
+  }
+  if (auto failure = failure_of(end, last_line(err.path()), setup.budget)) return {.failure = failure};
+  try {
+    auto path = read_path(out.path(), scene, "standard output");
+    const auto told = path.seconds;
+    if (path.values.allFinite()) path = at_times(path, times);
+    return {.path = std::move(path), .told_seconds = told, .wall_seconds = end.seconds};
+  } catch (const std::invalid_argument& error) {
+    return failed(Ending::program_failed, printable(error.what()));
+  }
+}
+
+Record row_of(const ExternalProgram& program, const SceneVariant& variant, const Scene& scene,
+              const Setup& setup) {
+  const int steps = std::get<int>(setup.resolution);
+  return {.key = key_of(program, variant.key(), setup), .steps = steps, .h = scene.problem.end / steps};
+}
+
+}  // namespace
+
+ExternalProgram parse_external(std::string_view text) {
+  const auto equals = text.find('=');
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\n'; };
+  if (equals == std::string_view::npos || std::ranges::all_of(text.substr(equals + 1), is_blank))
+    reject_text("--external", text, "NAME=COMMAND, a name and a command of the shell");
+  const auto name = text.substr(0, equals);
+  require_external_name("--external", name);
+  return {std::string(name), std::string(text.substr(equals + 1))};
+}
+
+RunKey key_of(const ExternalProgram& program, const SceneSettings& scene, const Setup& setup) {
+  return {.scene = scene,
+          .scheme = program.name,
+          .setup = {.resolution = setup.resolution, .grading = setup.grading},
+          .external = true};
+}
+
+std::vector<Record> examine(const SceneVariant& variant, const Scene& scene, WatchedReference& reference,
+                            const ExternalProgram& program, const Setup& setup) {
+  const Record row = row_of(program, variant, scene, setup);
+  const auto made = run(variant, scene, program, setup);
+  return rows_of_examination(
+      row, made.failure ? Judgement{*made.failure} : judge_path(scene, made.path, reference));
+}
+
+std::vector<Record> time_runs(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
+                              const Setup& setup, int most, double enough_seconds) {
+  const Record row = row_of(program, variant, scene, setup);
+  std::vector<double> told, wall;
+  double total = 0.0;
+  while (std::ssize(wall) < most && (wall.empty() || total < enough_seconds)) {
+    const auto made = run(variant, scene, program, setup);
+    if (made.failure) return rows_of_examination(row, {*made.failure});
+    total += made.wall_seconds;
+    wall.push_back(made.wall_seconds);
+    if (made.told_seconds) told.push_back(*made.told_seconds);
+  }
+  const bool is_wall_clock = told.size() < wall.size();
+  auto rows = rows_of_times(row, is_wall_clock ? wall : told);
+  for (Record& of : rows) of.wall_clock = is_wall_clock;
+  return rows;
+}
+
+}  // namespace fde

@@ -1,0 +1,161 @@
+#include "external/shell_command.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <optional>
+#include <system_error>
+
+#include "external/traces.hpp"
+
+namespace fde {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void require(int error, const char* what) {
+  if (error != 0) throw std::system_error(error, std::generic_category(), what);
+}
+
+// In a process group of its own, with nothing to read, and no signal blocked.
+class SpawnSettings {
+ public:
+  SpawnSettings(int out, int err) {
+    require(posix_spawn_file_actions_init(&files_), "sh");
+    require(posix_spawnattr_init(&attributes_), "sh");
+    require(posix_spawn_file_actions_addopen(&files_, STDIN_FILENO, "/dev/null", O_RDONLY, 0), "sh");
+    require(posix_spawn_file_actions_adddup2(&files_, out, STDOUT_FILENO), "sh");
+    require(posix_spawn_file_actions_adddup2(&files_, err, STDERR_FILENO), "sh");
+    sigset_t nothing{};
+    sigemptyset(&nothing);
+    require(posix_spawnattr_setsigmask(&attributes_, &nothing), "sh");
+    require(posix_spawnattr_setpgroup(&attributes_, 0), "sh");
+    require(posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK), "sh");
+  }
+  SpawnSettings(const SpawnSettings&) = delete;
+  SpawnSettings& operator=(const SpawnSettings&) = delete;
+  ~SpawnSettings() {
+    posix_spawn_file_actions_destroy(&files_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+
+  [[nodiscard]] pid_t start(std::string command, std::string argument) const {
+    command += " \"$@\"";
+    std::string shell = "sh", option = "-c", name = "sh";
+    const std::array<char*, 6> words{shell.data(), option.data(),   command.data(),
+                                     name.data(),  argument.data(), nullptr};
+    pid_t child = 0;
+    require(posix_spawn(&child, "/bin/sh", &files_, &attributes_, words.data(), environ), "/bin/sh");
+    return child;
+  }
+
+ private:
+  posix_spawn_file_actions_t files_{};
+  posix_spawnattr_t attributes_{};
+};
+
+std::uint64_t bytes_in(int file) {
+  struct stat found {};
+  return fstat(file, &found) == 0 ? static_cast<std::uint64_t>(found.st_size) : 0;
+}
+
+// A descriptor that can be read when the process has ended. (The C library's own function for it has no C++
+// declaration in Debian 12.)
+int opened(pid_t child) { return static_cast<int>(syscall(SYS_pidfd_open, child, 0)); }
+
+// A process that was started and is killed with its group and waited for when this goes.
+class Child {
+ public:
+  Child(const SpawnSettings& settings, const std::string& command, const std::string& argument) {
+    {
+      const NotingTraces noting;
+      child_ = settings.start(command, argument);
+      trace_.emplace(child_);
+    }
+    descriptor_ = opened(child_);
+    if (descriptor_ >= 0) return;
+    const int error = errno;
+    end();
+    require(error, "pidfd_open");
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child() {
+    if (!ended_) end();
+    if (descriptor_ >= 0) close(descriptor_);
+  }
+
+  // Whether it has ended within so many milliseconds.
+  [[nodiscard]] bool ends_within(int milliseconds) const {
+    struct pollfd watched {
+      .fd = descriptor_, .events = POLLIN, .revents = 0
+    };
+    return poll(&watched, 1, milliseconds) > 0;
+  }
+
+  // Kills what is left of its group, which keeps its number until the child is waited for.
+  int end() {
+    kill(-child_, SIGKILL);
+    trace_.reset();
+    int status = 0;
+    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+    }
+    ended_ = true;
+    wait_if_ending();
+    return status;
+  }
+
+ private:
+  pid_t child_ = 0;
+  std::optional<GroupTrace> trace_{};
+  int descriptor_ = -1;
+  bool ended_ = false;
+};
+
+// Of the shell, which tells a signal that killed its command as an exit code.
+CommandEnd end_of(int status, double seconds) {
+  constexpr int signal_code = 128, last_signal = 64;
+  if (WIFSIGNALED(status)) return {CommandEnd::How::killed, WTERMSIG(status), seconds};
+  const int code = WEXITSTATUS(status);
+  if (code > signal_code && code <= signal_code + last_signal)
+    return {CommandEnd::How::killed, code - signal_code, seconds};
+  return {CommandEnd::How::exited, code, seconds};
+}
+
+}  // namespace
+
+CommandEnd run_command(const std::string& command, const std::string& argument, int out, int err,
+                       const CommandLimits& limits) {
+  constexpr double look = 0.02;  // seconds between looks at its outputs
+  const SpawnSettings settings(out, err);
+  const auto start = Clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  Child child(settings, command, argument);
+  while (true) {
+    const double left = limits.seconds - elapsed();
+    const auto milliseconds = static_cast<int>(std::ceil(1e3 * std::clamp(left, 0.0, look)));
+    const bool has_ended = child.ends_within(milliseconds);
+    const double seconds = elapsed();
+    if (bytes_in(out) + bytes_in(err) > limits.bytes) {
+      child.end();
+      return {CommandEnd::How::too_much_output, 0, seconds};
+    }
+    if (has_ended) return end_of(child.end(), seconds);
+    if (seconds < limits.seconds) continue;
+    child.end();
+    return {CommandEnd::How::out_of_time, 0, seconds};
+  }
+}
+
+}  // namespace fde

@@ -1,0 +1,54 @@
+#include "external/task_text.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+namespace fde {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int format = 1;
+
+// All of them; one that follows from others is their formula.
+Json parameters_of(const SceneVariant& variant) {
+  Json parameters = Json::object();
+  for (const Parameter& parameter : variant.maker->parameters) {
+    const auto found = variant.values.find(parameter.name);
+    const ParameterValue& value = found == variant.values.end() ? parameter.value : found->second;
+    std::visit([&](const auto& of) { parameters[parameter.name] = of; }, value);
+  }
+  return parameters;
+}
+
+Json rows_of(const Problem& problem) {
+  Json rows = Json::array();
+  for (const Component& component : problem.components) {
+    rows.push_back({{"order", component.order},
+                    {"initial", component.initial},
+                    {"side", component.side == Side::left ? "left" : "right"}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string task_text(const SceneVariant& variant, const Scene& scene, const Setup& setup,
+                      const std::vector<double>& times) {
+  Json task{{"format", format},
+            {"scene", variant.maker->id},
+            {"label", variant.label()},
+            {"parameters", parameters_of(variant)},
+            // Right-hand sides stand here, as "equations", of a scene that has them as text. None has.
+            {"rows", rows_of(scene.problem)},
+            {"columns", scene.outputs.names},
+            {"end_time", scene.problem.end},
+            {"steps", std::get<int>(setup.resolution)},
+            {"grid", grid_text(setup.grading)},
+            {"times", times}};
+  if (std::isfinite(setup.budget)) task["budget"] = setup.budget;
+  return task.dump(1) + '\n';
+}
+
+}  // namespace fde

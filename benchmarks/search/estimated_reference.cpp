@@ -1,0 +1,227 @@
+#include "search/estimated_reference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "march/singularity.hpp"
+#include "measures/error_kind.hpp"
+#include "observers/watched_steps.hpp"
+#include "records/setup.hpp"
+#include "references/reference_of.hpp"
+#include "search/sampled_run.hpp"
+#include "search/searched_way.hpp"
+
+namespace fde {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int most_compared = 2048;
+
+// The largest difference of two finished runs, at times of the second.
+struct Difference {
+  double largest = infinity;
+  double rounding = 0.0;  // what both runs may be off by alike, and no number of steps makes smaller
+  Vec divisors{};         // of the scene's columns at the end
+};
+
+Difference difference_of(const SampledRun& first, const SampledRun& second, const Question& question) {
+  if (!first.finished() || !second.finished()) return {};
+  const auto times = watched_times(second.grid(), most_compared);
+  const Rows values = first.at(times);
+  const Rows by = divisors(question.kind.scale, times, values);
+  const Rows apart = (second.at(times) - values).cwiseAbs().cwiseQuotient(by)(question.columns, Eigen::all);
+  constexpr double last_part = 0.9;
+  const auto begin = question.kind.norm == Norm::end
+                         ? std::ranges::lower_bound(times, last_part * times.back()) - times.begin()
+                         : 0;
+  const Rows sizes = values.cwiseAbs().cwiseQuotient(by)(question.columns, Eigen::all);
+  constexpr double rounding = 4e-15;
+  Difference found{.rounding = rounding * sizes.maxCoeff(), .divisors = by.rightCols(1)};
+  found.largest = std::max(found.rounding, apart.rightCols(apart.cols() - begin).maxCoeff());
+  return found;
+}
+
+std::string name_of(const Way& way, int steps) {
+  const auto grid = way.grading == 1.0 ? "" : ", " + grid_text(way.grading);
+  return fmt::format("{}{} with N = {}", way.scheme->id, grid, steps);
+}
+
+// Looks for two ways that agree.
+class Estimator {
+ public:
+  Estimator(const Scene& scene, const Question& question, double seconds, const Tell& tell)
+      : scene_(scene), question_(question), seconds_(seconds), tell_(tell) {}
+
+  SearchReference run(std::string missing) {
+    estimate_.missing = std::move(missing);
+    choose_ways();
+    climb();
+    return {made(), estimate_};
+  }
+
+ private:
+  [[nodiscard]] double elapsed() const {
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+
+  [[nodiscard]] std::shared_ptr<const SampledRun> solve(const Way& way, int steps) const {
+    tell_(fmt::format("no reference: {}", name_of(way, steps)), std::min(1.0, elapsed() / seconds_));
+    return std::make_shared<const SampledRun>(scene_, way, steps, std::max(0.1, seconds_ - elapsed()));
+  }
+
+  // A way, and by how much its results move when its steps are halved.
+  struct Moving {
+    Way way{};
+    double moves = infinity;
+  };
+
+  [[nodiscard]] std::vector<Moving> ways_with(int steps) const {
+    std::vector<Moving> all;
+    for (const Scheme& scheme : schemes()) {
+      const auto fits = [&](double grading) {
+        return !refusal(scheme, scene_.problem, Grid{scene_.problem.end, steps, grading});
+      };
+      if (!fits(1.0)) continue;
+      for (const double grading : gradings_of(scheme, scene_, question_.kind.norm)) {
+        if (elapsed() > seconds_ || !fits(grading)) continue;
+        const Way way{&scheme, grading};
+        const double moves = difference_of(*solve(way, steps), *solve(way, steps / 2), question_).largest;
+        if (std::isfinite(moves)) all.push_back({way, moves});
+      }
+    }
+    std::ranges::stable_sort(all, {}, &Moving::moves);
+    return all;
+  }
+
+  void choose_ways() {
+    constexpr int fewest = 256, most = 16384;
+    constexpr double far = 1e3;  // a scheme whose results move so much more is not stable here
+    for (int steps = fewest; steps <= most; steps *= 4) {
+      const auto all = ways_with(steps);
+      if (all.empty()) continue;
+      const auto& first = *all.front().way.scheme;
+      const auto other = [&](const Moving& of) { return of.way.scheme != &first; };
+      const auto other_kind = [&](const Moving& of) {
+        return of.way.scheme->needs.implicit != first.needs.implicit && of.moves < far * all.front().moves;
+      };
+      auto second = std::ranges::find_if(all, other_kind);
+      if (second == all.end()) second = std::ranges::find_if(all, other);
+      if (second == all.end()) continue;
+      estimate_.first = all.front().way;
+      estimate_.second = second->way;
+      steps_ = steps_seeing_jumps(2 * steps);
+      return;
+    }
+    throw no_estimate("no two schemes come to their end");
+  }
+
+  // So many steps, or as many more that the coarser run has some between any two jumps of the right-hand
+  // side: what no step meets both runs would leave out alike.
+  [[nodiscard]] int steps_seeing_jumps(int steps) const {
+    constexpr int between = 8, most = 1 << 20;
+    double shortest = scene_.problem.end, before = 0.0;
+    for (const double t : scene_.problem.jumps) shortest = std::min(shortest, t - std::exchange(before, t));
+    while (steps * shortest < between * scene_.problem.end && steps <= most) steps *= 2;
+    if (steps > most) throw no_estimate(fmt::format("its right-hand side jumps within {:g}", shortest));
+    return steps;
+  }
+
+  void climb() {
+    constexpr double next_takes = 2.5;  // times what the runs at hand take
+    constexpr double most_values = 2e7;
+    double before = infinity, ratio = 0.0;
+    for (int steps = steps_;; steps *= 2) {
+      const double begin = elapsed();
+      estimate_.first_steps = steps;
+      estimate_.second_steps = steps / 2;
+      first_ = solve(estimate_.first, steps);
+      between_ = difference_of(*first_, *solve(estimate_.second, steps / 2), question_);
+      estimate_.difference = between_.largest;
+      const double fallen = fall(before);
+      estimate_.factor = estimate_factor(std::min(ratio, fallen));
+      if (estimate_.error() <= estimate_part * question_.accuracy) return;
+      before = between_.largest;
+      ratio = fallen;
+      const double next = next_takes * (elapsed() - begin);
+      const double values = 2.0 * steps * static_cast<double>(scene_.outputs.names.size());
+      if (elapsed() + next > seconds_ || values > most_values) throw no_estimate(disagreement());
+    }
+  }
+
+  // By how much the difference has fallen; 0 where there is none before it. What is rounding has come to its
+  // end.
+  [[nodiscard]] double fall(double before) const {
+    if (between_.largest <= between_.rounding) return infinity;
+    return std::isfinite(before) ? before / between_.largest : 0.0;
+  }
+
+  [[nodiscard]] std::string disagreement() const {
+    const auto runs = fmt::format("{} and {}", name_of(estimate_.first, estimate_.first_steps),
+                                  name_of(estimate_.second, estimate_.second_steps));
+    if (std::isinf(between_.largest)) return runs + " do not both come to their end";
+    const auto differ = fmt::format("{} differ by {:.1e}", runs, between_.largest);
+    if (std::isinf(estimate_.factor)) return differ + ", which has not fallen twice with more steps";
+    return fmt::format("{}, so the first is off by about {:.1e}, and that is not below {:g} of {:.1e}",
+                       differ, estimate_.error(), estimate_part, question_.accuracy);
+  }
+
+  [[nodiscard]] std::runtime_error no_estimate(const std::string& why) const {
+    return std::runtime_error(
+        fmt::format("there is no reference ({}), and no estimate: {}", estimate_.missing, why));
+  }
+
+  [[nodiscard]] Reference made() const {
+    const Vec bound = estimate_.error() * between_.divisors.unaryExpr([](double by) {
+      return std::isfinite(by) ? by : 0.0;  // what does not count
+    });
+    return {[run = first_, bound](double t) -> ReferenceValue { return {run->at(t), bound}; }};
+  }
+
+  const Scene& scene_;
+  const Question& question_;
+  double seconds_;
+  const Tell& tell_;
+  Clock::time_point start_ = Clock::now();
+  int steps_ = 0;
+  std::shared_ptr<const SampledRun> first_{};
+  Difference between_{};
+  Estimate estimate_{};
+};
+
+}  // namespace
+
+double estimate_factor(double ratio) {
+  constexpr double safety = 2.0;
+  return ratio > 1.0 ? safety * std::max(1.0, 1.0 / (ratio - 1.0)) : infinity;
+}
+
+SearchReference estimated_reference(const Scene& scene, const Question& question, const std::string& missing,
+                                    double seconds, const Tell& tell) {
+  return Estimator(scene, question, seconds, tell).run(missing);
+}
+
+SearchReference reference_or_estimate(const Scene& scene, const Question& question, double seconds,
+                                      const Tell& tell) {
+  try {
+    Reference known = reference_of(scene);
+    [[maybe_unused]] const auto at_end = known.at(scene.problem.end);
+    return {.reference = std::move(known)};
+  } catch (const Singularity&) {
+    throw;
+  } catch (const std::runtime_error& missing) {
+    return estimated_reference(scene, question, missing.what(), seconds, tell);
+  }
+}
+
+}  // namespace fde

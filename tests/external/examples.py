@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""examples.py FDEBENCH SCHEME WORD...: the program of docs/examples that these words run is the rule of this scheme of ours, and
+stands beside it in results, on the page and in the answers."""
+
+import json
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM, SCHEME, *WORDS = sys.argv[1:]
+NAME = "theirs λ"
+STEPS = "64,128,256,512"
+
+
+def fdebench(*words):
+    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True)
+
+
+class Examples(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.results = Path(cls.folder.name) / "results.jsonl"
+        scenes = ["--scene", "relaxation", "--scene", "relaxation:gamma=0.3,lambda=-2,y0=3,until=2", "--scene", "brusselator"]
+        run = fdebench("run", *scenes, "--steps", STEPS, "--scheme", SCHEME, "--external", f"{NAME}={shlex.join(WORDS)}", "--out",
+                       cls.results)  # fmt: skip
+        assert run.returncode == 0, run.stderr
+        cls.rows = [json.loads(line) for line in cls.results.read_text().splitlines() if "session" not in json.loads(line)]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def values(self, scheme, quantity, settings):
+        return {
+            row["steps"]: row["value"]
+            for row in self.rows
+            if row["scheme"] == scheme and row["quantity"] == quantity and row["settings"] == settings
+            and row["scene"] == "relaxation"
+        }  # fmt: skip
+
+    def test_has_the_errors_of_the_same_rule_of_ours(self):
+        for settings in ({}, {"gamma": 0.3, "lambda": -2.0, "y0": 3.0, "until": 2.0}):
+            for error in ("error_end", "error_maximum"):
+                ours, theirs = self.values(SCHEME, error, settings), self.values(NAME, error, settings)
+                self.assertEqual(list(theirs), [64, 128, 256, 512])
+                for steps, value in ours.items():
+                    self.assertAlmostEqual(theirs[steps] / value, 1.0, delta=1e-9)
+
+    def test_tells_its_own_time(self):
+        times = self.values(NAME, "time_minimum", {})
+        self.assertEqual(len(times), 4)
+        self.assertTrue(all(0.0 < seconds < 1.0 for seconds in times.values()))
+        self.assertFalse(any("wall_clock" in row for row in self.rows))
+
+    def test_says_what_it_does_not_take(self):
+        endings = [row for row in self.rows if row["scene"] == "brusselator" and row["scheme"] == NAME]
+        self.assertEqual({row["ending"] for row in endings}, {"refused"})
+        self.assertIn("solves relaxation", endings[0]["detail"])
+
+    def test_stands_beside_ours(self):
+        chosen = fdebench("choose", "relaxation", "--error", "5e-2", "--results", self.results)
+        self.assertIn(f"{NAME}: N = ", chosen.stdout)
+        self.assertRegex(chosen.stdout, rf"(?m)^{SCHEME}.*: N = ")
+        reported = fdebench("report", self.results, "--out", self.folder.name)
+        if "no charts" in reported.stderr:
+            self.skipTest("a build without charts")
+        self.assertEqual(reported.returncode, 0, reported.stderr)
+        page = (Path(self.folder.name) / "index.html").read_text()
+        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page, re.DOTALL)[1])
+        self.assertEqual(data["lines"], [SCHEME, NAME])
+        points = next(section["points"] for section in data["sections"] if section["id"] == "scene-relaxation")
+        self.assertEqual(sum(point["line"] == NAME for point in points), 4)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

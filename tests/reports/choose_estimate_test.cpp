@@ -1,0 +1,69 @@
+// What `choose` says of scenes whose reference cannot be had: Robertson's equations up to 1e10, where the
+// collocation ends at 1.5e7, and a constraint whose solution begins with powers next to each other, for which
+// there is no method.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/answer_of_words.hpp"
+
+namespace fde {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+const std::string robertson = "choose robertson:until=1e10 --error 1e-3 --norm end --max-time 10";
+const std::string constraint = "choose fractional_constraint_nonlinear:alpha=0.97,formulation=multiplier";
+
+TEST(ChoiceWithoutReference, IsAnEstimateThatNamesItsTwoRuns) {
+  const auto answer = fdebench(robertson);
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr(", estimated error "));
+  EXPECT_THAT(answer.out, testing::Not(HasSubstr(", error ")));
+  EXPECT_THAT(
+      answer.out,
+      HasSubstr("\nerrors are estimated, not verified: there is no reference (collocation: no convergence"));
+  EXPECT_THAT(answer.out, ContainsRegex("in its place stands l1, graded:[0-9.]+ with N = [0-9]+"));
+  EXPECT_THAT(answer.out, ContainsRegex("which grunwald_letnikov with N = [0-9]+ differs from by "));
+}
+
+TEST(ChoiceWithoutReference, IsAnEstimateInJson) {
+  const auto answer = fdebench(robertson + " --json");
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  const auto json = nlohmann::json::parse(answer.out);
+  EXPECT_EQ(json.at("estimated"), true);
+  const auto& estimate = json.at("estimate");
+  EXPECT_THAT(estimate.at("missing").get<std::string>(), HasSubstr("no convergence"));
+  const auto& runs = estimate.at("runs");
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_NE(runs[0].at("scheme"), runs[1].at("scheme"));
+  EXPECT_EQ(runs[0].at("steps").get<int>(), 2 * runs[1].at("steps").get<int>());
+  EXPECT_GE(estimate.at("error").get<double>(), 2.0 * estimate.at("difference").get<double>());
+  EXPECT_LE(json.at("error").get<double>() + estimate.at("error").get<double>(), 1e-3);
+}
+
+// The difference falls by 2 % with a doubling: what is left of it is fifty times more.
+TEST(ChoiceWithoutReference, IsRefusedWhereTheTwoDoNotAgree) {
+  const auto answer = fdebench(constraint + " --error 1e-4 --max-time 3");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_EQ(answer.out, "");
+  EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1);
+  EXPECT_THAT(answer.err, HasSubstr("there is no reference (collocation: takes no order below "));
+  EXPECT_THAT(answer.err, ContainsRegex("and no estimate: product_trapezoidal.* and .* differ by "));
+}
+
+// Scenes with a reference say nothing of estimates.
+TEST(ChoiceWithReference, IsNoEstimate) {
+  EXPECT_THAT(fdebench("choose relaxation --error 1e-3 --max-time 5").out,
+              testing::Not(HasSubstr("estimate")));
+  EXPECT_THAT(fdebench("choose relaxation --error 1e-3 --max-time 5 --json").out,
+              testing::Not(HasSubstr("estimate")));
+}
+
+}  // namespace
+}  // namespace fde
