@@ -78,6 +78,14 @@ std::optional<SceneMaker> scene_of_file(std::string_view name) {
   return equation_scene(read_equation_text(file));
 }
 
+WrittenEquation written(const UnknownText& unknown) {
+  WrittenEquation equation{.unknown = unknown.name, .terms = {}, .rhs = unknown.rhs.text, .initial = {}};
+  for (const auto& [coefficient, order] : unknown.terms)
+    equation.terms.push_back({coefficient.text, order.text});
+  for (const auto& value : unknown.initial) equation.initial.push_back(value.text);
+  return equation;
+}
+
 }  // namespace
 
 SceneMaker equation_scene(EquationText text) {
@@ -91,6 +99,7 @@ SceneMaker equation_scene(EquationText text) {
                    .checksum = kept->checksum};
   for (const auto& [name, value] : kept->parameters)
     maker.parameters.push_back({name, value, any_number, "of the file"});
+  for (const auto& unknown : kept->unknowns) maker.equations.push_back(written(unknown));
   return maker;
 }
 

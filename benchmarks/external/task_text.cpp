@@ -32,6 +32,16 @@ Json rows_of(const Problem& problem) {
   return rows;
 }
 
+Json equations_of(const std::vector<WrittenEquation>& equations) {
+  Json all = Json::array();
+  for (const auto& [unknown, terms, rhs, initial] : equations) {
+    Json of_unknown = Json::array();
+    for (const auto& [coefficient, order] : terms) of_unknown.push_back({coefficient, order});
+    all.push_back({{"unknown", unknown}, {"terms", of_unknown}, {"rhs", rhs}, {"initial", initial}});
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string task_text(const SceneVariant& variant, const Scene& scene, const Setup& setup,
@@ -40,13 +50,14 @@ std::string task_text(const SceneVariant& variant, const Scene& scene, const Set
             {"scene", variant.maker->id},
             {"label", variant.label()},
             {"parameters", parameters_of(variant)},
-            // Right-hand sides stand here, as "equations", of a scene that has them as text. None has.
             {"rows", rows_of(scene.problem)},
             {"columns", scene.outputs.names},
             {"end_time", scene.problem.end},
             {"steps", std::get<int>(setup.resolution)},
             {"grid", grid_text(setup.grading)},
             {"times", times}};
+  if (!variant.maker->equations.empty()) task["equations"] = equations_of(variant.maker->equations);
+  if (!scene.problem.jumps.empty()) task["jumps"] = scene.problem.jumps;
   if (std::isfinite(setup.budget)) task["budget"] = setup.budget;
   return task.dump(1) + '\n';
 }

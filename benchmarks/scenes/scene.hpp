@@ -115,12 +115,24 @@ struct Scene {
   StateGeometry geometry{};
 };
 
+// An equation as a file writes it: the sum of coefficient D^order unknown = rhs, all formulas.
+struct WrittenEquation {
+  struct Term {
+    std::string coefficient, order;
+  };
+  std::string unknown;
+  std::vector<Term> terms;
+  std::string rhs;
+  std::vector<std::string> initial;
+};
+
 // How a scene is made: one file in scenes/ and one line in scenes/list.def, or at run time.
 struct SceneMaker {
   std::string id, title, source;
   std::vector<Parameter> parameters;
   std::function<Scene(const Parameters&)> make;
   std::string checksum{};  // of what a file says that it was read from; empty: it is of the code
+  std::vector<WrittenEquation> equations{};  // of that file
 };
 
 // The columns of components at a time, or of a path.

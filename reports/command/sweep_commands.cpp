@@ -164,7 +164,8 @@ void run(const RunArguments& arguments, const Streams& streams, const Scenes& kn
 void add_sweep_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
   auto of_run = std::make_shared<RunArguments>();
   Subcommand run_command(program, "run", "Measure schemes on scenes; a file that exists is continued");
-  run_command.list("--scene", of_run->scenes, "ids of scenes or files of equations, or ID:NAME=VALUE,...; default all");
+  run_command.list("--scene", of_run->scenes,
+                   "ids of scenes or files of equations, or ID:NAME=VALUE,...; default all");
   run_command.list("--set", of_run->settings,
                    "a parameter of all these scenes, NAME=VALUE or a range FIRST:LAST:STEP");
   run_command.list("--scheme", of_run->schemes, "ids of schemes; default all");

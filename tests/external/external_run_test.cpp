@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -158,6 +159,23 @@ TEST_F(ExternalRuns, AreToldTheWholeTask) {
         "\"order\": 0.5", "\"side\": \"left\"", "\"end_time\": 1.0", "\"steps\": 8", "\"grid\": \"uniform\"",
         "\"budget\": 600.0", "0.125"})
     EXPECT_THAT(text.str(), HasSubstr(part));
+}
+
+TEST_F(ExternalRuns, AreToldTheEquationsOfAFile) {
+  folder_.write("square.toml",
+                "end = 1\n[parameters]\na = 2\n[unknown.y]\nterms = [[\"1/a\", 1], [0.5, 0.5]]\n"
+                "rhs = \"t - y*step(0.5 - t)\"\ninitial = [0]\n[[jump]]\nat = 0.5\n");
+  const auto copy = (folder_.path() / "task.json").string();
+  const auto answer = fdebench(std::vector<std::string>{
+      "run", "--scene", (folder_.path() / "square.toml").string() + ":a=4", "--steps", "8", "--external",
+      program("cp \"$1\" " + copy), "--out", results_});
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  const auto task = nlohmann::json::parse(std::ifstream(copy));
+  EXPECT_EQ(task["parameters"]["a"], 4.0);
+  EXPECT_EQ(task["jumps"], std::vector<double>{0.5});
+  EXPECT_EQ(task["equations"], nlohmann::json::parse(R"([{"unknown": "y", "initial": ["0"],
+      "terms": [["1/a", "1"], ["0.5", "0.5"]], "rhs": "t - y*step(0.5 - t)"
+}])"));
 }
 
 TEST_F(ExternalRuns, EndWithAReasonWhenTheyFail) {
