@@ -28,6 +28,21 @@ def test_a_scene_has_the_columns_of_the_command_to_the_last_bit():
     assert numpy.array_equal(numpy.column_stack([solution.times, solution.values]), numpy.array(rows, dtype=float))
 
 
+def test_a_file_is_a_scene(tmp_path):
+    """D^0.5 y = -a y from 1 is e^(a^2 t) erfc(a sqrt(t)); the file may change between two calls."""
+    file = tmp_path / "mine.toml"
+    text = 'end = 1\n[parameters]\na = {}\n[unknown.y]\norder = 0.5\nrhs = "-a*y"\ninitial = [1]\n'
+    for a in (1.0, 2.0):
+        file.write_text(text.format(a))
+        solution = fdebench.solve(str(file), "product_trapezoidal", 1024, grid="graded:2")
+        exact = math.exp(a * a) * math.erfc(a)
+        assert abs(solution["y"][-1] - exact) < 1e-6
+        assert abs(fdebench.exact(fdebench.Scene(str(file), a=a), [1.0])["y"][0] - exact) < 1e-15
+    with pytest.raises(ValueError, match=r"mine.toml: line 3, column 5: a: "):
+        file.write_text(text.format('"b"'))
+        fdebench.solve(str(file), "l1", 8)
+
+
 def test_a_problem_of_ones_own_has_its_solution():
     """D^0.5 y = -y from 1 is e^t erfc(sqrt(t))."""
     solution = fdebench.solve(relaxation(), "product_trapezoidal", 2048, grid="graded:2")
