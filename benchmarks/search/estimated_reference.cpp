@@ -202,7 +202,7 @@ class Estimator {
 }  // namespace
 
 double estimate_factor(double ratio) {
-  constexpr double safety = 2.0;
+  constexpr double safety = 4.0;
   return ratio > 1.0 ? safety * std::max(1.0, 1.0 / (ratio - 1.0)) : infinity;
 }
 

@@ -22,8 +22,8 @@ struct Estimate {
 };
 
 // The factor where the difference has become `ratio` times smaller with each doubling of the steps: an error
-// like N^-p that moves by d from N/2 to N is d / (2^p - 1), and no less than d is taken; twice that. Infinite
-// where it does not fall.
+// like N^-p that moves by d from N/2 to N is d / (2^p - 1), and no less than d is taken; four times that.
+// Infinite where it does not fall.
 double estimate_factor(double ratio);
 
 // The part of an accuracy that the error of an estimate may be.

@@ -25,8 +25,8 @@ struct Line {
 
 // One scene, examined by one thread.
 struct SweptScene {
-  SweptScene(const SceneVariant& swept, const Sweep& sweep)
-      : variant(swept), name(variant.key()), scene(make_scene(variant)) {
+  SweptScene(SceneVariant swept, const Sweep& sweep)
+      : variant(std::move(swept)), name(variant.key()), scene(make_scene(variant)) {
     for (const auto* scheme : sweep.schemes) add({scheme, {name, std::string(scheme->id), sweep.setup}});
     for (const auto& program : sweep.programs) add({&program, key_of(program, name, sweep.setup)});
     climbs.resize(lines.size());

@@ -55,9 +55,9 @@ std::string comparison(const Recommendation& made) {
     return fmt::format("{:.2f} times as long", option.time.median / first.time.median);
   };
   for (const Option& option : made.options) {
-    if (&option != &first)
-      text += fmt::format("{}: {}, {}\n", name_of(option), run_text(option, error_word(made)),
-                          times_as_long(option));
+    if (&option == &first) continue;
+    text += fmt::format("{}: {}, {}\n", name_of(option), run_text(option, error_word(made)),
+                        times_as_long(option));
   }
   for (const Option& option : made.expected)
     text += fmt::format("{}: {}, {}\n", name_of(option), expected_text(option), times_as_long(option));

@@ -26,7 +26,7 @@ class Examples(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.results = Path(cls.folder.name) / "results.jsonl"
         scenes = ["--scene", "relaxation", "--scene", "relaxation:gamma=0.3,lambda=-2,y0=3,until=2", "--scene", "brusselator"]
-        run = fdebench("run", *scenes, "--steps", STEPS, "--scheme", SCHEME, "--external", f"{NAME}={shlex.join(WORDS)}", "--out",
+        run = fdebench("run", *scenes, "--steps", STEPS, "--repeat", 1, "--scheme", SCHEME, "--external", f"{NAME}={shlex.join(WORDS)}", "--out",
                        cls.results)  # fmt: skip
         assert run.returncode == 0, run.stderr
         cls.rows = [json.loads(line) for line in cls.results.read_text().splitlines() if "session" not in json.loads(line)]

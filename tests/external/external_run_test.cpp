@@ -23,7 +23,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 // The times that the task in $1 asks for, one a line.
-constexpr auto times = "sed -n '/\"times\"/,/]/p' \"$1\" | tr -d ' ],' | grep '^[0-9]'";
+constexpr auto times = R"(sed -n '/"times"/,/]/p' "$1" | tr -d ' ],' | grep '^[0-9]')";
 
 class ExternalRuns : public testing::Test {
  protected:
@@ -151,13 +151,13 @@ TEST_F(ExternalRuns, AreAskedForTheGrid) {
 
 TEST_F(ExternalRuns, AreToldTheWholeTask) {
   const auto copy = (folder_.path() / "task.json").string();
-  ASSERT_EQ(run(square("cp \"$1\" " + copy)).code, 0);
+  ASSERT_EQ(run(square(R"(cp "$1" )" + copy)).code, 0);
   std::ostringstream text;
   text << std::ifstream(copy).rdbuf();
   for (const auto* part :
-       {"\"format\": 1", "\"scene\": \"power\"", "\"label\": \"power:p=2\"", "\"gamma\": 0.5", "\"p\": 2.0",
-        "\"order\": 0.5", "\"side\": \"left\"", "\"end_time\": 1.0", "\"steps\": 8", "\"grid\": \"uniform\"",
-        "\"budget\": 600.0", "0.125"})
+       {R"("format": 1)", R"("scene": "power")", R"("label": "power:p=2")", R"("gamma": 0.5)", R"("p": 2.0)",
+        R"("order": 0.5)", R"("side": "left")", R"("end_time": 1.0)", R"("steps": 8)", R"("grid": "uniform")",
+        R"("budget": 600.0)", "0.125"})
     EXPECT_THAT(text.str(), HasSubstr(part));
 }
 

@@ -32,7 +32,7 @@ std::string text_of(const std::filesystem::path& file) {
 class ShellCommands : public testing::Test {
  protected:
   CommandEnd run(const std::string& command, double seconds = 30.0, std::uint64_t bytes = 1 << 20) {
-    return run_command(command, "a 'b' \"c\" $d\\", out_.descriptor(), err_.descriptor(), {seconds, bytes});
+    return run_command(command, R"(a 'b' "c" $d\)", out_.descriptor(), err_.descriptor(), {seconds, bytes});
   }
 
   // Whether the process of this number is there and not dead.
@@ -60,7 +60,7 @@ TEST_F(ShellCommands, TakeTheArgumentUnchangedAsTheirLastWord) {
   const auto end = run("printf '%s|' one");
   EXPECT_EQ(end.how, How::exited);
   EXPECT_EQ(end.code, 0);
-  EXPECT_EQ(text_of(out_.path()), "one|a 'b' \"c\" $d\\|");
+  EXPECT_EQ(text_of(out_.path()), R"(one|a 'b' "c" $d\|)");
 }
 
 TEST_F(ShellCommands, TellTheirExitCodeAndTheirTime) {
