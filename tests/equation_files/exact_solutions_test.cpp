@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "equation_files/equation_files_testing.hpp"
+#include "references/reference_of.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -110,6 +112,22 @@ TEST(LinearEquationFile, HasNoDigitsOfCoefficientsThatAreNoDecimals) {
 TEST(NonlinearEquationFile, DeclaresNoReference) {
   EXPECT_FALSE(scene_of_text(relaxation_file("-x^2")).reference.at);
   EXPECT_FALSE(scene_of_text(relaxation_file("-x + cos(t)")).reference.at);
+}
+
+// D^0.6 y = (t < 1) by two methods, as sign is no load of the linear reference: t^0.6 / Gamma(1.6) less the
+// same of t - 1.
+TEST(ComputedReference, KnowsDeclaredJumps) {
+  const Scene scene = scene_of_text(
+      "end = 2\n[unknown.y]\norder = 0.6\nrhs = \"(1 - sign(t - 1))/2\"\ninitial = [0]\n[[jump]]\nat = "
+      "1\n");
+  ASSERT_FALSE(scene.reference.at);
+  const Reference reference = reference_of(scene);
+  for (const double t : {0.5, 1.5, 2.0}) {
+    const double since = std::max(0.0, t - 1.0);
+    const auto [value, bound] = reference.at(t);
+    EXPECT_NEAR(value[0], (std::pow(t, 0.6) - std::pow(since, 0.6)) / std::tgamma(1.6), bound[0]) << t;
+    EXPECT_LT(bound[0], 1e-13);
+  }
 }
 
 }  // namespace
