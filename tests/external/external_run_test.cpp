@@ -173,9 +173,9 @@ TEST_F(ExternalRuns, AreToldTheEquationsOfAFile) {
   const auto task = nlohmann::json::parse(std::ifstream(copy));
   EXPECT_EQ(task["parameters"]["a"], 4.0);
   EXPECT_EQ(task["jumps"], std::vector<double>{0.5});
-  EXPECT_EQ(task["equations"], nlohmann::json::parse(R"([{"unknown": "y", "initial": ["0"],
+  EXPECT_EQ(task["equations"], nlohmann::json::parse(R"json([{"unknown": "y", "initial": ["0"],
       "terms": [["1/a", "1"], ["0.5", "0.5"]], "rhs": "t - y*step(0.5 - t)"
-}])"));
+}])json"));
 }
 
 TEST_F(ExternalRuns, EndWithAReasonWhenTheyFail) {
