@@ -1,11 +1,8 @@
-# GNU MPC as MPC::MPC, and the MPFR that it computes with as PkgConfig::MPFR.
-find_package(PkgConfig QUIET)
-if(PKG_CONFIG_FOUND)
-  pkg_check_modules(MPFR QUIET IMPORTED_TARGET GLOBAL mpfr)
-endif()
+# GNU MPC as MPC::MPC, with the MPFR that it computes with.
+find_package(MPFR QUIET)
 find_library(MPC_LIBRARY mpc)
 include(FindPackageHandleStandardArgs)
-find_package_handle_standard_args(MPC REQUIRED_VARS MPC_LIBRARY MPFR_LIBRARIES)
+find_package_handle_standard_args(MPC REQUIRED_VARS MPC_LIBRARY MPFR_FOUND)
 if(MPC_FOUND AND NOT TARGET MPC::MPC)
   add_library(MPC::MPC UNKNOWN IMPORTED GLOBAL)
   set_target_properties(MPC::MPC PROPERTIES IMPORTED_LOCATION ${MPC_LIBRARY})

@@ -15,7 +15,7 @@ configure_package_config_file(cmake/fdebench-config.cmake.in ${PROJECT_BINARY_DI
   INSTALL_DESTINATION ${cmake_files})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/fdebench-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/fdebench-config.cmake ${PROJECT_BINARY_DIR}/fdebench-config-version.cmake
-  cmake/FindHWY.cmake cmake/FindMPC.cmake cmake/FindTOML.cmake DESTINATION ${cmake_files} COMPONENT library)
+  cmake/FindHWY.cmake cmake/FindMPC.cmake cmake/FindMPFR.cmake cmake/FindTOML.cmake DESTINATION ${cmake_files} COMPONENT library)
 
 # The libraries are static, so what they link is named with them. The alignment is part of how objects are laid out.
 get_target_property(alignment fde_problem INTERFACE_COMPILE_DEFINITIONS)
@@ -24,7 +24,7 @@ function(install_pkg_config name what needs libraries flags)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/fdebench.pc.in ${file} @ONLY)
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
 endfunction()
-install_pkg_config(schemes "Schemes for fractional differential equations" "eigen3 fmt libhwy"
+install_pkg_config(schemes "Schemes for fractional differential equations" "eigen3 fmt libhwy mpfr"
   "-lfde_schemes -lfde_problem" -D${alignment})
 install_pkg_config(reference "References for fractional differential equations, Mittag-Leffler functions"
   "eigen3 fmt libhwy mpfr" "-lfde_reference -lfde_problem -lmpc" "-I\${prefix}/include/fdebench/schemes -D${alignment}")

@@ -22,7 +22,8 @@ Scheme grunwald_letnikov() {
         return solve_implicit(problem, grid, options, integral_rule(problem, families::grunwald_letnikov));
       }),
       .symbol = [](const Problem& problem,
-                   double length) { return implicit_symbol(problem, families::grunwald_letnikov, length); }};
+                   double length) { return implicit_symbol(problem, families::grunwald_letnikov, length); },
+      .other_name = "bdf1"};
 }
 
 }  // namespace fde

@@ -14,7 +14,8 @@ namespace {
 std::optional<std::string> refusal(const Needs& needs, const Component& component, std::size_t i, bool open) {
   const double order = component.order;
   if (algebraic(component) && !needs.algebraic_rows) {
-    return fmt::format("steps explicitly: component {} is an algebraic row (order 0)", i);
+    return fmt::format("{}: component {} is an algebraic row (order 0)",
+                       needs.implicit ? "takes no algebraic rows" : "steps explicitly", i);
   }
   if (!(algebraic(component) || (order > 0.0 && order <= needs.largest_order))) {
     return fmt::format("takes orders in {}0, {}], component {} has {}", needs.algebraic_rows ? '[' : '(',
@@ -83,7 +84,9 @@ std::span<const Scheme> schemes() {
 }
 
 const Scheme* find_scheme(std::string_view id) {
-  const auto found = std::ranges::find(schemes(), id, &Scheme::id);
+  const auto found = std::ranges::find_if(schemes(), [id](const Scheme& scheme) {
+    return scheme.id == id || (!id.empty() && scheme.other_name == id);
+  });
   return found == schemes().end() ? nullptr : &*found;
 }
 

@@ -12,6 +12,7 @@
 #include "equation_files/linear_motion.hpp"
 #include "equation_files/program.hpp"
 #include "equation_files/start_powers.hpp"
+#include "scenes/equation_file_name.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/printable.hpp"
 
@@ -72,7 +73,7 @@ Scene scene_of(const EquationText& text, const Parameters& parameters) {
 }
 
 std::optional<SceneMaker> scene_of_file(std::string_view name) {
-  if (!name.ends_with(".toml")) return std::nullopt;
+  if (!name.ends_with(equation_file_ending)) return std::nullopt;
   const std::string file(name);
   if (!prints(file)) reject_text("scene", file, "a file whose name is UTF-8 that prints");
   return equation_scene(read_equation_text(file));

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <set>
 
-#include "equation_files/apply.hpp"
+#include "equation_files/program.hpp"
 
 namespace fde {
 namespace {
@@ -18,22 +19,13 @@ constexpr double most_powers = 1e5;  // that are looked at
 
 // All expressions up to the last one at t = 0 and the initial values.
 std::vector<double> values_at_start(const EquationSystem& system, const Expressions& all, Expression last) {
-  std::vector<double> values(static_cast<std::size_t>(last) + 1);
-  for (Expression e = 0; e <= last; ++e) {
-    const auto& entry = all[e];
-    const auto at = [&](std::size_t i) {
-      return entry.of[i] == Expressions::none ? 0.0 : values[static_cast<std::size_t>(entry.of[i])];
-    };
-    auto& value = values[static_cast<std::size_t>(e)];
-    if (entry.operation == Operation::number) {
-      value = static_cast<double>(entry.value);
-    } else if (entry.operation != Operation::variable) {
-      value = apply<double>(entry.operation, at(0), at(1), at(2));
-    } else if (entry.variable > 0) {
-      const auto row = static_cast<std::size_t>(entry.variable) - 1;
-      if (row < system.components.size()) value = system.components[row].initial.front();
-    }
-  }
+  Vec start(system.size());
+  for (Eigen::Index i = 0; i < start.size(); ++i)
+    start[i] = system.components[static_cast<std::size_t>(i)].initial.front();
+  std::vector<Expression> every(static_cast<std::size_t>(last) + 1);
+  std::iota(every.begin(), every.end(), Expression{0});
+  std::vector<double> values(every.size());
+  Program(all, every, system.size()).evaluate(0.0, start, values);
   return values;
 }
 

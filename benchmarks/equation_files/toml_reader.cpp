@@ -13,6 +13,7 @@
 #include "equation_files/formula.hpp"
 #include "equation_files/toml_text.hpp"
 #include "references/checksum.hpp"
+#include "scenes/printable.hpp"
 
 namespace fde {
 namespace {
@@ -45,8 +46,7 @@ class EquationReader : TomlText {
     const auto* text = node.as_string();
     if (text == nullptr) reject_kind(node, "title", "a text");
     const std::string& title = text->get();
-    const bool prints = std::ranges::none_of(title, [](char c) { return c >= 0 && (c < ' ' || c == 0x7f); });
-    if (title.size() > longest || !prints)
+    if (title.size() > longest || !prints(title))
       reject(place_of(node), fmt::format("title: must be at most {} bytes that print", longest));
     return title;
   }

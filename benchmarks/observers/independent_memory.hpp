@@ -9,12 +9,12 @@
 namespace fde {
 
 // D^order q from values of v = q' on a uniform grid, without any scheme: product integration of order 4
-// (5 - order above order 1), which is more than a scheme here has. With b = ceil(order) - order it is J^b v
-// for order < 1 and J^b v' for 1 < order < 2. On each step v is the cubic through the four values around it
-// (the last four at an end of the grid), which is integrated exactly against the kernel. Where v starts with
-// powers t^p that no cubic follows, coefficients c_p are fitted to the first values (StartPowers) and c_p
-// (exact - cubic) is added: start weights in the manner of Lubich 1986, computed from the difference of the
-// two and not as a difference of sums.
+// (5 - order above order 1); of schemes with that rate or a higher one it shows its own error. With b =
+// ceil(order) - order it is J^b v for order < 1 and J^b v' for 1 < order < 2. On each step v is the cubic
+// through the four values around it (the last four at an end of the grid), which is integrated exactly
+// against the kernel. Where v starts with powers t^p that no cubic follows, coefficients c_p are fitted to
+// the first values (StartPowers) and c_p (exact - cubic) is added: start weights in the manner of Lubich
+// 1986, computed from the difference of the two and not as a difference of sums.
 class IndependentMemory {
  public:
   // Fewer steps have no cubic at each end and no start.

@@ -41,7 +41,7 @@ double parse_grading(std::string_view text) {
   if (text == uniform) return 1.0;
   if (text.starts_with(graded))
     return parse_number("--grid graded", text.substr(graded.size()), {.low = 1.0, .high = 100.0});
-  reject_text("--grid", text, "uniform or graded:R with R in [1, 100]");
+  reject_text("--grid", text, "uniform or graded:R with R in [1, 100], or graded:auto on the command line");
 }
 
 HistoryKind parse_history(std::string_view text) {

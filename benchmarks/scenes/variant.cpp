@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "scenes/equation_file_name.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/registry.hpp"
 
@@ -32,10 +33,8 @@ struct Named {
 
 // Where the settings of a label begin: at its first colon, of a file's at the first one behind its name.
 std::size_t colon_of(const std::string& text) {
-  constexpr std::string_view file = ".toml";
-  const auto name = text.find(std::string(file) + ':');
-  if (name != std::string::npos) return name + file.size();
-  return text.ends_with(file) ? std::string::npos : text.find(':');
+  const auto file = equation_file_in(text);
+  return text.find(':', file ? file->size() : 0);
 }
 
 Named split_variant(const std::string& text, const std::vector<std::string>& settings) {

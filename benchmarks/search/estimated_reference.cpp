@@ -115,7 +115,13 @@ class Estimator {
       const auto other_kind = [&](const Moving& of) {
         return of.way.scheme->needs.implicit != first.needs.implicit && of.moves < far * all.front().moves;
       };
-      auto second = std::ranges::find_if(all, other_kind);
+      // Between two times a solution that starts like t^g is not known as well as at them.
+      const auto at_the_same_times = [&](const Moving& of) {
+        return other_kind(of) && question_.kind.norm == Norm::maximum &&
+               of.way.grading == all.front().way.grading;
+      };
+      auto second = std::ranges::find_if(all, at_the_same_times);
+      if (second == all.end()) second = std::ranges::find_if(all, other_kind);
       if (second == all.end()) second = std::ranges::find_if(all, other);
       if (second == all.end()) continue;
       estimate_.first = all.front().way;

@@ -50,4 +50,8 @@ std::vector<const Scheme*> sweep_schemes() {
   return all;
 }
 
+std::vector<const Scheme*> graded_schemes() {
+  return {find_scheme("l1"), find_scheme("product_trapezoidal")};
+}
+
 }  // namespace fde

@@ -20,7 +20,9 @@ std::vector<SceneVariant> sweep_scenes();
 Ladder thorough_ladder();
 Ladder default_ladder();
 
-// Every scheme.
+// Every scheme, and those that climb on the grid which the orders ask for as well, where solutions start
+// singular.
 std::vector<const Scheme*> sweep_schemes();
+std::vector<const Scheme*> graded_schemes();
 
 }  // namespace fde

@@ -22,15 +22,15 @@ double seconds_of(const std::function<void()>& work) {
 // What three solves say of the runs of one scheme on one scene.
 class Probe {
  public:
-  Probe(const Scene& scene, const Scheme& scheme, const Sweep& sweep) {
+  Probe(const Scene& scene, const Scheme& scheme, const Setup& setup, const Ladder& ladder) {
     std::array<Vec, 3> results;
     for (std::size_t i = 0; i < results.size(); ++i) {
-      steps_ = fewest_steps(sweep.ladder) << i;
-      results[i] = solve(scene, scheme, sweep.setup);
+      steps_ = fewest_steps(ladder) << i;
+      results[i] = solve(scene, scheme, setup);
     }
     if (failed_) return;
     error_ = (results[2] - results[1]).cwiseAbs().maxCoeff();
-    const double grading = sweep.setup.grading;
+    const double grading = setup.grading;
     end_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grading, Norm::end);
     maximum_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grading, Norm::maximum);
   }
@@ -112,15 +112,18 @@ class ForecastScene {
 
   Forecast climb() {
     reference_ = seconds_of_reference(scene_);
-    std::vector<Probe> probes;
-    for (const auto* scheme : sweep_.schemes) probes.emplace_back(scene_, *scheme, sweep_);
+    std::vector<ProbedLine> probes;
+    for (const auto* scheme : sweep_.schemes) {
+      for (const Setup& setup : setups_of(sweep_, *scheme, scene_.problem))
+        probes.push_back({scheme, setup, Probe(scene_, *scheme, setup, sweep_.ladder)});
+    }
     const std::size_t count = probes.size() + sweep_.programs.size();
     std::vector<Climb> climbs(count);
     std::vector<bool> ended(count, false);
     for (const auto& resolution : sweep_.ladder.rungs) {
       for (std::size_t i = 0; i < count; ++i) {
         if (ended[i]) continue;
-        climbs[i].push_back(i < probes.size() ? take(*sweep_.schemes[i], probes[i], resolution)
+        climbs[i].push_back(i < probes.size() ? take(probes[i], resolution)
                                               : take(sweep_.programs[i - probes.size()], resolution));
       }
       for (std::size_t i = 0; i < count; ++i)
@@ -130,13 +133,19 @@ class ForecastScene {
   }
 
  private:
-  Rung take(const Scheme& scheme, const Probe& probe, const StepsOrAccuracy& resolution) {
-    RunKey key{name_, std::string(scheme.id), sweep_.setup};
+  struct ProbedLine {
+    const Scheme* scheme;
+    Setup setup;
+    Probe probe;
+  };
+
+  Rung take(const ProbedLine& line, const StepsOrAccuracy& resolution) {
+    RunKey key{name_, std::string(line.scheme->id), line.setup};
     key.setup.resolution = resolution;
     const RecordedRun recorded = recorded_(key);
     if (recorded.amount() == Recorded::everything) return rung_of(key.setup, recorded);
     const auto* steps = std::get_if<int>(&resolution);
-    const Rung rung = probe.rung(steps != nullptr ? *steps : 1);
+    const Rung rung = line.probe.rung(steps != nullptr ? *steps : 1);
     expected_[key] = seconds_of(rung) + seconds_of_timing(rung, sweep_.repeats);
     return rung;
   }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "stepping/optimal_grading.hpp"
 #include "sweep/in_parallel.hpp"
 
 namespace fde {
@@ -27,14 +28,20 @@ struct Line {
 struct SweptScene {
   SweptScene(SceneVariant swept, const Sweep& sweep)
       : variant(std::move(swept)), name(variant.key()), scene(make_scene(variant)) {
-    for (const auto* scheme : sweep.schemes) add({scheme, {name, std::string(scheme->id), sweep.setup}});
-    for (const auto& program : sweep.programs) add({&program, key_of(program, name, sweep.setup)});
+    for (const auto* scheme : sweep.schemes) {
+      for (const Setup& setup : setups_of(sweep, *scheme, scene.problem))
+        add({scheme, {name, std::string(scheme->id), setup}, setup});
+    }
+    for (const auto& program : sweep.programs)
+      add({&program, key_of(program, name, sweep.setup), sweep.setup});
     climbs.resize(lines.size());
-    for (Line& line : lines) line.setup = sweep.setup;
   }
 
   void add(Line line) {
-    if (std::ranges::find(lines, line.solver, &Line::solver) == lines.end()) lines.push_back(std::move(line));
+    const auto same = [&](const Line& other) {
+      return other.solver == line.solver && other.setup == line.setup;
+    };
+    if (std::ranges::none_of(lines, same)) lines.push_back(std::move(line));
   }
 
   SceneVariant variant;
@@ -44,6 +51,12 @@ struct SweptScene {
   std::vector<Line> lines{};
   std::vector<Climb> climbs{};  // of the lines
 };
+
+// Whether every row is of a fractional order, and none is the link of a chain: whose unknown starts smoothly.
+bool starts_singular(const Problem& problem) {
+  return problem.equations.empty() &&
+         std::ranges::none_of(problem.components, [](const auto& row) { return whole(row.order); });
+}
 
 // The hooks as threads may call them. A failure to append ends the work of all.
 class SweepLog {
@@ -156,6 +169,18 @@ void take_rung(std::deque<SweptScene>& scenes, const StepsOrAccuracy& rung, cons
 }
 
 }  // namespace
+
+std::vector<Setup> setups_of(const Sweep& sweep, const Scheme& scheme, const Problem& problem) {
+  const bool graded =
+      std::ranges::find(sweep.graded, &scheme) != sweep.graded.end() && starts_singular(problem);
+  std::vector<Setup> setups{sweep.setup};
+  if (!sweep.optimal_grids && !graded) return setups;
+  Setup optimal = sweep.setup;
+  optimal.grading = optimal_grading(scheme, problem);
+  if (sweep.optimal_grids) return {optimal};
+  if (optimal != sweep.setup) setups.push_back(optimal);
+  return setups;
+}
 
 void run_sweep(const Sweep& asked, const SweepHooks& hooks, const Forecast& expected) {
   Sweep sweep = asked;

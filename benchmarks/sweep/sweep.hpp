@@ -23,9 +23,14 @@ struct Sweep {
   std::vector<ExternalProgram> programs{};
   Ladder ladder;
   Setup setup{.budget = 600.0};  // of all runs, but for the resolution
+  bool optimal_grids = false;    // each scheme on the grid that the orders ask for, not on that of the setup
+  std::vector<const Scheme*> graded{};  // these on both, where solutions start singular
   Repeats repeats{};
   unsigned threads = std::thread::hardware_concurrency();  // of the part that is not timed
 };
+
+// The setups of the lines that a scheme climbs on a problem: one, or two where it is graded.
+std::vector<Setup> setups_of(const Sweep& sweep, const Scheme& scheme, const Problem& problem);
 
 // The runs that a sweep is expected to take, and the seconds that each adds to it.
 using Forecast = std::map<RunKey, double>;

@@ -26,7 +26,30 @@ def _text(value: Value) -> str:
     return str(int(value)) if isinstance(value, numbers.Integral) else repr(float(value))
 
 
-class Scene:
+class _Posed:
+    """What is known of a scene and of a problem alike."""
+
+    _columns: Sequence[str]
+    _orders: Sequence[float]
+    _end: float
+
+    @property
+    def columns(self) -> list[str]:
+        """The names of what a solve gives at each time; energies, constraints and reactions come behind them."""
+        return list(self._columns)
+
+    @property
+    def orders(self) -> list[float]:
+        """The order of the derivative in each row of its problem; 0 of an algebraic row."""
+        return list(self._orders)
+
+    @property
+    def end(self) -> float:
+        """The last time."""
+        return self._end
+
+
+class Scene(_Posed):
     """A scene that fdebench knows, with some of its parameters replaced.
 
     >>> Scene("pendulum", alpha=1.9, until=5)
@@ -53,22 +76,7 @@ class Scene:
         """Its name with the parameters that were replaced."""
         if not self._settings:
             return self._name
-        return self._name + ("," if ":" in self._name else ":") + ",".join(self._settings)
-
-    @property
-    def columns(self) -> list[str]:
-        """The names of what a solve gives at each time; energies, constraints and reactions come behind them."""
-        return list(self._columns)
-
-    @property
-    def orders(self) -> list[float]:
-        """The order of the derivative in each row of its problem; 0 of an algebraic row."""
-        return list(self._orders)
-
-    @property
-    def end(self) -> float:
-        """The last time."""
-        return self._end
+        return self._name + (":" if self._name == self._id else ",") + ",".join(self._settings)
 
     def __repr__(self) -> str:
         return f"Scene({self.label!r})"
@@ -77,7 +85,7 @@ class Scene:
 Rhs = Callable[[float, NDArray[numpy.float64]], ArrayLike]
 
 
-class Problem:
+class Problem(_Posed):
     """A problem of one's own: D^orders[i] y_i = rhs(t, y)[i] for 0 < t <= end, with Caputo derivatives.
 
     >>> Problem(orders=[0.5], initial=[1.0], rhs=lambda t, y: -y, end=1.0)
@@ -117,21 +125,6 @@ class Problem:
             if not callable(function) and (name == "rhs" or function is not None):
                 raise ValueError(f"{name} = {function!r}: must be a function of t and y")
         self._core = _core.Problem(self._orders, values, rhs, self._end, jacobian, self._columns, times)
-
-    @property
-    def columns(self) -> list[str]:
-        """The names of the unknowns."""
-        return list(self._columns)
-
-    @property
-    def orders(self) -> list[float]:
-        """The order of the derivative in each row."""
-        return list(self._orders)
-
-    @property
-    def end(self) -> float:
-        """The last time."""
-        return self._end
 
     def __repr__(self) -> str:
         return f"Problem(orders={self._orders}, end={self._end})"

@@ -58,10 +58,11 @@ def solve(
 ) -> Solution:
     """Solve a scene or a problem with a scheme in so many steps.
 
-    ``grid``: "uniform", or "graded:R" with the times end (n / steps)^R. ``at``: the grid times to return, or ``every`` K-th, or so
-    many ``points`` from 0 to the end; default all. ``accuracy`` in place of steps: for schemes that choose their own. ``history``:
-    "auto", "direct" or "exponentials". ``tolerance``: relative, of Newton's method and of the weights of the past. ``budget``:
-    seconds after which the solve ends. ``check``: also solve with half the steps, and warn where that gives another result.
+    ``grid``: "uniform", "graded:R" with the times end (n / steps)^R, or "graded:auto" with the R that the orders ask for. ``at``:
+    the grid times to return, or ``every`` K-th, or so many ``points`` from 0 to the end; default all. ``accuracy`` in place of
+    steps: for schemes that choose their own. ``history``: "auto", "direct" or "exponentials". ``tolerance``: relative, of
+    Newton's method and of the weights of the past. ``budget``: seconds after which the solve ends. ``check``: also solve with half
+    the steps, and warn where that gives another result.
 
     Other threads run meanwhile, and Ctrl-C ends it. Raises ValueError for what cannot be solved, NumericalFailure for a
     solve that did not come to its end; warns with DoubtfulResult.

@@ -10,7 +10,7 @@ namespace fde {
 namespace {
 
 std::array<std::string, 4> means_of(const Setup& setup) {
-  return {std::string(name(setup.history)), grid_text(setup.grading),
+  return {std::string(name(setup.history)), setup.grading == 1.0 ? "" : grid_text(setup.grading),
           fmt::format("tolerance {:g}", setup.tolerance),
           std::isfinite(setup.budget) ? fmt::format("budget {:g} s", setup.budget) : "no budget"};
 }
@@ -20,7 +20,7 @@ std::string told(const Setup& setup, const std::array<bool, 4>& which) {
   const auto means = means_of(setup);
   std::vector<std::string> words;
   for (std::size_t i = 0; i < means.size(); ++i) {
-    if (which[i]) words.push_back(means[i]);
+    if (which[i] && !means[i].empty()) words.push_back(means[i]);
   }
   return fmt::format("{}", fmt::join(words, ", "));
 }
@@ -43,9 +43,8 @@ LineNames::LineNames(const Runs& runs) {
 }
 
 std::string LineNames::name(const std::string& scheme, const Setup& setup) const {
-  if (external_.contains(scheme))
-    return setup.grading == 1.0 ? scheme : fmt::format("{}, {}", scheme, grid_text(setup.grading));
-  const auto means = told(setup, differ_);
+  constexpr std::array grid_alone{false, true, false, false};
+  const auto means = told(setup, external_.contains(scheme) ? grid_alone : differ_);
   return means.empty() ? scheme : fmt::format("{}, {}", scheme, means);
 }
 

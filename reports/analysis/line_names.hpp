@@ -10,8 +10,8 @@
 namespace fde {
 
 // What lines are called: by their scheme, and by those of their means (history, grid, tolerance, budget) that
-// are not the same for all runs of ours. Of the means of other programs no more is known than the grid that a
-// sweep asked for.
+// are not the same for all runs of ours. That a grid is uniform is not said. Of the means of other programs
+// no more is known than the grid that a sweep asked for.
 class LineNames {
  public:
   explicit LineNames(const Runs& runs);

@@ -24,7 +24,10 @@ ComplexText split_complex(std::string_view text) {
   return {begin == 0 ? "0" : std::string(text.substr(0, begin)), im};
 }
 
-const Scheme& scheme_named(std::string_view id) { return entry_named(schemes(), "scheme", id); }
+const Scheme& scheme_named(std::string_view id) {
+  const Scheme* const found = find_scheme(id);
+  return found != nullptr ? *found : entry_named(schemes(), "scheme", id);
+}
 
 void add_scene(Subcommand& command, SceneArguments& arguments, const std::string& what) {
   command.required("scene", arguments.scene, what + " or file of equations, or ID:NAME=VALUE,...");
@@ -36,7 +39,7 @@ SceneVariant read_variant(const SceneArguments& arguments, const Scenes& known) 
 }
 
 void add_options(Subcommand& command, MeansArguments& arguments) {
-  command.option("--grid", arguments.grid, "uniform or graded:R");
+  command.option("--grid", arguments.grid, "uniform, graded:R, or graded:auto: R from the orders");
   command.option("--history", arguments.history, "auto, direct or exponentials");
   command.option("--tolerance", arguments.tolerance,
                  "relative, of Newton's method and of the weights of the past; default rounding");
@@ -65,8 +68,11 @@ Accuracy parse_accuracy(std::string_view text) {
   return {.relative = error, .absolute = error};
 }
 
+bool asks_optimal_grading(const MeansArguments& arguments) { return arguments.grid == "graded:auto"; }
+
 Setup parse_means(const MeansArguments& arguments) {
-  Setup setup{.grading = parse_grading(arguments.grid), .history = parse_history(arguments.history)};
+  const double grading = asks_optimal_grading(arguments) ? 1.0 : parse_grading(arguments.grid);
+  Setup setup{.grading = grading, .history = parse_history(arguments.history)};
   if (arguments.tolerance)
     setup.tolerance = parse_number("--tolerance", *arguments.tolerance, {.low = 0.0, .high = 1.0});
   setup.budget = parse_number("--budget", arguments.budget, positive);

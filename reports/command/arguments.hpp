@@ -37,7 +37,9 @@ struct MeansArguments {
   std::optional<std::string> tolerance{};
 };
 void add_options(Subcommand& command, MeansArguments& arguments);
+// The grading is 1 where the grid is graded:auto, which depends on scheme and scene (optimal_grading).
 Setup parse_means(const MeansArguments& arguments);
+bool asks_optimal_grading(const MeansArguments& arguments);
 
 // Throws where the text is no decimal number; it may be beyond double.
 void require_decimal(std::string_view name, std::string_view text);

@@ -7,7 +7,6 @@
 #include <ostream>
 #include <set>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "analysis/recommendation.hpp"
@@ -15,6 +14,7 @@
 #include "command/arguments.hpp"
 #include "command/command.hpp"
 #include "command/progress.hpp"
+#include "scenes/equation_file_name.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/printable.hpp"
 #include "search/estimated_reference.hpp"
@@ -85,12 +85,9 @@ std::set<SceneSettings> scenes_of(const Runs& runs) {
 
 // The settings of a scene whose file is not there; nothing of all others.
 std::optional<SceneSettings> settings_without_file(const ChooseArguments& arguments) {
-  constexpr std::string_view ending = ".toml";
-  const auto& scene = arguments.scene.scene;
-  const auto name = scene.find(ending);
-  if (name == std::string::npos || std::filesystem::exists(scene.substr(0, name + ending.size())))
-    return std::nullopt;
-  return read_settings(scene, settings_of(arguments));
+  const auto file = equation_file_in(arguments.scene.scene);
+  if (!file || std::filesystem::exists(*file)) return std::nullopt;
+  return read_settings(arguments.scene.scene, settings_of(arguments));
 }
 
 // The scene asked for, one of these. That of a file need not be at hand: then it is the one of its name.

@@ -79,11 +79,13 @@ Json needs_of(const Scheme& scheme) {
           {"two_sided", scheme.needs.two_sided},
           {"takes_grid", scheme.needs.takes_grid},
           {"takes_accuracy", scheme.needs.takes_accuracy},
-          {"discretises_equations", scheme.needs.discretises_equations}};
+          {"discretises_equations", scheme.needs.discretises_equations},
+          {"start_weights", bool(scheme.start_powers)}};
 }
 
 Json describe(const Scheme& scheme) {
   Json facts{{"id", scheme.id}, {"title", scheme.title}, {"source", scheme.source}};
+  if (!scheme.other_name.empty()) facts["other_name"] = scheme.other_name;
   facts.update(needs_of(scheme));
   return facts;
 }
@@ -170,7 +172,9 @@ void print_one(const SceneMaker& maker, std::ostream& out) {
 }
 
 void print_one(const Scheme& scheme, std::ostream& out) {
-  out << fmt::format("{}: {}\nsource: {}\n\n", scheme.id, scheme.title, scheme.source);
+  out << fmt::format("{}: {}\nsource: {}\n", scheme.id, scheme.title, scheme.source);
+  if (!scheme.other_name.empty()) out << fmt::format("other name: {}\n", scheme.other_name);
+  out << '\n';
   std::vector<Row> rows;
   const Json needs = needs_of(scheme);
   for (const auto& [need, value] : needs.items()) rows.push_back({need, need_text(value)});

@@ -13,6 +13,7 @@
 
 #include "observers/reaction_path.hpp"
 #include "scenes/number_text.hpp"
+#include "stepping/optimal_grading.hpp"
 #include "stepping/rates.hpp"
 #include "sweep/experiment.hpp"
 #include "trust/warnings.hpp"
@@ -140,9 +141,9 @@ SolvedTable table_of(const Scene& scene, const Scheme& scheme, const std::option
   return table;
 }
 
-// What was not counted or is not known is left out.
+// What was not counted or is not known is left out, and the grid where it was named.
 std::string cost_text(const Scene& scene, const Scheme& scheme, const Resolution& resolution,
-                      const Cost& cost, HistoryKind history, double seconds) {
+                      const Cost& cost, HistoryKind history, double seconds, const std::string& chosen_grid) {
   const auto* grid = std::get_if<Grid>(&resolution);
   nlohmann::ordered_json shown{{"seconds", seconds}};
   const auto add = [&shown](const char* key, const auto& count) {
@@ -150,9 +151,11 @@ std::string cost_text(const Scene& scene, const Scheme& scheme, const Resolution
   };
   add("rhs", cost.rhs_calls);
   add("newton", cost.newton_iterations);
+  if (!chosen_grid.empty()) shown["grid"] = chosen_grid;
   if (grid != nullptr && cost.history_bytes) shown["history"] = name(resolve(history, step_plan(*grid)));
   add("history_bytes", cost.history_bytes);
   add("states", cost.states);
+  add("start_weights", cost.start_weights);
   if (grid != nullptr)
     add("expected_rate", theoretical_rate(scheme, scene.problem, scene.smoothness, grid->grading, Norm::end));
   return shown.dump();
@@ -183,7 +186,9 @@ std::string warning_line(const SolvedRun& run, bool check) {
 SolvedTable solved_table(const Scene& scene, const RunArguments& arguments) {
   if (!arguments.steps && !arguments.accuracy) throw std::invalid_argument("--steps is required");
   const auto& scheme = scheme_named(arguments.scheme);
-  const Setup setup = parse_setup(arguments);
+  Setup setup = parse_setup(arguments);
+  const bool chosen = asks_optimal_grading(arguments.means);
+  if (chosen) setup.grading = optimal_grading(scheme, scene.problem);
   const Resolution resolution = resolution_of(setup, scene.problem.end);
   Options options = setup.options();
   const auto grid = grid_of(resolution);
@@ -205,7 +210,8 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments) {
     table.warning = warning_line({scheme, scene.problem, *grid, options, path, columns_of_components(scene)},
                                  arguments.check);
   }
-  table.cost = cost_text(scene, scheme, resolution, path.cost, options.history, elapsed.count());
+  table.cost = cost_text(scene, scheme, resolution, path.cost, options.history, elapsed.count(),
+                         chosen ? grid_text(setup.grading) : "");
   return table;
 }
 

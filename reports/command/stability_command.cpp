@@ -7,7 +7,6 @@
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
-#include "problem/scalar_equation.hpp"
 #include "scenes/number_text.hpp"
 #include "stability/stability_region.hpp"
 
@@ -28,7 +27,7 @@ std::vector<const Scheme*> schemes_of(const Arguments& arguments, double gamma) 
   for (const auto& id : arguments.schemes) some.push_back(&scheme_named(id));
   if (!some.empty()) return some;
   for (const auto& scheme : schemes()) {
-    if (!refusal(scheme, scalar_equation(gamma, -1.0), {})) some.push_back(&scheme);
+    if (!refusal(scheme, scalar_problem(scheme, gamma, -1.0), {})) some.push_back(&scheme);
   }
   return some;
 }

@@ -90,7 +90,10 @@ Sweep sweep_of(const RunArguments& arguments, const Scenes& known) {
               .schemes = chosen_schemes(arguments),
               .programs = chosen_programs(arguments),
               .ladder = chosen_ladder(arguments),
-              .setup = parse_means(arguments.means)};
+              .setup = parse_means(arguments.means),
+              .optimal_grids = asks_optimal_grading(arguments.means)};
+  if (sweep.optimal_grids && !sweep.programs.empty())
+    reject_text("--grid", arguments.means.grid, "uniform or graded:R beside --external");
   sweep.repeats.most = parse_count("--repeat", arguments.repeats, 1, most_repeats);
   if (sweep.ladder.goal) sweep.repeats.enough_seconds = brief;
   return sweep;
@@ -103,10 +106,12 @@ std::vector<Sweep> sweeps_of(const RunArguments& arguments, const Scenes& known)
     throw std::invalid_argument("--trials = yes: must be without --scene and --steps, trials have their own");
   if (arguments.thorough && listed)
     throw std::invalid_argument("--thorough = yes: must be without --steps and --accuracy, it has its own");
-  const Sweep sweep = sweep_of(arguments, known);
+  Sweep sweep = sweep_of(arguments, known);
   std::vector<Sweep> sweeps;
   if (arguments.trials || (!listed && arguments.scenes.empty()))
     sweeps = sweeps_of_trials(sweep, arguments.thorough);
+  const bool whole = !listed && arguments.scenes.empty() && arguments.schemes.empty();
+  if (whole && arguments.means.grid == MeansArguments{}.grid) sweep.graded = graded_schemes();
   if (!arguments.trials) sweeps.push_back(sweep);
   return arguments.shard ? shard_of(std::move(sweeps), parse_shard(*arguments.shard)) : sweeps;
 }

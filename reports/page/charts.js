@@ -7,7 +7,11 @@ const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9
 const shapes = ["circle", "square", "triangle-up", "diamond", "cross", "triangle-down", "triangle-right", "triangle-left"];
 
 const colourOf = (lines, line) => colours[lines.indexOf(line) % colours.length];
-const shapeOf = (lines, line) => shapes[lines.indexOf(line) % shapes.length];
+// Lines beyond the last colour have the first colours again, with other shapes.
+const shapeOf = (lines, line) => {
+  const place = lines.indexOf(line);
+  return shapes[(place + Math.floor(place / colours.length)) % shapes.length];
+};
 
 const labels = {
   number: "replace(format(datum.value, '.0e'), '+', '')",

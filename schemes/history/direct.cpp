@@ -23,8 +23,8 @@ DirectHistory::DirectHistory(const WeightTables& tables, int steps)
   starts_.resizeLike(weights_);
   for (Eigen::Index c = 0; c < weights_.cols(); ++c) {
     const auto& table = distinct[static_cast<std::size_t>(c)];
+    weights_.col(c) = first_weights(table, steps_).reverse();
     for (Eigen::Index k = 1; k <= steps_; ++k) {
-      weights_(steps_ - k, c) = weight(table, k);
       starts_(k - 1, c) = start_weight(table, k).value_or(weights_(steps_ - k, c));
     }
   }

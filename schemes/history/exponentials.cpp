@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "problem/smoothness.hpp"
+
 namespace fde {
 namespace {
 
@@ -30,21 +32,41 @@ ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, do
         group.tables, group.sample.size(),
         exponential_sum(group.exponent, ExponentialMemory::shortest_lag, longest, tolerance));
   }
+  for (auto& filter : filters_) {
+    filter.sample.resize(static_cast<Eigen::Index>(filter.components.size()));
+    filtered_.emplace_back(filter.table, filter.sample.size(), longest, tolerance);
+  }
 }
 
 void ExponentialHistory::add(Sum& sum, const WeightTable& table, Eigen::Index component) {
+  const auto& family = *table.family;
+  if (family.filter != nullptr) return add_filtered(sum, table, component);
   if (const auto constant = constant_weight(table)) {
     needs_totals_ = true;
     sum.constants.push_back({component, start_weight(table, 1).value_or(*constant), *constant});
     return;
   }
+  if (family.smooth_part == nullptr) return add_exponentials(sum, table, component, false);
+  add_exponentials(sum, {family.smooth_part, table.order}, component, false);
+  if (!whole(table.order)) add_exponentials(sum, {family.alternating_part, table.order}, component, true);
+}
+
+void ExponentialHistory::add_filtered(Sum& sum, const WeightTable& table, Eigen::Index component) {
+  auto found = std::ranges::find(filters_, table, &Filtered::table);
+  if (found == filters_.end()) found = filters_.insert(found, {table});
+  const auto group = static_cast<std::size_t>(found - filters_.begin());
+  sum.filtered.push_back({component, group, index_in(found->components, component)});
+}
+
+void ExponentialHistory::add_exponentials(Sum& sum, const WeightTable& table, Eigen::Index component,
+                                          bool alternates) {
   const long double exponent = kernel_exponent(table);
   const bool running_sums = weighs_running_sums(table);
   needs_totals_ = needs_totals_ || running_sums;
   auto found = std::ranges::find_if(groups_, [&](const auto& group) {
-    return group.exponent == exponent && group.running_sums == running_sums;
+    return group.exponent == exponent && group.running_sums == running_sums && group.alternates == alternates;
   });
-  if (found == groups_.end()) found = groups_.insert(found, {exponent, running_sums});
+  if (found == groups_.end()) found = groups_.insert(found, {exponent, running_sums, alternates});
   const auto group = static_cast<std::size_t>(found - groups_.begin());
   const auto row = index_in(found->tables, table);
   auto use = std::ranges::find_if(
@@ -54,6 +76,13 @@ void ExponentialHistory::add(Sum& sum, const WeightTable& table, Eigen::Index co
 }
 
 void ExponentialHistory::push(double /*t*/, In sample) {
+  for (std::size_t f = 0; f < filters_.size(); ++f) {
+    auto& filter = filters_[f];
+    for (Eigen::Index c = 0; c < filter.sample.size(); ++c)
+      filter.sample[c] = sample[filter.components[static_cast<std::size_t>(c)]];
+    filtered_[f].push(filter.sample);
+  }
+  sign_ = -sign_;
   if (first_.size() == 0) {
     first_ = sample;
     return;
@@ -63,7 +92,7 @@ void ExponentialHistory::push(double /*t*/, In sample) {
     auto& group = groups_[g];
     for (Eigen::Index c = 0; c < group.sample.size(); ++c) {
       const auto i = group.components[static_cast<std::size_t>(c)];
-      group.sample[c] = group.running_sums ? totals_[i] : sample[i];
+      group.sample[c] = group.running_sums ? totals_[i] : group.alternates ? -sign_ * sample[i] : sample[i];
     }
     memories_[g].push(group.sample);
   }
@@ -73,16 +102,22 @@ void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) con
   for (const auto& [i, start, constant] : sums_[sum].constants) {
     result[i] = start * first_[i] + constant * totals_[i];
   }
+  for (const auto& [i, filter, column] : sums_[sum].filtered) result[i] = filtered_[filter].convolved(column);
   for (const auto& [group, table, components] : sums_[sum].uses) {
     const auto convolved = memories_[group].convolved(table);
     const double start = memories_[group].start(table);
-    for (const auto& [i, column] : components) result[i] = start * first_[i] + convolved[column];
+    if (groups_[group].alternates) {
+      for (const auto& [i, column] : components) result[i] += sign_ * (start * first_[i] + convolved[column]);
+    } else {
+      for (const auto& [i, column] : components) result[i] = start * first_[i] + convolved[column];
+    }
   }
 }
 
 std::size_t ExponentialHistory::bytes() const {
   std::size_t bytes = 3 * sizeof(double) * static_cast<std::size_t>(totals_.size());
   for (const auto& memory : memories_) bytes += memory.bytes();
+  for (const auto& memory : filtered_) bytes += memory.bytes();
   return bytes;
 }
 

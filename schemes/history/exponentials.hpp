@@ -1,6 +1,7 @@
 #pragma once
 
 #include "history/exponential_memory.hpp"
+#include "history/filtered_memory.hpp"
 #include "history/history.hpp"
 #include "history/running_sum.hpp"
 
@@ -8,6 +9,7 @@ namespace fde {
 
 // The past as decaying exponentials: O(1) work a step and constant memory, good to the tolerance relative to
 // every weight. Components of equal order share nodes and weights; those of order 1 keep a running sum only.
+// Weights w(k) = u(k) + (-1)^k v(k) are two tables, of which the second weighs (-1)^j x_j.
 class ExponentialHistory final : public History {
  public:
   ExponentialHistory(const WeightTables& tables, int steps, double tolerance);
@@ -19,10 +21,11 @@ class ExponentialHistory final : public History {
   [[nodiscard]] std::size_t bytes() const override;
 
  private:
-  // Components with one kernel exponent, that weigh running sums or not.
+  // Components with one kernel exponent, that weigh running sums or not, or the samples with alternating
+  // sign.
   struct Group {
     long double exponent;
-    bool running_sums;
+    bool running_sums, alternates;
     std::vector<WeightTable> tables{};
     std::vector<Eigen::Index> components{};
     Vec sample{};
@@ -38,16 +41,33 @@ class ExponentialHistory final : public History {
     Eigen::Index table;
     std::vector<std::pair<Eigen::Index, Eigen::Index>> components{};
   };
+  // The filtered samples of components with one table.
+  struct Filtered {
+    WeightTable table;
+    std::vector<Eigen::Index> components{};
+    Vec sample{};
+  };
+  struct FilteredUse {
+    Eigen::Index component;
+    std::size_t filter;
+    Eigen::Index column;
+  };
   struct Sum {
     std::vector<Constant> constants{};
     std::vector<Use> uses{};
+    std::vector<FilteredUse> filtered{};
   };
   void add(Sum& sum, const WeightTable& table, Eigen::Index component);
+  void add_exponentials(Sum& sum, const WeightTable& table, Eigen::Index component, bool alternates);
+  void add_filtered(Sum& sum, const WeightTable& table, Eigen::Index component);
 
   std::vector<Group> groups_;
   std::vector<ExponentialMemory> memories_;  // one a group
+  std::vector<Filtered> filters_;
+  std::vector<FilteredMemory> filtered_;  // one a filter
   std::vector<Sum> sums_;
-  Vec first_;  // x_0
+  Vec first_;          // x_0
+  double sign_ = 1.0;  // (-1)^n, n the number of samples
   bool needs_totals_ = false;
   RunningSums totals_;  // of x_1, x_2, ...
 };

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <memory>
 
 #include "implicit/newton_matrix.hpp"
 
 namespace fde {
 
-// Takes what the problem tells of df/dy, or differences of rhs.
+// Takes what the problem tells of df/dy, or differences of rhs. Most problems have a few components, where a
+// size that the compiler knows saves most of the time: it is 1 to 8, or Eigen::Dynamic.
+template <int size>
 class DenseNewtonMatrix : public NewtonMatrix {
  public:
   explicit DenseNewtonMatrix(const Problem& problem);
@@ -17,17 +20,21 @@ class DenseNewtonMatrix : public NewtonMatrix {
   void add_to_diagonal(const Vec& values) override { matrix_.diagonal() += values; }
   void factorise() override { factors_.compute(matrix_); }
   void solve(Vec& b) const override;
-  void factorise_and_solve(Vec& b) override;
   [[nodiscard]] const RowScales& rows() const override { return rows_; }
 
  private:
   void assemble(const Vec& kappa);  // from df/dy in the matrix's place
   [[nodiscard]] bool singular() const;
 
+  using Square = Eigen::Matrix<double, size, size>;
+
   const Problem& problem_;
   RowScales rows_;
-  Matrix matrix_;
-  Eigen::PartialPivLU<Matrix> factors_;
+  Square matrix_;
+  Eigen::PartialPivLU<Square> factors_;
 };
+
+// Of the size of the problem.
+std::unique_ptr<NewtonMatrix> make_dense_newton_matrix(const Problem& problem);
 
 }  // namespace fde

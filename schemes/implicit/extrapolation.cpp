@@ -5,24 +5,25 @@
 namespace fde {
 
 void Extrapolation::push(double t, In y) {
-  newest_ = (newest_ + 1) % points_.size();
-  known_ = std::min(known_ + 1, points_.size());
-  points_[newest_].t = t;
-  points_[newest_].y = y;
+  if (known_ > 0) newest_ = (newest_ + 1) % most;
+  known_ = std::min(known_ + 1, most);
+  times_[static_cast<std::size_t>(newest_)] = t;
+  values_.col(newest_) = y;
 }
 
+// The points that are known are the first ones, in whatever order.
 void Extrapolation::at(double t, Out value) const {
-  if (known_ == 0) return;
-  const auto point = [&](std::size_t age) -> const Point& {
-    return points_[(newest_ + points_.size() - age) % points_.size()];
-  };
   value.setZero();
-  for (std::size_t i = 0; i < known_; ++i) {
-    double weight = 1.0;
-    for (std::size_t j = 0; j < known_; ++j) {
-      if (j != i) weight *= (t - point(j).t) / (point(i).t - point(j).t);
+  for (int i = 0; i < known_; ++i) {
+    const double own = times_[static_cast<std::size_t>(i)];
+    double above = 1.0, below = 1.0;
+    for (int j = 0; j < known_; ++j) {
+      if (j == i) continue;
+      const double other = times_[static_cast<std::size_t>(j)];
+      above *= t - other;
+      below *= own - other;
     }
-    value += weight * point(i).y;
+    value += above / below * values_.col(i);
   }
 }
 

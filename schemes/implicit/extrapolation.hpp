@@ -6,22 +6,24 @@
 
 namespace fde {
 
-// A path continued from its last points, by the polynomial through as many of them as there are, up to three:
-// y(t) = sum_i y_i prod_(j != i) (t - t_j) / (t_i - t_j).
+// A path continued from its last points, by the polynomial through as many of them as there are, up to five:
+//   y(t) = sum_i y_i prod_(j != i) (t - t_j) / (t_i - t_j).
 class Extrapolation {
  public:
-  void push(double t, In y);
+  explicit Extrapolation(Eigen::Index size) : values_(size, most) {}
 
-  // value becomes that at t; it is left as it is where no point is known.
+  void push(double t, In y);
+  [[nodiscard]] bool empty() const { return known_ == 0; }
+
+  // value becomes that at t. At least one point is known.
   void at(double t, Out value) const;
 
  private:
-  struct Point {
-    double t = 0.0;
-    Vec y;
-  };
-  std::array<Point, 3> points_;  // the newest is points_[newest_]
-  std::size_t newest_ = 0, known_ = 0;
+  static constexpr int most = 5;
+
+  std::array<double, most> times_{};
+  Eigen::Matrix<double, Eigen::Dynamic, most> values_;  // a column a point; the newest is newest_
+  int newest_ = 0, known_ = 0;
 };
 
 }  // namespace fde

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "problem/jacobian.hpp"
 
@@ -13,8 +14,9 @@ constexpr int most_iterations = 50;
 constexpr int few_setbacks = 3;
 constexpr double stagnation = 1e-10;
 
-constexpr Eigen::Index most_rows_anew = 4;
-constexpr double slowest = 0.2;  // an increment with kept factors, relative to the one before
+constexpr double part_of_tolerance = 0.25;  // that an equation may be off by, of its terms
+constexpr double slowest = 0.05;            // an increment with kept factors, relative to the one before
+constexpr double most_doubt = 0.2;          // twice the first increment, relative to how far the guess leads
 
 // Increments that no longer shrink, and are so small that it is rounding that does not let them.
 bool stagnates(double now, double last) { return now >= last / 2 && now <= stagnation; }
@@ -32,6 +34,7 @@ NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
       tolerance_(tolerance),
       matrix_(make_newton_matrix(problem)),
       wear_(static_cast<int>(2 * problem.size())),
+      path_(problem.size()),
       f_(problem.size()),
       increment_(problem.size()),
       near_(problem.size()) {
@@ -46,42 +49,71 @@ Ending NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
 }
 
 bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out y) {
-  if (problem_.size() <= most_rows_anew) return iterate_anew(run, step, y);
-  const bool solved = iterate_kept(run, step, y) || iterate_anew(run, step, y);
-  path_.push(step.t, y);
-  return solved;
+  if (path_.empty() || !iterate_kept(run, step, y)) {
+    if (!iterate_anew(run, step, y)) return false;
+    // The factors are those of the last iteration, which began next to y.
+    wear_.renew();
+    sign_ = matrix_->determinant_sign();
+  }
+  remember(step, y);
+  return true;
 }
 
 bool NewtonSolver::iterate_kept(Run& run, const StepEquations& step, Out y) {
+  const auto& rows = matrix_->rows();
   near_ = y;
-  path_.at(step.t, near_);
-  double last = std::numeric_limits<double>::infinity();
+  continue_path(step, near_);
+  increment_ = near_ - y;
+  // As if an increment of this size had led to the guess.
+  double last = std::max(most_doubt * relative_size(rows, increment_, near_), stagnation);
   bool anew = wear_.worn(), fresh = anew;  // fresh: made in this step
+  f_ = run.rhs(step.t, near_);
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
-    if (anew) {
-      linearise(run, step, near_, increment_);
-      matrix_->factorise();
-      wear_.renew();
-    } else {
-      take_residual(step, matrix_->rows(), run.rhs(step.t, near_), near_, increment_);
-    }
+    if (anew && !renew_factors(run, step)) return false;
+    take_residual(step, rows, f_, near_, increment_);
     matrix_->solve(increment_);
     near_ += increment_;
     ++*run.cost().newton_iterations;
-    const double now = relative_size(matrix_->rows(), increment_, near_);
-    const bool rounding = stagnates(now, last);
-    if (now <= tolerance_ || (rounding && fresh)) {
+    const double now = relative_size(rows, increment_, near_);
+    const bool rounding = iteration > 1 && stagnates(now, last);
+    if (!(now <= last / 2) && !rounding) return false;
+    if (now <= tolerance_ || (rounding && fresh) || leaves_rounding(run, step, near_)) {
       wear_.count(iteration);
       y = near_;
       return true;
     }
-    if (!rounding && !(now <= slowest * last)) break;
-    anew = rounding;
-    fresh = fresh || rounding;
+    const bool slow = iteration > 1 && now > slowest * last;
+    if (slow && anew && !rounding) return false;
+    anew = rounding || slow;
+    fresh = fresh || anew;
     last = now;
   }
-  wear_.wear_out();
   return false;
+}
+
+bool NewtonSolver::renew_factors(Run& run, const StepEquations& step) {
+  matrix_->linearise(run, step, near_, f_);
+  matrix_->factorise();
+  wear_.renew();
+  const int before = std::exchange(sign_, matrix_->determinant_sign());
+  return before == 0 || before == sign_;
+}
+
+bool NewtonSolver::leaves_rounding(Run& run, const StepEquations& step, In y) {
+  f_ = run.rhs(step.t, y);
+  return matrix_->rows().algebraic.empty() && holds(step, f_, y, part_of_tolerance * tolerance_);
+}
+
+void NewtonSolver::continue_path(const StepEquations& step, Vec& y) {
+  path_.at(step.t, f_);
+  for (const auto i : matrix_->rows().algebraic) y[i] = f_[i];
+  y = y + matrix_->rows().mass.cwiseProduct(step.past + step.kappa.cwiseProduct(f_) - y);
+}
+
+void NewtonSolver::remember(const StepEquations& step, In y) {
+  f_ = (y - step.past).cwiseQuotient(step.kappa);
+  for (const auto i : matrix_->rows().algebraic) f_[i] = y[i];
+  path_.push(step.t, f_);
 }
 
 bool NewtonSolver::iterate_anew(Run& run, const StepEquations& step, Out y) {
@@ -121,10 +153,9 @@ bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {
     outruns_ = growth_->outruns(*matrix_, step.kappa, solvable_);
   }
   if (!solvable_ || outruns_) return false;
-  Vec increment(y.size());
-  take_residual(step, matrix_->rows(), run.rhs(step.t, y), y, increment);
-  matrix_->solve(increment);
-  y += increment;
+  take_residual(step, matrix_->rows(), run.rhs(step.t, y), y, increment_);
+  matrix_->solve(increment_);
+  y += increment_;
   ++*run.cost().newton_iterations;
   return y.allFinite();
 }
@@ -132,15 +163,16 @@ bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {
 bool NewtonSolver::iterate(Run& run, const StepEquations& step, Out y, int most_setbacks) {
   double last = std::numeric_limits<double>::infinity();
   int setbacks = 0;
-  Vec increment(y.size());
+  f_ = run.rhs(step.t, y);
   for (int iteration = 0; iteration < most_iterations && setbacks < most_setbacks; ++iteration) {
-    linearise(run, step, y, increment);
-    matrix_->factorise_and_solve(increment);
-    y += increment;
+    linearise(run, step, y, increment_);
+    matrix_->factorise();
+    matrix_->solve(increment_);
+    y += increment_;
     ++*run.cost().newton_iterations;
-    const double now = relative_size(matrix_->rows(), increment, y);
+    const double now = relative_size(matrix_->rows(), increment_, y);
     if (std::isnan(now)) return false;
-    if (now <= tolerance_ || stagnates(now, last)) return true;
+    if (now <= tolerance_ || stagnates(now, last) || leaves_rounding(run, step, y)) return true;
     if (now >= last) ++setbacks;
     last = now;
   }
@@ -151,6 +183,7 @@ bool NewtonSolver::approach(Run& run, const StepEquations& step, Out y) {
   double inverse_step = 1.0;
   Vec increment(y.size());
   for (int work = 0; work < most_pseudo_steps && inverse_step < shortest_inverse; ++work) {
+    f_ = run.rhs(step.t, y);
     linearise(run, step, y, increment);
     matrix_->add_to_diagonal(inverse_step * matrix_->rows().mass);
     matrix_->factorise();
@@ -180,7 +213,6 @@ double NewtonSolver::bend(Run& run, const StepEquations& step, In y, const Vec& 
 }
 
 void NewtonSolver::linearise(Run& run, const StepEquations& step, In y, Vec& rest) {
-  f_ = run.rhs(step.t, y);
   matrix_->linearise(run, step, y, f_);
   take_residual(step, matrix_->rows(), f_, y, rest);
 }

@@ -16,17 +16,26 @@ namespace fde {
 // run.
 //
 // A problem with a linear part A is solved with one factorisation of I - kappa A as long as kappa stays the
-// same. Otherwise Newton's method takes the Jacobian of the problem, or differences of rhs where it has none,
-// until the last increment is below tolerance * |y|, or has stopped to shrink below 1e-10 * |y|: there it is
-// rounding.
+// same. Otherwise Newton's method takes the Jacobian of the problem, or differences of rhs where it has none.
+// A step ends with y where the last increment is below tolerance * |y|, or has stopped to shrink below
+// 1e-10 * |y|: there it is rounding. Without algebraic rows it ends too where every equation holds to a
+// quarter of the tolerance, relative to its own terms past_i and kappa_i f_i. To evaluate f there costs less
+// than the iteration that would only have told it. How fast increments shrank before says less: it does not
+// see what is small beside the rest of an increment.
 //
-// Of more than four rows the factorised matrix is kept from step to step as long as increments shrink fast
-// with it, and the first guess continues the last three steps. Where they do not, or of fewer rows, where
-// factors cost no more than an iteration, the matrix is made anew in each iteration from the guess on. Where
-// three increments are no smaller than those before them, as when the solution near the guess has just
-// vanished, it starts again from where pseudo time steps lead to; where these lead to nothing, it goes on
-// from where it had come to. Where derivatives at the guess are not finite, as that of y^(1/6) at 0, it
-// starts from y = past + kappa f(t, guess), up to eight times.
+// The first guess is y = past + kappa f, with f continued from the last five steps. It is trusted where the
+// equations confirm it, that is where the first increment is at most a tenth of how far it leads from the
+// step before. The factorised matrix is kept from step to step, and made anew at the iterate where an
+// increment is more than a twentieth of the one before, or once it is worn. A guess is given up where
+// increments do not halve, and where the determinant of a new matrix has another sign than at the last
+// solution: where two solutions meet and vanish (as those of y = past + kappa y^2, before y is infinite),
+// they differ in it.
+//
+// From the step before, y as it comes, the iteration then begins again with a new matrix in each iteration.
+// Where three increments are no smaller than those before them, as when the solution near the guess has just
+// vanished, it starts from where pseudo time steps lead to; where these lead to nothing, it goes on from
+// where it had come to. Where derivatives at the guess are not finite, as that of y^(1/6) at 0, it starts
+// from y = past + kappa f(t, guess), up to eight times.
 //
 // |y| is the largest of the other unknowns where there are algebraic rows. An unknown lambda_i of an
 // algebraic row counts as what it does to the equations, max_k |M_ki| |lambda_i| with M the matrix of
@@ -46,8 +55,16 @@ class NewtonSolver {
  private:
   bool solve_nonlinear(Run& run, const StepEquations& step, Out y);
   bool solve_linear(Run& run, const StepEquations& step, Out y);
-  // From the continued path with the kept factors; y is the result, or, where these do not serve, as it was.
+  // From the continued path, of at least one step, with the kept factors; y is the result, or, where these do
+  // not serve, as it was.
   bool iterate_kept(Run& run, const StepEquations& step, Out y);
+  // The factors become those at near_, where f_ is f. False where the determinant has changed its sign.
+  bool renew_factors(Run& run, const StepEquations& step);
+  // Whether the equations hold at y as well as they can. f_ becomes f(t, y).
+  bool leaves_rounding(Run& run, const StepEquations& step, In y);
+  // The path of f, and of the unknowns of algebraic rows, is continued to y, and takes in a solution y.
+  void continue_path(const StepEquations& step, Vec& y);
+  void remember(const StepEquations& step, In y);
   // From y on: anew in each iteration, and, where that leads nowhere, from where pseudo time steps lead to,
   // or where y has no derivatives.
   bool iterate_anew(Run& run, const StepEquations& step, Out y);
@@ -64,7 +81,7 @@ class NewtonSolver {
   // How far the equations are from linear along an increment of a pseudo time step: the next one, relative to
   // it.
   double bend(Run& run, const StepEquations& step, In y, const Vec& increment, double inverse_step);
-  // The matrix becomes that at y, and rest what y leaves of the equations.
+  // The matrix becomes that at y, where f_ is f, and rest what y leaves of the equations.
   void linearise(Run& run, const StepEquations& step, In y, Vec& rest);
 
   const Problem& problem_;
@@ -72,6 +89,7 @@ class NewtonSolver {
   std::unique_ptr<NewtonMatrix> matrix_;
   Wear wear_;
   Extrapolation path_;
+  int sign_ = 0;  // of the determinant at the last solution; 0: there was none
   Vec f_, increment_, near_;
   // Of a linear problem: the kappa for which the matrix is factorised, and whether it has a solution then.
   std::optional<Vec> factorised_for_;

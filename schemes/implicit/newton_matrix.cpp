@@ -7,7 +7,7 @@ namespace fde {
 
 std::unique_ptr<NewtonMatrix> make_newton_matrix(const Problem& problem) {
   if (sparse(problem)) return std::make_unique<SparseNewtonMatrix>(problem);
-  return std::make_unique<DenseNewtonMatrix>(problem);
+  return make_dense_newton_matrix(problem);
 }
 
 }  // namespace fde

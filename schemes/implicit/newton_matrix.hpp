@@ -30,9 +30,8 @@ class NewtonMatrix {
   virtual void add_to_diagonal(const Vec& values) = 0;
   virtual void factorise() = 0;
 
-  // b becomes the solution x of (this matrix) x = b; the second of them factorises for this b alone.
+  // b becomes the solution x of (the factorised matrix) x = b.
   virtual void solve(Vec& b) const = 0;
-  virtual void factorise_and_solve(Vec& b) = 0;
 
   // Those of the equations that have been linearised last.
   [[nodiscard]] virtual const RowScales& rows() const = 0;

@@ -59,9 +59,4 @@ void SparseNewtonMatrix::solve(Vec& b) const {
   }
 }
 
-void SparseNewtonMatrix::factorise_and_solve(Vec& b) {
-  factorise();
-  solve(b);
-}
-
 }  // namespace fde

@@ -17,7 +17,6 @@ class SparseNewtonMatrix : public NewtonMatrix {
   void add_to_diagonal(const Vec& values) override { matrix_.diagonal() += values; }
   void factorise() override;
   void solve(Vec& b) const override;
-  void factorise_and_solve(Vec& b) override;
   [[nodiscard]] const RowScales& rows() const override { return rows_; }
 
  private:

@@ -20,6 +20,15 @@ void take_residual(const StepEquations& step, const RowScales& rows, In f, In y,
   for (const auto i : rows.algebraic) rest[i] = rows.scale[i] * f[i];
 }
 
+bool holds(const StepEquations& step, In f, In y, double tolerance) {
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const double part = step.kappa[i] * f[i], terms = std::abs(step.past[i]) + std::abs(part);
+    const double rest = std::abs(step.past[i] + part - y[i]);
+    if (!(rest <= tolerance * terms && std::isfinite(terms))) return false;
+  }
+  return true;
+}
+
 double relative_size(const RowScales& rows, In increment, In y) {
   // Below, doubles lose their digits one by one: rounding is relative to this then.
   static constexpr double smallest =

@@ -29,6 +29,10 @@ struct RowScales {
 // rest becomes what y leaves of the equations, where f is f(t, y).
 void take_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest);
 
+// Whether each equation holds to the tolerance, relative to its own terms past_i and kappa_i f_i. No row is
+// algebraic.
+bool holds(const StepEquations& step, In f, In y, double tolerance);
+
 // The largest increment relative to |y|, both as Newton's method takes them (newton.hpp).
 double relative_size(const RowScales& rows, In increment, In y);
 

@@ -1,5 +1,7 @@
 #include "problem/scalar_equation.hpp"
 
+#include "problem/chain_problem.hpp"
+
 namespace fde {
 
 Problem scalar_equation(double order, std::complex<double> rate, double end) {
@@ -12,6 +14,33 @@ Problem scalar_equation(double order, std::complex<double> rate, double end) {
           .rhs = [=](double, In u, Out f) { f = matrix * u; },
           .derivatives = DenseLinearPart{matrix},
           .end = end};
+}
+
+Problem scalar_chain(double order, std::complex<double> rate, double end) {
+  const bool real = rate.imag() == 0.0;
+  const double x = rate.real(), y = rate.imag();
+  std::vector<double> start(initial_count(order), 0.0);
+  const Chain imaginary({1.0, order}, {}, start, std::ssize(start));
+  start.front() = 1.0;
+  const Chain first({1.0, order}, {}, start);
+  if (real) {
+    return chain_problem(
+        {{.chain = first, .force = [=](double, In u) { return x * u[0]; }, .derivatives = LinearForce{x}}},
+        end);
+  }
+  const auto i = imaginary.first();
+  Problem problem =
+      chain_problem({{.chain = first, .force = [=](double, In u) { return x * u[0] - y * u[i]; }},
+                     {.chain = imaginary, .force = [=](double, In u) { return y * u[0] + x * u[i]; }}},
+                    end);
+  DenseLinearPart part{Matrix::Zero(2 * i, 2 * i)};
+  part.matrix.diagonal(1).setOnes();
+  part.matrix.row(i - 1).setZero();
+  part.matrix(i - 1, 0) = part.matrix(2 * i - 1, i) = x;
+  part.matrix(2 * i - 1, 0) = y;
+  part.matrix(i - 1, i) = -y;
+  problem.derivatives = part;
+  return problem;
 }
 
 }  // namespace fde

@@ -10,4 +10,7 @@ namespace fde {
 // for a complex rate, whose modes then are those of the rate and of its conjugate.
 Problem scalar_equation(double order, std::complex<double> rate, double end = 1.0);
 
+// The same told as multi-term equations without terms.
+Problem scalar_chain(double order, std::complex<double> rate, double end = 1.0);
+
 }  // namespace fde

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "problem/scalar_equation.hpp"
+
 namespace fde {
 namespace {
 
@@ -106,6 +108,11 @@ class Turn {
 };
 
 }  // namespace
+
+Problem scalar_problem(const Scheme& scheme, double order, ComplexValue rate, double end) {
+  return scheme.needs.discretises_equations ? scalar_chain(order, rate, end)
+                                            : scalar_equation(order, rate, end);
+}
 
 Symbol symbol_of(const Scheme& scheme, const Problem& problem, double length) {
   const auto reject = [&](std::string_view reason) {

@@ -28,6 +28,10 @@ bool stable(const Scheme& scheme, const Problem& problem, double length);
 // 5 % apart, then bisected to nine digits; 0: not even the shortest is.
 double largest_stable_step(const Scheme& scheme, const Problem& problem, double shortest, double longest);
 
+// D^order y = rate y from y(0) = 1, y'(0) = 0 in the form that the scheme takes: as a row, or told as an
+// equation.
+Problem scalar_problem(const Scheme& scheme, double order, ComplexValue rate, double end = 1.0);
+
 // The symbol that is looked at; throws as above.
 Symbol symbol_of(const Scheme& scheme, const Problem& problem, double length);
 

@@ -7,8 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "problem/scalar_equation.hpp"
-
 namespace fde {
 namespace {
 
@@ -23,23 +21,29 @@ struct Characteristic {
 class ScalarSymbol {
  public:
   ScalarSymbol(const Scheme& scheme, double order)
-      : plus_(symbol_of(scheme, scalar_equation(order, 1.0), 1.0)),
-        minus_(symbol_of(scheme, scalar_equation(order, -1.0), 1.0)),
-        order_(order),
-        implicit_(scheme.needs.implicit) {}
+      : implicit_(scheme.needs.implicit),
+        size_(implicit_ ? large : 1.0),
+        plus_(symbol_of(scheme, scalar_problem(scheme, order, size_), 1.0)),
+        minus_(symbol_of(scheme, scalar_problem(scheme, order, -size_), 1.0)),
+        order_(order) {}
 
   [[nodiscard]] Characteristic at(double theta) const { return at(ComplexValue{0.0, theta}); }
   [[nodiscard]] Characteristic at(ComplexValue log_zeta) const {
     const ComplexValue power = difference_power(order_, log_zeta);
     const ComplexValue plus = plus_(log_zeta).determinant() / power,
                        minus = minus_(log_zeta).determinant() / power;
-    return {0.5 * (plus - minus), implicit_ ? 0.0 : 0.5 * (plus + minus) - 1.0};
+    return {0.5 * (plus - minus) / size_, implicit_ ? 0.0 : 0.5 * (plus + minus) - 1.0};
   }
 
  private:
+  // The linear term alone is asked of implicit rules: beside it 1 is nothing, also where the boundary is far
+  // out.
+  static constexpr double large = 0x1p80;
+
+  bool implicit_;
+  double size_;
   Symbol plus_, minus_;
   double order_;
-  bool implicit_;
 };
 
 std::vector<ComplexValue> roots(const Characteristic& p) {
@@ -116,7 +120,7 @@ std::vector<double> crossings(const ScalarSymbol& symbol) {
 }
 
 bool stable_at(const Scheme& scheme, double order, double x) {
-  return stable(scheme, scalar_equation(order, -x), 1.0);
+  return stable(scheme, scalar_problem(scheme, order, -x), 1.0);
 }
 
 }  // namespace
@@ -152,7 +156,7 @@ double stability_angle(const Scheme& scheme, double order) {
 std::optional<Vec> response_at_infinity(const Scheme& scheme, double order, int steps) {
   // A rate beside which 1 is nothing: the limit itself, to rounding.
   constexpr double infinite = -1e100;
-  const Problem problem = scalar_equation(order, infinite, steps);
+  const Problem problem = scalar_problem(scheme, order, infinite, steps);
   symbol_of(scheme, problem, 1.0);
   if (!scheme.needs.implicit) return std::nullopt;
   const Rows y = scheme.solve(problem, Grid{problem.end, steps}, {}).y;

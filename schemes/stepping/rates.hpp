@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "stepping/scheme.hpp"
 #include "stepping/splitting.hpp"
 
@@ -12,7 +15,7 @@ namespace fde {
 // grading is the smooth rate over the cost (Brunner 1985; for L1 Stynes, O'Riordan & Gracia 2017). Algebraic
 // rows hold exactly at every step and contribute nothing.
 struct RateTheory {
-  double (*smooth)(double g);
+  std::function<double(double g)> smooth;
   double (*end)(double g, double p);         // at a fixed time
   double (*first_step)(double g, double p);  // at t_1
 };

@@ -84,8 +84,12 @@ StepFactors::StepFactors(std::vector<WeightTable> tables, const Grid& grid)
 
 const Vec& StepFactors::at(int n) {
   if (n > 1 && grid_.uniform()) return factors_;
+  // The length of a graded step, and each factor, takes powers: most rows have the order of the one before.
+  const double length = grid_.step(n);
   for (std::size_t i = 0; i < tables_.size(); ++i) {
-    factors_[static_cast<Eigen::Index>(i)] = step_factor(tables_[i], grid_.step(n));
+    const auto row = static_cast<Eigen::Index>(i);
+    const bool same = i > 0 && tables_[i] == tables_[i - 1];
+    factors_[row] = same ? factors_[row - 1] : step_factor(tables_[i], length);
   }
   return factors_;
 }

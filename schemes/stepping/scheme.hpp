@@ -20,8 +20,8 @@ namespace fde {
 struct Options {
   HistoryKind history = HistoryKind::automatic;
   int corrections = 1;  // corrector iterations of predictor-corrector schemes, >= 1
-  // What a step may be off by besides the rule's own error, relative; default: rounding. It bounds the last
-  // Newton increment against |y| (see NewtonSolver), and the error of every weight of the past.
+  // What a step may be off by besides the rule's own error, relative; default: rounding. It bounds what
+  // Newton's method leaves of a step (see NewtonSolver), and the error of every weight of the past.
   double tolerance = 1e-15;
   double budget = std::numeric_limits<double>::infinity();  // seconds: a run that takes longer ends there
   std::vector<double> at{};  // times to return, increasing, each up to rounding; empty: all
@@ -71,6 +71,10 @@ struct Scheme {
   // The id of the scheme whose chains this one expands into components of equal order; empty: of none.
   std::string_view expansion_of{};
   std::optional<Theorem> theorem{};
+  // The powers of t that its start weights make exact in f, from the orders of the problem alone; empty: it
+  // has none.
+  std::function<std::vector<double>(const Problem&)> start_powers{};
+  std::string_view other_name{};  // another id that find_scheme takes; empty: none
 };
 
 // A scheme's solve from one that steps over a grid: unpacks the resolution.
@@ -83,7 +87,7 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
 // All schemes, in the order of list.def.
 std::span<const Scheme> schemes();
 
-// The scheme with this id, or nullptr.
+// The scheme with this id or other name, or nullptr.
 const Scheme* find_scheme(std::string_view id);
 
 }  // namespace fde

@@ -34,6 +34,7 @@ struct Cost {
   std::optional<std::size_t> history_bytes{};
   // Components actually stepped; more than the problem's where a scheme splits orders.
   std::optional<int> states{};
+  std::optional<int> start_weights{};  // of f_0, f_1, ... at every step
 };
 
 // What a scheme returns: y at the times that were asked for, otherwise at its own, as far as the run came.

@@ -77,12 +77,14 @@ bool grows(double order, ComplexValue rate) {
   return rate != 0.0 && std::abs(std::arg(rate)) < 0.5 * order * std::numbers::pi;
 }
 
-// The problem with its linear part at a state in place of f.
+// The problem with its linear part at a state in place of f. Of its equations a symbol takes the terms, and
+// the rest from this part.
 Problem frozen(const Problem& problem, double t, const Vec& y) {
   const Matrix jacobian = jacobian_at(problem, t, y);
   return {.components = problem.components,
           .rhs = [=](double, In at, Out f) { f = jacobian * at; },
           .derivatives = DenseLinearPart{jacobian},
+          .equations = problem.equations,
           .end = problem.end};
 }
 
@@ -151,7 +153,7 @@ std::optional<std::string> unstable_modes(const SolvedRun& run) {
   for (const double t : spread_times(run.grid)) {
     const Vec y = stored_at(run.path, t);
     const double length = step_at(run.grid, t);
-    const auto order = common_order(run.problem);
+    const auto order = run.scheme.needs.discretises_equations ? std::nullopt : common_order(run.problem);
     const bool unstable = order ? unstable_at(run.scheme, *order, spectrum(run.problem, t, y), length)
                                 : unstable_at(run.scheme, frozen(run.problem, t, y), length);
     if (!unstable) continue;

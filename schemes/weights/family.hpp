@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
+#include "weights/multistep.hpp"
 #include "weights/polylogarithm.hpp"
 
 namespace fde {
@@ -29,6 +31,9 @@ struct WeightFamily {
   // w(k) on equal steps, lag k >= 1. Extended, so that what is left in the end is the rounding to double.
   long double (*weight)(long double order, long double lag) = nullptr;
 
+  // w(1), ..., w(count), where they are cheaper together. Empty: one by one.
+  std::vector<long double> (*first_weights)(long double order, std::size_t count) = nullptr;
+
   // The weight of x_0 at step n >= 1. Empty: w(n).
   long double (*start_weight)(long double order, long double n) = nullptr;
 
@@ -38,12 +43,26 @@ struct WeightFamily {
   // kappa for a step of length h; power is h^g.
   double (*step_factor)(double order, double power) = nullptr;
 
+  // a, where the kernel t^(a-1)/Gamma(a) of the exponentials is not that of the order, and weights are
+  // weighed and no differences. Empty: see kernel_exponent.
+  long double (*exponent)(long double order) = nullptr;
+
   // The coefficient of exp(-node k) in w(k), where the kernel of the integral has the coefficient `kernel`
   // for exp(-node t); above order 1, in the difference w(k) - w(k-1). weight_transform.hpp has the formulas.
   double (*coefficient)(double order, double node, double kernel) = nullptr;
 
   // The same in start_weight. Empty: that is 0 or w(n).
   double (*start_coefficient)(double order, double node, double kernel) = nullptr;
+
+  // phi_0 = 1, phi_1, ..., up to the last that counts: w is their convolution with the weights of
+  // grunwald_letnikov. Then exponentials of these serve, and the family needs no coefficient.
+  std::vector<double> (*filter)(double order) = nullptr;
+
+  // w(k) = u(k) + (-1)^k v(k), each the weights of a family of its own, which has exponentials. Both or none.
+  const WeightFamily *smooth_part = nullptr, *alternating_part = nullptr;
+
+  // The rule as a multistep method, which start weights can make exact for more powers. Empty: it is none.
+  const MultistepRule* multistep = nullptr;
 
   // (1-zeta)^g K(zeta), where K turns f into y. generating_function.hpp has the formulas.
   ComplexValue (*regular_part)(double order, ComplexValue log_zeta) = nullptr;

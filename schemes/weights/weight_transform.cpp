@@ -12,13 +12,19 @@ Vec transformed(Coefficient coefficient, double order, const ExponentialSum& sum
 }  // namespace
 
 long double kernel_exponent(const WeightTable& table) {
+  if (table.family->exponent != nullptr) return table.family->exponent(table.order);
   if (table.family->weighs_increments) return 1.0L - table.order;
   return weighs_running_sums(table) ? table.order - 1.0 : table.order;
 }
 
-bool weighs_running_sums(const WeightTable& table) { return table.order > 1.0; }
+bool weighs_running_sums(const WeightTable& table) {
+  return table.order > 1.0 && table.family->exponent == nullptr;
+}
 
-bool has_exponentials(const WeightTable& table) { return table.family->coefficient != nullptr; }
+bool has_exponentials(const WeightTable& table) {
+  const auto& family = *table.family;
+  return family.coefficient != nullptr || family.filter != nullptr || family.smooth_part != nullptr;
+}
 
 Vec weight_coefficients(const WeightTable& table, const ExponentialSum& sum) {
   return transformed(table.family->coefficient, table.order, sum);

@@ -24,7 +24,7 @@ long double kernel_exponent(const WeightTable& table);
 // Whether the exponentials give differences of weights, for running sums.
 bool weighs_running_sums(const WeightTable& table);
 
-// Whether the family has coefficients.
+// Whether the family has coefficients, its own, those of the weights that it filters, or of its parts.
 bool has_exponentials(const WeightTable& table);
 
 // c_m in w(k) = sum_m c_m exp(-nodes[m] k), or in w(k) - w(k-1) where running sums are weighed. The relative

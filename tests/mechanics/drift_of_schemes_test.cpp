@@ -68,19 +68,30 @@ TEST(DriftObserver, HasAnIndependentDriftWithMemoriesAndTheStepsOfAUniformGrid) 
   EXPECT_FALSE(has_independent_drift(scene, grid, grid));
 }
 
+// What the judge makes of the exact velocities: its own error.
+double error_of_judge(const Scene& scene, const Rows& exact, const Grid& grid) {
+  const IndependentMemory memory(grid, scene.memories[0].order, scene.memories[0].powers);
+  double largest = 0.0;
+  for (int n = 1; n <= grid.steps; ++n)
+    largest = std::max(largest, std::abs(memory.at(n, exact.row(2)) - exact(4, n)));
+  return largest;
+}
+
+Rows exact_columns(const Scene& scene, const Grid& grid) {
+  const Reference reference = reference_of(scene);
+  Rows exact(6, grid.steps + 1);
+  for (int n = 0; n <= grid.steps; ++n) exact.col(n) = reference.at(grid.time(n)).value;
+  return exact;
+}
+
 // The judge is far better than the judged: on the exact velocities it gives w to so much more than what the
 // schemes' own w are off by.
 TEST(IndependentMemory, IsFarBelowTheErrorsOfTheSchemes) {
   for (const double alpha : {0.3, 0.5, 0.8}) {
     const Scene scene = constrained(alpha);
-    const Reference reference = reference_of(scene);
     const Grid grid{scene.problem.end, 512};
-    Matrix exact(6, grid.steps + 1);
-    for (int n = 0; n <= grid.steps; ++n) exact.col(n) = reference.at(grid.time(n)).value;
-    double judge = 0.0;
-    const IndependentMemory memory(grid, alpha, scene.memories[0].powers);
-    for (int n = 1; n <= grid.steps; ++n)
-      judge = std::max(judge, std::abs(memory.at(n, exact.row(2)) - exact(4, n)));
+    const Rows exact = exact_columns(scene, grid);
+    const double judge = error_of_judge(scene, exact, grid);
     for (const auto* scheme : {"adams_pc", "product_trapezoidal", "l1", "grunwald_letnikov"}) {
       const auto path = solve(scheme, scene.problem, grid.steps);
       const double error = (columns_of(scene.outputs, path).row(4) - exact.row(4)).cwiseAbs().maxCoeff();
@@ -96,7 +107,7 @@ TEST(IndependentMemory, IsFarBelowTheErrorsOfTheSchemes) {
 TEST(Drift, OfTheIntegratedFormIsInternallyRounding) {
   for (const double alpha : {0.3, 0.5, 0.8}) {
     const Scene scene = constrained(alpha);
-    for (const auto* scheme : grid_schemes()) {
+    for (const auto* scheme : row_schemes()) {
       const auto drift = drifts_of(scene, scheme->id, 1024).internal;
       EXPECT_LT(drift.largest, 1e-14) << scheme->id << " " << alpha;
       EXPECT_FALSE(drift.growth.has_value());
@@ -106,7 +117,8 @@ TEST(Drift, OfTheIntegratedFormIsInternallyRounding) {
 
 class IndependentDrift : public testing::TestWithParam<const Scheme*> {};
 
-// What is left is that of w against D^alpha of the computed q: a quadrature error of the scheme's.
+// What is left is that of w against D^alpha of the computed q: a quadrature error of the scheme's, where that
+// is above the judge's.
 TEST_P(IndependentDrift, FallsAtTheRateOfTheScheme) {
   const Scheme& scheme = *GetParam();
   const Scene scene = constrained(0.5);
@@ -115,11 +127,14 @@ TEST_P(IndependentDrift, FallsAtTheRateOfTheScheme) {
     points.push_back({scene.problem.end / steps, drifts_of(scene, scheme.id, steps).independent->largest});
   const double expected = scheme.expected_rate(scene.problem, scene.smoothness, 1.0, Norm::maximum);
   const Fit fit = fit_rate(points);
-  EXPECT_GT(fit.slope, expected - 0.15) << points.back().error;
   EXPECT_GT(fit.correlation, 0.99);
+  const Grid finest{scene.problem.end, 2048};
+  const double judge = error_of_judge(scene, exact_columns(scene, finest), finest);
+  EXPECT_TRUE(fit.slope > expected - 0.15 || points.back().error < 2.0 * judge)
+      << fit.slope << ' ' << points.back().error << ' ' << judge;
 }
 
-INSTANTIATE_TEST_SUITE_P(, IndependentDrift, testing::ValuesIn(grid_schemes()), id_of_param);
+INSTANTIATE_TEST_SUITE_P(, IndependentDrift, testing::ValuesIn(row_schemes()), id_of_param);
 
 TEST(Drift, OfTheAccelerationFormIsNotRoundingAndFallsWithTheStep) {
   const Scene scene = constrained(0.3, "acceleration");

@@ -55,17 +55,22 @@ TEST(FractionalConstraint1D, BetweenOneAndTwoIsUniformMotion) {
   }
 }
 
-// Every scheme that takes the chain, in every range: two rates of 1 apart, errors are at most halved.
+// Every scheme that takes the chain, in every range: errors fall at a rate near 1 or more. Eight times the
+// steps, as that of bdf2 passes through 0 between 256 and 512.
 TEST(FractionalConstraint1D, SchemesApproachIt) {
   for (const double alpha : {0.25, 0.5, 0.75, 2.25, 2.5, 2.75}) {
     Scene scene = line({{"alpha", alpha}});
     scene.problem.end = 4.0;
     for (const auto* scheme : grid_schemes()) {
-      ASSERT_FALSE(refusal(*scheme, scene.problem, Grid{4.0, 512})) << alpha << scheme->id;
+      if (refusal(*scheme, scene.problem, Grid{4.0, 512})) {  // leading orders above 2
+        EXPECT_TRUE(scheme->needs.discretises_equations && alpha > 2.0) << alpha << scheme->id;
+        continue;
+      }
       const auto error = [&](int steps) {
         return std::abs(solve(scheme->id, scene.problem, steps).y(0, steps) - at(scene, 4.0));
       };
-      EXPECT_LT(error(1024), 0.55 * error(512)) << alpha << scheme->id;
+      constexpr double rounding = 1e-13, halved = 0.55;
+      EXPECT_LT(error(2048), std::max(std::pow(halved, 3.0) * error(256), rounding)) << alpha << scheme->id;
       EXPECT_LT(error(1024), 4e-3) << alpha << scheme->id;
     }
   }

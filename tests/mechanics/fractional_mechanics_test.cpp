@@ -79,7 +79,7 @@ TEST_P(OnBothSurfaces, MemoryOfNoWeightDoesNothing) {
 
 TEST_P(OnBothSurfaces, TheIntegratedFormKeepsTheConstraint) {
   const Scene scene = knife_edge({{"surface", GetParam()}});
-  for (const auto* scheme : grid_schemes()) {
+  for (const auto* scheme : row_schemes()) {
     const Rows columns = run(scene, 100, scheme->id);
     for (int n = 0; n <= 100; ++n) {
       ASSERT_LT(scene.constraint.drift(scene.problem.end * n / 100, columns.col(n)), 1e-13)

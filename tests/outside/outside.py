@@ -88,6 +88,9 @@ def project(cmake, compiler, prefix, work, fdebench):
     settings = f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_COMPILER={compiler}"
     run(cmake, "-G", "Ninja", "-S", PROJECT, "-B", work, *settings)
     run(cmake, "--build", work)
+    run(cmake, "-G", "Ninja", "-S", ROOT / "tests/outside/schemes", "-B", f"{work}/schemes", *settings)
+    run(cmake, "--build", f"{work}/schemes")
+    run(Path(work, "schemes/relaxes"))
     check_riccati(Path(work, "riccati"))
     check_functions(Path(work, "functions"))
     check_judged(Path(work, "judged"), fdebench)
@@ -97,12 +100,18 @@ def project(cmake, compiler, prefix, work, fdebench):
 def pkg_config(compiler, prefix, work):
     Path(work).mkdir(exist_ok=True)
     environment = os.environ | {"PKG_CONFIG_PATH": f"{prefix}/lib/pkgconfig"}
-    packages = {"riccati": "fdebench-schemes fdebench-reference", "functions": "fdebench-reference", "cheapest": "fdebench-benchmarks"}
-    for program, package in packages.items():
+    packages = {
+        PROJECT / "riccati.cpp": "fdebench-schemes fdebench-reference",
+        PROJECT / "functions.cpp": "fdebench-reference",
+        PROJECT / "cheapest.cpp": "fdebench-benchmarks",
+        ROOT / "tests/embedding/relaxes.cpp": "fdebench-schemes",
+    }
+    for source, package in packages.items():
         flags = run("pkg-config", "--cflags", "--libs", *package.split(), env=environment).split()
         if "-DEIGEN_MAX_ALIGN_BYTES=64" not in flags:
             sys.exit(f"{package}: the alignment is not among {flags}")
-        run(compiler, "-std=c++20", PROJECT / f"{program}.cpp", "-o", f"{work}/{program}", *flags)
+        run(compiler, "-std=c++20", source, "-o", f"{work}/{source.stem}", *flags)
+    run(Path(work, "relaxes"))
     check_riccati(Path(work, "riccati"))
     check_functions(Path(work, "functions"))
     check_cheapest(Path(work, "cheapest"))

@@ -79,6 +79,17 @@ def test_numbers_of_numpy_are_numbers():
     assert len(fdebench.solve(scene, "l1", numpy.int64(512)).times) == 513
 
 
+def test_a_label_with_its_parameters_names_the_same_scene(tmp_path):
+    folder = tmp_path / "a:b"
+    folder.mkdir()
+    file = folder / "growth.toml"
+    file.write_text("end = 1.0\n[unknown.y]\nterms = [[1.0, 0.5]]\nrhs = \"-y\"\ninitial = [1.0]\n")
+    for name in [str(file), "relaxation", "relaxation:gamma=0.3"]:
+        scene = fdebench.Scene(name, until=2)
+        assert fdebench.Scene(scene.label).label == scene.label
+        assert fdebench.Scene(scene.label).end == 2
+
+
 def test_the_cost_is_that_of_the_run():
     assert fdebench.solve("relaxation", "grunwald_letnikov", 100).cost["rhs"] >= 100
 

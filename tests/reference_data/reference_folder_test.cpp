@@ -52,7 +52,7 @@ TEST_F(Written, PassesItsOwnCheck) {
   EXPECT_EQ(answer.code, 0) << answer.err;
   EXPECT_EQ(answer.err, "");
   EXPECT_THAT(answer.out, AllOf(HasSubstr("trajectories/power.csv: 27 rows, 27 recomputed, 0 wrong\n"),
-                                HasSubstr("\n4 tables, 138 rows recomputed: all hold; worst ratio "),
+                                HasSubstr("\n4 tables, 250 rows recomputed: all hold; worst ratio "),
                                 testing::Not(HasSubstr("absent"))));
 }
 
@@ -62,7 +62,7 @@ TEST_F(Written, ATableWithoutItsJsonIsNotSaidToHold) {
   const auto answer = check(data_);
   EXPECT_EQ(answer.code, 0) << answer.err;
   EXPECT_THAT(answer.out,
-              AllOf(HasSubstr("\n4 tables, 138 rows recomputed: none is wrong, but 1 without a JSON does not "
+              AllOf(HasSubstr("\n4 tables, 250 rows recomputed: none is wrong, but 1 without a JSON does not "
                               "say what it is; worst ratio "),
                     testing::Not(HasSubstr("hold"))));
 }

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "scenes/variant.hpp"
+#include "search/asked.hpp"
 #include "search/sampled_run.hpp"
 #include "search/search.hpp"
 #include "support/testing.hpp"
@@ -22,19 +23,6 @@ namespace {
 using testing::HasSubstr;
 
 constexpr auto silence = [](const std::string&, double) {};
-
-struct Asked {
-  const char* scene;
-  ErrorKind kind;
-  double accuracy;
-};
-std::ostream& operator<<(std::ostream& out, const Asked& asked) {
-  return out << asked.scene << " " << error_measure(asked.kind) << " " << asked.accuracy;
-}
-
-Question question_of(const Scene& scene, const Asked& asked) {
-  return {asked.kind, asked.accuracy, all_columns(scene)};
-}
 
 Scene without_reference(const Scene& scene) {
   Scene unknown = scene;

@@ -101,18 +101,50 @@ TEST(StabilityRegion, AtOrderOneIsTheClassicalOne) {
   EXPECT_EQ(growing_modes(scheme("product_trapezoidal"), scalar_equation(1.0, {0.5, 3.0}), 1.0), 2);
 }
 
-// The same modes whether counted or met on the boundary, at angles where both roots of z are simple.
+// The same modes whether counted or met on the boundary, at angles where both roots of z are simple. Across,
+// and not along it: that of the fractional trapezoidal rule is a ray.
 TEST(StabilityRegion, CountChangesAcrossTheBoundary) {
   for (const auto* one : schemes_with_symbol()) {
     for (const double order : {0.3, 0.8, 1.4}) {
       for (const double theta : {0.3, 1.0, 2.0}) {
         for (const ComplexValue z : boundary(*one, order, theta)) {
-          const auto count = [&](double factor) {
-            return growing_modes(*one, scalar_equation(order, factor * z), 1.0).value();
+          const auto count = [&](ComplexValue factor) {
+            return growing_modes(*one, scalar_problem(*one, order, factor * z), 1.0).value();
           };
-          EXPECT_EQ(std::abs(count(1.0 - 1e-6) - count(1.0 + 1e-6)), 2) << one->id << order << ' ' << theta;
+          EXPECT_EQ(std::abs(count({1.0 - 1e-6, -1e-6}) - count({1.0 + 1e-6, 1e-6})), 2)
+              << one->id << order << ' ' << theta;
         }
       }
+    }
+  }
+}
+
+// A(alpha)-stability of the classical formulas: Hairer & Wanner, Solving Ordinary Differential Equations II,
+// V.2, table 2.1. As delta(zeta)^g leaves |arg| <= g (pi - alpha), order g < 1 is stable for |arg(-z)| < pi -
+// g (pi - alpha).
+TEST(StabilityRegion, OfTheFormulasOfBackwardDifferencesHasTheAnglesOfTheClassicalOnes) {
+  constexpr double degree = pi / 180.0;
+  for (const auto& [id, alpha] :
+       {std::pair{"bdf2", 90.0}, {"bdf3", 86.03}, {"bdf4", 73.35}, {"bdf5", 51.84}, {"bdf6", 17.84}}) {
+    for (const double order : {0.2, 0.5, 0.8, 1.0}) {
+      EXPECT_EQ(real_interval(scheme(id), order), infinity) << id << order;
+      EXPECT_NEAR(stability_angle(scheme(id), order), pi - order * (pi - alpha * degree), 1e-3)
+          << id << order;
+    }
+  }
+}
+
+// omega = ((1+zeta)/(1-zeta)/2)^g maps the disc onto the sector |arg| < g pi/2.
+TEST(StabilityRegion, OfTheFractionalTrapezoidalRuleIsTheSectorOfTheEquation) {
+  const Scheme& rule = scheme("fractional_trapezoidal");
+  for (const double order : {0.1, 0.5, 0.9, 1.0, 1.1, 1.5, 1.9}) {
+    EXPECT_NEAR(stability_angle(rule, order), pi - 0.5 * order * pi, 1e-12) << order;
+    for (const double size : {0.5, 1.0, 2.0}) {
+      const auto stable_at = [&](double arg) {
+        return stable(rule, scalar_equation(order, std::polar(size, arg)), 1.0);
+      };
+      EXPECT_TRUE(stable_at(0.5 * order * pi + 1e-6)) << order << ' ' << size;
+      EXPECT_FALSE(stable_at(0.5 * order * pi - 1e-6)) << order << ' ' << size;
     }
   }
 }
@@ -121,8 +153,9 @@ TEST(StabilityRegion, StepAndRateEnterAsOneNumber) {
   for (const auto* one : schemes_with_symbol()) {
     const double order = 1.5, x = real_interval(scheme("adams_pc"), order);
     for (const double h : {1e-3, 7.0}) {
-      const Problem problem = scalar_equation(order, -1.2 * x * std::pow(h, -order));
-      EXPECT_EQ(growing_modes(*one, problem, h), growing_modes(*one, scalar_equation(order, -1.2 * x), 1.0));
+      const Problem problem = scalar_problem(*one, order, -1.2 * x * std::pow(h, -order));
+      EXPECT_EQ(growing_modes(*one, problem, h),
+                growing_modes(*one, scalar_problem(*one, order, -1.2 * x), 1.0));
     }
   }
 }

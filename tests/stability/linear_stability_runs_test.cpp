@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "problem/scalar_equation.hpp"
 #include "programs/stability/across.hpp"
 #include "programs/stability/late.hpp"
 #include "stability/stability_region.hpp"
@@ -32,11 +31,11 @@ TEST_P(Interval, EndsWhereRunsBeginToGrow) {
   for (int i = 1; i < 20; ++i) {
     const double order = 0.1 * i, x = real_interval(scheme, order);
     if (std::isinf(x)) {
-      EXPECT_TRUE(decays(late(scheme, scalar_equation(order, -1e3), 1.0, steps))) << order;
+      EXPECT_TRUE(decays(late(scheme, scalar_problem(scheme, order, -1e3), 1.0, steps))) << order;
       continue;
     }
     const auto at = [&](double factor) {
-      return late(scheme, scalar_equation(order, -factor * x), 1.0, steps);
+      return late(scheme, scalar_problem(scheme, order, -factor * x), 1.0, steps);
     };
     EXPECT_TRUE(decays(at(1.0 - tolerance))) << order;
     EXPECT_TRUE(grows(at(1.0 + tolerance))) << order;
@@ -49,7 +48,8 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Interval,
                                          Case{"decoupled_multi_order", 1e-3, 20000},
                                          Case{"product_trapezoidal", 1e-3, 10000}, Case{"l1", 1e-3, 3000},
                                          Case{"grunwald_letnikov", 1e-3, 3000},
-                                         Case{"commensurate_adams_pc", 5e-2, 6000}),
+                                         Case{"commensurate_adams_pc", 5e-2, 6000},
+                                         Case{"multi_term_pc", 1e-3, 10000}),
                          [](const auto& test) { return std::string(test.param.scheme); });
 
 // Complex rates on both sides of the boundary. Which side is which is for growing_modes to say.
@@ -62,7 +62,7 @@ TEST_P(Boundary, IsWhereRunsBeginToGrow) {
       for (const ComplexValue z : boundary(*GetParam(), order, theta)) {
         for (const double side : {1.0, -1.0}) {
           const Problem problem =
-              scalar_equation(order, z + side * across(*GetParam(), order, theta, z, 0.01));
+              scalar_problem(*GetParam(), order, z + side * across(*GetParam(), order, theta, z, 0.01));
           const bool expected = stable(*GetParam(), problem, 1.0);
           const Late x = late(*GetParam(), problem, 1.0, 4000);
           EXPECT_TRUE(expected ? decays(x) : grows(x)) << order << ' ' << theta << ' ' << side;

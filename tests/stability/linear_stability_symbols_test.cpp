@@ -66,7 +66,9 @@ TEST(GeneratingFunction, ObeysTheDuplicationFormula) {
 
 TEST(GeneratingFunction, InsideTheCircleIsThePowerSeries) {
   for (const auto* const family :
-       {&families::rectangle, &families::trapezoid, &families::grunwald_letnikov, &families::l1}) {
+       {&families::rectangle, &families::trapezoid, &families::grunwald_letnikov, &families::l1,
+        &families::bdf2, &families::bdf3, &families::bdf4, &families::bdf5, &families::bdf6,
+        &families::newton_gregory_3, &families::fractional_trapezoidal}) {
     for (const double order : all_orders()) {
       if (family->weighs_increments && order > 1.0) continue;
       const WeightTable table{family, order};
@@ -88,7 +90,8 @@ TEST(GeneratingFunction, NextToOneIsThatOfTheIntegral) {
   for (const double order : {0.01, 0.1, 0.5}) {
     const Value mu{0.0, 1e-250};
     for (const auto* const family :
-         {&families::rectangle, &families::trapezoid, &families::grunwald_letnikov}) {
+         {&families::rectangle, &families::trapezoid, &families::grunwald_letnikov, &families::bdf2,
+          &families::bdf6, &families::newton_gregory_2, &families::fractional_trapezoidal}) {
       const WeightTable table{family, order};
       EXPECT_LT(relative(step_factor(table, 1.0) * generating_function(table, mu), std::pow(-mu, -order)),
                 1e-13);

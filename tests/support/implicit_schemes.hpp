@@ -6,10 +6,10 @@
 
 namespace fde {
 
-// The schemes that take algebraic rows: exactly those that solve an equation each step.
+// The schemes that take algebraic rows. They solve an equation each step.
 inline std::vector<const Scheme*> implicit_schemes() {
-  auto some = grid_schemes();
-  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.implicit; });
+  auto some = row_schemes();
+  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.algebraic_rows; });
   return some;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "scenes/registry.hpp"
+#include "start_weights/start_weights.hpp"
 #include "sweep/experiment.hpp"
 
 namespace fde {
@@ -25,6 +26,12 @@ inline Trajectory solve(std::string_view scheme, const Problem& problem, int ste
   return find_scheme(scheme)->solve(problem, Grid{problem.end, steps}, options);
 }
 
+// What rounding alone may make of two ways to the same result: start weights may amplify it.
+inline double rounding(const Scheme& scheme, double plain) {
+  constexpr double unit = 1e-16;
+  return scheme.start_powers ? std::max(plain, unit * most_growth) : plain;
+}
+
 // Names of parameterised tests: the id of the scheme or scene.
 inline constexpr auto id_of_param = [](const auto& test) { return std::string(test.param->id); };
 
@@ -39,6 +46,18 @@ inline std::vector<const Scheme*> grid_schemes() {
   auto some = all_schemes();
   std::erase_if(some,
                 [](const Scheme* scheme) { return !scheme->needs.takes_grid || !scheme->expected_rate; });
+  return some;
+}
+
+// Of these those that discretise the rows of a problem, and those that discretise its equations.
+inline std::vector<const Scheme*> row_schemes() {
+  auto some = grid_schemes();
+  std::erase_if(some, [](const Scheme* scheme) { return scheme->needs.discretises_equations; });
+  return some;
+}
+inline std::vector<const Scheme*> equation_schemes() {
+  auto some = grid_schemes();
+  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.discretises_equations; });
   return some;
 }
 

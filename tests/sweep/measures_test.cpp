@@ -216,11 +216,19 @@ TEST_P(WholeOrders, TheReferenceIsGslsRungeKuttaSolution) {
 TEST_P(WholeOrders, EverySchemeTendsToGslsSolution) {
   const Vec exact = integrate_by_gsl(scene().problem);
   for (const auto* scheme : grid_schemes()) {
+    if (refusal(*scheme, scene().problem, Grid{5.0, 4000})) continue;
     const auto error = [&](int steps) {
       return (solve(scheme->id, scene().problem, steps).y.rightCols(1) - exact).cwiseAbs().maxCoeff();
     };
     const double expected = scheme->expected_rate(scene().problem, scene().smoothness, 1.0, Norm::end);
-    EXPECT_NEAR(std::log2(error(4000) / error(8000)), expected, 0.1) << scheme->id;
+    // Rules of high rate are at the error of GSL's solution before the others show their rate.
+    constexpr double of_gsl = 2e-11;
+    const double coarse = error(4000), fine = error(8000);
+    if (coarse < 100.0 * of_gsl) {
+      EXPECT_LT(fine, 100.0 * of_gsl) << scheme->id;
+    } else {
+      EXPECT_NEAR(std::log2(coarse / fine), expected, 0.1) << scheme->id;
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 // solve/<scene>/<scheme>/<N> for every pair of the lists that fits, with the error of the solution beside
-// each time; history/<scene>/<scheme>/<engine>/<N> compares the engines on whole solves.
+// each time, and the iterations of Newton's method; history/<scene>/<scheme>/<engine>/<N> compares the
+// engines on whole solves.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -33,6 +34,10 @@ void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int 
   }
   const Rows error = columns_of(subject.scene.outputs, path) - subject.reference.at(path.times);
   state.counters["error"] = error.cwiseAbs().maxCoeff();
+  if (scheme.needs.implicit) {
+    state.counters["iterations_per_step"] =
+        static_cast<double>(path.cost.newton_iterations.value_or(0)) / static_cast<double>(path.steps);
+  }
   state.counters["per_step"] =
       benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }

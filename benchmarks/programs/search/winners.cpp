@@ -1,0 +1,83 @@
+// Which scheme is quickest within each accuracy, and at which rate and cost of a step the schemes went there:
+// winners [SCENE...]. Prints the table of docs/which_scheme.md; errors are those at the end.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <set>
+#include <string>
+
+#include "records/setup.hpp"
+#include "scenes/variant.hpp"
+#include "search/search.hpp"
+
+namespace fde {
+namespace {
+
+constexpr std::array scenes_of_all{"relaxation",      "relaxation:gamma=1.5",
+                                   "relaxation_pair", "stiff_relaxation",
+                                   "power",           "diethelm",
+                                   "linear_system",   "fractional_oscillator",
+                                   "bagley_torvik",   "damped_oscillator",
+                                   "brusselator",     "pendulum"};
+constexpr std::array accuracies{1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
+
+std::string time_of(double seconds) {
+  return seconds < 1e-3 ? fmt::format("{:.3g} µs", 1e6 * seconds) : fmt::format("{:.3g} ms", 1e3 * seconds);
+}
+
+// "`l1`, graded:3, 12: 12 µs"; the grid where it is not uniform.
+std::string cell(const SearchedWay& first) {
+  if (first.found != Found::within) return "-";
+  const auto grid = first.way.grading == 1.0 ? "" : ", " + grid_text(first.way.grading);
+  return fmt::format("`{}`{}, {}: {}", first.names.front(), grid, first.best.steps,
+                     time_of(first.time->median));
+}
+
+// The rates and the cost of a step of each scheme, over the grid with which it came nearest.
+std::string reasons(std::vector<SearchedWay> found) {
+  std::ranges::stable_sort(found, std::greater<>{},
+                           [](const SearchedWay& way) { return way.rate.value_or(0.0); });
+  std::set<std::string_view> told;
+  std::string text;
+  for (const auto& way : found) {
+    if (!way.rate || way.ladder.empty() || !told.insert(way.way.scheme->id).second) continue;
+    text += fmt::format("{}{} {:.1f} ({}, {:.0f} ns a step)", text.empty() ? "" : "; ", way.names.front(),
+                        *way.rate, grid_text(way.way.grading), 1e9 * way.step_seconds);
+  }
+  return text;
+}
+
+// The row of a scene; returns its reasons.
+std::string tell(const char* label) {
+  const Scene scene = make_scene(parse_variant(label));
+  fmt::print("| `{}`", label);
+  std::vector<SearchedWay> found;
+  for (const double accuracy : accuracies) {
+    const Question question{{Norm::end, Scale::mixed}, accuracy, all_columns(scene)};
+    found = search(scene, question, 60.0, [](const std::string&, double) {});
+    fmt::print(" | {}", cell(found.front()));
+    std::fflush(stdout);
+  }
+  fmt::print(" |\n");
+  return fmt::format("\n`{}`: {}.\n", label, reasons(std::move(found)));
+}
+
+}  // namespace
+}  // namespace fde
+
+int main(int count, char** words) try {
+  const std::vector<const char*> asked(words + 1, words + count);
+  fmt::print("| scene | 1e-4 | 1e-6 | 1e-8 | 1e-10 | 1e-12 |\n|---|---|---|---|---|---|\n");
+  std::string reasons = "\nRates seen, with the cost of a step:\n";
+  for (const auto* scene :
+       asked.empty() ? std::vector(fde::scenes_of_all.begin(), fde::scenes_of_all.end()) : asked)
+    reasons += fde::tell(scene);
+  fmt::print("{}", reasons);
+} catch (const std::exception& error) {
+  fmt::print(stderr, "{}\n", error.what());
+  return 1;
+}

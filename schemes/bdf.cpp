@@ -1,0 +1,29 @@
+#include "start_weights/multistep.hpp"
+
+namespace fde {
+namespace {
+
+constexpr std::string_view source =
+    "Lubich, SIAM J. Math. Anal. 17 (1986); start weights as in Garrappa, Math. Comput. Simul. 110 (2015)";
+
+}  // namespace
+
+// Convolution quadrature by the backward differentiation formulas, delta(zeta)^(-g) with
+// delta = sum_{k<=p} (1-zeta)^k / k. Order 1 is the classical formula. bdf1 is grunwald_letnikov.
+Scheme bdf2() {
+  return multistep_scheme("bdf2", "Fractional BDF2 with start weights", source, families::bdf2);
+}
+Scheme bdf3() {
+  return multistep_scheme("bdf3", "Fractional BDF3 with start weights", source, families::bdf3);
+}
+Scheme bdf4() {
+  return multistep_scheme("bdf4", "Fractional BDF4 with start weights", source, families::bdf4);
+}
+Scheme bdf5() {
+  return multistep_scheme("bdf5", "Fractional BDF5 with start weights", source, families::bdf5);
+}
+Scheme bdf6() {
+  return multistep_scheme("bdf6", "Fractional BDF6 with start weights", source, families::bdf6);
+}
+
+}  // namespace fde

@@ -1,0 +1,187 @@
+#include "multi_term/integrated_equations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "problem/chain_problem.hpp"
+
+namespace fde {
+namespace {
+
+// c_k / a, of each row of the chain.
+Vec ratios_of(const Chain& chain) { return chain.coefficients() / chain.leading().coefficient; }
+
+// g / a in all rows of each chain.
+void evaluate(const Problem& problem, const std::vector<Chain>& chains, double t, In y, Out f) {
+  for (std::size_t e = 0; e < chains.size(); ++e) {
+    const auto& chain = chains[e];
+    const auto& equation = problem.equations[e];
+    double g = equation.force(t, y);
+    if (const double factor = equation.factor(t, y); factor != 1.0)
+      g += (1.0 - factor) * chain.coefficients().dot(y.segment(chain.first(), chain.size()));
+    f.segment(chain.first(), chain.size()).setConstant(g / chain.leading().coefficient);
+  }
+}
+
+// The last row of a chain says D^L u = (g - sum_k c_k D^(a_k) u) / a.
+void differentiate(const Problem& problem, const std::vector<Chain>& chains, double t, In y,
+                   OutMatrix jacobian) {
+  evaluate_jacobian(problem, t, y, jacobian);
+  for (const auto& chain : chains) {
+    const auto first = chain.first(), size = chain.size();
+    Eigen::RowVectorXd row = jacobian.row(first + size - 1);
+    row.segment(first, size) += ratios_of(chain).transpose();
+    jacobian.middleRows(first, size).rowwise() = row;
+  }
+}
+
+Derivatives integrated_derivatives(const Problem& problem, const std::vector<Chain>& chains) {
+  if (!has_jacobian(problem)) return NoDerivatives{};
+  if (!linear(problem)) {
+    return DenseJacobian{[=, &problem](double t, In y, OutMatrix jacobian) {
+      differentiate(problem, chains, t, y, jacobian);
+    }};
+  }
+  DenseLinearPart part{Matrix(problem.size(), problem.size())};
+  differentiate(problem, chains, 0.0, Vec::Zero(problem.size()), part.matrix);
+  return part;
+}
+
+// D^v u from its value at t = 0, as a component of order L - v.
+std::vector<Component> integrated_components(const Problem& problem, const std::vector<Chain>& chains) {
+  std::vector<Component> components = problem.components;
+  for (const auto& chain : chains) {
+    for (Eigen::Index i = 0; i < chain.size(); ++i) {
+      auto& [order, initial, side] = components[static_cast<std::size_t>(chain.first() + i)];
+      order = chain.leading().order - chain.nodes()[static_cast<std::size_t>(i)];
+      initial.resize(initial_count(order), 0.0);
+    }
+  }
+  return components;
+}
+
+}  // namespace
+
+std::vector<Chain> chains_of(const Problem& problem) {
+  std::vector<Chain> chains;
+  for (const auto& equation : problem.equations) chains.push_back(chain_of(problem, equation));
+  return chains;
+}
+
+std::optional<std::string> refusal_of_equations(const Problem& problem) {
+  Eigen::Index rows = 0;
+  for (const auto& chain : chains_of(problem)) {
+    const double leading = chain.leading().order;
+    if (leading > 2.0) return fmt::format("takes leading orders up to 2, not {}", leading);
+    rows += chain.size();
+  }
+  if (rows == problem.size()) return std::nullopt;
+  return fmt::format("discretises multi-term equations only: {} of {} rows are of none",
+                     problem.size() - rows, problem.size());
+}
+
+Problem integrated(const Problem& problem) {
+  const auto chains = chains_of(problem);
+  return {.components = integrated_components(problem, chains),
+          .rhs = [=, &problem](double t, In y, Out f) { evaluate(problem, chains, t, y, f); },
+          .derivatives = integrated_derivatives(problem, chains),
+          .end = problem.end,
+          .domain = problem.domain};
+}
+
+IntegratedEquations::IntegratedEquations(const Problem& problem, const WeightFamily& family, const Grid& grid,
+                                         const Options& options)
+    : grid_(grid),
+      parts_(parts_of(problem)),
+      tables_(tables(family)),
+      history_(make_history(options.history, tables_, step_plan(grid), options.tolerance)),
+      factors_(Matrix::Zero(std::ssize(parts_), std::ssize(tables_))),
+      sums_(std::ssize(tables_.front()), std::ssize(tables_)),
+      sample_(sums_.rows()),
+      starts_(problem.size()),
+      drives_(problem.size()),
+      past_(problem.size()),
+      kappa_(problem.size()) {
+  for (const auto& [chain, ratios, first, starts, own] : parts_) {
+    starts.at(0.0, starts_.segment(chain.first(), chain.size()),
+              drives_.segment(chain.first(), chain.size()));
+  }
+}
+
+std::vector<IntegratedEquations::Part> IntegratedEquations::parts_of(const Problem& problem) {
+  std::vector<Part> parts;
+  Eigen::Index first = 0;
+  for (const auto& chain : chains_of(problem)) {
+    parts.push_back({chain, ratios_of(chain), first, StartIntegrals(chain)});
+    first += chain.size() + 1;
+  }
+  return parts;
+}
+
+WeightTables IntegratedEquations::tables(const WeightFamily& family) const {
+  Eigen::Index sums = 0;
+  for (const auto& part : parts_) sums = std::max(sums, part.chain.size());
+  WeightTables all(static_cast<std::size_t>(sums));
+  for (Eigen::Index i = 0; i < sums; ++i) {
+    auto& of_sum = all[static_cast<std::size_t>(i)];
+    for (const auto& [chain, ratios, first, starts, own] : parts_) {
+      const bool used = i < chain.size();  // order 0: there is nothing to sum
+      const double order = used ? chain.leading().order - chain.nodes()[static_cast<std::size_t>(i)] : 0.0;
+      const bool term = used && ratios[i] != 0.0;
+      of_sum.insert(of_sum.end(), static_cast<std::size_t>(chain.size()), {&family, term ? order : 0.0});
+      of_sum.push_back({&family, order});
+    }
+  }
+  return all;
+}
+
+void IntegratedEquations::push(double t, In y, In f) {
+  for (const auto& [chain, ratios, first, starts, own] : parts_) {
+    const auto rows = chain.size();
+    sample_.segment(first, rows) = y.segment(chain.first(), rows) - starts_.segment(chain.first(), rows);
+    sample_[first + rows] = f[chain.first()];
+  }
+  history_->push(t, sample_);
+}
+
+bool IntegratedEquations::step_to(int n) {
+  const double t = grid_.time(n);
+  if ((n == 1 || !grid_.uniform()) && !find_factors(n)) return false;
+  for (Eigen::Index i = 0; i < sums_.cols(); ++i)
+    history_->convolve(t, static_cast<std::size_t>(i), sums_.col(i));
+  for (std::size_t e = 0; e < parts_.size(); ++e) {
+    const auto& [chain, ratios, first, starts, own] = parts_[e];
+    const auto rows = chain.size();
+    auto past = past_.segment(chain.first(), rows);
+    auto start = starts_.segment(chain.first(), rows);
+    auto drive = drives_.segment(chain.first(), rows);
+    starts.at(t, start, drive);
+    past = -drive;
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const double factor = factors_(static_cast<Eigen::Index>(e), i);
+      if (ratios[i] != 0.0) past -= ratios[i] * factor * sums_.col(i).segment(first, rows);
+      past[i] += factor * sums_(first + rows, i);
+    }
+    past = start + past / own;
+  }
+  return true;
+}
+
+bool IntegratedEquations::find_factors(int n) {
+  for (std::size_t e = 0; e < parts_.size(); ++e) {
+    auto& [chain, ratios, first, starts, own] = parts_[e];
+    const auto rows = chain.size();
+    auto factors = factors_.row(static_cast<Eigen::Index>(e)).head(rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const auto& of_sum = tables_[static_cast<std::size_t>(i)];
+      factors[i] = step_factor(of_sum[static_cast<std::size_t>(first + rows)], grid_.step(n));
+    }
+    own = 1.0 + factors.dot(ratios);
+    if (!(own > 0.0)) return false;
+    kappa_.segment(chain.first(), rows) = factors.transpose() / own;
+  }
+  return true;
+}
+
+}  // namespace fde

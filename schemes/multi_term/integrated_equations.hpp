@@ -1,0 +1,72 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "history/history.hpp"
+#include "multi_term/start_integrals.hpp"
+#include "problem/chain.hpp"
+#include "stepping/scheme.hpp"
+
+namespace fde {
+
+// The multi-term equations of a problem, integrated, where a chain would solve its links:
+//   a D^L u + sum_k c_k D^(a_k) u = g,   g = force + (1 - factor) sum_k c_k D^(a_k) u.
+// With T the Taylor part of u and d = u - T, which starts from 0, every derivative D^v u that is a row of the
+// chain, v < L, satisfies (Diethelm & Ford, Appl. Math. Comput. 154 (2004), for v = 0)
+//   D^v d + sum_k c_k/a I^(L-a_k) D^v d = I^(L-v) (g - sum_k c_k D^(a_k) T) / a.
+// The integrals of T are known. The others are sums over samples of D^v d and of g: of all rows v with the
+// same weights, of orders L - a_k, and of g with those of the orders L - v.
+std::vector<Chain> chains_of(const Problem& problem);
+
+// Why equations do not serve, as half a sentence: a leading order is above 2, or rows are of no equation.
+std::optional<std::string> refusal_of_equations(const Problem& problem);
+
+// What each step solves for, y = past + kappa f(t, y), as a problem with the rows of the given one, which it
+// reads: f is g / a in all rows of an equation, and row v of the order L - v.
+Problem integrated(const Problem& problem);
+
+// The past of all equations.
+class IntegratedEquations {
+ public:
+  IntegratedEquations(const Problem& problem, const WeightFamily& family, const Grid& grid,
+                      const Options& options);
+
+  [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
+
+  // Appends y and f of integrated() at t: 0, or the time of the last step.
+  void push(double t, In y, In f);
+
+  // Goes on to t_n. False where a step of this length leads through infinity:
+  // 1 + sum_k c_k/a kappa_k <= 0, which no shorter one does.
+  bool step_to(int n);
+
+  // The rows at t_n are past + kappa f(t_n, y_n).
+  [[nodiscard]] const Vec& past() const { return past_; }
+  [[nodiscard]] const Vec& kappa() const { return kappa_; }
+
+ private:
+  // One equation among the samples: of its rows, then of f.
+  struct Part {
+    Chain chain;
+    Vec ratios;             // c_k / a
+    Eigen::Index first;     // of its samples
+    StartIntegrals starts;  // of T
+    double own = 1.0;       // 1 + sum_k c_k/a kappa_k
+  };
+  static std::vector<Part> parts_of(const Problem& problem);
+  [[nodiscard]] WeightTables tables(const WeightFamily& family) const;
+  bool find_factors(int n);
+
+  Grid grid_;
+  std::vector<Part> parts_;
+  WeightTables tables_;  // of each sum; the order of the i-th is L - node i
+  std::unique_ptr<History> history_;
+  Matrix factors_;  // of the newest sample, a row an equation, a column a sum
+  Matrix sums_;     // one column a sum
+  Vec sample_, starts_, drives_, past_, kappa_;
+};
+
+}  // namespace fde

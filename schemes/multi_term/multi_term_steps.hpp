@@ -1,0 +1,18 @@
+#pragma once
+
+#include "stepping/scheme.hpp"
+
+namespace fde {
+
+// Steps the integrated equations of a problem (integrated_equations.hpp) with the weights of one family, each
+// step solved by Newton's method.
+Trajectory step_equations_implicitly(const Problem& problem, const Grid& grid, const Options& options,
+                                     const WeightFamily& family);
+
+// The trapezoidal weights, with g at a prediction. Only g is predicted, by the line through its last two
+// values; the terms of the equation are linear in the unknown and solved:
+//   y^P = past + kappa (f_(n-1) + h_n/h_(n-1) (f_(n-1) - f_(n-2))),   y_n = past + kappa f(t_n, y^P).
+// options.corrections: how often the second is repeated.
+Trajectory predict_and_correct_equations(const Problem& problem, const Grid& grid, const Options& options);
+
+}  // namespace fde

@@ -1,0 +1,20 @@
+#include "multi_term/integrated_equations.hpp"
+#include "multi_term/multi_term_rates.hpp"
+#include "multi_term/multi_term_steps.hpp"
+#include "multi_term/multi_term_symbols.hpp"
+
+namespace fde {
+
+// multi_term_trapezoidal with the force at a prediction; the terms of the equation are solved.
+Scheme multi_term_pc() {
+  return {.id = "multi_term_pc",
+          .title = "Direct multi-term predictor-corrector",
+          .source = "Diethelm & Ford, Appl. Math. Comput. 154 (2004); Garrappa, Mathematics 6(2) 16 (2018)",
+          .needs = {.discretises_equations = true},
+          .expected_rate = multi_term_trapezoidal_rate,
+          .solve = on_grid(predict_and_correct_equations),
+          .refuses = refusal_of_equations,
+          .symbol = predicted_multi_term_symbol};
+}
+
+}  // namespace fde

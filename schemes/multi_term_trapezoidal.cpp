@@ -1,0 +1,24 @@
+#include "multi_term/integrated_equations.hpp"
+#include "multi_term/multi_term_rates.hpp"
+#include "multi_term/multi_term_steps.hpp"
+#include "multi_term/multi_term_symbols.hpp"
+
+namespace fde {
+
+// Each integral of multi_term/integrated_equations.hpp by the product trapezoidal rule.
+Scheme multi_term_trapezoidal() {
+  return {.id = "multi_term_trapezoidal",
+          .title = "Direct multi-term product trapezoidal rule",
+          .source = "Diethelm & Ford, Appl. Math. Comput. 154 (2004); Garrappa, Mathematics 6(2) 16 (2018)",
+          .needs = {.discretises_equations = true, .implicit = true},
+          .expected_rate = multi_term_trapezoidal_rate,
+          .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
+            return step_equations_implicitly(problem, grid, options, families::trapezoid);
+          }),
+          .refuses = refusal_of_equations,
+          .symbol = [](const Problem& problem, double length) {
+            return implicit_multi_term_symbol(problem, families::trapezoid, length);
+          }};
+}
+
+}  // namespace fde

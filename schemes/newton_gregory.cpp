@@ -1,0 +1,22 @@
+#include "start_weights/multistep.hpp"
+
+namespace fde {
+namespace {
+
+constexpr std::string_view source =
+    "Lubich, SIAM J. Math. Anal. 17 (1986); Galeone & Garrappa, J. Comput. Appl. Math. 228 (2009)";
+
+}  // namespace
+
+// The generalised Adams-Moulton methods (1-zeta)^(-g) (1 - g/2 (1-zeta) + ...): of order 1 the trapezoidal
+// rule and the Adams-Moulton method of two steps.
+Scheme newton_gregory_2() {
+  return multistep_scheme("newton_gregory_2", "Newton-Gregory rule of rate 2 with start weights", source,
+                          families::newton_gregory_2);
+}
+Scheme newton_gregory_3() {
+  return multistep_scheme("newton_gregory_3", "Newton-Gregory rule of rate 3 with start weights", source,
+                          families::newton_gregory_3);
+}
+
+}  // namespace fde

@@ -1,0 +1,168 @@
+#include "start_weights/first_steps.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace fde {
+
+FirstSteps::FirstSteps(const Problem& problem, const Grid& grid, const std::vector<WeightTable>& tables,
+                       const Vec& kappa, const StartCorrection& correction, int steps)
+    : problem_(problem), grid_(grid), size_(problem.size()) {
+  for (int n = 1; n <= steps; ++n) {
+    Matrix weights = correction.weights(n);
+    for (Eigen::Index i = 0; i < size_; ++i) {
+      const Vec past = first_weights(tables[static_cast<std::size_t>(i)], n);
+      weights(i, n) += 1.0;
+      for (int j = 0; j < n; ++j) weights(i, j) += past[n - j - 1];
+    }
+    weights_.emplace_back(kappa.asDiagonal() * weights);
+  }
+}
+
+Matrix FirstSteps::solve(Run& run, double tolerance, Ending& ending) const {
+  Vec past(size_ * steps()), guess(past.size());
+  const TaylorPart taylor(problem_);
+  const Vec f = run.rhs(0.0, run.start());
+  for (Eigen::Index n = 1; n <= steps(); ++n) {
+    taylor.at(time(n), step(guess, n));
+    step(past, n) = step(guess, n) + of(n).col(0).cwiseProduct(f);
+  }
+  ending = step_one_by_one(run, tolerance, guess);
+  if (ending != Ending::finished) return {};
+  const Problem block = as_problem(guess);
+  Vec y = guess;
+  if (linear(problem_)) {
+    ending = solve_linear(past, y) ? Ending::finished : Ending::not_converged;
+    *run.cost().rhs_calls += steps();
+    *run.cost().newton_iterations += steps();
+  } else {
+    Run once(block, {});
+    ending = NewtonSolver(block, tolerance).solve(once, {0.0, Vec::Ones(block.size()), past}, y);
+    *run.cost().rhs_calls += steps() * *once.cost().rhs_calls;
+    *run.cost().newton_iterations += steps() * *once.cost().newton_iterations;
+    if (ending == Ending::finished && !is_led_to(y, guess, run.start())) ending = Ending::not_converged;
+  }
+  return ending == Ending::finished ? Matrix(y.reshaped(size_, steps())) : Matrix();
+}
+
+bool FirstSteps::is_led_to(In y, In guess, In start) const {
+  constexpr double rounding = 1e-12;
+  double largest_apart = 0.0, largest_moved = rounding;
+  for (Eigen::Index i = 0; i < size_; ++i) {
+    double moved = 0.0, apart = 0.0;
+    for (Eigen::Index at = i; at < y.size(); at += size_) {
+      moved = std::max(moved, std::abs(guess[at] - start[i]));
+      apart = std::max(apart, std::abs(y[at] - guess[at]));
+    }
+    const double size = std::max({moved, apart, std::abs(start[i])});
+    if (size == 0.0) continue;
+    largest_apart = std::max(largest_apart, apart / size);
+    largest_moved = std::max(largest_moved, moved / size);
+  }
+  return largest_apart <= largest_moved;
+}
+
+Ending FirstSteps::step_one_by_one(Run& run, double tolerance, Vec& guess) const {
+  const auto of_rows = fde::tables(problem_, families::grunwald_letnikov);
+  const Vec kappa = StepFactors(of_rows, grid_).at(1);
+  const auto count = static_cast<int>(linear(problem_) ? 1 : steps());
+  Grid first = grid_;
+  first.steps = count;
+  const auto history = make_history(HistoryKind::direct, {of_rows}, step_plan(first), tolerance);
+  Run trial(problem_, {});
+  NewtonSolver newton(problem_, tolerance);
+  Vec y = run.start(), convolved(size_);
+  Ending ending = Ending::finished;
+  for (int n = 1; n <= count && ending == Ending::finished; ++n) {
+    history->push(time(n - 1), trial.rhs(time(n - 1), y));
+    history->convolve(time(n), 0, convolved);
+    const Vec past = step(guess, n) + kappa.cwiseProduct(convolved);
+    ending = newton.solve(trial, {time(n), kappa, past}, y);
+    if (!linear(problem_)) step(guess, n) = y;
+  }
+  *run.cost().rhs_calls += *trial.cost().rhs_calls;
+  if (!linear(problem_)) *run.cost().newton_iterations += *trial.cost().newton_iterations;
+  return ending;
+}
+
+bool FirstSteps::solve_linear(const Vec& past, Vec& y) const {
+  Vec rest(y.size());
+  evaluate(y, rest);
+  rest += past - y;
+  if (sparse(problem_)) {
+    SparseMatrix matrix(y.size(), y.size()), identity(y.size(), y.size());
+    differentiate_sparse(y, matrix);
+    identity.setIdentity();
+    matrix = identity - matrix;
+    matrix.makeCompressed();
+    const Eigen::SparseLU<SparseMatrix> factors(matrix);
+    if (factors.info() != Eigen::Success) return false;
+    y += factors.solve(rest);
+  } else {
+    Matrix matrix(y.size(), y.size());
+    differentiate(y, matrix);
+    y += (Matrix::Identity(y.size(), y.size()) - matrix).partialPivLu().solve(rest);
+  }
+  return y.allFinite();
+}
+
+Problem FirstSteps::as_problem(const Vec& guess) const {
+  Problem block;
+  for (Eigen::Index n = 1; n <= steps(); ++n) {
+    for (Eigen::Index i = 0; i < size_; ++i) block.components.push_back({1.0, {guess[(n - 1) * size_ + i]}});
+  }
+  block.rhs = [this](double, In y, Out f) { evaluate(y, f); };
+  if (sparse(problem_)) {
+    block.derivatives =
+        SparseJacobian{[this](double, In y, SparseMatrix& jacobian) { differentiate_sparse(y, jacobian); }};
+  } else if (has_jacobian(problem_)) {
+    block.derivatives =
+        DenseJacobian{[this](double, In y, OutMatrix jacobian) { differentiate(y, jacobian); }};
+  }
+  return block;
+}
+
+void FirstSteps::evaluate(In y, Out f) const {
+  Vec of_step(size_);
+  f.setZero();
+  for (Eigen::Index j = 1; j <= steps(); ++j) {
+    problem_.rhs(time(j), step(y, j), of_step);
+    for (Eigen::Index n = 1; n <= steps(); ++n) step(f, n) += of(n).col(j).cwiseProduct(of_step);
+  }
+}
+
+void FirstSteps::differentiate(In y, OutMatrix jacobian) const {
+  Matrix of_step(size_, size_);
+  for (Eigen::Index j = 1; j <= steps(); ++j) {
+    evaluate_jacobian(problem_, time(j), step(y, j), of_step);
+    for (Eigen::Index n = 1; n <= steps(); ++n)
+      jacobian.block((n - 1) * size_, (j - 1) * size_, size_, size_) = of(n).col(j).asDiagonal() * of_step;
+  }
+}
+
+void FirstSteps::differentiate_sparse(In y, SparseMatrix& jacobian) const {
+  std::vector<Eigen::Triplet<double>> entries;
+  SparseMatrix of_step(size_, size_);
+  for (Eigen::Index j = 1; j <= steps(); ++j) {
+    if (const auto* part = std::get_if<SparseLinearPart>(&problem_.derivatives)) {
+      of_step = part->matrix;
+    } else {
+      std::get<SparseJacobian>(problem_.derivatives).at(time(j), step(y, j), of_step);
+    }
+    for (Eigen::Index column = 0; column < of_step.outerSize(); ++column) {
+      for (SparseMatrix::InnerIterator entry(of_step, column); entry; ++entry) {
+        for (Eigen::Index n = 1; n <= steps(); ++n) {
+          entries.emplace_back((n - 1) * size_ + entry.row(), (j - 1) * size_ + entry.col(),
+                               of(n)(entry.row(), j) * entry.value());
+        }
+      }
+    }
+  }
+  jacobian.resize(y.size(), y.size());
+  jacobian.setFromTriplets(entries.begin(), entries.end());
+}
+
+}  // namespace fde

@@ -1,0 +1,119 @@
+#include "start_weights/multistep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "start_weights/first_steps.hpp"
+#include "start_weights/start_powers.hpp"
+#include "stepping/rates.hpp"
+
+namespace fde {
+namespace {
+
+Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, const Grid& grid,
+                           const Options& options) {
+  auto powers = start_powers(family, problem).powers;
+  powers.resize(std::min(powers.size(), static_cast<std::size_t>(grid.steps) + 1));
+  const auto first_steps = static_cast<int>(powers.size()) - 1;
+  const auto of_rows = tables(problem, family);
+  const Vec kappa = StepFactors(of_rows, grid).at(1);
+  StartCorrection correction(of_rows, powers, grid.steps);
+  const auto history = make_history(options.history, {of_rows}, step_plan(grid), options.tolerance);
+  const TaylorPart taylor(problem);
+  NewtonSolver newton(problem, options.tolerance);
+  Run run(problem, options, grid.steps);
+  run.cost().history_bytes = history->bytes() + correction.bytes();
+  run.cost().start_weights = first_steps + 1;
+
+  Matrix first;
+  if (first_steps > 0) {
+    Ending ending{};
+    first = FirstSteps(problem, grid, of_rows, kappa, correction, first_steps)
+                .solve(run, options.tolerance, ending);
+    if (ending != Ending::finished) {
+      run.fail(ending, grid.time(1));
+      return run.finish();
+    }
+  }
+  Vec y = run.start(), past(y.size()), convolved(y.size());
+  Matrix starts(y.size(), first_steps + 1);  // f_0 ... f_(s-1)
+  double t = 0.0;
+  for (int n = 1; n <= grid.steps; ++n) {
+    const Vec& f = run.rhs(t, y);
+    history->push(t, f);
+    if (n <= first_steps + 1) starts.col(n - 1) = f;
+    if (n == first_steps + 1) correction.start(starts);
+    t = grid.time(n);
+    if (n <= first_steps) {
+      y = first.col(n - 1);
+    } else {
+      history->convolve(t, 0, convolved);
+      correction.add(n, convolved);
+      taylor.at(t, past);
+      past += kappa.cwiseProduct(convolved);
+      if (const Ending ending = newton.solve(run, {t, kappa, past}, y); ending != Ending::finished) {
+        run.fail(ending, t);
+        break;
+      }
+    }
+    if (!run.accept(t, y)) break;
+  }
+  return run.finish();
+}
+
+RateTheory theory_of(const MultistepRule& rule) {
+  return {[rate = static_cast<double>(rule.rate)](double) { return rate; },
+          [](double g, double p) { return 1.0 + p - g; }, [](double, double p) { return p; }};
+}
+
+double multistep_rate(const WeightFamily& family, const Problem& problem, const Smoothness& smoothness,
+                      double grading, Norm norm) {
+  const auto start = start_powers(family, problem);
+  const double rate_of_rule = family.multistep->rate;
+  Smoothness beside = smoothness;
+  for (std::size_t i = 0; i < beside.powers.size(); ++i) {
+    const double g = problem.components[i].order;
+    auto& powers = beside.powers[i];
+    std::erase_if(powers, [&](double p) {
+      return std::ranges::any_of(start.powers,
+                                 [=](double r) { return std::abs(p - g - r) < distinct_powers; });
+    });
+    // Lists may end at order + 2. What follows is known from the orders: every sum may occur.
+    const double first = start.next + g;
+    const bool counts = start.next + 1.0 < rate_of_rule || first < rate_of_rule;
+    if (powers.empty() || (counts && powers.front() > first)) powers.insert(powers.begin(), first);
+  }
+  return rate(theory_of(*family.multistep), problem, beside, grading, norm);
+}
+
+}  // namespace
+
+Scheme multistep_scheme(std::string_view id, std::string_view title, std::string_view source,
+                        const WeightFamily& family) {
+  return {.id = id,
+          .title = title,
+          .source = source,
+          .needs = {.uniform_grid = true, .implicit = true},
+          .expected_rate =
+              [&family](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
+                return multistep_rate(family, problem, smoothness, grading, norm);
+              },
+          .solve = on_grid([&family](const Problem& problem, const Grid& grid, const Options& options) {
+            return solve_multistep(family, problem, grid, options);
+          }),
+          .refuses = [&family](const Problem& problem) -> std::optional<std::string> {
+            for (std::size_t i = 0; i < problem.components.size(); ++i) {
+              const double order = problem.components[i].order;
+              if (family.step_factor(order, 1.0) > 0.0) continue;
+              return fmt::format("is explicit at order {}, that of component {}", order, i);
+            }
+            return std::nullopt;
+          },
+          .symbol = [&family](const Problem& problem,
+                              double length) { return implicit_symbol(problem, family, length); },
+          .start_powers = [&family](const Problem& problem) { return start_powers(family, problem).powers; }};
+}
+
+}  // namespace fde

@@ -1,0 +1,41 @@
+#include "start_weights/start_powers.hpp"
+
+#include <algorithm>
+
+#include "problem/smoothness.hpp"
+#include "start_weights/start_weights.hpp"
+
+namespace fde {
+namespace {
+
+// More are never usable: the growth of 24 powers is 1e9 at the least.
+constexpr std::size_t most_powers = 24;
+
+}  // namespace
+
+StartPowers start_powers(const WeightFamily& family, const Problem& problem) {
+  std::vector<double> orders;
+  for (const auto& component : problem.components) {
+    if (!algebraic(component)) orders.push_back(component.order);
+  }
+  std::ranges::sort(orders);
+  orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
+  std::vector<double> steps = orders;
+  steps.push_back(1.0);
+  const double last = family.multistep->rate - 1.0;
+  const auto sums = power_lattice({0.0}, steps, last + 2.0);
+  StartPowers start{{}, 0.0, 0.0};
+  for (const double power : sums) {
+    if (power <= last + distinct_powers && start.powers.size() < most_powers) start.powers.push_back(power);
+  }
+  for (const double order : orders) {
+    const auto usable = usable_powers({&family, order}, start.powers);
+    start.powers.resize(usable.count);
+  }
+  for (const double order : orders)
+    start.growth = std::max(start.growth, usable_powers({&family, order}, start.powers).growth);
+  start.next = sums[start.powers.size()];
+  return start;
+}
+
+}  // namespace fde

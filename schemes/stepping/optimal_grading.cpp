@@ -1,0 +1,76 @@
+#include "stepping/optimal_grading.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "problem/chain_problem.hpp"
+
+namespace fde {
+namespace {
+
+constexpr double largest = 10.0;
+
+Smoothness smoothness_of_rows(const Problem& problem) {
+  std::vector<double> steps{1.0};
+  for (const auto& component : problem.components) {
+    if (!algebraic(component)) steps.push_back(component.order);
+  }
+  Smoothness smoothness;
+  for (const auto& component : problem.components) {
+    auto& powers = smoothness.powers.emplace_back();
+    if (algebraic(component)) continue;
+    std::vector<double> start{component.order};
+    if (component.order > 1.0) start.push_back(1.0);
+    powers = power_lattice(start, steps, component.order + 2.0);
+  }
+  return smoothness;
+}
+
+// The chains with slopes at t = 0 that are not 0.
+std::vector<Chain> started(const Problem& problem) {
+  std::vector<Chain> chains;
+  for (const auto& equation : problem.equations) {
+    const Chain chain = chain_of(problem, equation);
+    std::vector<double> initial = chain.initial();
+    std::ranges::fill(initial, 1.0);
+    chains.emplace_back(chain.leading(), chain.terms(), initial, chain.first());
+  }
+  return chains;
+}
+
+// Whether all rows are of equations with one leading order, which is what chain_smoothness takes.
+bool only_chains(const Problem& problem, const std::vector<Chain>& chains) {
+  Eigen::Index rows = 0;
+  for (const auto& chain : chains) {
+    if (!same_order(chain.leading().order, chains.front().leading().order)) return false;
+    rows += chain.size();
+  }
+  return rows == problem.size();
+}
+
+}  // namespace
+
+Smoothness smoothness_of_orders(const Problem& problem) {
+  const auto chains = started(problem);
+  if (!chains.empty() && only_chains(problem, chains)) return chain_smoothness(chains);
+  return smoothness_of_rows(problem);
+}
+
+double optimal_grading(const Scheme& scheme, const Problem& problem) {
+  if (scheme.needs.uniform_grid || !scheme.expected_rate || two_sided(problem)) return 1.0;
+  const Smoothness smoothness = smoothness_of_orders(problem);
+  const auto rate = [&](double grading) {
+    return scheme.expected_rate(problem, smoothness, grading, Norm::maximum);
+  };
+  constexpr double rounding = 1e-9;
+  const double best = rate(largest);
+  double low = 1.0, high = largest;
+  if (rate(low) >= best - rounding) return low;
+  while (high - low > rounding) {  // the rate does not fall with the grading
+    const double middle = 0.5 * (low + high);
+    (rate(middle) >= best - rounding ? high : low) = middle;
+  }
+  return std::ceil(100.0 * (high - 1e-6)) / 100.0;
+}
+
+}  // namespace fde

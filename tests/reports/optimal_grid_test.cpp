@@ -1,0 +1,78 @@
+// --grid graded:auto, as solve and run take it.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/answer_of_words.hpp"
+#include "support/testing.hpp"
+#include "sweep/default_sweep.hpp"
+#include "sweep/sweep.hpp"
+
+namespace fde {
+namespace {
+
+std::string text_of_file(const std::filesystem::path& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+TEST(OptimalGrid, SolveIsThatOfTheGradingAndNamesIt) {
+  const auto chosen = fdebench("solve relaxation --scheme l1 --steps 300 --at 1 --grid graded:auto --cost");
+  const auto named = fdebench("solve relaxation --scheme l1 --steps 300 --at 1 --grid graded:3");
+  EXPECT_EQ(chosen.code, 0);
+  EXPECT_EQ(chosen.out, named.out);
+  EXPECT_NE(chosen.err.find(R"("grid":"graded:3")"), std::string::npos) << chosen.err;
+}
+
+TEST(OptimalGrid, ResultsNameTheGradingOfEachScheme) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "optimal_grid.jsonl";
+  std::filesystem::remove(file);
+  const auto answer = fdebench(
+      "run --scene relaxation --scheme l1 --scheme product_trapezoidal --scheme "
+      "grunwald_letnikov --steps 64 --repeat 1 --grid graded:auto --out " +
+      file.string());
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  const std::string rows = text_of_file(file);
+  for (const auto* grid : {R"("grid":"graded:3")", R"("grid":"graded:2")", R"("grid":"uniform")"})
+    EXPECT_NE(rows.find(grid), std::string::npos) << grid;
+  EXPECT_EQ(rows.find("refused"), std::string::npos);
+  std::filesystem::remove(file);
+}
+
+// Of the graded schemes of a sweep: two lines where every order is fractional, one where a chain starts
+// smoothly, a row is whole, or the scheme is not among them.
+TEST(OptimalGrid, OfASweepIsBesideTheUniformOne) {
+  Sweep sweep;
+  sweep.graded = graded_schemes();
+  const auto gradings = [&](const char* scheme, const char* scene) {
+    std::vector<double> found;
+    for (const auto& setup : setups_of(sweep, *find_scheme(scheme), scene_of(scene).problem))
+      found.push_back(setup.grading);
+    return found;
+  };
+  EXPECT_EQ(gradings("l1", "relaxation"), (std::vector{1.0, 3.0}));
+  EXPECT_EQ(gradings("product_trapezoidal", "relaxation"), (std::vector{1.0, 2.0}));
+  EXPECT_EQ(gradings("adams_pc", "relaxation"), std::vector{1.0});
+  EXPECT_EQ(gradings("l1", "pendulum"), std::vector{1.0});
+  EXPECT_EQ(gradings("l1", "knife_edge"), std::vector{1.0});
+}
+
+TEST(OptimalGrid, BadGridsAreOneLine) {
+  const auto solve = fdebench("solve relaxation --scheme l1 --steps 8 --grid graded:best");
+  EXPECT_EQ(solve.code, 2);
+  EXPECT_NE(solve.err.find("graded = best"), std::string::npos) << solve.err;
+  const auto beside = fdebench("run --scene relaxation --external a=b --steps 8 --grid graded:auto --out x");
+  EXPECT_EQ(beside.code, 2);
+  EXPECT_NE(beside.err.find("--grid = graded:auto: must be uniform or graded:R beside --external"),
+            std::string::npos)
+      << beside.err;
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <ostream>
+
+#include "search/question.hpp"
+
+namespace fde {
+
+// A scene with what is asked of it, as a parameter of tests.
+struct Asked {
+  const char* scene;
+  ErrorKind kind;
+  double accuracy;
+};
+inline std::ostream& operator<<(std::ostream& out, const Asked& asked) {
+  return out << asked.scene << " " << error_measure(asked.kind) << " " << asked.accuracy;
+}
+
+// Of all columns.
+inline Question question_of(const Scene& scene, const Asked& asked) {
+  return {asked.kind, asked.accuracy, all_columns(scene)};
+}
+
+}  // namespace fde
