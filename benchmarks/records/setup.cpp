@@ -39,8 +39,10 @@ std::string resolution_text(const Setup& setup) {
 
 double parse_grading(std::string_view text) {
   if (text == uniform) return 1.0;
-  if (text.starts_with(graded))
-    return parse_number("--grid graded", text.substr(graded.size()), {.low = 1.0, .high = 100.0});
+  if (text.starts_with(graded)) {
+    const auto grading = number_in(text.substr(graded.size()));
+    if (grading && *grading >= 1.0 && *grading <= 100.0) return *grading;
+  }
   reject_text("--grid", text, "uniform or graded:R with R in [1, 100], or graded:auto on the command line");
 }
 

@@ -51,7 +51,8 @@ std::vector<const Scheme*> sweep_schemes() {
 }
 
 std::vector<const Scheme*> graded_schemes() {
-  return {find_scheme("l1"), find_scheme("product_trapezoidal")};
+  return {find_scheme("l1"), find_scheme("l1_2"), find_scheme("l2_1_sigma"),
+          find_scheme("product_trapezoidal")};
 }
 
 }  // namespace fde

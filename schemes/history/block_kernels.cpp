@@ -11,6 +11,9 @@
 #define HWY_TARGET_INCLUDE "history/block_kernels.cpp"
 #include <hwy/foreach_target.h>  // includes this file once for each target
 #include <hwy/highway.h>
+// clang-format off: after the target is chosen
+#include <hwy/contrib/math/math-inl.h>
+// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 static_assert(EIGEN_DEFAULT_ALIGN_BYTES >= 64, "the loads and stores below are aligned");
@@ -112,6 +115,68 @@ void advance_kernel(Eigen::Index rows, Eigen::Index columns, const double* decay
   }
 }
 
+// 1/i; the series below has 16 terms at most.
+constexpr auto reciprocals = [] {
+  std::array<double, 24> all{};
+  for (std::size_t i = 1; i < all.size(); ++i) all[i] = 1.0 / static_cast<double>(i);
+  return all;
+}();
+
+// phi_3 = sum_i (-x)^i / (i+3)! for 0 <= x <= 1, by so many terms after the first.
+HWY_INLINE Vector third_phi(Vector x, int terms) {
+  const Vector one = hn::Set(tag, 1.0);
+  Vector sum = one;
+  for (int i = terms + 3; i > 3; --i)
+    sum = hn::NegMulAdd(hn::Mul(x, hn::Set(tag, reciprocals[static_cast<std::size_t>(i)])), sum, one);
+  return hn::Mul(sum, hn::Set(tag, reciprocals[6]));
+}
+
+// So many that the next is below rounding up to this x.
+HWY_INLINE int terms_up_to(double x) {
+  int terms = 0;
+  for (double next = x / 4.0; next > 0x1p-55; next *= x / (terms + 4)) ++terms;
+  return terms;
+}
+
+// The functions follow from each other by phi_k = 1/k! - x phi_(k+1): upwards without loss for x below 1,
+// downwards above. What is done is decided for `lanes` nodes, whatever the width.
+void phi_functions_kernel(Eigen::Index rows, double length, const double* nodes, Block phi,
+                          double* decay_minus_one) {
+  constexpr Eigen::Index width = hn::MaxLanes(tag);
+  const Vector one = hn::Set(tag, 1.0), half = hn::Set(tag, 0.5);
+  int terms = 0;
+  bool some_small = false, some_large = false;
+  for (Eigen::Index row = 0; row < rows; row += width) {
+    if (row % lanes == 0) {
+      const double last = length * nodes[row + lanes - 1];
+      some_small = length * nodes[row] < 1.0;
+      some_large = last >= 1.0;
+      if (some_small) terms = terms_up_to(std::min(last, 1.0));
+    }
+    const Vector x = hn::Mul(hn::Set(tag, length), hn::Load(tag, nodes + row));
+    Vector first = one, second = one, third = one, decay = one;
+    if (some_small) {
+      third = third_phi(hn::Min(x, one), terms);
+      second = hn::NegMulAdd(x, third, half);
+      first = hn::NegMulAdd(x, second, one);
+      decay = hn::Neg(hn::Mul(x, first));
+    }
+    if (some_large) {
+      const auto large = hn::Ge(x, one);
+      const Vector below = hn::Sub(hn::Exp(tag, hn::Neg(x)), one);
+      const Vector one_below = hn::Div(hn::Neg(below), x), two_below = hn::Div(hn::Sub(one, one_below), x);
+      third = hn::IfThenElse(large, hn::Div(hn::Sub(half, two_below), x), third);
+      second = hn::IfThenElse(large, two_below, second);
+      first = hn::IfThenElse(large, one_below, first);
+      decay = hn::IfThenElse(large, below, decay);
+    }
+    hn::Store(first, tag, phi.data + row);
+    hn::Store(second, tag, phi.data + phi.stride + row);
+    hn::Store(third, tag, phi.data + 2 * phi.stride + row);
+    hn::Store(decay, tag, decay_minus_one + row);
+  }
+}
+
 // Thirty-two running sums, whatever the width.
 double dot_product_kernel(const double* a, const double* b, Eigen::Index length) {
   constexpr Eigen::Index together = 4 * lanes, width = hn::MaxLanes(tag), vectors = together / width;
@@ -141,6 +206,7 @@ HWY_EXPORT(multiply_add_kernel);
 HWY_EXPORT(scatter_kernel);
 HWY_EXPORT(advance_kernel);
 HWY_EXPORT(dot_product_kernel);
+HWY_EXPORT(phi_functions_kernel);
 
 namespace {
 
@@ -150,11 +216,13 @@ struct Kernels {
   decltype(&scatter) scattering;
   decltype(&advance) advancing;
   decltype(&dot_product) multiplying_arrays;
+  decltype(&phi_functions) integrating;
 };
 Kernels kernels_of(std::int64_t targets) {
   hwy::GetChosenTarget().Update(targets);
   return {HWY_DYNAMIC_DISPATCH(multiply_add_kernel), HWY_DYNAMIC_DISPATCH(scatter_kernel),
-          HWY_DYNAMIC_DISPATCH(advance_kernel), HWY_DYNAMIC_DISPATCH(dot_product_kernel)};
+          HWY_DYNAMIC_DISPATCH(advance_kernel), HWY_DYNAMIC_DISPATCH(dot_product_kernel),
+          HWY_DYNAMIC_DISPATCH(phi_functions_kernel)};
 }
 Kernels kernels = kernels_of(hwy::SupportedTargets());
 
@@ -182,6 +250,11 @@ void advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_
 
 double dot_product(const double* a, const double* b, Eigen::Index length) {
   return kernels.multiplying_arrays(a, b, length);
+}
+
+void phi_functions(Eigen::Index rows, double length, const double* nodes, Block phi,
+                   double* decay_minus_one) {
+  kernels.integrating(rows, length, nodes, phi, decay_minus_one);
 }
 
 std::vector<std::string_view> vector_targets() {

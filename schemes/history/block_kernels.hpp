@@ -52,6 +52,11 @@ void advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_
 // The dot product of two arrays of any length and alignment.
 double dot_product(const double* a, const double* b, Eigen::Index length);
 
+// phi_k(x) = sum_i (-x)^i / (i + k)!, k = 1, 2, 3, at x = length * node: the integrals of exp(-x (1 - w))
+// w^(k-1) / (k-1)! over w in [0, 1], one column of phi a k; and exp(-x) - 1. Good to a few units in the last
+// place. Nodes are not negative and do not decrease.
+void phi_functions(Eigen::Index rows, double length, const double* nodes, Block phi, double* decay_minus_one);
+
 // The instruction sets that this build has code for and this machine runs, the widest first: that one is
 // used.
 std::vector<std::string_view> vector_targets();

@@ -40,12 +40,12 @@ ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, do
 
 void ExponentialHistory::add(Sum& sum, const WeightTable& table, Eigen::Index component) {
   const auto& family = *table.family;
-  if (family.filter != nullptr) return add_filtered(sum, table, component);
   if (const auto constant = constant_weight(table)) {
     needs_totals_ = true;
     sum.constants.push_back({component, start_weight(table, 1).value_or(*constant), *constant});
     return;
   }
+  if (family.filter != nullptr) return add_filtered(sum, table, component);
   if (family.smooth_part == nullptr) return add_exponentials(sum, table, component, false);
   add_exponentials(sum, {family.smooth_part, table.order}, component, false);
   if (!whole(table.order)) add_exponentials(sum, {family.alternating_part, table.order}, component, true);

@@ -5,13 +5,12 @@
 #include <utility>
 
 #include "history/block_kernels.hpp"
-#include "history/phi_functions.hpp"
 #include "weights/exponential_sum.hpp"
 
 namespace fde {
 
 ExponentialKernel::ExponentialKernel(long double a, double shortest, double end, double tolerance)
-    : exponent(a) {
+    : exponent(a), gamma_(std::tgamma(static_cast<double>(a) + 1.0)) {
   const auto sum = exponential_sum(a, shortest, 2.0 * end, tolerance);
   const double last = sum.nodes[sum.nodes.size() - 1];
   nodes = padded(sum.nodes, last);
@@ -23,6 +22,12 @@ Eigen::Index ExponentialKernel::needed(double length) const {
   // exponential_sum may leave out the nodes from the one after its last on: one more than up to fastest_.
   const auto slower = std::upper_bound(nodes.begin(), nodes.end(), fastest_ / length) - nodes.begin();
   return std::min((slower + 1 + lanes - 1) / lanes * lanes, nodes.size());
+}
+
+std::array<double, 3> ExponentialKernel::near(double length) const {
+  const auto a = static_cast<double>(exponent);
+  const double first = std::pow(length, a) / gamma_, second = first / (a + 1.0);
+  return {first, second, second / (a + 2.0)};
 }
 
 KernelIntegrals::KernelIntegrals(ExponentialKernel kernel)
@@ -49,7 +54,7 @@ Matrix KernelIntegrals::revived(Eigen::Index count) const {
   Matrix states = Matrix::Zero(rows, polynomials_.cols()), phi(rows, 3);
   if (rows == 0) return states;
   Vec decay_minus_one(rows);
-  phi_functions(length_ * kernel_.nodes.segment(alive_, rows), phi, decay_minus_one);
+  phi_functions(rows, length_, kernel_.nodes.data() + alive_, phi, decay_minus_one.data());
   multiply_add(rows, phi.cols(), states.cols(), phi, polynomials_, states);
   return states;
 }
@@ -61,15 +66,10 @@ void KernelIntegrals::prepare(double length, KernelStep& step) const {
   step.decay_minus_one.resize(size);
   step.phi.resize(size, 3);
   step.weights.resize(size);
-  phi_functions(length * kernel_.nodes.head(step.count), step.phi, step.decay_minus_one);
+  phi_functions(step.count, length, kernel_.nodes.data(), step.phi, step.decay_minus_one.data());
   step.weights.head(step.count) =
       kernel_.coefficients.head(step.count).array() * (1.0 + step.decay_minus_one.head(step.count).array());
-  const auto a = static_cast<double>(kernel_.exponent);
-  double near = std::pow(length, a) / std::tgamma(a + 1.0);
-  for (int k = 0; k < 3; ++k) {
-    step.near[static_cast<std::size_t>(k)] = near;
-    near /= a + k + 1.0;
-  }
+  step.near = kernel_.near(length);
   step.revived = revived(std::max(step.count, alive_));
 }
 

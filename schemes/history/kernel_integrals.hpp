@@ -17,11 +17,16 @@ class ExponentialKernel {
   // So many exponentials, the slowest, make the kernel at distances from this length on. A multiple of lanes.
   [[nodiscard]] Eigen::Index needed(double length) const;
 
+  // The integrals of w^(k-1) / (k-1)!, k = 1, 2, 3, over a step of this length, up to its end: length^a /
+  // Gamma(a + k).
+  [[nodiscard]] std::array<double, 3> near(double length) const;
+
   long double exponent;
   Vec nodes,
       coefficients;  // nodes increase; as many as make a multiple of lanes, the last with coefficient 0
 
  private:
+  double gamma_;    // Gamma(a + 1)
   double fastest_;  // node * distance up to which the sum needs its nodes
 };
 
@@ -32,7 +37,7 @@ struct KernelStep {
   Vec decay_minus_one{};         // exp(-x) - 1
   Matrix phi{};                  // phi_1, phi_2, phi_3 of x
   Vec weights{};                 // coefficients * exp(-x)
-  std::array<double, 3> near{};  // length^a / Gamma(a + k), k = 1, 2, 3: integrals of w^(k-1) / (k-1)!
+  std::array<double, 3> near{};  // ExponentialKernel::near
   Matrix revived{};              // states of the exponentials that the steps before did not need
 };
 

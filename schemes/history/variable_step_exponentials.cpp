@@ -21,7 +21,8 @@ VariableStepExponentialHistory::VariableStepExponentialHistory(const WeightTable
     }
   }
   candidate_.steps.resize(kernels_.size());
-  candidate_.to_sums.resize(tables_.size());
+  candidate_.to_sums.resize(std::ssize(tables_));
+  factors_ = StepFactors(tables_);
 }
 
 std::size_t VariableStepExponentialHistory::kernel_of(const WeightTable& table, const StepPlan& steps,
@@ -56,8 +57,11 @@ const VariableStepExponentialHistory::Candidate& VariableStepExponentialHistory:
   const double length = t - time_;
   candidate_.time = t;
   for (std::size_t k = 0; k < kernels_.size(); ++k) kernels_[k].prepare(length, candidate_.steps[k]);
-  std::ranges::transform(tables_, candidate_.to_sums.begin(),
-                         [&](const WeightTable& table) { return integrals_to_sums(table, length); });
+  const Vec& factors = factors_.at(length);
+  for (std::size_t i = 0; i < tables_.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    candidate_.to_sums[row] = tables_[i].family->weighs_increments ? factors[row] : 1.0 / factors[row];
+  }
   return candidate_;
 }
 
@@ -85,7 +89,7 @@ void VariableStepExponentialHistory::convolve(double t, std::size_t sum, Out res
   for (const auto& track : tracks_[sum]) {
     const Polynomial newest = integrand(track, newest_[track.component], 0.0, length);
     const double integral = kernels_[track.kernel].integral(at.steps[track.kernel], track.function, newest);
-    result[track.component] = integral * at.to_sums[track.table];
+    result[track.component] = integral * at.to_sums[static_cast<Eigen::Index>(track.table)];
   }
 }
 

@@ -3,6 +3,7 @@
 #include "history/history.hpp"
 #include "history/kernel_integrals.hpp"
 #include "history/running_sum.hpp"
+#include "weights/step_factors.hpp"
 
 namespace fde {
 
@@ -30,14 +31,15 @@ class VariableStepExponentialHistory final : public History {
   struct Candidate {
     std::optional<double> time{};
     std::vector<KernelStep> steps{};  // of each kernel
-    std::vector<double> to_sums{};    // integrals_to_sums of each table
+    Vec to_sums{};                    // the factor of each table's integrals in its sums
   };
   std::size_t kernel_of(const WeightTable& table, const StepPlan& steps, double tolerance);
   [[nodiscard]] Polynomial integrand(const Track& track, double before, double after, double length) const;
   [[nodiscard]] const Candidate& candidate(double t) const;
   void advance(double t, In sample);
 
-  std::vector<WeightTable> tables_;  // without repetition
+  std::vector<WeightTable> tables_;       // without repetition
+  mutable StepFactors factors_{tables_};  // of them
   std::vector<KernelIntegrals> kernels_;
   std::vector<std::vector<Track>> tracks_;  // of each sum; without those that have no past
   double time_ = 0.0;                       // of the newest sample

@@ -3,6 +3,22 @@
 #include "implicit/differences.hpp"
 
 namespace fde {
+namespace {
+
+// Up to rounding, with rows and columns of equal size.
+bool singular(Matrix a) {
+  constexpr double rounding = 1e-14;
+  const Vec rows = a.rowwise().lpNorm<Eigen::Infinity>();
+  a.array().colwise() /= rows.array();
+  const Eigen::RowVectorXd columns = a.colwise().lpNorm<Eigen::Infinity>();
+  a.array().rowwise() /= columns.array();
+  Eigen::FullPivLU<Matrix> factors(a);
+  factors.setThreshold(rounding);
+  return !factors.isInvertible();
+}
+
+}  // namespace
+
 template <int size>
 DenseNewtonMatrix<size>::DenseNewtonMatrix(const Problem& problem)
     : problem_(problem), rows_(problem), matrix_(problem.size(), problem.size()) {}
@@ -22,7 +38,7 @@ bool DenseNewtonMatrix<size>::factorise_linear(const Vec& kappa) {
   matrix_ = std::get<DenseLinearPart>(problem_.derivatives).matrix;
   assemble(kappa);
   factorise();
-  return rows_.algebraic.empty() || !singular();
+  return rows_.algebraic.empty() || !singular(matrix_);
 }
 
 template <int size>
@@ -48,19 +64,6 @@ void DenseNewtonMatrix<size>::solve(Vec& b) const {
   Eigen::Map<Eigen::Matrix<double, size, 1>> x(b.data(), b.size());
   const Eigen::Matrix<double, size, 1> right = x;
   x = factors_.solve(right);
-}
-
-template <int size>
-bool DenseNewtonMatrix<size>::singular() const {
-  constexpr double rounding = 1e-14;
-  Square a = matrix_;
-  const Eigen::Matrix<double, size, 1> rows = a.rowwise().template lpNorm<Eigen::Infinity>();
-  a.array().colwise() /= rows.array();
-  const Eigen::Matrix<double, 1, size> columns = a.colwise().template lpNorm<Eigen::Infinity>();
-  a.array().rowwise() /= columns.array();
-  Eigen::FullPivLU<Square> factors(a);
-  factors.setThreshold(rounding);
-  return !factors.isInvertible();
 }
 
 namespace {

@@ -24,7 +24,6 @@ class DenseNewtonMatrix : public NewtonMatrix {
 
  private:
   void assemble(const Vec& kappa);  // from df/dy in the matrix's place
-  [[nodiscard]] bool singular() const;
 
   using Square = Eigen::Matrix<double, size, size>;
 

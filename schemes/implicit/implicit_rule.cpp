@@ -1,5 +1,7 @@
 #include "implicit/implicit_rule.hpp"
 
+#include "weights/step_factors.hpp"
+
 namespace fde {
 namespace {
 
@@ -58,7 +60,7 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
                           const ImplicitRule& rule) {
   Run run(problem, options, grid.steps);
   NewtonSolver newton(problem, options.tolerance);
-  StepFactors factors(rule.tables, grid);
+  StepFactors factors(rule.tables);
   PastOfRows history(problem, rule.tables, grid, options);
   run.cost().history_bytes = history.bytes();
 
@@ -68,9 +70,10 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
   rule.sample(run, t, y, previous, sample);
   for (int n = 1; n <= grid.steps; ++n) {
     history.push(t, sample);
+    const double before = t;
     t = grid.time(n);
     history.convolve(t, convolved);
-    const Vec& kappa = factors.at(n);
+    const Vec& kappa = factors.at(grid.uniform() ? grid.step() : t - before);
     rule.past(t, convolved, previous, kappa, past);
     if (const Ending ending = newton.solve(run, {t, kappa, past}, y); ending != Ending::finished) {
       run.fail(ending, t);

@@ -43,17 +43,19 @@ NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
 
 Ending NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
   const bool solved = growth_ ? solve_linear(run, step, y) : solve_nonlinear(run, step, y);
-  if (growth_ && outruns_) return Ending::outran_growth;
+  if (outruns_) return Ending::outran_growth;
   if (solved) return Ending::finished;
   return y.allFinite() ? Ending::not_converged : Ending::not_finite;
 }
 
 bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out y) {
-  if (path_.empty() || !iterate_kept(run, step, y)) {
+  const bool first = path_.empty();
+  if (first || !iterate_kept(run, step, y)) {
     if (!iterate_anew(run, step, y)) return false;
     // The factors are those of the last iteration, which began next to y.
     wear_.renew();
     sign_ = matrix_->determinant_sign();
+    outruns_ = first && sign_ < 0 && matrix_->rows().algebraic.empty();
   }
   remember(step, y);
   return true;

@@ -37,6 +37,10 @@ namespace fde {
 // where it had come to. Where derivatives at the guess are not finite, as that of y^(1/6) at 0, it starts
 // from y = past + kappa f(t, guess), up to eight times.
 //
+// The first step of a problem without algebraic rows ends the run where the determinant is negative: from
+// y(0) on it is positive for steps short enough, and a longer one has gone past a solution that vanished, or
+// past a mode that grows.
+//
 // |y| is the largest of the other unknowns where there are algebraic rows. An unknown lambda_i of an
 // algebraic row counts as what it does to the equations, max_k |M_ki| |lambda_i| with M the matrix of
 // Newton's method, and relative to |y| or, where it is larger, to itself. That is about |lambda_i| where its
@@ -48,8 +52,8 @@ class NewtonSolver {
   NewtonSolver(const Problem& problem, double tolerance);
 
   // Improves the guess y to the solution. Not `finished` when 350 iterations do not suffice, a value is not
-  // finite, the constraints of a linear problem depend on each other, or it has a mode that grows so fast
-  // that the step outruns it.
+  // finite, the constraints of a linear problem depend on each other, or a mode grows so fast that the step
+  // outruns it.
   Ending solve(Run& run, const StepEquations& step, Out y);
 
  private:

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "problem/chain_problem.hpp"
+#include "problem/smoothness.hpp"
 
 namespace fde {
 namespace {
@@ -90,12 +93,25 @@ Problem integrated(const Problem& problem) {
           .domain = problem.domain};
 }
 
+StartPowers start_powers_of_equations(const WeightFamily& family, const Problem& problem) {
+  std::vector<double> orders, steps;
+  for (const auto& chain : chains_of(problem)) {
+    for (const double node : chain.nodes()) {
+      orders.push_back(chain.leading().order - node);
+      steps.push_back(orders.back());
+      if (!whole(node)) steps.push_back(std::ceil(node) - node);  // D^v of the Taylor part, where g reads it
+    }
+  }
+  return start_powers(family, orders, steps);
+}
+
 IntegratedEquations::IntegratedEquations(const Problem& problem, const WeightFamily& family, const Grid& grid,
-                                         const Options& options)
+                                         const Options& options, const std::vector<double>& start_powers)
     : grid_(grid),
       parts_(parts_of(problem)),
       tables_(tables(family)),
       history_(make_history(options.history, tables_, step_plan(grid), options.tolerance)),
+      first_samples_(std::ssize(tables_.front()), std::ssize(start_powers)),
       factors_(Matrix::Zero(std::ssize(parts_), std::ssize(tables_))),
       sums_(std::ssize(tables_.front()), std::ssize(tables_)),
       sample_(sums_.rows()),
@@ -103,10 +119,20 @@ IntegratedEquations::IntegratedEquations(const Problem& problem, const WeightFam
       drives_(problem.size()),
       past_(problem.size()),
       kappa_(problem.size()) {
-  for (const auto& [chain, ratios, first, starts, own] : parts_) {
-    starts.at(0.0, starts_.segment(chain.first(), chain.size()),
-              drives_.segment(chain.first(), chain.size()));
+  if (start_powers.empty()) return;
+  for (auto of_sum : tables_) {
+    // What a sum leaves out is not looked at.
+    const auto used = *std::ranges::find_if(of_sum, [](const auto& table) { return table.order > 0.0; });
+    std::ranges::replace_if(
+        of_sum, [](const auto& table) { return table.order == 0.0; }, used);
+    corrections_.emplace_back(of_sum, start_powers, grid.steps);
   }
+}
+
+std::size_t IntegratedEquations::bytes() const {
+  std::size_t bytes = history_->bytes();
+  for (const auto& correction : corrections_) bytes += correction.bytes();
+  return bytes;
 }
 
 std::vector<IntegratedEquations::Part> IntegratedEquations::parts_of(const Problem& problem) {
@@ -136,34 +162,94 @@ WeightTables IntegratedEquations::tables(const WeightFamily& family) const {
   return all;
 }
 
+Matrix IntegratedEquations::first_weights_of(const Part& part, Eigen::Index i) const {
+  const auto steps = first_samples_.cols() - 1, sample = part.first + part.chain.size();
+  const auto& table = tables_[static_cast<std::size_t>(i)][static_cast<std::size_t>(sample)];
+  Matrix weights(steps, steps + 1);
+  for (Eigen::Index n = 1; n <= steps; ++n) {
+    weights.row(n - 1) = corrections_[static_cast<std::size_t>(i)].weights(static_cast<int>(n)).row(sample);
+    weights.row(n - 1).head(n) += first_weights(table, n).reverse().transpose();
+    weights(n - 1, n) += 1.0;
+  }
+  return weights;
+}
+
+// The rows of an equation are D^v d with A D^v d = kappa_v Omega_v f - (the integrals of D^v T) at all first
+// steps together, A = 1 + sum_k c_k/a kappa_k Omega_k, and D^v d = 0 at t = 0.
+std::optional<FirstEquations> IntegratedEquations::first_equations() {
+  if (!find_factors(1)) return std::nullopt;
+  const auto steps = first_samples_.cols() - 1;
+  FirstEquations equations{
+      std::vector<Matrix>(static_cast<std::size_t>(steps), Matrix(past_.size(), steps + 1)),
+      Matrix(past_.size(), steps)};
+  Matrix drives(past_.size(), steps);
+  for (Eigen::Index n = 1; n <= steps; ++n) {
+    integrate_starts(grid_.time(static_cast<int>(n)));
+    equations.known.col(n - 1) = starts_;
+    drives.col(n - 1) = drives_;
+  }
+  for (std::size_t e = 0; e < parts_.size(); ++e) {
+    const auto& part = parts_[e];
+    const auto factors = factors_.row(static_cast<Eigen::Index>(e));
+    std::vector<Matrix> weights;
+    Matrix own = Matrix::Identity(steps, steps);
+    for (Eigen::Index i = 0; i < part.chain.size(); ++i) {
+      weights.push_back(factors[i] * first_weights_of(part, i));
+      own += part.ratios[i] * weights.back().rightCols(steps);
+    }
+    const Eigen::PartialPivLU<Matrix> factorised(own);
+    for (Eigen::Index i = 0; i < part.chain.size(); ++i) {
+      const auto row = part.chain.first() + i;
+      equations.known.row(row) -= factorised.solve(drives.row(row).transpose()).transpose();
+      const Matrix of_row = factorised.solve(weights[static_cast<std::size_t>(i)]);
+      for (Eigen::Index n = 0; n < steps; ++n)
+        equations.weights[static_cast<std::size_t>(n)].row(row) = of_row.row(n);
+    }
+  }
+  return equations;
+}
+
+void IntegratedEquations::integrate_starts(double t) {
+  if (t == time_) return;
+  time_ = t;
+  for (const auto& [chain, ratios, first, starts, own] : parts_) {
+    starts.at(t, starts_.segment(chain.first(), chain.size()), drives_.segment(chain.first(), chain.size()));
+  }
+}
+
 void IntegratedEquations::push(double t, In y, In f) {
+  integrate_starts(t);
   for (const auto& [chain, ratios, first, starts, own] : parts_) {
     const auto rows = chain.size();
     sample_.segment(first, rows) = y.segment(chain.first(), rows) - starts_.segment(chain.first(), rows);
     sample_[first + rows] = f[chain.first()];
   }
   history_->push(t, sample_);
+  if (pushed_ == first_samples_.cols()) return;
+  first_samples_.col(pushed_++) = sample_;
+  if (pushed_ < first_samples_.cols()) return;
+  for (auto& correction : corrections_) correction.start(first_samples_);
 }
 
 bool IntegratedEquations::step_to(int n) {
   const double t = grid_.time(n);
+  integrate_starts(t);
   if ((n == 1 || !grid_.uniform()) && !find_factors(n)) return false;
   for (Eigen::Index i = 0; i < sums_.cols(); ++i)
     history_->convolve(t, static_cast<std::size_t>(i), sums_.col(i));
+  for (std::size_t i = 0; i < corrections_.size(); ++i)
+    corrections_[i].add(n, sums_.col(static_cast<Eigen::Index>(i)));
   for (std::size_t e = 0; e < parts_.size(); ++e) {
     const auto& [chain, ratios, first, starts, own] = parts_[e];
     const auto rows = chain.size();
     auto past = past_.segment(chain.first(), rows);
-    auto start = starts_.segment(chain.first(), rows);
-    auto drive = drives_.segment(chain.first(), rows);
-    starts.at(t, start, drive);
-    past = -drive;
+    past = -drives_.segment(chain.first(), rows);
     for (Eigen::Index i = 0; i < rows; ++i) {
       const double factor = factors_(static_cast<Eigen::Index>(e), i);
       if (ratios[i] != 0.0) past -= ratios[i] * factor * sums_.col(i).segment(first, rows);
       past[i] += factor * sums_(first + rows, i);
     }
-    past = start + past / own;
+    past = starts_.segment(chain.first(), rows) + past / own;
   }
   return true;
 }

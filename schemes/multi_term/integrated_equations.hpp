@@ -8,6 +8,9 @@
 #include "history/history.hpp"
 #include "multi_term/start_integrals.hpp"
 #include "problem/chain.hpp"
+#include "start_weights/first_steps.hpp"
+#include "start_weights/start_correction.hpp"
+#include "start_weights/start_powers.hpp"
 #include "stepping/scheme.hpp"
 
 namespace fde {
@@ -28,18 +31,26 @@ std::optional<std::string> refusal_of_equations(const Problem& problem);
 // reads: f is g / a in all rows of an equation, and row v of the order L - v.
 Problem integrated(const Problem& problem);
 
+// The powers of t that start weights of this family make exact in D^v d and in g, from the orders alone.
+StartPowers start_powers_of_equations(const WeightFamily& family, const Problem& problem);
+
 // The past of all equations.
 class IntegratedEquations {
  public:
+  // With start weights for these powers of the samples; empty: with none.
   IntegratedEquations(const Problem& problem, const WeightFamily& family, const Grid& grid,
-                      const Options& options);
+                      const Options& options, const std::vector<double>& start_powers = {});
 
-  [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
+  [[nodiscard]] std::size_t bytes() const;
+
+  // The equations of the first steps, one for each start power beyond the first. Empty where step_to(1) is
+  // false.
+  [[nodiscard]] std::optional<FirstEquations> first_equations();
 
   // Appends y and f of integrated() at t: 0, or the time of the last step.
   void push(double t, In y, In f);
 
-  // Goes on to t_n. False where a step of this length leads through infinity:
+  // Goes on to t_n, after the first steps. False where a step of this length leads through infinity:
   // 1 + sum_k c_k/a kappa_k <= 0, which no shorter one does.
   bool step_to(int n);
 
@@ -58,14 +69,21 @@ class IntegratedEquations {
   };
   static std::vector<Part> parts_of(const Problem& problem);
   [[nodiscard]] WeightTables tables(const WeightFamily& family) const;
+  // The weights of an equation in the i-th sum at the first steps, one row a step.
+  [[nodiscard]] Matrix first_weights_of(const Part& part, Eigen::Index i) const;
+  void integrate_starts(double t);
   bool find_factors(int n);
 
   Grid grid_;
   std::vector<Part> parts_;
   WeightTables tables_;  // of each sum; the order of the i-th is L - node i
   std::unique_ptr<History> history_;
-  Matrix factors_;  // of the newest sample, a row an equation, a column a sum
-  Matrix sums_;     // one column a sum
+  std::vector<StartCorrection> corrections_;  // of each sum; none: there are no start weights
+  Matrix first_samples_;                      // those with start weights, one column a step
+  Eigen::Index pushed_ = 0;                   // of them
+  Matrix factors_;                            // of the newest sample, a row an equation, a column a sum
+  Matrix sums_;                               // one column a sum
+  double time_ = -1.0;                        // of starts_ and drives_
   Vec sample_, starts_, drives_, past_, kappa_;
 };
 

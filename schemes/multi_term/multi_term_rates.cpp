@@ -6,6 +6,7 @@
 
 #include "multi_term/integrated_equations.hpp"
 #include "problem/chain_problem.hpp"
+#include "start_weights/multistep.hpp"
 #include "stepping/rates.hpp"
 
 namespace fde {
@@ -106,10 +107,9 @@ bool jumps(const Smoothness& smoothness, const Chain& chain) {
   });
 }
 
-}  // namespace
-
-double multi_term_trapezoidal_rate(const Problem& problem, const Smoothness& smoothness, double grading,
-                                   Norm norm) {
+// Of the samples of every sum: D^v d in a sum of the order L - a of the largest term, and g in those of the
+// orders L - v.
+Contributions of_samples(const Problem& problem, const Smoothness& smoothness) {
   Contributions all;
   const auto read = rows_read(problem);
   const auto chains = chains_of(problem);
@@ -128,7 +128,22 @@ double multi_term_trapezoidal_rate(const Problem& problem, const Smoothness& smo
       all.add(leading - node, of_force, hidden, jumps(smoothness, chain));
     }
   }
-  return rate(trapezoidal_theory, all.problem, all.smoothness, grading, norm);
+  return all;
+}
+
+}  // namespace
+
+double multi_term_trapezoidal_rate(const Problem& problem, const Smoothness& smoothness, double grading,
+                                   Norm norm) {
+  const auto samples = of_samples(problem, smoothness);
+  return rate(trapezoidal_theory, samples.problem, samples.smoothness, grading, norm);
+}
+
+double multi_term_multistep_rate(const WeightFamily& family, const Problem& problem,
+                                 const Smoothness& smoothness, double grading, Norm norm) {
+  const auto samples = of_samples(problem, smoothness);
+  return multistep_rate(family, start_powers_of_equations(family, problem), samples.problem,
+                        samples.smoothness, grading, norm);
 }
 
 double multi_term_grunwald_letnikov_rate(const Problem& problem, const Smoothness& smoothness, double grading,

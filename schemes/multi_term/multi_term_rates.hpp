@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stepping/scheme.hpp"
+#include "weights/family.hpp"
 
 namespace fde {
 
@@ -13,6 +14,11 @@ namespace fde {
 // itself costs nothing. The prediction of multi_term_pc, a line, costs nothing either.
 double multi_term_trapezoidal_rate(const Problem& problem, const Smoothness& smoothness, double grading,
                                    Norm norm);
+
+// A multistep rule with start weights: as the trapezoidal rule, with the method's rate, and exact for the
+// powers q of D^v d and g that have start weights.
+double multi_term_multistep_rate(const WeightFamily& family, const Problem& problem,
+                                 const Smoothness& smoothness, double grading, Norm norm);
 
 // Backward Euler convolution quadrature: h, and at the first step h^q of D^v d.
 double multi_term_grunwald_letnikov_rate(const Problem& problem, const Smoothness& smoothness, double grading,

@@ -9,6 +9,11 @@ namespace fde {
 Trajectory step_equations_implicitly(const Problem& problem, const Grid& grid, const Options& options,
                                      const WeightFamily& family);
 
+// The same for a multistep rule with start weights, of which the first steps are one system
+// (first_steps.hpp).
+Trajectory step_equations_with_start_weights(const Problem& problem, const Grid& grid, const Options& options,
+                                             const WeightFamily& family);
+
 // The trapezoidal weights, with g at a prediction. Only g is predicted, by the line through its last two
 // values; the terms of the equation are linear in the unknown and solved:
 //   y^P = past + kappa (f_(n-1) + h_n/h_(n-1) (f_(n-1) - f_(n-2))),   y_n = past + kappa f(t_n, y^P).

@@ -5,31 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace fde {
 
-FirstSteps::FirstSteps(const Problem& problem, const Grid& grid, const std::vector<WeightTable>& tables,
-                       const Vec& kappa, const StartCorrection& correction, int steps)
-    : problem_(problem), grid_(grid), size_(problem.size()) {
-  for (int n = 1; n <= steps; ++n) {
-    Matrix weights = correction.weights(n);
-    for (Eigen::Index i = 0; i < size_; ++i) {
-      const Vec past = first_weights(tables[static_cast<std::size_t>(i)], n);
-      weights(i, n) += 1.0;
-      for (int j = 0; j < n; ++j) weights(i, j) += past[n - j - 1];
-    }
-    weights_.emplace_back(kappa.asDiagonal() * weights);
-  }
-}
+FirstSteps::FirstSteps(const Problem& problem, const Grid& grid, FirstEquations equations,
+                       FirstOrder first_order)
+    : problem_(problem),
+      grid_(grid),
+      size_(problem.size()),
+      equations_(std::move(equations)),
+      first_order_(std::move(first_order)) {}
 
 Matrix FirstSteps::solve(Run& run, double tolerance, Ending& ending) const {
-  Vec past(size_ * steps()), guess(past.size());
-  const TaylorPart taylor(problem_);
+  Vec guess = equations_.known.reshaped(), past = guess;
   const Vec f = run.rhs(0.0, run.start());
-  for (Eigen::Index n = 1; n <= steps(); ++n) {
-    taylor.at(time(n), step(guess, n));
-    step(past, n) = step(guess, n) + of(n).col(0).cwiseProduct(f);
-  }
+  for (Eigen::Index n = 1; n <= steps(); ++n) step(past, n) += of(n).col(0).cwiseProduct(f);
   ending = step_one_by_one(run, tolerance, guess);
   if (ending != Ending::finished) return {};
   const Problem block = as_problem(guess);
@@ -66,26 +57,13 @@ bool FirstSteps::is_led_to(In y, In guess, In start) const {
 }
 
 Ending FirstSteps::step_one_by_one(Run& run, double tolerance, Vec& guess) const {
-  const auto of_rows = fde::tables(problem_, families::grunwald_letnikov);
-  const Vec kappa = StepFactors(of_rows, grid_).at(1);
   const auto count = static_cast<int>(linear(problem_) ? 1 : steps());
-  Grid first = grid_;
-  first.steps = count;
-  const auto history = make_history(HistoryKind::direct, {of_rows}, step_plan(first), tolerance);
-  Run trial(problem_, {});
-  NewtonSolver newton(problem_, tolerance);
-  Vec y = run.start(), convolved(size_);
-  Ending ending = Ending::finished;
-  for (int n = 1; n <= count && ending == Ending::finished; ++n) {
-    history->push(time(n - 1), trial.rhs(time(n - 1), y));
-    history->convolve(time(n), 0, convolved);
-    const Vec past = step(guess, n) + kappa.cwiseProduct(convolved);
-    ending = newton.solve(trial, {time(n), kappa, past}, y);
-    if (!linear(problem_)) step(guess, n) = y;
-  }
-  *run.cost().rhs_calls += *trial.cost().rhs_calls;
-  if (!linear(problem_)) *run.cost().newton_iterations += *trial.cost().newton_iterations;
-  return ending;
+  const auto path = first_order_({.end = time(count), .steps = count}, {.tolerance = tolerance});
+  *run.cost().rhs_calls += *path.cost.rhs_calls;
+  if (linear(problem_)) return path.ending;
+  *run.cost().newton_iterations += *path.cost.newton_iterations;
+  if (path.ending == Ending::finished) guess = path.y.rightCols(count).reshaped();
+  return path.ending;
 }
 
 bool FirstSteps::solve_linear(const Vec& past, Vec& y) const {

@@ -1,21 +1,31 @@
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "implicit/newton.hpp"
-#include "start_weights/start_correction.hpp"
 
 namespace fde {
 
-// The first s - 1 steps, each of which takes f_1 ... f_(s-1): they are one system for y_1 ... y_(s-1),
-//   y_n = T_n + kappa (sum_{0<=j<=n} w(n-j) f_j + sum_{j<s} W(n, j) f_j),
+// The first s - 1 steps of a rule with start weights, each of which takes f_1 ... f_(s-1).
+struct FirstEquations {
+  std::vector<Matrix> weights;  // of f_0 ... f_(s-1) at each step, one row a row of the problem
+  Matrix known;                 // what the rows have besides, one column a step
+};
+
+// They are one system for y_1 ... y_(s-1),
+//   y_n = known_n + sum_{j<s} weights_n,j f_j,
 // solved as the one step of a larger problem. A linear problem takes one factorisation, any other what
-// Newton's method needs from a first guess: the steps of grunwald_letnikov. These are taken one by one, so
-// that a solution that ends within them ends the run, where the system as a whole may have another one. With
-// steps that resolve the solution the result is nearer to the guess than a third of what the guess moved. A
-// result that is farther away than it moved is another solution, or of no use, and counts as not found.
+// Newton's method needs from a first guess: the steps of a rule of first order. These are taken one by one,
+// so that a solution that ends within them ends the run, where the system as a whole may have another one.
+// With steps that resolve the solution the result is nearer to the guess than a third of what the guess
+// moved. A result that is farther away than it moved is another solution, or of no use, and counts as not
+// found.
 class FirstSteps {
  public:
-  FirstSteps(const Problem& problem, const Grid& grid, const std::vector<WeightTable>& tables,
-             const Vec& kappa, const StartCorrection& correction, int steps);
+  // The first-order rule steps over a grid: it knows the problem.
+  using FirstOrder = std::function<Trajectory(const Grid&, const Options&)>;
+  FirstSteps(const Problem& problem, const Grid& grid, FirstEquations equations, FirstOrder first_order);
 
   // The results, one column a step. The work is added to the run: each iteration counts once a step. Where
   // they are not found the result is empty, and `ending` says how.
@@ -23,13 +33,15 @@ class FirstSteps {
 
  private:
   [[nodiscard]] double time(Eigen::Index n) const { return grid_.time(static_cast<int>(n)); }
-  [[nodiscard]] Eigen::Index steps() const { return std::ssize(weights_); }
-  [[nodiscard]] const Matrix& of(Eigen::Index n) const { return weights_[static_cast<std::size_t>(n - 1)]; }
+  [[nodiscard]] Eigen::Index steps() const { return std::ssize(equations_.weights); }
+  [[nodiscard]] const Matrix& of(Eigen::Index n) const {
+    return equations_.weights[static_cast<std::size_t>(n - 1)];
+  }
   template <class Values>
   [[nodiscard]] auto step(Values& values, Eigen::Index n) const {
     return values.segment((n - 1) * size_, size_);
   }
-  // Of a linear problem the first step alone, which says whether a mode outruns it.
+  // By the first-order rule. Of a linear problem the first step alone, which says whether a mode outruns it.
   Ending step_one_by_one(Run& run, double tolerance, Vec& guess) const;
   // Whether y is no farther from the guess than that is from y(0), each component relative to its size.
   [[nodiscard]] bool is_led_to(In y, In guess, In start) const;
@@ -42,7 +54,8 @@ class FirstSteps {
   const Problem& problem_;
   const Grid& grid_;
   Eigen::Index size_;
-  std::vector<Matrix> weights_;  // of f_0 ... f_(s-1) at each step, times kappa
+  FirstEquations equations_;
+  FirstOrder first_order_;
 };
 
 }  // namespace fde

@@ -5,12 +5,33 @@
 #include <algorithm>
 #include <cmath>
 
+#include "implicit/implicit_rule.hpp"
 #include "start_weights/first_steps.hpp"
-#include "start_weights/start_powers.hpp"
+#include "start_weights/start_correction.hpp"
 #include "stepping/rates.hpp"
+#include "weights/step_factors.hpp"
 
 namespace fde {
 namespace {
+
+// y_n = T_n + kappa (sum_{0<=j<=n} w(n-j) f_j + sum_{j<s} W(n, j) f_j) for n < s.
+FirstEquations first_equations(const Problem& problem, const Grid& grid,
+                               const std::vector<WeightTable>& tables, const Vec& kappa,
+                               const StartCorrection& correction, int steps) {
+  const TaylorPart taylor(problem);
+  FirstEquations equations{{}, Matrix(problem.size(), steps)};
+  for (int n = 1; n <= steps; ++n) {
+    taylor.at(grid.time(n), equations.known.col(n - 1));
+    Matrix weights = correction.weights(n);
+    for (Eigen::Index i = 0; i < problem.size(); ++i) {
+      const Vec past = first_weights(tables[static_cast<std::size_t>(i)], n);
+      weights.row(i).head(n) += past.reverse().transpose();
+      weights(i, n) += 1.0;
+    }
+    equations.weights.emplace_back(kappa.asDiagonal() * weights);
+  }
+  return equations;
+}
 
 Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, const Grid& grid,
                            const Options& options) {
@@ -18,7 +39,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   powers.resize(std::min(powers.size(), static_cast<std::size_t>(grid.steps) + 1));
   const auto first_steps = static_cast<int>(powers.size()) - 1;
   const auto of_rows = tables(problem, family);
-  const Vec kappa = StepFactors(of_rows, grid).at(1);
+  const Vec kappa = StepFactors(of_rows).at(grid.step());
   StartCorrection correction(of_rows, powers, grid.steps);
   const auto history = make_history(options.history, {of_rows}, step_plan(grid), options.tolerance);
   const TaylorPart taylor(problem);
@@ -30,8 +51,12 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   Matrix first;
   if (first_steps > 0) {
     Ending ending{};
-    first = FirstSteps(problem, grid, of_rows, kappa, correction, first_steps)
-                .solve(run, options.tolerance, ending);
+    const auto first_order = [&](const Grid& steps, const Options& exact) {
+      return solve_implicit(problem, steps, exact, integral_rule(problem, families::grunwald_letnikov));
+    };
+    auto equations = first_equations(problem, grid, of_rows, kappa, correction, first_steps);
+    first =
+        FirstSteps(problem, grid, std::move(equations), first_order).solve(run, options.tolerance, ending);
     if (ending != Ending::finished) {
       run.fail(ending, grid.time(1));
       return run.finish();
@@ -68,9 +93,10 @@ RateTheory theory_of(const MultistepRule& rule) {
           [](double g, double p) { return 1.0 + p - g; }, [](double, double p) { return p; }};
 }
 
-double multistep_rate(const WeightFamily& family, const Problem& problem, const Smoothness& smoothness,
-                      double grading, Norm norm) {
-  const auto start = start_powers(family, problem);
+}  // namespace
+
+double multistep_rate(const WeightFamily& family, const StartPowers& start, const Problem& problem,
+                      const Smoothness& smoothness, double grading, Norm norm) {
   const double rate_of_rule = family.multistep->rate;
   Smoothness beside = smoothness;
   for (std::size_t i = 0; i < beside.powers.size(); ++i) {
@@ -88,8 +114,6 @@ double multistep_rate(const WeightFamily& family, const Problem& problem, const 
   return rate(theory_of(*family.multistep), problem, beside, grading, norm);
 }
 
-}  // namespace
-
 Scheme multistep_scheme(std::string_view id, std::string_view title, std::string_view source,
                         const WeightFamily& family) {
   return {.id = id,
@@ -98,7 +122,8 @@ Scheme multistep_scheme(std::string_view id, std::string_view title, std::string
           .needs = {.uniform_grid = true, .implicit = true},
           .expected_rate =
               [&family](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
-                return multistep_rate(family, problem, smoothness, grading, norm);
+                return multistep_rate(family, start_powers(family, problem), problem, smoothness, grading,
+                                      norm);
               },
           .solve = on_grid([&family](const Problem& problem, const Grid& grid, const Options& options) {
             return solve_multistep(family, problem, grid, options);
@@ -106,7 +131,7 @@ Scheme multistep_scheme(std::string_view id, std::string_view title, std::string
           .refuses = [&family](const Problem& problem) -> std::optional<std::string> {
             for (std::size_t i = 0; i < problem.components.size(); ++i) {
               const double order = problem.components[i].order;
-              if (family.step_factor(order, 1.0) > 0.0) continue;
+              if (family.step_factor(order) > 0.0) continue;
               return fmt::format("is explicit at order {}, that of component {}", order, i);
             }
             return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "start_weights/start_powers.hpp"
 #include "stepping/scheme.hpp"
 #include "weights/family.hpp"
 
@@ -11,5 +12,9 @@ namespace fde {
 // time (Lubich 1986, theorem 2.1) and h^(g+r) in the first steps.
 Scheme multistep_scheme(std::string_view id, std::string_view title, std::string_view source,
                         const WeightFamily& family);
+
+// The rate of such a rule with these start powers, of rows whose f starts like t^(p - g).
+double multistep_rate(const WeightFamily& family, const StartPowers& start, const Problem& problem,
+                      const Smoothness& smoothness, double grading, Norm norm);
 
 }  // namespace fde

@@ -18,9 +18,12 @@ StartPowers start_powers(const WeightFamily& family, const Problem& problem) {
   for (const auto& component : problem.components) {
     if (!algebraic(component)) orders.push_back(component.order);
   }
+  return start_powers(family, orders, orders);
+}
+
+StartPowers start_powers(const WeightFamily& family, std::vector<double> orders, std::vector<double> steps) {
   std::ranges::sort(orders);
   orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
-  std::vector<double> steps = orders;
   steps.push_back(1.0);
   const double last = family.multistep->rate - 1.0;
   const auto sums = power_lattice({0.0}, steps, last + 2.0);

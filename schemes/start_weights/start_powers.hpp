@@ -18,4 +18,7 @@ struct StartPowers {
 };
 StartPowers start_powers(const WeightFamily& family, const Problem& problem);
 
+// The same for sums of weights of these orders, over samples that start with the sums of these steps.
+StartPowers start_powers(const WeightFamily& family, std::vector<double> orders, std::vector<double> steps);
+
 }  // namespace fde

@@ -1,6 +1,7 @@
 #include "stepping/predict_and_correct.hpp"
 
 #include "stepping/run.hpp"
+#include "weights/step_factors.hpp"
 
 namespace fde {
 
@@ -12,20 +13,23 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
       make_history(options.history, {predictor, corrector}, step_plan(grid), options.tolerance);
   run.cost().history_bytes = history->bytes();
   const TaylorPart taylor_part(problem);
-  StepFactors predictor_factors(predictor, grid), corrector_factors(corrector, grid);
+  auto of_both = predictor;
+  of_both.insert(of_both.end(), corrector.begin(), corrector.end());
+  StepFactors factors(of_both);
 
   Vec y = run.start(), predicted(y.size()), corrected(y.size()), taylor(y.size());
   double t = 0.0;
   for (int n = 1; n <= grid.steps; ++n) {
     history->push(t, run.rhs(t, y));
+    const double before = t;
     t = grid.time(n);
     history->convolve(t, 0, predicted);
     history->convolve(t, 1, corrected);
     taylor_part.at(t, taylor);
-    y = taylor + predictor_factors.at(n).cwiseProduct(predicted);
-    const Vec& kappa = corrector_factors.at(n);
+    const Vec& kappa = factors.at(grid.uniform() ? grid.step() : t - before);
+    y = taylor + kappa.head(y.size()).cwiseProduct(predicted);
     for (int correction = 0; correction < options.corrections; ++correction) {
-      y = taylor + kappa.cwiseProduct(corrected + run.rhs(t, y));
+      y = taylor + kappa.tail(y.size()).cwiseProduct(corrected + run.rhs(t, y));
     }
     if (!run.accept(t, y)) break;
   }

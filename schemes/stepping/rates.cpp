@@ -33,6 +33,10 @@ double l1_first(double /*g*/, double p) {
   return p;
 }
 
+double l1_end(double g, double p) { return is_zero_or_one(p) ? exact : 1 + p - g; }
+
+double l2_1_sigma_first(double g, double p) { return same_order(p, 2.0) ? 2 + g : l1_first(g, p); }
+
 double smallest_over_powers(double (*contribution)(double g, double p), const Problem& problem,
                             const Smoothness& smoothness) {
   double rate = exact;
@@ -67,13 +71,21 @@ double smallest_at_first_step(const RateTheory& theory, const Problem& problem, 
   return rate;
 }
 
-// Where f jumps at t_m, the steps beside it take its mean value for both sides: off by a constant, h^order at
-// t_(m+1).
-double smallest_at_jumps(const Problem& problem, const Smoothness& smoothness) {
+// Where f jumps at t_m. The steps beside it take its mean value for both sides: off by a constant, h^order at
+// t_(m+1). Where f is taken between steps the row goes on like t^order from there, and rows that it drives
+// like the integral of that.
+double smallest_at_jumps(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness) {
   double rate = exact;
   for (const auto i : smoothness.jumps) {
     const auto& component = problem.components[static_cast<std::size_t>(i)];
-    if (!algebraic(component)) rate = std::min(rate, component.order);
+    if (algebraic(component)) continue;
+    if (!theory.between_steps) {
+      rate = std::min(rate, component.order);
+      continue;
+    }
+    rate = std::min(rate, theory.first_step(component.order, component.order));
+    for (const auto& [order, initial, side] : problem.components)
+      rate = std::min(rate, theory.first_step(order, order + component.order));
   }
   return rate;
 }
@@ -85,9 +97,11 @@ const RateTheory trapezoidal_theory{[](double) { return 2.0; }, trapezoidal_end,
 const RateTheory predictor_corrector_theory{[](double g) { return std::min(2.0, 1 + g); }, trapezoidal_end,
                                             predictor_corrector_first};
 
-const RateTheory l1_theory{[](double g) { return 2 - g; },
-                           [](double g, double p) { return is_zero_or_one(p) ? exact : 1 + p - g; },
-                           l1_first};
+const RateTheory l1_theory{[](double g) { return 2 - g; }, l1_end, l1_first};
+
+const RateTheory l1_2_theory{[](double g) { return 3 - g; }, l1_end, l1_first};
+
+const RateTheory l2_1_sigma_theory{[](double) { return 2.0; }, l1_end, l2_1_sigma_first, true};
 
 const RateTheory grunwald_letnikov_theory{[](double) { return 1.0; }, [](double, double) { return exact; },
                                           grunwald_letnikov_first};
@@ -105,7 +119,7 @@ double rate(const RateTheory& theory, const Problem& problem, const Smoothness& 
   if (grading != 1.0 && !smoothness.jumps.empty()) end = std::min(end, 1.0);
   if (norm == Norm::end) return end;
   if (norm == Norm::first_step) return std::min(end, first_step);
-  return std::min({end, first_step, smallest_at_jumps(problem, smoothness)});
+  return std::min({end, first_step, smallest_at_jumps(theory, problem, smoothness)});
 }
 
 double split_rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
@@ -122,8 +136,8 @@ double split_rate(const RateTheory& theory, const Problem& problem, const Smooth
   const double first_step =
       grading * smallest_at_first_step(theory, seen, seen_starts, smallest_shown_order(problem, smoothness));
   if (norm == Norm::first_step) return first_step;
-  return std::min(
-      {rate(theory, all, starts, grading, Norm::end), first_step, smallest_at_jumps(problem, smoothness)});
+  return std::min({rate(theory, all, starts, grading, Norm::end), first_step,
+                   smallest_at_jumps(theory, problem, smoothness)});
 }
 
 std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,

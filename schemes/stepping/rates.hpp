@@ -18,6 +18,9 @@ struct RateTheory {
   std::function<double(double g)> smooth;
   double (*end)(double g, double p);         // at a fixed time
   double (*first_step)(double g, double p);  // at t_1
+  // f is taken inside the steps, where it does not jump: what is left of a jump starts anew behind it. Others
+  // take the mean of both sides there, which is off by a constant.
+  bool between_steps = false;
 };
 
 // Piecewise linear interpolation of f = D^g y, which starts like t^r, r = p - g. Exact for r = 0 and 1;
@@ -32,6 +35,13 @@ extern const RateTheory predictor_corrector_theory;
 // Piecewise linear interpolation of y: h^(2-g); a power p other than 0 and 1 leaves h^(1+p-g) and at the
 // first step h^p.
 extern const RateTheory l1_theory;
+
+// Piecewise quadratic interpolation of y: h^(3-g); the rest as for L1, as the first step has a line.
+extern const RateTheory l1_2_theory;
+
+// The same, exact at t* for t^2 too, with y at t* by linear interpolation: h^2, and h^(2+g) at the first
+// step.
+extern const RateTheory l2_1_sigma_theory;
 
 // Backward Euler convolution quadrature: h; where y leaves its Taylor part like t^p, h^p at the first step.
 extern const RateTheory grunwald_letnikov_theory;

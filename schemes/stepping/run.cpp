@@ -79,19 +79,4 @@ std::vector<WeightTable> tables(const Problem& problem, const WeightFamily& fami
   return result;
 }
 
-StepFactors::StepFactors(std::vector<WeightTable> tables, const Grid& grid)
-    : tables_(std::move(tables)), grid_(grid), factors_(static_cast<Eigen::Index>(tables_.size())) {}
-
-const Vec& StepFactors::at(int n) {
-  if (n > 1 && grid_.uniform()) return factors_;
-  // The length of a graded step, and each factor, takes powers: most rows have the order of the one before.
-  const double length = grid_.step(n);
-  for (std::size_t i = 0; i < tables_.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const bool same = i > 0 && tables_[i] == tables_[i - 1];
-    factors_[row] = same ? factors_[row - 1] : step_factor(tables_[i], length);
-  }
-  return factors_;
-}
-
 }  // namespace fde

@@ -48,16 +48,4 @@ class Run {
 // The tables of one sum: the same family for every component, each with its own order.
 std::vector<WeightTable> tables(const Problem& problem, const WeightFamily& family);
 
-// step_factor of every table, step after step: computed once where all steps are equal.
-class StepFactors {
- public:
-  StepFactors(std::vector<WeightTable> tables, const Grid& grid);
-  const Vec& at(int n);
-
- private:
-  std::vector<WeightTable> tables_;
-  Grid grid_;
-  Vec factors_;
-};
-
 }  // namespace fde

@@ -26,6 +26,12 @@ using Symbol = std::function<ComplexMatrix(ComplexValue log_zeta)>;
 // that splits orders passes the split problem. Preconditions: linear(problem), no algebraic rows, no right
 // derivatives.
 Symbol implicit_symbol(const Problem& problem, const WeightFamily& family, double length);
+
+// The same for a rule that is no convolution of f with one family: kernel_of makes (1-zeta)^g K, for steps of
+// length 1, of each order.
+using Kernel = std::function<ComplexValue(ComplexValue log_zeta)>;
+Symbol implicit_symbol(const Problem& problem, const std::function<Kernel(double order)>& kernel_of,
+                       double length);
 Symbol predictor_corrector_symbol(const Problem& problem, double length);
 
 }  // namespace fde

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "weights/step_factors.hpp"
+
 namespace fde {
 namespace {
 
@@ -38,8 +40,8 @@ SideRule::SideRule(const Problem& problem, Side side, const WeightFamily& family
   kappa_.setOnes(size, grid.uniform() ? 2 : steps_ + 1);
   kappa_.col(0).setZero();
   if (summed_ == 0) return;
-  StepFactors factors(own, grid);
-  for (int m = 1; m < kappa_.cols(); ++m) kappa_.col(m).head(summed_) = factors.at(m);
+  StepFactors factors(own);
+  for (int m = 1; m < kappa_.cols(); ++m) kappa_.col(m).head(summed_) = factors.at(grid.step(m));
   unused_ = make_history(options.history, {own}, step_plan(grid), options.tolerance);
 }
 

@@ -40,8 +40,8 @@ struct WeightFamily {
   // The one value of all weights at order 1. Empty: they differ.
   std::optional<double> weight_at_order_one{};
 
-  // kappa for a step of length h; power is h^g.
-  double (*step_factor)(double order, double power) = nullptr;
+  // kappa h^(-g) for a step of length h.
+  double (*step_factor)(double order) = nullptr;
 
   // a, where the kernel t^(a-1)/Gamma(a) of the exponentials is not that of the order, and weights are
   // weighed and no differences. Empty: see kernel_exponent.

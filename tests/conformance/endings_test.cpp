@@ -47,7 +47,8 @@ TEST(Examination, TellsStopsAtASingularityFromWrongOnesAndFromNone) {
   };
   const ParameterValues falls{{"phi0", 0.0}, {"xi0", 3.0}, {"K_over_m", 5.0}, {"g_over_L", 0.1}};
   EXPECT_EQ(ending(falls, 2.0, "l1", 1024), Ending::singular);
-  EXPECT_EQ(ending(falls, 2.0, "l1", 1), Ending::passed_singularity);
+  EXPECT_EQ(ending(falls, 2.0, "l1", 1), Ending::outran_growth);
+  EXPECT_EQ(ending(falls, 2.0, "adams_pc", 1), Ending::passed_singularity);
   EXPECT_EQ(ending({{"K_over_m", 1e4}}, 1.0, "adams_pc", 100), Ending::false_singularity);
 }
 

@@ -136,6 +136,41 @@ TEST_P(BlockKernels, DotProductTakesAnyLengthAndAlignment) {
   }
 }
 
+// phi_k by its series, where that loses nothing, and by exp elsewhere.
+Real exact_phi(int k, Real x) {
+  if (x > 4)
+    return k == 0 ? std::exp(-x) : ((k == 1 ? 1 : k == 2 ? 1 : Real{1} / 2) - exact_phi(k - 1, x)) / x;
+  Real term = k == 3 ? Real{1} / 6 : k == 2 ? Real{1} / 2 : 1, sum = 0;
+  for (int i = 0; std::abs(term) > 1e-25L; term *= -x / (++i + k)) sum += term;
+  return sum;
+}
+
+TEST_P(BlockKernels, PhiFunctionsAreGoodToAFewUnits) {
+  constexpr Eigen::Index rows = 30 * lanes;
+  Vec nodes(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) nodes[i] = 1e-12 * std::pow(1.145, static_cast<double>(i));
+  nodes.tail(3).setConstant(nodes[rows - 4]);
+  for (const double length : {1.0, 0.37, 1e4, 1e-8}) {
+    const auto functions = [&] {
+      Matrix all(rows, 4);
+      phi_functions(rows, length, nodes.data(), writing(all), all.col(3).data());
+      return all;
+    };
+    const Matrix all = functions();
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const Real x = static_cast<Real>(length * nodes[i]);
+      if (x > 700) break;
+      for (int k = 1; k <= 3; ++k) {
+        const Real exact = exact_phi(k, x);
+        EXPECT_LE(std::abs(all(i, k - 1) - exact), 16 * unit * exact)
+            << "phi_" << k << '(' << double(x) << ')';
+      }
+      EXPECT_LE(std::abs(all(i, 3) - std::expm1(-x)), 8 * unit * -std::expm1(-x)) << double(x);
+    }
+    expect_the_bits_of_the_widest(functions);
+  }
+}
+
 // The change has three roundings, each at most a unit of what goes into it; the sum has none that the carry
 // does not keep.
 TEST_P(BlockKernels, AdvanceKeepsInTheCarryWhatRoundingTook) {

@@ -18,6 +18,13 @@ inline Exact power(const Exact& base, const Exact& exponent) {
   return base == 0 ? Exact(0) : pow(base, exponent);
 }
 
+// What a parabola adds on a step that ends at the distance `near`, in units of L1 (Gao, Sun & Zhang 2014,
+// twice their b).
+inline Exact printed_bend(const Exact& g, const Exact& near) {
+  const Exact far = near + 1;
+  return 2 / (2 - g) * (pow(far, 2 - g) - pow(near, 2 - g)) - (pow(far, 1 - g) + pow(near, 1 - g));
+}
+
 // The families as they are printed.
 inline Exact printed(const WeightTable& table, std::int64_t lag) {
   const Exact g = table.order, k = lag;
@@ -26,6 +33,10 @@ inline Exact printed(const WeightTable& table, std::int64_t lag) {
     return power(k + 1, g + 1) - 2 * power(k, g + 1) + power(k - 1, g + 1);
   if (table.family == &families::grunwald_letnikov) return exp(lgamma(k + g) - lgamma(g) - lgamma(k + 1));
   if (table.family == &families::l1) return pow(k + 1, 1 - g) - pow(k, 1 - g);
+  if (table.family == &families::l1_bend) return printed_bend(g, k);
+  const Exact sigma = 1 - g / 2;
+  if (table.family == &families::l2_1_sigma) return pow(k + sigma, 1 - g) - pow(k - 1 + sigma, 1 - g);
+  if (table.family == &families::l2_1_sigma_bend) return printed_bend(g, k + sigma);
   throw std::invalid_argument(std::string(table.family->id));
 }
 

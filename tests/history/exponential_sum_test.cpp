@@ -229,8 +229,27 @@ TEST_P(WeightTransforms, GiveTheWeights) {
 
 INSTANTIATE_TEST_SUITE_P(, WeightTransforms,
                          testing::Values(&families::rectangle, &families::trapezoid,
-                                         &families::grunwald_letnikov, &families::l1),
+                                         &families::grunwald_letnikov, &families::l1, &families::l2_1_sigma),
                          [](const auto& test) { return std::string(test.param->id); });
+
+// They are differences of means over two halves of a step: off by what the sum is off in both.
+TEST_F(WeightTransform, GivesBendsAsWellAsTheLinesBesideThem) {
+  for (const auto& [bend, line] :
+       {std::pair{&families::l1_bend, &families::l1}, {&families::l2_1_sigma_bend, &families::l2_1_sigma}}) {
+    for (const auto& table : tables(*bend)) {
+      for (const double tolerance : {1e-6, 1e-15}) {
+        const auto sum = exponential_sum(kernel_exponent(table), 7.0, longest + 2.0, tolerance);
+        const Vec coefficients = weight_coefficients(table, sum);
+        for (const double lag : geometric(9.0, longest, 1.7)) {
+          const auto k = static_cast<std::int64_t>(lag);
+          const Exact error = abs(value(coefficients, sum.nodes, k) - printed(table, k));
+          EXPECT_LE(error, allowed(sum.bound) * printed({line, table.order}, k))
+              << bend->id << ", order " << table.order << ", k = " << k;
+        }
+      }
+    }
+  }
+}
 
 TEST_F(WeightTransform, GivesTheStartWeightsOfTheTrapezoidalRule) {
   for (const auto& table : tables(families::trapezoid)) {

@@ -31,7 +31,8 @@ const WeightTables every_family{
     {{&families::newton_gregory_2, 0.3}, {&families::newton_gregory_3, 1.0}, {&families::bdf4, 2.0}},
     {{&families::fractional_trapezoidal, 0.3},
      {&families::fractional_trapezoidal, 1.0},
-     {&families::fractional_trapezoidal, 1.7}}};
+     {&families::fractional_trapezoidal, 1.7}},
+    {{&families::l2_1_sigma, 0.3}, {&families::l2_1_sigma, 1.0}, {&families::l2_1_sigma, 0.9}}};
 
 // Those of them that live on other than uniform grids, too.
 const WeightTables interpolating_families{

@@ -55,7 +55,8 @@ TEST_P(WeightFamilies, AreGoodToOneUlpUpToABillion) {
 
 INSTANTIATE_TEST_SUITE_P(, WeightFamilies,
                          testing::Values(&families::rectangle, &families::trapezoid,
-                                         &families::grunwald_letnikov, &families::l1),
+                                         &families::grunwald_letnikov, &families::l1, &families::l1_bend,
+                                         &families::l2_1_sigma, &families::l2_1_sigma_bend),
                          [](const auto& test) { return std::string(test.param->id); });
 
 TEST(StartWeight, IsGoodToOneUlpUpToABillion) {

@@ -1,5 +1,6 @@
 // --grid graded:auto, as solve and run take it.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -57,6 +58,8 @@ TEST(OptimalGrid, OfASweepIsBesideTheUniformOne) {
     return found;
   };
   EXPECT_EQ(gradings("l1", "relaxation"), (std::vector{1.0, 3.0}));
+  EXPECT_EQ(gradings("l1_2", "relaxation"), (std::vector{1.0, 5.0}));
+  EXPECT_EQ(gradings("l2_1_sigma", "relaxation"), (std::vector{1.0, 4.0}));
   EXPECT_EQ(gradings("product_trapezoidal", "relaxation"), (std::vector{1.0, 2.0}));
   EXPECT_EQ(gradings("adams_pc", "relaxation"), std::vector{1.0});
   EXPECT_EQ(gradings("l1", "pendulum"), std::vector{1.0});
@@ -64,9 +67,15 @@ TEST(OptimalGrid, OfASweepIsBesideTheUniformOne) {
 }
 
 TEST(OptimalGrid, BadGridsAreOneLine) {
-  const auto solve = fdebench("solve relaxation --scheme l1 --steps 8 --grid graded:best");
-  EXPECT_EQ(solve.code, 2);
-  EXPECT_NE(solve.err.find("graded = best"), std::string::npos) << solve.err;
+  for (const auto* grid :
+       {"graded:best", "graded:", "graded:0.5", "graded:101", "graded:nan", "graded:autox"}) {
+    const auto solve = fdebench(std::string("solve relaxation --scheme l1 --steps 8 --grid ") + grid);
+    EXPECT_EQ(solve.code, 2);
+    EXPECT_EQ(solve.err,
+              fmt::format("fdebench: --grid = {}: must be uniform or graded:R with R in [1, 100], or "
+                          "graded:auto on the command line\n",
+                          grid));
+  }
   const auto beside = fdebench("run --scene relaxation --external a=b --steps 8 --grid graded:auto --out x");
   EXPECT_EQ(beside.code, 2);
   EXPECT_NE(beside.err.find("--grid = graded:auto: must be uniform or graded:R beside --external"),

@@ -27,6 +27,28 @@ TEST(StabilityRegion, OfImplicitRulesUpToOrderOneHoldsTheSector) {
   }
 }
 
+// Parabolas to a time inside the step keep the sector up to rounding of Lerch's function.
+TEST(StabilityRegion, OfL2OneSigmaHoldsTheSector) {
+  for (const double order : {0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 1.0}) {
+    EXPECT_EQ(real_interval(scheme("l2_1_sigma"), order), infinity) << order;
+    EXPECT_NEAR(stability_angle(scheme("l2_1_sigma"), order), pi - 0.5 * order * pi, 1e-7) << order;
+  }
+}
+
+// Parabolas from behind do not: the angles in degrees are the least of |arg(-z)| on the boundary, with
+// polylogarithms in 20 digits by mpmath.
+TEST(StabilityRegion, OfL1TwoMissesTheSectorByHalfADegree) {
+  for (const auto& [order, degrees] : {std::pair{0.1, 170.649808},
+                                       {0.3, 152.431723},
+                                       {0.5, 134.579150},
+                                       {0.8, 107.932229},
+                                       {0.9, 98.988016}}) {
+    EXPECT_EQ(real_interval(scheme("l1_2"), order), infinity) << order;
+    EXPECT_NEAR(stability_angle(scheme("l1_2"), order), degrees * pi / 180.0, 1e-5) << order;
+  }
+  EXPECT_NEAR(stability_angle(scheme("l1_2"), 1.0), pi / 2.0, 1e-7);
+}
+
 // |arg (1 - zeta)^g| <= g pi/2, and L1 multiplies this of order 1 with L1 of g - 1.
 TEST(StabilityRegion, OfFirstOrderRulesHoldsTheSectorAboveOrderOneToo) {
   for (const auto* id : {"l1", "grunwald_letnikov"}) {

@@ -103,14 +103,16 @@ TEST(GeneratingFunction, NextToOneIsThatOfTheIntegral) {
 // these, times (1 - zeta)^(-m), sum to the symbol on the unit circle.
 class Impulse : public testing::TestWithParam<const Scheme*> {};
 
+// The one step is the third, which no rule treats as a first one.
 Value response_on_circle(const Scheme& scheme, double order, double theta, int differences) {
-  constexpr int steps = 500;
+  constexpr int before = 2, steps = 500;
   const Problem problem{.components = {{order, std::vector<double>(initial_count(order), 0.0)}},
-                        .rhs = [](double t, In, Out f) { f[0] = t == 1.0 ? 1.0 : 0.0; },
+                        .rhs = [](double t, In, Out f) { f[0] = t > before && t <= before + 1 ? 1.0 : 0.0; },
                         .derivatives = DenseLinearPart{Matrix::Zero(1, 1)},
-                        .end = steps};
-  Vec y =
-      scheme.solve(problem, Grid{problem.end, steps}, {.history = HistoryKind::direct}).y.row(0).tail(steps);
+                        .end = before + steps};
+  Vec y = scheme.solve(problem, Grid{problem.end, before + steps}, {.history = HistoryKind::direct})
+              .y.row(0)
+              .tail(steps);
   for (int m = 0; m < differences; ++m) {
     for (Eigen::Index n = steps - 1; n > 0; --n) y[n] -= y[n - 1];
   }
@@ -125,7 +127,12 @@ TEST_P(Impulse, RunsGiveTheBoundaryToTenDigits) {
     const double order = 0.1 * i;
     if (order == 1.0) continue;  // no memory: the sums below do not converge
     for (const double theta : {0.7, 1.0, 1.7, 2.5, 3.0, pi}) {
-      const Value by_run = 1.0 / response_on_circle(*GetParam(), order, theta, 6);
+      const bool between = GetParam()->id == "l2_1_sigma";
+      if (between && order > 1.0 && theta == pi) continue;  // where the midpoint rule has 0
+      Value by_run = 1.0 / response_on_circle(*GetParam(), order, theta, 6);
+      // The last link takes f between y_(n-1) and y_n.
+      const double last = order > 1.0 ? order - 1.0 : order;
+      if (between) by_run /= 1.0 - 0.5 * last * (1.0 - std::polar(1.0, theta));
       EXPECT_LT(relative(boundary(*GetParam(), order, theta).front(), by_run), 1e-10)
           << order << ' ' << theta;
     }
@@ -133,7 +140,8 @@ TEST_P(Impulse, RunsGiveTheBoundaryToTenDigits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ImplicitSchemes, Impulse,
-                         testing::Values(find_scheme("l1"), find_scheme("grunwald_letnikov"),
+                         testing::Values(find_scheme("l1"), find_scheme("l1_2"), find_scheme("l2_1_sigma"),
+                                         find_scheme("grunwald_letnikov"),
                                          find_scheme("product_trapezoidal")),
                          id_of_param);
 

@@ -44,21 +44,73 @@ std::vector<Case> cases() {
         order > 0.2);
   }
   add("damped_oscillator", scene_of("damped_oscillator"), {0.5, 1.0}, true);
+  const auto add_equation = [&](const std::string& name, Scene scene, double step) {
+    scene.problem.end = 1.0;
+    all.push_back({name + "__multi_term_bdf2", "multi_term_bdf2", scene, {step}, 2.0, 512});
+  };
+  add_equation("damped_oscillator", scene_of("damped_oscillator"), 0.5);
+  add_equation("damped_oscillator_125_75", scene_of("damped_oscillator", {{"alpha", 1.25}, {"beta", 0.75}}),
+               0.25);
+  const auto two_terms = [](double leading, double term) {
+    return scene_of("multi_term", {{"order", leading},
+                                   {"force", "linear"},
+                                   {"load", "constant"},
+                                   {"du0", 0.5},
+                                   {"c", 0.0},
+                                   {"alpha", std::vector{1.5}},
+                                   {"b", std::vector{0.0}},
+                                   {"beta", std::vector{term}},
+                                   {"d", std::vector{0.7}}});
+  };
+  add_equation("multi_term_8_4", two_terms(0.8, 0.4), 0.2);
+  add_equation("multi_term_16_8", two_terms(1.6, 0.8), 0.2);
   return all;
+}
+
+// Rules of rate 3 are off by a first power with so small a factor that the next ones hide it, and equations
+// have rows of other orders.
+std::vector<Case> cases_of_first_steps() {
+  auto some = cases();
+  std::erase_if(some, [](const Case& c) { return c.rate > 2.0 || c.scheme == "multi_term_bdf2"; });
+  return some;
 }
 
 class MultistepRate : public testing::TestWithParam<Case> {};
 class MultistepFirstSteps : public testing::TestWithParam<Case> {};
 
-// Of order 0.2, and of rules of rate 3, the powers of h are too close to each other to tell in doubles.
-std::vector<Case> cases_of_first_steps() {
-  auto some = cases();
-  std::erase_if(some, [](const Case& c) { return c.orders.front() == 0.2 || c.rate > 2.0; });
-  return some;
+// The sums of orders and whole numbers from the first on that has no start weight.
+std::vector<double> powers_without_start_weights(const Case& c) {
+  auto steps = c.orders;
+  steps.push_back(1.0);
+  auto powers = power_lattice({0.0}, steps, c.rate + 1.0);
+  const double covered = c.rate - 1.0 + distinct_powers;
+  std::erase_if(powers, [=](double r) { return r < covered; });
+  return powers;
 }
 
-// An error has the powers rate and 1 + r of h, r > rate - 1 any sum of orders. The first two of these are
-// close to the rate: known from theory, they are taken out, e(h) - 2^q e(h/2).
+// Errors with steps h, h/2, h/4, ... without their power q of h, which is known from theory and close to
+// others: e(h) - 2^q e(h/2).
+template <class Error>
+void take_out(double q, std::vector<Error>& errors) {
+  for (std::size_t i = 0; i + 1 < errors.size(); ++i) errors[i] -= std::pow(2.0, q) * errors[i + 1];
+  errors.pop_back();
+}
+
+template <class Error>
+void expect_rate(const std::vector<Error>& errors, double h, double theory) {
+  std::vector<ErrorAt> points;
+  std::string rows;
+  for (const auto& error : errors) {
+    points.push_back({h, error.cwiseAbs().maxCoeff()});
+    rows += fmt::format("{:.3e} {:.3e}\n", h, points.back().error);
+    h /= 2.0;
+  }
+  const Fit fit = fit_rate(points);
+  ASSERT_GE(fit.points, 3U) << rows;
+  EXPECT_NEAR(fit.slope, theory, 0.1) << rows;
+}
+
+// An error has the powers rate and 1 + r of h, r without a start weight: two of these are close to the rate.
 TEST_P(MultistepRate, AtTheEndIsThatOfTheory) {
   const auto& [name, id, scene, orders, rate, coarsest] = GetParam();
   const Scheme& scheme = *find_scheme(id);
@@ -68,56 +120,65 @@ TEST_P(MultistepRate, AtTheEndIsThatOfTheory) {
     const auto path = scheme.solve(scene.problem, Grid{1.0, steps}, {.at = {1.0}});
     errors.emplace_back(columns_at(scene.outputs, 1.0, path.y.col(0)) - exact);
   }
-  auto steps_of_powers = orders;
-  steps_of_powers.push_back(1.0);
-  auto later = power_lattice({0.0}, steps_of_powers, rate + 1.0);
-  const double covered = rate - 1.0 + distinct_powers;
-  std::erase_if(later, [=](double r) { return r < covered; });
-  for (std::size_t k = 0; k < 2; ++k) {
-    for (std::size_t i = 0; i + 1 < errors.size(); ++i)
-      errors[i] -= std::pow(2.0, 1.0 + later[k]) * errors[i + 1];
-    errors.pop_back();
-  }
-  std::vector<ErrorAt> points;
-  std::string rows;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    points.push_back({std::ldexp(1.0 / coarsest, -static_cast<int>(i)), errors[i].cwiseAbs().maxCoeff()});
-    rows += fmt::format("{:.3e} {:.3e}\n", points.back().h, points.back().error);
-  }
-  const Fit fit = fit_rate(points);
+  const auto later = powers_without_start_weights(GetParam());
+  for (const std::size_t k : {0, 1}) take_out(1.0 + later[k], errors);
   const double theory = scheme.expected_rate(scene.problem, scene.smoothness, 1.0, Norm::end);
   EXPECT_DOUBLE_EQ(theory, rate);
-  ASSERT_GE(fit.points, 3U) << rows;
-  EXPECT_NEAR(fit.slope, theory, 0.1) << rows;
+  expect_rate(errors, 1.0 / coarsest, theory);
 }
 
 // The steps that are solved together, of length h -> 0: the first power without a start weight is left,
-// h^(g+r). It is the rate in the maximum norm where it is below the rule's.
+// h^(g+r). It is the rate in the maximum norm where it is below the rule's. The next two are taken out.
 TEST_P(MultistepFirstSteps, HaveTheRateOfTheory) {
   const auto& [name, id, scene, orders, rate, coarsest] = GetParam();
   const Scheme& scheme = *find_scheme(id);
   const auto reference = reference_of(scene);
   const double theory = scheme.expected_rate(scene.problem, scene.smoothness, 1.0, Norm::first_step);
   const int steps = static_cast<int>(scheme.start_powers(scene.problem).size()) - 1;
-  std::vector<ErrorAt> points;
-  std::string rows;
-  for (int k = 0; k < 5; ++k) {
-    const double h = std::pow(10.0, -(4.0 + k) / theory);
-    Scene first = scene;
-    first.problem.end = steps * h;
-    const auto path = scheme.solve(first.problem, Grid{first.problem.end, steps}, {});
-    double error = 0.0;
-    for (Eigen::Index c = 1; c < path.y.cols(); ++c) {
-      const Vec difference =
-          columns_at(scene.outputs, path.time(c), path.y.col(c)) - reference.at(path.time(c)).value;
-      error = std::max(error, difference.cwiseAbs().maxCoeff());
+  std::vector<double> later;
+  for (const double order : orders) {
+    for (const double r : powers_without_start_weights(GetParam())) {
+      if (order + r > theory + distinct_powers) later.push_back(order + r);
     }
-    points.push_back({h, error});
-    rows += fmt::format("{:.3e} {:.3e}\n", h, error);
   }
-  const Fit fit = fit_rate(points);
-  ASSERT_GE(fit.points, 3U) << rows;
-  EXPECT_NEAR(fit.slope, theory, 0.1) << rows;
+  std::ranges::sort(later);
+  const double longest = std::pow(10.0, -4.0 / theory);
+  std::vector<Matrix> errors;
+  for (int k = 0; k < 7; ++k) {
+    Scene first = scene;
+    first.problem.end = steps * std::ldexp(longest, -k);
+    const auto path = scheme.solve(first.problem, Grid{first.problem.end, steps}, {});
+    Matrix error(std::ssize(scene.outputs.names), steps);
+    for (Eigen::Index c = 1; c <= steps; ++c) {
+      const double t = path.time(c);
+      error.col(c - 1) = columns_at(scene.outputs, t, path.y.col(c)) - reference.at(t).value;
+    }
+    errors.push_back(error);
+  }
+  for (const std::size_t k : {0, 1}) take_out(later[k], errors);
+  expect_rate(errors, longest, theory);
+}
+
+// The largest error over all steps, looked at more and more sparsely, of rules of rate 2 whose first steps
+// are off by less.
+TEST_P(MultistepRate, InTheMaximumNormIsThatOfTheory) {
+  const auto& [name, id, scene, orders, rate, coarsest] = GetParam();
+  const Scheme& scheme = *find_scheme(id);
+  const double theory = scheme.expected_rate(scene.problem, scene.smoothness, 1.0, Norm::maximum);
+  if (theory < 2.0 || rate > 2.0) return;
+  const auto reference = reference_of(scene);
+  std::vector<Vec> errors;
+  for (int steps = 16 * coarsest; steps <= 128 * coarsest; steps *= 2) {
+    const auto path = scheme.solve(scene.problem, Grid{1.0, steps}, {});
+    Vec largest = Vec::Zero(std::ssize(scene.outputs.names));
+    for (Eigen::Index c = 1; c <= steps; c += 1 + c / 32) {
+      const double t = path.time(c);
+      const Vec error = columns_at(scene.outputs, t, path.y.col(c)) - reference.at(t).value;
+      largest = largest.cwiseMax(error.cwiseAbs());
+    }
+    errors.push_back(largest);
+  }
+  expect_rate(errors, 1.0 / (16 * coarsest), theory);
 }
 
 INSTANTIATE_TEST_SUITE_P(, MultistepRate, testing::ValuesIn(cases()),

@@ -25,7 +25,7 @@ constinit const WeightFamily families::l1{
     .weight = [](Real g, Real k) { return power_difference(1 - g, k + 1); },
     .start_weight = [](Real /*g*/, Real /*n*/) -> Real { return 0; },
     .weight_at_order_one = 0.0,
-    .step_factor = [](double g, double power) { return power * std::tgamma(2.0 - g); },
+    .step_factor = [](double g) { return std::tgamma(2.0 - g); },
     .coefficient = coefficient,
     .regular_part = regular_part,
     .ends = [](double /*before*/, double after, double length) -> Ends {

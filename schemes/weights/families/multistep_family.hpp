@@ -73,7 +73,7 @@ constexpr WeightFamily multistep_family(std::string_view id, std::string_view ti
           .title = title,
           .weight = weight_of<rule>,
           .first_weights = first_weights_of<rule>,
-          .step_factor = [](double g, double power) { return first_weight<rule>(g) * power; },
+          .step_factor = [](double g) { return first_weight<rule>(g); },
           .filter = filter_of<rule>,
           .multistep = &rule,
           .regular_part = regular_part_of<rule>};

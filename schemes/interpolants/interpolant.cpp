@@ -1,0 +1,34 @@
+#include "interpolants/interpolant.hpp"
+
+#include "implicit/newton.hpp"
+#include "interpolants/between_steps.hpp"
+
+namespace fde {
+
+Trajectory solve_with(Interpolant& interpolant, const Problem& problem, const Grid& grid,
+                      const Options& options) {
+  BetweenSteps stepped(problem, interpolant.offsets());
+  Run run(stepped.problem(), options, grid.steps);
+  NewtonSolver newton(stepped.problem(), options.tolerance);
+  run.cost().history_bytes = interpolant.bytes();
+
+  Vec y = run.start(), before = y, known(y.size()), newest(y.size()), kappa(y.size()), past(y.size());
+  for (int n = 1; n <= grid.steps; ++n) {
+    const double t = grid.time(n);
+    before = y;
+    stepped.step_from(grid.time(n - 1), before, grid.step(n));
+    interpolant.derivative(n, known, newest);
+    kappa = newest.cwiseInverse();
+    past = before - kappa.cwiseProduct(known);
+    if (const Ending ending = newton.solve(run, {t, kappa, past}, y); ending != Ending::finished) {
+      run.fail(ending, t);
+      break;
+    }
+    if (!run.accept(t, y)) break;
+    if (n < grid.steps) interpolant.push(n, y - before);
+  }
+  *run.cost().rhs_calls *= stepped.evaluations();
+  return run.finish();
+}
+
+}  // namespace fde

@@ -1,0 +1,22 @@
+#include "interpolants/slope_memory.hpp"
+
+namespace fde {
+
+SlopeMemory::SlopeMemory(const std::vector<WeightTable>& tables, const StepPlan& steps,
+                         const Options& options)
+    : steps_(steps),
+      factors_(tables),
+      history_(make_history(options.history, {tables}, steps, options.tolerance)) {}
+
+void SlopeMemory::push(double t, In sample) {
+  history_->push(t, sample);
+  newest_ = t;
+}
+
+// A history has its sums in units of the step to t, where steps differ, and of one step where they are equal.
+void SlopeMemory::derivative(double t, Out result) {
+  history_->convolve(t, 0, result);
+  result.array() /= factors_.at(steps_.equal ? steps_.shortest : t - newest_).array();
+}
+
+}  // namespace fde

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "stepping/scheme.hpp"
+#include "weights/step_factors.hpp"
+
+namespace fde {
+
+// The Caputo derivatives of a function whose slopes on each step come from one sample, as a family of weights
+// for increments has it. Times as History has them.
+class SlopeMemory {
+ public:
+  SlopeMemory(const std::vector<WeightTable>& tables, const StepPlan& steps, const Options& options);
+
+  void push(double t, In sample);
+
+  // What all samples together add at a time t after the newest.
+  void derivative(double t, Out result);
+
+  [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
+
+ private:
+  StepPlan steps_;
+  double newest_ = 0.0;  // time of the newest sample
+  StepFactors factors_;
+  std::unique_ptr<History> history_;
+};
+
+}  // namespace fde

@@ -1,0 +1,47 @@
+#include <cmath>
+
+#include "interpolants/parabolas.hpp"
+#include "stepping/rates.hpp"
+#include "stepping/splitting.hpp"
+
+namespace fde {
+namespace {
+
+// (1-zeta)^g K: increments have the generating function
+//   C = (1-zeta)^2/zeta (Li_(g-1) / 2 + Li_(g-2) / (2-g)),
+// and K = Gamma(2-g) / ((1-zeta) C).
+Kernel kernel_of(double g) {
+  return [g](ComplexValue mu) {
+    const ComplexValue lines = 0.5 * mu * scaled_polylogarithm(g - 1.0, mu);
+    const ComplexValue parabolas = scaled_polylogarithm(g - 2.0, mu) / (2.0 - g);
+    return std::tgamma(2.0 - g) * std::pow(exp_minus_one(mu) / mu, g - 3.0) * std::exp(mu) /
+           (parabolas - lines);
+  };
+}
+
+Trajectory solve_l1_2(const Problem& problem, const Grid& grid, const Options& options) {
+  ParabolasFromBehind parabolas(problem, grid, options);
+  return solve_with(parabolas, problem, grid, options);
+}
+
+}  // namespace
+
+// The Caputo derivative of the parabolas through y_(n-2), y_(n-1), y_n at t_n, orders g in (0, 1]; g = 1 is
+// BDF2 after a step of backward Euler.
+Scheme l1_2() {
+  return {.id = "l1_2",
+          .title = "L1-2",
+          .source = "Gao, Sun & Zhang, J. Comput. Phys. 259 (2014); orders above 1 through y' = v",
+          .needs = {.implicit = true},
+          .expected_rate =
+              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
+                return split_rate(l1_2_theory, problem, smoothness, links_up_to_one(problem), grading, norm);
+              },
+          .solve = split_into(links_up_to_one, on_grid(solve_l1_2)),
+          .symbol =
+              [](const Problem& problem, double length) {
+                return implicit_symbol(split(problem, links_up_to_one(problem)), kernel_of, length);
+              }};
+}
+
+}  // namespace fde

@@ -1,0 +1,52 @@
+#include <cmath>
+
+#include "interpolants/parabolas.hpp"
+#include "stepping/rates.hpp"
+#include "stepping/splitting.hpp"
+#include "symbols/lerch.hpp"
+
+namespace fde {
+namespace {
+
+// (1-zeta)^g K with sigma = 1 - g/2: increments have the generating function
+//   C = (1-zeta)^2/(2 zeta) (Phi(zeta, g-2, sigma) / sigma - Phi(zeta, g-1, sigma)),
+// and K = Gamma(2-g) (sigma + (1-sigma) zeta) / ((1-zeta) C), as f is taken between y_(n-1) and y_n.
+Kernel kernel_of(double g) {
+  const double sigma = 1.0 - 0.5 * g;
+  return [=, lines = Lerch(g - 1.0, sigma), parabolas = Lerch(g - 2.0, sigma)](ComplexValue mu) {
+    const ComplexValue zeta = std::exp(mu);
+    return 2.0 * std::tgamma(2.0 - g) * (sigma + (1.0 - sigma) * zeta) * zeta *
+           std::pow(exp_minus_one(mu) / mu, g - 3.0) / (parabolas.scaled(mu) / sigma + mu * lines.scaled(mu));
+  };
+}
+
+Trajectory solve_l2_1_sigma(const Problem& problem, const Grid& grid, const Options& options) {
+  ParabolasFromAhead parabolas(problem, grid, options);
+  return solve_with(parabolas, problem, grid, options);
+}
+
+}  // namespace
+
+// The Caputo derivative at t_(n-1) + sigma h, sigma = 1 - g/2, of the parabolas through y_(n-1), y_n, y_(n+1)
+// and a line on the newest step, orders g in (0, 1]. Each row is taken at the sigma of its order. g = 1 is
+// the implicit midpoint rule.
+Scheme l2_1_sigma() {
+  return {.id = "l2_1_sigma",
+          .title = "L2-1-sigma",
+          .source =
+              "Alikhanov, J. Comput. Phys. 280 (2015); graded: Chen & Stynes, J. Sci. Comput. 79 (2019); "
+              "orders above 1 through y' = v",
+          .needs = {.implicit = true},
+          .expected_rate =
+              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
+                return split_rate(l2_1_sigma_theory, problem, smoothness, links_up_to_one(problem), grading,
+                                  norm);
+              },
+          .solve = split_into(links_up_to_one, on_grid(solve_l2_1_sigma)),
+          .symbol =
+              [](const Problem& problem, double length) {
+                return implicit_symbol(split(problem, links_up_to_one(problem)), kernel_of, length);
+              }};
+}
+
+}  // namespace fde

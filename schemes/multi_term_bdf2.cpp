@@ -1,0 +1,30 @@
+#include "multi_term/integrated_equations.hpp"
+#include "multi_term/multi_term_rates.hpp"
+#include "multi_term/multi_term_steps.hpp"
+#include "multi_term/multi_term_symbols.hpp"
+
+namespace fde {
+
+// Each integral of multi_term/integrated_equations.hpp by the second backward differentiation formula with
+// start weights.
+Scheme multi_term_bdf2() {
+  return {
+      .id = "multi_term_bdf2",
+      .title = "Direct multi-term fractional BDF2 with start weights",
+      .source = "Diethelm & Ford, Appl. Math. Comput. 154 (2004); Lubich, SIAM J. Math. Anal. 17 (1986)",
+      .needs = {.discretises_equations = true, .uniform_grid = true, .implicit = true},
+      .expected_rate =
+          [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
+            return multi_term_multistep_rate(families::bdf2, problem, smoothness, grading, norm);
+          },
+      .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
+        return step_equations_with_start_weights(problem, grid, options, families::bdf2);
+      }),
+      .refuses = refusal_of_equations,
+      .symbol = [](const Problem& problem,
+                   double length) { return implicit_multi_term_symbol(problem, families::bdf2, length); },
+      .start_powers =
+          [](const Problem& problem) { return start_powers_of_equations(families::bdf2, problem).powers; }};
+}
+
+}  // namespace fde

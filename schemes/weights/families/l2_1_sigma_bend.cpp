@@ -1,0 +1,27 @@
+#include "weights/families/parabola.hpp"
+#include "weights/family.hpp"
+
+namespace fde {
+namespace {
+
+using Real = long double;
+
+// The bend of a step is known one step later, so lag k is that of the integral over [k+s, k+1+s], s = 1 -
+// g/2.
+double coefficient(double g, double node, double kernel) {
+  return kernel * (std::tgamma(2 - g) * bend_mean(node) * std::exp(-(1 - g / 2) * node));
+}
+
+}  // namespace
+
+constinit const WeightFamily families::l2_1_sigma_bend{
+    .id = "l2_1_sigma_bend",
+    .title = "what parabolas add to l2_1_sigma, lag k for the bend of the step before, g <= 1",
+    .weighs_increments = true,
+    .weight = [](Real g, Real k) { return bend_weight(g, k + 2 - g / 2); },
+    .start_weight = [](Real /*g*/, Real /*n*/) -> Real { return 0; },
+    .weight_at_order_one = 0.0,
+    .step_factor = [](double g) { return std::tgamma(2.0 - g); },
+    .coefficient = coefficient};
+
+}  // namespace fde

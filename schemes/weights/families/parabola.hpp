@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cmath>
+
+namespace fde {
+
+// What the families share that weigh the bends of parabolas: on a step of length 1 the slope runs from -1 at
+// its start to 1 at its end.
+
+// (1-g) int_0^1 (far - v)^(-g) (2v - 1) dv for far > 1, v from the start of the step: a series of positive
+// terms.
+inline long double bend_weight(long double g, long double far) {
+  constexpr long double negligible = 1e-21L;
+  long double power = 1, sum = 0, term = 1;
+  for (int k = 1; term > negligible * sum; ++k) {
+    power *= (k - 1 + g) / (k * far);
+    term = power * k / ((k + 1) * (k + 2));
+    sum += term;
+  }
+  return (1 - g) * std::pow(far, -g) * sum;
+}
+
+// int_0^1 (1 - 2v) exp(-s v) dv = exp(-s/2) i_1(s/2), i_1 the modified spherical Bessel function.
+inline double bend_mean(double s) {
+  const double z = 0.5 * s;
+  if (z > 1.0) return (z - 1.0 + (z + 1.0) * std::exp(-2.0 * z)) / (2.0 * z * z);
+  double term = z / 3.0, sum = term;
+  for (int k = 1; term > 1e-17 * sum; ++k) {
+    term *= z * z / (2.0 * k * (2.0 * k + 3.0));
+    sum += term;
+  }
+  return std::exp(-z) * sum;
+}
+
+}  // namespace fde

@@ -1,0 +1,30 @@
+#include "weights/step_factors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fde {
+
+StepFactors::StepFactors(const std::vector<WeightTable>& tables)
+    : units_(std::ssize(tables)), factors_(std::ssize(tables)) {
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const double order = tables[i].order;
+    const auto found = std::ranges::find(orders_, order);
+    of_row_.push_back(found - orders_.begin());
+    if (found == orders_.end()) orders_.push_back(order);
+    units_[static_cast<Eigen::Index>(i)] = step_factor(tables[i], 1.0);
+  }
+  powers_.resize(std::ssize(orders_));
+}
+
+const Vec& StepFactors::at(double length) {
+  if (length == length_) return factors_;
+  length_ = length;
+  for (Eigen::Index k = 0; k < powers_.size(); ++k)
+    powers_[k] = std::pow(length, orders_[static_cast<std::size_t>(k)]);
+  for (Eigen::Index i = 0; i < factors_.size(); ++i)
+    factors_[i] = units_[i] * powers_[of_row_[static_cast<std::size_t>(i)]];
+  return factors_;
+}
+
+}  // namespace fde
