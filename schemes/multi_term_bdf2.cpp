@@ -18,7 +18,7 @@ Scheme multi_term_bdf2() {
             return multi_term_multistep_rate(families::bdf2, problem, smoothness, grading, norm);
           },
       .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
-        return step_equations_with_start_weights(problem, grid, options, families::bdf2);
+        return step_equations_implicitly(problem, grid, options, families::bdf2);
       }),
       .refuses = refusal_of_equations,
       .symbol = [](const Problem& problem,

@@ -194,7 +194,7 @@ std::optional<FirstEquations> IntegratedEquations::first_equations() {
     std::vector<Matrix> weights;
     Matrix own = Matrix::Identity(steps, steps);
     for (Eigen::Index i = 0; i < part.chain.size(); ++i) {
-      weights.push_back(factors[i] * first_weights_of(part, i));
+      weights.emplace_back(factors[i] * first_weights_of(part, i));
       own += part.ratios[i] * weights.back().rightCols(steps);
     }
     const Eigen::PartialPivLU<Matrix> factorised(own);

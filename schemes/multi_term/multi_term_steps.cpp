@@ -9,76 +9,60 @@
 
 namespace fde {
 
-Trajectory step_equations_implicitly(const Problem& problem, const Grid& grid, const Options& options,
-                                     const WeightFamily& family) {
-  const Problem stepped = integrated(problem);
-  Run run(stepped, options, grid.steps);
-  NewtonSolver newton(stepped, options.tolerance);
-  IntegratedEquations equations(problem, family, grid, options);
-  run.cost().history_bytes = equations.bytes();
+namespace {
 
-  Vec y = run.start();
-  double t = 0.0;
-  for (int n = 1; n <= grid.steps; ++n) {
-    equations.push(t, y, run.rhs(t, y));
-    t = grid.time(n);
-    Ending ending = Ending::outran_growth;
-    if (equations.step_to(n)) ending = newton.solve(run, {t, equations.kappa(), equations.past()}, y);
-    if (ending != Ending::finished) {
-      run.fail(ending, t);
-      break;
-    }
-    if (!run.accept(t, y)) break;
-  }
-  return run.finish();
-}
-
-Trajectory step_equations_with_start_weights(const Problem& problem, const Grid& grid, const Options& options,
-                                             const WeightFamily& family) {
+// Those of a rule with start weights on this grid: no more than it has times.
+std::vector<double> start_powers_on(const Grid& grid, const WeightFamily& family, const Problem& problem) {
+  if (family.multistep == nullptr) return {};
   auto powers = start_powers_of_equations(family, problem).powers;
   powers.resize(std::min(powers.size(), static_cast<std::size_t>(grid.steps) + 1));
-  const auto first_steps = static_cast<int>(powers.size()) - 1;
+  return powers;
+}
+
+// The first steps of a rule with start weights, one column each.
+Matrix first_steps_of(Run& run, IntegratedEquations& equations, const Problem& problem,
+                      const Problem& stepped, const Grid& grid, double tolerance, Ending& ending) {
+  auto system = equations.first_equations();
+  if (!system) {
+    ending = Ending::outran_growth;
+    return {};
+  }
+  const auto first_order = [&](const Grid& steps, const Options& exact) {
+    return step_equations_implicitly(problem, steps, exact, families::grunwald_letnikov);
+  };
+  return FirstSteps(stepped, grid, std::move(*system), first_order).solve(run, tolerance, ending);
+}
+
+}  // namespace
+
+Trajectory step_equations_implicitly(const Problem& problem, const Grid& grid, const Options& options,
+                                     const WeightFamily& family) {
+  const auto powers = start_powers_on(grid, family, problem);
   const Problem stepped = integrated(problem);
   Run run(stepped, options, grid.steps);
   NewtonSolver newton(stepped, options.tolerance);
   IntegratedEquations equations(problem, family, grid, options, powers);
   run.cost().history_bytes = equations.bytes();
-  run.cost().start_weights = first_steps + 1;
+  if (!powers.empty()) run.cost().start_weights = static_cast<int>(powers.size());
 
   Matrix first;
   Ending ending = Ending::finished;
-  if (first_steps > 0) {
-    if (auto system = equations.first_equations()) {
-      const auto first_order = [&](const Grid& steps, const Options& exact) {
-        return step_equations_implicitly(problem, steps, exact, families::grunwald_letnikov);
-      };
-      first =
-          FirstSteps(stepped, grid, std::move(*system), first_order).solve(run, options.tolerance, ending);
-    } else {
-      ending = Ending::outran_growth;
-    }
-    if (ending != Ending::finished) {
-      run.fail(ending, grid.time(1));
-      return run.finish();
-    }
-  }
+  if (powers.size() > 1)
+    first = first_steps_of(run, equations, problem, stepped, grid, options.tolerance, ending);
   Vec y = run.start();
   double t = 0.0;
-  for (int n = 1; n <= grid.steps; ++n) {
+  for (int n = 1; n <= grid.steps && ending == Ending::finished; ++n) {
     equations.push(t, y, run.rhs(t, y));
     t = grid.time(n);
-    if (n <= first_steps) {
+    if (n <= first.cols()) {
       y = first.col(n - 1);
     } else {
       ending = Ending::outran_growth;
       if (equations.step_to(n)) ending = newton.solve(run, {t, equations.kappa(), equations.past()}, y);
     }
-    if (ending != Ending::finished) {
-      run.fail(ending, t);
-      break;
-    }
-    if (!run.accept(t, y)) break;
+    if (ending == Ending::finished && !run.accept(t, y)) return run.finish();
   }
+  if (ending != Ending::finished) run.fail(ending, t > 0.0 ? t : grid.time(1));
   return run.finish();
 }
 

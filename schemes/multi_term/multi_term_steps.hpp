@@ -5,14 +5,10 @@
 namespace fde {
 
 // Steps the integrated equations of a problem (integrated_equations.hpp) with the weights of one family, each
-// step solved by Newton's method.
+// step solved by Newton's method. A multistep rule has start weights, and its first steps are one system
+// (first_steps.hpp).
 Trajectory step_equations_implicitly(const Problem& problem, const Grid& grid, const Options& options,
                                      const WeightFamily& family);
-
-// The same for a multistep rule with start weights, of which the first steps are one system
-// (first_steps.hpp).
-Trajectory step_equations_with_start_weights(const Problem& problem, const Grid& grid, const Options& options,
-                                             const WeightFamily& family);
 
 // The trapezoidal weights, with g at a prediction. Only g is predicted, by the line through its last two
 // values; the terms of the equation are linear in the unknown and solved:

@@ -36,6 +36,19 @@ TEST_P(RobustNewton, AnUnsolvableStepTakesBoundedWork) {
   EXPECT_LT(path.cost.newton_iterations, 400);
 }
 
+// y = past + kappa y^3 from 1 on has no solution near 1 with so long a step, and a negative one far away.
+TEST_P(RobustNewton, DoesNotBeginFarFromTheStart) {
+  const Problem cubic{.components = {{0.5, {1.0}}},
+                      .rhs = [](double, In y, Out f) { f = y.array().cube().matrix(); },
+                      .derivatives = DenseJacobian{
+                          [](double, In y, OutMatrix jacobian) { jacobian(0, 0) = 3.0 * y[0] * y[0]; }}};
+  const auto path = run(cubic, {1.0, 2});
+  EXPECT_EQ(path.ending, Ending::outran_growth);
+  EXPECT_EQ(path.reached, 0.0);
+  EXPECT_EQ(path.failed_at, 0.5);
+  EXPECT_EQ(run(cubic, {0.01, 2}).ending, Ending::finished);
+}
+
 // Where all is smooth the continued path is nearly the solution.
 TEST_P(RobustNewton, TakesLittleMoreThanOneIterationWhereAllIsSmooth) {
   constexpr int steps = 1 << 15;

@@ -43,7 +43,8 @@ std::set<std::string> names_in(const fs::path& folder) {
 
 // Two trajectories of 27 times, and two tables of seven numbers of steps for every scheme that solves rows.
 std::string recomputed() {
-  return fmt::format("\n4 tables, {} rows recomputed: ", 2 * 27 + 2 * 7 * row_schemes().size());
+  constexpr std::size_t tables = 2, times = 27, steps = 7;
+  return fmt::format("\n4 tables, {} rows recomputed: ", tables * (times + steps * row_schemes().size()));
 }
 
 class Written : public testing::Test {

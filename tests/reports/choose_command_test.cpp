@@ -9,7 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "records/setup.hpp"
+#include "references/watched_reference.hpp"
 #include "support/answer_of_words.hpp"
+#include "support/testing.hpp"
 
 namespace fde {
 namespace {
@@ -44,11 +47,18 @@ TEST(Choose, SaysWhatWouldBeNeeded) {
 
 // dy starts like the root of t, y does not.
 TEST(Choose, CountsTheColumnsThatAreNamed) {
-  const std::string words = "choose pendulum --until 2 --error 1e-4 --max-time 5 --json ";
-  const auto all = nlohmann::json::parse(fdebench(words).out),
-             one = nlohmann::json::parse(fdebench(words + "--columns phi").out);
-  EXPECT_LT(one["seconds"], all["seconds"]);
-  EXPECT_EQ(one["columns"], std::vector<std::string>{"phi"});
+  const auto chosen = nlohmann::json::parse(
+      fdebench("choose pendulum --until 2 --error 1e-4 --scale absolute --columns phi --max-time 5 --json")
+          .out);
+  EXPECT_EQ(chosen["columns"], std::vector<std::string>{"phi"});
+  Scene scene = scene_of("pendulum");
+  scene.problem.end = 2.0;
+  const Grid grid{2.0, chosen["steps"].get<int>(), parse_grading(chosen["grid"].get<std::string>())};
+  const auto path = find_scheme(chosen["scheme"].get<std::string>())->solve(scene.problem, grid, {});
+  const Rows errors = columns_of(scene.outputs, path) - WatchedReference(scene).at(path.times);
+  const double largest = errors.row(0).cwiseAbs().maxCoeff();
+  EXPECT_LE(largest, 1e-4);
+  EXPECT_NEAR(chosen["error"], largest, 1e-3 * largest);
 }
 
 }  // namespace

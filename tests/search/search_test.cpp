@@ -36,8 +36,19 @@ TEST_P(SearchFor, FindsTheFewestStepsWithinTheAccuracy) {
     const auto fewer = examiner.examine(first.way, static_cast<int>(steps), 8192, 60.0);
     EXPECT_FALSE(fewer.within) << fewer.steps << " of " << first.best.steps;
   }
-  ASSERT_TRUE(first.predicted);
-  EXPECT_NEAR(first.predicted->value / first.best.error, 1.0, 0.3);
+}
+
+// Which way is the quickest depends on the machine, and one error may be small by chance: the middle one of
+// all ways found.
+TEST_P(SearchFor, PredictsTheErrorsThatItFinds) {
+  const Scene scene = make_scene(parse_variant(GetParam().scene));
+  std::vector<double> ratios;
+  for (const auto& way : found_for(scene, GetParam())) {
+    if (way.found == Found::within && way.predicted) ratios.push_back(way.predicted->value / way.best.error);
+  }
+  ASSERT_FALSE(ratios.empty());
+  std::ranges::sort(ratios);
+  EXPECT_NEAR(ratios[ratios.size() / 2], 1.0, 0.3) << testing::PrintToString(ratios);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SearchFor,
