@@ -58,9 +58,9 @@ Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Resolutio
   return columns_of(scene.outputs, path);
 }
 
-void tell_rates(const Scene& scene, const Scheme& scheme, double grading, Observed& observed) {
+void tell_rates(const Scene& scene, const Scheme& scheme, const Grid& grid, Observed& observed) {
   const auto rate = [&](Norm norm) {
-    return theoretical_rate(scheme, scene.problem, scene.smoothness, grading, norm);
+    return theoretical_rate(scheme, scene.problem, scene.smoothness, grid, norm);
   };
   observed.expected_rate_end = rate(Norm::end);
   observed.expected_rate_maximum = rate(Norm::maximum);
@@ -89,7 +89,7 @@ Examined solve_and_judge(const Scene& scene, WatchedReference& reference, const 
   if (path.ending == Ending::finished) {
     observed.rounded = rounded_otherwise(scene, scheme, resolution, options, path.times);
     observers.tell(observed);
-    if (observed.grid) tell_rates(scene, scheme, observed.grid->grading, observed);
+    if (observed.grid) tell_rates(scene, scheme, *observed.grid, observed);
   }
   return {path.steps, judge(scene, path, reference, observed)};
 }

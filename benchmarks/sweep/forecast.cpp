@@ -30,9 +30,9 @@ class Probe {
     }
     if (failed_) return;
     error_ = (results[2] - results[1]).cwiseAbs().maxCoeff();
-    const double grading = setup.grading;
-    end_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grading, Norm::end);
-    maximum_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grading, Norm::maximum);
+    const Grid grid{scene.problem.end, steps_, setup.grading};
+    end_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grid, Norm::end);
+    maximum_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grid, Norm::maximum);
   }
 
   // A run with so many steps.

@@ -157,7 +157,7 @@ std::string cost_text(const Scene& scene, const Scheme& scheme, const Resolution
   add("states", cost.states);
   add("start_weights", cost.start_weights);
   if (grid != nullptr)
-    add("expected_rate", theoretical_rate(scheme, scene.problem, scene.smoothness, grid->grading, Norm::end));
+    add("expected_rate", theoretical_rate(scheme, scene.problem, scene.smoothness, *grid, Norm::end));
   return shown.dump();
 }
 

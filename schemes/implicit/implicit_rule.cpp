@@ -73,7 +73,7 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
     const double before = t;
     t = grid.time(n);
     history.convolve(t, convolved);
-    const Vec& kappa = factors.at(grid.uniform() ? grid.step() : t - before);
+    const Vec& kappa = factors.at(grid.step(before, t));
     rule.past(t, convolved, previous, kappa, past);
     if (const Ending ending = newton.solve(run, {t, kappa, past}, y); ending != Ending::finished) {
       run.fail(ending, t);

@@ -164,13 +164,9 @@ WeightTables IntegratedEquations::tables(const WeightFamily& family) const {
 
 Matrix IntegratedEquations::first_weights_of(const Part& part, Eigen::Index i) const {
   const auto steps = first_samples_.cols() - 1, sample = part.first + part.chain.size();
-  const auto& table = tables_[static_cast<std::size_t>(i)][static_cast<std::size_t>(sample)];
   Matrix weights(steps, steps + 1);
-  for (Eigen::Index n = 1; n <= steps; ++n) {
+  for (Eigen::Index n = 1; n <= steps; ++n)
     weights.row(n - 1) = corrections_[static_cast<std::size_t>(i)].weights(static_cast<int>(n)).row(sample);
-    weights.row(n - 1).head(n) += first_weights(table, n).reverse().transpose();
-    weights(n - 1, n) += 1.0;
-  }
   return weights;
 }
 

@@ -1,6 +1,5 @@
 #include "multi_term/multi_term_steps.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "implicit/newton.hpp"
@@ -8,16 +7,7 @@
 #include "stepping/run.hpp"
 
 namespace fde {
-
 namespace {
-
-// Those of a rule with start weights on this grid: no more than it has times.
-std::vector<double> start_powers_on(const Grid& grid, const WeightFamily& family, const Problem& problem) {
-  if (family.multistep == nullptr) return {};
-  auto powers = start_powers_of_equations(family, problem).powers;
-  powers.resize(std::min(powers.size(), static_cast<std::size_t>(grid.steps) + 1));
-  return powers;
-}
 
 // The first steps of a rule with start weights, one column each.
 Matrix first_steps_of(Run& run, IntegratedEquations& equations, const Problem& problem,
@@ -37,7 +27,8 @@ Matrix first_steps_of(Run& run, IntegratedEquations& equations, const Problem& p
 
 Trajectory step_equations_implicitly(const Problem& problem, const Grid& grid, const Options& options,
                                      const WeightFamily& family) {
-  const auto powers = start_powers_on(grid, family, problem);
+  std::vector<double> powers;  // none without start weights
+  if (family.multistep != nullptr) powers = start_powers_of_equations(family, problem).of_run(grid.steps);
   const Problem stepped = integrated(problem);
   Run run(stepped, options, grid.steps);
   NewtonSolver newton(stepped, options.tolerance);

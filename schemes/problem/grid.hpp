@@ -19,7 +19,9 @@ struct Grid {
   }
   // t_n - t_(n-1), n >= 1; on a uniform grid the same number for all n. Does not shrink with n, up to
   // rounding.
-  [[nodiscard]] double step(int n = 1) const { return uniform() ? end / steps : time(n) - time(n - 1); }
+  [[nodiscard]] double step(int n = 1) const { return step(time(n - 1), time(n)); }
+  // The same from the two times.
+  [[nodiscard]] double step(double before, double t) const { return uniform() ? end / steps : t - before; }
   // The n whose t_n is t, or about the nearest, 0 <= t <= end.
   [[nodiscard]] int number(double t) const {
     return std::clamp(static_cast<int>(std::lround(steps * std::pow(t / end, 1.0 / grading))), 0, steps);

@@ -15,28 +15,20 @@ namespace fde {
 namespace {
 
 // y_n = T_n + kappa (sum_{0<=j<=n} w(n-j) f_j + sum_{j<s} W(n, j) f_j) for n < s.
-FirstEquations first_equations(const Problem& problem, const Grid& grid,
-                               const std::vector<WeightTable>& tables, const Vec& kappa,
+FirstEquations first_equations(const Problem& problem, const Grid& grid, const Vec& kappa,
                                const StartCorrection& correction, int steps) {
   const TaylorPart taylor(problem);
   FirstEquations equations{{}, Matrix(problem.size(), steps)};
   for (int n = 1; n <= steps; ++n) {
     taylor.at(grid.time(n), equations.known.col(n - 1));
-    Matrix weights = correction.weights(n);
-    for (Eigen::Index i = 0; i < problem.size(); ++i) {
-      const Vec past = first_weights(tables[static_cast<std::size_t>(i)], n);
-      weights.row(i).head(n) += past.reverse().transpose();
-      weights(i, n) += 1.0;
-    }
-    equations.weights.emplace_back(kappa.asDiagonal() * weights);
+    equations.weights.emplace_back(kappa.asDiagonal() * correction.weights(n));
   }
   return equations;
 }
 
 Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, const Grid& grid,
                            const Options& options) {
-  auto powers = start_powers(family, problem).powers;
-  powers.resize(std::min(powers.size(), static_cast<std::size_t>(grid.steps) + 1));
+  const auto powers = start_powers(family, problem).of_run(grid.steps);
   const auto first_steps = static_cast<int>(powers.size()) - 1;
   const auto of_rows = tables(problem, family);
   const Vec kappa = StepFactors(of_rows).at(grid.step());
@@ -54,7 +46,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
     const auto first_order = [&](const Grid& steps, const Options& exact) {
       return solve_implicit(problem, steps, exact, integral_rule(problem, families::grunwald_letnikov));
     };
-    auto equations = first_equations(problem, grid, of_rows, kappa, correction, first_steps);
+    auto equations = first_equations(problem, grid, kappa, correction, first_steps);
     first =
         FirstSteps(problem, grid, std::move(equations), first_order).solve(run, options.tolerance, ending);
     if (ending != Ending::finished) {

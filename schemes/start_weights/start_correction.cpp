@@ -21,14 +21,13 @@ Values chebyshev_sum(const double* coefficients, Eigen::Index count, const Value
 
 StartCorrection::StartCorrection(const std::vector<WeightTable>& tables, const std::vector<double>& powers,
                                  int steps) {
-  std::vector<WeightTable> distinct;
   for (const auto& table : tables) {
-    auto found = std::ranges::find(distinct, table);
-    if (found == distinct.end()) {
-      found = distinct.insert(found, table);
+    auto found = std::ranges::find(tables_, table);
+    if (found == tables_.end()) {
+      found = tables_.insert(found, table);
       of_orders_.push_back(start_weights(table, powers, steps));
     }
-    row_.push_back(static_cast<std::size_t>(found - distinct.begin()));
+    row_.push_back(static_cast<std::size_t>(found - tables_.begin()));
   }
   near_ = static_cast<int>(of_orders_.front()->first.rows());
   sums_.setZero(block, std::ssize(tables));
@@ -36,7 +35,11 @@ StartCorrection::StartCorrection(const std::vector<WeightTable>& tables, const s
 
 Matrix StartCorrection::weights(int n) const {
   Matrix all(std::ssize(row_), of_orders_.front()->first.cols());
-  for (Eigen::Index i = 0; i < all.rows(); ++i) all.row(i) = of_row(i).first.row(n - 1);
+  for (Eigen::Index i = 0; i < all.rows(); ++i) {
+    all.row(i) = of_row(i).first.row(n - 1);
+    all.row(i).head(n) += first_weights(tables_[row_[static_cast<std::size_t>(i)]], n).reverse().transpose();
+    all(i, n) += 1.0;
+  }
   return all;
 }
 

@@ -11,7 +11,8 @@ class StartCorrection {
   // Rows of equal order share their weights. For so many steps.
   StartCorrection(const std::vector<WeightTable>& tables, const std::vector<double>& powers, int steps);
 
-  // The weights of f_0 ... f_(s-1) at a step n < s, one row a row.
+  // All weights of f_0 ... f_(s-1) at a step n < s, w_i(n-j) + W_i(n, j) with w of the rule itself, one row a
+  // row.
   [[nodiscard]] Matrix weights(int n) const;
 
   // f_0 ... f_(s-1), one column each, before the sums are asked for.
@@ -31,8 +32,9 @@ class StartCorrection {
     return *of_orders_[row_[static_cast<std::size_t>(i)]];
   }
 
+  std::vector<WeightTable> tables_;  // without repetition
   std::vector<std::shared_ptr<const StartWeights>> of_orders_;
-  std::vector<std::size_t> row_;  // of each row its entry there
+  std::vector<std::size_t> row_;  // of each row its entry in both
   int near_ = 0;                  // the steps whose weights are stored
   Matrix f_;
   Matrix smooth_, alternating_;  // coefficients of the sums on this piece, one column a row

@@ -13,6 +13,11 @@ constexpr std::size_t most_powers = 24;
 
 }  // namespace
 
+std::vector<double> StartPowers::of_run(int steps) const {
+  const auto count = std::min(std::ssize(powers), std::ptrdiff_t{steps} + 1);
+  return {powers.begin(), powers.begin() + count};
+}
+
 StartPowers start_powers(const WeightFamily& family, const Problem& problem) {
   std::vector<double> orders;
   for (const auto& component : problem.components) {

@@ -15,6 +15,9 @@ struct StartPowers {
   std::vector<double> powers;  // the first is 0
   double next;                 // the first of the sums that is not among them
   double growth;               // the largest of all rows
+
+  // Those of a run of so many steps: no more than it has times.
+  [[nodiscard]] std::vector<double> of_run(int steps) const;
 };
 StartPowers start_powers(const WeightFamily& family, const Problem& problem);
 

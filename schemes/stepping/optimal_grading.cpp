@@ -57,7 +57,8 @@ Smoothness smoothness_of_orders(const Problem& problem) {
 }
 
 double optimal_grading(const Scheme& scheme, const Problem& problem) {
-  if (scheme.needs.uniform_grid || !scheme.expected_rate || two_sided(problem)) return 1.0;
+  if (!scheme.expected_rate || two_sided(problem)) return 1.0;
+  if (refusal(scheme, problem, Grid{.end = problem.end, .steps = 2, .grading = 2.0})) return 1.0;
   const Smoothness smoothness = smoothness_of_orders(problem);
   const auto rate = [&](double grading) {
     return scheme.expected_rate(problem, smoothness, grading, Norm::maximum);

@@ -11,8 +11,8 @@ Smoothness smoothness_of_orders(const Problem& problem);
 
 // The smallest grading of a grid with which the scheme has its largest rate in the maximum norm for such a
 // solution: the smooth rate over what the start costs (rates.hpp), rounded up to hundredths. 1 where the
-// scheme takes uniform grids only, or has no rate; at most 10, whose first step is short enough. It takes
-// nothing but the orders: not what is known of the solution.
+// scheme refuses the problem or all graded grids, or has no rate; at most 10, whose first step is short
+// enough. It takes nothing but the orders: not what is known of the solution.
 double optimal_grading(const Scheme& scheme, const Problem& problem);
 
 }  // namespace fde

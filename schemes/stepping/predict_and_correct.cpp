@@ -26,7 +26,7 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
     history->convolve(t, 0, predicted);
     history->convolve(t, 1, corrected);
     taylor_part.at(t, taylor);
-    const Vec& kappa = factors.at(grid.uniform() ? grid.step() : t - before);
+    const Vec& kappa = factors.at(grid.step(before, t));
     y = taylor + kappa.head(y.size()).cwiseProduct(predicted);
     for (int correction = 0; correction < options.corrections; ++correction) {
       y = taylor + kappa.tail(y.size()).cwiseProduct(corrected + run.rhs(t, y));

@@ -65,4 +65,8 @@ double split_rate(const RateTheory& theory, const Problem& problem, const Smooth
 std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
                                        const Smoothness& smoothness, double grading, Norm norm);
 
+// The same on this grid: at most 1 where a jump of the right-hand side falls inside a step.
+std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
+                                       const Smoothness& smoothness, const Grid& grid, Norm norm);
+
 }  // namespace fde

@@ -41,7 +41,7 @@ struct WeightFamily {
   std::optional<double> weight_at_order_one{};
 
   // kappa h^(-g) for a step of length h.
-  double (*step_factor)(double order) = nullptr;
+  long double (*step_factor)(long double order) = nullptr;
 
   // a, where the kernel t^(a-1)/Gamma(a) of the exponentials is not that of the order, and weights are
   // weighed and no differences. Empty: see kernel_exponent.

@@ -5,14 +5,13 @@
 
 namespace fde {
 
-StepFactors::StepFactors(const std::vector<WeightTable>& tables)
-    : units_(std::ssize(tables)), factors_(std::ssize(tables)) {
+StepFactors::StepFactors(const std::vector<WeightTable>& tables) : factors_(std::ssize(tables)) {
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const double order = tables[i].order;
     const auto found = std::ranges::find(orders_, order);
     of_row_.push_back(found - orders_.begin());
     if (found == orders_.end()) orders_.push_back(order);
-    units_[static_cast<Eigen::Index>(i)] = step_factor(tables[i], 1.0);
+    units_.push_back(tables[i].family->step_factor(order));
   }
   powers_.resize(std::ssize(orders_));
 }
@@ -22,8 +21,8 @@ const Vec& StepFactors::at(double length) {
   length_ = length;
   for (Eigen::Index k = 0; k < powers_.size(); ++k)
     powers_[k] = std::pow(length, orders_[static_cast<std::size_t>(k)]);
-  for (Eigen::Index i = 0; i < factors_.size(); ++i)
-    factors_[i] = units_[i] * powers_[of_row_[static_cast<std::size_t>(i)]];
+  for (std::size_t i = 0; i < units_.size(); ++i)
+    factors_[static_cast<Eigen::Index>(i)] = static_cast<double>(units_[i] * powers_[of_row_[i]]);
   return factors_;
 }
 

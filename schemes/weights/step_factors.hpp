@@ -19,7 +19,8 @@ class StepFactors {
   std::vector<double> orders_;        // without repetition
   std::vector<Eigen::Index> of_row_;  // which of them each table has
   double length_ = 0.0;               // of the last call
-  Vec units_, powers_, factors_;
+  std::vector<long double> units_;
+  Vec powers_, factors_;
 };
 
 }  // namespace fde

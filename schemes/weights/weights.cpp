@@ -38,7 +38,7 @@ std::optional<double> start_weight(const WeightTable& table, std::int64_t n) {
 }
 
 double step_factor(const WeightTable& table, double length) {
-  return table.family->step_factor(table.order) * std::pow(length, table.order);
+  return static_cast<double>(table.family->step_factor(table.order) * std::pow(length, table.order));
 }
 
 }  // namespace fde

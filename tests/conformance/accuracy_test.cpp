@@ -67,23 +67,21 @@ TEST(Accuracy, RelativeToAThousandthOfTheSizeNearAZero) {
   EXPECT_EQ(relative_error(Rows::Zero(1, 20), Rows::Zero(1, 20), Vec::Zero(1)), std::nullopt);
 }
 
-// Values in other units are the same values up to rounding, in every scene and scheme that fits.
+// Values in other units are the same values up to rounding, in every scene and scheme that fits. The steps
+// are short: with 32 on relaxation_pair bdf5, which takes the first ten together, amplifies rounding 1e7
+// times.
 class OtherUnits : public testing::TestWithParam<const SceneMaker*> {};
 
 TEST_P(OtherUnits, ChangeNothingButRounding) {
   constexpr double unit = 0.7;
-  constexpr int steps = 32;
+  constexpr int steps = 256;
   const Scene scene = make_scene(*GetParam());
   const Problem other = in_units_of(unit, scene.problem);
   for (const auto& scheme : schemes()) {
     const Grid grid{scene.problem.end, steps};
     if (refusal(scheme, scene.problem, grid)) continue;
     const auto path = scheme.solve(scene.problem, grid, {}), again = scheme.solve(other, grid, {});
-    // Whether steps this long let Newton's method find the first ones, all together, may hang on rounding.
-    if (!scheme.start_powers) {
-      EXPECT_EQ(path.ending, again.ending) << scheme.id;
-    }
-    if (again.ending != Ending::finished) continue;
+    EXPECT_EQ(path.ending, again.ending) << scheme.id;
     if (path.ending != Ending::finished || !(path.y.cwiseAbs().maxCoeff() < 1e6)) continue;  // blows up
     const double size = path.y.cwiseAbs().maxCoeff();
     EXPECT_LT((path.y - unit * again.y).cwiseAbs().maxCoeff(), 1e-9 * size) << scheme.id;

@@ -22,6 +22,7 @@ namespace fde {
 struct EndOfRun {
   std::string run;  // "relaxation l1 64"
   std::vector<double> values;
+  double size = 0.0;  // the largest value of any component on the way; in the table it is not known
 };
 
 // Every scheme on scenes of each kind: linear, nonlinear, a chain, with a constraint, posed at both ends; the
@@ -37,25 +38,27 @@ inline std::vector<EndOfRun> endings() {
       for (const int steps : {64, 1500}) {
         const Grid grid{.end = scene.problem.end, .steps = steps};
         if (refusal(scheme, scene.problem, grid)) continue;
-        const auto path = scheme.solve(scene.problem, grid, {.at = {grid.end}});
+        double size = 0.0;
+        const auto grow = [&size](double, In y) { size = std::max(size, y.cwiseAbs().maxCoeff()); };
+        const auto path = scheme.solve(scene.problem, grid, {.at = {grid.end}, .observer = grow});
         if (path.ending != Ending::finished) continue;
         const Vec last = path.y.col(0);
-        found.push_back({fmt::format("{} {} {}", id, scheme.id, steps), {last.begin(), last.end()}});
+        found.push_back({fmt::format("{} {} {}", id, scheme.id, steps), {last.begin(), last.end()}, size});
       }
     }
   }
   return found;
 }
 
-// The largest difference of two endings, in units of the last place of the largest value.
-inline double ulps_between(const std::vector<double>& a, const std::vector<double>& b) {
-  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
-  double size = 0.0, difference = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    size = std::max({size, std::abs(a[i]), std::abs(b[i])});
-    difference = std::max(difference, std::abs(a[i] - b[i]));
-  }
-  return difference / (std::nextafter(size, std::numeric_limits<double>::infinity()) - size);
+// The largest difference from the table, in units of the last place of the largest value of the run: what
+// rounding makes of that stays where the values have become small.
+inline double ulps_between(const EndOfRun& run, const std::vector<double>& table) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (run.values.size() != table.size()) return infinity;
+  double difference = 0.0;
+  for (std::size_t i = 0; i < table.size(); ++i)
+    difference = std::max(difference, std::abs(run.values[i] - table[i]));
+  return difference / (std::nextafter(run.size, infinity) - run.size);
 }
 
 // A file of fde_bits.

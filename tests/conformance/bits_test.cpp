@@ -30,12 +30,12 @@ class BitsOfTarget : public testing::TestWithParam<std::string_view> {
 // The table is of g++ 12 on a processor that fuses multiply and add; clang 14 gives its bits there; without
 // fused operations (SSE, scalar) the past is rounded otherwise, which a run of 1500 steps carries to its end.
 TEST_P(BitsOfTarget, AreThoseOfTheTable) {
-  const double allowed = GetParam().starts_with("AVX") ? 0.0 : 256.0;
+  const double allowed = GetParam().starts_with("AVX") ? 0.0 : 32.0;
   const auto here = endings();
   ASSERT_EQ(here.size(), table().size());
   for (std::size_t i = 0; i < here.size(); ++i) {
     ASSERT_EQ(here[i].run, table()[i].run);
-    EXPECT_LE(ulps_between(here[i].values, table()[i].values), allowed) << here[i].run;
+    EXPECT_LE(ulps_between(here[i], table()[i].values), allowed) << here[i].run;
   }
 }
 

@@ -40,6 +40,12 @@ TEST(OptimalGrading, IsUniformWhereNothingIsToBeGained) {
   EXPECT_EQ(grading_for("l1", 0.01), 10.0);               // 199 has no first step
 }
 
+// 1.2371 is no multiple of 1/64 or more: the commensurate expansion has no links.
+TEST(OptimalGrading, IsUniformWhereTheSchemeRefusesTheProblem) {
+  EXPECT_EQ(grading_for("commensurate_adams_pc", 1.2371), 1.0);
+  EXPECT_EQ(grading_for("multi_term_trapezoidal", 0.5), 1.0);
+}
+
 // Of a damped oscillation D^alpha u is the worst: h^((2 - alpha) + (2 - alpha)) at the first step.
 TEST(OptimalGrading, OfEquationsFollowsFromTheirTerms) {
   for (const double alpha : {1.2, 1.5, 1.75}) {

@@ -122,7 +122,7 @@ TEST(VariableSteps, ThatAreEqualGiveTheSumsOfEqualSteps) {
 constexpr WeightFamily halving{.id = "halving",
                                .title = "2^(-k), for a test",
                                .weight = [](long double /*g*/, long double k) { return std::exp2(-k); },
-                               .step_factor = [](double /*g*/) { return 1.0; }};
+                               .step_factor = [](long double /*g*/) { return 1.0L; }};
 
 TEST(AFamilyOfOnesOwn, IsConvolvedAsItsWeightsSay) {
   const StepPlan steps{.end = 1000.0, .shortest = 1.0, .equal = true};

@@ -21,7 +21,7 @@ void print_distances(const std::vector<EndOfRun>& table) {
   if (!std::ranges::equal(here, table, {}, &EndOfRun::run, &EndOfRun::run))
     throw std::runtime_error("the file has other runs than this build");
   for (std::size_t i = 0; i < here.size(); ++i)
-    distances.emplace_back(ulps_between(here[i].values, table[i].values), here[i].run);
+    distances.emplace_back(ulps_between(here[i], table[i].values), here[i].run);
   std::ranges::sort(distances);
   for (const auto& [ulps, run] : distances) {
     if (ulps > 0.0) fmt::print("{} {}\n", run, ulps);
@@ -50,7 +50,7 @@ int main(int count, char** arguments) {
       return 1;
     }
   }
-  for (const auto& [run, values] : endings()) {
+  for (const auto& [run, values, size] : endings()) {
     fmt::print("{}", run);
     for (const double value : values) fmt::print(" {:a}", value);
     fmt::print("\n");

@@ -1,4 +1,4 @@
-"""What docs/python.md shows runs, and the stub declares what there is."""
+"""What docs/python.md shows runs, and _core.pyi declares what there is."""
 
 import ast
 import inspect
@@ -23,9 +23,9 @@ def test_the_page_names_every_function():
     assert [name for name in fdebench.__all__ if inspect.isfunction(getattr(fdebench, name)) and name not in named] == []
 
 
-def test_the_stub_declares_the_compiled_half():
-    stub = ast.parse(Path(fdebench.__file__).with_name("_core.pyi").read_text())
-    declared = {node.name for node in stub.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
+def test_every_name_of_the_compiled_half_is_declared():
+    declarations = ast.parse(Path(fdebench.__file__).with_name("_core.pyi").read_text())
+    declared = {node.name for node in declarations.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
     assert declared == {name for name in dir(fdebench._core) if not name.startswith("_")}
 
 

@@ -51,6 +51,22 @@ TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
   EXPECT_EQ(count("energy_residual"), 0);
 }
 
+// f = -y of D^0.5 y = -y starts with the powers 0, 1/2 and 1 of t. BDF2 loses nothing on those that follow.
+TEST(Sweeps, RecordStartWeightsOfSchemesThatHaveThem) {
+  std::vector<Record> all;
+  run_sweep({.scenes = {{&scene_maker("relaxation")}},
+             .schemes = {find_scheme("grunwald_letnikov"), find_scheme("bdf2")},
+             .ladder = {{64, 64}},
+             .repeats = {.most = 1}},
+            {.recorded = [](const auto&) { return RecordedRun(); },
+             .append = [&](const auto& rows) { all.insert(all.end(), rows.begin(), rows.end()); },
+             .tell = [](const auto&) {}});
+  std::erase_if(all, [](const Record& row) { return row.quantity != "start_weights"; });
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].key.scheme, "bdf2");
+  EXPECT_EQ(all[0].value, 3.0);
+}
+
 TEST(Sweeps, MeasureOnceWhatIsAskedForTwice) {
   const SceneVariant power{&scene_maker("power")};
   const auto* l1 = find_scheme("l1");

@@ -32,6 +32,7 @@ std::vector<Cell> row(const PageInput& page, const MeasuredRun& run) {
           cell(run["error_end"], error_text),
           cell(run["mescd"], digits_text),
           cell(run["states"], count_text),
+          cell(run["start_weights"], count_text),
           cell(run["rhs_calls"], count_text),
           newton(run),
           cell(run["history_bytes"], bytes_text)};
@@ -49,6 +50,7 @@ Section cost_section(const PageInput& page) {
                                         {"error at the end"},
                                         {"digits (mescd)"},
                                         {"states"},
+                                        {"start weights"},
                                         {"rhs calls"},
                                         {"Newton iterations"},
                                         {"history"}}}};

@@ -111,7 +111,7 @@ constinit const WeightFamily families::fractional_trapezoidal{
     .weight = weight,
     .first_weights = first_weights,
     .weight_at_order_one = 2.0,
-    .step_factor = [](double g) { return std::pow(0.5, g); },
+    .step_factor = [](Real g) { return std::pow(Real(0.5), g); },
     .smooth_part = &smooth,
     .alternating_part = &alternating,
     .multistep = &rule,

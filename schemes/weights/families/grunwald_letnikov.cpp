@@ -19,7 +19,7 @@ constinit const WeightFamily families::grunwald_letnikov{
     .weight = binomial_weight,
     .start_weight = [](long double /*g*/, long double /*n*/) -> long double { return 0; },
     .weight_at_order_one = 1.0,
-    .step_factor = [](double /*g*/) { return 1.0; },
+    .step_factor = [](long double /*g*/) -> long double { return 1; },
     .coefficient = coefficient,
     .regular_part = [](double /*g*/, ComplexValue /*mu*/) -> ComplexValue { return 1.0; }};
 

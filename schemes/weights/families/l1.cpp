@@ -1,5 +1,5 @@
+#include "weights/families/increment_family.hpp"
 #include "weights/families/product_rules.hpp"
-#include "weights/family.hpp"
 
 namespace fde {
 namespace {
@@ -18,18 +18,14 @@ ComplexValue regular_part(double g, ComplexValue mu) {
 
 }  // namespace
 
-constinit const WeightFamily families::l1{
-    .id = "l1",
-    .title = "L1 rule on the increments of y, g <= 1: (k+1)^(1-g) - k^(1-g)",
-    .weighs_increments = true,
-    .weight = [](Real g, Real k) { return power_difference(1 - g, k + 1); },
-    .start_weight = [](Real /*g*/, Real /*n*/) -> Real { return 0; },
-    .weight_at_order_one = 0.0,
-    .step_factor = [](double g) { return std::tgamma(2.0 - g); },
-    .coefficient = coefficient,
-    .regular_part = regular_part,
-    .ends = [](double /*before*/, double after, double length) -> Ends {
-      return {after / length, after / length};
-    }};
+constinit const WeightFamily families::l1 =
+    increment_family({.id = "l1",
+                      .title = "L1 rule on the increments of y, g <= 1: (k+1)^(1-g) - k^(1-g)",
+                      .weight = [](Real g, Real k) { return power_difference(1 - g, k + 1); },
+                      .coefficient = coefficient,
+                      .regular_part = regular_part,
+                      .ends = [](double /*before*/, double after, double length) -> Ends {
+                        return {after / length, after / length};
+                      }});
 
 }  // namespace fde

@@ -1,5 +1,5 @@
+#include "weights/families/increment_family.hpp"
 #include "weights/families/parabola.hpp"
-#include "weights/family.hpp"
 
 namespace fde {
 namespace {
@@ -14,14 +14,10 @@ double coefficient(double g, double node, double kernel) {
 
 }  // namespace
 
-constinit const WeightFamily families::l2_1_sigma_bend{
-    .id = "l2_1_sigma_bend",
-    .title = "what parabolas add to l2_1_sigma, lag k for the bend of the step before, g <= 1",
-    .weighs_increments = true,
-    .weight = [](Real g, Real k) { return bend_weight(g, k + 2 - g / 2); },
-    .start_weight = [](Real /*g*/, Real /*n*/) -> Real { return 0; },
-    .weight_at_order_one = 0.0,
-    .step_factor = [](double g) { return std::tgamma(2.0 - g); },
-    .coefficient = coefficient};
+constinit const WeightFamily families::l2_1_sigma_bend = increment_family(
+    {.id = "l2_1_sigma_bend",
+     .title = "what parabolas add to l2_1_sigma, lag k for the bend of the step before, g <= 1",
+     .weight = [](Real g, Real k) { return bend_weight(g, k + 2 - g / 2); },
+     .coefficient = coefficient});
 
 }  // namespace fde

@@ -49,9 +49,9 @@ long double weight_of(long double g, long double k) {
 }
 
 template <const MultistepRule& rule>
-double first_weight(double g) {
-  return std::pow(double(rule.base[0]) / rule.denominator, rule.exponent * g) *
-         correction<double>(rule, g)[0];
+long double first_weight(long double g) {
+  using Real = long double;
+  return std::pow(Real(rule.base[0]) / rule.denominator, rule.exponent * g) * correction<Real>(rule, g)[0];
 }
 
 // The regular part: each factor of the base is in the right half plane, and so is, for all of these rules,
@@ -73,7 +73,7 @@ constexpr WeightFamily multistep_family(std::string_view id, std::string_view ti
           .title = title,
           .weight = weight_of<rule>,
           .first_weights = first_weights_of<rule>,
-          .step_factor = [](double g) { return first_weight<rule>(g); },
+          .step_factor = first_weight<rule>,
           .filter = filter_of<rule>,
           .multistep = &rule,
           .regular_part = regular_part_of<rule>};

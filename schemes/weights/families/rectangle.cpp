@@ -22,7 +22,7 @@ constinit const WeightFamily families::rectangle{
     .title = "product rectangle rule, Adams-Bashforth predictor: k^g - (k-1)^g",
     .weight = power_difference,
     .weight_at_order_one = 1.0,
-    .step_factor = [](double g) { return 1.0 / std::tgamma(g + 1.0); },
+    .step_factor = [](long double g) { return 1 / std::tgamma(g + 1); },
     .coefficient = coefficient,
     .regular_part = regular_part,
     .ends = [](double before, double /*after*/, double /*length*/) -> Ends {

@@ -66,7 +66,7 @@ constinit const WeightFamily families::trapezoid{
     .weight = weight,
     .start_weight = start_weight,
     .weight_at_order_one = 2.0,
-    .step_factor = [](double g) { return 1.0 / std::tgamma(g + 2.0); },
+    .step_factor = [](Real g) { return 1 / std::tgamma(g + 2); },
     .coefficient = coefficient,
     .start_coefficient = start_coefficient,
     .regular_part = regular_part,

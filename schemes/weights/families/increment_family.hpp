@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cmath>
+
+#include "weights/family.hpp"
+
+namespace fde {
+
+// A row with what the families share that weigh increments of y by integrals of t^(-g), g <= 1.
+constexpr WeightFamily increment_family(WeightFamily row) {
+  using Real = long double;
+  row.weighs_increments = true;
+  row.start_weight = [](Real /*g*/, Real /*n*/) -> Real { return 0; };
+  row.weight_at_order_one = 0.0;
+  row.step_factor = [](Real g) { return std::tgamma(2 - g); };
+  return row;
+}
+
+}  // namespace fde
