@@ -15,12 +15,11 @@ namespace fde {
 std::vector<Record> examine(const SceneSettings& name, const Scene& scene, WatchedReference& reference,
                             const Scheme& scheme, const Setup& setup);
 
-// How often a run is timed: `most` times, more where that takes less than what a clock can tell, no more once
-// it has taken enough seconds.
-inline constexpr double least_timed_seconds = 0.01;
+// How often a run is timed: `most` times, more where that takes less than the least seconds, no more once it
+// has taken enough of them.
 struct Repeats {
   int most = 3;
-  double enough_seconds = 10.0;
+  double least_seconds = 0.01, enough_seconds = 10.0;
 };
 
 // The time rows of a run that is_compared, storing the last step only. To be called while nothing else runs.

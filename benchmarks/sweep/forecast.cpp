@@ -100,7 +100,7 @@ double seconds_of_timing(const Rung& rung, const Repeats& repeats) {
   if (!rung.seconds) return 0.0;
   const double once = *rung.seconds;
   const double wanted = std::min(repeats.most * once, repeats.enough_seconds + once);
-  return std::max({wanted, once, least_timed_seconds});
+  return std::max({wanted, once, repeats.least_seconds});
 }
 
 // A scene that is climbed in thought.

@@ -27,7 +27,7 @@ namespace fde {
 namespace {
 
 constexpr int most_repeats = 1000;
-constexpr double brief = 0.3;  // seconds after which a run of the default sweep is timed no more
+constexpr Repeats of_default_sweep{.least_seconds = 0.003, .enough_seconds = 0.1};
 
 struct RunArguments {
   std::vector<std::string> scenes, settings, schemes, externals;
@@ -94,8 +94,8 @@ Sweep sweep_of(const RunArguments& arguments, const Scenes& known) {
               .optimal_grids = asks_optimal_grading(arguments.means)};
   if (sweep.optimal_grids && !sweep.programs.empty())
     reject_text("--grid", arguments.means.grid, "uniform or graded:R beside --external");
+  if (sweep.ladder.goal) sweep.repeats = of_default_sweep;
   sweep.repeats.most = parse_count("--repeat", arguments.repeats, 1, most_repeats);
-  if (sweep.ladder.goal) sweep.repeats.enough_seconds = brief;
   return sweep;
 }
 
