@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 // To be raised with every change of the methods or of the file that changes a reference.
-constexpr int version = 3;
+constexpr int version = 4;
 
 constexpr std::size_t digest_size = 64;
 

@@ -56,7 +56,7 @@ class Kept {
     return found == values_.end() ? std::nullopt : std::optional(found->second);
   }
   void put(const Key& key, Value value) {
-    constexpr std::size_t most = 100000;
+    constexpr std::size_t most = 1024;  // of 0.3 MB; a sweep over all scenes and trials has hundreds
     const std::lock_guard lock(mutex_);
     if (values_.size() >= most) values_.clear();
     values_.insert_or_assign(key, std::move(value));

@@ -9,6 +9,8 @@
 #include <limits>
 #include <string>
 
+#include "mittag_leffler/mittag_leffler.hpp"
+
 namespace fde {
 namespace {
 
@@ -48,6 +50,18 @@ Problem pendulum(double alpha, double beta, double end) {
       .rhs = [=](double, In y,
                  Out f) { f << y[1], y[2], y[3], -std::sin(y[0]) - mu * y[3] - lambda * y[2] - nu * y[1]; },
       .end = end};
+}
+
+// Grids graded like n^10 begin at 1e-57. A solution of order 0.05 has moved by 1e-3 there.
+TEST(Collocation, KnowsTheFirstStepsOfGradedGrids) {
+  for (const double order : {0.05, 0.1, 0.3, 0.5}) {
+    const Reference reference = reference_solution(relaxation(order, 1.0));
+    for (const double t : {1e-57, 1e-45, 1e-33, 1e-25, 1e-10}) {
+      const auto [value, bound] = reference.at(t);
+      EXPECT_NEAR(value[0], mittag_leffler(order, 1.0, -std::pow(t, order)), bound[0] + 1e-15) << order;
+      EXPECT_LT(bound[0], 1e-12) << "order " << order << ", t = " << t;
+    }
+  }
 }
 
 // E_order(-t^order) from its power series in mpmath with 400 digits.
