@@ -6,12 +6,11 @@
 namespace fde {
 
 StepFactors::StepFactors(const std::vector<WeightTable>& tables) : factors_(std::ssize(tables)) {
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    const double order = tables[i].order;
+  for (const auto& [family, order] : tables) {
     const auto found = std::ranges::find(orders_, order);
     of_row_.push_back(found - orders_.begin());
     if (found == orders_.end()) orders_.push_back(order);
-    units_.push_back(tables[i].family->step_factor(order));
+    units_.push_back(family->step_factor(order));
   }
   powers_.resize(std::ssize(orders_));
 }
