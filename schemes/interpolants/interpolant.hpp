@@ -19,7 +19,7 @@ class Interpolant {
   // What step n sees, after the increments of those before it.
   virtual void derivative(int n, Out known, Out newest) = 0;
 
-  // Takes in y_n - y_(n-1).
+  // Takes in y_n - y_(n-1), of every step but the last, which nothing follows.
   virtual void push(int n, In increment) = 0;
 
   [[nodiscard]] virtual std::size_t bytes() const = 0;

@@ -35,7 +35,7 @@ std::vector<double> derivatives(double order, const Grid& grid, const std::funct
     const double increment = y(grid.time(n)) - y(grid.time(n - 1));
     parabolas.derivative(n, known, newest);
     values.push_back(known[0] + newest[0] * increment);
-    parabolas.push(n, Vec::Constant(1, increment));
+    if (n < grid.steps) parabolas.push(n, Vec::Constant(1, increment));
   }
   return values;
 }
