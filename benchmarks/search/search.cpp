@@ -216,7 +216,8 @@ class Search {
     if (!is_alive(first) || !is_alive(second) || first.way.grading != second.way.grading) return false;
     const std::size_t common = std::min(first.ladder.size(), second.ladder.size());
     const auto same = [](const Attempt& a, const Attempt& b) {
-      return std::isfinite(a.error) && a.values == b.values;
+      const bool comparable = a.steps == b.steps && a.values.cols() == b.values.cols();
+      return std::isfinite(a.error) && comparable && a.values == b.values;
     };
     return common > 0 &&
            std::ranges::equal(std::span(first.ladder).first(common), std::span(second.ladder).first(common),

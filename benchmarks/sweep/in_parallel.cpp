@@ -1,5 +1,7 @@
 #include "sweep/in_parallel.hpp"
 
+#include <mpfr.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -21,6 +23,7 @@ void in_parallel(std::size_t count, unsigned threads, const std::function<void(s
       if (!failure) failure = std::current_exception();
       next = count;
     }
+    mpfr_free_cache();  // of this thread: MPFR frees no constants that it keeps when a thread ends
   };
   {
     std::vector<std::jthread> workers;
