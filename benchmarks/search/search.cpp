@@ -14,6 +14,7 @@
 #include "records/setup.hpp"
 #include "search/fewest_steps.hpp"
 #include "search/interleaved_times.hpp"
+#include "stepping/rates.hpp"
 
 namespace fde {
 namespace {
@@ -39,13 +40,8 @@ bool is_hopeless(Ending ending) { return ending == Ending::singular || ending ==
 // none up to a thousand.
 int meeting_jumps(const Problem& problem) {
   constexpr int most = 1000;
-  constexpr double rounding = 1e-12;
   for (int steps = 1; steps <= most; ++steps) {
-    const auto is_met = [&](double t) {
-      const double n = t / problem.end * steps;
-      return std::abs(n - std::round(n)) <= rounding * steps;
-    };
-    if (std::ranges::all_of(problem.jumps, is_met)) return steps;
+    if (meets_jumps(problem, Grid{problem.end, steps})) return steps;
   }
   return 1;
 }

@@ -147,14 +147,17 @@ std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& prob
   return scheme.expected_rate(problem, smoothness, grading, norm);
 }
 
-std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
-                                       const Smoothness& smoothness, const Grid& grid, Norm norm) {
+bool meets_jumps(const Problem& problem, const Grid& grid) {
   constexpr double rounding = 1e-12;
-  const auto expected = theoretical_rate(scheme, problem, smoothness, grid.grading, norm);
-  const bool all_met = std::ranges::all_of(problem.jumps, [&](double t) {
+  return std::ranges::all_of(problem.jumps, [&](double t) {
     return t >= grid.end || std::abs(grid.time(grid.number(t)) - t) <= rounding * t;
   });
-  return expected && !all_met ? std::min(*expected, 1.0) : expected;
+}
+
+std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
+                                       const Smoothness& smoothness, const Grid& grid, Norm norm) {
+  const auto expected = theoretical_rate(scheme, problem, smoothness, grid.grading, norm);
+  return expected && !meets_jumps(problem, grid) ? std::min(*expected, 1.0) : expected;
 }
 
 }  // namespace fde

@@ -65,7 +65,10 @@ double split_rate(const RateTheory& theory, const Problem& problem, const Smooth
 std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
                                        const Smoothness& smoothness, double grading, Norm norm);
 
-// The same on this grid: at most 1 where a jump of the right-hand side falls inside a step.
+// Whether every jump of the right-hand side before the end is at a time of the grid, up to rounding.
+bool meets_jumps(const Problem& problem, const Grid& grid);
+
+// The rate on this grid: at most 1 where a jump falls inside a step.
 std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
                                        const Smoothness& smoothness, const Grid& grid, Norm norm);
 
