@@ -30,7 +30,8 @@ Value digits(const FinishedRun& run) {
 }
 
 Value relative(const FinishedRun& run) {
-  return has_reference(run) ? relative_error(run.values, run.reference, run.reference_bound) : std::nullopt;
+  return has_reference(run) ? relative_error(run.values, run.reference, run.reference_bounds.rightCols(1))
+                            : std::nullopt;
 }
 
 Value rounding_at_end(const FinishedRun& run) {
@@ -45,8 +46,11 @@ Value rounding_decides_from(const FinishedRun& run) {
   return run.path.time(*column);
 }
 
-Value bound_of_reference(const FinishedRun& run) {
-  return has_reference(run) ? Value(run.reference_bound.maxCoeff()) : std::nullopt;
+template <Norm norm>
+Value bound(const FinishedRun& run) {
+  if (!has_reference(run)) return std::nullopt;
+  const auto columns = norm == Norm::end ? 1 : run.reference_bounds.cols();
+  return run.reference_bounds.rightCols(columns).maxCoeff();
 }
 
 }  // namespace
@@ -74,6 +78,7 @@ constinit const Measure measure::error_relative{"error_relative", "", relative};
 constinit const Measure measure::rounding{"rounding", "", rounding_at_end};
 constinit const Measure measure::rounding_from{"rounding_from", "t", rounding_decides_from};
 constinit const Measure measure::mescd{"mescd", "digits", digits};
-constinit const Measure measure::reference_bound{"reference_bound", "", bound_of_reference};
+constinit const Measure measure::reference_bound{"reference_bound", "", bound<Norm::end>};
+constinit const Measure measure::reference_bound_maximum{"reference_bound_maximum", "", bound<Norm::maximum>};
 
 }  // namespace fde

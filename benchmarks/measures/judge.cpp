@@ -15,13 +15,12 @@ namespace {
 
 // The reference beside a path, or why there is none.
 struct Known {
-  Rows reference{};
-  Vec bound{};
+  Rows reference{}, bounds{};
   std::optional<RunEnding> missing{};
 };
 Known known_beside(const Trajectory& path, WatchedReference& reference) {
   try {
-    return {reference.at(path.times), reference.bound(path.times.back())};
+    return {reference.at(path.times), reference.bounds(path.times)};
   } catch (const Singularity& failure) {
     return {.missing = RunEnding{Ending::passed_singularity, failure.what()}};
   } catch (const std::runtime_error& failure) {
@@ -66,7 +65,7 @@ Judgement judge_values(const Trajectory& path, const Rows& values, WatchedRefere
   const Known known = known_beside(path, reference);
   Judgement judgement = judge_finished(path, values, known, observed);
   if (known.reference.allFinite())
-    take_measures({path, values, known.reference, known.bound, observed}, judgement);
+    take_measures({path, values, known.reference, known.bounds, observed}, judgement);
   return judgement;
 }
 

@@ -26,8 +26,8 @@ struct Observed {
 struct FinishedRun {
   const Trajectory& path;
   const Rows& values;
-  const Rows& reference;       // no columns where there is no reference
-  const Vec& reference_bound;  // at the end: a bound, or an estimate where that is all there is
+  const Rows& reference;         // no columns where there is no reference
+  const Rows& reference_bounds;  // of the same values: bounds, or estimates where that is all there is
   const Observed& observed;
 };
 

@@ -24,18 +24,24 @@ WatchedReference::WatchedReference(const Scene& scene, std::vector<Eigen::Index>
 
 Rows WatchedReference::at(const std::vector<double>& times) {
   Rows columns(std::ssize(columns_), std::ssize(times));
-  for (std::size_t c = 0; c < times.size(); ++c) {
-    const double t = times[c];
-    auto found = known_.find(t);
-    if (found == known_.end()) found = known_.emplace(t, reference(t).value).first;
-    columns.col(static_cast<Eigen::Index>(c)) = found->second;
-  }
+  for (Eigen::Index c = 0; c < columns.cols(); ++c)
+    columns.col(c) = reference(times[static_cast<std::size_t>(c)]).value;
   return columns;
 }
 
-Vec WatchedReference::bound(double t) { return reference(t).bound; }
+Rows WatchedReference::bounds(const std::vector<double>& times) {
+  Rows columns(std::ssize(columns_), std::ssize(times));
+  for (Eigen::Index c = 0; c < columns.cols(); ++c)
+    columns.col(c) = reference(times[static_cast<std::size_t>(c)]).bound;
+  return columns;
+}
 
-ReferenceValue WatchedReference::reference(double t) {
+const ReferenceValue& WatchedReference::reference(double t) {
+  const auto found = known_.find(t);
+  return found == known_.end() ? known_.emplace(t, evaluated(t)).first->second : found->second;
+}
+
+ReferenceValue WatchedReference::evaluated(double t) {
   if (failure_) std::rethrow_exception(failure_);
   try {
     if (!exact_.at) exact_ = reference_of(scene_);

@@ -21,17 +21,18 @@ class WatchedReference {
   // reference to be had, a Singularity where that is why.
   Rows at(const std::vector<double>& times);
 
-  // The bound of the reference at this time, one value a column.
-  Vec bound(double t);
+  // What these are off by at most, or an estimate of that.
+  Rows bounds(const std::vector<double>& times);
 
  private:
-  ReferenceValue reference(double t);
+  const ReferenceValue& reference(double t);
+  ReferenceValue evaluated(double t);
 
   const Scene& scene_;
   std::vector<Eigen::Index> columns_;
   Reference exact_{};             // made when first asked for
   std::exception_ptr failure_{};  // why there is none: the same for every time
-  std::map<double, Vec> known_{};
+  std::map<double, ReferenceValue> known_{};
 };
 
 }  // namespace fde

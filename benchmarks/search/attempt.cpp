@@ -95,7 +95,7 @@ const Examiner::AtEnd& Examiner::at_end() {
   Rows reference = finite_reference(times);
   Rows by = divisors(question_.kind.scale, times, reference);
   const double trivial = trivial_error(Norm::end, times, reference, by);
-  const Vec unknown = reference_.bound(end)(question_.columns);
+  const Vec unknown = reference_.bounds({end})(question_.columns, 0);
   const double bound = unknown.cwiseQuotient(by.rightCols(1)).maxCoeff();
   return at_end_.emplace(AtEnd{std::move(reference), std::move(by), trivial, bound});
 }

@@ -103,8 +103,7 @@ bool is_answered(const Ladder& ladder, std::span<const Climb> of_scene, const Cl
 bool is_settled(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb, ErrorOfRung of) {
   const Rung& last = climb.back();
   const auto& errors = ladder.goal->errors;
-  if ((last.*of).error.value_or(infinity) <= std::ranges::min(errors)) return true;
-  if (of == &Rung::end && last.at_floor) return true;
+  if ((last.*of).error.value_or(infinity) <= std::ranges::min(errors) || (last.*of).at_floor) return true;
   return climb.size() >= fewest_rungs && std::ranges::all_of(errors, [&](double error) {
            return is_answered(ladder, of_scene, climb, of, error);
          });
@@ -113,15 +112,18 @@ bool is_settled(const Ladder& ladder, std::span<const Climb> of_scene, const Cli
 }  // namespace
 
 Rung rung_of(const Setup& setup, const RecordedRun& run) {
-  Rung rung{.steps = steps_of(setup.resolution),
-            .hopeless = run.ending() && is_hopeless(*run.ending()),
-            .end = {run["error_end"], run["expected_rate_end"]},
-            .maximum = {run["error_maximum"], run["expected_rate_maximum"]},
-            .seconds = run["time_minimum"],
-            .wall_clock = run.wall_clock()};
-  rung.at_floor =
-      rung.end.error && (run["rounding_from"] || *rung.end.error <= run["reference_bound"].value_or(0.0));
-  return rung;
+  const auto within = [&](const char* error, const char* bound) {
+    return run[error] && *run[error] <= run[bound].value_or(0.0);
+  };
+  const bool rounded = run["error_end"] && run["rounding_from"];
+  return {
+      .steps = steps_of(setup.resolution),
+      .hopeless = run.ending() && is_hopeless(*run.ending()),
+      .end = {run["error_end"], run["expected_rate_end"], rounded || within("error_end", "reference_bound")},
+      .maximum = {run["error_maximum"], run["expected_rate_maximum"],
+                  within("error_maximum", "reference_bound_maximum")},
+      .seconds = run["time_minimum"],
+      .wall_clock = run.wall_clock()};
 }
 
 std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, ErrorOfRung of, double error,

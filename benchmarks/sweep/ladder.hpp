@@ -26,6 +26,7 @@ struct Ladder {
 // An error, and the rate that theory expects of it.
 struct FallingError {
   std::optional<double> error{}, rate{};
+  bool at_floor = false;  // it is that of rounding, or of the reference
 
   bool operator==(const FallingError&) const = default;
 };
@@ -34,7 +35,6 @@ struct FallingError {
 struct Rung {
   int steps = 0;
   bool hopeless = false;            // more steps end in the same way: refused, without a reference, ...
-  bool at_floor = false;            // its error at the end is that of rounding, or of the reference
   FallingError end{}, maximum{};    // absolute; those on the mixed scale are no larger
   std::optional<double> seconds{};  // of a solve
   bool wall_clock = false;          // of a whole process

@@ -9,10 +9,12 @@
 namespace fde {
 namespace {
 
-// What is not known of the errors of a run, absolute and at the end.
-double doubt(const MeasuredRun& run) {
+// What is not known of an error of a run, on the absolute scale.
+double doubt(const MeasuredRun& run, std::string_view quantity) {
   constexpr double samples = 4.0;
-  return samples * run["rounding"].value_or(0.0) + run["reference_bound"].value_or(0.0);
+  const bool at_end = !quantity.starts_with("error_maximum");
+  const auto bound = run[at_end ? "reference_bound" : "reference_bound_maximum"];
+  return samples * run["rounding"].value_or(0.0) + bound.value_or(0.0);
 }
 
 // The unit of an error of this quantity in one run: by how much it is more than the absolute one at the end.
@@ -24,7 +26,7 @@ double unit_of(const MeasuredRun& run, std::string_view quantity, double error) 
 
 std::optional<MovedError> moved(const CommonRun& run, std::string_view quantity, double before, double now) {
   constexpr double part = 0.01;
-  const double unknown = std::max(doubt(*run.before), doubt(*run.now)) *
+  const double unknown = std::max(doubt(*run.before, quantity), doubt(*run.now, quantity)) *
                          std::min(unit_of(*run.before, quantity, before), unit_of(*run.now, quantity, now));
   if (std::abs(now - before) <= unknown) return std::nullopt;
   if (std::max(now, before) <= (1.0 + part) * std::min(now, before)) return std::nullopt;

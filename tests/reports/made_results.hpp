@@ -56,6 +56,7 @@ inline void add_line(Results& results, const std::string& scheme, double rate, d
     const double h = end_time / steps;
     add_row(results, run, "error_maximum", h);
     add_row(results, run, "reference_bound", 1e-15);
+    add_row(results, run, "reference_bound_maximum", 1e-14);
     add_row(results, run, "expected_rate_end", rate);
     add_row(results, run, "expected_rate_maximum", 2.0);
     add_run(results, run, 0.01 * std::pow(h, rate), seconds_a_step * steps);

@@ -47,7 +47,17 @@ TEST(Judge, TakesWhatAnotherProgramWrote) {
   EXPECT_THAT(ids(judged),
               testing::ElementsAre("error_end", "error_end_relative", "error_end_mixed", "error_maximum",
                                    "error_maximum_relative", "error_maximum_mixed", "error_relative", "mescd",
-                                   "reference_bound"));
+                                   "reference_bound", "reference_bound_maximum"));
+}
+
+// As of an integral equation's solution, which is known less well beside 0.
+TEST(Judge, SaysHowWellTheReferenceIsKnownAtTheEndAndAtItsWorst) {
+  const Trajectory path{.times = {0.0, 0.5, 1.0}, .y = Rows::Zero(2, 3)};
+  const Rows reference = Rows::Ones(2, 3), bounds{{0.0, 1e-3, 1e-9}, {0.0, 1e-5, 1e-8}};
+  const Observed observed;
+  const FinishedRun run{path, path.y, reference, bounds, observed};
+  EXPECT_EQ(measure::reference_bound.value(run), 1e-8);
+  EXPECT_EQ(measure::reference_bound_maximum.value(run), 1e-3);
 }
 
 TEST(Judge, SaysFromWhenOnTheAccuracyIsLost) {

@@ -38,7 +38,7 @@ TEST(Ladders, EndWhereTheErrorIsRounding) {
   auto climb = climb_of(3, 1.0, 1.0);
   climb.back().maximum = {1e-9, 1.0};
   EXPECT_FALSE(ends({climb}));
-  climb.back().at_floor = true;
+  climb.back().end.at_floor = true;
   EXPECT_TRUE(ends({climb}));
 }
 
@@ -129,9 +129,11 @@ TEST(Rungs, AreAtTheFloorOfRoundingOrOfTheReference) {
     for (const auto& [quantity, value] : values) run.note({.quantity = quantity, .value = value});
     return rung_of({64}, run);
   };
-  EXPECT_FALSE(rung({{"error_end", 1e-9}, {"reference_bound", 1e-15}}).at_floor);
-  EXPECT_TRUE(rung({{"error_end", 1e-9}, {"reference_bound", 1e-9}}).at_floor);
-  EXPECT_TRUE(rung({{"error_end", 1e-9}, {"rounding_from", 3.0}}).at_floor);
+  EXPECT_FALSE(rung({{"error_end", 1e-9}, {"reference_bound", 1e-15}}).end.at_floor);
+  EXPECT_TRUE(rung({{"error_end", 1e-9}, {"reference_bound", 1e-9}}).end.at_floor);
+  EXPECT_TRUE(rung({{"error_end", 1e-9}, {"rounding_from", 3.0}}).end.at_floor);
+  EXPECT_FALSE(rung({{"error_maximum", 1e-3}, {"reference_bound", 1e-2}}).maximum.at_floor);
+  EXPECT_TRUE(rung({{"error_maximum", 1e-3}, {"reference_bound_maximum", 1e-2}}).maximum.at_floor);
 }
 
 // What a sweep records, as a results file would.

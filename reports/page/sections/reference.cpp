@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
 #include "analysis/text.hpp"
 #include "page/page_data.hpp"
 
@@ -8,29 +12,40 @@ namespace {
 
 constexpr double largest_share = 0.1;
 
-// The smallest error of a scene beside the reference's own; empty: no run has both.
-std::vector<Cell> reference_row(const PageInput& page, RunSpan scene) {
+// The smallest error of a scene in one norm beside the reference's own; empty: no run has both.
+std::vector<Cell> reference_cells(const PageInput& page, RunSpan scene, std::string_view error_id,
+                                  std::string_view bound_id) {
   const MeasuredRun* best = nullptr;
   for (const MeasuredRun& run : scene) {
-    if (run["error_end"] && run["reference_bound"] &&
-        (best == nullptr || *run["error_end"] < *(*best)["error_end"])) {
+    if (run[error_id] && run[bound_id] && (best == nullptr || *run[error_id] < *(*best)[error_id]))
       best = &run;
-    }
   }
   if (best == nullptr) return {};
-  const double error = *(*best)["error_end"], bound = *(*best)["reference_bound"];
+  const double error = *(*best)[error_id], bound = *(*best)[bound_id];
   Cell share{.text = error > 0.0 ? error_text(bound / error) : "the error is 0"};
   if (bound > largest_share * error) {
     share.marked = true;
     share.detail = "the reference does not resolve this error";
   }
   const std::string label = page.label(best->key);
-  return {{.text = name_of_scene(best->key.scene).title, .detail = label_of(best->key.scene)},
-          {.text = error_text(bound)},
+  return {{.text = error_text(bound)},
           {.text = error_text(error),
            .detail = fmt::format("{}, N = {}", label, count_text(best->steps)),
            .line = label},
           share};
+}
+
+std::vector<Cell> reference_row(const PageInput& page, RunSpan scene) {
+  auto ends = reference_cells(page, scene, "error_end", "reference_bound");
+  auto largest = reference_cells(page, scene, "error_maximum", "reference_bound_maximum");
+  if (ends.empty() && largest.empty()) return {};
+  ends.resize(3);
+  largest.resize(3);
+  const auto& key = scene.front().key;
+  std::vector<Cell> row{{.text = name_of_scene(key.scene).title, .detail = label_of(key.scene)}};
+  std::ranges::move(ends, std::back_inserter(row));
+  std::ranges::move(largest, std::back_inserter(row));
+  return row;
 }
 
 }  // namespace
@@ -42,9 +57,14 @@ Section reference_section(const PageInput& page) {
       .paragraphs = {"An error means something only as far as it is above the error of the reference itself: "
                      "a bound where the solution is known in closed form, an estimate elsewhere. It is set "
                      "against the smallest error measured on the scene."},
-      .table = {
-          .caption = "The reference's own error against the smallest error measured",
-          .columns = {{"scene"}, {"error of the reference"}, {"smallest error at the end"}, {"ratio"}}}};
+      .table = {.caption = "The reference's own error against the smallest error measured",
+                .columns = {{"scene"},
+                            {"error of the reference at the end"},
+                            {"smallest error at the end"},
+                            {"ratio"},
+                            {"largest error of the reference"},
+                            {"smallest error over all times"},
+                            {"ratio"}}}};
   RowGroup rows;
   for (const RunSpan scene : by_scene(page.runs.finished)) {
     if (auto cells = reference_row(page, scene); !cells.empty()) rows.rows.push_back(std::move(cells));
