@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "observers/start_powers.hpp"
+#include "observers/fitted_powers.hpp"
 #include "problem/grid.hpp"
 #include "problem/problem.hpp"
 
@@ -13,7 +13,7 @@ namespace fde {
 // ceil(order) - order it is J^b v for order < 1 and J^b v' for 1 < order < 2. On each step v is the cubic
 // through the four values around it (the last four at an end of the grid), which is integrated exactly
 // against the kernel. Where v starts with powers t^p that no cubic follows, coefficients c_p are fitted to
-// the first values (StartPowers) and c_p (exact - cubic) is added: start weights in the manner of Lubich
+// the first values (FittedPowers) and c_p (exact - cubic) is added: start weights in the manner of Lubich
 // 1986, computed from the difference of the two and not as a difference of sums.
 class IndependentMemory {
  public:
@@ -46,7 +46,7 @@ class IndependentMemory {
   double exponent_;     // b - 1, of the kernel
   bool of_derivative_;  // order above 1
   double scale_;        // h^b / Gamma(b), over h for the derivative
-  StartPowers fit_;
+  FittedPowers fit_;
   Matrix kernel_;  // (k, lag - 1): kernel times Gauss weight at the k-th Gauss node of the step that far back
   Matrix weights_;  // (r, lag - 1): of the value r - 1 steps after the begin of that step
   Vec reversed_;    // weights of whole values, the lag 0 last

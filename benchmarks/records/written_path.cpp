@@ -23,12 +23,6 @@ namespace {
 
 constexpr std::size_t most_values = 10'000'000;
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t\r";
-  const auto first = text.find_first_not_of(blank);
-  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
-
 std::string_view unquoted(std::string_view cell) {
   const bool quoted = cell.size() > 1 && cell.front() == '"' && cell.back() == '"';
   return quoted ? cell.substr(1, cell.size() - 2) : cell;

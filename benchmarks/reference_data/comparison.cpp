@@ -59,11 +59,11 @@ std::pair<BigReal, BigReal> meant_by(const std::string& text, const WrittenNumbe
 
 }  // namespace
 
-struct Comparison::Meant {
+struct TableComparison::Meant {
   BigReal value, allowed;
 };
 
-Comparison::Comparison(const DataTable& given, const std::vector<std::string>& value_columns)
+TableComparison::TableComparison(const DataTable& given, const std::vector<std::string>& value_columns)
     : given_(given), bound_(given.find("bound")) {
   for (std::size_t value = 0; value < value_columns.size(); ++value) {
     const auto at = given.find(value_columns[value]);
@@ -83,7 +83,7 @@ Comparison::Comparison(const DataTable& given, const std::vector<std::string>& v
   }
 }
 
-void Comparison::read(Column& column) const {
+void TableComparison::read(Column& column) const {
   for (std::size_t row = 0; row < given_.rows.size(); ++row) {
     const auto number = number_at(given_, row, column.at);
     column.digits = std::max(column.digits, number.digits);
@@ -91,7 +91,7 @@ void Comparison::read(Column& column) const {
   }
 }
 
-Comparison::Meant Comparison::meant(std::size_t row, const Column& column) const {
+TableComparison::Meant TableComparison::meant(std::size_t row, const Column& column) const {
   const auto& text = given_.rows[row][column.at];
   if (bound_) {
     const auto& bound = given_.rows[row][*bound_];
@@ -105,7 +105,7 @@ Comparison::Meant Comparison::meant(std::size_t row, const Column& column) const
   return {value, allowed};
 }
 
-RowVerdict Comparison::operator()(std::size_t row, const std::vector<Decimal>& recomputed) const {
+RowVerdict TableComparison::operator()(std::size_t row, const std::vector<Decimal>& recomputed) const {
   const Precision precision(digits_ + guard_digits);
   RowVerdict worst;
   for (const auto& column : columns_) {
@@ -121,7 +121,8 @@ RowVerdict Comparison::operator()(std::size_t row, const std::vector<Decimal>& r
   return worst;
 }
 
-void Comparison::require_known(std::size_t row, const std::vector<Decimal>& recomputed, int digits) const {
+void TableComparison::require_known(std::size_t row, const std::vector<Decimal>& recomputed,
+                                    int digits) const {
   const Precision precision(digits_ + guard_digits);
   BigReal size = 0;
   for (const auto& [value, bound] : recomputed) size = std::max(size, BigReal(abs(parse<BigReal>(value))));

@@ -25,12 +25,12 @@ struct RowVerdict {
 // most decimals, whichever is coarser (so 0.5 among values of twelve digits counts as 0.500000000000). 17
 // digits mean the nearest double, which may be off by half a unit of its own last place; 16 are off by that
 // besides.
-class Comparison {
+class TableComparison {
  public:
   // Of those value columns that the table has; the table must live as long. Throws std::invalid_argument
   // where there is none, and naming the cell that is not a number of at most 1000 digits, or a negative
   // bound.
-  Comparison(const DataTable& given, const std::vector<std::string>& value_columns);
+  TableComparison(const DataTable& given, const std::vector<std::string>& value_columns);
 
   // The most significant digits of any value.
   [[nodiscard]] int digits() const { return digits_; }

@@ -9,14 +9,10 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "scenes/printable.hpp"
+
 namespace fde {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t\r";
-  const auto first = text.find_first_not_of(blank);
-  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
 
 // The cell that starts at `begin`, which moves behind it and its comma; past the end after the last one.
 std::string next_cell(std::string_view line, std::size_t& begin) {

@@ -26,6 +26,12 @@ bool prints(std::string_view text) {
   return true;
 }
 
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blank = " \t\r";
+  const auto first = text.find_first_not_of(blank);
+  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
 std::vector<std::string> split_names(std::string_view text) {
   std::vector<std::string> names(1);
   int open = 0;

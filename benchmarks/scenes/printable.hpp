@@ -10,6 +10,9 @@ namespace fde {
 // characters.
 bool prints(std::string_view text);
 
+// Without the blanks, tabs and carriage returns at both ends.
+std::string_view trimmed(std::string_view text);
+
 // Names between commas; a comma in round brackets is part of a name: "x,D(x,0.5)" are two.
 std::vector<std::string> split_names(std::string_view text);
 // As the first line of CSV: a name with a comma is in quotes.

@@ -149,7 +149,7 @@ class Search {
     }
     if (passes_zero(of)) return false;
     if (is_hopeless(last.ending.kind)) {
-      of.found = last.ending.kind == Ending::out_of_budget ? Found::out_of_time : Found::fails;
+      of.found = last.ending.kind == Ending::out_of_budget ? Found::out_of_time : Found::failed;
       of.reason = sentence(last.ending);
       return false;
     }

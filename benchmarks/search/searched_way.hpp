@@ -18,7 +18,7 @@ enum class Found {
   out_of_time,  // there was no time to go on
   repeats,      // gives the bits of another way, which counts for both
   refused,
-  fails,
+  failed,
 };
 
 // All runs of one way, and what came of it.

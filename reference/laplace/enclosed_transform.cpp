@@ -38,7 +38,7 @@ std::vector<Sum<BigReal>> sum_over_nodes(const EnclosedTransform& transform,
   return sums;
 }
 
-std::vector<Estimate> estimates_at(const EnclosedTransform& transform, int digits) {
+std::vector<WorkingEstimate> estimates_at(const EnclosedTransform& transform, int digits) {
   const EnclosingContour contour(transform.singularities, digits, transform.hints);
   const Precision precision(contour.working_digits());
   if (contour.sigma() > largest_exponent())
@@ -47,7 +47,7 @@ std::vector<Estimate> estimates_at(const EnclosedTransform& transform, int digit
   std::vector<BigReal> neglected;
   for (const auto& majorant : transform.majorants)
     neglected.push_back(exp(BigReal(contour.log_bound(majorant))));
-  std::vector<Estimate> estimates;
+  std::vector<WorkingEstimate> estimates;
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const BigReal bound = neglected[neglected.size() == 1 ? 0 : i] + sums[i].error;
     // nothing but zeros was summed: an entry that vanishes by structure, as good as those it is among

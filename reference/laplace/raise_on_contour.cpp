@@ -26,7 +26,7 @@ std::vector<Bounded<BigReal>> raise_by_comparison(int wanted_digits, int extra, 
   const auto compared = [&](int digits) {
     const auto coarse = evaluate_at(evaluate, digits, extra);
     const auto fine = evaluate_at(evaluate, digits + std::max(10, digits / 16), extra);
-    std::vector<Estimate> estimates;
+    std::vector<WorkingEstimate> estimates;
     for (std::size_t i = 0; i < fine.size(); ++i) {
       const BigComplex difference = fine[i].value - coarse[i].value;
       estimates.push_back({.known = {fine[i].value, BigReal(4 * size_of(difference) + fine[i].error)},
@@ -43,7 +43,7 @@ Bounded<BigReal> raise_by_bound(int wanted_digits, int extra,
   const auto bounded = [&](int digits) {
     const Precision precision(contour_precision(digits) + extra);
     const Sum<BigReal> sum = evaluate(digits);
-    return std::vector<Estimate>{{.known = {sum.value, sum.error}, .settled = sum.infinite}};
+    return std::vector<WorkingEstimate>{{.known = {sum.value, sum.error}, .settled = sum.infinite}};
   };
   const Raised raised = raise_digits(search_for(wanted_digits), bounded);
   if (raised.too_large)

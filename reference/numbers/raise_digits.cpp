@@ -6,7 +6,7 @@ namespace fde {
 namespace {
 
 // How many decimal digits the bound is above the target; 0 where it is met.
-int missing_digits(const Estimate& estimate, const DigitSearch& search, int digits) {
+int missing_digits(const WorkingEstimate& estimate, const DigitSearch& search, int digits) {
   if (estimate.settled) return 0;
   const auto& [value, bound] = estimate.known;
   if (!isfinite(bound)) return digits;  // a difference came out as 0 and was divided by
@@ -21,7 +21,7 @@ int missing_digits(const Estimate& estimate, const DigitSearch& search, int digi
 }  // namespace
 
 Raised raise_digits(const DigitSearch& search,
-                    const std::function<std::vector<Estimate>(int digits)>& evaluate) {
+                    const std::function<std::vector<WorkingEstimate>(int digits)>& evaluate) {
   const int most = most_digits(search.wanted);
   for (int digits = search.wanted + search.guard;;) {
     Raised raised{.values = {}, .digits = digits};

@@ -15,7 +15,7 @@ inline constexpr int double_digits = 17;
 inline constexpr long double double_tolerance = 5e-16L;
 
 // What an evaluation with some working digits comes to.
-struct Estimate {
+struct WorkingEstimate {
   Bounded<BigReal> known;
   BigReal scale =
       BigReal(0);        // size of what the value was put together from; 0: the value never counts as zero
@@ -42,7 +42,7 @@ constexpr int most_digits(int wanted) { return 4 * wanted + 1000; }
 // Raises the working digits until every bound is 10^-wanted of its value, or of what of its scale counts as
 // zero; or until there are most_digits(wanted) of them. Call under a Precision; evaluate sets its own.
 Raised raise_digits(const DigitSearch& search,
-                    const std::function<std::vector<Estimate>(int digits)>& evaluate);
+                    const std::function<std::vector<WorkingEstimate>(int digits)>& evaluate);
 
 // For values that are not accurate at the most digits: "no accurate value in reach: bound ... at ... digits".
 std::runtime_error out_of_digits(const Raised& raised);

@@ -43,7 +43,8 @@ Bounded<BigReal> sum_series(const Request& request, int wanted) {
     const Precision precision(digits + request.places);
     const Sum<BigReal> sum = prabhakar_series(request.read());
     const bool last = digits == most_digits(wanted);
-    return std::vector<Estimate>{{.known = {sum.value, sum.error}, .scale = last ? sum.scale : BigReal(0)}};
+    return std::vector<WorkingEstimate>{
+        {.known = {sum.value, sum.error}, .scale = last ? sum.scale : BigReal(0)}};
   });
   if (raised.too_large) throw out_of_digits(raised);
   return raised.values.front();

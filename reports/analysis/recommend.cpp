@@ -54,7 +54,7 @@ std::string fate(const SearchedWay& of, std::string_view error) {
       return fmt::format("{}: its {} falls no more: {}", name_of(of), error, so_far(of, error));
     case Found::refused:
       return fmt::format("{}: refused: {}", name_of(of), of.reason);
-    case Found::fails:
+    case Found::failed:
       return fmt::format("{}: {}", name_of(of), of.reason);
     default:
       return fmt::format("{}: {}{}", name_of(of), so_far(of, error),

@@ -64,7 +64,7 @@ class Table {
   std::string text_ = "quantity,i,j,k,value\n";
 };
 
-std::string text_of(const std::vector<std::string>& names, const Geometry& geometry) {
+std::string geometry_text(const std::vector<std::string>& names, const Geometry& geometry) {
   Table table(names);
   table.add("metric", geometry.metric);
   for (std::size_t i = 0; i < geometry.christoffel.size(); ++i) {
@@ -92,7 +92,7 @@ void print_geometry(const GeometryArguments& arguments, const Streams& streams, 
     reject_text("scene", variant.maker->id, "one of mechanics with a metric and constraints");
   const Vec q = state_of("--place", arguments.place, scene.geometry.place),
             v = state_of("--velocity", arguments.velocity, scene.geometry.velocity);
-  streams.out << text_of(scene.geometry.coordinates, scene.geometry.at(q, v));
+  streams.out << geometry_text(scene.geometry.coordinates, scene.geometry.at(q, v));
 }
 
 }  // namespace

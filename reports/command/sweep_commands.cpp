@@ -29,7 +29,7 @@ namespace {
 constexpr int most_repeats = 1000;
 constexpr Repeats of_default_sweep{.least_seconds = 0.003, .enough_seconds = 0.1};
 
-struct RunArguments {
+struct SweepArguments {
   std::vector<std::string> scenes, settings, schemes, externals;
   std::optional<std::string> steps, accuracies;
   MeansArguments means{.budget = "600"};
@@ -50,7 +50,7 @@ std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts,
 }
 
 // Those named; where none is, all, but beside programs none.
-std::vector<const Scheme*> chosen_schemes(const RunArguments& arguments) {
+std::vector<const Scheme*> chosen_schemes(const SweepArguments& arguments) {
   const auto& ids = arguments.schemes;
   if (ids.empty()) return arguments.externals.empty() ? sweep_schemes() : std::vector<const Scheme*>{};
   std::vector<const Scheme*> entries;
@@ -58,7 +58,7 @@ std::vector<const Scheme*> chosen_schemes(const RunArguments& arguments) {
   return entries;
 }
 
-std::vector<ExternalProgram> chosen_programs(const RunArguments& arguments) {
+std::vector<ExternalProgram> chosen_programs(const SweepArguments& arguments) {
   std::vector<ExternalProgram> programs;
   for (const auto& text : arguments.externals) {
     programs.push_back(parse_external(text));
@@ -73,7 +73,7 @@ std::vector<ExternalProgram> chosen_programs(const RunArguments& arguments) {
 
 // The numbers of steps and the accuracies asked for; where none are, as many steps as the answers need, or
 // all of a thorough sweep.
-Ladder chosen_ladder(const RunArguments& arguments) {
+Ladder chosen_ladder(const SweepArguments& arguments) {
   if (!arguments.steps && !arguments.accuracies)
     return arguments.thorough ? thorough_ladder() : default_ladder();
   Ladder chosen;
@@ -85,7 +85,7 @@ Ladder chosen_ladder(const RunArguments& arguments) {
   return chosen;
 }
 
-Sweep sweep_of(const RunArguments& arguments, const Scenes& known) {
+Sweep sweep_of(const SweepArguments& arguments, const Scenes& known) {
   Sweep sweep{.scenes = chosen_scenes(arguments.scenes, arguments.settings, known),
               .schemes = chosen_schemes(arguments),
               .programs = chosen_programs(arguments),
@@ -100,7 +100,7 @@ Sweep sweep_of(const RunArguments& arguments, const Scenes& known) {
 }
 
 // The sweep that is asked for; the trials where no scene and no steps are, alone where they are asked for.
-std::vector<Sweep> sweeps_of(const RunArguments& arguments, const Scenes& known) {
+std::vector<Sweep> sweeps_of(const SweepArguments& arguments, const Scenes& known) {
   const bool listed = arguments.steps || arguments.accuracies;
   if (arguments.trials && (listed || !arguments.scenes.empty()))
     throw std::invalid_argument("--trials = yes: must be without --scene and --steps, trials have their own");
@@ -138,7 +138,7 @@ void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams,
 }
 
 // The runs that are left, with the seconds that each is expected to add, and their sum.
-void list_runs(const std::vector<Sweep>& sweeps, const RunArguments& arguments, const Streams& streams,
+void list_runs(const std::vector<Sweep>& sweeps, const SweepArguments& arguments, const Streams& streams,
                const Scenes& known) {
   const auto recorded = arguments.out ? read_recorded(*arguments.out, known) : RecordedByKey();
   const auto expected = forecast_of(sweeps, [&](const RunKey& key) { return recorded_of(recorded, key); });
@@ -150,7 +150,7 @@ void list_runs(const std::vector<Sweep>& sweeps, const RunArguments& arguments, 
                              duration_text(total_seconds(expected)));
 }
 
-void run(const RunArguments& arguments, const Streams& streams, const Scenes& known) {
+void run(const SweepArguments& arguments, const Streams& streams, const Scenes& known) {
   const auto sweeps = sweeps_of(arguments, known);
   if (arguments.dry_run) return list_runs(sweeps, arguments, streams, known);
   if (!arguments.out) throw std::invalid_argument("--out is required");
@@ -167,7 +167,7 @@ void run(const RunArguments& arguments, const Streams& streams, const Scenes& kn
 }  // namespace
 
 void add_sweep_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
-  auto of_run = std::make_shared<RunArguments>();
+  auto of_run = std::make_shared<SweepArguments>();
   Subcommand run_command(program, "run", "Measure schemes on scenes; a file that exists is continued");
   run_command.list("--scene", of_run->scenes,
                    "ids of scenes or files of equations, or ID:NAME=VALUE,...; default all");

@@ -73,12 +73,12 @@ std::string numbers(const Difference& worst, const SolvedRun& run, int steps) {
                      run.grid.steps == 1 ? "" : "s", worst.other, steps);
 }
 
-Comparison of_difference(const Difference& worst, bool doubtful, const SolvedRun& run, int steps) {
+ComparedSteps of_difference(const Difference& worst, bool doubtful, const SolvedRun& run, int steps) {
   if (!doubtful) return {.agreement = Agreement::agrees};
   return {.agreement = Agreement::differs, .numbers = numbers(worst, run, steps)};
 }
 
-Comparison compare_with_finer(const SolvedRun& run, Eigen::Index times_as_many) {
+ComparedSteps compare_with_finer(const SolvedRun& run, Eigen::Index times_as_many) {
   const Grid grid = with_steps(run.grid, static_cast<int>(times_as_many) * run.grid.steps);
   const auto times = late_times(run.grid);
   const auto finer = solve_other(run, grid, times);
@@ -145,7 +145,7 @@ Vec late_sizes(const SolvedRun& run) {
   return late.cwiseMax(of_component * ever).cwiseMax(Vec::Constant(late.size(), all));
 }
 
-Comparison compare_with_other_steps(const SolvedRun& run) {
+ComparedSteps compare_with_other_steps(const SolvedRun& run) {
   const auto at_once = affordable_times(run, finer_work);
   if (at_once >= fewest_times) {
     auto finer = compare_with_finer(run, std::min(at_once, most_times));
@@ -167,7 +167,7 @@ Comparison compare_with_other_steps(const SolvedRun& run) {
   return {.agreement = Agreement::differs, .numbers = last->numbers};
 }
 
-Comparison compare_with_half_the_steps(const SolvedRun& run) {
+ComparedSteps compare_with_half_the_steps(const SolvedRun& run) {
   const int steps = run.grid.steps / 2;
   if (steps == 0) return {};
   const auto times = late_times(with_steps(run.grid, steps));

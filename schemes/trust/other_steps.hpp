@@ -23,7 +23,7 @@ struct SolvedRun {
 // What the scheme makes of the same problem with another number of steps, in the last quarter of the steps.
 // All numbers are parts of the value: of the largest |y_i| there, of each component its own.
 enum class Agreement { agrees, differs, unknown };
-struct Comparison {
+struct ComparedSteps {
   Agreement agreement = Agreement::unknown;
   std::string numbers{};  // where it differs: both values and their numbers of steps
 };
@@ -38,10 +38,10 @@ inline constexpr double doubtful_part = 0.1;
 //   D_1 / D_0 = (2^p - 1) / (1 - r^-p),  error = D_0 / (r^p - 1),  1/2 <= p <= 2.
 // Where that leaves a doubt, four times as many steps settle it for runs that are not very long. Of those the
 // estimate decides; it is unknown where half of the steps make nothing that could be compared.
-Comparison compare_with_other_steps(const SolvedRun& run);
+ComparedSteps compare_with_other_steps(const SolvedRun& run);
 
 // With half the steps; differs where the difference itself is above doubtful_part.
-Comparison compare_with_half_the_steps(const SolvedRun& run);
+ComparedSteps compare_with_half_the_steps(const SolvedRun& run);
 
 // Of each component the largest |y_i| in the last quarter of the steps; at least what rounding leaves of the
 // component's and of all components' largest at the times looked at.

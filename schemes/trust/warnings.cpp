@@ -54,7 +54,7 @@ std::vector<Warning> warnings(const SolvedRun& run, bool check) {
     if (text) found.push_back({doubt, *text});
   };
   add(Doubt::feature, short_feature(run.problem, run.grid));
-  Comparison compared = compare_with_other_steps(run);
+  ComparedSteps compared = compare_with_other_steps(run);
   if (check && compared.agreement != Agreement::differs) {
     const auto half = compare_with_half_the_steps(run);
     if (half.agreement == Agreement::differs) compared = half;

@@ -25,7 +25,7 @@ INSTANTIATE_TEST_SUITE_P(, Multiplier, testing::ValuesIn(implicit_schemes()), id
 TEST_P(Multiplier, EqualsTheIntegratedForm) {
   for (const double alpha : {0.3, 0.5, 0.8}) {
     for (const Eigen::Vector2d& velocity : {Eigen::Vector2d{0.0, 0.0}, Eigen::Vector2d{-0.4, 0.7}}) {
-      const Plane plane{.alpha = alpha, .velocity = velocity};
+      const AlgebraicPlane plane{.alpha = alpha, .velocity = velocity};
       for (const Grid& grid : grids_of(*GetParam(), plane.end, 1000)) {
         const Rows free = run(plane.integrated(), grid), y = run(plane.multiplier(0.0), grid);
         const Rows z =
@@ -39,7 +39,7 @@ TEST_P(Multiplier, EqualsTheIntegratedForm) {
 }
 
 TEST_P(Multiplier, HoldsALinearConstraintToRounding) {
-  const Plane plane;
+  const AlgebraicPlane plane;
   for (int steps = 64; steps <= 4096; steps *= 8) {
     for (const Grid& grid : grids_of(*GetParam(), plane.end, steps)) {
       const Rows y = run(plane.multiplier(0.0), grid);
@@ -53,7 +53,7 @@ TEST_P(Multiplier, HoldsALinearConstraintToRounding) {
 // Steps down to 1e-9: the Newton matrix has entries of the size of h.
 TEST_P(Multiplier, IsAsAccurateForShortSteps) {
   for (const double h : {1e-3, 1e-6, 1e-9}) {
-    const Plane plane{.alpha = 0.7, .end = 64 * h};
+    const AlgebraicPlane plane{.alpha = 0.7, .end = 64 * h};
     const Rows free = run(plane.integrated(), {plane.end, 64}),
                y = run(plane.multiplier(0.0), {plane.end, 64});
     EXPECT_LT(largest(y.topRows(2) - free.topRows(2)), 2e-15) << h;
@@ -62,7 +62,7 @@ TEST_P(Multiplier, IsAsAccurateForShortSteps) {
 }
 
 TEST_P(Multiplier, ALinearPartAndDifferencesGiveTheSameAnswer) {
-  Problem problem = Plane{}.multiplier(0.0);
+  Problem problem = AlgebraicPlane{}.multiplier(0.0);
   const Rows linear = run(problem, {2.0, 200});
   problem.derivatives = NoDerivatives{};
   const Rows differenced = run(problem, {2.0, 200});
@@ -71,10 +71,10 @@ TEST_P(Multiplier, ALinearPartAndDifferencesGiveTheSameAnswer) {
 }
 
 TEST_P(Multiplier, TheUnitsOfARowDoNotMatter) {
-  Matrix linear = Plane{}.linear_part();
+  Matrix linear = AlgebraicPlane{}.linear_part();
   linear(6, 0) = 1e-9;  // small, but in other units the largest number of its column
   const auto in_unit = [&](double unit) {
-    Problem problem = Plane{}.multiplier(0.0);
+    Problem problem = AlgebraicPlane{}.multiplier(0.0);
     Matrix a = linear;
     a.row(6) *= unit;
     problem.derivatives = DenseLinearPart{a};
@@ -95,9 +95,9 @@ TEST_P(Multiplier, TheUnitsOfARowDoNotMatter) {
 
 // a.v + b.w = 1 and three times the same, which is that or a contradiction.
 TEST_P(Multiplier, DependentConstraintsAreAnOutcome) {
-  const Problem once = Plane{}.multiplier(0.0);
+  const Problem once = AlgebraicPlane{}.multiplier(0.0);
   Matrix linear = Matrix::Zero(8, 8);
-  linear.topLeftCorner(7, 7) = Plane{}.linear_part();
+  linear.topLeftCorner(7, 7) = AlgebraicPlane{}.linear_part();
   linear.col(7) = 3.0 * linear.col(6);
   linear.row(7) = 3.0 * linear.row(6);
   for (const double second : {3.0, 4.0}) {
@@ -123,7 +123,7 @@ TEST_P(Multiplier, DependentConstraintsAreAnOutcome) {
 
 TEST_P(Multiplier, HistoriesAgree) {
   for (const Grid& grid : grids_of(*GetParam(), 2.0, 400)) {
-    const Problem problem = Plane{}.multiplier(0.0);
+    const Problem problem = AlgebraicPlane{}.multiplier(0.0);
     const Rows direct = run(problem, grid, {.history = HistoryKind::direct});
     const Rows exponentials = run(problem, grid, {.history = HistoryKind::exponentials});
     EXPECT_LT(largest((direct - exponentials).topRows(6)), 1e-13);
@@ -133,7 +133,8 @@ TEST_P(Multiplier, HistoriesAgree) {
 // lambda(0) is a guess: no value has a part in the motion, and none in what is told of lambda.
 TEST_P(Multiplier, AWrongInitialValueOfItChangesNothing) {
   for (const Grid& grid : grids_of(*GetParam(), 2.0, 300)) {
-    const Rows right = run(Plane{}.multiplier(0.0), grid), wrong = run(Plane{}.multiplier(1.0), grid);
+    const Rows right = run(AlgebraicPlane{}.multiplier(0.0), grid),
+               wrong = run(AlgebraicPlane{}.multiplier(1.0), grid);
     EXPECT_LT(largest((right - wrong).topRows(6)), 1e-12) << grid.grading;
     EXPECT_LT(largest((right - wrong).row(6).rightCols(300)), 1e-9) << grid.grading;
   }

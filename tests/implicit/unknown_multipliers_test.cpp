@@ -34,8 +34,8 @@ struct Driven {
 };
 
 TEST(Multipliers, AreTheUnknownsThatNoAlgebraicRowHolds) {
-  EXPECT_THAT(multipliers(Plane{}.multiplier(0.0)), ElementsAre(6));
-  EXPECT_THAT(multipliers(Plane{}.integrated()), IsEmpty());
+  EXPECT_THAT(multipliers(AlgebraicPlane{}.multiplier(0.0)), ElementsAre(6));
+  EXPECT_THAT(multipliers(AlgebraicPlane{}.integrated()), IsEmpty());
   EXPECT_THAT(multipliers(decay_through(0.5)), IsEmpty());
   // 0 = z^2 - y, whose derivative is 0 at the start, z = 0.
   const Problem square{.components = {{0.5, {0.0}}, {0.0, {0.0}}},
@@ -52,7 +52,7 @@ TEST(Multipliers, AreAsManyOrdersFromTheirConstraintAsTheRowsBetweenIntegrate) {
   EXPECT_NEAR(integrated_orders(Driven{Driven::velocity}.problem()), 1.0, 1e-3);
   EXPECT_NEAR(integrated_orders(Driven{Driven::position}.problem()), 2.0, 1e-3);
   EXPECT_NEAR(integrated_orders(Driven{Driven::memory, 0.4}.problem()), 1.4, 1e-3);
-  EXPECT_NEAR(integrated_orders(Plane{}.multiplier(0.0)), 1.0, 1e-3);
+  EXPECT_NEAR(integrated_orders(AlgebraicPlane{}.multiplier(0.0)), 1.0, 1e-3);
 }
 
 TEST(Multipliers, FarFromTheirConstraintAreRefusedByTheTrapezoidalRule) {

@@ -54,7 +54,7 @@ TEST_P(IndependentMemories, AreExactForCubics) {
 TEST_P(IndependentMemories, AreExactForThePowersOfTheStart) {
   const Grid grid{.end = 4.0, .steps = 40};
   const IndependentMemory memory(grid, order(), powers());
-  for (std::size_t p = 0; p < std::min(powers().size(), StartPowers::most); ++p)
+  for (std::size_t p = 0; p < std::min(powers().size(), FittedPowers::most); ++p)
     EXPECT_LT(error_of_power(memory, grid, order(), powers()[p]), 2e-12) << powers()[p];
 }
 

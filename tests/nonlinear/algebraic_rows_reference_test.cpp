@@ -51,7 +51,7 @@ TEST(AlgebraicRowsReference, OfAnUnknownThatCanBeEliminatedIsThatOfTheOthers) {
 // lambda(0) is minus infinity here, and 0 and 3 are guesses; all else is given. An unknown that its own row
 // holds at t = 0 is known there.
 TEST(AlgebraicRowsReference, KnowsNothingOfAGuessedMultiplierAtTheStart) {
-  const Plane plane{.alpha = 0.5};
+  const AlgebraicPlane plane{.alpha = 0.5};
   for (const double guess : {0.0, 3.0}) {
     const Reference reference = reference_solution(plane.multiplier(guess));
     const Vec bound = reference.at(0.0).bound;
@@ -64,7 +64,7 @@ TEST(AlgebraicRowsReference, KnowsNothingOfAGuessedMultiplierAtTheStart) {
 
 // v' = -k q + a lambda under a.v + b.w = c0 against the form without multiplier.
 TEST(AlgebraicRowsReference, OfALinearConstraintIsThatOfTheIntegratedForm) {
-  const Plane plane{.alpha = 0.5};
+  const AlgebraicPlane plane{.alpha = 0.5};
   const Reference with = reference_solution(plane.multiplier(0.0)),
                   without = reference_solution(plane.integrated());
   for (const double t : {1e-3, 0.5, 2.0}) {
@@ -77,7 +77,7 @@ TEST(AlgebraicRowsReference, OfALinearConstraintIsThatOfTheIntegratedForm) {
 }
 
 TEST(AlgebraicRowsReference, NeedsOrdersWhosePowersStartAboveTheSmallestDouble) {
-  const Plane plane{.alpha = 0.95};
+  const AlgebraicPlane plane{.alpha = 0.95};
   EXPECT_THAT([&] { reference_table(plane.multiplier(0.0)); },
               ThrowsMessage<std::runtime_error>(HasSubstr("takes no order below 0.063 with algebraic rows")));
 }

@@ -16,13 +16,13 @@ using testing::ThrowsMessage;
 constexpr int digits = 9;
 
 void require_known(const DataTable& given, const Decimal& re, const Decimal& im = {"0", "0"}) {
-  Comparison(given, {"re", "im"}).require_known(0, {re, im}, digits);
+  TableComparison(given, {"re", "im"}).require_known(0, {re, im}, digits);
 }
 
 // Taken at its word, 0 with a bound of 8e+6876 agrees with every number.
-TEST(Comparison, ABoundBeyondEverythingIsNoValue) {
+TEST(TableComparison, ABoundBeyondEverythingIsNoValue) {
   const DataTable given{.name = "a.csv", .columns = {"re"}, .rows = {{"12345.6789"}}};
-  EXPECT_TRUE(Comparison(given, {"re"})(0, {{"0", "8e+6876"}}).holds());
+  EXPECT_TRUE(TableComparison(given, {"re"})(0, {{"0", "8e+6876"}}).holds());
   EXPECT_THAT(
       [&] {
         require_known(given, {"0", "8e+6876"});
@@ -32,7 +32,7 @@ TEST(Comparison, ABoundBeyondEverythingIsNoValue) {
 }
 
 // Half a unit of the last place is 5e-5, 1e-9 of the value 1.2e-5.
-TEST(Comparison, AValueKnownToTheDigitsGivenOrAskedForIsOne) {
+TEST(TableComparison, AValueKnownToTheDigitsGivenOrAskedForIsOne) {
   const DataTable given{.name = "a.csv", .columns = {"re"}, .rows = {{"12345.6789"}}};
   EXPECT_NO_THROW(require_known(given, {"12345.6789", "4.9e-5"}));
   EXPECT_THROW(require_known(given, {"12345.6789", "5.1e-5"}), std::runtime_error);
@@ -40,14 +40,14 @@ TEST(Comparison, AValueKnownToTheDigitsGivenOrAskedForIsOne) {
   EXPECT_THROW(require_known(given, {"123456.789", "1.3e-4"}), std::runtime_error);
 }
 
-TEST(Comparison, ABoundThatIsGivenCountsForTheDigits) {
+TEST(TableComparison, ABoundThatIsGivenCountsForTheDigits) {
   const DataTable given{.name = "a.csv", .columns = {"re", "bound"}, .rows = {{"1.00000000", "1e-3"}}};
   EXPECT_NO_THROW(require_known(given, {"1", "9e-4"}));
   EXPECT_THROW(require_known(given, {"1", "1.1e-3"}), std::runtime_error);
 }
 
 // The bound of a complex value is relative to its modulus.
-TEST(Comparison, APartMayBeAsBadAsTheLargerOneAllows) {
+TEST(TableComparison, APartMayBeAsBadAsTheLargerOneAllows) {
   const DataTable given{.name = "a.csv", .columns = {"re", "im"}, .rows = {{"1.00000000000", "1.5e-30"}}};
   EXPECT_NO_THROW(require_known(given, {"1", "1e-12"}, {"0", "1e-12"}));
   EXPECT_THROW(require_known(given, {"1", "1e-12"}, {"0", "1e-8"}), std::runtime_error);

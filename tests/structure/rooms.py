@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the includes of the sources against rooms.txt, which says which folder may include which.
+"""Holds the includes of the sources against rooms.txt, which says which folder may include which; no type has a twin.
 
     rooms.py            check; one line for each fault, exit code 1 where there is one
     rooms.py --dot      the arrows between folders, for Graphviz
@@ -80,7 +80,30 @@ def order_faults(table):
         above.add(room)
 
 
+def types_of(path):
+    """Full names of the types that a file defines, but for private ones of a .cpp."""
+    spaces = []
+    for line in (ROOT / path).read_text().splitlines():
+        if opened := re.match(r"namespace ?([\w:]*) \{", line):
+            spaces.append(opened.group(1))
+        elif line.startswith("}  // namespace"):
+            spaces.pop()
+        elif defined := re.match(r"(?:struct|class|enum class) (\w+)(?: final)?(?: :[^;{]*)? \{", line):
+            if "" not in spaces:
+                yield "::".join([*spaces, defined.group(1)])
+
+
+def twins():
+    """Two types of one name would be one to the linker, which keeps the members of either."""
+    known = {}
+    for path in sources():
+        for name in types_of(path):
+            if known.setdefault(name, path) != path:
+                yield f"{path}: {name} is defined in {known[name]} too"
+
+
 def faults():
+    yield from twins()
     table, seen = allowed(), arrows()
     may_include = reach(table)
     yield from order_faults(table)
@@ -149,5 +172,5 @@ if __name__ == "__main__":
         sys.exit(f"rooms.py: {' '.join(arguments)}: must be --dot, --sizes or nothing\n{__doc__}")
     else:
         found = list(faults())
-        print(*(found or ["every include is an allowed arrow"]), sep="\n")
+        print(*(found or ["every include is an allowed arrow, and no type has a twin"]), sep="\n")
         sys.exit(bool(found))

@@ -27,7 +27,7 @@ inline Problem decay_through(double order) {
 }
 
 // a.v + b.w = c0 in the plane, w = D^alpha q, force -k q. Constant a, b: the multiplier drops out.
-struct Plane {
+struct AlgebraicPlane {
   double alpha = 0.5;
   Eigen::Vector2d velocity{-0.4, 0.7};
   double end = 2.0;
@@ -39,7 +39,7 @@ struct Plane {
 };
 
 // q' = v, v' = -k q + a lambda, D^(1-alpha) w = v, 0 = a.v + b.w - c0; y = (q, v, w, lambda).
-inline Matrix Plane::linear_part() const {
+inline Matrix AlgebraicPlane::linear_part() const {
   Matrix linear = Matrix::Zero(7, 7);
   linear.block<2, 2>(0, 2).setIdentity();
   linear.block<2, 2>(2, 0) = -Matrix(k.asDiagonal());
@@ -50,7 +50,7 @@ inline Matrix Plane::linear_part() const {
   return linear;
 }
 
-inline Problem Plane::multiplier(double initial_multiplier) const {
+inline Problem AlgebraicPlane::multiplier(double initial_multiplier) const {
   const Matrix linear = linear_part();
   const double c0 = a.dot(velocity);
   return {.components = {{1.0, {q0[0]}},
@@ -71,7 +71,7 @@ inline Problem Plane::multiplier(double initial_multiplier) const {
 
 // z = v + A w with A = a b^T / |a|^2: q' = z - A w, z' = -P k q, D^(1-alpha) w = z - A w, P = 1 - a a^T /
 // |a|^2.
-inline Problem Plane::integrated() const {
+inline Problem AlgebraicPlane::integrated() const {
   const Matrix reaction = a * b.transpose() / a.squaredNorm();
   const Matrix free = Matrix::Identity(2, 2) - a * a.transpose() / a.squaredNorm();
   Matrix linear = Matrix::Zero(6, 6);

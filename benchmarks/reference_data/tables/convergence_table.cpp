@@ -127,7 +127,7 @@ int steps_at(const DataTable& given, std::size_t row) {
 }
 
 RowCheck check(const SceneVariant& of, const DataTable& given) {
-  const auto comparison = std::make_shared<Comparison>(given, measured);
+  const auto comparison = std::make_shared<TableComparison>(given, measured);
   const auto runs = std::make_shared<Runs>(of);
   return [&given, comparison, runs](std::size_t row) {
     const auto [values, ending] = (*runs)(scheme_at(given, row), steps_at(given, row));

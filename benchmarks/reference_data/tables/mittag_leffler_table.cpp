@@ -44,7 +44,7 @@ MadeTable make(const SceneVariant& of) {
 }
 
 RowCheck check(const SceneVariant& /*of*/, const DataTable& given) {
-  const auto comparison = std::make_shared<Comparison>(given, std::vector<std::string>{"re", "im"});
+  const auto comparison = std::make_shared<TableComparison>(given, std::vector<std::string>{"re", "im"});
   return [&given, comparison](std::size_t row) {
     const auto cell = [&](std::string_view column) {
       const auto at = given.find(column);

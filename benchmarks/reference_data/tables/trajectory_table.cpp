@@ -139,7 +139,7 @@ RowCheck check(const SceneVariant& of, const DataTable& given) {
   const auto times = times_of(given);
   const double end = times.empty() ? 0.0 : std::ranges::max(times);
   const auto reference = std::make_shared<TrueColumns>(of, end > 0.0 ? end : 1.0);
-  const auto comparison = std::make_shared<Comparison>(given, reference->names());
+  const auto comparison = std::make_shared<TableComparison>(given, reference->names());
   return [=](std::size_t row) {
     const auto recomputed = reference->at(times[row], comparison->digits() + more_digits);
     comparison->require_known(

@@ -9,12 +9,12 @@ namespace fde {
 // The powers t^p with which values on a uniform grid leave the value at 0, fitted to the first few of them:
 // least squares, twice as many values as powers, so that what the values are off by is not blown up. Time is
 // counted in steps.
-class StartPowers {
+class FittedPowers {
  public:
   static constexpr std::size_t most = 5;
 
   // Takes the smallest of these powers, each once, whole ones too: they are there to be told apart.
-  explicit StartPowers(std::vector<double> powers);
+  explicit FittedPowers(std::vector<double> powers);
 
   [[nodiscard]] const std::vector<double>& powers() const { return powers_; }
 

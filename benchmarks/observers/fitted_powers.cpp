@@ -1,4 +1,4 @@
-#include "observers/start_powers.hpp"
+#include "observers/fitted_powers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace fde {
 
-StartPowers::StartPowers(std::vector<double> powers) : powers_(std::move(powers)) {
+FittedPowers::FittedPowers(std::vector<double> powers) : powers_(std::move(powers)) {
   std::ranges::sort(powers_);
   powers_.erase(std::unique(powers_.begin(), powers_.end(), same_order), powers_.end());
   if (powers_.size() > most) powers_.resize(most);
@@ -26,7 +26,7 @@ StartPowers::StartPowers(std::vector<double> powers) : powers_(std::move(powers)
   inverse_ = (inverse.array().colwise() / largest.array()).cast<double>();
 }
 
-Vec StartPowers::coefficients(const Vec& values) const {
+Vec FittedPowers::coefficients(const Vec& values) const {
   return inverse_ * (values.segment(1, inverse_.cols()).array() - values[0]).matrix();
 }
 
