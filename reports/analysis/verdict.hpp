@@ -12,12 +12,11 @@ namespace fde {
 // singularity.
 struct Verdict {
   std::string_view word;
-  bool bad = false;
 
-  auto operator<=>(const Verdict&) const = default;  // NOLINT(readability-implicit-bool-conversion)
+  auto operator<=>(const Verdict&) const = default;
 };
-inline constexpr Verdict survives{"survives"}, inaccurate{"inaccurate", true}, stops{"stops rightly"},
-    fails{"fails", true}, refuses{"refuses"}, not_judged{"not judged"};
+inline constexpr Verdict survives{"survives"}, inaccurate{"inaccurate"}, stops{"stops rightly"},
+    fails{"fails"}, refuses{"refuses"}, not_judged{"not judged"};
 
 Verdict verdict(const MeasuredRun& run);
 

@@ -2,8 +2,11 @@
 
 // Charts as Vega-Lite specifications over the points that the report computed.
 
-// Okabe and Ito's colours, told apart by most colour-blind readers; yellow is left out, it is too faint on white.
-const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#333333", "#8c564b"];
+const isDark = matchMedia("(prefers-color-scheme: dark)").matches;
+
+// Okabe and Ito's colours, told apart by most colour-blind readers; yellow is left out, it is too faint on white. Their black
+// is the colour of the text.
+const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", isDark ? "#c4c8ce" : "#333333", "#8c564b"];
 const shapes = ["circle", "square", "triangle-up", "diamond", "cross", "triangle-down", "triangle-right", "triangle-left"];
 
 const colourOf = (lines, line) => colours[lines.indexOf(line) % colours.length];
@@ -72,14 +75,18 @@ function lineLayers(encoding, channels, field = "steps") {
   ];
 }
 
+const ofPage = (name) => getComputedStyle(document.documentElement).getPropertyValue(name);
+
 function chart(description, points, rest) {
+  const [text, quiet, rule] = ["--text", "--quiet", "--rule"].map(ofPage);
   return {
     $schema: "https://vega.github.io/schema/vega-lite/v6.json",
     description, width: "container", height: 300, data: { values: points },
     autosize: { type: "fit-x", contains: "padding" },
-    config: { font: "system-ui, sans-serif", view: { stroke: null }, axis: { gridColor: "#eee", domainColor: "#999",
-      tickColor: "#999", labelColor: "#444", titleColor: "#222", titleFontWeight: 500, labelFontSize: 11, titleFontSize: 12 },
-      legend: { labelFontSize: 11.5, labelColor: "#222" } },
+    background: "transparent",
+    config: { font: "system-ui, sans-serif", view: { stroke: null }, axis: { gridColor: rule, domainColor: quiet,
+      tickColor: quiet, labelColor: quiet, titleColor: text, titleFontWeight: 500, labelFontSize: 11, titleFontSize: 12 },
+      legend: { labelFontSize: 11.5, labelColor: text } },
     ...rest,
   };
 }
@@ -137,12 +144,16 @@ const chartsOfCurves = [
   overParameter("error", labels.number, (kind) => kind.title), overParameter("seconds", labels.time, () => "run time"),
 ];
 
+// What a point's tooltip says of its errors of all kinds: 1.2e-7.
+const errorWords = ({ errors }, kinds) =>
+  kinds.filter(({ id }) => errors[id]).map(({ id, title }) => [title, errors[id].toExponential(1)]);
+
 // The charts of a scene, or over a parameter, that have points, as { title, spec }, with errors of this kind.
-function chartsOf(scene, lines, kind) {
+function chartsOf(scene, lines, kind, kinds) {
   const shown = lines.filter((line) => scene.points.some((point) => point.line === line));
   const channels = lineChannels(lines, shown);
   const drawn = { ...scene, points: scene.points.map((point) =>
-    ({ ...point, error: point.errors[kind.id], words: Object.fromEntries(point.words) })) };
+    ({ ...point, error: point.errors[kind.id], words: Object.fromEntries([...point.words, ...errorWords(point, kinds)]) })) };
   return (scene.parameter ? chartsOfCurves : chartsOfScenes)
     .map((make) => make(drawn, channels, kind)).filter((made) => made.points.length > 0);
 }

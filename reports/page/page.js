@@ -13,22 +13,30 @@ const breakable = (text) => text.split(/(?<=[_,:])/).flatMap((part, i) => (i ? [
 // Step counts, times and numbers like 1.2e-7 may not break.
 const unbroken = (text) => text.split(/([Nt] = [^\s,]+|\S+e-\d+)/).map((part, i) => (i % 2 ? element("span", {}, part) : part));
 
-function cellContent(cell, lines) {
-  const parts = cell.marked ? [element("mark", {}, cell.text)] : breakable(cell.text);
-  if (cell.line) parts.unshift(element("i", { class: "swatch", style: `background:${colourOf(lines, cell.line)}` }));
+function cellContent(cell, lines, painted) {
+  const text = cell.marked ? [element("mark", {}, cell.text)] : breakable(cell.text);
+  const parts = cell.to && cell.text ? [element("a", { href: `#${cell.to}` }, ...text)] : text;
+  if (cell.line && !painted) parts.unshift(element("i", { class: "swatch", style: `background:${colourOf(lines, cell.line)}` }));
   if (cell.detail) parts.push(element("small", {}, ...unbroken(cell.detail)));
   return parts;
 }
 
-// data-column repeats the heading for narrow screens, where an answer's cells stand below each other.
-function tableRow(row, columns, lines) {
-  return element("tr", {}, ...row.map((cell, i) => i === 0
-    ? element("th", { scope: "row" }, ...cellContent(cell, lines))
-    : element("td", { "data-column": columns[i].text }, ...cellContent(cell, lines))));
+// A map's cell wears the colour of its line or its verdict; data-column repeats its heading for narrow screens, where the cells of a row wrap.
+function mapAttributes(cell, column, lines) {
+  const paint = cell.line ? { style: `--paint:${colourOf(lines, cell.line)};--strength:${Math.round(12 + 48 * (cell.strength ?? 0))}%` } : {};
+  return { "data-column": column.text, ...(cell.tone && { "data-tone": cell.tone }), ...paint };
 }
 
-function tableGroup(group, columns, lines) {
-  const rows = group.rows.map((row) => tableRow(row, columns, lines));
+function tableRow(row, { columns, map }, lines) {
+  return element("tr", {}, ...row.map((cell, i) => {
+    const attributes = { ...(cell.hint && { title: cell.hint }), ...(map && i > 0 && mapAttributes(cell, columns[i], lines)) };
+    return element(i ? "td" : "th", i ? attributes : { scope: "row" }, ...cellContent(cell, lines, map));
+  }));
+}
+
+function tableGroup(group, table, lines) {
+  const { columns } = table;
+  const rows = group.rows.map((row) => tableRow(row, table, lines));
   if (group.title) {
     rows.unshift(element("tr", { class: "group" }, element("th", { scope: "rowgroup", colspan: columns.length }, group.title)));
   }
@@ -55,47 +63,42 @@ function tableHead(columns) {
 // A table in a frame of its own, which scrolls where the screen is narrower.
 function tableFrame(table, lines) {
   return element("div", { class: "frame", role: "region", tabindex: "0", "aria-label": table.caption },
-    element("table", {}, element("caption", {}, table.caption), tableHead(table.columns),
-      ...table.groups.map((group) => tableGroup(group, table.columns, lines))));
+    element("table", table.map ? { class: "map" } : {}, element("caption", {}, table.caption), tableHead(table.columns),
+      ...table.groups.map((group) => tableGroup(group, table, lines))));
 }
 
-function drawCharts(scene, lines, kind, frame) {
+function drawCharts(scene, { lines, kinds }, kind, frame) {
   const actions = { export: true, source: false, compiled: false, editor: false };
-  for (const { title, spec } of chartsOf(scene, lines, kind)) {
+  for (const { title, spec } of chartsOf(scene, lines, kind, kinds)) {
     const place = element("div", { class: "chart" });
     frame.append(element("figure", {}, element("figcaption", {}, title), place));
-    vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: `${scene.id}` });
+    vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: scene.id, tooltip: { theme: isDark ? "dark" : "light" } });
   }
 }
 
-let linked = "";
-
-// A variant of the scene before it is linked by what it varies only.
-function link(section) {
-  const variant = linked && section.title.startsWith(`${linked} (`);
-  const text = variant ? section.title.slice(linked.length + 1) : section.title;
-  if (!variant) linked = section.title;
-  document.querySelector("nav").append(element("a", { href: `#${section.id}` }, text));
-}
-
 // What of a section depends on the kind of error: its table and its charts.
-function showKind(section, lines, kind, place) {
+function showKind(section, page, kind, place) {
   const shown = [];
   const table = section.tables?.[kind.id] ?? section.table;
-  if (table) shown.push(tableFrame(table, lines));
+  if (table) shown.push(tableFrame(table, page.lines));
   if (section.points) shown.push(element("div", { class: "charts" }));
   place.replaceChildren(...shown);
-  if (section.points) drawCharts(section, lines, kind, shown.at(-1));
+  if (section.points) drawCharts(section, page, kind, shown.at(-1));
 }
 
-function show(section) {
+// The frame of a section, which waits to be drawn.
+function frameOf(section) {
   const heading = element("h2", {}, section.title);
   if (section.name) heading.append(" ", element("code", {}, section.name));
-  const place = element("div");
-  document.querySelector("main").append(element("section", { id: section.id }, heading,
-    ...section.paragraphs.map((text) => element("p", {}, text)), place));
-  link(section);
-  return place;
+  const place = element(section.folded ? "details" : "div", { class: "waiting" });
+  return { place, whole: element("section", { id: section.id }, heading,
+    ...section.paragraphs.map((text) => element("p", {}, text)), place) };
+}
+
+// Scenes are reached from the map.
+function link(section) {
+  if (section.points && !section.parameter) return;
+  document.querySelector("nav").append(element("a", { href: `#${section.id}` }, section.title));
 }
 
 // The controls name a norm and a scale; both together are a kind of error.
@@ -106,9 +109,34 @@ function chosenKind(kinds) {
 
 const data = JSON.parse(document.getElementById("data").textContent);
 document.getElementById("sessions").append(tableFrame(data.sessions, data.lines));
-const places = data.sections.map(show);
-const draw = (changed) => data.sections.forEach((section, i) => {
-  if (!changed || section.tables || section.points) showKind(section, data.lines, chosenKind(data.kinds), places[i]);
+
+// Sections are drawn as they come near the window, all of them for print, and anew for another kind of error.
+const frames = data.sections.map((section) => ({ section, ...frameOf(section) }));
+document.querySelector("main").append(...frames.map(({ whole }) => whole));
+data.sections.forEach(link);
+
+function draw(frame) {
+  frame.place.classList.remove("waiting");
+  frame.drawn = true;
+  if (frame.section.folded) {
+    frame.place.replaceChildren(element("summary", {}, "Show"), tableFrame(frame.section.table, data.lines));
+  } else {
+    showKind(frame.section, data, chosenKind(data.kinds), frame.place);
+  }
+}
+
+const near = new IntersectionObserver((entries) => {
+  for (const { isIntersecting, target } of entries) {
+    const frame = frames.find(({ whole }) => whole === target);
+    if (isIntersecting && !frame.drawn) draw(frame);
+  }
+}, { rootMargin: "1000px" });
+for (const { whole } of frames) near.observe(whole);
+window.addEventListener("beforeprint", () => {
+  frames.filter(({ drawn }) => !drawn).forEach(draw);
+  for (const { section, place } of frames) if (section.folded) place.open = true;
 });
-draw(false);
-for (const name of ["norm", "scale"]) document.getElementById(name).addEventListener("change", () => draw(true));
+for (const name of ["norm", "scale"]) {
+  document.getElementById(name).addEventListener("change", () =>
+    frames.filter(({ drawn, section }) => drawn && (section.tables || section.points)).forEach(draw));
+}

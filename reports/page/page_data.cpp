@@ -23,6 +23,7 @@ json to_json(const Section& section) {
   if (!section.table.empty()) shown["table"] = to_json(section.table);
   for (std::size_t i = 0; i < section.tables.size(); ++i)
     shown["tables"][error_measure(error_kinds()[i])] = to_json(section.tables[i]);
+  if (section.folded) shown["folded"] = true;
   return shown;
 }
 
@@ -85,6 +86,10 @@ SceneName name_of_scene(const SceneSettings& scene) {
   return {
       .title = settings.empty() ? std::string(found->title) : fmt::format("{} ({})", found->title, settings),
       .source = std::string(found->source)};
+}
+
+std::string section_of(const SceneSettings& scene) {
+  return fmt::format("scene-{}{}", label_of(scene), short_checksum(scene));
 }
 
 json page_data(ReadRuns read) {

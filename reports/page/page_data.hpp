@@ -35,10 +35,14 @@ struct Section {
   std::vector<std::string> paragraphs{};
   Table table{};
   std::vector<Table> tables{};  // in its place one for each of error_kinds()
+  bool folded = false;          // shown when asked for
 };
 
 Table sessions_table(const PageInput& page);
+// The cheapest run of each scene and accuracy, as a map.
 Section answers_section(const PageInput& page);
+// The same of one scene, with all that is known of the run.
+Table scene_answers(const PageInput& page, const SceneSettings& scene, const ErrorKind& kind);
 Section rates_section(const PageInput& page);
 Section drift_section(const PageInput& page);
 Section stability_section(const PageInput& page);
@@ -62,5 +66,7 @@ struct SceneName {
   std::string title, source{};
 };
 SceneName name_of_scene(const SceneSettings& scene);
+// The id of its section.
+std::string section_of(const SceneSettings& scene);
 
 }  // namespace fde

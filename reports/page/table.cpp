@@ -19,6 +19,10 @@ json to_json(const Cell& cell) {
   if (!cell.detail.empty()) shown["detail"] = cell.detail;
   if (!cell.line.empty()) shown["line"] = cell.line;
   if (cell.marked) shown["marked"] = true;
+  if (!cell.hint.empty()) shown["hint"] = cell.hint;
+  if (!cell.to.empty()) shown["to"] = cell.to;
+  if (!cell.tone.empty()) shown["tone"] = cell.tone;
+  if (cell.strength > 0.0) shown["strength"] = cell.strength;
   return shown;
 }
 
@@ -30,6 +34,7 @@ json to_json(const Table& table) {
     if (has_text(table, column)) kept.push_back(column);
   }
   json shown{{"caption", table.caption}, {"columns", json::array()}, {"groups", json::array()}};
+  if (table.is_map) shown["map"] = true;
   for (const auto column : kept) {
     shown["columns"].push_back({{"text", table.columns[column].text}, {"over", table.columns[column].over}});
   }

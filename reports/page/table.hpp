@@ -9,9 +9,13 @@ namespace fde {
 // One cell as the page shows it.
 struct Cell {
   std::string text;
-  std::string detail{};  // a second, smaller line
-  std::string line{};    // the label of the line whose colour it wears
-  bool marked = false;   // set apart: worth a second look
+  std::string detail{};   // a second, smaller line
+  std::string line{};     // the label of the line whose colour it wears
+  bool marked = false;    // set apart: worth a second look
+  std::string hint{};     // shown where a pointer rests on it
+  std::string to{};       // the id of the section that a click leads to
+  std::string tone{};     // a verdict, whose colour it wears in a map
+  double strength = 0.0;  // of its line's colour in a map, 0 to 1
 };
 
 // Rows under one heading; without a title: no heading.
@@ -29,6 +33,7 @@ struct Table {
   std::string caption{};
   std::vector<Column> columns{};
   std::vector<RowGroup> groups{};
+  bool is_map = false;  // cells wear the colours of their lines
 
   [[nodiscard]] bool empty() const { return groups.empty(); }
 };

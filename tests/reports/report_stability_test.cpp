@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "page/page_data.hpp"
+#include "reports/page_section.hpp"
 #include "sweep/trials.hpp"
 
 namespace fde {
@@ -32,13 +33,6 @@ void add_run(Results& results, const SceneSettings& scene, const std::string& sc
   if (finished) add("time_minimum", 1e-3);
 }
 
-nlohmann::json section(const nlohmann::json& page, const std::string& id) {
-  for (const auto& one : page["sections"]) {
-    if (one["id"] == id) return one;
-  }
-  return {};
-}
-
 std::vector<std::string> texts(const nlohmann::json& row) {
   std::vector<std::string> all;
   for (const auto& cell : row) all.push_back(cell["text"]);
@@ -59,7 +53,8 @@ TEST(StabilitySection, HasAVerdictInEveryCell) {
   EXPECT_EQ(groups[1]["title"], first.kind);
   EXPECT_THAT(texts(groups[1]["rows"][0]), ElementsAre(first.scene.label(), "fails", "survives"));
   EXPECT_THAT(texts(groups[1]["rows"][1]), ElementsAre(trials()[1].scene.label(), "not run", "inaccurate"));
-  EXPECT_EQ(groups[1]["rows"][0][1]["detail"], "not finite at step 7, t = 0.5");
+  EXPECT_EQ(groups[1]["rows"][0][1]["hint"],
+            "adams_pc, " + first.scene.label() + ": not finite at step 7, t = 0.5");
 }
 
 TEST(StabilitySection, LeavesScenesWithTrialsOnlyToItself) {

@@ -16,6 +16,7 @@
 #include "analysis/recommendation.hpp"
 #include "analysis/text.hpp"
 #include "reports/made_results.hpp"
+#include "reports/page_section.hpp"
 
 namespace fde {
 namespace {
@@ -100,7 +101,8 @@ TEST(Report, DrawsErrorAndTimeOverAParameterOfThreeValues) {
     std::vector<double> values;
     for (const auto& point : section["points"]) {
       EXPECT_EQ(point["steps"], 128);
-      EXPECT_DOUBLE_EQ(point["errors"]["error_end"].get<double>(), point["value"].get<double>() / 128);
+      const double error = point["value"].get<double>() / 128;
+      EXPECT_NEAR(point["errors"]["error_end"].get<double>(), error, 1e-4 * error);
       EXPECT_DOUBLE_EQ(point["seconds"].get<double>(), 1.28e-4);
       if (point["line"] == "l1") values.push_back(point["value"]);
     }
@@ -126,6 +128,33 @@ TEST(Report, HoldsEverySceneSchemeSessionAndFailure) {
   }
   EXPECT_THAT(section_ids(data), testing::ElementsAre("answer", "scene-pendulum", "scene-brusselator",
                                                       "rates", "cost", "reference", "failures", "schemes"));
+}
+
+// At the end l1 is within 1e-4 after 256 steps of 1 us, adams_pc after 128 of 3 us: one and a half times as
+// long.
+TEST(Report, MapsTheCheapestRunAndLeadsToItsScene) {
+  const auto data = data_of(written(two_lines()));
+  const auto map = section(data, "answer")["tables"]["error_end"];
+  EXPECT_TRUE(map["map"]);
+  const auto& row = map["groups"][0]["rows"][0];
+  EXPECT_EQ(row[0]["to"], "scene-pendulum");
+  const auto column = std::ranges::find(map["columns"], "≤ 1e-4", [](const auto& of) { return of["text"]; });
+  const auto& cell = row[static_cast<std::size_t>(column - map["columns"].begin())];
+  EXPECT_EQ(cell["text"], "l1");
+  EXPECT_EQ(cell["to"], "scene-pendulum");
+  EXPECT_EQ(cell["detail"], "256 µs");
+  EXPECT_NEAR(cell["strength"].get<double>(), std::log10(1.5), 1e-12);
+  EXPECT_THAT(cell["hint"].get<std::string>(), HasSubstr("1.5 times as quick as adams_pc"));
+}
+
+// What is not reached by any run has no colour, and says how near they come.
+TEST(Report, SaysHowFarTheBestRunIsFromAnAccuracy) {
+  const auto data = data_of(written(two_lines()));
+  const auto rows = section(data, "scene-pendulum")["tables"]["error_end"]["groups"][0]["rows"];
+  EXPECT_EQ(rows[1][1]["text"], "l1");
+  EXPECT_EQ(rows[2][1]["text"], "none measured reaches it");
+  EXPECT_THAT(rows[2][2]["text"].get<std::string>(), HasSubstr("adams_pc, N = 512, error 2.4e-6"));
+  EXPECT_THAT(rows[2][3]["text"].get<std::string>(), HasSubstr("would need about N = "));
 }
 
 // The same runs with another grid, history or tolerance are other lines, and say so.

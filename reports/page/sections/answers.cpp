@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "analysis/text.hpp"
 #include "page/page_data.hpp"
@@ -11,9 +12,9 @@
 namespace fde {
 namespace {
 
-constexpr std::array accuracies{1e-2, 1e-4, 1e-6, 1e-8};
+constexpr std::array accuracies{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
 
-std::string accuracy_text(double accuracy) { return fmt::format("error ≤ 1e{:.0f}", std::log10(accuracy)); }
+std::string accuracy_text(double accuracy) { return fmt::format("≤ 1e{:.0f}", std::log10(accuracy)); }
 
 // Times of different sessions may come from different machines: say whose they are.
 std::string session_note(const PageInput& page, const Option& option) {
@@ -23,59 +24,105 @@ std::string session_note(const PageInput& page, const Option& option) {
 // The other names of one algorithm.
 std::string names_note(const Option& option) {
   if (option.schemes.size() < 2) return "";
-  return fmt::format("; here the same as {}",
+  return fmt::format("here the same as {}",
                      fmt::join(option.schemes.begin() + 1, option.schemes.end(), ", "));
 }
 
-// Lines whose time meets that of the first.
-std::string noise_note(const PageInput& page, const std::vector<Option>& ranked) {
-  std::vector<std::string> names;
-  for (const Option& option : ranked) {
-    if (&option != &ranked.front() && option.time.low <= ranked.front().time.high)
-      names.push_back(page.label(option));
+// Behind the quickest line: how far the others are.
+struct Margin {
+  double ratio = 1.0;               // the time of the second line to that of the first
+  std::vector<std::string> ties{};  // lines whose time meets that of the first
+};
+
+Margin margin_of(const PageInput& page, std::span<const Option> ranked) {
+  Margin margin;
+  const Option& first = ranked.front();
+  for (const Option& other : ranked.subspan(1)) {
+    if (other.time.low <= first.time.high) margin.ties.push_back(page.label(other));
   }
-  return names.empty() ? "" : fmt::format("; within noise of {}", fmt::join(names, ", "));
+  if (ranked.size() > 1) margin.ratio = ranked[1].time.median / first.time.median;
+  return margin;
 }
 
-Cell answer(const PageInput& page, const SceneSettings& scene, const ErrorKind& kind, double accuracy) {
+std::string margin_text(const PageInput& page, std::span<const Option> ranked) {
+  const Margin margin = margin_of(page, ranked);
+  if (ranked.size() == 1) return "no other line gets there";
+  if (!margin.ties.empty()) return fmt::format("within noise of {}", fmt::join(margin.ties, ", "));
+  return fmt::format("{:.2g} times as quick as {}", margin.ratio, page.label(ranked[1]));
+}
+
+// From 0, where another line may be as quick, to 1, where the second takes ten times as long or there is
+// none.
+double strength(const PageInput& page, std::span<const Option> ranked) {
+  if (ranked.size() == 1) return 1.0;
+  const Margin margin = margin_of(page, ranked);
+  return margin.ties.empty() ? std::clamp(std::log10(margin.ratio), 0.0, 1.0) : 0.0;
+}
+
+std::string best_text(const PageInput& page, const Option& best) {
+  return fmt::format("{}, {}{}", page.label(best), run_text(best), session_note(page, best));
+}
+
+// What the map says where nothing is within the accuracy.
+Cell missing_cell(const PageInput& page, const std::optional<Shortfall>& missed) {
+  if (!missed) return {.text = "", .detail = "not measured"};
+  if (missed->untimed > 0) return {.text = "", .detail = "not timed yet"};
+  return {.text = "",
+          .detail = fmt::format("best {}", error_text(missed->best.error)),
+          .hint = fmt::format("None measured gets there. Best: {}.", best_text(page, missed->best))};
+}
+
+Cell map_cell(const PageInput& page, const SceneSettings& scene, const ErrorKind& kind, double accuracy) {
+  const auto ranked = options_within(page.runs, scene, kind, accuracy);
+  if (ranked.empty()) return missing_cell(page, shortfall(page.runs, scene, kind, accuracy));
+  const Option& first = ranked.front();
+  return {.text = page.label(first),
+          .detail = time_text(first.time.median),
+          .line = page.label(first),
+          .hint = fmt::format("{}: {}.", best_text(page, first), margin_text(page, ranked)),
+          .strength = strength(page, ranked)};
+}
+
+std::vector<Cell> answer_row(const PageInput& page, const SceneSettings& scene, const ErrorKind& kind,
+                             double accuracy) {
+  Cell heading{.text = accuracy_text(accuracy)};
   if (const auto ranked = options_within(page.runs, scene, kind, accuracy); !ranked.empty()) {
     const Option& first = ranked.front();
     const std::string label = page.label(first);
-    return {
-        .text = label,
-        .detail = run_text(first) + names_note(first) + session_note(page, first) + noise_note(page, ranked),
-        .line = label};
+    return {heading,
+            {.text = label, .detail = names_note(first), .line = label},
+            {.text = run_text(first) + session_note(page, first)},
+            {.text = margin_text(page, ranked)}};
   }
   const auto missed = shortfall(page.runs, scene, kind, accuracy);
-  if (!missed) return {.text = "no run has this error"};
-  Cell cell{.text = missed->untimed > 0 ? "reached, not timed yet" : "none measured reaches it",
-            .detail = fmt::format("Best: {}, {}{}.", page.label(missed->best), run_text(missed->best),
-                                  session_note(page, missed->best))};
-  if (missed->steps_needed)
-    cell.detail += fmt::format(" {}.", needed_text(page.label(missed->line), *missed->steps_needed));
-  return cell;
+  if (!missed) return {heading, {.text = "no run has this error"}, {}, {}};
+  std::vector<Cell> cells{
+      heading,
+      {.text = missed->untimed > 0 ? "reached, not timed yet" : "none measured reaches it"},
+      {.text = fmt::format("best: {}", best_text(page, missed->best))},
+      {}};
+  if (missed->steps_needed) cells.back().text = needed_text(page.label(missed->line), *missed->steps_needed);
+  return cells;
 }
 
-Table answers_table(const PageInput& page, const ErrorKind& kind) {
+Table answers_map(const PageInput& page, const ErrorKind& kind) {
   Table table{.caption = fmt::format("The cheapest measured run by scene and {}", error_title(kind)),
-              .columns = {{"scene"}}};
+              .columns = {{"scene"}},
+              .is_map = true};
   for (const double accuracy : accuracies) table.columns.push_back({accuracy_text(accuracy)});
   RowGroup rows;
   for (const RunSpan runs : by_scene(page.runs.finished)) {
     const SceneSettings& scene = runs.front().key.scene;
-    std::vector<Cell> cells{{.text = name_of_scene(scene).title, .detail = label_of(scene)}};
-    for (const double accuracy : accuracies) cells.push_back(answer(page, scene, kind, accuracy));
+    const std::string section = section_of(scene);
+    std::vector<Cell> cells{{.text = name_of_scene(scene).title, .to = section}};
+    for (const double accuracy : accuracies) {
+      cells.push_back(map_cell(page, scene, kind, accuracy));
+      cells.back().to = section;
+    }
     rows.rows.push_back(std::move(cells));
   }
   table.groups.push_back(std::move(rows));
   return table;
-}
-
-std::vector<Cell> row(std::string name, const std::vector<Session>& sessions,
-                      std::string (*text)(const Session&)) {
-  std::vector<Cell> cells{{.text = std::move(name)}};
-  for (const Session& session : sessions) cells.push_back({.text = text(session)});
-  return cells;
 }
 
 }  // namespace
@@ -85,38 +132,25 @@ Section answers_section(const PageInput& page) {
       .id = "answer",
       .title = "Which scheme is cheapest",
       .paragraphs = {
-          "For each scene and each error, the measured run that gets there in the least time. Nothing "
-          "between the measured step counts is interpolated. No run counts that y = 0 or y = y(0) "
-          "would match. The error is the largest over the scene's columns, on the scale chosen "
-          "above; a time is the median of the repeats with its 95 % interval, of the solve alone."}};
+          "For each scene and each error, the measured run that gets there in the least time: the fuller the "
+          "colour, the further behind is the next scheme. A click leads to the scene, with the runs, its "
+          "charts and its equation's source."}};
   if (page.sessions.size() > 1) {
     section.paragraphs.emplace_back(
         "The results were made in several sessions; times of different machines or builds do not "
         "compare. A run made more than once counts with its last session.");
   }
   if (page.runs.finished.empty()) return section;
-  for (const ErrorKind& kind : error_kinds()) section.tables.push_back(answers_table(page, kind));
+  for (const ErrorKind& kind : error_kinds()) section.tables.push_back(answers_map(page, kind));
   return section;
 }
 
-Table sessions_table(const PageInput& page) {
-  const auto& sessions = page.sessions;
-  Table table{.caption = "Where and with what the numbers were made", .columns = {{"session"}}};
-  for (std::size_t i = 0; i < sessions.size(); ++i) table.columns.push_back({std::to_string(i + 1)});
-  std::vector<std::vector<Cell>> rows{
-      row("date", sessions, [](const Session& s) { return s.date; }),
-      row("machine", sessions, [](const Session& s) { return s.machine; }),
-      row("cores", sessions, [](const Session& s) { return s.cores > 0 ? std::to_string(s.cores) : ""; }),
-      row("system", sessions, [](const Session& s) { return s.system; }),
-      row("compiler", sessions, [](const Session& s) { return s.compiler; }),
-      row("flags", sessions, [](const Session& s) { return s.flags; }),
-      row("commit", sessions, [](const Session& s) { return s.commit; }),
-      row("version", sessions, [](const Session& s) { return s.version; }),
-  };
-  std::erase_if(rows, [](const auto& cells) {
-    return std::all_of(cells.begin() + 1, cells.end(), [](const Cell& cell) { return cell.text.empty(); });
-  });
-  table.groups.push_back({.rows = rows});
+Table scene_answers(const PageInput& page, const SceneSettings& scene, const ErrorKind& kind) {
+  Table table{.caption = fmt::format("The cheapest measured run by {}", error_title(kind)),
+              .columns = {{error_title(kind)}, {"cheapest"}, {"its run"}, {"the others"}}};
+  RowGroup rows;
+  for (const double accuracy : accuracies) rows.rows.push_back(answer_row(page, scene, kind, accuracy));
+  table.groups.push_back(std::move(rows));
   return table;
 }
 

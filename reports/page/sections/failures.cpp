@@ -27,7 +27,8 @@ Section failures_section(const PageInput& page) {
       .paragraphs = {"Every run that did not come to its end, or whose end says nothing about the solution, "
                      "with the reason."},
       .table = {.caption = "Refused and failed runs with their reasons",
-                .columns = {{"scheme"}, {"N"}, {"reason"}}}};
+                .columns = {{"scheme"}, {"N"}, {"reason"}}},
+      .folded = true};
   for (const RunSpan scene : by_scene(page.runs.failed)) {
     RowGroup group{.title = name_of_scene(scene.front().key.scene).title};
     for (const RunSpan line : by_line(scene)) {

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -28,7 +29,10 @@ std::optional<double> rate_between(const MeasuredRun& coarse, const MeasuredRun&
   return std::log(*before / *now) / std::log(coarse.h / fine.h);
 }
 
-// The words of a tooltip, a name and a text each.
+// As many digits as a chart can show: half the page would be the others.
+double in_chart(double value) { return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr); }
+
+// The words of a tooltip but for the errors, a name and a text each.
 json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* coarser) {
   json words = json::array();
   const auto add = [&](std::string name, std::string text) {
@@ -40,9 +44,6 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
   add("title", page.label(run.key));  // shown as the heading
   add("N", count_text(run.steps));
   add("h", fmt::format("{:.3g}", run.h));
-  for (const ErrorKind& kind : error_kinds()) {
-    if (const auto error = run[error_measure(kind)]) add(error_title(kind), error_text(*error));
-  }
   if (const auto residual = run["energy_residual"]) add("energy residual", error_text(*residual));
   if (const auto drift = run["drift_internal"]) add("internal drift", error_text(*drift));
   if (const auto drift = run["drift_independent"]) add("independent drift", error_text(*drift));
@@ -60,10 +61,10 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
 }
 
 json point(const PageInput& page, const MeasuredRun& run, const MeasuredRun* coarser) {
-  json shown{{"line", page.label(run.key)}, {"steps", run.steps}, {"h", run.h}};
+  json shown{{"line", page.label(run.key)}, {"steps", run.steps}, {"h", in_chart(run.h)}};
   shown["errors"] = errors_of(run);
-  if (const auto value = above_zero(run, "time_minimum")) shown["seconds"] = *value;
-  if (const auto value = above_zero(run, "energy_residual")) shown["energy"] = *value;
+  if (const auto value = above_zero(run, "time_minimum")) shown["seconds"] = in_chart(*value);
+  if (const auto value = above_zero(run, "energy_residual")) shown["energy"] = in_chart(*value);
   shown["words"] = tooltip(page, run, coarser);
   return shown;
 }
@@ -91,8 +92,8 @@ json guides(const PageInput& page, RunSpan scene) {
       for (const double h : {finest.h, line.front().h}) {
         shown.push_back({{"line", page.label(finest.key)},
                          {"kind", error_measure(kind)},
-                         {"h", h},
-                         {"error", *anchor * std::pow(h / finest.h, *expected)}});
+                         {"h", in_chart(h)},
+                         {"error", in_chart(*anchor * std::pow(h / finest.h, *expected))}});
       }
     }
   }
@@ -128,7 +129,8 @@ std::string on_wall_clock(const PageInput& page, RunSpan scene) {
 json errors_of(const MeasuredRun& run) {
   json errors = json::object();
   for (const ErrorKind& kind : error_kinds()) {
-    if (const auto value = above_zero(run, error_measure(kind))) errors[error_measure(kind)] = *value;
+    if (const auto value = above_zero(run, error_measure(kind)))
+      errors[error_measure(kind)] = in_chart(*value);
   }
   return errors;
 }
@@ -143,8 +145,12 @@ json scene_sections(const PageInput& page) {
     for (const auto& text : {source, not_drawn(page, scene), on_wall_clock(page, scene)}) {
       if (!text.empty()) paragraphs.push_back(text);
     }
-    sections.push_back({{"id", fmt::format("scene-{}{}", label, short_checksum(solved))},
+    json answers = json::object();
+    for (const ErrorKind& kind : error_kinds())
+      answers[error_measure(kind)] = to_json(scene_answers(page, solved, kind));
+    sections.push_back({{"id", section_of(solved)},
                         {"title", title},
+                        {"tables", answers},
                         {"name", label},
                         {"paragraphs", paragraphs},
                         {"points", points(page, scene)},

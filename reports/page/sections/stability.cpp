@@ -33,8 +33,12 @@ Cell cell(const PageInput& page, const SceneSettings& scene, const std::string& 
     return run.key.scene == scene && page.label(run.key) == line;
   });
   if (found == page.trials.end()) return {.text = "not run"};
-  const Verdict of = verdict(*found);
-  return {.text = std::string(of.word), .detail = because(*found), .marked = of.bad};
+  const std::string word(verdict(*found).word);
+  const auto error = (*found)["error_relative"];
+  return {.text = word,
+          .detail = error ? error_text(*error) : "",
+          .hint = fmt::format("{}, {}: {}", line, label_of(scene), because(*found)),
+          .tone = word};
 }
 
 // "5 of 12", and how many it refuses or stops at rightly.
@@ -73,10 +77,10 @@ Section stability_section(const PageInput& page) {
            "where it ends early, or where from some step on its error is not below the size of the "
            "value up to the end. It stops rightly where the solution has a singularity, and is not "
            "judged where there is no reference or the solution itself overflows. Below the "
-           "verdict: the error at the end as a part of the value, from when on rounding is at least "
-           "a quarter of it, and the time of the solve. Why each scheme fares as it does: "
-           "docs/stability.md."},
-      .table = {.caption = "Verdicts by scene and scheme", .columns = {{"scene"}}}};
+           "verdict stands the error at the end as a part of the value; a pointer that rests there shows the "
+           "reason, or from when on rounding is at least a quarter of the error, and the time of the solve. "
+           "Why each scheme fares as it does: docs/stability.md."},
+      .table = {.caption = "Verdicts by scene and scheme", .columns = {{"scene"}}, .is_map = true}};
   const auto lines = lines_of(page);
   std::vector<Cell> counts{{.text = "survived"}};
   for (const auto& line : lines) {
