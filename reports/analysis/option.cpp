@@ -53,12 +53,6 @@ std::optional<Option> quickest_within(RunSpan line, const ErrorKind& kind, doubl
   return best;
 }
 
-// Lines that are one algorithm on their scene: the longest of them, under all their names.
-struct NamedLine {
-  RunSpan runs;
-  std::vector<std::string> names;
-};
-
 // Whether both have the same errors, to the last bit, with all numbers of steps that both have.
 bool is_same_algorithm(RunSpan a, RunSpan b) {
   constexpr int fewest = 5;
@@ -75,9 +69,9 @@ bool is_same_algorithm(RunSpan a, RunSpan b) {
   return common >= fewest;
 }
 
-std::vector<NamedLine> named_lines(const Runs& runs, const SceneSettings& scene) {
+std::vector<NamedLine> named_lines(RunSpan runs) {
   std::vector<NamedLine> lines;
-  for (const RunSpan line : by_line(of_scene(runs.finished, scene))) {
+  for (const RunSpan line : by_line(runs)) {
     const auto& name = line.front().key.scheme;
     const auto first = std::ranges::find_if(
         lines, [&](const NamedLine& other) { return is_same_algorithm(other.runs, line); });
@@ -102,10 +96,12 @@ std::size_t count_untimed(RunSpan runs, const ErrorKind& kind, double accuracy) 
 
 }  // namespace
 
-std::vector<Option> options_within(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
-                                   double accuracy) {
+SceneLines::SceneLines(const Runs& runs, const SceneSettings& scene)
+    : runs_(of_scene(runs.finished, scene)), lines_(named_lines(runs_)) {}
+
+std::vector<Option> SceneLines::within(const ErrorKind& kind, double accuracy) const {
   std::vector<Option> ranked;
-  for (const auto& [line, names] : named_lines(runs, scene)) {
+  for (const auto& [line, names] : lines_) {
     auto best = quickest_within(line, kind, accuracy);
     if (!best) continue;
     best->schemes = names;
@@ -126,27 +122,35 @@ Option with_prediction(Option option, const Runs& runs, const SceneSettings& sce
   return option;
 }
 
-std::optional<Shortfall> shortfall(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
-                                   double accuracy) {
-  const RunSpan of_this = of_scene(runs.finished, scene);
+std::vector<ErrorForecast> SceneLines::forecasts(const ErrorKind& kind) const {
+  std::vector<ErrorForecast> all;
+  for (const auto& [line, names] : lines_) {
+    const MeasuredRun& finest = line.back();
+    ErrorModel errors(errors_of(line, kind, finest.steps + 1));
+    if (errors.empty()) continue;
+    all.push_back({finest.steps, option_of(finest, kind).value_or(Option{.schemes = {finest.key.scheme}}),
+                   std::move(errors)});
+  }
+  return all;
+}
+
+std::optional<Shortfall> SceneLines::shortfall(const ErrorKind& kind, double accuracy,
+                                               std::span<const ErrorForecast> forecasts) const {
   std::optional<Option> best;
-  for (const MeasuredRun& run : of_this) {
+  for (const MeasuredRun& run : runs_) {
     const auto option = option_of(run, kind);
     if (option && (!best || option->error < best->error)) best = option;
   }
   if (!best) return std::nullopt;
-  Shortfall found{.best = *best, .untimed = count_untimed(of_this, kind, accuracy)};
-  for (const auto& [line, names] : named_lines(runs, scene)) {
-    const int finest = line.back().steps;
-    const ErrorModel model(errors_of(line, kind, finest + 1));
-    if (model.empty()) continue;
-    Expected needed = model.steps(accuracy);
+  Shortfall found{.best = *best, .untimed = count_untimed(runs_, kind, accuracy)};
+  for (const auto& [finest, line, errors] : forecasts) {
+    Expected needed = errors.steps(accuracy);
     needed.value = std::max(needed.value, finest + 1.0);
     needed.high = std::max(needed.high, needed.value);
     needed.low = std::max(needed.low, finest + 1.0);
     if (found.steps_needed && needed.value >= found.steps_needed->value) continue;
     found.steps_needed = needed;
-    found.line = option_of(line.back(), kind).value_or(Option{.schemes = {line.back().key.scheme}});
+    found.line = line;
   }
   return found;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,11 +29,6 @@ struct Option {
   [[nodiscard]] double step_seconds() const { return time.median / steps; }
 };
 
-// Of each line the quickest run within the accuracy that does better than y = 0 or y = y(0), the quickest
-// line first; equal times: the more accurate first.
-std::vector<Option> options_within(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
-                                   double accuracy);
-
 // The same with its predicted error and its rate, by the coarser runs of its line.
 Option with_prediction(Option option, const Runs& runs, const SceneSettings& scene, const ErrorKind& kind);
 
@@ -44,9 +40,39 @@ struct Shortfall {
   std::size_t untimed = 0;  // runs that are within the accuracy and not timed yet
 };
 
-// nullopt: the scene has no run with this kind of error.
-std::optional<Shortfall> shortfall(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
-                                   double accuracy);
+// How the errors of a line go on with more steps, by those so far.
+struct ErrorForecast {
+  int finest = 0;  // number of steps so far
+  Option line{};   // its finest run
+  ErrorModel errors;
+};
+
+// Lines that are one algorithm on their scene: the longest of them, under all their names.
+struct NamedLine {
+  RunSpan runs;
+  std::vector<std::string> names;
+};
+
+// The lines of one scene, among which an answer is looked for. The runs must live as long.
+class SceneLines {
+ public:
+  SceneLines(const Runs& runs, const SceneSettings& scene);
+
+  // Of each line the quickest run within the accuracy that does better than y = 0 or y = y(0), the quickest
+  // line first; equal times: the more accurate first.
+  [[nodiscard]] std::vector<Option> within(const ErrorKind& kind, double accuracy) const;
+
+  // Of the lines with enough runs.
+  [[nodiscard]] std::vector<ErrorForecast> forecasts(const ErrorKind& kind) const;
+
+  // Names the steps needed by these forecasts. nullopt: the scene has no run with this kind of error.
+  [[nodiscard]] std::optional<Shortfall> shortfall(const ErrorKind& kind, double accuracy,
+                                                   std::span<const ErrorForecast> forecasts) const;
+
+ private:
+  RunSpan runs_;
+  std::vector<NamedLine> lines_;
+};
 
 // With what the error is called: "N = 64, error 1.2e-7, 12.3 µs (12.1 ... 12.6)", without the name of its
 // scheme, with the clock_note.

@@ -141,13 +141,12 @@ Recommendation recommend(const std::vector<SearchedWay>& searched, const SceneSe
 Recommendation recommend(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
                          double accuracy) {
   const LineNames names(runs);
-  Recommendation made{.scene = scene,
-                      .kind = kind,
-                      .accuracy = accuracy,
-                      .options = options_within(runs, scene, kind, accuracy)};
+  const SceneLines lines(runs, scene);
+  Recommendation made{
+      .scene = scene, .kind = kind, .accuracy = accuracy, .options = lines.within(kind, accuracy)};
   for (Option& option : made.options) option = with_prediction(std::move(option), runs, scene, kind);
   if (!made.options.empty()) return made;
-  const auto missed = shortfall(runs, scene, kind, accuracy);
+  const auto missed = lines.shortfall(kind, accuracy, lines.forecasts(kind));
   if (!missed) {
     made.others.push_back(fmt::format("no finished run has {}", error_measure(kind)));
     return made;

@@ -42,7 +42,7 @@ Table sessions_table(const PageInput& page);
 // The cheapest run of each scene and accuracy, as a map.
 Section answers_section(const PageInput& page);
 // The same of one scene, with all that is known of the run.
-Table scene_answers(const PageInput& page, const SceneSettings& scene, const ErrorKind& kind);
+Table scene_answers(const PageInput& page, const SceneLines& lines, const ErrorKind& kind);
 Section rates_section(const PageInput& page);
 Section drift_section(const PageInput& page);
 Section stability_section(const PageInput& page);

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 constexpr ErrorKind at_end{Norm::end, Scale::absolute};
 
 std::vector<Option> within(const Results& results, double accuracy) {
-  return options_within(runs_of(results), {"pendulum"}, at_end, accuracy);
+  return SceneLines(runs_of(results), {"pendulum"}).within(at_end, accuracy);
 }
 
 TEST(Options, AreTheQuickestRunsWithinTheAccuracy) {
@@ -72,14 +72,15 @@ TEST(Options, AreNoRunsThatZeroWouldMatch) {
 
 TEST(Options, DifferInTheKindOfError) {
   const auto ranked =
-      options_within(runs_of(two_lines()), {"pendulum"}, {Norm::maximum, Scale::absolute}, 0.1);
+      SceneLines(runs_of(two_lines()), {"pendulum"}).within({Norm::maximum, Scale::absolute}, 0.1);
   ASSERT_EQ(ranked.size(), 2);
   EXPECT_EQ(ranked[0].error, end_time / ranked[0].steps);
 }
 
 TEST(Shortfall, NamesTheBestErrorAndTheStepsThatAreNeeded) {
   const Runs runs = runs_of(two_lines());
-  const auto missed = shortfall(runs, {"pendulum"}, at_end, 1e-9);
+  const SceneLines lines(runs, {"pendulum"});
+  const auto missed = lines.shortfall(at_end, 1e-9, lines.forecasts(at_end));
   ASSERT_TRUE(missed && missed->steps_needed);
   EXPECT_EQ(missed->best.schemes.front(), "adams_pc");
   EXPECT_EQ(missed->best.steps, 512);
@@ -88,7 +89,7 @@ TEST(Shortfall, NamesTheBestErrorAndTheStepsThatAreNeeded) {
   EXPECT_NEAR(missed->steps_needed->value / exact, 1.0, 0.01);
   EXPECT_LE(missed->steps_needed->low, exact);
   EXPECT_GE(missed->steps_needed->high, exact);
-  EXPECT_FALSE(shortfall(runs, {"brusselator"}, at_end, 1e-9));
+  EXPECT_FALSE(SceneLines(runs, {"brusselator"}).shortfall(at_end, 1e-9, {}));
 }
 
 // A run that is examined but not timed is no answer, and not missing either.
@@ -98,7 +99,7 @@ TEST(Shortfall, CountsRunsThatAreNotTimedYet) {
   add_row(results, run, "error_end", 1e-5);
   add_ending(results, run, end_time);
   EXPECT_TRUE(within(results, 1e-3).empty());
-  EXPECT_EQ(shortfall(runs_of(results), {"pendulum"}, at_end, 1e-3)->untimed, 1U);
+  EXPECT_EQ(SceneLines(runs_of(results), {"pendulum"}).shortfall(at_end, 1e-3, {})->untimed, 1U);
   EXPECT_THAT(recommend(runs_of(results), {"pendulum"}, at_end, 1e-3).others,
               testing::Contains(HasSubstr("not timed yet")));
 }
@@ -118,8 +119,11 @@ TEST(Options, OfOneAlgorithmAreOneWithSeveralNames) {
   ASSERT_EQ(ranked.size(), 1);
   EXPECT_EQ(ranked[0].steps, 256);
   EXPECT_THAT(ranked[0].schemes, testing::ElementsAre("adams_pc", "decoupled_multi_order"));
-  EXPECT_EQ(shortfall(runs_of(results), {"pendulum"}, at_end, 1e-3)->line.schemes.front(), "adams_pc");
-  EXPECT_GE(shortfall(runs_of(results), {"pendulum"}, at_end, 1e-3)->steps_needed->low, 257.0);
+  const Runs runs = runs_of(results);
+  const SceneLines lines(runs, {"pendulum"});
+  const auto missed = lines.shortfall(at_end, 1e-3, lines.forecasts(at_end));
+  EXPECT_EQ(missed->line.schemes.front(), "adams_pc");
+  EXPECT_GE(missed->steps_needed->low, 257.0);
 }
 
 Option option(const std::string& scheme, int steps, const TimeSpread& time) {

@@ -72,9 +72,9 @@ Cell missing_cell(const PageInput& page, const std::optional<Shortfall>& missed)
           .hint = fmt::format("None measured gets there. Best: {}.", best_text(page, missed->best))};
 }
 
-Cell map_cell(const PageInput& page, const SceneSettings& scene, const ErrorKind& kind, double accuracy) {
-  const auto ranked = options_within(page.runs, scene, kind, accuracy);
-  if (ranked.empty()) return missing_cell(page, shortfall(page.runs, scene, kind, accuracy));
+Cell map_cell(const PageInput& page, const SceneLines& lines, const ErrorKind& kind, double accuracy) {
+  const auto ranked = lines.within(kind, accuracy);
+  if (ranked.empty()) return missing_cell(page, lines.shortfall(kind, accuracy, {}));
   const Option& first = ranked.front();
   return {.text = page.label(first),
           .detail = time_text(first.time.median),
@@ -83,10 +83,10 @@ Cell map_cell(const PageInput& page, const SceneSettings& scene, const ErrorKind
           .strength = strength(page, ranked)};
 }
 
-std::vector<Cell> answer_row(const PageInput& page, const SceneSettings& scene, const ErrorKind& kind,
-                             double accuracy) {
+std::vector<Cell> answer_row(const PageInput& page, const SceneLines& lines, const ErrorKind& kind,
+                             std::span<const ErrorForecast> forecasts, double accuracy) {
   Cell heading{.text = accuracy_text(accuracy)};
-  if (const auto ranked = options_within(page.runs, scene, kind, accuracy); !ranked.empty()) {
+  if (const auto ranked = lines.within(kind, accuracy); !ranked.empty()) {
     const Option& first = ranked.front();
     const std::string label = page.label(first);
     return {heading,
@@ -94,7 +94,7 @@ std::vector<Cell> answer_row(const PageInput& page, const SceneSettings& scene, 
             {.text = run_text(first) + session_note(page, first)},
             {.text = margin_text(page, ranked)}};
   }
-  const auto missed = shortfall(page.runs, scene, kind, accuracy);
+  const auto missed = lines.shortfall(kind, accuracy, forecasts);
   if (!missed) return {heading, {.text = "no run has this error"}, {}, {}};
   std::vector<Cell> cells{
       heading,
@@ -105,18 +105,31 @@ std::vector<Cell> answer_row(const PageInput& page, const SceneSettings& scene, 
   return cells;
 }
 
-Table answers_map(const PageInput& page, const ErrorKind& kind) {
+// A scene of the map.
+struct MapRow {
+  std::string title, section;
+  SceneLines lines;
+};
+
+std::vector<MapRow> map_rows(const PageInput& page) {
+  std::vector<MapRow> rows;
+  for (const RunSpan runs : by_scene(page.runs.finished)) {
+    const SceneSettings& scene = runs.front().key.scene;
+    rows.push_back({name_of_scene(scene).title, section_of(scene), SceneLines(page.runs, scene)});
+  }
+  return rows;
+}
+
+Table answers_map(const PageInput& page, const std::vector<MapRow>& scenes, const ErrorKind& kind) {
   Table table{.caption = fmt::format("The cheapest measured run by scene and {}", error_title(kind)),
               .columns = {{"scene"}},
               .is_map = true};
   for (const double accuracy : accuracies) table.columns.push_back({accuracy_text(accuracy)});
   RowGroup rows;
-  for (const RunSpan runs : by_scene(page.runs.finished)) {
-    const SceneSettings& scene = runs.front().key.scene;
-    const std::string section = section_of(scene);
-    std::vector<Cell> cells{{.text = name_of_scene(scene).title, .to = section}};
+  for (const auto& [title, section, lines] : scenes) {
+    std::vector<Cell> cells{{.text = title, .to = section}};
     for (const double accuracy : accuracies) {
-      cells.push_back(map_cell(page, scene, kind, accuracy));
+      cells.push_back(map_cell(page, lines, kind, accuracy));
       cells.back().to = section;
     }
     rows.rows.push_back(std::move(cells));
@@ -141,15 +154,18 @@ Section answers_section(const PageInput& page) {
         "compare. A run made more than once counts with its last session.");
   }
   if (page.runs.finished.empty()) return section;
-  for (const ErrorKind& kind : error_kinds()) section.tables.push_back(answers_map(page, kind));
+  const auto scenes = map_rows(page);
+  for (const ErrorKind& kind : error_kinds()) section.tables.push_back(answers_map(page, scenes, kind));
   return section;
 }
 
-Table scene_answers(const PageInput& page, const SceneSettings& scene, const ErrorKind& kind) {
+Table scene_answers(const PageInput& page, const SceneLines& lines, const ErrorKind& kind) {
   Table table{.caption = fmt::format("The cheapest measured run by {}", error_title(kind)),
               .columns = {{error_title(kind)}, {"cheapest"}, {"its run"}, {"the others"}}};
   RowGroup rows;
-  for (const double accuracy : accuracies) rows.rows.push_back(answer_row(page, scene, kind, accuracy));
+  const auto forecasts = lines.forecasts(kind);
+  for (const double accuracy : accuracies)
+    rows.rows.push_back(answer_row(page, lines, kind, forecasts, accuracy));
   table.groups.push_back(std::move(rows));
   return table;
 }

@@ -145,9 +145,10 @@ json scene_sections(const PageInput& page) {
     for (const auto& text : {source, not_drawn(page, scene), on_wall_clock(page, scene)}) {
       if (!text.empty()) paragraphs.push_back(text);
     }
+    const SceneLines lines(page.runs, solved);
     json answers = json::object();
     for (const ErrorKind& kind : error_kinds())
-      answers[error_measure(kind)] = to_json(scene_answers(page, solved, kind));
+      answers[error_measure(kind)] = to_json(scene_answers(page, lines, kind));
     sections.push_back({{"id", section_of(solved)},
                         {"title", title},
                         {"tables", answers},
