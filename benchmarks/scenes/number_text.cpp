@@ -147,7 +147,7 @@ std::optional<std::int64_t> in_units(const ExactDecimal& x, int place) {
 }  // namespace
 
 std::vector<std::string> decimals_of_range(std::string_view name, std::string_view text, std::size_t most) {
-  const auto refuse = [&] [[noreturn]] (std::string_view allowed) { reject_text(name, text, allowed); };
+  const auto refuse = [&](std::string_view allowed) { reject_text(name, text, allowed); };
   std::vector<ExactDecimal> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
     const auto end = std::min(text.find(':', begin), text.size());
