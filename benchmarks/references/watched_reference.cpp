@@ -15,6 +15,14 @@ std::vector<Eigen::Index> all_columns(const Scene& scene) {
   return all;
 }
 
+// What `at` gives, one column a time.
+template <class At>
+Rows by_time(Eigen::Index rows, const std::vector<double>& times, const At& at) {
+  Rows columns(rows, std::ssize(times));
+  for (Eigen::Index c = 0; c < columns.cols(); ++c) columns.col(c) = at(times[static_cast<std::size_t>(c)]);
+  return columns;
+}
+
 }  // namespace
 
 WatchedReference::WatchedReference(const Scene& scene) : WatchedReference(scene, all_columns(scene)) {}
@@ -23,17 +31,11 @@ WatchedReference::WatchedReference(const Scene& scene, std::vector<Eigen::Index>
     : scene_(scene), columns_(std::move(columns)) {}
 
 Rows WatchedReference::at(const std::vector<double>& times) {
-  Rows columns(std::ssize(columns_), std::ssize(times));
-  for (Eigen::Index c = 0; c < columns.cols(); ++c)
-    columns.col(c) = reference(times[static_cast<std::size_t>(c)]).value;
-  return columns;
+  return by_time(std::ssize(columns_), times, [&](double t) -> const Vec& { return reference(t).value; });
 }
 
 Rows WatchedReference::bounds(const std::vector<double>& times) {
-  Rows columns(std::ssize(columns_), std::ssize(times));
-  for (Eigen::Index c = 0; c < columns.cols(); ++c)
-    columns.col(c) = reference(times[static_cast<std::size_t>(c)]).bound;
-  return columns;
+  return by_time(std::ssize(columns_), times, [&](double t) -> const Vec& { return reference(t).bound; });
 }
 
 const ReferenceValue& WatchedReference::reference(double t) {

@@ -12,9 +12,10 @@ namespace {
 // What is not known of an error of a run, on the absolute scale.
 double doubt(const MeasuredRun& run, std::string_view quantity) {
   constexpr double samples = 4.0;
-  const bool at_end = !quantity.starts_with("error_maximum");
-  const auto bound = run[at_end ? "reference_bound" : "reference_bound_maximum"];
-  return samples * run["rounding"].value_or(0.0) + bound.value_or(0.0);
+  const double at_end = run["reference_bound"].value_or(0.0);  // all that results of older versions have
+  const double bound =
+      quantity.starts_with("error_maximum") ? run["reference_bound_maximum"].value_or(at_end) : at_end;
+  return samples * run["rounding"].value_or(0.0) + bound;
 }
 
 // The unit of an error of this quantity in one run: by how much it is more than the absolute one at the end.

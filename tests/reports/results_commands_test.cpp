@@ -30,6 +30,7 @@ struct Made {
   double error = 1e-3, relative = 1e-3, rounding = 1e-15;
   Ending ending = Ending::finished;
   std::optional<double> least = 1.0, median = 1.1;
+  std::optional<double> largest_error{}, bound{}, largest_bound{};
 };
 
 class Comparisons : public testing::Test {
@@ -63,6 +64,9 @@ class Comparisons : public testing::Test {
       add("error_end", made.error, "", false);
       add("error_relative", made.relative, "", false);
       add("rounding", made.rounding, "", false);
+      if (made.largest_error) add("error_maximum", *made.largest_error, "", false);
+      if (made.bound) add("reference_bound", *made.bound, "", false);
+      if (made.largest_bound) add("reference_bound_maximum", *made.largest_bound, "", false);
     }
     row.ending = RunEnding{made.ending, {}};
     add("ending", 1.0, "t", true);
@@ -104,6 +108,18 @@ TEST_F(Comparisons, TakeRoundingForNoChange) {
   EXPECT_EQ(compare({before}, {{.error = 5.1e-15, .relative = 1e-12, .rounding = 1e-15}}).code, 1);
   EXPECT_EQ(compare({before}, {{.error = 1e-15, .relative = 5.1e-12, .rounding = 1e-15}}).code, 1);
   EXPECT_EQ(compare({{.error = 0.0, .rounding = 0.0}}, {{.error = 1e-16, .rounding = 0.0}}).code, 1);
+}
+
+// An error over all times may be off by the largest bound of the reference; older results have that at the
+// end only.
+TEST_F(Comparisons, TakeWhatTheReferenceLeavesOpenForNoChange) {
+  const auto made = [](double error, double bound, std::optional<double> largest_bound) {
+    return Made{.rounding = 0.0, .largest_error = error, .bound = bound, .largest_bound = largest_bound};
+  };
+  EXPECT_EQ(compare({made(1e-9, 1e-12, 1e-9)}, {made(1.9e-9, 1e-12, 1e-9)}).code, 0);
+  EXPECT_EQ(compare({made(1e-9, 1e-12, 1e-9)}, {made(2.1e-9, 1e-12, 1e-9)}).code, 1);
+  EXPECT_EQ(compare({made(1e-9, 1e-9, {})}, {made(1.9e-9, 1e-9, {})}).code, 0);
+  EXPECT_EQ(compare({made(1e-9, 1e-12, {})}, {made(1.9e-9, 1e-12, {})}).code, 1);
 }
 
 TEST_F(Comparisons, EndWithOneWhereAVerdictFell) {

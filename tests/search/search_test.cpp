@@ -60,6 +60,18 @@ TEST_P(SearchFor, KnowsErrorsBetweenTheRunsItHasMade) {
   EXPECT_NEAR(ratios[ratios.size() / 2], 1.0, 0.1) << testing::PrintToString(ratios);
 }
 
+TEST_P(SearchFor, PredictsTheErrorsThatItFindsByTheRunsBefore) {
+  const Scene scene = make_scene(parse_variant(GetParam().scene));
+  int predictions = 0;
+  for (const auto& way : found_for(scene, GetParam())) {
+    if (way.found != Found::within || !way.predicted) continue;
+    EXPECT_EQ(way.predicted->value, ErrorModel(errors_of(way)).error(way.best.steps).value)
+        << way.names.front();
+    ++predictions;
+  }
+  EXPECT_GT(predictions, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, SearchFor,
                          testing::Values(Asked{"relaxation", {Norm::maximum, Scale::mixed}, 1e-6},
                                          Asked{"relaxation:gamma=1.5", {Norm::end, Scale::relative}, 1e-9},

@@ -45,10 +45,12 @@ Margin margin_of(const PageInput& page, std::span<const Option> ranked) {
 }
 
 std::string margin_text(const PageInput& page, std::span<const Option> ranked) {
-  const Margin margin = margin_of(page, ranked);
   if (ranked.size() == 1) return "no other line gets there";
+  const Margin margin = margin_of(page, ranked);
   if (!margin.ties.empty()) return fmt::format("within noise of {}", fmt::join(margin.ties, ", "));
-  return fmt::format("{:.2g} times as quick as {}", margin.ratio, page.label(ranked[1]));
+  const auto times =
+      margin.ratio < 10.0 ? fmt::format("{:.1f}", margin.ratio) : rough_count_text(margin.ratio);
+  return fmt::format("{} times as quick as {}", times, page.label(ranked[1]));
 }
 
 // From 0, where another line may be as quick, to 1, where the second takes ten times as long or there is

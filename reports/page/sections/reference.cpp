@@ -12,7 +12,8 @@ namespace {
 
 constexpr double largest_share = 0.1;
 
-// The smallest error of a scene in one norm beside the reference's own; empty: no run has both.
+// The smallest error of a scene in one norm beside the reference's own: three cells, empty ones where no run
+// has both.
 std::vector<Cell> reference_cells(const PageInput& page, RunSpan scene, std::string_view error_id,
                                   std::string_view bound_id) {
   const MeasuredRun* best = nullptr;
@@ -20,7 +21,7 @@ std::vector<Cell> reference_cells(const PageInput& page, RunSpan scene, std::str
     if (run[error_id] && run[bound_id] && (best == nullptr || *run[error_id] < *(*best)[error_id]))
       best = &run;
   }
-  if (best == nullptr) return {};
+  if (best == nullptr) return std::vector<Cell>(3);
   const double error = *(*best)[error_id], bound = *(*best)[bound_id];
   Cell share{.text = error > 0.0 ? error_text(bound / error) : "the error is 0"};
   if (bound > largest_share * error) {
@@ -35,17 +36,16 @@ std::vector<Cell> reference_cells(const PageInput& page, RunSpan scene, std::str
           share};
 }
 
+// Empty: nothing is known of this scene.
 std::vector<Cell> reference_row(const PageInput& page, RunSpan scene) {
-  auto ends = reference_cells(page, scene, "error_end", "reference_bound");
-  auto largest = reference_cells(page, scene, "error_maximum", "reference_bound_maximum");
-  if (ends.empty() && largest.empty()) return {};
-  ends.resize(3);
-  largest.resize(3);
-  const auto& key = scene.front().key;
-  std::vector<Cell> row{{.text = name_of_scene(key.scene).title, .detail = label_of(key.scene)}};
-  std::ranges::move(ends, std::back_inserter(row));
-  std::ranges::move(largest, std::back_inserter(row));
-  return row;
+  const auto& of = scene.front().key.scene;
+  std::vector<Cell> row{{.text = name_of_scene(of).title, .detail = label_of(of)}};
+  std::ranges::copy(reference_cells(page, scene, "error_end", "reference_bound"), std::back_inserter(row));
+  std::ranges::copy(reference_cells(page, scene, "error_maximum", "reference_bound_maximum"),
+                    std::back_inserter(row));
+  const bool known =
+      std::any_of(row.begin() + 1, row.end(), [](const Cell& cell) { return !cell.text.empty(); });
+  return known ? row : std::vector<Cell>();
 }
 
 }  // namespace

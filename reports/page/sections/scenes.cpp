@@ -29,7 +29,7 @@ std::optional<double> rate_between(const MeasuredRun& coarse, const MeasuredRun&
   return std::log(*before / *now) / std::log(coarse.h / fine.h);
 }
 
-// As many digits as a chart can show: half the page would be the others.
+// As many digits as a chart can show: a page has thousands of these numbers.
 double in_chart(double value) { return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr); }
 
 // The words of a tooltip but for the errors, a name and a text each.
