@@ -1,5 +1,7 @@
 #include "implicit/dense_newton_matrix.hpp"
 
+#include <cmath>
+
 #include "implicit/differences.hpp"
 
 namespace fde {
@@ -44,7 +46,9 @@ bool DenseNewtonMatrix<size>::factorise_linear(const Vec& kappa) {
 template <int size>
 int DenseNewtonMatrix<size>::determinant_sign() {
   const double signs = factors_.matrixLU().diagonal().array().sign().prod();
-  return static_cast<int>(signs) * static_cast<int>(factors_.permutationP().determinant());
+  if (signs == 0.0 || std::isnan(signs)) return 0;
+  const bool even = factors_.permutationP().determinant() > 0;
+  return (signs > 0.0) == even ? 1 : -1;
 }
 
 template <int size>

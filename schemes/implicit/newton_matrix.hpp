@@ -24,7 +24,7 @@ class NewtonMatrix {
   // other.
   virtual bool factorise_linear(const Vec& kappa) = 0;
 
-  // 1 or -1, of the factorised matrix; 0 where it is singular.
+  // 1 or -1, of the factorised matrix; 0 where it is singular or not finite.
   virtual int determinant_sign() = 0;
 
   virtual void add_to_diagonal(const Vec& values) = 0;
