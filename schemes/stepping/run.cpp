@@ -24,6 +24,21 @@ const Vec& Run::rhs(double t, In y) {
 }
 
 bool Run::accept(double t, In y) {
+  if (!goes_on(t, y)) return false;
+  record(t, y);
+  return true;
+}
+
+bool Run::accept(double t, In y, const std::function<Vec(double)>& between) {
+  constexpr double rounding = 1e-12;
+  if (!goes_on(t, y)) return false;
+  for (const auto& at = options_.at; next_at_ < at.size() && at[next_at_] < t * (1 - rounding); ++next_at_)
+    keep(at[next_at_], between(at[next_at_]));
+  record(t, y);
+  return true;
+}
+
+bool Run::goes_on(double t, In y) {
   // At every step a look at the clock would be a quarter of the cheapest step.
   constexpr int steps_between_looks = 16;
   const std::int64_t n = t > 0.0 ? path_.steps + 1 : 0;
@@ -37,7 +52,6 @@ bool Run::accept(double t, In y) {
   if (path_.ending != Ending::finished) return false;
   path_.steps = n;
   path_.reached = t;
-  record(t, y);
   return true;
 }
 
@@ -54,7 +68,10 @@ bool Run::out_of_budget() const {
 
 void Run::record(double t, In y) {
   if (options_.observer) options_.observer(t, y);
-  if (!options_.at.empty() && !asked_for(t)) return;
+  if (options_.at.empty() || asked_for(t)) keep(t, y);
+}
+
+void Run::keep(double t, In y) {
   const auto column = std::ssize(path_.times);
   if (column == path_.y.cols()) path_.y.conservativeResize(Eigen::NoChange, 2 * column + 1);
   path_.y.col(column) = y;

@@ -23,6 +23,8 @@ class Run {
   // Records the result of the step to t > 0, of a two-sided problem from t = 0 on. False, and the run is
   // over, when y is not finite or outside the domain, or the budget is spent.
   bool accept(double t, In y);
+  // The same of a scheme that knows y since the last step: of Options::at, times between are recorded too.
+  bool accept(double t, In y, const std::function<Vec(double)>& between);
 
   // Ends the run where the step to t has no result.
   void fail(Ending ending, double t);
@@ -34,7 +36,9 @@ class Run {
   Trajectory finish();
 
  private:
+  bool goes_on(double t, In y);
   void record(double t, In y);
+  void keep(double t, In y);
   bool asked_for(double t);
 
   const Problem& problem_;

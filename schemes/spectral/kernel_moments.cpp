@@ -1,0 +1,66 @@
+#include "spectral/kernel_moments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fde {
+namespace {
+
+// m_l falls beyond the panel like e^(-l decay) (Bernstein's ellipse through z); 0 on the panel.
+double decay(double beyond) {
+  return beyond <= 0.0 ? 0.0 : std::log1p(beyond + std::sqrt(beyond * (2.0 + beyond)));
+}
+
+// ((z+1)^order - max(z-1, 0)^order) / order.
+double zeroth(double order, double beyond) {
+  if (beyond <= 0.0) return std::pow(2.0 + beyond, order) / order;
+  return std::pow(beyond, order) * std::expm1(order * std::log1p(2.0 / beyond)) / order;
+}
+
+// From m_0 and m_1 upwards, where no solution outgrows another.
+void upwards(double order, double beyond, Out m) {
+  const double a = order - 1.0, z = 1.0 + beyond;
+  m[0] = zeroth(order, beyond);
+  if (m.size() > 1) m[1] = z * m[0] - zeroth(order + 1.0, beyond);
+  for (Eigen::Index i = 1; i + 1 < m.size(); ++i) {
+    const auto l = static_cast<double>(i);
+    m[i + 1] = ((2.0 * l + 1.0) * z * m[i] - (l - 1.0 - a) * m[i - 1]) / (l + 2.0 + a);
+  }
+}
+
+}  // namespace
+
+Matrix kernel_moments(double order, const Vec& beyond, Eigen::Index count) {
+  constexpr double equal = 0.03;  // decays up to here leave upwards all but a digit
+  constexpr double digits =
+      20.0;  // half of those kept, as a power of e: what starts a ratio dies out squared
+  const double a = order - 1.0;
+  Matrix moments(count, beyond.size());  // one column a point
+  Eigen::Array<bool, Eigen::Dynamic, 1> falls(beyond.size());
+  double slowest = 100.0;
+  for (Eigen::Index j = 0; j < beyond.size(); ++j) {
+    const double fall = decay(beyond[j]);
+    falls[j] = fall > equal;
+    if (falls[j]) slowest = std::min(slowest, fall);
+    if (!falls[j]) upwards(order, beyond[j], moments.col(j));
+  }
+  if (falls.any()) {
+    // The ratios m_l / m_(l-1) downwards, at all points at once.
+    const Eigen::ArrayXd z = 1.0 + beyond.array();
+    Eigen::ArrayXd ratio = Eigen::ArrayXd::Zero(z.size());
+    Matrix ratios(z.size(), count);
+    for (auto i = count + static_cast<Eigen::Index>(digits / slowest); i >= 1; --i) {
+      const auto l = static_cast<double>(i);
+      ratio = (l - 1.0 - a) / ((2.0 * l + 1.0) * z - (l + 2.0 + a) * ratio);
+      if (i < count) ratios.col(i) = ratio;
+    }
+    for (Eigen::Index j = 0; j < z.size(); ++j) {
+      if (!falls[j]) continue;
+      moments(0, j) = zeroth(order, beyond[j]);
+      for (Eigen::Index l = 1; l < count; ++l) moments(l, j) = moments(l - 1, j) * ratios(j, l);
+    }
+  }
+  return moments.transpose() / std::tgamma(order);
+}
+
+}  // namespace fde

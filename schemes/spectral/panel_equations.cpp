@@ -1,0 +1,137 @@
+#include "spectral/panel_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "implicit/differences.hpp"
+
+namespace fde {
+namespace {
+
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+constexpr int most_iterations = 20;
+constexpr double part_of_accuracy = 0.01;  // what Newton's method may leave
+
+}  // namespace
+
+PanelEquations::PanelEquations(const Problem& problem, const DrivenRows& driven, const PanelKernels& kernels,
+                               const Accuracy& accuracy)
+    : problem_(problem),
+      driven_(driven),
+      kernels_(kernels),
+      accuracy_(accuracy),
+      mass_(Vec::Ones(driven.drive_count())),
+      jacobian_(problem.size(), problem.size()),
+      y_(problem.size()) {
+  for (const auto& row : driven.rows) {
+    if (row.order == 0.0) mass_[row.drive] = 0.0;
+  }
+}
+
+Vec PanelEquations::allowed(const PanelTask& task, const Matrix& rows) const {
+  constexpr double above_rounding = 50.0;
+  const Vec largest = rows.cwiseAbs().colwise().maxCoeff();
+  return (accuracy_.absolute + accuracy_.relative * largest.array())
+      .max(above_rounding * rounding * task.size.array().max(largest.array()));
+}
+
+bool PanelEquations::solve(Run& run, const PanelTask& task, PanelValues& values) {
+  auto& [drives, rows] = values;
+  rows = task.past;
+  const Matrix guess = drives;
+  drives.setZero();
+  move(task, guess, drives, rows);
+  const bool is_linear = linear(problem_);
+  bool anew = true;
+  double last = 0.0;
+  for (int iteration = 1; iteration <= most_iterations; ++iteration) {
+    if (!evaluate(run, task, rows)) return false;
+    right_ -= drives * mass_.asDiagonal();
+    if (anew && !linearise(run, task, rows)) return false;
+    const Matrix increment = factors_.solve(right_.reshaped()).reshaped(drives.rows(), drives.cols());
+    ++*run.cost().newton_iterations;
+    move(task, increment, drives, rows);
+    if (!rows.allFinite()) return false;
+    const Vec limit = part_of_accuracy * allowed(task, rows);
+    const double now =
+        (moved_.cwiseAbs().colwise().maxCoeff().transpose().array() / limit.array()).maxCoeff();
+    const double contraction = iteration > 1 ? now / last : 1.0;
+    if (is_linear ? !cancels(limit, rows) || iteration > 1 : now * std::min(contraction, 1.0) <= 1.0)
+      return true;
+    if (now <= 1.0 && contraction > 0.5) return true;  // as far as rounding lets it
+    if (iteration > 2 && contraction > 2.0) return false;
+    anew = contraction > 0.05;
+    last = now;
+  }
+  return false;
+}
+
+// Whether the last increment, added up, may have lost more digits than it should.
+bool PanelEquations::cancels(const Vec& limit, const Matrix& rows) const {
+  return (rounding * moved_.cwiseAbs().colwise().maxCoeff().transpose().array() > limit.array()).any() &&
+         rows.size() > 0;
+}
+
+bool PanelEquations::evaluate(Run& run, const PanelTask& task, const Matrix& rows) {
+  right_.resize(rows.rows(), driven_.drive_count());
+  for (Eigen::Index j = 0; j < rows.rows(); ++j) {
+    y_ = rows.row(j);
+    left_domain_ = !problem_.domain.contains(task.times[j], y_);
+    if (left_domain_) return false;
+    const Vec& f = run.rhs(task.times[j], y_);
+    for (Eigen::Index k = 0; k < right_.cols(); ++k)
+      right_(j, k) = f[driven_.drives[static_cast<std::size_t>(k)]];
+  }
+  return right_.allFinite();
+}
+
+bool PanelEquations::linearise(Run& run, const PanelTask& task, const Matrix& rows) {
+  const bool is_linear = linear(problem_);
+  if (is_linear && factored_units_.size() == task.units.size() && factored_units_ == task.units) return true;
+  const Eigen::Index places = rows.rows(), drives = driven_.drive_count();
+  matrix_.setZero(places * drives, places * drives);
+  for (Eigen::Index k = 0; k < drives; ++k)
+    matrix_.diagonal().segment(k * places, places).setConstant(mass_[k]);
+  for (Eigen::Index j = 0; j < places; ++j) {
+    y_ = rows.row(j);
+    if (!evaluate_jacobian(problem_, task.times[j], y_, jacobian_)) {
+      f_ = run.rhs(task.times[j], y_);
+      difference_rhs(run, task.times[j], y_, f_, task.size, jacobian_);
+    }
+    for (Eigen::Index i = 0; i < driven_.row_count(); ++i) {
+      const Eigen::Index order = kernels_.order_of(i),
+                         drive = driven_.rows[static_cast<std::size_t>(i)].drive;
+      for (Eigen::Index k = 0; k < drives; ++k) {
+        const double slope = jacobian_(driven_.drives[static_cast<std::size_t>(k)], i);
+        if (slope == 0.0) continue;
+        auto line = matrix_.row(k * places + j).segment(drive * places, places);
+        if (order < 0) {
+          line[j] -= slope;
+        } else {
+          line -= slope * task.units[order] * kernels_.own(order).row(j);
+        }
+      }
+    }
+  }
+  if (!matrix_.allFinite()) return false;
+  factors_.compute(matrix_);
+  if (is_linear) factored_units_ = task.units;
+  return true;
+}
+
+void PanelEquations::move(const PanelTask& task, const Matrix& increment, Matrix& drives, Matrix& rows) {
+  drives += increment;
+  moved_.resizeLike(rows);
+  for (Eigen::Index i = 0; i < driven_.row_count(); ++i) {
+    const Eigen::Index order = kernels_.order_of(i), drive = driven_.rows[static_cast<std::size_t>(i)].drive;
+    if (order < 0) {
+      moved_.col(i) = increment.col(drive);
+    } else {
+      moved_.col(i).noalias() = kernels_.own(order) * (task.units[order] * increment.col(drive));
+    }
+  }
+  rows += moved_;
+}
+
+}  // namespace fde

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/LU>
+
+#include "problem/resolution.hpp"
+#include "spectral/panel_kernels.hpp"
+#include "stepping/run.hpp"
+
+namespace fde {
+
+// What a panel solves for: at every place x_k = f, or 0 = f for an algebraic row, with the rows
+//   y_i = past_i + I^(order_i) x_(drive of i).
+struct PanelTask {
+  Vec times;    // of the places
+  Vec units;    // PanelKernels::units of its length
+  Matrix past;  // one row a place, one column a row of the problem
+  Vec size;     // of the terms that each row is the sum of: what its rounding is relative to
+};
+struct PanelValues {
+  Matrix drives, rows;  // one row a place
+};
+
+// Newton's method for all places at once, each with its own Jacobian. The rows move with the drives by
+// increments, so that a row that is small beside its past keeps its digits where f makes it decay.
+class PanelEquations {
+ public:
+  PanelEquations(const Problem& problem, const DrivenRows& driven, const PanelKernels& kernels,
+                 const Accuracy& accuracy);
+
+  // From a guess of the drives; what is left is small beside the accuracy. False: it does not converge, or
+  // leads out of the domain.
+  bool solve(Run& run, const PanelTask& task, PanelValues& values);
+
+  // Whether the last iteration that came to no end was out of the domain.
+  [[nodiscard]] bool left_domain() const { return left_domain_; }
+
+  // What may be wrong in each row: the accuracy, but at least a little more than rounding.
+  [[nodiscard]] Vec allowed(const PanelTask& task, const Matrix& rows) const;
+
+ private:
+  bool evaluate(Run& run, const PanelTask& task, const Matrix& rows);
+  bool linearise(Run& run, const PanelTask& task, const Matrix& rows);
+  void move(const PanelTask& task, const Matrix& increment, Matrix& drives, Matrix& rows);
+  [[nodiscard]] bool cancels(const Vec& allowed, const Matrix& rows) const;
+
+  const Problem& problem_;
+  const DrivenRows& driven_;
+  const PanelKernels& kernels_;
+  Accuracy accuracy_;
+  Vec mass_;  // 1, and 0 of an algebraic drive
+  Eigen::PartialPivLU<Matrix> factors_;
+  Vec factored_units_;  // of a linear problem
+  Matrix right_, moved_, jacobian_, matrix_;
+  Vec y_, f_;
+  bool left_domain_ = false;
+};
+
+}  // namespace fde

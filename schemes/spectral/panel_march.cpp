@@ -1,0 +1,223 @@
+#include "spectral/panel_march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace fde {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A function with a singularity as far away as a panel is long has Legendre coefficients like 5.8^-l: on the
+// panels that grow from a start, and in what is seen of blocks.
+Eigen::Index points_for(const Accuracy& accuracy) {
+  constexpr double decay = 1.763, spare = 4.0;  // log(3 + sqrt 8)
+  const double error = std::clamp(std::max(accuracy.relative, accuracy.absolute), 1e-16, 1e-2);
+  return static_cast<Eigen::Index>(std::ceil(-std::log(error) / decay) + spare);
+}
+
+double least_order(const DrivenRows& driven) {
+  double least = infinity;
+  for (const auto& row : driven.rows) {
+    if (row.order > 0.0) least = std::min(least, row.order);
+  }
+  return least;
+}
+
+}  // namespace
+
+PanelMarch::PanelMarch(const Problem& problem, const Accuracy& accuracy, const Options& options)
+    : problem_(problem),
+      solution_(std::make_shared<PanelSolution>(problem, points_for(accuracy))),
+      run_(problem, options),
+      equations_(problem, solution_->driven, solution_->past.kernels(), accuracy) {}
+
+Trajectory PanelMarch::solve() {
+  auto& segments = solution_->segments;
+  segments.push_back({0.0, problem_.end});
+  for (const double jump : problem_.jumps) {
+    if (jump >= problem_.end) break;
+    segments.back().length = jump - segments.back().start;
+    segments.push_back({jump, problem_.end - jump});
+  }
+  const Eigen::Index places = solution_->rule.size(), rows = solution_->driven.row_count();
+  for (const Segment& segment : segments) {
+    width_ = 1.0;
+    last_drives_.resize(0);
+    Sources before;
+    for (const auto& tree : solution_->trees) before.push_back(tree.get());
+    auto tree = visit({&segment, 0.0, 1.0}, Matrix::Zero(places, rows), before);
+    if (tree) solution_->trees.push_back(std::move(tree));
+    if (over_) break;
+  }
+  run_.cost().history_bytes = solution_->bytes();
+  auto path = run_.finish();
+  if (!solution_->panels.empty()) path.dense = [solution = solution_](double t) { return solution->at(t); };
+  return path;
+}
+
+std::unique_ptr<PastBlock> PanelMarch::visit(const Block& block, const Matrix& smooth, const Sources& near) {
+  if (block.width <= width_) {
+    auto panel = attempt(block, smooth, near);
+    if (panel || over_) return panel;
+  }
+  Matrix of_half = solution_->rule.older_half * smooth;
+  Sources near_half;
+  for (const auto* source : near) solution_->past.sort(*source, block.older(), of_half, near_half);
+  auto older = visit(block.older(), of_half, near_half);
+  if (over_) {
+    if (older) solution_->trees.push_back(std::move(older));
+    return nullptr;
+  }
+  of_half = solution_->rule.newer_half * smooth;
+  near_half.clear();
+  for (const auto* source : near) solution_->past.sort(*source, block.newer(), of_half, near_half);
+  solution_->past.sort(*older, block.newer(), of_half, near_half);
+  auto newer = visit(block.newer(), of_half, near_half);
+  if (over_ && !newer) {
+    solution_->trees.push_back(std::move(older));
+    return nullptr;
+  }
+  return joined(block, std::move(older), std::move(newer));
+}
+
+std::unique_ptr<PastBlock> PanelMarch::joined(const Block& block, std::unique_ptr<PastBlock> older,
+                                              std::unique_ptr<PastBlock> newer) const {
+  const auto& rule = solution_->rule;
+  auto whole = std::make_unique<PastBlock>(
+      PastBlock{.block = block,
+                .coefficients = rule.from_older * older->coefficients + rule.from_newer * newer->coefficients,
+                .units = solution_->past.kernels().units(block.length())});
+  whole->older = std::move(older);
+  whole->newer = std::move(newer);
+  return whole;
+}
+
+std::unique_ptr<PastBlock> PanelMarch::attempt(const Block& block, const Matrix& smooth,
+                                               const Sources& near) {
+  const PanelTask task = task_on(block, smooth, near);
+  PanelValues solved{guess_on(block, task), {}};
+  if (!equations_.solve(run_, task, solved)) {
+    shorten(block, infinity);
+    return nullptr;
+  }
+  Matrix coefficients = solution_->rule.to_coefficients * solved.drives;
+  const double doubt = doubt_of(task, solved, coefficients);
+  if (!(doubt <= 1.0)) {
+    shorten(block, doubt);
+    return nullptr;
+  }
+  lengthen(block, needed_share(task, solved, coefficients));
+  last_drives_ = solution_->rule.at_end.transpose() * solved.drives;
+  auto panel = std::make_unique<PastBlock>(PastBlock{.block = block,
+                                                     .coefficients = std::move(coefficients),
+                                                     .units = task.units,
+                                                     .values = std::move(solved.rows)});
+  accept(*panel);
+  return panel;
+}
+
+PanelTask PanelMarch::task_on(const Block& panel, const Matrix& smooth, const Sources& near) {
+  PanelTask task{.times = solution_->rule.places.unaryExpr([&](double place) { return panel.time(place); }),
+                 .units = solution_->past.kernels().units(panel.length()),
+                 .past = smooth,
+                 .size = {}};
+  for (const auto* source : near) solution_->past.add(*source, panel, task.past);
+  Matrix starts(task.past.rows(), task.past.cols());
+  for (Eigen::Index j = 0; j < starts.rows(); ++j) starts.row(j) = solution_->driven.start(task.times[j]);
+  task.size = starts.cwiseAbs().cwiseMax(task.past.cwiseAbs()).colwise().maxCoeff();
+  task.past += starts;
+  return task;
+}
+
+// The drives as they were last; at the start of a segment as the past makes them.
+Matrix PanelMarch::guess_on(const Block& panel, const PanelTask& task) {
+  const auto& driven = solution_->driven;
+  Matrix guess = Matrix::Zero(task.past.rows(), driven.drive_count());
+  if (panel.from > 0.0) {
+    guess.rowwise() = last_drives_.transpose();
+    return guess;
+  }
+  const Vec first = task.past.row(0);
+  const Vec f = run_.rhs(task.times[0], first);
+  for (Eigen::Index k = 0; k < guess.cols(); ++k) {
+    const double value = f[driven.drives[static_cast<std::size_t>(k)]];
+    if (std::isfinite(value)) guess.col(k).setConstant(value);
+  }
+  return guess;
+}
+
+// How far the coefficients of one degree, as an error of the drives all over the panel, would move the rows,
+// in units of what is allowed.
+Vec PanelMarch::effect(const PanelTask& task, const Vec& allowed, const Vec& drives) const {
+  const auto& driven = solution_->driven;
+  const auto& kernels = solution_->past.kernels();
+  Vec effect(driven.row_count());
+  for (Eigen::Index i = 0; i < effect.size(); ++i) {
+    const auto order = kernels.order_of(i);
+    const double unit =
+        order < 0 ? 1.0
+                  : task.units[order] / std::tgamma(driven.rows[static_cast<std::size_t>(i)].order + 1.0);
+    effect[i] = unit * std::abs(drives[driven.rows[static_cast<std::size_t>(i)].drive]) / allowed[i];
+  }
+  return effect;
+}
+
+double PanelMarch::doubt_of(const PanelTask& task, const PanelValues& solved,
+                            const Matrix& coefficients) const {
+  constexpr double least_break = 1e-3;  // another solution begins elsewhere; the same one nearly where it was
+  const Vec allowed = equations_.allowed(task, solved.rows);
+  const Vec tail = coefficients.bottomRows(2).cwiseAbs().colwise().sum();
+  double doubt = effect(task, allowed, tail).maxCoeff();
+  if (last_drives_.size() > 0) {
+    const Vec change = solution_->rule.at_start.transpose() * solved.drives - last_drives_.transpose();
+    doubt = std::max(doubt, least_break * effect(task, allowed, change).maxCoeff());
+  }
+  return doubt;
+}
+
+// The share of the coefficients that are needed.
+double PanelMarch::needed_share(const PanelTask& task, const PanelValues& solved,
+                                const Matrix& coefficients) const {
+  const Vec allowed = equations_.allowed(task, solved.rows);
+  Eigen::Index needed = coefficients.rows();
+  while (needed > 1 && effect(task, allowed, coefficients.row(needed - 1)).maxCoeff() <= 1.0) --needed;
+  return static_cast<double>(needed) / static_cast<double>(coefficients.rows());
+}
+
+void PanelMarch::shorten(const Block& block, double doubt) {
+  double halvings = 1.0;
+  if (std::isfinite(doubt)) {
+    const auto points = static_cast<double>(solution_->rule.size());
+    const double rate = block.from == 0.0 ? 2.0 * least_order(solution_->driven) : points / 2.0;
+    halvings = std::clamp(std::floor(std::log2(doubt) / rate), 1.0, block.from == 0.0 ? 64.0 : 4.0);
+  }
+  width_ = block.width * std::exp2(-halvings);
+  const double shortest = block.from == 0.0 ? 0x1p-900 : 0x1p-48 * block.from;
+  if (width_ > shortest) return;
+  over_ = true;
+  run_.fail(equations_.left_domain() ? Ending::singular : Ending::not_converged, block.time(1.0));
+}
+
+// Panels that grow from the start are as long as their distance from it; others may grow where half of the
+// coefficients were enough.
+void PanelMarch::lengthen(const Block& panel, double needed_share) {
+  const double end = panel.from + panel.width;
+  if (panel.width >= panel.from) {
+    width_ = end;
+  } else {
+    width_ = needed_share <= 0.55 ? 2.0 * panel.width : panel.width;
+  }
+}
+
+void PanelMarch::accept(const PastBlock& panel) {
+  solution_->panels.push_back(&panel);
+  const double t = panel.block.time(1.0);
+  const Vec y =
+      panel.block.from == 0.0 ? solution_->at(t) : Vec(panel.values.transpose() * solution_->rule.at_end);
+  over_ = !run_.accept(t, y, [&](double between) { return solution_->at(between); });
+}
+
+}  // namespace fde

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+
+#include "spectral/panel_equations.hpp"
+#include "spectral/panel_solution.hpp"
+
+namespace fde {
+
+// A problem solved by collocation on panels that find their lengths.
+//
+// Time between two jumps is halved until a panel passes: Newton's method converges, the last Legendre
+// coefficients of the drives are below what is allowed, and the drives go on from the panel before. So panels
+// shrink towards a start that is a power of t, where each is as long as its distance from it, and wherever
+// the solution turns quickly. What lies in the past of a panel comes from the tree.
+class PanelMarch {
+ public:
+  PanelMarch(const Problem& problem, const Accuracy& accuracy, const Options& options);
+
+  Trajectory solve();
+
+ private:
+  using Sources = PastSum::Sources;
+
+  std::unique_ptr<PastBlock> visit(const Block& block, const Matrix& smooth, const Sources& near);
+  std::unique_ptr<PastBlock> attempt(const Block& block, const Matrix& smooth, const Sources& near);
+  std::unique_ptr<PastBlock> joined(const Block& block, std::unique_ptr<PastBlock> older,
+                                    std::unique_ptr<PastBlock> newer) const;
+  [[nodiscard]] PanelTask task_on(const Block& panel, const Matrix& smooth, const Sources& near);
+  [[nodiscard]] Matrix guess_on(const Block& panel, const PanelTask& task);
+  [[nodiscard]] Vec effect(const PanelTask& task, const Vec& allowed, const Vec& drives) const;
+  [[nodiscard]] double doubt_of(const PanelTask& task, const PanelValues& solved,
+                                const Matrix& coefficients) const;
+  [[nodiscard]] double needed_share(const PanelTask& task, const PanelValues& solved,
+                                    const Matrix& coefficients) const;
+  void shorten(const Block& block, double doubt);
+  void lengthen(const Block& panel, double needed_share);
+  void accept(const PastBlock& panel);
+
+  const Problem& problem_;
+  std::shared_ptr<PanelSolution> solution_;
+  Run run_;
+  PanelEquations equations_;
+  double width_ = 1.0;  // of the next panel at most, in units of its segment
+  bool over_ = false;
+  Vec last_drives_;  // at the end of the panel before; empty: it is the first of its segment
+};
+
+}  // namespace fde

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "problem/vectors.hpp"
+
+namespace fde {
+
+// P_0(x) ... P_(count-1)(x), one row a point.
+Matrix legendre_polynomials(const Vec& points, Eigen::Index count);
+
+// What all panels share: Gauss's points, and functions on a panel as their values there or as coefficients of
+// Legendre polynomials. Places on a panel are in (-1, 1). One column a function throughout.
+struct PanelRule {
+  explicit PanelRule(Eigen::Index points);
+
+  [[nodiscard]] Eigen::Index size() const { return places.size(); }
+
+  Vec places;                     // increasing
+  Matrix to_coefficients;         // from values; exact for polynomials of degree size() - 1
+  Vec at_start, at_end;           // weights of the values in the polynomial's value at -1 and at 1
+  Matrix older_half, newer_half;  // values at the places of each half from values at the places of a block
+  Matrix from_older,
+      from_newer;  // coefficients of a block, as best fits, from those of its halves: their sum
+};
+
+}  // namespace fde

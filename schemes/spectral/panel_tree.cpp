@@ -1,0 +1,74 @@
+#include "spectral/panel_tree.hpp"
+
+#include "spectral/kernel_moments.hpp"
+
+namespace fde {
+namespace {
+
+// Exact within a segment.
+Lie lie_of(const Block& source, const Block& block) {
+  if (source.segment == block.segment)
+    return {source.width / block.width, (block.from - (source.from + source.width)) / block.width};
+  const double gap = (block.segment->start - (source.segment->start + source.segment->length)) +
+                     source.segment->length * (1.0 - (source.from + source.width)) +
+                     block.segment->length * block.from;
+  return {source.length() / block.length(), gap / block.length()};
+}
+
+// Whether the block is seen as a whole from there.
+bool is_one(const PastBlock& source, const Lie& lie) { return source.panel() || lie.gap >= lie.width; }
+
+}  // namespace
+
+PastSum::PastSum(const PanelRule& rule, const DrivenRows& driven) : driven_(driven), kernels_(rule, driven) {}
+
+void PastSum::sort(const PastBlock& source, const Block& block, Matrix& smooth, Sources& near) {
+  const Lie lie = lie_of(source.block, block);
+  const bool far = lie.gap >= 1.0, one = is_one(source, lie);
+  if (far && one) {
+    add_seen(source, block, lie, smooth);
+  } else if (!one && (far || lie.width > 1.0)) {
+    sort(*source.older, block, smooth, near);
+    sort(*source.newer, block, smooth, near);
+  } else {
+    near.push_back(&source);
+  }
+}
+
+void PastSum::add(const PastBlock& source, const Block& panel, Matrix& sums) {
+  const Lie lie = lie_of(source.block, panel);
+  if (is_one(source, lie)) return add_seen(source, panel, lie, sums);
+  add(*source.older, panel, sums);
+  add(*source.newer, panel, sums);
+}
+
+void PastSum::add_seen(const PastBlock& source, const Block& block, const Lie& lie, Matrix& sums) {
+  std::vector<Matrix> once;
+  if (source.block.segment != block.segment) once = kernels_.make(lie);
+  const auto& kernels = once.empty() ? kernels_.of(lie) : once;
+  for (Eigen::Index i = 0; i < driven_.row_count(); ++i) {
+    const Eigen::Index order = kernels_.order_of(i), drive = driven_.rows[static_cast<std::size_t>(i)].drive;
+    if (order < 0) continue;
+    sums.col(i).noalias() +=
+        kernels[static_cast<std::size_t>(order)] * (source.units[order] * source.coefficients.col(drive));
+  }
+}
+
+void PastSum::add_at(const PastBlock& source, double t, Out sums) const {
+  const double length = source.block.length(), gap = t - source.block.time(1.0);
+  if (!source.panel() && gap < length) {
+    add_at(*source.older, t, sums);
+    add_at(*source.newer, t, sums);
+    return;
+  }
+  const Vec beyond = Vec::Constant(1, 2.0 * gap / length);
+  for (Eigen::Index i = 0; i < driven_.row_count(); ++i) {
+    const Eigen::Index order = kernels_.order_of(i), drive = driven_.rows[static_cast<std::size_t>(i)].drive;
+    if (order < 0) continue;
+    const Matrix moments = kernel_moments(kernels_.orders()[static_cast<std::size_t>(order)], beyond,
+                                          source.coefficients.rows());
+    sums[i] += source.units[order] * moments.row(0).dot(source.coefficients.col(drive));
+  }
+}
+
+}  // namespace fde
