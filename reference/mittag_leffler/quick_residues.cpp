@@ -75,7 +75,10 @@ std::optional<QuickValue> residue_sum(const QuickArguments& x, const QuickContou
   if (poles->empty()) return QuickValue{0.0L, 0.0L};
   const auto residues = residues_of(kernel_arguments(x, contour), *poles);
   double largest = -std::numeric_limits<double>::infinity();
-  for (const auto& residue : residues) largest = std::max(largest, residue.exponent);
+  for (const auto& residue : residues) {
+    if (std::isnan(residue.exponent)) return std::nullopt;  // log z / alpha, of 0 and the smallest alpha
+    largest = std::max(largest, residue.exponent);
+  }
   QuickValue sum{0.0L, 0.0L};
   for (std::size_t i = 0; i < residues.size(); ++i) {
     const auto below = static_cast<int>(std::max(residues[i].exponent - largest, -20000.0));

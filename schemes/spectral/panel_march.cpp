@@ -215,9 +215,7 @@ void PanelMarch::lengthen(const Block& panel, double needed_share) {
 void PanelMarch::accept(const PastBlock& panel) {
   solution_->panels.push_back(&panel);
   const double t = panel.block.time(1.0);
-  const Vec y =
-      panel.block.from == 0.0 ? solution_->at(t) : Vec(panel.values.transpose() * solution_->rule.at_end);
-  over_ = !run_.accept(t, y, [&](double between) { return solution_->at(between); });
+  over_ = !run_.accept(t, solution_->at(t), [&](double between) { return solution_->at(between); });
 }
 
 }  // namespace fde

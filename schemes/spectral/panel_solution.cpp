@@ -11,7 +11,7 @@ Vec PanelSolution::at(double t) const {
       std::ranges::lower_bound(panels, t, {}, [](const PastBlock* panel) { return panel->block.time(1.0); });
   const PastBlock& panel = found == panels.end() ? *panels.back() : **found;
   if (panel.block.from == 0.0) return by_integrals(panel, t);
-  const double place = 2.0 * (t - panel.block.time(-1.0)) / panel.block.length() - 1.0;
+  const double place = panel.block.place(t);
   const Matrix weights = legendre_polynomials(Vec::Constant(1, place), rule.size()) * rule.to_coefficients;
   return (weights * panel.values).transpose();
 }
@@ -20,7 +20,7 @@ Vec PanelSolution::by_integrals(const PastBlock& panel, double t) const {
   Vec rows = driven.start(t);
   for (std::size_t s = 0; &segments[s] != panel.block.segment; ++s) past.add_at(*trees[s], t, rows);
   past.add_at(panel, t, rows);
-  const double place = 2.0 * (t - panel.block.time(-1.0)) / panel.block.length() - 1.0;
+  const double place = panel.block.place(t);
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
     if (past.kernels().order_of(i) >= 0) continue;
     const auto drive = driven.rows[static_cast<std::size_t>(i)].drive;

@@ -21,6 +21,10 @@ struct Block {
   [[nodiscard]] double time(double place) const {  // place in [-1, 1]
     return segment->start + segment->length * (from + width * (1.0 + place) / 2.0);
   }
+  // The place of a time, as it is rounded: 2 (t - start) / length - 1.
+  [[nodiscard]] double place(double t) const {
+    return 2.0 * ((t - segment->start) / segment->length - from) / width - 1.0;
+  }
   [[nodiscard]] double length() const { return segment->length * width; }
   [[nodiscard]] Block older() const { return {segment, from, width / 2.0}; }
   [[nodiscard]] Block newer() const { return {segment, from + width / 2.0, width / 2.0}; }

@@ -39,7 +39,8 @@ void in_digits(double alpha, double beta, std::complex<double> z, int digits) {
   const auto shown = fmt::format("{} {} {}", re, im, bound);
   fuzz::require(shown.find("nan") == std::string::npos, "digits of a number", shown);
   const bool overflows = re.find("inf") != std::string::npos || im.find("inf") != std::string::npos;
-  fuzz::require(overflows == (bound == "inf"), "a value has a bound unless it is beyond all exponents", shown);
+  fuzz::require(overflows == (bound == "inf"), "a value has a bound unless it is beyond all exponents",
+                shown);
 }
 
 }  // namespace

@@ -59,13 +59,13 @@ ParameterValue value(fuzz::Bytes& bytes, const Parameter& parameter) {
   return numbers;
 }
 
-void solve(const Scene& scene, const Scheme& scheme, const Grid& grid) {
-  if (const auto reason = refusal(scheme, scene.problem, grid)) {
+void solve(const Scene& scene, const Scheme& scheme, const Resolution& resolution) {
+  if (const auto reason = refusal(scheme, scene.problem, resolution)) {
     fuzz::require(!reason->empty(), "a refusal has a reason");
     return;
   }
-  const auto path = scheme.solve(scene.problem, grid, {.budget = 0.5});
-  const auto shown = fmt::format("{} {} N = {} T = {}", scene.name, scheme.id, grid.steps, grid.end);
+  const auto path = scheme.solve(scene.problem, resolution, {.budget = 0.5});
+  const auto shown = fmt::format("{} {} T = {}", scene.name, scheme.id, scene.problem.end);
   fuzz::require(path.ending != Ending::finished || path.y.allFinite(), "what finished is finite", shown);
   fuzz::require(!describe(scene.problem, path).empty(), "an ending has a description", shown);
 }
@@ -97,10 +97,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   fuzz::answers([&] {
     const Scene scene = make_scene(maker, values);
+    if (!scene.refusal.empty()) return;
     if (exact) {
       look_up(scene, scene.problem.end);
+    } else if (scheme.needs.takes_accuracy) {
+      const double error = std::pow(10.0, -steps / 2.0);
+      solve(scene, scheme, Accuracy{error, error});
     } else {
-      solve(scene, scheme, {.end = scene.problem.end, .steps = steps});
+      solve(scene, scheme, Grid{.end = scene.problem.end, .steps = steps});
     }
   });
   return 0;

@@ -54,6 +54,7 @@ Scene pair_of_points(const Parameters& p, Formulation formulation) {
   const Scene equation = reduced(p);
   for (const Group rows : {form.layout.w, form.layout.lambda}) hide(form.smoothness, rows);
   return {.problem = std::move(form.problem),
+          .refusal = std::move(form.refusal),
           .smoothness = std::move(form.smoothness),
           .outputs = {equation.outputs.names, middle},
           .reference_problem = PosedProblem{equation.problem, equation.outputs}};
