@@ -50,16 +50,20 @@ void EnergyObserver::observe(double t, In columns) {
   if (seen_++ == 0) start_ = last_[2].energy;
   if (seen_ < 3) return;
 
+  // In units of the time between the three, of which squares may be beyond double.
+  const double unit = last_[2].t - last_[0].t;
+  const auto place = [&](const Point& at) { return (at.t - last_[0].t) / unit; };
   const auto parabola = [&](const auto& of) {
-    return Parabola({last_[0].t, last_[1].t, last_[2].t}, {of(last_[0]), of(last_[1]), of(last_[2])});
+    return Parabola({0.0, place(last_[1]), 1.0}, {of(last_[0]), of(last_[1]), of(last_[2])});
   };
   const Parabola power = parabola([](const Point& at) { return at.power; });
   const auto add = [&](const Point& from, const Point& to) {
-    work_.add(0, integral(from.t, to.t, [&](double at) { return power.value(at); }));
+    work_.add(0, unit * integral(place(from), place(to), [&](double at) { return power.value(at); }));
     for (Eigen::Index k = 0; k < from.rated.size(); ++k) {
       const Parabola share = parabola([k](const Point& at) { return at.shares[k]; });
       const Parabola rated = parabola([k](const Point& at) { return at.rated[k]; });
-      work_.add(0, integral(from.t, to.t, [&](double at) { return share.value(at) * rated.rate(at); }));
+      work_.add(
+          0, integral(place(from), place(to), [&](double at) { return share.value(at) * rated.rate(at); }));
     }
     compare(to);
   };

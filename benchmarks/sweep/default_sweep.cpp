@@ -39,7 +39,11 @@ std::vector<SceneVariant> sweep_scenes() {
 }
 
 Ladder thorough_ladder() {
-  return {{64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536, 131072, 262144, 524288}};
+  Ladder ladder;
+  for (int steps = 64; steps <= 524288; steps *= 2) ladder.rungs.emplace_back(steps);
+  for (const double error : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13})
+    ladder.rungs.emplace_back(Accuracy{error, error});
+  return ladder;
 }
 
 Ladder default_ladder() { return {thorough_ladder().rungs, Goal{}}; }

@@ -23,10 +23,14 @@ double seconds_of(const std::function<void()>& work) {
 class Probe {
  public:
   Probe(const Scene& scene, const Scheme& scheme, const Setup& setup, const Ladder& ladder) {
+    if (!scheme.needs.takes_grid) {
+      probe_accuracy(scene, scheme, setup);
+      return;
+    }
     std::array<Vec, 3> results;
     for (std::size_t i = 0; i < results.size(); ++i) {
       steps_ = fewest_steps(ladder) << i;
-      results[i] = solve(scene, scheme, setup);
+      results[i] = solve(scene, scheme, setup, steps_);
     }
     if (failed_) return;
     error_ = (results[2] - results[1]).cwiseAbs().maxCoeff();
@@ -35,9 +39,10 @@ class Probe {
     maximum_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grid, Norm::maximum);
   }
 
-  // A run with so many steps.
-  [[nodiscard]] Rung rung(int steps) const {
-    const double ratio = static_cast<double>(steps_) / steps;
+  // A run with so many steps, or of an accuracy: as the probe of one.
+  [[nodiscard]] Rung rung(const StepsOrAccuracy& resolution) const {
+    const int steps = std::holds_alternative<int>(resolution) ? std::get<int>(resolution) : steps_;
+    const double ratio = steps > 0 ? static_cast<double>(steps_) / steps : 1.0;
     Rung rung{.steps = steps, .hopeless = refused_};
     if (failed_) return rung;
     rung.seconds = seconds_ / ratio;
@@ -60,10 +65,16 @@ class Probe {
     return std::clamp(steps / part, 1, most);
   }
 
-  // The columns at the end of a solve with steps_.
-  Vec solve(const Scene& scene, const Scheme& scheme, Setup setup) {
+  void probe_accuracy(const Scene& scene, const Scheme& scheme, const Setup& setup) {
+    constexpr double middle = 1e-7;
+    steps_ = 0;
+    solve(scene, scheme, setup, Accuracy{middle, middle});
+  }
+
+  // The columns at the end of a solve.
+  Vec solve(const Scene& scene, const Scheme& scheme, Setup setup, const StepsOrAccuracy& asked) {
     constexpr double most_seconds = 2.0;
-    setup.resolution = steps_;
+    setup.resolution = asked;
     setup.budget = std::min(setup.budget, most_seconds);
     const double end = scene.problem.end;
     const auto resolution = resolution_of(setup, end);
@@ -120,14 +131,20 @@ class ForecastScene {
     const std::size_t count = probes.size() + sweep_.programs.size();
     std::vector<Climb> climbs(count);
     std::vector<bool> ended(count, false);
-    for (const auto& resolution : sweep_.ladder.rungs) {
+    const auto ladder_of = [&](std::size_t i) {
+      return ladder_for(sweep_.ladder, i < probes.size() ? probes[i].scheme->needs : Needs{});
+    };
+    std::vector<Ladder> ladders;
+    for (std::size_t i = 0; i < count; ++i) ladders.push_back(ladder_of(i));
+    for (std::size_t rung = 0; rung < sweep_.ladder.rungs.size(); ++rung) {
       for (std::size_t i = 0; i < count; ++i) {
         if (ended[i]) continue;
+        const auto& resolution = ladders[i].rungs[rung];
         climbs[i].push_back(i < probes.size() ? take(probes[i], resolution)
                                               : take(sweep_.programs[i - probes.size()], resolution));
       }
       for (std::size_t i = 0; i < count; ++i)
-        ended[i] = ended[i] || has_ended(sweep_.ladder, climbs, climbs[i]);
+        ended[i] = ended[i] || has_ended(ladders[i], climbs, climbs[i]);
     }
     return std::move(expected_);
   }
@@ -144,8 +161,7 @@ class ForecastScene {
     key.setup.resolution = resolution;
     const RecordedRun recorded = recorded_(key);
     if (recorded.amount() == Recorded::everything) return rung_of(key.setup, recorded);
-    const auto* steps = std::get_if<int>(&resolution);
-    const Rung rung = line.probe.rung(steps != nullptr ? *steps : 1);
+    const Rung rung = line.probe.rung(resolution);
     expected_[key] = seconds_of(rung) + seconds_of_timing(rung, sweep_.repeats);
     return rung;
   }

@@ -29,6 +29,7 @@ bool is_hopeless(Ending ending) {
 // The rates at which the error fell last and at which theory expects it to, the smaller first.
 std::optional<std::pair<double, double>> rates_of(const Climb& climb, ErrorOfRung of) {
   const Rung& last = climb.back();
+  if (last.steps == 0) return std::nullopt;
   std::vector<double> rates;
   if ((last.*of).rate) rates.push_back(*(last.*of).rate);
   if (climb.size() > 1 && (climb[climb.size() - 2].*of).error.value_or(0.0) > 0.0) {
@@ -86,7 +87,7 @@ bool is_repeated(std::span<const Climb> of_scene, const Climb& climb) {
   return false;
 }
 
-// Whether the climb, going on, could not be the answer within this error.
+// Whether the climb, going on, could not be the answer of a grid within this error.
 bool is_answered(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb, ErrorOfRung of,
                  double error) {
   if (measured_seconds(climb, of, error)) return true;
@@ -94,7 +95,7 @@ bool is_answered(const Ladder& ladder, std::span<const Climb> of_scene, const Cl
   const double own = seconds_needed(ladder, climb, of, error, true).value_or(infinity);
   if (own - start_up(climb) > ladder.goal->most_seconds) return true;
   return std::ranges::any_of(of_scene, [&](const Climb& other) {
-    if (&other == &climb || other.empty()) return false;
+    if (&other == &climb || other.empty() || other.back().steps == 0) return false;
     return own > ladder.goal->margin * seconds_needed(ladder, other, of, error, false).value_or(infinity);
   });
 }
@@ -110,6 +111,17 @@ bool is_settled(const Ladder& ladder, std::span<const Climb> of_scene, const Cli
 }
 
 }  // namespace
+
+Ladder ladder_for(const Ladder& ladder, const Needs& needs) {
+  Ladder own;
+  for (const auto& rung : ladder.rungs) {
+    const bool takes = std::holds_alternative<int>(rung) ? needs.takes_grid : needs.takes_accuracy;
+    if (takes) own.rungs.push_back(rung);
+  }
+  if (own.rungs.empty()) return ladder;
+  if (needs.takes_grid) own.goal = ladder.goal;
+  return own;
+}
 
 Rung rung_of(const Setup& setup, const RecordedRun& run) {
   const auto within = [&](const char* error, const char* bound) {

@@ -16,12 +16,16 @@ struct Goal {
   double margin = 2.0;        // by which the forecast of another scheme's time may be wrong
 };
 
-// The numbers of steps that a scheme gets on a scene, the coarsest first: all of them, or as far as a goal
-// needs.
+// The numbers of steps, and the accuracies, that schemes get on a scene, the coarsest first: all of them, or
+// as many steps as a goal needs.
 struct Ladder {
   std::vector<StepsOrAccuracy> rungs{};
   std::optional<Goal> goal{};
 };
+
+// What is on it for schemes over a grid, or for those that choose their steps: the rungs of that kind, which
+// are few and all climbed where they are accuracies. Where it has none, all rungs: each is refused.
+Ladder ladder_for(const Ladder& ladder, const Needs& needs);
 
 // An error, and the rate that theory expects of it.
 struct FallingError {

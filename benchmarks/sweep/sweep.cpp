@@ -19,6 +19,7 @@ namespace {
 struct Line {
   std::variant<const Scheme*, const ExternalProgram*> solver;
   RunKey key;         // of the run at hand
+  Ladder ladder{};
   Setup setup{};      // of it, with all means that a program is run with
   RecordedRun run{};  // the run at hand
   bool ended = false;
@@ -30,10 +31,10 @@ struct SweptScene {
       : variant(std::move(swept)), name(variant.key()), scene(make_scene(variant)) {
     for (const auto* scheme : sweep.schemes) {
       for (const Setup& setup : setups_of(sweep, *scheme, scene.problem))
-        add({scheme, {name, std::string(scheme->id), setup}, setup});
+        add({scheme, {name, std::string(scheme->id), setup}, ladder_for(sweep.ladder, scheme->needs), setup});
     }
     for (const auto& program : sweep.programs)
-      add({&program, key_of(program, name, sweep.setup), sweep.setup});
+      add({&program, key_of(program, name, sweep.setup), ladder_for(sweep.ladder, Needs{}), sweep.setup});
     climbs.resize(lines.size());
   }
 
@@ -121,13 +122,13 @@ void time_rung(SweptScene& of, const Repeats& repeats, SweepLog& log) {
 }
 
 // All lines of the scene have taken the rung: who climbs on?
-void climb(SweptScene& of, const Ladder& ladder, SweepLog& log) {
+void climb(SweptScene& of, SweepLog& log) {
   for (std::size_t i = 0; i < of.lines.size(); ++i) {
     if (!of.lines[i].ended) of.climbs[i].push_back(rung_of(of.lines[i].key.setup, of.lines[i].run));
   }
   for (std::size_t i = 0; i < of.lines.size(); ++i) {
     Line& line = of.lines[i];
-    if (line.ended || !has_ended(ladder, of.climbs, of.climbs[i])) continue;
+    if (line.ended || !has_ended(line.ladder, of.climbs, of.climbs[i])) continue;
     line.ended = true;
     log.tell(SweepEvent::Kind::line_ends, line.key);
   }
@@ -153,19 +154,19 @@ std::vector<std::size_t> longest_first(const std::deque<SweptScene>& scenes, con
   return order;
 }
 
-void take_rung(std::deque<SweptScene>& scenes, const StepsOrAccuracy& rung, const Sweep& sweep,
+void take_rung(std::deque<SweptScene>& scenes, std::size_t rung, const Sweep& sweep,
                const SweepHooks& hooks, const Forecast& expected, SweepLog& log) {
   for (auto& of : scenes) {
     for (Line& line : of.lines) {
       if (line.ended) continue;
-      line.key.setup.resolution = line.setup.resolution = rung;
+      line.key.setup.resolution = line.setup.resolution = line.ladder.rungs[rung];
       line.run = hooks.recorded(line.key);
     }
   }
   const auto order = longest_first(scenes, expected);
   in_parallel(scenes.size(), sweep.threads, [&](std::size_t i) { examine_rung(scenes[order[i]], log); });
   for (auto& of : scenes) time_rung(of, sweep.repeats, log);
-  for (auto& of : scenes) climb(of, sweep.ladder, log);
+  for (auto& of : scenes) climb(of, log);
 }
 
 }  // namespace
@@ -195,7 +196,8 @@ void run_sweep(const Sweep& asked, const SweepHooks& hooks, const Forecast& expe
       scenes.emplace_back(variant, sweep);
   }
   SweepLog log(hooks);
-  for (const auto& rung : sweep.ladder.rungs) take_rung(scenes, rung, sweep, hooks, expected, log);
+  for (std::size_t rung = 0; rung < sweep.ladder.rungs.size(); ++rung)
+    take_rung(scenes, rung, sweep, hooks, expected, log);
 }
 
 }  // namespace fde

@@ -61,7 +61,7 @@ std::vector<Sweep> sweeps_of_trials(Sweep like, bool thorough) {
   for (const auto& trial : trials()) {
     if (trial.thorough && !thorough) continue;
     auto& sweep = by_steps.try_emplace(trial.steps, like).first->second;
-    sweep.ladder = {{trial.steps}};
+    sweep.ladder = {{trial.steps, trial_accuracy}};
     sweep.scenes.push_back(trial.scene);
   }
   std::vector<Sweep> sweeps;

@@ -56,8 +56,10 @@ std::vector<std::string> line_labels(const PageInput& page) {
 }
 
 bool is_trial(const MeasuredRun& run) {
+  const auto& resolution = run.key.setup.resolution;
   return std::ranges::any_of(trials(), [&](const Trial& trial) {
-    return trial.steps == run.steps && trial.scene.key() == run.key.scene;
+    return (resolution == StepsOrAccuracy(trial.steps) || resolution == StepsOrAccuracy(trial_accuracy)) &&
+           trial.scene.key() == run.key.scene;
   });
 }
 

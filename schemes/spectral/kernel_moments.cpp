@@ -13,7 +13,7 @@ double decay(double beyond) {
 
 // ((z+1)^order - max(z-1, 0)^order) / order.
 double zeroth(double order, double beyond) {
-  if (beyond <= 0.0) return std::pow(2.0 + beyond, order) / order;
+  if (beyond < 1.0) return (std::pow(2.0 + beyond, order) - std::pow(std::max(beyond, 0.0), order)) / order;
   return std::pow(beyond, order) * std::expm1(order * std::log1p(2.0 / beyond)) / order;
 }
 

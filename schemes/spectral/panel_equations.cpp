@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "implicit/differences.hpp"
+#include "spectral/growing_modes.hpp"
 
 namespace fde {
 namespace {
@@ -73,6 +74,43 @@ bool PanelEquations::cancels(const Vec& limit, const Matrix& rows) const {
          rows.size() > 0;
 }
 
+Vec PanelEquations::drives_of(Run& run, double t) {
+  const Vec& f = run.rhs(t, y_);
+  return Vec::NullaryExpr(driven_.drive_count(),
+                          [&](Eigen::Index k) { return f[driven_.drives[static_cast<std::size_t>(k)]]; });
+}
+
+Vec PanelEquations::first_drives(Run& run) {
+  y_ = run.start();
+  const Vec drives = drives_of(run, 0.0);
+  return drives.allFinite() ? drives : Vec();
+}
+
+Vec PanelEquations::drives_at(Run& run, const PanelTask& task) {
+  y_ = task.past.row(0);
+  const Vec drives = drives_of(run, task.times[0]);
+  return drives.array().isFinite().select(drives, 0.0);
+}
+
+// jacobian_ at y_.
+void PanelEquations::differentiate(Run& run, double t, In sizes) {
+  if (evaluate_jacobian(problem_, t, y_, jacobian_)) return;
+  f_ = run.rhs(t, y_);
+  difference_rhs(run, t, y_, f_, sizes, jacobian_);
+}
+
+bool PanelEquations::grows(Run& run, const PanelTask& task, const Matrix& rows) {
+  if ((mass_.array() == 0.0).any()) return true;
+  const Vec orders = Vec::NullaryExpr(problem_.size(), [&](Eigen::Index i) {
+    return problem_.components[static_cast<std::size_t>(i)].order;
+  });
+  const double rate = 1.0 / (task.times[rows.rows() - 1] - task.times[0]);
+  const Eigen::Index middle = rows.rows() / 2;
+  y_ = rows.row(middle);
+  differentiate(run, task.times[middle], task.size);
+  return !jacobian_.allFinite() || grows_faster(jacobian_, orders, rate);
+}
+
 bool PanelEquations::evaluate(Run& run, const PanelTask& task, const Matrix& rows) {
   right_.resize(rows.rows(), driven_.drive_count());
   for (Eigen::Index j = 0; j < rows.rows(); ++j) {
@@ -95,10 +133,7 @@ bool PanelEquations::linearise(Run& run, const PanelTask& task, const Matrix& ro
     matrix_.diagonal().segment(k * places, places).setConstant(mass_[k]);
   for (Eigen::Index j = 0; j < places; ++j) {
     y_ = rows.row(j);
-    if (!evaluate_jacobian(problem_, task.times[j], y_, jacobian_)) {
-      f_ = run.rhs(task.times[j], y_);
-      difference_rhs(run, task.times[j], y_, f_, task.size, jacobian_);
-    }
+    differentiate(run, task.times[j], task.size);
     for (Eigen::Index i = 0; i < driven_.row_count(); ++i) {
       const Eigen::Index order = kernels_.order_of(i),
                          drive = driven_.rows[static_cast<std::size_t>(i)].drive;

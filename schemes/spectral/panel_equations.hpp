@@ -34,10 +34,21 @@ class PanelEquations {
   // Whether the last iteration that came to no end was out of the domain.
   [[nodiscard]] bool left_domain() const { return left_domain_; }
 
+  // The drives at t = 0; empty where f is not finite there.
+  Vec first_drives(Run& run);
+  // Those that the past alone makes at the first place; 0 where f is not finite there.
+  Vec drives_at(Run& run, const PanelTask& task);
+
+  // Whether the problem, linearised at the middle place, has a mode that grows within
+  // the panel. What grows and is not resolved is wrong however small.
+  bool grows(Run& run, const PanelTask& task, const Matrix& rows);
+
   // What may be wrong in each row: the accuracy, but at least a little more than rounding.
   [[nodiscard]] Vec allowed(const PanelTask& task, const Matrix& rows) const;
 
  private:
+  Vec drives_of(Run& run, double t);  // at y_
+  void differentiate(Run& run, double t, In sizes);
   bool evaluate(Run& run, const PanelTask& task, const Matrix& rows);
   bool linearise(Run& run, const PanelTask& task, const Matrix& rows);
   void move(const PanelTask& task, const Matrix& increment, Matrix& drives, Matrix& rows);

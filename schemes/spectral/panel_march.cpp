@@ -45,7 +45,7 @@ Trajectory PanelMarch::solve() {
   const Eigen::Index places = solution_->rule.size(), rows = solution_->driven.row_count();
   for (const Segment& segment : segments) {
     width_ = 1.0;
-    last_drives_.resize(0);
+    last_drives_ = &segment == &segments.front() ? equations_.first_drives(run_) : Vec();
     Sources before;
     for (const auto& tree : solution_->trees) before.push_back(tree.get());
     auto tree = visit({&segment, 0.0, 1.0}, Matrix::Zero(places, rows), before);
@@ -98,19 +98,20 @@ std::unique_ptr<PastBlock> PanelMarch::joined(const Block& block, std::unique_pt
 std::unique_ptr<PastBlock> PanelMarch::attempt(const Block& block, const Matrix& smooth,
                                                const Sources& near) {
   const PanelTask task = task_on(block, smooth, near);
-  PanelValues solved{guess_on(block, task), {}};
+  PanelValues solved{guess_on(task), {}};
   if (!equations_.solve(run_, task, solved)) {
     shorten(block, infinity);
     return nullptr;
   }
   Matrix coefficients = solution_->rule.to_coefficients * solved.drives;
-  const double doubt = doubt_of(task, solved, coefficients);
+  const Vec effects = effects_of(block, task, solved, coefficients);
+  const double doubt = effects.tail(2).sum() + (breaks_off(task, solved) ? infinity : 0.0);
   if (!(doubt <= 1.0)) {
     shorten(block, doubt);
     return nullptr;
   }
-  lengthen(block, needed_share(task, solved, coefficients));
-  last_drives_ = solution_->rule.at_end.transpose() * solved.drives;
+  lengthen(block, needed_share(effects));
+  last_drives_ = solved.drives.transpose() * solution_->rule.at_end;
   auto panel = std::make_unique<PastBlock>(PastBlock{.block = block,
                                                      .coefficients = std::move(coefficients),
                                                      .units = task.units,
@@ -132,59 +133,63 @@ PanelTask PanelMarch::task_on(const Block& panel, const Matrix& smooth, const So
   return task;
 }
 
-// The drives as they were last; at the start of a segment as the past makes them.
-Matrix PanelMarch::guess_on(const Block& panel, const PanelTask& task) {
-  const auto& driven = solution_->driven;
-  Matrix guess = Matrix::Zero(task.past.rows(), driven.drive_count());
-  if (panel.from > 0.0) {
-    guess.rowwise() = last_drives_.transpose();
-    return guess;
-  }
-  const Vec first = task.past.row(0);
-  const Vec f = run_.rhs(task.times[0], first);
-  for (Eigen::Index k = 0; k < guess.cols(); ++k) {
-    const double value = f[driven.drives[static_cast<std::size_t>(k)]];
-    if (std::isfinite(value)) guess.col(k).setConstant(value);
-  }
+// The drives as they were last; at the start of a segment, where these are not known, as the past makes them.
+Matrix PanelMarch::guess_on(const PanelTask& task) {
+  Matrix guess(task.past.rows(), solution_->driven.drive_count());
+  guess.rowwise() = (last_drives_.size() > 0 ? last_drives_ : equations_.drives_at(run_, task)).transpose();
   return guess;
 }
 
-// How far the coefficients of one degree, as an error of the drives all over the panel, would move the rows,
-// in units of what is allowed.
-Vec PanelMarch::effect(const PanelTask& task, const Vec& allowed, const Vec& drives) const {
+// What the coefficients of each degree are worth as an error of the rows, in units of what is allowed, at
+// most of all rows: as an error of the drive all over the panel. Where f makes a row decay quickly it is a
+// small part of its drive, and the coefficients of the row itself say what is wrong.
+Vec PanelMarch::effects_of(const Block& panel, const PanelTask& task, const PanelValues& solved,
+                           const Matrix& of_drives) {
   const auto& driven = solution_->driven;
-  const auto& kernels = solution_->past.kernels();
-  Vec effect(driven.row_count());
-  for (Eigen::Index i = 0; i < effect.size(); ++i) {
-    const auto order = kernels.order_of(i);
-    const double unit =
-        order < 0 ? 1.0
-                  : task.units[order] / std::tgamma(driven.rows[static_cast<std::size_t>(i)].order + 1.0);
-    effect[i] = unit * std::abs(drives[driven.rows[static_cast<std::size_t>(i)].drive]) / allowed[i];
+  const Vec allowed = equations_.allowed(task, solved.rows);
+  Matrix effects(of_drives.rows(), driven.row_count());
+  for (Eigen::Index i = 0; i < allowed.size(); ++i) {
+    const auto drive = driven.rows[static_cast<std::size_t>(i)].drive;
+    effects.col(i) = unit_of(task, i) / allowed[i] * of_drives.col(drive).cwiseAbs();
   }
-  return effect;
+  const bool follows = panel.from > 0.0;  // and is past the transient that a start is
+  if (follows && effects.bottomRows(2).maxCoeff() > 0.5 && !equations_.grows(run_, task, solved.rows)) {
+    const Matrix of_rows = solution_->rule.to_coefficients * solved.rows;
+    for (Eigen::Index i = 0; i < allowed.size(); ++i)
+      effects.col(i) = effects.col(i).cwiseMin(of_rows.col(i).cwiseAbs() / allowed[i]);
+  }
+  return effects.rowwise().maxCoeff();
 }
 
-double PanelMarch::doubt_of(const PanelTask& task, const PanelValues& solved,
-                            const Matrix& coefficients) const {
-  constexpr double least_break = 1e-3;  // another solution begins elsewhere; the same one nearly where it was
+// What a row's integral makes of a drive of 1 all over the panel, without the powers of 2.
+double PanelMarch::unit_of(const PanelTask& task, Eigen::Index row) const {
+  const auto order = solution_->past.kernels().order_of(row);
+  if (order < 0) return 1.0;
+  return task.units[order] / std::tgamma(solution_->driven.rows[static_cast<std::size_t>(row)].order + 1.0);
+}
+
+// Whether this is another root of the equations than that of the panel before, which then begins elsewhere:
+// drives are continuous.
+bool PanelMarch::breaks_off(const PanelTask& task, const PanelValues& solved) const {
+  constexpr double clear = 1000.0, part = 0.5;
+  if (last_drives_.size() == 0 || linear(problem_)) return false;
+  const Vec change = (solved.drives.transpose() * solution_->rule.at_start - last_drives_).cwiseAbs();
+  const Vec sizes =
+      solved.drives.cwiseAbs().colwise().maxCoeff().transpose().cwiseMax(last_drives_.cwiseAbs());
   const Vec allowed = equations_.allowed(task, solved.rows);
-  const Vec tail = coefficients.bottomRows(2).cwiseAbs().colwise().sum();
-  double doubt = effect(task, allowed, tail).maxCoeff();
-  if (last_drives_.size() > 0) {
-    const Vec change = solution_->rule.at_start.transpose() * solved.drives - last_drives_.transpose();
-    doubt = std::max(doubt, least_break * effect(task, allowed, change).maxCoeff());
+  for (Eigen::Index i = 0; i < allowed.size(); ++i) {
+    const auto drive = solution_->driven.rows[static_cast<std::size_t>(i)].drive;
+    if (change[drive] > part * sizes[drive] && unit_of(task, i) * change[drive] > clear * allowed[i])
+      return true;
   }
-  return doubt;
+  return false;
 }
 
 // The share of the coefficients that are needed.
-double PanelMarch::needed_share(const PanelTask& task, const PanelValues& solved,
-                                const Matrix& coefficients) const {
-  const Vec allowed = equations_.allowed(task, solved.rows);
-  Eigen::Index needed = coefficients.rows();
-  while (needed > 1 && effect(task, allowed, coefficients.row(needed - 1)).maxCoeff() <= 1.0) --needed;
-  return static_cast<double>(needed) / static_cast<double>(coefficients.rows());
+double PanelMarch::needed_share(const Vec& effects) {
+  Eigen::Index needed = effects.size();
+  while (needed > 1 && effects[needed - 1] <= 1.0) --needed;
+  return static_cast<double>(needed) / static_cast<double>(effects.size());
 }
 
 void PanelMarch::shorten(const Block& block, double doubt) {
@@ -204,9 +209,8 @@ void PanelMarch::shorten(const Block& block, double doubt) {
 // Panels that grow from the start are as long as their distance from it; others may grow where half of the
 // coefficients were enough.
 void PanelMarch::lengthen(const Block& panel, double needed_share) {
-  const double end = panel.from + panel.width;
   if (panel.width >= panel.from) {
-    width_ = end;
+    width_ = panel.from + panel.width;
   } else {
     width_ = needed_share <= 0.55 ? 2.0 * panel.width : panel.width;
   }

@@ -27,12 +27,12 @@ class PanelMarch {
   std::unique_ptr<PastBlock> joined(const Block& block, std::unique_ptr<PastBlock> older,
                                     std::unique_ptr<PastBlock> newer) const;
   [[nodiscard]] PanelTask task_on(const Block& panel, const Matrix& smooth, const Sources& near);
-  [[nodiscard]] Matrix guess_on(const Block& panel, const PanelTask& task);
-  [[nodiscard]] Vec effect(const PanelTask& task, const Vec& allowed, const Vec& drives) const;
-  [[nodiscard]] double doubt_of(const PanelTask& task, const PanelValues& solved,
-                                const Matrix& coefficients) const;
-  [[nodiscard]] double needed_share(const PanelTask& task, const PanelValues& solved,
-                                    const Matrix& coefficients) const;
+  [[nodiscard]] Matrix guess_on(const PanelTask& task);
+  [[nodiscard]] Vec effects_of(const Block& panel, const PanelTask& task, const PanelValues& solved,
+                               const Matrix& of_drives);
+  [[nodiscard]] double unit_of(const PanelTask& task, Eigen::Index row) const;
+  [[nodiscard]] bool breaks_off(const PanelTask& task, const PanelValues& solved) const;
+  static double needed_share(const Vec& effects);
   void shorten(const Block& block, double doubt);
   void lengthen(const Block& panel, double needed_share);
   void accept(const PastBlock& panel);
@@ -43,7 +43,7 @@ class PanelMarch {
   PanelEquations equations_;
   double width_ = 1.0;  // of the next panel at most, in units of its segment
   bool over_ = false;
-  Vec last_drives_;  // at the end of the panel before; empty: it is the first of its segment
+  Vec last_drives_;  // at the end of the panel before; empty: not known
 };
 
 }  // namespace fde

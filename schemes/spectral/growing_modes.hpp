@@ -1,0 +1,12 @@
+#pragma once
+
+#include "problem/vectors.hpp"
+
+namespace fde {
+
+// Whether D^(orders) y = jacobian y has a mode that grows faster than e^(rate t): det(diag(s^orders) -
+// jacobian) has a zero with |s| > rate in the right half-plane. Counted by the argument principle; orders are
+// above 0.
+bool grows_faster(const Matrix& jacobian, const Vec& orders, double rate);
+
+}  // namespace fde
