@@ -12,7 +12,6 @@ namespace {
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 constexpr int most_iterations = 20;
-constexpr double part_of_accuracy = 0.01;  // what Newton's method may leave
 
 }  // namespace
 
@@ -31,10 +30,26 @@ PanelEquations::PanelEquations(const Problem& problem, const DrivenRows& driven,
 }
 
 Vec PanelEquations::allowed(const PanelTask& task, const Matrix& rows) const {
-  constexpr double above_rounding = 50.0;
+  constexpr double above_rounding = 50.0, of_row = 0.01;
+  const Eigen::ArrayXd largest = rows.cwiseAbs().colwise().maxCoeff().transpose();
+  const Eigen::ArrayXd asked = accuracy_.absolute + accuracy_.relative * largest;
+  const Eigen::ArrayXd size = task.size.array().max(largest);
+  const Eigen::ArrayXd noise = above_rounding * rounding * size;
+  if (largest_.size() == 0) return asked.max(noise);
+  return asked.min(of_row * largest.max(largest_.array())).max(noise);
+}
+
+void PanelEquations::pass(const Matrix& rows) {
+  const Vec largest = rows.cwiseAbs().colwise().maxCoeff().transpose();
+  largest_ = largest_.size() == 0 ? largest : Vec(largest_.cwiseMax(largest));
+}
+
+// What Newton's method may leave: little of what is allowed, and of the row, for others may be far more
+// sensitive to it than what is asked of it.
+Vec PanelEquations::left_over(const PanelTask& task, const Matrix& rows) const {
+  constexpr double of_allowed = 0.01, of_row = 1e-6;
   const Vec largest = rows.cwiseAbs().colwise().maxCoeff();
-  return (accuracy_.absolute + accuracy_.relative * largest.array())
-      .max(above_rounding * rounding * task.size.array().max(largest.array()));
+  return (of_allowed * allowed(task, rows)).cwiseMin(of_row * largest).cwiseMax(2.0 * rounding * task.size);
 }
 
 bool PanelEquations::solve(Run& run, const PanelTask& task, PanelValues& values) {
@@ -54,7 +69,7 @@ bool PanelEquations::solve(Run& run, const PanelTask& task, PanelValues& values)
     ++*run.cost().newton_iterations;
     move(task, increment, drives, rows);
     if (!rows.allFinite()) return false;
-    const Vec limit = part_of_accuracy * allowed(task, rows);
+    const Vec limit = left_over(task, rows);
     const double now =
         (moved_.cwiseAbs().colwise().maxCoeff().transpose().array() / limit.array()).maxCoeff();
     const double contraction = iteration > 1 ? now / last : 1.0;
@@ -99,16 +114,19 @@ void PanelEquations::differentiate(Run& run, double t, In sizes) {
   difference_rhs(run, t, y_, f_, sizes, jacobian_);
 }
 
-bool PanelEquations::grows(Run& run, const PanelTask& task, const Matrix& rows) {
+bool PanelEquations::grows(Run& run, const PanelTask& task, const Matrix& rows, double folds) {
   if ((mass_.array() == 0.0).any()) return true;
+  const double rate = folds / (task.times[rows.rows() - 1] - task.times[0]);
+  if (rate >= calm_rate_) return false;
   const Vec orders = Vec::NullaryExpr(problem_.size(), [&](Eigen::Index i) {
     return problem_.components[static_cast<std::size_t>(i)].order;
   });
-  const double rate = 1.0 / (task.times[rows.rows() - 1] - task.times[0]);
   const Eigen::Index middle = rows.rows() / 2;
   y_ = rows.row(middle);
   differentiate(run, task.times[middle], task.size);
-  return !jacobian_.allFinite() || grows_faster(jacobian_, orders, rate);
+  if (!jacobian_.allFinite() || grows_faster(jacobian_, orders, rate)) return true;
+  if (linear(problem_)) calm_rate_ = rate;
+  return false;
 }
 
 bool PanelEquations::evaluate(Run& run, const PanelTask& task, const Matrix& rows) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <limits>
 
 #include "problem/resolution.hpp"
 #include "spectral/panel_kernels.hpp"
@@ -39,14 +40,19 @@ class PanelEquations {
   // Those that the past alone makes at the first place; 0 where f is not finite there.
   Vec drives_at(Run& run, const PanelTask& task);
 
-  // Whether the problem, linearised at the middle place, has a mode that grows within
-  // the panel. What grows and is not resolved is wrong however small.
-  bool grows(Run& run, const PanelTask& task, const Matrix& rows);
+  // Whether the problem, linearised at the middle place, has a mode that grows by more than e^folds on the
+  // panel. What grows and is not resolved is wrong however small.
+  bool grows(Run& run, const PanelTask& task, const Matrix& rows, double folds);
 
-  // What may be wrong in each row: the accuracy, but at least a little more than rounding.
+  // What may be wrong in each row: the accuracy, but at most a hundredth of the largest that the row has
+  // been, and at least a little more than rounding.
   [[nodiscard]] Vec allowed(const PanelTask& task, const Matrix& rows) const;
 
+  // Takes a panel as solved.
+  void pass(const Matrix& rows);
+
  private:
+  [[nodiscard]] Vec left_over(const PanelTask& task, const Matrix& rows) const;
   Vec drives_of(Run& run, double t);  // at y_
   void differentiate(Run& run, double t, In sizes);
   bool evaluate(Run& run, const PanelTask& task, const Matrix& rows);
@@ -60,7 +66,9 @@ class PanelEquations {
   Accuracy accuracy_;
   Vec mass_;  // 1, and 0 of an algebraic drive
   Eigen::PartialPivLU<Matrix> factors_;
-  Vec factored_units_;  // of a linear problem
+  Vec factored_units_;                                          // of a linear problem
+  double calm_rate_ = std::numeric_limits<double>::infinity();  // of a linear problem: no mode grows faster
+  Vec largest_;                                                 // that the rows have been
   Matrix right_, moved_, jacobian_, matrix_;
   Vec y_, f_;
   bool left_domain_ = false;

@@ -105,12 +105,15 @@ std::unique_ptr<PastBlock> PanelMarch::attempt(const Block& block, const Matrix&
   }
   Matrix coefficients = solution_->rule.to_coefficients * solved.drives;
   const Vec effects = effects_of(block, task, solved, coefficients);
-  const double doubt = effects.tail(2).sum() + (breaks_off(task, solved) ? infinity : 0.0);
+  // More than the places can see grow.
+  const bool outrun = equations_.grows(run_, task, solved.rows, static_cast<double>(effects.size()));
+  const double doubt = outrun || breaks_off(task, solved) ? infinity : effects.tail(2).sum();
   if (!(doubt <= 1.0)) {
     shorten(block, doubt);
     return nullptr;
   }
   lengthen(block, needed_share(effects));
+  equations_.pass(solved.rows);
   last_drives_ = solved.drives.transpose() * solution_->rule.at_end;
   auto panel = std::make_unique<PastBlock>(PastBlock{.block = block,
                                                      .coefficients = std::move(coefficients),
@@ -153,7 +156,7 @@ Vec PanelMarch::effects_of(const Block& panel, const PanelTask& task, const Pane
     effects.col(i) = unit_of(task, i) / allowed[i] * of_drives.col(drive).cwiseAbs();
   }
   const bool follows = panel.from > 0.0;  // and is past the transient that a start is
-  if (follows && effects.bottomRows(2).maxCoeff() > 0.5 && !equations_.grows(run_, task, solved.rows)) {
+  if (follows && effects.bottomRows(2).maxCoeff() > 0.5 && !equations_.grows(run_, task, solved.rows, 1.0)) {
     const Matrix of_rows = solution_->rule.to_coefficients * solved.rows;
     for (Eigen::Index i = 0; i < allowed.size(); ++i)
       effects.col(i) = effects.col(i).cwiseMin(of_rows.col(i).cwiseAbs() / allowed[i]);
@@ -201,9 +204,11 @@ void PanelMarch::shorten(const Block& block, double doubt) {
   }
   width_ = block.width * std::exp2(-halvings);
   const double shortest = block.from == 0.0 ? 0x1p-900 : 0x1p-48 * block.from;
-  if (width_ > shortest) return;
-  over_ = true;
-  run_.fail(equations_.left_domain() ? Ending::singular : Ending::not_converged, block.time(1.0));
+  const bool too_short = width_ <= shortest;
+  over_ = too_short || run_.out_of_budget();
+  if (!over_) return;
+  const auto reason = equations_.left_domain() ? Ending::singular : Ending::not_converged;
+  run_.fail(too_short ? reason : Ending::out_of_budget, block.time(1.0));
 }
 
 // Panels that grow from the start are as long as their distance from it; others may grow where half of the

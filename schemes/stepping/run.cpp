@@ -31,9 +31,11 @@ bool Run::accept(double t, In y) {
 
 bool Run::accept(double t, In y, const std::function<Vec(double)>& between) {
   constexpr double rounding = 1e-12;
+  const double before = path_.reached;
   if (!goes_on(t, y)) return false;
-  for (const auto& at = options_.at; next_at_ < at.size() && at[next_at_] < t * (1 - rounding); ++next_at_)
-    keep(at[next_at_], between(at[next_at_]));
+  for (const auto& at = options_.at; next_at_ < at.size() && at[next_at_] < t * (1 - rounding); ++next_at_) {
+    if (at[next_at_] > before * (1 + rounding)) keep(at[next_at_], between(at[next_at_]));
+  }
   record(t, y);
   return true;
 }

@@ -1,0 +1,179 @@
+// A scheme that is asked for an accuracy: what it delivers, and how it ends where it cannot.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "mittag_leffler/mittag_leffler.hpp"
+#include "references/reference_of.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+const Scheme& scheme() { return *find_scheme("spectral_collocation"); }
+
+Trajectory run(const Problem& problem, double accuracy, const Options& options = {}) {
+  return scheme().solve(problem, Accuracy{accuracy, accuracy}, options);
+}
+
+struct Asked {
+  std::string scene;
+  ParameterValues values{};
+};
+
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
+void PrintTo(const Asked& asked, std::ostream* out) {
+  *out << SceneVariant{&scene_maker(asked.scene), asked.values}.label();
+}
+
+class Spectral : public testing::TestWithParam<Asked> {};
+
+// At its own times, of which the first are next to a singular start.
+TEST_P(Spectral, DeliversTheAccuracy) {
+  const Scene scene = scene_of(GetParam().scene, GetParam().values);
+  const auto reference = reference_of(scene);
+  for (const double accuracy : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    const auto path = run(scene.problem, accuracy);
+    ASSERT_EQ(path.ending, Ending::finished) << accuracy;
+    EXPECT_EQ(path.reached, scene.problem.end);
+    EXPECT_EQ(path.steps, std::ssize(path.times) - 1);
+    for (std::size_t i = 1; i < path.times.size(); i += 1 + path.times.size() / 64) {
+      const double t = path.times[i];
+      const auto exact = reference.at(t);
+      const Vec columns = columns_at(scene.outputs, t, path.y.col(static_cast<Eigen::Index>(i)));
+      for (Eigen::Index c = 0; c < columns.size(); ++c) {
+        EXPECT_LT(std::abs(columns[c] - exact.value[c]),
+                  accuracy * (1.0 + std::abs(exact.value[c])) + 4.0 * exact.bound[c])
+            << accuracy << ' ' << t;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Spectral,
+    testing::Values(Asked{"relaxation"}, Asked{"relaxation", {{"gamma", 0.1}}},
+                    Asked{"relaxation", {{"gamma", 1.7}}}, Asked{"relaxation", {{"gamma", 1.0}}},
+                    Asked{"relaxation", {{"lambda", 20.0}}}, Asked{"relaxation_pair"},
+                    Asked{"power", {{"gamma", 0.2}, {"p", 0.3}}}, Asked{"diethelm"}, Asked{"linear_system"},
+                    Asked{"fractional_oscillator"}, Asked{"damped_oscillator"}, Asked{"pendulum"},
+                    Asked{"extensible_pendulum"}, Asked{"multi_term"}, Asked{"brusselator"},
+                    Asked{"van_der_pol", {{"mu", 1e4}}}, Asked{"robertson"},
+                    Asked{"stiff_relaxation", {{"lambda", -1e8}}}, Asked{"fractional_constraint_2d"},
+                    Asked{"knife_edge"}, Asked{"canonical_ensemble"}, Asked{"fractional_knife_edge"}),
+    [](const auto& test) {
+      auto name = testing::PrintToString(test.param);
+      std::ranges::replace_if(
+          name, [](char c) { return std::isalnum(c) == 0; }, '_');
+      return name;
+    });
+
+// The load of Bagley and Torvik ends at t = 1, where panels begin anew: no accuracy is lost there.
+TEST(SpectralJump, IsStartedFrom) {
+  const Scene scene = scene_of("bagley_torvik");
+  const auto reference = reference_of(scene);
+  std::vector<double> at{0.3, 1.0, 1.0 + 0x1p-20, 1.1, 5.0, scene.problem.end};
+  const auto path = run(scene.problem, 1e-10, {.at = at});
+  ASSERT_EQ(path.times, at);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const Vec error = columns_at(scene.outputs, at[i], path.y.col(static_cast<Eigen::Index>(i))) -
+                      reference.at(at[i]).value;
+    EXPECT_LT(error.lpNorm<Eigen::Infinity>(), 1e-10) << at[i];
+  }
+}
+
+// D^0.5 y = -1e6 y falls to 5.6e-7: a millionth of the terms that it is the sum of.
+TEST(SpectralStiff, KeepsTheDigitsOfWhatIsLeft) {
+  const Scene scene = scene_of("stiff_relaxation");
+  const auto path = scheme().solve(scene.problem, Accuracy{1e-10, 1e-300}, {.at = {1.0}});
+  const double exact = mittag_leffler(0.5, 1.0, -1e6);
+  EXPECT_NEAR(path.y(0, 0) / exact, 1.0, 1e-8);
+}
+
+TEST(SpectralDense, IsTheSolutionAtAnyTime) {
+  const Scene scene = scene_of("relaxation");
+  const auto path = run(scene.problem, 1e-11);
+  ASSERT_TRUE(path.dense);
+  for (const double t : {1e-30, 1e-12, 1e-4, 0.013, 0.5, 0.77, 1.0}) {
+    EXPECT_NEAR(path.dense(t)[0], mittag_leffler(0.5, 1.0, -std::sqrt(t)), 1e-11) << t;
+  }
+}
+
+TEST(SpectralOrders, UncoupledRowsAreSolvedAsAlone) {
+  const auto decay = [](double order) {
+    return Component{order, order > 1.0 ? std::vector{1.0, 0.0} : std::vector{1.0}};
+  };
+  const Problem both{.components = {decay(0.4), decay(1.6)}, .rhs = [](double, In y, Out f) { f = -y; }};
+  const auto path = run(both, 1e-10, {.at = {1.0}});
+  EXPECT_NEAR(path.y(0, 0), mittag_leffler(0.4, 1.0, -1.0), 1e-10);
+  EXPECT_NEAR(path.y(1, 0), mittag_leffler(1.6, 1.0, -1.0), 1e-10);
+}
+
+TEST(SpectralOrders, ConstantsAreExact) {
+  for (const double order : {0.2, 0.5, 1.0, 1.5, 2.0}) {
+    const Problem problem{.components = {{order, order > 1.0 ? std::vector{3.25, 0.0} : std::vector{3.25}}},
+                          .rhs = [](double, In, Out f) { f.setZero(); }};
+    EXPECT_EQ((run(problem, 1e-6).y.array() - 3.25).abs().maxCoeff(), 0.0) << order;
+  }
+}
+
+// y' = y^2 from 1 is 1 / (1 - t).
+TEST(SpectralEnd, IsBeforeABlowUp) {
+  for (const double order : {0.5, 1.0}) {
+    const Problem problem{
+        .components = {{order, {1.0}}}, .rhs = [](double, In y, Out f) { f = y.cwiseAbs2(); }, .end = 2.0};
+    const auto path = run(problem, 1e-8);
+    EXPECT_NE(path.ending, Ending::finished) << order;
+    EXPECT_LE(path.reached, 1.0 + 1e-7) << order;
+    EXPECT_TRUE(path.y.allFinite());
+  }
+}
+
+// D^0.5 y = y^3 has another root from the first long panel on.
+TEST(SpectralEnd, IsNotOnAnotherRoot) {
+  const Problem problem{
+      .components = {{0.5, {1.0}}}, .rhs = [](double, In y, Out f) { f = y.array().cube(); }, .end = 2.0};
+  for (const double accuracy : {1e-2, 1e-4, 1e-8}) {
+    const auto path = run(problem, accuracy);
+    EXPECT_NE(path.ending, Ending::finished) << accuracy;
+    EXPECT_GE(path.y.minCoeff(), 1.0) << accuracy;
+  }
+}
+
+// A mode e^(2500 t): an answer in which it is not seen is smooth, and wrong.
+TEST(SpectralEnd, IsNotPastAModeThatGrows) {
+  for (const double accuracy : {1e-2, 1e-3, 1e-6}) {
+    const auto path = run(scene_of("fractional_constraint_2d", {{"alpha", 1.5}}).problem, accuracy);
+    EXPECT_NE(path.ending, Ending::finished) << accuracy;
+  }
+}
+
+TEST(SpectralEnd, IsAtTheEdgeOfTheDomain) {
+  Problem problem{
+      .components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f[0] = -1.0 / y[0]; }, .end = 2.0};
+  problem.domain = {"y = 0", [](double, In y) { return y[0]; }};
+  const auto path = run(problem, 1e-8);
+  EXPECT_EQ(path.ending, Ending::singular);
+  EXPECT_NEAR(path.reached, 0.5, 1e-3);  // y = sqrt(1 - 2t)
+}
+
+TEST(SpectralEnd, IsThatOfTheBudget) {
+  const Scene scene = scene_of("brusselator");
+  EXPECT_EQ(run(scene.problem, 1e-12, {.budget = 0.0}).ending, Ending::out_of_budget);
+}
+
+TEST(SpectralRefusal, SaysWhatItDoesNotTake) {
+  const Accuracy accuracy{1e-6, 1e-6};
+  const auto reason = [&](const Problem& problem) {
+    return refusal(scheme(), problem, accuracy).value_or("");
+  };
+  EXPECT_EQ(reason(scene_of("fractional_diffusion").problem), "takes dense Jacobians only");
+  EXPECT_THAT(reason(scene_of("fractional_hamilton").problem), testing::HasSubstr("right derivative"));
+  EXPECT_EQ(refusal(scheme(), scene_of("relaxation").problem, Grid{1.0, 8}), "takes an accuracy, not a grid");
+}
+
+}  // namespace
+}  // namespace fde
