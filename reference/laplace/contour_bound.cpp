@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "numbers/log_gamma.hpp"
@@ -25,13 +26,23 @@ double log_of_factor(double omega, double distance) {
   return -turns - std::log1p(-std::exp(-turns));
 }
 
+// Whether s* = mu root^2 is so far to the left that e^s is nothing wherever |s| > |s*| / 2. The square roots
+// of what is nearer to 0 are more than a fifth of |Re root| + |Im root| away from it.
+bool is_nothing(std::complex<double> root, double mu) {
+  constexpr double nothing = 1e7;
+  const double re = root.real() * root.real(), im = root.imag() * root.imag();
+  return im > 2.0 * re && mu * im > nothing;
+}
+
 // log of min(1, alpha distance) / 10, the distance being from the poles to points with |r - r*| >= gap(r*).
 template <class Gap>
-double log_clearance(const ContourBound::Quotient& quotient, const Gap& gap) {
+double log_clearance(const ContourBound::Quotient& quotient, double mu, const Gap& gap) {
   constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();  // of the roots
   double ratio = std::numeric_limits<double>::infinity();
-  for (const auto& root : quotient.roots)
-    ratio = std::min(ratio, gap(root) / (std::abs(root.real()) + std::abs(root.imag())) - rounding);
+  for (const auto& root : quotient.roots) {
+    const double relative = gap(root) / (std::abs(root.real()) + std::abs(root.imag())) - rounding;
+    ratio = std::min(ratio, is_nothing(root, mu) ? 0.2 : relative);
+  }
   if (!(ratio > 0.0)) return -std::numeric_limits<double>::infinity();
   const double others = std::min(1.0, quotient.nearest_sheet - quotient.alpha * pi_double);
   const double poles = quotient.roots.empty() ? 1.0 : 2.0 * quotient.alpha / (1.0 + 1.0 / ratio);
@@ -99,12 +110,12 @@ ContourBound::ContourBound(const ContourShape& shape) : shape_(shape) {
   }
 }
 
-double ContourBound::log_line(const Line& at, const Quotient& quotient) {
+double ContourBound::log_line(const Line& at, const Quotient& quotient) const {
   const LineIntegrals& line = at.integrals;
   const double size = std::min(line.log_at(quotient.exponent - quotient.alpha),
                                line.log_at(quotient.exponent) - quotient.log_size);
-  const double clearance =
-      log_clearance(quotient, [&](std::complex<double> root) { return std::abs(root.real() - at.distance); });
+  const double clearance = log_clearance(
+      quotient, shape_.mu, [&](std::complex<double> root) { return std::abs(root.real() - at.distance); });
   return size + at.log_factor - clearance;
 }
 
@@ -117,8 +128,8 @@ double ContourBound::log_left_out(const Quotient& quotient) const {
   const double ratio = std::exp(-2.0 * mu * theta * step + std::max(0.0, 2.0 * e + 1.0) * step / theta);
   if (!(ratio < 1.0)) return std::numeric_limits<double>::infinity();
   const double weight = std::log(2.0 * step * std::sqrt(mu * modulus) / pi_double) - shape_.depth;
-  const double clearance =
-      log_clearance(quotient, [&](std::complex<double> root) { return shape_.steps_to_node(root) * step; });
+  const double clearance = log_clearance(
+      quotient, mu, [&](std::complex<double> root) { return shape_.steps_to_node(root) * step; });
   return weight + power - std::log1p(-ratio) - clearance;
 }
 

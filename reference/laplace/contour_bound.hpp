@@ -71,7 +71,7 @@ class ContourBound {
     double distance, log_factor;  // what the integral is multiplied with
     LineIntegrals integrals;
   };
-  [[nodiscard]] static double log_line(const Line& at, const Quotient& quotient);
+  [[nodiscard]] double log_line(const Line& at, const Quotient& quotient) const;
   [[nodiscard]] double log_left_out(const Quotient& quotient) const;
 
   ContourShape shape_;

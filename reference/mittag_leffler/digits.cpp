@@ -18,6 +18,9 @@ using Arguments = MittagLefflerArguments;
 // log s* > 0 for which e^s* is beyond all exponents, however s* is rounded.
 constexpr double beyond_exponents = 50.0;
 
+// e^-nothing is less than any number of digits asks for.
+constexpr double nothing = 1e6;
+
 // Adds Res(e^s F, s*) = (1/alpha) e^(s* + (1-beta) log s*) times a factor known to that many ulps.
 void add_residue(Sum<BigReal>& sum, const Arguments& x, const BigComplex& log_pole, const BigComplex& factor,
                  const BigReal& factor_ulps) {
@@ -29,6 +32,7 @@ void add_residue(Sum<BigReal>& sum, const Arguments& x, const BigComplex& log_po
   const BigReal power = 1 - x.beta;
   const BigReal pole_ulps = x.alpha == 1 ? BigReal(1) : BigReal(1 + size_of(log_pole));
   const BigComplex exponent = pole + power * log_pole;
+  if (real_part<BigReal>(exponent) + size_of(exponent) * pole_ulps * epsilon<BigReal>() < -nothing) return;
   if (exp_overflows(pole, BigReal(pole_ulps * epsilon<BigReal>()))) {
     sum.add_infinite(exp(BigComplex(BigReal(0), imag_part<BigReal>(exponent))), real_part<BigReal>(pole));
     return;
