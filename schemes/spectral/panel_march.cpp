@@ -18,21 +18,13 @@ Eigen::Index points_for(const Accuracy& accuracy) {
   return static_cast<Eigen::Index>(std::ceil(-std::log(error) / decay) + spare);
 }
 
-double least_order(const DrivenRows& driven) {
-  double least = infinity;
-  for (const auto& row : driven.rows) {
-    if (row.order > 0.0) least = std::min(least, row.order);
-  }
-  return least;
-}
-
 }  // namespace
 
 PanelMarch::PanelMarch(const Problem& problem, const Accuracy& accuracy, const Options& options)
     : problem_(problem),
       solution_(std::make_shared<PanelSolution>(problem, points_for(accuracy))),
       run_(problem, options),
-      equations_(problem, solution_->driven, solution_->past.kernels(), accuracy) {}
+      solver_(problem, solution_->driven, solution_->past.kernels(), accuracy) {}
 
 Trajectory PanelMarch::solve() {
   auto& segments = solution_->segments;
@@ -45,7 +37,8 @@ Trajectory PanelMarch::solve() {
   const Eigen::Index places = solution_->rule.size(), rows = solution_->driven.row_count();
   for (const Segment& segment : segments) {
     width_ = 1.0;
-    last_drives_ = &segment == &segments.front() ? equations_.first_drives(run_) : Vec();
+    tried_ = {1.0, infinity};
+    last_drives_ = &segment == &segments.front() ? solver_.first_drives(run_) : Vec();
     Sources before;
     for (const auto& tree : solution_->trees) before.push_back(tree.get());
     auto tree = visit({&segment, 0.0, 1.0}, Matrix::Zero(places, rows), before);
@@ -58,7 +51,8 @@ Trajectory PanelMarch::solve() {
   return path;
 }
 
-std::unique_ptr<PastBlock> PanelMarch::visit(const Block& block, const Matrix& smooth, const Sources& near) {
+std::unique_ptr<PastBlock> PanelMarch::visit(const TimeBlock& block, const Matrix& smooth,
+                                             const Sources& near) {
   if (block.width <= width_) {
     auto panel = attempt(block, smooth, near);
     if (panel || over_) return panel;
@@ -83,7 +77,7 @@ std::unique_ptr<PastBlock> PanelMarch::visit(const Block& block, const Matrix& s
   return joined(block, std::move(older), std::move(newer));
 }
 
-std::unique_ptr<PastBlock> PanelMarch::joined(const Block& block, std::unique_ptr<PastBlock> older,
+std::unique_ptr<PastBlock> PanelMarch::joined(const TimeBlock& block, std::unique_ptr<PastBlock> older,
                                               std::unique_ptr<PastBlock> newer) const {
   const auto& rule = solution_->rule;
   auto whole = std::make_unique<PastBlock>(
@@ -95,25 +89,26 @@ std::unique_ptr<PastBlock> PanelMarch::joined(const Block& block, std::unique_pt
   return whole;
 }
 
-std::unique_ptr<PastBlock> PanelMarch::attempt(const Block& block, const Matrix& smooth,
+std::unique_ptr<PastBlock> PanelMarch::attempt(const TimeBlock& block, const Matrix& smooth,
                                                const Sources& near) {
   const PanelTask task = task_on(block, smooth, near);
   PanelValues solved{guess_on(task), {}};
-  if (!equations_.solve(run_, task, solved)) {
+  if (!solver_.solve(run_, task, solved)) {
     shorten(block, infinity);
     return nullptr;
   }
   Matrix coefficients = solution_->rule.to_coefficients * solved.drives;
   const Vec effects = effects_of(block, task, solved, coefficients);
+  constexpr double part = 0.5;  // of what is allowed: what grows, or adds up, has room
   // More than the places can see grow.
-  const bool outrun = equations_.grows(run_, task, solved.rows, static_cast<double>(effects.size()));
-  const double doubt = outrun || breaks_off(task, solved) ? infinity : effects.tail(2).sum();
+  const bool outrun = solver_.grows(run_, task, solved.rows, static_cast<double>(effects.size()));
+  const double doubt = outrun || breaks_off(task, solved) ? infinity : effects.tail(2).sum() / part;
   if (!(doubt <= 1.0)) {
     shorten(block, doubt);
     return nullptr;
   }
   lengthen(block, needed_share(effects));
-  equations_.pass(solved.rows);
+  solver_.pass(solved.rows);
   last_drives_ = solved.drives.transpose() * solution_->rule.at_end;
   auto panel = std::make_unique<PastBlock>(PastBlock{.block = block,
                                                      .coefficients = std::move(coefficients),
@@ -123,7 +118,7 @@ std::unique_ptr<PastBlock> PanelMarch::attempt(const Block& block, const Matrix&
   return panel;
 }
 
-PanelTask PanelMarch::task_on(const Block& panel, const Matrix& smooth, const Sources& near) {
+PanelTask PanelMarch::task_on(const TimeBlock& panel, const Matrix& smooth, const Sources& near) {
   PanelTask task{.times = solution_->rule.places.unaryExpr([&](double place) { return panel.time(place); }),
                  .units = solution_->past.kernels().units(panel.length()),
                  .past = smooth,
@@ -139,24 +134,24 @@ PanelTask PanelMarch::task_on(const Block& panel, const Matrix& smooth, const So
 // The drives as they were last; at the start of a segment, where these are not known, as the past makes them.
 Matrix PanelMarch::guess_on(const PanelTask& task) {
   Matrix guess(task.past.rows(), solution_->driven.drive_count());
-  guess.rowwise() = (last_drives_.size() > 0 ? last_drives_ : equations_.drives_at(run_, task)).transpose();
+  guess.rowwise() = (last_drives_.size() > 0 ? last_drives_ : solver_.drives_at(run_, task)).transpose();
   return guess;
 }
 
 // What the coefficients of each degree are worth as an error of the rows, in units of what is allowed, at
 // most of all rows: as an error of the drive all over the panel. Where f makes a row decay quickly it is a
 // small part of its drive, and the coefficients of the row itself say what is wrong.
-Vec PanelMarch::effects_of(const Block& panel, const PanelTask& task, const PanelValues& solved,
+Vec PanelMarch::effects_of(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
                            const Matrix& of_drives) {
   const auto& driven = solution_->driven;
-  const Vec allowed = equations_.allowed(task, solved.rows);
+  const Vec allowed = solver_.allowed(task, solved.rows);
   Matrix effects(of_drives.rows(), driven.row_count());
   for (Eigen::Index i = 0; i < allowed.size(); ++i) {
     const auto drive = driven.rows[static_cast<std::size_t>(i)].drive;
     effects.col(i) = unit_of(task, i) / allowed[i] * of_drives.col(drive).cwiseAbs();
   }
   const bool follows = panel.from > 0.0;  // and is past the transient that a start is
-  if (follows && effects.bottomRows(2).maxCoeff() > 0.5 && !equations_.grows(run_, task, solved.rows, 1.0)) {
+  if (follows && effects.bottomRows(2).maxCoeff() > 0.5 && !solver_.grows(run_, task, solved.rows, 1.0)) {
     const Matrix of_rows = solution_->rule.to_coefficients * solved.rows;
     for (Eigen::Index i = 0; i < allowed.size(); ++i)
       effects.col(i) = effects.col(i).cwiseMin(of_rows.col(i).cwiseAbs() / allowed[i]);
@@ -179,7 +174,7 @@ bool PanelMarch::breaks_off(const PanelTask& task, const PanelValues& solved) co
   const Vec change = (solved.drives.transpose() * solution_->rule.at_start - last_drives_).cwiseAbs();
   const Vec sizes =
       solved.drives.cwiseAbs().colwise().maxCoeff().transpose().cwiseMax(last_drives_.cwiseAbs());
-  const Vec allowed = equations_.allowed(task, solved.rows);
+  const Vec allowed = solver_.allowed(task, solved.rows);
   for (Eigen::Index i = 0; i < allowed.size(); ++i) {
     const auto drive = solution_->driven.rows[static_cast<std::size_t>(i)].drive;
     if (change[drive] > part * sizes[drive] && unit_of(task, i) * change[drive] > clear * allowed[i])
@@ -195,25 +190,34 @@ double PanelMarch::needed_share(const Vec& effects) {
   return static_cast<double>(needed) / static_cast<double>(effects.size());
 }
 
-void PanelMarch::shorten(const Block& block, double doubt) {
+void PanelMarch::shorten(const TimeBlock& block, double doubt) {
+  const bool first = block.from == 0.0;
   double halvings = 1.0;
   if (std::isfinite(doubt)) {
     const auto points = static_cast<double>(solution_->rule.size());
-    const double rate = block.from == 0.0 ? 2.0 * least_order(solution_->driven) : points / 2.0;
-    halvings = std::clamp(std::floor(std::log2(doubt) / rate), 1.0, block.from == 0.0 ? 64.0 : 4.0);
+    const double rate = first ? rate_at_start(block.width, doubt) : points / 2.0;
+    halvings = std::clamp(std::floor(std::log2(doubt) / rate), 1.0, first ? 16.0 : 4.0);
   }
   width_ = block.width * std::exp2(-halvings);
-  const double shortest = block.from == 0.0 ? 0x1p-900 : 0x1p-48 * block.from;
+  const double shortest = first ? 0x1p-900 : 0x1p-48 * block.from;
   const bool too_short = width_ <= shortest;
   over_ = too_short || run_.out_of_budget();
   if (!over_) return;
-  const auto reason = equations_.left_domain() ? Ending::singular : Ending::not_converged;
+  const auto reason = solver_.left_domain() ? Ending::singular : Ending::not_converged;
   run_.fail(too_short ? reason : Ending::out_of_budget, block.time(1.0));
+}
+
+// With which power of its width the doubt of a first panel falls, by the last two of them.
+double PanelMarch::rate_at_start(double width, double doubt) {
+  constexpr double usual = 2.0, least = 0.05, most = 4.0;
+  const auto [before, doubt_before] = std::exchange(tried_, {width, doubt});
+  if (!(doubt < doubt_before) || !std::isfinite(doubt_before)) return usual;
+  return std::clamp(std::log(doubt_before / doubt) / std::log(before / width), least, most);
 }
 
 // Panels that grow from the start are as long as their distance from it; others may grow where half of the
 // coefficients were enough.
-void PanelMarch::lengthen(const Block& panel, double needed_share) {
+void PanelMarch::lengthen(const TimeBlock& panel, double needed_share) {
   if (panel.width >= panel.from) {
     width_ = panel.from + panel.width;
   } else {

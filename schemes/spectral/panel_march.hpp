@@ -1,9 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
-#include "spectral/panel_equations.hpp"
 #include "spectral/panel_solution.hpp"
+#include "spectral/panel_solver.hpp"
 
 namespace fde {
 
@@ -22,26 +23,28 @@ class PanelMarch {
  private:
   using Sources = PastSum::Sources;
 
-  std::unique_ptr<PastBlock> visit(const Block& block, const Matrix& smooth, const Sources& near);
-  std::unique_ptr<PastBlock> attempt(const Block& block, const Matrix& smooth, const Sources& near);
-  std::unique_ptr<PastBlock> joined(const Block& block, std::unique_ptr<PastBlock> older,
+  std::unique_ptr<PastBlock> visit(const TimeBlock& block, const Matrix& smooth, const Sources& near);
+  std::unique_ptr<PastBlock> attempt(const TimeBlock& block, const Matrix& smooth, const Sources& near);
+  std::unique_ptr<PastBlock> joined(const TimeBlock& block, std::unique_ptr<PastBlock> older,
                                     std::unique_ptr<PastBlock> newer) const;
-  [[nodiscard]] PanelTask task_on(const Block& panel, const Matrix& smooth, const Sources& near);
+  [[nodiscard]] PanelTask task_on(const TimeBlock& panel, const Matrix& smooth, const Sources& near);
   [[nodiscard]] Matrix guess_on(const PanelTask& task);
-  [[nodiscard]] Vec effects_of(const Block& panel, const PanelTask& task, const PanelValues& solved,
+  [[nodiscard]] Vec effects_of(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
                                const Matrix& of_drives);
   [[nodiscard]] double unit_of(const PanelTask& task, Eigen::Index row) const;
   [[nodiscard]] bool breaks_off(const PanelTask& task, const PanelValues& solved) const;
   static double needed_share(const Vec& effects);
-  void shorten(const Block& block, double doubt);
-  void lengthen(const Block& panel, double needed_share);
+  void shorten(const TimeBlock& block, double doubt);
+  double rate_at_start(double width, double doubt);
+  void lengthen(const TimeBlock& panel, double needed_share);
   void accept(const PastBlock& panel);
 
   const Problem& problem_;
   std::shared_ptr<PanelSolution> solution_;
   Run run_;
-  PanelEquations equations_;
-  double width_ = 1.0;  // of the next panel at most, in units of its segment
+  PanelSolver solver_;
+  double width_ = 1.0;                         // of the next panel at most, in units of its segment
+  std::pair<double, double> tried_{1.0, 0.0};  // the first panel that did not pass last, and its doubt
   bool over_ = false;
   Vec last_drives_;  // at the end of the panel before; empty: not known
 };

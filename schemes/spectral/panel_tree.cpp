@@ -6,7 +6,7 @@ namespace fde {
 namespace {
 
 // Exact within a segment.
-Lie lie_of(const Block& source, const Block& block) {
+Lie lie_of(const TimeBlock& source, const TimeBlock& block) {
   if (source.segment == block.segment)
     return {source.width / block.width, (block.from - (source.from + source.width)) / block.width};
   const double gap = (block.segment->start - (source.segment->start + source.segment->length)) +
@@ -22,7 +22,7 @@ bool is_one(const PastBlock& source, const Lie& lie) { return source.panel() || 
 
 PastSum::PastSum(const PanelRule& rule, const DrivenRows& driven) : driven_(driven), kernels_(rule, driven) {}
 
-void PastSum::sort(const PastBlock& source, const Block& block, Matrix& smooth, Sources& near) {
+void PastSum::sort(const PastBlock& source, const TimeBlock& block, Matrix& smooth, Sources& near) {
   const Lie lie = lie_of(source.block, block);
   const bool far = lie.gap >= 1.0, one = is_one(source, lie);
   if (far && one) {
@@ -35,14 +35,14 @@ void PastSum::sort(const PastBlock& source, const Block& block, Matrix& smooth, 
   }
 }
 
-void PastSum::add(const PastBlock& source, const Block& panel, Matrix& sums) {
+void PastSum::add(const PastBlock& source, const TimeBlock& panel, Matrix& sums) {
   const Lie lie = lie_of(source.block, panel);
   if (is_one(source, lie)) return add_seen(source, panel, lie, sums);
   add(*source.older, panel, sums);
   add(*source.newer, panel, sums);
 }
 
-void PastSum::add_seen(const PastBlock& source, const Block& block, const Lie& lie, Matrix& sums) {
+void PastSum::add_seen(const PastBlock& source, const TimeBlock& block, const Lie& lie, Matrix& sums) {
   std::vector<Matrix> once;
   if (source.block.segment != block.segment) once = kernels_.make(lie);
   const auto& kernels = once.empty() ? kernels_.of(lie) : once;

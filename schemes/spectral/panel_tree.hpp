@@ -14,7 +14,7 @@ struct Segment {
 
 // A part of a segment: a panel, or a block of panels. Its place is in units of the segment's length and made
 // by halving, so it is exact.
-struct Block {
+struct TimeBlock {
   const Segment* segment;
   double from, width;
 
@@ -26,14 +26,14 @@ struct Block {
     return 2.0 * ((t - segment->start) / segment->length - from) / width - 1.0;
   }
   [[nodiscard]] double length() const { return segment->length * width; }
-  [[nodiscard]] Block older() const { return {segment, from, width / 2.0}; }
-  [[nodiscard]] Block newer() const { return {segment, from + width / 2.0, width / 2.0}; }
+  [[nodiscard]] TimeBlock older() const { return {segment, from, width / 2.0}; }
+  [[nodiscard]] TimeBlock newer() const { return {segment, from + width / 2.0, width / 2.0}; }
 };
 
 // The past as a tree: the drives on a block as Legendre coefficients, one column a drive; exact on a panel,
 // and for a block of panels as much of them as is seen from a distance of its width.
 struct PastBlock {
-  Block block;
+  TimeBlock block;
   Matrix coefficients;
   Vec units;                                    // PanelKernels::units of its length
   Matrix values{};                              // of the rows at the places of a panel
@@ -57,16 +57,16 @@ class PastSum {
 
   // What the sources add that is smooth on the block joins `smooth`, the others and their parts `near`.
   // Both have one row a place, one column a row of the problem.
-  void sort(const PastBlock& source, const Block& block, Matrix& smooth, Sources& near);
+  void sort(const PastBlock& source, const TimeBlock& block, Matrix& smooth, Sources& near);
 
   // Adds all of a source at the places of a panel.
-  void add(const PastBlock& source, const Block& panel, Matrix& sums);
+  void add(const PastBlock& source, const TimeBlock& panel, Matrix& sums);
 
   // Adds it at a time after it.
   void add_at(const PastBlock& source, double t, Out sums) const;
 
  private:
-  void add_seen(const PastBlock& source, const Block& block, const Lie& lie, Matrix& sums);
+  void add_seen(const PastBlock& source, const TimeBlock& block, const Lie& lie, Matrix& sums);
 
   const DrivenRows& driven_;
   PanelKernels kernels_;

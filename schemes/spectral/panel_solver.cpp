@@ -1,4 +1,4 @@
-#include "spectral/panel_equations.hpp"
+#include "spectral/panel_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,12 @@ namespace fde {
 namespace {
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
-constexpr int most_iterations = 20;
+constexpr int most_iterations = 20, most_sweeps = 5;
 
 }  // namespace
 
-PanelEquations::PanelEquations(const Problem& problem, const DrivenRows& driven, const PanelKernels& kernels,
-                               const Accuracy& accuracy)
+PanelSolver::PanelSolver(const Problem& problem, const DrivenRows& driven, const PanelKernels& kernels,
+                         const Accuracy& accuracy)
     : problem_(problem),
       driven_(driven),
       kernels_(kernels),
@@ -29,7 +29,7 @@ PanelEquations::PanelEquations(const Problem& problem, const DrivenRows& driven,
   }
 }
 
-Vec PanelEquations::allowed(const PanelTask& task, const Matrix& rows) const {
+Vec PanelSolver::allowed(const PanelTask& task, const Matrix& rows) const {
   constexpr double above_rounding = 50.0, of_row = 0.01;
   const Eigen::ArrayXd largest = rows.cwiseAbs().colwise().maxCoeff().transpose();
   const Eigen::ArrayXd asked = accuracy_.absolute + accuracy_.relative * largest;
@@ -39,20 +39,20 @@ Vec PanelEquations::allowed(const PanelTask& task, const Matrix& rows) const {
   return asked.min(of_row * largest.max(largest_.array())).max(noise);
 }
 
-void PanelEquations::pass(const Matrix& rows) {
+void PanelSolver::pass(const Matrix& rows) {
   const Vec largest = rows.cwiseAbs().colwise().maxCoeff().transpose();
   largest_ = largest_.size() == 0 ? largest : Vec(largest_.cwiseMax(largest));
 }
 
 // What Newton's method may leave: little of what is allowed, and of the row, for others may be far more
 // sensitive to it than what is asked of it.
-Vec PanelEquations::left_over(const PanelTask& task, const Matrix& rows) const {
+Vec PanelSolver::left_over(const PanelTask& task, const Matrix& rows) const {
   constexpr double of_allowed = 0.01, of_row = 1e-6;
   const Vec largest = rows.cwiseAbs().colwise().maxCoeff();
   return (of_allowed * allowed(task, rows)).cwiseMin(of_row * largest).cwiseMax(2.0 * rounding * task.size);
 }
 
-bool PanelEquations::solve(Run& run, const PanelTask& task, PanelValues& values) {
+bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
   auto& [drives, rows] = values;
   rows = task.past;
   const Matrix guess = drives;
@@ -60,11 +60,17 @@ bool PanelEquations::solve(Run& run, const PanelTask& task, PanelValues& values)
   move(task, guess, drives, rows);
   const bool is_linear = linear(problem_);
   bool anew = true;
+  int sweeps = 0;
   double last = 0.0;
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
     if (!evaluate(run, task, rows)) return false;
     right_ -= drives * mass_.asDiagonal();
-    if (anew && !linearise(run, task, rows)) return false;
+    if (anew && !linearise(run, task, rows)) {
+      // A derivative may be infinite where the rows are those of the start: the drives move away from there.
+      if (++sweeps > most_sweeps || mass_.minCoeff() == 0.0) return false;
+      move(task, right_, drives, rows);
+      continue;
+    }
     const Matrix increment = factors_.solve(right_.reshaped()).reshaped(drives.rows(), drives.cols());
     ++*run.cost().newton_iterations;
     move(task, increment, drives, rows);
@@ -72,7 +78,7 @@ bool PanelEquations::solve(Run& run, const PanelTask& task, PanelValues& values)
     const Vec limit = left_over(task, rows);
     const double now =
         (moved_.cwiseAbs().colwise().maxCoeff().transpose().array() / limit.array()).maxCoeff();
-    const double contraction = iteration > 1 ? now / last : 1.0;
+    const double contraction = last > 0.0 ? now / last : 1.0;
     if (is_linear ? !cancels(limit, rows) || iteration > 1 : now * std::min(contraction, 1.0) <= 1.0)
       return true;
     if (now <= 1.0 && contraction > 0.5) return true;  // as far as rounding lets it
@@ -84,37 +90,37 @@ bool PanelEquations::solve(Run& run, const PanelTask& task, PanelValues& values)
 }
 
 // Whether the last increment, added up, may have lost more digits than it should.
-bool PanelEquations::cancels(const Vec& limit, const Matrix& rows) const {
+bool PanelSolver::cancels(const Vec& limit, const Matrix& rows) const {
   return (rounding * moved_.cwiseAbs().colwise().maxCoeff().transpose().array() > limit.array()).any() &&
          rows.size() > 0;
 }
 
-Vec PanelEquations::drives_of(Run& run, double t) {
+Vec PanelSolver::drives_of(Run& run, double t) {
   const Vec& f = run.rhs(t, y_);
   return Vec::NullaryExpr(driven_.drive_count(),
                           [&](Eigen::Index k) { return f[driven_.drives[static_cast<std::size_t>(k)]]; });
 }
 
-Vec PanelEquations::first_drives(Run& run) {
+Vec PanelSolver::first_drives(Run& run) {
   y_ = run.start();
   const Vec drives = drives_of(run, 0.0);
   return drives.allFinite() ? drives : Vec();
 }
 
-Vec PanelEquations::drives_at(Run& run, const PanelTask& task) {
+Vec PanelSolver::drives_at(Run& run, const PanelTask& task) {
   y_ = task.past.row(0);
   const Vec drives = drives_of(run, task.times[0]);
   return drives.array().isFinite().select(drives, 0.0);
 }
 
 // jacobian_ at y_.
-void PanelEquations::differentiate(Run& run, double t, In sizes) {
+void PanelSolver::differentiate(Run& run, double t, In sizes) {
   if (evaluate_jacobian(problem_, t, y_, jacobian_)) return;
   f_ = run.rhs(t, y_);
   difference_rhs(run, t, y_, f_, sizes, jacobian_);
 }
 
-bool PanelEquations::grows(Run& run, const PanelTask& task, const Matrix& rows, double folds) {
+bool PanelSolver::grows(Run& run, const PanelTask& task, const Matrix& rows, double folds) {
   if ((mass_.array() == 0.0).any()) return true;
   const double rate = folds / (task.times[rows.rows() - 1] - task.times[0]);
   if (rate >= calm_rate_) return false;
@@ -129,7 +135,7 @@ bool PanelEquations::grows(Run& run, const PanelTask& task, const Matrix& rows, 
   return false;
 }
 
-bool PanelEquations::evaluate(Run& run, const PanelTask& task, const Matrix& rows) {
+bool PanelSolver::evaluate(Run& run, const PanelTask& task, const Matrix& rows) {
   right_.resize(rows.rows(), driven_.drive_count());
   for (Eigen::Index j = 0; j < rows.rows(); ++j) {
     y_ = rows.row(j);
@@ -142,7 +148,7 @@ bool PanelEquations::evaluate(Run& run, const PanelTask& task, const Matrix& row
   return right_.allFinite();
 }
 
-bool PanelEquations::linearise(Run& run, const PanelTask& task, const Matrix& rows) {
+bool PanelSolver::linearise(Run& run, const PanelTask& task, const Matrix& rows) {
   const bool is_linear = linear(problem_);
   if (is_linear && factored_units_.size() == task.units.size() && factored_units_ == task.units) return true;
   const Eigen::Index places = rows.rows(), drives = driven_.drive_count();
@@ -173,7 +179,7 @@ bool PanelEquations::linearise(Run& run, const PanelTask& task, const Matrix& ro
   return true;
 }
 
-void PanelEquations::move(const PanelTask& task, const Matrix& increment, Matrix& drives, Matrix& rows) {
+void PanelSolver::move(const PanelTask& task, const Matrix& increment, Matrix& drives, Matrix& rows) {
   drives += increment;
   moved_.resizeLike(rows);
   for (Eigen::Index i = 0; i < driven_.row_count(); ++i) {

@@ -23,10 +23,10 @@ struct PanelValues {
 
 // Newton's method for all places at once, each with its own Jacobian. The rows move with the drives by
 // increments, so that a row that is small beside its past keeps its digits where f makes it decay.
-class PanelEquations {
+class PanelSolver {
  public:
-  PanelEquations(const Problem& problem, const DrivenRows& driven, const PanelKernels& kernels,
-                 const Accuracy& accuracy);
+  PanelSolver(const Problem& problem, const DrivenRows& driven, const PanelKernels& kernels,
+              const Accuracy& accuracy);
 
   // From a guess of the drives; what is left is small beside the accuracy. False: it does not converge, or
   // leads out of the domain.
