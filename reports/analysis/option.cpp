@@ -34,9 +34,11 @@ bool is_quicker(const Option& a, const Option& b) {
 // Better than what is trivial. A run has that measure only where it is not.
 bool counts(const MeasuredRun& run, const ErrorKind& kind) { return !run[trivial_measure(kind)]; }
 
+// None where the runs chose their steps themselves: these have no rate.
 std::vector<ErrorWith> errors_of(RunSpan line, const ErrorKind& kind, int below) {
   std::vector<ErrorWith> errors;
   for (const MeasuredRun& run : line) {
+    if (!std::holds_alternative<int>(run.key.setup.resolution)) continue;
     const auto error = run[error_measure(kind)];
     if (error && run.steps > 0 && run.steps < below) errors.push_back({run.steps, *error});
   }
@@ -156,7 +158,10 @@ std::optional<Shortfall> SceneLines::shortfall(const ErrorKind& kind, double acc
 }
 
 std::string run_text(const Option& option, std::string_view error) {
-  std::string text = fmt::format("N = {}, {} {}", count_text(option.steps), error, error_text(option.error));
+  const auto* accuracy = std::get_if<Accuracy>(&option.setup.resolution);
+  const auto asked = accuracy != nullptr ? fmt::format("accuracy {}, ", error_text(accuracy->relative)) : "";
+  std::string text =
+      fmt::format("{}N = {}, {} {}", asked, count_text(option.steps), error, error_text(option.error));
   if (!is_timed(option)) return text + ", not timed";
   const auto& [median, low, high] = option.time;
   return text + fmt::format(", {} ({} ... {}){}", time_text(median), time_text(low), time_text(high),

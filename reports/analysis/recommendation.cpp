@@ -90,8 +90,11 @@ const Option* runner_up(const Recommendation& made) {
 
 std::string command_of(const SceneSettings& scene, const Option& option) {
   if (option.external) return "";
-  std::string command = fmt::format("fdebench solve {} --scheme {} --steps {}", label_of(scene),
-                                    option.schemes.front(), option.steps);
+  const auto* accuracy = std::get_if<Accuracy>(&option.setup.resolution);
+  const auto resolution = accuracy != nullptr ? fmt::format("--accuracy {}", accuracy->relative)
+                                              : fmt::format("--steps {}", option.steps);
+  std::string command =
+      fmt::format("fdebench solve {} --scheme {} {}", label_of(scene), option.schemes.front(), resolution);
   if (option.setup.grading != 1.0) command += fmt::format(" --grid {}", grid_text(option.setup.grading));
   if (option.setup.history != HistoryKind::automatic)
     command += fmt::format(" --history {}", name(option.setup.history));

@@ -42,6 +42,8 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
     return fmt::format("{}{}", time_text(seconds), clock_note(run.wall_clock));
   };
   add("title", page.label(run.key));  // shown as the heading
+  const auto* accuracy = std::get_if<Accuracy>(&run.key.setup.resolution);
+  if (accuracy != nullptr) add("asked", error_text(accuracy->relative));
   add("N", count_text(run.steps));
   add("h", fmt::format("{:.3g}", run.h));
   if (const auto residual = run["energy_residual"]) add("energy residual", error_text(*residual));
@@ -49,7 +51,7 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
   if (const auto drift = run["drift_independent"]) add("independent drift", error_text(*drift));
   if (const auto seconds = run["time_minimum"]) add("time", time(*seconds));
   if (const auto seconds = run["time_median"]) add("median time", time(*seconds));
-  if (coarser != nullptr) {
+  if (coarser != nullptr && accuracy == nullptr) {
     const std::string since = fmt::format("from N = {}", count_text(coarser->steps));
     if (const auto rate = rate_between(*coarser, run, "error_end"))
       add("rate at the end " + since, fmt::format("{:.2f}", *rate));
