@@ -16,7 +16,7 @@ std::vector<SceneVariant> default_scenes();
 // for them. These share a solution and differ in what they do to the constraint.
 std::vector<SceneVariant> sweep_scenes();
 
-// The numbers of steps and the accuracies of a thorough sweep, and as many of these steps as the answers need.
+// The numbers of steps and the accuracies of a thorough sweep, and as many of these steps as answers need.
 Ladder thorough_ladder();
 Ladder default_ladder();
 

@@ -143,8 +143,7 @@ class ForecastScene {
         climbs[i].push_back(i < probes.size() ? take(probes[i], resolution)
                                               : take(sweep_.programs[i - probes.size()], resolution));
       }
-      for (std::size_t i = 0; i < count; ++i)
-        ended[i] = ended[i] || has_ended(ladders[i], climbs, climbs[i]);
+      for (std::size_t i = 0; i < count; ++i) ended[i] = ended[i] || has_ended(ladders[i], climbs, climbs[i]);
     }
     return std::move(expected_);
   }

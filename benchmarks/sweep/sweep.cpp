@@ -18,7 +18,7 @@ namespace {
 // The runs of one scheme or program on a scene, the coarsest first.
 struct Line {
   std::variant<const Scheme*, const ExternalProgram*> solver;
-  RunKey key;         // of the run at hand
+  RunKey key;  // of the run at hand
   Ladder ladder{};
   Setup setup{};      // of it, with all means that a program is run with
   RecordedRun run{};  // the run at hand
@@ -154,8 +154,8 @@ std::vector<std::size_t> longest_first(const std::deque<SweptScene>& scenes, con
   return order;
 }
 
-void take_rung(std::deque<SweptScene>& scenes, std::size_t rung, const Sweep& sweep,
-               const SweepHooks& hooks, const Forecast& expected, SweepLog& log) {
+void take_rung(std::deque<SweptScene>& scenes, std::size_t rung, const Sweep& sweep, const SweepHooks& hooks,
+               const Forecast& expected, SweepLog& log) {
   for (auto& of : scenes) {
     for (Line& line : of.lines) {
       if (line.ended) continue;

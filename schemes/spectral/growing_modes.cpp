@@ -25,6 +25,7 @@ std::complex<double> determinant(const Matrix& jacobian, const Vec& orders, std:
 bool grows_faster(const Matrix& jacobian, const Vec& orders, double rate) {
   using namespace std::complex_literals;
   constexpr double turn = 0.3, clear = 1.01;  // of s^order in a step; of the other entries of a row
+  constexpr double most_steps = 1e4;
   const double first = std::log(rate), largest = orders.maxCoeff();
   double last = first;
   for (Eigen::Index i = 0; i < orders.size(); ++i) {
@@ -32,6 +33,7 @@ bool grows_faster(const Matrix& jacobian, const Vec& orders, double rate) {
     if (others > 0.0) last = std::max(last, std::log(others) / orders[i]);
   }
   if (!(last > first)) return false;
+  if (!((last - first) * largest < turn * most_steps)) return true;
   auto before = determinant(jacobian, orders, first);
   double turned = 0.0;
   const auto go = [&](std::complex<double> from, std::complex<double> to) {

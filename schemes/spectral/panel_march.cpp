@@ -34,14 +34,14 @@ Trajectory PanelMarch::solve() {
     segments.back().length = jump - segments.back().start;
     segments.push_back({jump, problem_.end - jump});
   }
-  const Eigen::Index places = solution_->rule.size(), rows = solution_->driven.row_count();
+  const Matrix nothing = Matrix::Zero(solution_->rule.size(), solution_->driven.row_count());
   for (const Segment& segment : segments) {
     width_ = 1.0;
     tried_ = {1.0, infinity};
     last_drives_ = &segment == &segments.front() ? solver_.first_drives(run_) : Vec();
     Sources before;
     for (const auto& tree : solution_->trees) before.push_back(tree.get());
-    auto tree = visit({&segment, 0.0, 1.0}, Matrix::Zero(places, rows), before);
+    auto tree = visit({&segment, 0.0, 1.0}, nothing, before);
     if (tree) solution_->trees.push_back(std::move(tree));
     if (over_) break;
   }

@@ -25,8 +25,8 @@ class PanelMarch {
 
   std::unique_ptr<PastBlock> visit(const TimeBlock& block, const Matrix& smooth, const Sources& near);
   std::unique_ptr<PastBlock> attempt(const TimeBlock& block, const Matrix& smooth, const Sources& near);
-  std::unique_ptr<PastBlock> joined(const TimeBlock& block, std::unique_ptr<PastBlock> older,
-                                    std::unique_ptr<PastBlock> newer) const;
+  [[nodiscard]] std::unique_ptr<PastBlock> joined(const TimeBlock& block, std::unique_ptr<PastBlock> older,
+                                                  std::unique_ptr<PastBlock> newer) const;
   [[nodiscard]] PanelTask task_on(const TimeBlock& panel, const Matrix& smooth, const Sources& near);
   [[nodiscard]] Matrix guess_on(const PanelTask& task);
   [[nodiscard]] Vec effects_of(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,

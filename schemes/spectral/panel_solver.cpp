@@ -79,8 +79,7 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
     const double now =
         (moved_.cwiseAbs().colwise().maxCoeff().transpose().array() / limit.array()).maxCoeff();
     const double contraction = last > 0.0 ? now / last : 1.0;
-    if (is_linear ? !cancels(limit, rows) || iteration > 1 : now * std::min(contraction, 1.0) <= 1.0)
-      return true;
+    if (is_linear ? !cancels(limit) || iteration > 1 : now * std::min(contraction, 1.0) <= 1.0) return true;
     if (now <= 1.0 && contraction > 0.5) return true;  // as far as rounding lets it
     if (iteration > 2 && contraction > 2.0) return false;
     anew = contraction > 0.05;
@@ -90,9 +89,9 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
 }
 
 // Whether the last increment, added up, may have lost more digits than it should.
-bool PanelSolver::cancels(const Vec& limit, const Matrix& rows) const {
-  return (rounding * moved_.cwiseAbs().colwise().maxCoeff().transpose().array() > limit.array()).any() &&
-         rows.size() > 0;
+bool PanelSolver::cancels(const Vec& limit) const {
+  const Vec lost = rounding * moved_.cwiseAbs().colwise().maxCoeff().transpose();
+  return (lost.array() > limit.array()).any();
 }
 
 Vec PanelSolver::drives_of(Run& run, double t) {

@@ -58,7 +58,7 @@ class PanelSolver {
   bool evaluate(Run& run, const PanelTask& task, const Matrix& rows);
   bool linearise(Run& run, const PanelTask& task, const Matrix& rows);
   void move(const PanelTask& task, const Matrix& increment, Matrix& drives, Matrix& rows);
-  [[nodiscard]] bool cancels(const Vec& allowed, const Matrix& rows) const;
+  [[nodiscard]] bool cancels(const Vec& limit) const;
 
   const Problem& problem_;
   const DrivenRows& driven_;

@@ -113,5 +113,9 @@ TEST(GrowingModes, OfAChainAreThoseOfItsEquation) {
   EXPECT_FALSE(grows_faster(swinging, orders, 0.01));
 }
 
+TEST(GrowingModes, OfAnOrderNextToZeroAreNotRuledOut) {
+  EXPECT_TRUE(grows_faster(Matrix{{-1.0, 0.5}, {0.5, -1.5}}, Vec{{1.9, 1e-300}}, 0.1));
+}
+
 }  // namespace
 }  // namespace fde
