@@ -16,6 +16,7 @@ Scheme spectral_collocation() {
               },
           .refuses = [](const Problem& problem) -> std::optional<std::string> {
             if (sparse(problem)) return "takes dense Jacobians only";
+            if (!problem.switches.empty()) return "does not locate where the right-hand side jumps with y";
             return std::nullopt;
           }};
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -48,6 +49,20 @@ bool jumps(Expression value, const Expressions& all) {
   return false;
 }
 
+// What stands in the signs and steps of the rows, where unknowns have a part in it.
+std::vector<Expression> switches_of(const EquationSystem& system, const Expressions& all) {
+  const auto used = all.parts(system.rows);
+  std::set<Expression> found;
+  for (std::size_t e = 0; e < used.size(); ++e) {
+    const auto& part = all[static_cast<Expression>(e)];
+    const bool is_switched = part.operation == Operation::sign || part.operation == Operation::step;
+    if (!used[e] || !is_switched) continue;
+    const auto variables = all.variables_in(part.of.front());
+    if (variables.upper_bound(0) != variables.end()) found.insert(part.of.front());
+  }
+  return {found.begin(), found.end()};
+}
+
 // Whether it is a number, as it is written or as all its derivatives are 0: (y + 1)^2 - y^2 has a constant
 // derivative.
 std::optional<double> constant_of(Expression value, Eigen::Index size, Expressions& all) {
@@ -94,6 +109,8 @@ Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
   problem.rhs = [program = Program(all, system.rows, size)](double t, In y, Out f) {
     program.evaluate(t, y, {f.data(), static_cast<std::size_t>(f.size())});
   };
+  for (const auto value : switches_of(system, all))
+    problem.switches.emplace_back(Program(all, {value}, size));
   const auto entries = derivatives_of(system, formulas);
   if (auto matrix = matrix_of(entries, size, all)) {
     problem.derivatives = DenseLinearPart{std::move(*matrix)};

@@ -17,6 +17,7 @@ constinit const Measure measure::rhs_calls{"rhs_calls", "", cost<&Cost::rhs_call
 constinit const Measure measure::newton_iterations{"newton_iterations", "", cost<&Cost::newton_iterations>};
 constinit const Measure measure::history_bytes{"history_bytes", "B", cost<&Cost::history_bytes>};
 constinit const Measure measure::states{"states", "", cost<&Cost::states>};
+constinit const Measure measure::rejected_steps{"rejected_steps", "", cost<&Cost::rejected_steps>};
 constinit const Measure measure::start_weights{"start_weights", "", cost<&Cost::start_weights>};
 
 }  // namespace fde

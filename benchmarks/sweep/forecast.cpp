@@ -19,7 +19,7 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// What three solves say of the runs of one scheme on one scene.
+// What two or three solves say of the runs of one scheme on one scene.
 class Probe {
  public:
   Probe(const Scene& scene, const Scheme& scheme, const Setup& setup, const Ladder& ladder) {
@@ -39,12 +39,14 @@ class Probe {
     maximum_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grid, Norm::maximum);
   }
 
-  // A run with so many steps, or of an accuracy: as the probe of one.
+  // A run with so many steps, or of an accuracy.
   [[nodiscard]] Rung rung(const StepsOrAccuracy& resolution) const {
-    const int steps = std::holds_alternative<int>(resolution) ? std::get<int>(resolution) : steps_;
-    const double ratio = steps > 0 ? static_cast<double>(steps_) / steps : 1.0;
-    Rung rung{.steps = steps, .hopeless = refused_};
-    if (failed_) return rung;
+    if (const auto* asked = std::get_if<Accuracy>(&resolution)) return rung_of(*asked);
+    const int steps = std::get<int>(resolution);
+    const bool takes_no_grid = steps_ == 0;
+    Rung rung{.steps = steps, .hopeless = refused_ || takes_no_grid};
+    if (failed_ || takes_no_grid) return rung;
+    const double ratio = static_cast<double>(steps_) / steps;
     rung.seconds = seconds_ / ratio;
     const auto falling = [&](std::optional<double> rate) {
       return FallingError{error_ * std::pow(ratio, rate.value_or(1.0)), rate};
@@ -66,9 +68,18 @@ class Probe {
   }
 
   void probe_accuracy(const Scene& scene, const Scheme& scheme, const Setup& setup) {
-    constexpr double middle = 1e-7;
-    steps_ = 0;
-    solve(scene, scheme, setup, Accuracy{middle, middle});
+    solve(scene, scheme, setup, Accuracy{coarse_, coarse_});
+    const double before = seconds_;
+    solve(scene, scheme, setup, Accuracy{fine_, fine_});
+    longer_ = std::max(1.0, std::pow(seconds_ / before, 1.0 / std::log10(coarse_ / fine_)));
+  }
+
+  [[nodiscard]] Rung rung_of(const Accuracy& asked) const {
+    Rung rung{.hopeless = refused_};
+    if (!failed_)
+      rung.seconds =
+          seconds_ * std::pow(longer_, std::log10(fine_ / std::max(asked.relative, asked.absolute)));
+    return rung;
   }
 
   // The columns at the end of a solve.
@@ -89,7 +100,10 @@ class Probe {
     return columns_at(scene.outputs, end, path.y.rightCols(1));
   }
 
+  static constexpr double coarse_ = 1e-3, fine_ = 1e-5;
+
   int steps_ = 1;
+  double longer_ = 1.0;  // that a run takes for a tenth of the error
   bool refused_ = false, failed_ = false;
   double seconds_ = 0.0, error_ = 0.0;  // with steps_
   std::optional<double> end_rate_{}, maximum_rate_{};

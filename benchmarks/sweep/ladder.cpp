@@ -72,6 +72,15 @@ int steps_of(const StepsOrAccuracy& rung) {
   return steps != nullptr ? *steps : 0;
 }
 
+// The seconds that the next rung takes. That of an accuracy takes as many times as long as the last one took
+// of the one before.
+double next_seconds(const Ladder& ladder, const Climb& climb) {
+  if (const int steps = steps_of(ladder.rungs[climb.size()]); steps > 0) return seconds_with(climb, steps);
+  const double last = climb.back().seconds.value_or(0.0);
+  const double before = climb.size() > 1 ? climb[climb.size() - 2].seconds.value_or(last) : last;
+  return before > 0.0 ? last * std::max(1.0, last / before) : last;
+}
+
 // Whether another climb, listed before this one, had the same errors to the last bit on every rung: it is the
 // same algorithm on this scene.
 bool is_repeated(std::span<const Climb> of_scene, const Climb& climb) {
@@ -119,7 +128,7 @@ Ladder ladder_for(const Ladder& ladder, const Needs& needs) {
     if (takes) own.rungs.push_back(rung);
   }
   if (own.rungs.empty()) return ladder;
-  if (needs.takes_grid) own.goal = ladder.goal;
+  own.goal = ladder.goal;
   return own;
 }
 
@@ -160,8 +169,8 @@ bool has_ended(const Ladder& ladder, std::span<const Climb> of_scene, const Clim
   if (!ladder.goal || climb.empty()) return false;
   const Rung& last = climb.back();
   if (last.hopeless) return true;
-  const double next = seconds_with(climb, steps_of(ladder.rungs[climb.size()])) - start_up(climb);
-  if (last.seconds && next > ladder.goal->most_seconds) return true;
+  if (last.seconds && next_seconds(ladder, climb) - start_up(climb) > ladder.goal->most_seconds) return true;
+  if (last.steps == 0) return false;
   if (climb.size() >= fewest_rungs && is_repeated(of_scene, climb)) return true;
   return is_settled(ladder, of_scene, climb, &Rung::end) &&
          is_settled(ladder, of_scene, climb, &Rung::maximum);

@@ -23,8 +23,8 @@ struct Ladder {
   std::optional<Goal> goal{};
 };
 
-// What is on it for schemes over a grid, or for those that choose their steps: the rungs of that kind, which
-// are few and all climbed where they are accuracies. Where it has none, all rungs: each is refused.
+// What is on it for schemes over a grid, or for those that choose their steps: the rungs of that kind. Where
+// it has none, all rungs: each is refused.
 Ladder ladder_for(const Ladder& ladder, const Needs& needs);
 
 // An error, and the rate that theory expects of it.
@@ -58,11 +58,11 @@ std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, E
 // Whether the rungs that are left cannot change an answer, so that the climb ends. One of all climbs of a
 // scene ends
 //   - at the top, or where its rung is hopeless;
-//   - within the least error of the goal, or at the floor, in both norms;
 //   - where the next rung is forecast to take more than most_seconds, the start of a process not counted;
-//   - from the fifth rung on, with which a rate is known, where each error not reached is out of its hopeful
+//   - if it is one of steps, within the least error of the goal, or at the floor, in both norms;
+//   - likewise from the fifth rung on, with which a rate is known, where each error not reached is out of its hopeful
 //     reach, or another climb is within it in less time, by its measured or its forecast seconds;
-//   - from the fifth rung on, where a climb listed before has the same errors to the last bit: both schemes
+//   - and from the fifth rung on, where a climb listed before has the same errors to the last bit: both schemes
 //     are one algorithm on this scene.
 // Without a goal only at the top.
 bool has_ended(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb);

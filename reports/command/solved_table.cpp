@@ -30,6 +30,8 @@ Setup parse_setup(const RunArguments& arguments) {
   StepsOrAccuracy resolution;
   if (arguments.accuracy) {
     resolution = parse_accuracy(*arguments.accuracy);
+    if (arguments.means.grid != MeansArguments{}.grid)
+      reject_text("--grid", arguments.means.grid, "without --accuracy, whose schemes choose their times");
   } else {
     resolution = parse_count("--steps", *arguments.steps, 1, most_steps);
   }
@@ -156,6 +158,7 @@ std::string cost_text(const Scene& scene, const Scheme& scheme, const Resolution
   add("history_bytes", cost.history_bytes);
   add("states", cost.states);
   add("start_weights", cost.start_weights);
+  add("rejected_steps", cost.rejected_steps);
   if (grid != nullptr)
     add("expected_rate", theoretical_rate(scheme, scene.problem, scene.smoothness, *grid, Norm::end));
   return shown.dump();

@@ -56,6 +56,10 @@ class NewtonSolver {
   // outruns it.
   Ending solve(Run& run, const StepEquations& step, Out y);
 
+  // error becomes what an error of the equations does to their solution, about that of the last step solved:
+  // (1 - kappa df/dy)^(-1) error.
+  void respond(Vec& error) const { matrix_->solve(error); }
+
  private:
   bool solve_nonlinear(Run& run, const StepEquations& step, Out y);
   bool solve_linear(Run& run, const StepEquations& step, Out y);

@@ -31,6 +31,10 @@ struct Domain {
   [[nodiscard]] bool contains(double t, In y) const { return !margin || margin(t, y) > 0.0; }
 };
 
+// Zero where a right-hand side jumps because of the state, as where friction turns: it jumps at each time at
+// which this passes through 0.
+using Switch = std::function<double(double t, In y)>;
+
 // A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end. D of a right row is the right derivative
 //   y_i(t) = sum_k initial[k] (end - t)^k / k! + 1/Gamma(g) int_t^end (s - t)^(g-1) f_i(s, y(s)) ds,
 // -y' for order 1. Algebraic rows read 0 = f_i(t, y). These may constrain other unknowns than their own, as
@@ -51,6 +55,7 @@ struct Problem {
   std::function<void(In at_start, In at_end, Out residual)> conditions{};
   Domain domain{};              // a step out of it has crossed a singularity
   std::vector<double> jumps{};  // the times after 0, increasing, at which rhs jumps
+  std::vector<Switch> switches{};
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };

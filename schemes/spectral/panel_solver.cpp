@@ -20,7 +20,7 @@ PanelSolver::PanelSolver(const Problem& problem, const DrivenRows& driven, const
     : problem_(problem),
       driven_(driven),
       kernels_(kernels),
-      accuracy_(accuracy),
+      allowed_(accuracy),
       mass_(Vec::Ones(driven.drive_count())),
       jacobian_(problem.size(), problem.size()),
       y_(problem.size()) {
@@ -30,18 +30,11 @@ PanelSolver::PanelSolver(const Problem& problem, const DrivenRows& driven, const
 }
 
 Vec PanelSolver::allowed(const PanelTask& task, const Matrix& rows) const {
-  constexpr double above_rounding = 50.0, of_row = 0.01;
-  const Eigen::ArrayXd largest = rows.cwiseAbs().colwise().maxCoeff().transpose();
-  const Eigen::ArrayXd asked = accuracy_.absolute + accuracy_.relative * largest;
-  const Eigen::ArrayXd size = task.size.array().max(largest);
-  const Eigen::ArrayXd noise = above_rounding * rounding * size;
-  if (largest_.size() == 0) return asked.max(noise);
-  return asked.min(of_row * largest.max(largest_.array())).max(noise);
+  return allowed_.of(rows.cwiseAbs().colwise().maxCoeff().transpose(), task.size);
 }
 
 void PanelSolver::pass(const Matrix& rows) {
-  const Vec largest = rows.cwiseAbs().colwise().maxCoeff().transpose();
-  largest_ = largest_.size() == 0 ? largest : Vec(largest_.cwiseMax(largest));
+  allowed_.pass(rows.cwiseAbs().colwise().maxCoeff().transpose());
 }
 
 // What Newton's method may leave: little of what is allowed, and of the row, for others may be far more

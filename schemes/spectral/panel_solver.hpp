@@ -5,6 +5,7 @@
 
 #include "problem/resolution.hpp"
 #include "spectral/panel_kernels.hpp"
+#include "stepping/allowed_error.hpp"
 #include "stepping/run.hpp"
 
 namespace fde {
@@ -44,8 +45,7 @@ class PanelSolver {
   // panel. What grows and is not resolved is wrong however small.
   bool grows(Run& run, const PanelTask& task, const Matrix& rows, double folds);
 
-  // What may be wrong in each row: the accuracy, but at most a hundredth of the largest that the row has
-  // been, and at least a little more than rounding.
+  // What may be wrong in each row.
   [[nodiscard]] Vec allowed(const PanelTask& task, const Matrix& rows) const;
 
   // Takes a panel as solved.
@@ -63,12 +63,11 @@ class PanelSolver {
   const Problem& problem_;
   const DrivenRows& driven_;
   const PanelKernels& kernels_;
-  Accuracy accuracy_;
+  AllowedError allowed_;
   Vec mass_;  // 1, and 0 of an algebraic drive
   Eigen::PartialPivLU<Matrix> factors_;
   Vec factored_units_;                                          // of a linear problem
   double calm_rate_ = std::numeric_limits<double>::infinity();  // of a linear problem: no mode grows faster
-  Vec largest_;                                                 // that the rows have been
   Matrix right_, moved_, jacobian_, matrix_;
   Vec y_, f_;
   bool left_domain_ = false;

@@ -170,6 +170,10 @@ Problem split(const Problem& problem, const Links& links) {
     f.head(f.size() - 1) = y.tail(y.size() - 1);
     for (Eigen::Index i = 0; i < driven.size(); ++i) f[last_of(links, position, i)] = driven[i];
   };
+  result.jumps = problem.jumps;
+  for (const auto& one : problem.switches) {
+    result.switches.emplace_back([one, position](double t, In y) { return one(t, Vec(y(position))); });
+  }
   result.domain = problem.domain;
   if (problem.domain.margin) {
     result.domain.margin = [margin = problem.domain.margin, position](double t, In y) {

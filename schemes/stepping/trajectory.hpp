@@ -34,7 +34,8 @@ struct Cost {
   std::optional<std::size_t> history_bytes{};
   // Components actually stepped; more than the problem's where a scheme splits orders.
   std::optional<int> states{};
-  std::optional<int> start_weights{};  // of f_0, f_1, ... at every step
+  std::optional<int> start_weights{};            // of f_0, f_1, ... at every step
+  std::optional<std::int64_t> rejected_steps{};  // attempted and not taken
 };
 
 // What a scheme returns: y at the times that were asked for, otherwise at its own, as far as the run came.

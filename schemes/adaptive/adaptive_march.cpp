@@ -1,0 +1,224 @@
+#include "adaptive/adaptive_march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "adaptive/step_control.hpp"
+#include "stepping/allowed_error.hpp"
+
+namespace fde {
+namespace {
+
+// t + length, where equal lengths stay equal: times are multiples of a small part of the length.
+double time_after(double t, double length) {
+  const double unit = std::ldexp(1.0, std::ilogb(length) - 12);
+  const double next = std::nearbyint((t + length) / unit) * unit;
+  return t / unit < 0x1p52 && next > t ? next : t + length;
+}
+
+// Of the end: relative to itself a row that starts from 0 has no digits on a first step, however short. Of
+// one as short as this they are not asked.
+constexpr double short_enough = 1e-14;
+
+// The length on which a first step by the rectangle rule is as accurate as asked, from 1e-290 of the end on.
+double first_length(const Problem& problem, const Accuracy& accuracy, Run& run) {
+  constexpr double shrink = 0.1, shortest = 1e-290;
+  const AllowedError allowed(accuracy);
+  const TaylorPart taylor(problem);
+  const Vec& start = run.start();
+  // Where it is infinite at the start, its values after it say enough.
+  const Vec f = run.rhs(0.0, start).unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
+  Vec y(f.size()), unit(f.size());
+  for (double length = problem.end;; length *= shrink) {
+    if (length <= shortest * problem.end) return length;
+    taylor.at(length, y);
+    for (Eigen::Index i = 0; i < unit.size(); ++i) {
+      const double order = problem.components[static_cast<std::size_t>(i)].order;
+      unit[i] = order > 0.0 ? std::pow(length, order) / std::tgamma(order + 1.0) : 0.0;
+    }
+    y += unit.cwiseProduct(f);
+    if (!y.allFinite()) continue;
+    const Vec change = unit.cwiseProduct(run.rhs(length, y) - f).cwiseAbs();
+    const Vec limit = allowed.of(y.cwiseAbs().cwiseMax(start.cwiseAbs()), y.cwiseAbs());
+    const bool asks_all = length > short_enough * problem.end;
+    const auto passes = [&](Eigen::Index i) {
+      return change[i] <= limit[i] || (!asks_all && start[i] == 0.0 && std::isfinite(change[i]));
+    };
+    bool passed = true;
+    for (Eigen::Index i = 0; i < unit.size(); ++i) passed = passed && passes(i);
+    if (passed) return length;
+  }
+}
+
+// Times at which a stretch of smooth right-hand side ends, the last of them the end. A stretch ends on the
+// near side of its jump.
+std::vector<double> stretches(const Problem& problem) {
+  std::vector<double> ends;
+  for (const double jump : problem.jumps) {
+    if (jump < problem.end) ends.push_back(std::nextafter(jump, 0.0));
+  }
+  ends.push_back(problem.end);
+  return ends;
+}
+
+class March {
+ public:
+  March(const Problem& problem, const Accuracy& accuracy, const Options& options, const MakeSteps& make)
+      : problem_(problem), run_(problem, options) {
+    const auto ends = stretches(problem);
+    const double first = first_length(problem, accuracy, run_);
+    shortest_ = std::min(0.1 * first, std::numeric_limits<double>::epsilon() * ends.front());
+    steps_ = make(run_, shortest_);
+    control_ = StepControl(steps_->rate(), std::min(first, ends.front()));
+    for (const auto& one : problem.switches) sides_.push_back(one(0.0, run_.start()) > 0.0);
+  }
+
+  Trajectory solve() {
+    for (const double end : stretches(problem_)) {
+      if (time_ > 0.0 && !cross_to(std::nextafter(std::nextafter(time_, problem_.end), problem_.end))) break;
+      while (time_ < end && step_towards(end)) {
+      }
+      if (time_ < end) break;
+    }
+    run_.cost().history_bytes = steps_->bytes();
+    run_.cost().rejected_steps = rejected_;
+    return run_.finish();
+  }
+
+ private:
+  // From the near side of a jump to the other. What follows begins with steps that are short beside the time.
+  bool cross_to(double t) {
+    constexpr double short_step = 1e-6;
+    steps_->coast(run_, t);
+    if (!take(t)) return false;
+    steps_->begin_anew(run_);
+    control_ = StepControl(steps_->rate(), short_step * t);
+    return true;
+  }
+
+  // Takes one step. False: the run is over.
+  bool step_towards(double end) {
+    constexpr double nearly = 0.99;
+    for (;;) {
+      double t = next_time(end);
+      if (const double ahead = time_to_switch(t); ahead < t - time_) {
+        if (ahead <= at_switch()) return switch_over();
+        t = time_ + nearly * ahead;
+      }
+      double error = steps_->attempt(run_, t);
+      const double length = t - time_;
+      if (error < no_solution && sides(t, steps_->result()) != sides_) {
+        if (length <= at_switch()) return switch_over();
+        error = no_solution;
+      }
+      const bool unasked = time_ == 0.0 && length <= short_enough * problem_.end && error < no_solution;
+      if (control_.judge(unasked ? std::min(error, 1.0) : error, length)) return take_inside(t);
+      ++rejected_;
+      const bool too_short = length <= shortest_step();
+      if (!too_short && !run_.out_of_budget()) continue;
+      run_.fail(too_short ? failure() : Ending::out_of_budget, t);
+      return false;
+    }
+  }
+
+  // The last two steps before the end are about as long as each other.
+  [[nodiscard]] double next_time(double end) const {
+    const double left = end - time_, length = control_.length();
+    if (left <= 1.001 * length) return end;
+    return left < 2.0 * length ? time_ + left / 2.0 : time_after(time_, length);
+  }
+
+  // The step attempted to t, or, where that is out of the domain, up to its edge, where the run ends.
+  bool take_inside(double t) {
+    const auto outside = [&](double at, In y) { return !problem_.domain.contains(at, y); };
+    if (!outside(t, steps_->result())) return take(t);
+    const auto [inside, beyond] = change(
+        outside, [&](double at) { return steps_->between(at); }, t);
+    if (inside > time_ && steps_->attempt(run_, inside) < no_solution) take(inside);
+    run_.fail(Ending::singular, beyond);
+    return false;
+  }
+
+  // The neighbouring numbers between which a statement of (t, y(t)) begins to hold that holds at t.
+  template <typename Holds, typename Path>
+  std::pair<double, double> change(Holds holds, Path y, double t) {
+    double before = time_, behind = t;
+    for (;;) {
+      const double middle = before + (behind - before) / 2.0;
+      if (middle <= before || middle >= behind) return {before, behind};
+      (holds(middle, y(middle)) ? behind : before) = middle;
+    }
+  }
+
+  // Up to the first switch that is passed up to t where f goes on as on the step before. Infinite: none is.
+  double time_to_switch(double t) {
+    const auto ahead = [&](double at) { return steps_->continued(at); };
+    const auto switched = [&](double at, In y) { return sides(at, y) != sides_; };
+    if (problem_.switches.empty() || !switched(t, ahead(t))) return std::numeric_limits<double>::infinity();
+    return change(switched, ahead, t).first - time_;
+  }
+
+  // Leads over a switch that is next to the last time taken, and begins anew. A run that is back there at
+  // once slides along the switch: it has no solution beyond.
+  bool switch_over() {
+    const double t = time_ + 2.0 * at_switch();
+    if (switched_at_ == time_) {
+      run_.fail(Ending::not_converged, t);
+      return false;
+    }
+    sides_ = sides(t, steps_->continued(t));
+    if (!cross_to(t)) return false;
+    switched_at_ = time_;
+    return true;
+  }
+
+  // How near a switch is taken to be reached: rounding of sums over the past does not decide on which side y
+  // is.
+  [[nodiscard]] double at_switch() const {
+    constexpr double part = 1e-12;  // of the time
+    return std::max(shortest_, part * time_);
+  }
+
+  [[nodiscard]] double shortest_step() const {
+    return std::max(shortest_, 4.0 * std::numeric_limits<double>::epsilon() * time_);
+  }
+
+  [[nodiscard]] std::vector<bool> sides(double t, In y) const {
+    std::vector<bool> positive;
+    for (const auto& one : problem_.switches) positive.push_back(one(t, y) > 0.0);
+    return positive;
+  }
+
+  bool take(double t) {
+    if (!run_.accept(t, steps_->result(), [&](double between) { return steps_->between(between); }))
+      return false;
+    steps_->take();
+    time_ = t;
+    return true;
+  }
+
+  [[nodiscard]] Ending failure() const {
+    const bool inside = problem_.domain.contains(time_, steps_->result());
+    return steps_->result().allFinite() && !inside ? Ending::singular : Ending::not_converged;
+  }
+
+  const Problem& problem_;
+  Run run_;
+  double shortest_ = 0.0, time_ = 0.0;
+  std::unique_ptr<AdaptiveSteps> steps_;
+  StepControl control_{1.0, 1.0};
+  std::int64_t rejected_ = 0;
+  std::vector<bool> sides_{};  // on which the run is of each switch
+  double switched_at_ = -1.0;  // last
+};
+
+}  // namespace
+
+Trajectory march_adaptively(const Problem& problem, const Accuracy& accuracy, const Options& options,
+                            const MakeSteps& make) {
+  return March(problem, accuracy, options, make).solve();
+}
+
+}  // namespace fde

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <limits>
+
+#include "stepping/run.hpp"
+
+namespace fde {
+
+// The error of a step that has no solution.
+inline constexpr double no_solution = std::numeric_limits<double>::infinity();
+
+// A rule that steps by any length: each step is attempted, its error is estimated, and it is taken or
+// attempted anew with another length. What is not taken leaves no trace.
+class AdaptiveSteps {
+ public:
+  AdaptiveSteps() = default;
+  AdaptiveSteps(const AdaptiveSteps&) = delete;
+  AdaptiveSteps& operator=(const AdaptiveSteps&) = delete;
+  virtual ~AdaptiveSteps() = default;
+
+  // Solves the step from the last time taken to t. The result is its error in units of what is allowed.
+  virtual double attempt(Run& run, double t) = 0;
+
+  // y at the end of the last attempt, and within its step.
+  [[nodiscard]] virtual const Vec& result() const = 0;
+  virtual Vec between(double t) = 0;
+
+  // y at a time after the last one taken, where f goes on as on the steps before.
+  virtual Vec continued(double t) = 0;
+
+  // In place of an attempt: the step over a jump of f, too short to change y, on which f goes on as before.
+  virtual void coast(Run& run, double t) = 0;
+
+  // The last attempt joins the past.
+  virtual void take() = 0;
+
+  // The right-hand side has jumped at the last time taken: nothing before tells how it goes on.
+  virtual void begin_anew(Run& run) = 0;
+
+  // With which power of the length its error falls where the solution is smooth.
+  [[nodiscard]] virtual double rate() const = 0;
+
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
+};
+
+}  // namespace fde

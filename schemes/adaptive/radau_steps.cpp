@@ -1,0 +1,310 @@
+#include "adaptive/radau_steps.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace fde {
+namespace {
+
+using Square = Eigen::Matrix<double, stages, stages>;
+
+constexpr int most_iterations = 10;
+constexpr double longest_continued = 2.0;  // of the step before
+constexpr double converged = 1e-3;         // of what is allowed
+// What a defect at the start of a step, which is 0 at the points, is worth as one all over the step. Of order
+// 1/2 it leaves half of that at the end, of order 1 nothing; the largest part is 0.037, of order 1/4.
+constexpr double part_of_defect = 0.06;
+
+const std::array<double, stages>& points() {
+  static const std::array<double, stages> c{(4.0 - std::sqrt(6.0)) / 10.0, (4.0 + std::sqrt(6.0)) / 10.0,
+                                            1.0};
+  return c;
+}
+
+// The values at places of 1, w, w^2, one row a place.
+Square powers_at(const std::array<double, stages>& places) {
+  Square result;
+  for (Eigen::Index i = 0; i < stages; ++i)
+    for (Eigen::Index m = 0; m < stages; ++m)
+      result(i, m) = std::pow(places[static_cast<std::size_t>(i)], static_cast<double>(m));
+  return result;
+}
+
+// From values at the points to coefficients of 1, w, w^2, one row a coefficient.
+const Square& to_powers() {
+  static const Square matrix = powers_at(points()).inverse();
+  return matrix;
+}
+
+// I^order of w^m at the points is Gamma(m+1)/Gamma(order+m+1) w^(order+m).
+Square integral_weights(double order) {
+  Square of_powers;
+  for (Eigen::Index i = 0; i < stages; ++i) {
+    const double place = points()[static_cast<std::size_t>(i)];
+    for (Eigen::Index m = 0; m < stages; ++m) {
+      const auto power = static_cast<double>(m);
+      of_powers(i, m) =
+          std::tgamma(power + 1.0) / std::tgamma(order + power + 1.0) * std::pow(place, order + power);
+    }
+  }
+  return of_powers * to_powers();
+}
+
+}  // namespace
+
+RadauSteps::RadauSteps(const Problem& problem, const Accuracy& accuracy, const Options& options, Run& run,
+                       double shortest)
+    : problem_(problem),
+      taylor_(problem),
+      allowed_(accuracy),
+      matrix_(make_stage_matrix(problem)),
+      weights_(static_cast<std::size_t>(problem.size())),
+      past_(problem.size(), stages),
+      y_(past_),
+      f_(past_),
+      drives_(past_),
+      at_start_(run.rhs(0.0, run.start())),
+      before_(run.start()),
+      result_(before_) {
+  for (const auto& component : problem.components) {
+    auto& row = rows_.emplace_back();
+    if (algebraic(component)) continue;
+    const double order = component.order;
+    auto found = std::ranges::find(kernels_, order, &Kernel::order);
+    if (found == kernels_.end()) {
+      const Square weights = integral_weights(order);
+      // The first point of a step is the nearest that the past is asked for.
+      kernels_.push_back({order,
+                          KernelIntegrals(ExponentialKernel(order, points().front() * shortest, problem.end,
+                                                            options.tolerance)),
+                          weights, weights.inverse()});
+      found = std::prev(kernels_.end());
+    }
+    row = Row{static_cast<std::size_t>(found - kernels_.begin()), found->integrals.add_function()};
+  }
+}
+
+double RadauSteps::rate() const {
+  double least = 1.0;
+  for (const auto& kernel : kernels_) least = std::min(least, kernel.order);
+  return 3.0 + least;
+}
+
+void RadauSteps::prepare(double t) {
+  next_ = t;
+  length_ = t - time_;
+  for (auto& kernel : kernels_) {
+    kernel.unit = std::pow(length_, kernel.order);
+    for (std::size_t i = 0; i < kernel.to_stage.size(); ++i)
+      kernel.integrals.prepare(points()[i] * length_, kernel.to_stage[i]);
+  }
+  for (Eigen::Index i = 0; i < stages; ++i)
+    taylor_.at(time_ + points()[static_cast<std::size_t>(i)] * length_, past_.col(i));
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    weights_[r].setZero();
+    if (!rows_[r]) continue;
+    const auto& kernel = kernels_[rows_[r]->kernel];
+    weights_[r] = kernel.unit * kernel.weights;
+    for (Eigen::Index i = 0; i < stages; ++i)
+      past_(static_cast<Eigen::Index>(r), i) += kernel.integrals.integral(
+          kernel.to_stage[static_cast<std::size_t>(i)], rows_[r]->function, Polynomial::Zero());
+  }
+}
+
+// The parabola of the step before goes on, where this one is not much longer; otherwise f stays as it is.
+void RadauSteps::guess() {
+  const Vec start = at_start_.unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
+  drives_.colwise() = start;
+  if (length_before_ && length_ <= longest_continued * *length_before_) {
+    std::array<double, stages> ahead{};
+    for (std::size_t i = 0; i < ahead.size(); ++i) ahead[i] = 1.0 + points()[i] * length_ / *length_before_;
+    drives_ = parabolas_before_ * powers_at(ahead).transpose();
+  }
+  for (Eigen::Index r = 0; r < y_.rows(); ++r) {
+    y_.row(r) = past_.row(r) + drives_.row(r) * weights_[static_cast<std::size_t>(r)].transpose();
+    if (!rows_[static_cast<std::size_t>(r)]) y_.row(r).setConstant(before_[r]);
+  }
+}
+
+bool RadauSteps::evaluate(Run& run) {
+  for (Eigen::Index i = 0; i < stages; ++i)
+    f_.col(i) = run.rhs(time_ + points()[static_cast<std::size_t>(i)] * length_, y_.col(i));
+  return f_.allFinite();
+}
+
+// What y leaves of the equations, stage after stage.
+Vec RadauSteps::residual() const {
+  Values rest(y_.rows(), stages);
+  for (Eigen::Index r = 0; r < y_.rows(); ++r) {
+    const auto row = static_cast<std::size_t>(r);
+    rest.row(r) = rows_[row] ? (past_.row(r) + f_.row(r) * weights_[row].transpose() - y_.row(r)).eval()
+                             : f_.row(r).eval();
+  }
+  return rest.reshaped();
+}
+
+Vec RadauSteps::limits() const {
+  return allowed_.of(y_.cwiseAbs().rowwise().maxCoeff().cwiseMax(before_.cwiseAbs()),
+                     past_.cwiseAbs().rowwise().maxCoeff());
+}
+
+bool RadauSteps::solve(Run& run) {
+  double last = no_solution;
+  for (int iteration = 1; iteration <= most_iterations; ++iteration) {
+    if (!evaluate(run)) return false;
+    if (iteration == 1)
+      matrix_->factorise(run, time_ + length_, y_.col(stages - 1), f_.col(stages - 1), weights_);
+    Vec increment = residual();
+    matrix_->solve(increment);
+    if (!increment.allFinite()) return false;
+    y_ += increment.reshaped(y_.rows(), stages);
+    ++*run.cost().newton_iterations;
+    const Vec limit = limits();
+    double size = 0.0;
+    for (Eigen::Index k = 0; k < increment.size(); ++k) {
+      const auto r = k % y_.rows();
+      if (rows_[static_cast<std::size_t>(r)] && increment[k] != 0.0)
+        size = std::max(size, std::abs(increment[k]) / limit[r]);
+    }
+    if (size <= converged) return true;
+    if (size > 0.5 * last) return false;
+    last = size;
+  }
+  return false;
+}
+
+// From the equations: where these are stiff, f(t, y) is off by far more than y.
+void RadauSteps::take_drives() {
+  for (Eigen::Index r = 0; r < y_.rows(); ++r) {
+    const auto& row = rows_[static_cast<std::size_t>(r)];
+    if (!row) continue;
+    const auto& kernel = kernels_[row->kernel];
+    drives_.row(r) = (y_.row(r) - past_.row(r)) * kernel.inverse.transpose() / kernel.unit;
+  }
+}
+
+double RadauSteps::attempt(Run& run, double t) {
+  prepare(t);
+  guess();
+  const bool solved = solve(run);
+  result_ = y_.col(stages - 1);
+  if (!solved) return no_solution;
+  take_drives();
+  return error();
+}
+
+double RadauSteps::error() const {
+  const Vec from_parabola = drives_ * to_powers().row(0).transpose();
+  Values effect(y_.rows(), stages);
+  for (Eigen::Index r = 0; r < y_.rows(); ++r) {
+    const auto row = static_cast<std::size_t>(r);
+    if (!rows_[row]) {
+      effect.row(r).setZero();
+      continue;
+    }
+    double defect = at_start_[r] - from_parabola[r];
+    if (!std::isfinite(defect)) defect = drives_(r, 0) - drives_(r, stages - 1);
+    effect.row(r) = part_of_defect * defect * weights_[row].rowwise().sum().transpose();
+  }
+  Vec answered = effect.reshaped();
+  matrix_->solve(answered);
+  const Vec limit = limits();
+  double result = 0.0;
+  for (Eigen::Index r = 0; r < y_.rows(); ++r) {
+    const double of_row = std::abs(answered[(stages - 1) * y_.rows() + r]);
+    if (rows_[static_cast<std::size_t>(r)] && of_row != 0.0) result = std::max(result, of_row / limit[r]);
+  }
+  return result;
+}
+
+// y at t with each drive this polynomial of (t' - time_) / (t - time_), one row each.
+Vec RadauSteps::integrated(double t, const Values& polynomials) {
+  Vec y = before_;
+  taylor_.at(t, y);
+  for (auto& kernel : kernels_) kernel.integrals.prepare(t - time_, kernel.to_stage.front());
+  for (Eigen::Index r = 0; r < y.size(); ++r) {
+    const auto& row = rows_[static_cast<std::size_t>(r)];
+    if (!row) {
+      y[r] = polynomials.row(r).sum();
+      continue;
+    }
+    const auto& kernel = kernels_[row->kernel];
+    const Polynomial newest(polynomials(r, 0), polynomials(r, 1), 2.0 * polynomials(r, 2));
+    y[r] += kernel.integrals.integral(kernel.to_stage.front(), row->function, newest);
+  }
+  return y;
+}
+
+// Of algebraic rows y itself.
+RadauSteps::Values RadauSteps::parabolas() const {
+  Values values = drives_;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const auto row = static_cast<Eigen::Index>(r);
+    if (!rows_[r]) values.row(row) = y_.row(row);
+  }
+  return values * to_powers().transpose();
+}
+
+Vec RadauSteps::between(double t) {
+  const double share = (t - time_) / length_;
+  Values polynomials = parabolas();
+  polynomials.col(1) *= share;
+  polynomials.col(2) *= share * share;
+  return integrated(t, polynomials);
+}
+
+Vec RadauSteps::continued(double t) {
+  Values polynomials = Values::Zero(y_.rows(), stages);
+  const double ratio = length_before_ ? (t - time_) / *length_before_ : longest_continued + 1.0;
+  if (ratio <= longest_continued) {
+    polynomials.col(0) = parabolas_before_.rowwise().sum();
+    polynomials.col(1) = ratio * (parabolas_before_.col(1) + 2.0 * parabolas_before_.col(2));
+    polynomials.col(2) = ratio * ratio * parabolas_before_.col(2);
+  } else {
+    polynomials.col(0) = at_start_;
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      const auto row = static_cast<Eigen::Index>(r);
+      if (!rows_[r]) polynomials(row, 0) = before_[row];
+    }
+  }
+  return integrated(t, polynomials);
+}
+
+void RadauSteps::coast(Run& /*run*/, double t) {
+  result_ = continued(t);
+  prepare(t);
+  drives_.colwise() = at_start_;
+  y_.colwise() = result_;
+}
+
+void RadauSteps::begin_anew(Run& run) {
+  at_start_ = run.rhs(time_, before_);
+  length_before_.reset();
+}
+
+void RadauSteps::take() {
+  parabolas_before_ = parabolas();
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    if (!rows_[r]) continue;
+    const auto powers = parabolas_before_.row(static_cast<Eigen::Index>(r));
+    kernels_[rows_[r]->kernel].integrals.polynomial(rows_[r]->function) =
+        length_ * Polynomial(powers[0], powers[1], 2.0 * powers[2]);
+  }
+  for (auto& kernel : kernels_) kernel.integrals.advance(kernel.to_stage.back());
+  allowed_.pass(y_.cwiseAbs().rowwise().maxCoeff().cwiseMax(before_.cwiseAbs()));
+  time_ = next_;
+  length_before_ = length_;
+  at_start_ = drives_.col(stages - 1);
+  before_ = result_;
+}
+
+std::size_t RadauSteps::bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& kernel : kernels_) bytes += kernel.integrals.bytes();
+  return bytes;
+}
+
+}  // namespace fde

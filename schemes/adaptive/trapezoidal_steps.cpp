@@ -1,0 +1,193 @@
+#include "adaptive/trapezoidal_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "implicit/newton.hpp"
+#include "weights/family.hpp"
+
+namespace fde {
+namespace {
+
+class NewtonOnTrapezoids final : public TrapezoidalSolver {
+ public:
+  NewtonOnTrapezoids(const Problem& problem, double tolerance) : problem_(problem), tolerance_(tolerance) {}
+
+  bool solve(Run& run, const StepEquations& step, const Vec& /*continued*/, Vec& y, Vec& f) override {
+    if (!newton_) newton_.emplace(problem_, tolerance_);
+    if (newton_->solve(run, step, y) != Ending::finished) {
+      newton_.reset();
+      return false;
+    }
+    // One more iteration, and f as the equations have it at its end: where these are stiff, f(t, y) is off by
+    // far more than y, and where the step is short, (y - past) / kappa is.
+    f = run.rhs(step.t, y);
+    const Vec rest = step.past + step.kappa.cwiseProduct(f) - y;
+    Vec increment = rest;
+    newton_->respond(increment);
+    y += increment;
+    f += (increment - rest).cwiseQuotient(step.kappa);
+    return y.allFinite() && f.allFinite();
+  }
+
+  [[nodiscard]] Vec left_over() const override { return Vec::Zero(problem_.size()); }
+  void respond(Vec& error) const override { newton_->respond(error); }
+
+ private:
+  const Problem& problem_;
+  double tolerance_;
+  std::optional<NewtonSolver> newton_{};
+};
+
+class PredictionCorrector final : public TrapezoidalSolver {
+ public:
+  explicit PredictionCorrector(int corrections) : corrections_(corrections) {}
+
+  bool solve(Run& run, const StepEquations& step, const Vec& continued, Vec& y, Vec& f) override {
+    f = continued;
+    for (int correction = 0; correction <= corrections_; ++correction) {
+      y = step.past + step.kappa.cwiseProduct(f);
+      before_ = std::exchange(f, run.rhs(step.t, y));
+    }
+    last_change_ = (f - before_).cwiseAbs();
+    return y.allFinite() && f.allFinite();
+  }
+
+  [[nodiscard]] Vec left_over() const override { return last_change_; }
+  void respond(Vec& /*error*/) const override {}
+
+ private:
+  int corrections_;
+  Vec before_, last_change_;
+};
+
+std::unique_ptr<History> history_for(const Problem& problem, const Options& options, double shortest) {
+  return make_history(HistoryKind::exponentials, {tables(problem, families::trapezoid)},
+                      {.end = problem.end, .shortest = shortest}, options.tolerance);
+}
+
+}  // namespace
+
+std::unique_ptr<TrapezoidalSolver> newton_on_trapezoids(const Problem& problem, double tolerance) {
+  return std::make_unique<NewtonOnTrapezoids>(problem, tolerance);
+}
+
+std::unique_ptr<TrapezoidalSolver> correct_predictions(int corrections) {
+  return std::make_unique<PredictionCorrector>(corrections);
+}
+
+TrapezoidalSteps::TrapezoidalSteps(const Problem& problem, const Accuracy& accuracy, const Options& options,
+                                   Run& run, double shortest, std::unique_ptr<TrapezoidalSolver> solver)
+    : problem_(problem),
+      taylor_(problem),
+      allowed_(accuracy),
+      factors_(tables(problem, families::trapezoid)),
+      history_(history_for(problem, options, shortest)),
+      solver_(std::move(solver)),
+      orders_(problem.size()),
+      newest_{0.0, run.rhs(0.0, run.start())},
+      next_(newest_),
+      before_(run.start()),
+      y_(before_),
+      convolved_(before_),
+      past_(before_) {
+  for (Eigen::Index i = 0; i < orders_.size(); ++i)
+    orders_[i] = problem.components[static_cast<std::size_t>(i)].order;
+  history_->push(0.0, newest_.f);
+}
+
+void TrapezoidalSteps::past_at(double t) {
+  kappa_ = factors_.at(t - newest_.t);
+  history_->convolve(t, 0, convolved_);
+  taylor_.at(t, past_);
+  past_ += kappa_.cwiseProduct(convolved_);
+}
+
+double TrapezoidalSteps::attempt(Run& run, double t) {
+  past_at(t);
+  y_ = before_;
+  next_.t = t;
+  if (!solver_->solve(run, {t, kappa_, past_}, continued_drive(t), y_, next_.f)) return no_solution;
+  const Vec left_over = solver_->left_over();
+  return error(defect().binaryExpr(
+      left_over, [](double line, double left) { return line + std::copysign(left, line); }));
+}
+
+// max |error_i| / limit_i. Where both are 0, nothing is wrong.
+double TrapezoidalSteps::largest_part(const Vec& error, const Vec& limit) {
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < error.size(); ++i) {
+    if (error[i] != 0.0) largest = std::max(largest, std::abs(error[i]) / limit[i]);
+  }
+  return largest;
+}
+
+// The mean distance of f from its line on the step; where the step before says nothing of f, half of its
+// change.
+Vec TrapezoidalSteps::defect() const {
+  const Vec change = next_.f - newest_.f;
+  if (!older_) return change / 2.0;
+  const double length = next_.t - newest_.t, length_before = newest_.t - older_->t;
+  const Vec bend = (change / length - (newest_.f - older_->f) / length_before) / (length + length_before);
+  return bend * (length * length / 6.0);
+}
+
+double TrapezoidalSteps::error(const Vec& of_f) const {
+  const Vec unit = kappa_.cwiseProduct((orders_.array() + 1.0).matrix());  // h^g / Gamma(g+1)
+  const Vec limit = allowed_.of(y_.cwiseAbs().cwiseMax(before_.cwiseAbs()), past_.cwiseAbs());
+  Vec answered = unit.cwiseProduct(of_f);
+  solver_->respond(answered);
+  Vec again = answered;
+  solver_->respond(again);
+  const double once = largest_part(answered, limit);
+  if (once == 0.0) return 0.0;
+  const double left = std::min(largest_part(again, limit) / once, 1.0);  // r
+  double result = 0.0;
+  for (Eigen::Index i = 0; i < limit.size(); ++i) {
+    if (answered[i] == 0.0) continue;
+    const double all = accumulation(orders_[i]);  // a
+    result = std::max(result, std::abs(answered[i]) / limit[i] * all / (left + all * (1.0 - left)));
+  }
+  return result;
+}
+
+// What as large errors on all steps up to now add up to at the end, the kernel t^(order-1) falling or not, in
+// units of what one leaves in its own step.
+double TrapezoidalSteps::accumulation(double order) const {
+  const double length = next_.t - newest_.t, steps = next_.t / length;
+  if (order <= 1.0) return std::pow(steps, order);
+  return steps * std::pow(problem_.end / length, order - 1.0);
+}
+
+// f on the line through its last two values.
+Vec TrapezoidalSteps::continued_drive(double t) const {
+  if (!older_) return newest_.f;
+  return newest_.f + (t - newest_.t) / (newest_.t - older_->t) * (newest_.f - older_->f);
+}
+
+Vec TrapezoidalSteps::continued(double t) {
+  past_at(t);
+  return past_ + kappa_.cwiseProduct(continued_drive(t));
+}
+
+Vec TrapezoidalSteps::between(double t) {
+  past_at(t);
+  const double share = (t - newest_.t) / (next_.t - newest_.t);
+  return past_ + kappa_.cwiseProduct(newest_.f + share * (next_.f - newest_.f));
+}
+
+void TrapezoidalSteps::coast(Run& run, double t) {
+  y_ = continued(t);
+  next_ = {t, run.rhs(t, y_)};
+}
+
+void TrapezoidalSteps::take() {
+  history_->push(next_.t, next_.f);
+  allowed_.pass(y_.cwiseAbs().cwiseMax(before_.cwiseAbs()));
+  older_ = std::exchange(newest_, next_);
+  before_ = y_;
+}
+
+}  // namespace fde

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "problem/resolution.hpp"
+#include "problem/vectors.hpp"
+
+namespace fde {
+
+// What may be wrong in each row of a step: the accuracy asked, but at most a hundredth of the largest that
+// the row has been, and at least a little more than the rounding of the terms that it is the sum of.
+class AllowedError {
+ public:
+  explicit AllowedError(const Accuracy& accuracy) : accuracy_(accuracy) {}
+
+  // largest: the largest |y| of each row on the step; terms: of what it is the sum of.
+  [[nodiscard]] Vec of(In largest, In terms) const;
+
+  // Takes a step as passed on which rows were at most so large.
+  void pass(In largest);
+
+ private:
+  Accuracy accuracy_;
+  Vec largest_;  // so far; empty: no step has passed
+};
+
+}  // namespace fde

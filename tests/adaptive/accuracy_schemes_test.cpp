@@ -1,0 +1,166 @@
+// What holds for every scheme that is asked for an accuracy and chooses its steps.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mittag_leffler/mittag_leffler.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+class AccuracyScheme : public testing::TestWithParam<const Scheme*> {
+ protected:
+  static Trajectory run(const Problem& problem, double accuracy, Options options = {}) {
+    options.budget = 2.0;
+    return GetParam()->solve(problem, Accuracy{accuracy, accuracy}, options);
+  }
+  // Whether it says that it does not take the switches of this problem; without them it does.
+  static bool refuses_switches(Problem problem) {
+    const auto why = refusal(*GetParam(), problem, Accuracy{1e-5, 1e-5});
+    problem.switches.clear();
+    EXPECT_EQ(refusal(*GetParam(), problem, Accuracy{1e-5, 1e-5}), std::nullopt);
+    EXPECT_EQ(why.value_or("does not locate where the right-hand side jumps with y"),
+              "does not locate where the right-hand side jumps with y");
+    return why.has_value();
+  }
+};
+
+Component decay(double order) { return {order, order > 1.0 ? std::vector{1.0, 0.0} : std::vector{1.0}}; }
+
+TEST_P(AccuracyScheme, KeepsConstants) {
+  for (const double order : {0.2, 0.5, 1.0, 1.5, 2.0}) {
+    const Problem problem{.components = {{order, order > 1.0 ? std::vector{3.25, 0.0} : std::vector{3.25}}},
+                          .rhs = [](double, In, Out f) { f.setZero(); }};
+    EXPECT_EQ((run(problem, 1e-6).y.array() - 3.25).abs().maxCoeff(), 0.0) << order;
+  }
+}
+
+TEST_P(AccuracyScheme, SolvesUncoupledRowsAsAlone) {
+  const Problem both{.components = {decay(0.4), decay(1.6)}, .rhs = [](double, In y, Out f) { f = -y; }};
+  const auto path = run(both, 1e-6, {.at = {1.0}});
+  EXPECT_NEAR(path.y(0, 0), mittag_leffler(0.4, 1.0, -1.0), 3e-6);
+  EXPECT_NEAR(path.y(1, 0), mittag_leffler(1.6, 1.0, -1.0), 3e-6);
+}
+
+TEST_P(AccuracyScheme, DoesNotDependOnTheOrderOfRows) {
+  const auto run_of = [&](double first, double second) {
+    const Problem problem{.components = {decay(first), decay(second)},
+                          .rhs = [](double, In y, Out f) { f = -y; },
+                          .derivatives = DenseLinearPart{-Matrix::Identity(2, 2)}};
+    return run(problem, 1e-5);
+  };
+  const auto path = run_of(0.4, 0.9), exchanged = run_of(0.9, 0.4);
+  ASSERT_EQ(path.times, exchanged.times);
+  EXPECT_LT((path.y - exchanged.y.colwise().reverse()).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST_P(AccuracyScheme, ReturnsTheTimesAskedForOnItsStepsOrBetween) {
+  const Scene scene = scene_of("relaxation");
+  const std::vector<double> at{1e-6, 0.013, 0.5, 0.77, 1.0};
+  const auto path = run(scene.problem, 1e-6, {.at = at});
+  ASSERT_EQ(path.times, at);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), mittag_leffler(0.5, 1.0, -std::sqrt(at[i])), 1e-6)
+        << at[i];
+  }
+}
+
+// D^0.5 y = 1 up to t = 1 and -1 behind it: y = (2 sqrt t - 4 sqrt(t - 1)) / sqrt pi.
+TEST_P(AccuracyScheme, StartsAnewWhereTheRightHandSideJumps) {
+  const Problem problem{.components = {{0.5, {0.0}}},
+                        .rhs = [](double t, In, Out f) { f[0] = t <= 1.0 ? 1.0 : -1.0; },
+                        .end = 3.0,
+                        .jumps = {1.0}};
+  const auto path = run(problem, 1e-6);
+  ASSERT_EQ(path.reached, 3.0);
+  for (std::size_t i = 0; i < path.times.size(); ++i) {
+    const double t = path.times[i];
+    const double exact = (2.0 * std::sqrt(t) - 4.0 * std::sqrt(std::max(0.0, t - 1.0))) / std::sqrt(M_PI);
+    EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), exact, 1e-6) << t;
+  }
+}
+
+// D^0.5 y = 1, and 2 where y > 1: y = (2 sqrt t + 2 sqrt(t - pi/4)) / sqrt pi, as 1 is reached at pi/4.
+TEST_P(AccuracyScheme, LocatesWhereTheStateMakesTheRightHandSideJump) {
+  const Problem problem{.components = {{0.5, {0.0}}},
+                        .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? 2.0 : 1.0; },
+                        .end = 2.0,
+                        .switches = {[](double, In y) { return y[0] - 1.0; }}};
+  if (refuses_switches(problem)) return;
+  const auto path = run(problem, 1e-5);
+  ASSERT_EQ(path.ending, Ending::finished);
+  for (std::size_t i = 0; i < path.times.size(); ++i) {
+    const double t = path.times[i], behind = std::max(0.0, t - M_PI / 4.0);
+    const double exact = (2.0 * std::sqrt(t) + 2.0 * std::sqrt(behind)) / std::sqrt(M_PI);
+    EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), exact, 1e-4) << t;
+  }
+}
+
+// y'' = -y - sign(y') / 10 from 1: half waves about +1/10 and -1/10, turning at every multiple of pi.
+TEST_P(AccuracyScheme, FollowsDryFriction) {
+  const auto sign = [](double v) { return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : 0.0; };
+  const Problem problem{.components = {{1.0, {1.0}}, {1.0, {0.0}}},
+                        .rhs =
+                            [=](double, In y, Out f) {
+                              f[0] = y[1];
+                              f[1] = -y[0] - 0.1 * sign(y[1]);
+                            },
+                        .end = 9.0,
+                        .switches = {[](double, In y) { return y[1]; }}};
+  if (refuses_switches(problem)) return;
+  const std::vector<double> at{1.0, 3.0, 4.0, 6.0, 7.0, 9.0};
+  const auto path = run(problem, 1e-5, {.at = at});
+  ASSERT_EQ(path.times, at);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const double half = std::floor(at[i] / M_PI), centre = std::fmod(half, 2.0) == 0.0 ? 0.1 : -0.1;
+    const double exact = centre + (0.9 - 0.2 * half) * std::cos(at[i]);
+    EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), exact, 1e-4) << at[i];
+  }
+}
+
+// y' = y^2 from 1 is 1 / (1 - t).
+TEST_P(AccuracyScheme, EndsBeforeABlowUp) {
+  for (const double order : {0.5, 1.0}) {
+    const Problem problem{
+        .components = {{order, {1.0}}}, .rhs = [](double, In y, Out f) { f = y.cwiseAbs2(); }, .end = 2.0};
+    const auto path = run(problem, 1e-3);
+    EXPECT_NE(path.ending, Ending::finished) << order;
+    EXPECT_LE(path.reached, 1.01) << order;
+    EXPECT_TRUE(path.y.allFinite());
+  }
+}
+
+// y y' = -1 from 1 is sqrt(1 - 2t).
+TEST_P(AccuracyScheme, EndsAtTheEdgeOfTheDomain) {
+  Problem problem{
+      .components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f[0] = -1.0 / y[0]; }, .end = 2.0};
+  problem.domain = {"y = 0", [](double, In y) { return y[0]; }};
+  const auto path = run(problem, 1e-4);
+  EXPECT_NE(path.ending, Ending::finished);
+  EXPECT_NEAR(path.reached, 0.5, 1e-2);
+}
+
+TEST_P(AccuracyScheme, EndsWithItsBudget) {
+  Options options;
+  options.budget = 0.0;
+  const Scene scene = scene_of("brusselator");
+  EXPECT_EQ(GetParam()->solve(scene.problem, Accuracy{1e-8, 1e-8}, options).ending, Ending::out_of_budget);
+}
+
+TEST_P(AccuracyScheme, RefusesAGrid) {
+  EXPECT_EQ(refusal(*GetParam(), scene_of("relaxation").problem, Grid{1.0, 8}),
+            "takes an accuracy, not a grid");
+}
+
+std::vector<const Scheme*> accuracy_schemes() {
+  auto some = all_schemes();
+  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.takes_accuracy; });
+  return some;
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, AccuracyScheme, testing::ValuesIn(accuracy_schemes()), id_of_param);
+
+}  // namespace
+}  // namespace fde
