@@ -9,6 +9,7 @@ namespace fde {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double part = 0.5;  // of what is allowed: what grows, or adds up, has room
 
 // A function with a singularity as far away as a panel is long has Legendre coefficients like 5.8^-l: on the
 // panels that grow from a start, and in what is seen of blocks.
@@ -99,7 +100,6 @@ std::unique_ptr<PastBlock> PanelMarch::attempt(const TimeBlock& block, const Mat
   }
   Matrix coefficients = solution_->rule.to_coefficients * solved.drives;
   const Vec effects = effects_of(block, task, solved, coefficients);
-  constexpr double part = 0.5;  // of what is allowed: what grows, or adds up, has room
   // More than the places can see grow.
   const bool outrun = solver_.grows(run_, task, solved.rows, static_cast<double>(effects.size()));
   const double doubt = outrun || breaks_off(task, solved) ? infinity : effects.tail(2).sum() / part;
@@ -151,7 +151,8 @@ Vec PanelMarch::effects_of(const TimeBlock& panel, const PanelTask& task, const 
     effects.col(i) = unit_of(task, i) / allowed[i] * of_drives.col(drive).cwiseAbs();
   }
   const bool follows = panel.from > 0.0;  // and is past the transient that a start is
-  if (follows && effects.bottomRows(2).maxCoeff() > 0.5 && !solver_.grows(run_, task, solved.rows, 1.0)) {
+  const double in_doubt = effects.rowwise().maxCoeff().tail(2).sum();
+  if (follows && in_doubt > part && !solver_.grows(run_, task, solved.rows, 1.0)) {
     const Matrix of_rows = solution_->rule.to_coefficients * solved.rows;
     for (Eigen::Index i = 0; i < allowed.size(); ++i)
       effects.col(i) = effects.col(i).cwiseMin(of_rows.col(i).cwiseAbs() / allowed[i]);
@@ -169,7 +170,7 @@ double PanelMarch::unit_of(const PanelTask& task, Eigen::Index row) const {
 // Whether this is another root of the equations than that of the panel before, which then begins elsewhere:
 // drives are continuous.
 bool PanelMarch::breaks_off(const PanelTask& task, const PanelValues& solved) const {
-  constexpr double clear = 1000.0, part = 0.5;
+  constexpr double clear = 1000.0, half = 0.5;
   if (last_drives_.size() == 0 || linear(problem_)) return false;
   const Vec change = (solved.drives.transpose() * solution_->rule.at_start - last_drives_).cwiseAbs();
   const Vec sizes =
@@ -177,7 +178,7 @@ bool PanelMarch::breaks_off(const PanelTask& task, const PanelValues& solved) co
   const Vec allowed = solver_.allowed(task, solved.rows);
   for (Eigen::Index i = 0; i < allowed.size(); ++i) {
     const auto drive = solution_->driven.rows[static_cast<std::size_t>(i)].drive;
-    if (change[drive] > part * sizes[drive] && unit_of(task, i) * change[drive] > clear * allowed[i])
+    if (change[drive] > half * sizes[drive] && unit_of(task, i) * change[drive] > clear * allowed[i])
       return true;
   }
   return false;
