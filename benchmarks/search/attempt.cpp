@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 #include <utility>
@@ -10,25 +11,64 @@
 #include "observers/watched_steps.hpp"
 
 namespace fde {
+namespace {
+
+// Of the times of a run so many, the last among them.
+void keep_some(Trajectory& path, int most) {
+  const auto count = path.y.cols(), kept = std::min<Eigen::Index>(count, most);
+  if (kept == count) return;
+  std::vector<Eigen::Index> columns;
+  std::vector<double> times;
+  for (Eigen::Index i = 1; i <= kept; ++i) {
+    columns.push_back(count * i / kept - 1);
+    times.push_back(path.time(columns.back()));
+  }
+  path.y = Rows(path.y(Eigen::all, columns));
+  path.times = std::move(times);
+}
+
+}  // namespace
+
+StepsOrAccuracy resolution_of(const Attempt& attempt) {
+  if (attempt.asked) return Accuracy{*attempt.asked, *attempt.asked};
+  return attempt.steps;
+}
 
 Examiner::Examiner(const Scene& scene, Question question)
     : scene_(scene), question_(std::move(question)), reference_(scene) {}
 
 Rows Examiner::counted(const Rows& columns) const { return columns(question_.columns, Eigen::all); }
 
-Trajectory Examiner::solve(const Way& way, int steps, const std::vector<double>& times, double budget) const {
-  const Grid grid{.end = scene_.problem.end, .steps = steps, .grading = way.grading};
-  return way.scheme->solve(scene_.problem, grid, {.budget = budget, .at = times});
+Trajectory Examiner::solve(const Way& way, const StepsOrAccuracy& resolution,
+                           const std::vector<double>& times, double budget) const {
+  const Setup setup{.resolution = resolution, .grading = way.grading};
+  return way.scheme->solve(scene_.problem, resolution_of(setup, scene_.problem.end),
+                           {.budget = budget, .at = times});
 }
 
-Attempt Examiner::examine(const Way& way, int steps, int watched, double budget) {
-  const Grid grid{.end = scene_.problem.end, .steps = steps, .grading = way.grading};
+// Empty: all times of the run.
+std::vector<double> Examiner::compared_times(const Way& way, const StepsOrAccuracy& resolution,
+                                             int watched) const {
+  const double end = scene_.problem.end;
+  if (question_.kind.norm == Norm::end) return {end};
+  if (way.chooses_steps()) return {};
+  return watched_times({.end = end, .steps = std::get<int>(resolution), .grading = way.grading}, watched);
+}
+
+Attempt Examiner::examine(const Way& way, const StepsOrAccuracy& resolution, int watched, double budget) {
   const bool at_end = question_.kind.norm == Norm::end;
-  const auto times = at_end ? std::vector{scene_.problem.end} : watched_times(grid, watched);
-  Attempt attempt{.steps = steps};
+  const auto times = compared_times(way, resolution, watched);
+  Attempt attempt;
   const auto start = std::chrono::steady_clock::now();
-  const auto path = solve(way, steps, times, budget);
+  auto path = solve(way, resolution, times, budget);
   attempt.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (const auto* asked = std::get_if<Accuracy>(&resolution)) {
+    attempt.asked = asked->relative;
+    attempt.steps = static_cast<int>(path.steps);
+  } else {
+    attempt.steps = std::get<int>(resolution);
+  }
+  if (times.empty()) keep_some(path, watched);
   attempt.ending = ending_of(scene_.problem, path);
   if (path.ending != Ending::finished) return attempt;
   attempt.values = counted(columns_of(scene_.outputs, path));
@@ -46,8 +86,8 @@ bool Examiner::same_values(const Way& one, const Way& other, int steps) {
          columns_of(scene_.outputs, first) == columns_of(scene_.outputs, second);
 }
 
-void Examiner::solve_to_end(const Way& way, int steps) const {
-  static_cast<void>(solve(way, steps, {scene_.problem.end}, std::numeric_limits<double>::infinity()));
+void Examiner::solve_to_end(const Way& way, const StepsOrAccuracy& resolution) const {
+  static_cast<void>(solve(way, resolution, {scene_.problem.end}, std::numeric_limits<double>::infinity()));
 }
 
 void Examiner::know_reference(int times) {

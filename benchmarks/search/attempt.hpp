@@ -5,21 +5,26 @@
 #include <vector>
 
 #include "measures/ending.hpp"
+#include "records/setup.hpp"
 #include "references/watched_reference.hpp"
 #include "search/question.hpp"
 #include "stepping/scheme.hpp"
 
 namespace fde {
 
-// One way to solve a scene with any number of steps.
+// One way to solve a scene: with any number of steps over grids of one grading, or to any accuracy by a
+// scheme that chooses its steps.
 struct Way {
   const Scheme* scheme = nullptr;
   double grading = 1.0;
+
+  [[nodiscard]] bool chooses_steps() const { return !scheme->needs.takes_grid; }
 };
 
 // One run of a way.
 struct Attempt {
-  int steps = 0;
+  int steps = 0;                  // of the grid, or those taken
+  std::optional<double> asked{};                           // accuracy, of a scheme that chooses its steps
   double error = std::numeric_limits<double>::infinity();  // infinite: it did not come to its end
   double trivial = 0.0;                                    // that y = 0 or y = y(0) has
   Eigen::Index column = 0;  // of the scene, the one with the largest error, at this time
@@ -32,6 +37,9 @@ struct Attempt {
   Rows values{};  // the columns that count, at the watched times
 };
 
+// With which the attempt was made.
+StepsOrAccuracy resolution_of(const Attempt& attempt);
+
 // Makes attempts at a scene and judges them by its reference. The scene must live as long.
 class Examiner {
  public:
@@ -39,13 +47,13 @@ class Examiner {
 
   // The run is compared at `watched` steps or less, at the last one only where the norm is the end, and
   // ends after so many seconds. Throws std::runtime_error where there is no finite reference.
-  Attempt examine(const Way& way, int steps, int watched, double budget);
+  Attempt examine(const Way& way, const StepsOrAccuracy& resolution, int watched, double budget);
 
-  // Whether runs of two ways give the same values, bit for bit.
+  // Whether runs of two ways over grids give the same values, bit for bit.
   bool same_values(const Way& one, const Way& other, int steps);
 
   // Only solves.
-  void solve_to_end(const Way& way, int steps) const;
+  void solve_to_end(const Way& way, const StepsOrAccuracy& resolution) const;
 
   // Evaluates the reference at so many times, spread evenly.
   void know_reference(int times);
@@ -62,8 +70,10 @@ class Examiner {
   void judge_all(const std::vector<double>& times, Attempt& attempt);
   void judge_end(Attempt& attempt);
   [[nodiscard]] Rows counted(const Rows& columns) const;
-  [[nodiscard]] Trajectory solve(const Way& way, int steps, const std::vector<double>& times,
-                                 double budget) const;
+  [[nodiscard]] std::vector<double> compared_times(const Way& way, const StepsOrAccuracy& resolution,
+                                                   int watched) const;
+  [[nodiscard]] Trajectory solve(const Way& way, const StepsOrAccuracy& resolution,
+                                 const std::vector<double>& times, double budget) const;
 
   const Scene& scene_;
   Question question_;

@@ -14,6 +14,7 @@
 #include "records/setup.hpp"
 #include "search/fewest_steps.hpp"
 #include "search/interleaved_times.hpp"
+#include "search/loosest_accuracy.hpp"
 #include "stepping/rates.hpp"
 
 namespace fde {
@@ -76,8 +77,9 @@ class Search {
   void add_ways(const Scheme& scheme) {
     const Scene& scene = examiner_.scene();
     const auto why_not = [&](double grading) {
-      return refusal(scheme, scene.problem,
-                     Grid{.end = scene.problem.end, .steps = first_rung, .grading = grading});
+      Resolution resolution = Grid{.end = scene.problem.end, .steps = first_rung, .grading = grading};
+      if (!scheme.needs.takes_grid) resolution = Accuracy{accuracy(), accuracy()};
+      return refusal(scheme, scene.problem, resolution);
     };
     const auto refused = why_not(1.0);
     for (const double grading :
@@ -116,6 +118,14 @@ class Search {
     return examiner_.examine(of.way, steps, watched, std::max(1.0, left()));
   }
 
+  // A run that is far slower than the quickest so far is of no use.
+  Attempt examine_asked(const SearchedWay& of, double asked, int watched) {
+    constexpr double shortest = 0.05, part = 0.1;
+    tell_(fmt::format("{} accuracy = {:.1e}", of.way.scheme->id, asked), std::min(1.0, elapsed() / seconds_));
+    const double budget = std::clamp(far * quickest_, shortest, std::max(shortest, part * left()));
+    return examiner_.examine(of.way, Accuracy{asked, asked}, watched, budget);
+  }
+
   // One more rung for those who climb and are not expected to be slower than another; false: nobody climbs.
   bool climb() {
     double expected = quickest_;
@@ -138,6 +148,10 @@ class Search {
 
   // Whether it climbs on.
   bool climb(SearchedWay& of) {
+    if (of.way.chooses_steps()) {
+      ask(of);
+      return false;
+    }
     const int steps = of.ladder.empty() ? std::max(first_rung, unit_) : 2 * of.ladder.back().steps;
     if (steps > most_steps_ / 2 || next_seconds(of) > most_of_rest * left()) return false;
     of.ladder.push_back(examine(of, steps, watched_));
@@ -160,6 +174,25 @@ class Search {
     return least_seconds(of, accuracy()) < far * left();
   }
 
+  // All attempts of a scheme that chooses its steps.
+  void ask(SearchedWay& of) {
+    auto found = loosest_accuracy(accuracy(), [&](double asked) {
+      of.ladder.push_back(examine_asked(of, asked, watched_));
+      return of.ladder.back();
+    });
+    if (found) {
+      of.best = std::move(*found);
+      of.found = Found::within;
+      time_again(of);
+      return;
+    }
+    const RunEnding& last = of.ladder.back().ending;
+    const bool finished = last.kind == Ending::finished;
+    of.found = finished ? Found::at_floor : Found::failed;
+    if (last.kind == Ending::out_of_budget) of.found = Found::slower;
+    of.reason = sentence(last);
+  }
+
   // Whether the error is within the accuracy at some number of steps between the last two rungs, where it
   // changes its sign.
   bool passes_zero(SearchedWay& of) {
@@ -177,21 +210,27 @@ class Search {
 
   void find_fewest(SearchedWay& of) {
     constexpr double runs_of_scan = 25.0, part_of_scan = 0.1;  // as long as the longest
-    constexpr int more_solves = 2, few_steps = 64;  // with so few an error need not fall from one to the next
+    constexpr int few_steps = 64;  // with so few an error need not fall from one to the next
     const auto attempt = [&](int steps) { return examine(of, steps, watched_); };
     const bool may_pass_zero = examiner_.question().kind.norm == Norm::end;
     const bool is_short = runs_of_scan * of.ladder.back().seconds < part_of_scan * left();
     const bool scan = is_short && (may_pass_zero || of.ladder.back().steps <= few_steps);
     of.best = fewest_steps(of.ladder, accuracy(), unit_, scan, attempt);
     of.found = Found::within;
-    for (int i = 0; i < more_solves && of.best.seconds < part_of_scan * left(); ++i)
+    time_again(of);
+  }
+
+  void time_again(SearchedWay& of) {
+    constexpr int more_solves = 2;
+    constexpr double part = 0.1;  // of the time left
+    for (int i = 0; i < more_solves && of.best.seconds < part * left(); ++i)
       of.best.seconds = std::min(of.best.seconds, seconds_to_end(of));
     quickest_ = std::min(quickest_, of.best.seconds);
   }
 
   [[nodiscard]] double seconds_to_end(const SearchedWay& of) const {
     const auto start = Clock::now();
-    examiner_.solve_to_end(of.way, of.best.steps);
+    examiner_.solve_to_end(of.way, resolution_of(of.best));
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
@@ -209,6 +248,7 @@ class Search {
     const auto is_alive = [](const SearchedWay& of) {
       return of.found == Found::within || of.found == Found::out_of_time;
     };
+    if (first.way.chooses_steps() || second.way.chooses_steps()) return false;
     if (!is_alive(first) || !is_alive(second) || first.way.grading != second.way.grading) return false;
     const std::size_t common = std::min(first.ladder.size(), second.ladder.size());
     const auto same = [](const Attempt& a, const Attempt& b) {
@@ -223,6 +263,7 @@ class Search {
 
   // What the ladder says of the error at `best`, or of the steps that were not taken.
   void conclude(SearchedWay& of) const {
+    if (of.way.chooses_steps()) return;
     const auto errors = errors_of(of);
     const ErrorModel model(errors);
     if (model.empty()) return;
@@ -244,7 +285,7 @@ class Search {
     if (quick.empty()) return true;
     std::vector<std::function<void()>> solves;
     for (const auto* of : quick)
-      solves.emplace_back([this, of] { examiner_.solve_to_end(of->way, of->best.steps); });
+      solves.emplace_back([this, of] { examiner_.solve_to_end(of->way, resolution_of(of->best)); });
     tell_(fmt::format("timing {} runs", quick.size()), std::min(1.0, elapsed() / seconds_));
     const auto times = time_interleaved(solves, timing_part * seconds_);
     for (std::size_t i = 0; i < quick.size(); ++i) quick[i]->time = times[i];
@@ -259,19 +300,39 @@ class Search {
       if (of.time) quickest_ = std::min(quickest_, of.time->median);
     }
     for (std::size_t i = 0; i < ways_.size(); ++i) {
-      if (ways_[i].found != Found::slower || least_seconds(ways_[i], accuracy()) > quickest_) continue;
+      if (ways_[i].found != Found::slower || ways_[i].way.chooses_steps()) continue;
+      if (least_seconds(ways_[i], accuracy()) > quickest_) continue;
       ways_[i].found = Found::out_of_time;
       climbing_[i] = left() > 0.0;
     }
     return std::ranges::find(climbing_, true) != climbing_.end();
   }
 
+  // As an attempt was made, at more of its steps.
+  Attempt examine_again(const SearchedWay& of, const Attempt& as) {
+    return as.asked ? examine_asked(of, *as.asked, watched_at_last_)
+                    : examine(of, as.steps, watched_at_last_);
+  }
+
+  // A little finer.
+  [[nodiscard]] Attempt next(Attempt attempt) const {
+    constexpr double tighter = 0.8;
+    if (attempt.asked) {
+      *attempt.asked *= tighter;
+    } else {
+      attempt.steps = more_steps(attempt.steps, unit_);
+    }
+    return attempt;
+  }
+
   bool is_verified(SearchedWay& first) {
     if (first.best.steps == verified_steps_ && &first == verified_) return true;
-    Attempt attempt = examine(first, first.best.steps, watched_at_last_);
+    Attempt attempt = examine_again(first, first.best);
     const bool within = attempt.within;
-    while (!attempt.within && attempt.steps < most_steps_)
-      attempt = examine(first, more_steps(attempt.steps, unit_), watched_at_last_);
+    const auto finished = [&] { return attempt.ending.kind == Ending::finished; };
+    while (!attempt.within && finished() && attempt.steps < most_steps_)
+      attempt = examine_again(first, next(attempt));
+    if (!attempt.within) first.found = Found::at_floor;
     first.best = std::move(attempt);
     verified_ = &first;
     verified_steps_ = first.best.steps;

@@ -62,7 +62,7 @@ double least_seconds(const SearchedWay& of, double accuracy) {
 
 std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm) {
   std::vector<double> gradings{1.0};
-  if (scheme.needs.uniform_grid) return gradings;
+  if (scheme.needs.uniform_grid || !scheme.needs.takes_grid) return gradings;
   gradings.insert(gradings.end(), {1.5, 2.0, 3.0});
   constexpr double most = 10.0, step = 0.25;
   double best = 1.0, best_rate = 0.0;

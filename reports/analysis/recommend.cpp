@@ -14,11 +14,13 @@ namespace {
 
 constexpr double most_steps_told = 2e9, most_seconds_told = 1e4;
 
-Setup setup_of(const Way& way, int steps) { return {.resolution = steps, .grading = way.grading}; }
+Setup setup_of(const Way& way, const StepsOrAccuracy& resolution) {
+  return {.resolution = resolution, .grading = way.grading};
+}
 
 Option option_of(const SearchedWay& of) {
   Option option{.schemes = of.names,
-                .setup = setup_of(of.way, of.best.steps),
+                .setup = setup_of(of.way, resolution_of(of.best)),
                 .steps = of.best.steps,
                 .error = of.best.error,
                 .time = of.time.value_or(TimeSpread{of.best.seconds, of.best.seconds, of.best.seconds}),

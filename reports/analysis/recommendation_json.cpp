@@ -26,7 +26,7 @@ std::string json_of(const Recommendation& made) {
   Json json{{"scene", label_of(made.scene)},
             {"scheme", first.schemes.front()},
             {"same_as", std::vector(first.schemes.begin() + 1, first.schemes.end())},
-            {"grid", grid_text(first.setup.grading)},
+            {"grid", nullptr},
             {"steps", first.steps},
             {"norm", name(made.kind.norm)},
             {"scale", name(made.kind.scale)},
@@ -40,6 +40,11 @@ std::string json_of(const Recommendation& made) {
             {"runner_up", nullptr},
             {"factor", nullptr},
             {"command", nullptr}};
+  if (const auto* asked = std::get_if<Accuracy>(&first.setup.resolution)) {
+    json["asked"] = asked->relative;
+  } else {
+    json["grid"] = grid_text(first.setup.grading);
+  }
   if (!first.external) json["command"] = command_of(made.scene, first);
   if (made.estimate) {
     json["estimated"] = true;

@@ -92,6 +92,9 @@ Sweep sweep_of(const SweepArguments& arguments, const Scenes& known) {
               .ladder = chosen_ladder(arguments),
               .setup = parse_means(arguments.means),
               .optimal_grids = asks_optimal_grading(arguments.means)};
+  if (arguments.accuracies && !arguments.steps && arguments.means.grid != MeansArguments{}.grid)
+    reject_text("--grid", arguments.means.grid,
+                "with --steps: schemes that take --accuracy choose their times");
   if (sweep.optimal_grids && !sweep.programs.empty())
     reject_text("--grid", arguments.means.grid, "uniform or graded:R beside --external");
   if (sweep.ladder.goal) sweep.repeats = of_default_sweep;

@@ -38,7 +38,7 @@ TEST(Choose, MakesTheRunThatItNames) {
 }
 
 TEST(Choose, SaysWhatWouldBeNeeded) {
-  const auto choice = fdebench("choose bagley_torvik --error 1e-9 --max-time 2");
+  const auto choice = fdebench("choose fractional_hamilton --error 1e-10 --max-time 2");
   EXPECT_EQ(choice.code, 3);
   EXPECT_EQ(choice.out, "");
   EXPECT_THAT(choice.err, HasSubstr("would need about N = "));
@@ -53,8 +53,11 @@ TEST(Choose, CountsTheColumnsThatAreNamed) {
   EXPECT_EQ(chosen["columns"], std::vector<std::string>{"phi"});
   Scene scene = scene_of("pendulum");
   scene.problem.end = 2.0;
-  const Grid grid{2.0, chosen["steps"].get<int>(), parse_grading(chosen["grid"].get<std::string>())};
-  const auto path = find_scheme(chosen["scheme"].get<std::string>())->solve(scene.problem, grid, {});
+  const double asked = chosen["asked"];
+  const auto path =
+      find_scheme(chosen["scheme"].get<std::string>())->solve(scene.problem, Accuracy{asked, asked}, {});
+  EXPECT_EQ(path.steps, chosen["steps"]);
+  EXPECT_TRUE(chosen["grid"].is_null());
   const Rows errors = columns_of(scene.outputs, path) - WatchedReference(scene).at(path.times);
   const double largest = errors.row(0).cwiseAbs().maxCoeff();
   EXPECT_LE(largest, 1e-4);

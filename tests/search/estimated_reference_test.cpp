@@ -61,7 +61,7 @@ TEST_P(EstimatedErrors, ChooseRunsWithinTheAccuracy) {
   Examiner examiner(scene_, question_);
   for (const SearchedWay& of : ways) {
     if (of.found != Found::within || !of.time) continue;
-    const auto run = examiner.examine(of.way, of.best.steps, 2048, 60.0);
+    const auto run = examiner.examine(of.way, resolution_of(of.best), 2048, 60.0);
     EXPECT_LE(run.error, GetParam().accuracy) << of.way.scheme->id << " " << of.best.steps;
     EXPECT_NEAR(run.error, of.best.error, estimate_part * GetParam().accuracy) << of.way.scheme->id;
   }

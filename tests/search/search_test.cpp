@@ -25,20 +25,30 @@ std::vector<SearchedWay> found_for(const Scene& scene, const Asked& asked) {
 
 class SearchFor : public testing::TestWithParam<Asked> {};
 
-// At a fixed time an error may be small by chance, and grows with the steps before it falls.
-TEST_P(SearchFor, FindsTheFewestStepsWithinTheAccuracy) {
-  const Scene scene = make_scene(parse_variant(GetParam().scene));
-  const auto found = found_for(scene, GetParam());
+// Compared with all its steps, and no run over the same grids with fewer is. At a fixed time an error may be
+// small by chance, and grows with the steps before it falls.
+void expect_the_fewest_steps(const Asked& asked) {
+  const Scene scene = make_scene(parse_variant(asked.scene));
+  const auto found = found_for(scene, asked);
   const SearchedWay& first = found.front();
   ASSERT_EQ(first.found, Found::within);
-  Examiner examiner(scene, question_of(scene, GetParam()));
-  const auto again = examiner.examine(first.way, first.best.steps, first.best.steps, 60.0);
-  EXPECT_TRUE(again.within) << "compared at all steps";
+  Examiner examiner(scene, question_of(scene, asked));
+  const auto again = examiner.examine(first.way, resolution_of(first.best), first.best.steps, 60.0);
+  EXPECT_TRUE(again.within);
   EXPECT_EQ(again.error, first.best.error);
+  if (first.way.chooses_steps()) return;
   for (double steps = 0.95 * first.best.steps; steps >= 4.0; steps /= 1.1) {
     const auto fewer = examiner.examine(first.way, static_cast<int>(steps), 8192, 60.0);
     EXPECT_FALSE(fewer.within) << fewer.steps << " of " << first.best.steps;
   }
+}
+
+TEST_P(SearchFor, FindsARunWithinTheAccuracy) { expect_the_fewest_steps(GetParam()); }
+
+// No scheme that chooses its steps takes conditions at both ends.
+TEST(SearchOverGrids, FindsTheFewestSteps) {
+  expect_the_fewest_steps({"fractional_hamilton", {Norm::maximum, Scale::mixed}, 1e-3});
+  expect_the_fewest_steps({"two_sided_constraint", {Norm::end, Scale::mixed}, 1e-4});
 }
 
 // What a model of five runs says of one between the last two. One error may be small by chance: the middle
@@ -60,10 +70,11 @@ TEST_P(SearchFor, KnowsErrorsBetweenTheRunsItHasMade) {
   EXPECT_NEAR(ratios[ratios.size() / 2], 1.0, 0.1) << testing::PrintToString(ratios);
 }
 
-TEST_P(SearchFor, PredictsTheErrorsThatItFindsByTheRunsBefore) {
-  const Scene scene = make_scene(parse_variant(GetParam().scene));
+TEST(SearchOverGrids, PredictsTheErrorsThatItFindsByTheRunsBefore) {
+  const Asked asked{"fractional_hamilton", {Norm::maximum, Scale::mixed}, 1e-3};
+  const Scene scene = make_scene(parse_variant(asked.scene));
   int predictions = 0;
-  for (const auto& way : found_for(scene, GetParam())) {
+  for (const auto& way : found_for(scene, asked)) {
     if (way.found != Found::within || !way.predicted) continue;
     EXPECT_EQ(way.predicted->value, ErrorModel(errors_of(way)).error(way.best.steps).value)
         << way.names.front();
@@ -78,6 +89,14 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SearchFor,
                                          Asked{"power:p=0.83", {Norm::maximum, Scale::absolute}, 1e-3},
                                          Asked{"diethelm", {Norm::end, Scale::mixed}, 1e-4},
                                          Asked{"linear_system", {Norm::maximum, Scale::mixed}, 1e-3}));
+
+// A scheme that is asked for an accuracy is tried too; here it is by far the cheapest.
+TEST(Search, TriesSchemesThatChooseTheirSteps) {
+  const auto found = found_for(scene_of("pendulum"), {"", {Norm::maximum, Scale::mixed}, 1e-9});
+  ASSERT_EQ(found.front().found, Found::within);
+  EXPECT_EQ(found.front().way.scheme->id, "spectral_collocation");
+  EXPECT_LE(found.front().best.error, 1e-9);
+}
 
 TEST(Search, GivesOneAlgorithmAllItsNames) {
   const Scene scene = scene_of("relaxation");

@@ -32,21 +32,35 @@ constexpr std::array gradings{1.0, 1.5, 2.0, 3.0, 4.0};
 
 struct Best {
   Way way{};
-  int steps = 0;
+  Attempt run{};
   double seconds = std::numeric_limits<double>::infinity();
 };
+
+// Whether finer runs of a way may be quick enough.
+bool try_one(Examiner& examiner, const Way& way, const StepsOrAccuracy& resolution, double most_seconds,
+             Best& best) {
+  constexpr int watched = 2048;
+  const auto made = examiner.examine(way, resolution, watched, 10.0 * most_seconds + 1.0);
+  if (made.seconds > 2.0 * most_seconds) return false;
+  if (!made.within) return true;
+  const auto time = time_interleaved({[&] { examiner.solve_to_end(way, resolution); }}, 0.0);
+  if (time.front().median < best.seconds) best = {way, made, time.front().median};
+  return time.front().low <= most_seconds;
+}
 
 // The runs of one way with up to so many seconds.
 void try_all(Examiner& examiner, const Way& way, double most_seconds, Best& best) {
   constexpr double ratio = 1.1;
-  constexpr int watched = 2048;
+  const auto goes_on = [&](const StepsOrAccuracy& resolution) {
+    return try_one(examiner, way, resolution, most_seconds, best);
+  };
+  if (way.chooses_steps()) {
+    for (double asked = 0.1; asked > 1e-14 && goes_on(Accuracy{asked, asked}); asked /= ratio) {
+    }
+    return;
+  }
   for (double steps = 4.0; steps < 1e8; steps = std::max(steps + 1.0, std::floor(ratio * steps))) {
-    const auto made = examiner.examine(way, static_cast<int>(steps), watched, 10.0 * most_seconds + 1.0);
-    if (made.seconds > 2.0 * most_seconds) return;
-    if (!made.within) continue;
-    const auto time = time_interleaved({[&] { examiner.solve_to_end(way, made.steps); }}, 0.0);
-    if (time.front().median < best.seconds) best = {way, made.steps, time.front().median};
-    if (time.front().low > most_seconds) return;
+    if (!goes_on(static_cast<int>(steps))) return;
   }
 }
 
@@ -62,21 +76,23 @@ void compare(const char* label, const ErrorKind& kind, double accuracy) {
   Examiner examiner(scene, question);
   Best best;
   for (const Scheme& scheme : schemes()) {
+    if (!refusal(scheme, scene.problem, Accuracy{accuracy, accuracy}))
+      try_all(examiner, {&scheme}, first.time->median, best);
     for (const double grading : gradings) {
       if (!refusal(scheme, scene.problem, Grid{scene.problem.end, 4, grading}))
         try_all(examiner, {&scheme, grading}, first.time->median, best);
     }
   }
   double ratio = 0.0;
-  if (best.steps > 0) {
-    const auto times = time_interleaved({[&] { examiner.solve_to_end(first.way, first.best.steps); },
-                                         [&] { examiner.solve_to_end(best.way, best.steps); }},
+  if (best.run.within) {
+    const auto times = time_interleaved({[&] { examiner.solve_to_end(first.way, resolution_of(first.best)); },
+                                         [&] { examiner.solve_to_end(best.way, resolution_of(best.run)); }},
                                         1.0);
     ratio = times[0].median / times[1].median;
   }
   fmt::print("{},{},{:g},{},{},{},{:.3g},{:.3g},{},{},{},{:.2f}\n", label, error_measure(kind), accuracy,
              first.way.scheme->id, first.way.grading, first.best.steps, first.best.error, first.time->median,
-             best.steps > 0 ? best.way.scheme->id : "none", best.way.grading, best.steps, ratio);
+             best.run.within ? best.way.scheme->id : "none", best.way.grading, best.run.steps, ratio);
   std::fflush(stdout);
 }
 
