@@ -196,7 +196,7 @@ int phase_digits(const Arguments& x) {
 // nothing can be known of the value.
 void require_phase(const Arguments& x, int most_working_digits) {
   if (x.z == 0 || form_of(x.alpha, x.beta, x.z) == Form::residues_only) return;
-  constexpr double grows = 0.49 * std::numbers::pi;
+  constexpr double grows = 0.5 * std::numbers::pi * (1.0 - 1e-15);
   for (const auto& [sheet, log_pole] : poles_of(x.alpha, BigComplex(log(x.z))).seen) {
     const BigReal turned = abs(BigReal(imag_part<BigReal>(log_pole)));
     const BigReal digits = real_part<BigReal>(log_pole) / std::numbers::ln10;
