@@ -250,6 +250,17 @@ TEST(MittagLeffler, OverflowsAtOnceForTheSmallestOrders) {
   EXPECT_THROW(mittag_leffler(1e-20, 0.5, Value(8.3, 1e-20)), std::runtime_error);
 }
 
+// e^s* with s* of 1633 digits before its point: only the signs of its parts are left. mpmath, 3600 digits.
+TEST(MittagLeffler, OverflowsWithoutAContourWhereThePhaseIsKnown) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  mittag_leffler(0.5, 1.0, -1.0);  // makes the tables
+  std::size_t work = 0;
+  const ListeningToWork listening([&](std::size_t, std::size_t) { ++work; });
+  EXPECT_EQ(mittag_leffler(0.05625, 1.0, {6.5e91, 1e-231}).value, Value(infinity, infinity));
+  EXPECT_EQ(mittag_leffler(0.05625, 1.0, {6.5e91, 1e80}).value, Value(-infinity, -infinity));
+  EXPECT_EQ(work, 0U);
+}
+
 // Decimal arguments are taken exactly. mpmath as above.
 TEST(MittagLefflerDigits, MeetsThirtyDigits) {
   const auto value = [](const char* alpha, const char* beta, const char* z) {
