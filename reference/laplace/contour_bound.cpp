@@ -50,6 +50,11 @@ double log_clearance(const ContourBound::Quotient& quotient, double mu, const Ga
   return distance > 0.0 ? std::log(distance / 10.0) : -std::numeric_limits<double>::infinity();
 }
 
+double log_clearance_of_line(const ContourBound::Quotient& quotient, double mu, double distance) {
+  return log_clearance(quotient, mu,
+                       [&](std::complex<double> root) { return std::abs(root.real() - distance); });
+}
+
 }  // namespace
 
 double ContourShape::step() const { return 2.0 * pi_double / omega; }
@@ -114,9 +119,13 @@ double ContourBound::log_line(const Line& at, const Quotient& quotient) const {
   const LineIntegrals& line = at.integrals;
   const double size = std::min(line.log_at(quotient.exponent - quotient.alpha),
                                line.log_at(quotient.exponent) - quotient.log_size);
-  const double clearance = log_clearance(
-      quotient, shape_.mu, [&](std::complex<double> root) { return std::abs(root.real() - at.distance); });
-  return size + at.log_factor - clearance;
+  return size + at.log_factor - log_clearance_of_line(quotient, shape_.mu, at.distance);
+}
+
+double ContourBound::log_integral(double mu, double distance, const Quotient& quotient) {
+  const double size = std::min(log_line_integral(mu, distance, quotient.exponent - quotient.alpha),
+                               log_line_integral(mu, distance, quotient.exponent) - quotient.log_size);
+  return size - log_clearance_of_line(quotient, mu, distance);
 }
 
 // A geometric series from the first node that is left out, theta: two nodes, conjugate.

@@ -60,6 +60,10 @@ class ContourBound {
   };
   [[nodiscard]] Result at(const Quotient& quotient) const;
 
+  // log of a bound of (1/2 pi) int |e^s F ds| along the whole line s = mu (distance + i x)^2: of f but for
+  // the residues of the poles with Re root > distance, roots being sqrt(s* / mu).
+  [[nodiscard]] static double log_integral(double mu, double distance, const Quotient& quotient);
+
   // The pole is between the lines, or beyond the second one, where its factor should be 1 and nearly is.
   [[nodiscard]] static bool counts(std::complex<double> root, double distance) {
     return root.real() > distance;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -27,11 +28,16 @@ class LinearSolution {
   [[nodiscard]] LinearValues<long double> in_long_double(double t) const;
   [[nodiscard]] std::vector<Sum<BigReal>> in_digits(double t, int digits) const;
   [[nodiscard]] int phase_digits(double t) const;
+  void require_circles(double t) const;
 
   LinearTransform transform_;
   RoundedTransform<long double> rounded_;
   std::vector<Zero<long double>> zeros_;
 };
+
+[[noreturn]] void refuse_turns(double t) {
+  throw std::runtime_error(fmt::format("the exact solution turns too often to be known at t = {}", t));
+}
 
 template <class Real>
 LinearValues<Real> nothing(std::size_t outputs) {
@@ -94,7 +100,16 @@ int LinearSolution::phase_digits(double t) const {
   return static_cast<int>(std::min(digits, most)) + 1;
 }
 
+void LinearSolution::require_circles(double t) const {
+  for (const auto& group : rounded_.groups) {
+    const long double time = decimal<long double>(t) - group.from;
+    const auto turns = [&](const Zero<long double>& zero) { return has_no_circle(zero, std::log(time)); };
+    if (time > 0.0L && std::ranges::any_of(zeros_, turns)) refuse_turns(t);
+  }
+}
+
 std::vector<Bounded<BigReal>> LinearSolution::precise(double t, int digits) const {
+  require_circles(t);
   return raise_by_comparison(digits, phase_digits(t), [&](int working) { return in_digits(t, working); });
 }
 
@@ -128,8 +143,7 @@ class LazySolution {
 
 void require_bounds(const ReferenceValue& known, double t) {
   for (Eigen::Index j = 0; j < known.value.size(); ++j) {
-    if (std::isfinite(known.value[j]) && !std::isfinite(known.bound[j]))
-      throw std::runtime_error(fmt::format("the exact solution turns too often to be known at t = {}", t));
+    if (std::isfinite(known.value[j]) && !std::isfinite(known.bound[j])) refuse_turns(t);
   }
 }
 

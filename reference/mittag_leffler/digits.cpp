@@ -179,38 +179,32 @@ Sum<BigReal> evaluate(const Arguments& x, int digits) {
   return size_of(x.z) < far ? on_contour(x, digits) : peeled(x, digits);
 }
 
-// Digits by which the phases of e^s* exceed one turn, of those that are not far on the left.
-int phase_digits(const Arguments& x) {
+// Digits by which the phases of e^s* exceed one turn, of those that are not far on the left. Where e^s*
+// overflows and takes that many or more, nothing can be known of the value.
+int phase_digits(const Arguments& x, int most) {
   if (x.z == 0) return 0;
-  constexpr double most = 1000.0, left = -1e-3;
+  constexpr double left = -1e-3, next_to_the_axis = -1e-10, log_of_far = 40.0,
+                   circle = 1.01 * std::numbers::pi, grows = 0.5 * std::numbers::pi * (1.0 - 1e-15);
+  const bool only = form_of(x.alpha, x.beta, x.z) == Form::residues_only;
   double digits = 0.0;
   for (const auto& [sheet, log_pole] : poles_of(x.alpha, BigComplex(log(x.z))).seen) {
-    const auto turned = imag_part<BigReal>(log_pole).convert_to<double>();
-    if (std::abs(turned) < 1.01 * std::numbers::pi && std::cos(turned) > left)
-      digits = std::max(digits, real_part<BigReal>(log_pole).convert_to<double>() / std::numbers::ln10);
+    const auto log_size = real_part<BigReal>(log_pole).convert_to<double>(),
+               turned = std::abs(imag_part<BigReal>(log_pole).convert_to<double>());
+    if (turned > circle || std::cos(turned) < (log_size > log_of_far ? next_to_the_axis : left)) continue;
+    const double own = log_size / std::numbers::ln10;
+    if (!only && imag_part<BigReal>(log_pole) != 0 && turned < grows && own >= most)
+      throw std::runtime_error("the value overflows, and its phase takes more digits than can be had");
+    digits = std::max(digits, own);
   }
-  return static_cast<int>(std::min(digits, most)) + 1;
-}
-
-// Where e^s* overflows with a phase that takes more digits than there will be, s* itself having so many,
-// nothing can be known of the value.
-void require_phase(const Arguments& x, int most_working_digits) {
-  if (x.z == 0 || form_of(x.alpha, x.beta, x.z) == Form::residues_only) return;
-  constexpr double grows = 0.49 * std::numbers::pi;
-  for (const auto& [sheet, log_pole] : poles_of(x.alpha, BigComplex(log(x.z))).seen) {
-    const BigReal turned = abs(BigReal(imag_part<BigReal>(log_pole)));
-    const BigReal digits = real_part<BigReal>(log_pole) / std::numbers::ln10;
-    if (turned == 0 || turned > grows || digits < most_working_digits) continue;
-    throw std::runtime_error("the value overflows, and its phase takes more digits than can be had");
-  }
+  return static_cast<int>(std::min(digits, static_cast<double>(most))) + 1;
 }
 
 }  // namespace
 
 Bounded<BigReal> mittag_leffler_to(int digits, int places,
                                    const std::function<MittagLefflerArguments()>& read) {
-  const int extra = phase_digits(read()) + places;
-  require_phase(read(), most_digits(digits) + extra);
+  constexpr int most_turns = 2000;  // more digits than these are for the value
+  const int extra = phase_digits(read(), most_digits(digits) + most_turns) + places;
   return raise_by_bound(digits, extra, [&](int working) { return evaluate(read(), working); });
 }
 

@@ -9,6 +9,8 @@
 #include "mittag_leffler/decimal_arguments.hpp"
 #include "mittag_leffler/digits.hpp"
 #include "mittag_leffler/quick.hpp"
+#include "mittag_leffler/tiny_order.hpp"
+#include "mittag_leffler/vanishing.hpp"
 #include "numbers/raise_digits.hpp"
 
 namespace fde {
@@ -32,18 +34,9 @@ bool is_good(double alpha, double beta, std::complex<double> z, const QuickValue
          value.error <= quick_tolerance * least_slope(alpha, beta, z, value);
 }
 
-// Whether |E| is below half the smallest double, as 1/Gamma(beta) is. For beta >= 2 is Gamma(beta + x) >=
-// Gamma(beta) (beta-1)^x, so |E| <= 1/Gamma(beta) / (1-q), q = |z| / (beta-1)^alpha. Up to order 1 it is int
-// e^(z u) d mu(u) with a positive mu (Schneider 1996: complete monotonicity), so |E(z)| <= E(Re z), which
-// grows with Re z.
-bool vanishes(double alpha, double beta, std::complex<double> z) {
-  constexpr double smallest = 180.0;  // 2 / Gamma(180) = 1e-327
-  const double size = alpha <= 1.0 ? std::max(z.real(), 0.0) : std::abs(z);
-  return beta >= smallest && size <= 0.5 * std::pow(beta - 1.0, alpha);
-}
-
 MittagLefflerValue upper_half_plane(double alpha, double beta, std::complex<double> z) {
   if (vanishes(alpha, beta, z)) return {0.0, std::numeric_limits<double>::denorm_min()};
+  if (const auto value = beyond_double_of_tiny_order(alpha, beta, z)) return {value->value, value->bound};
   const bool real = z.imag() == 0.0;
   const auto quick = mittag_leffler_quick(alpha, {beta, 0.0}, z);
   if (quick && is_good(alpha, beta, z, *quick)) {

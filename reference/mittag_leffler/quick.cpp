@@ -5,6 +5,7 @@
 
 #include "mittag_leffler/forms.hpp"
 #include "mittag_leffler/quick_residues.hpp"
+#include "mittag_leffler/tiny_order.hpp"
 
 namespace fde {
 namespace {
@@ -88,39 +89,6 @@ std::optional<QuickValue> first_terms(const QuickArguments& x) {
     power *= z;
   }
   sum.error += 1.2L * size_of(power) * ((count + 1) * static_cast<long double>(x.alpha) + beta);
-  return is_good(sum) ? std::optional(sum) : std::nullopt;
-}
-
-// Next to a zero -n of 1/Gamma for an order so small that s^alpha is 1 wherever the contour counts: what is
-// left there on a contour is as small as alpha. With x = alpha log s
-//   s^alpha / (s^alpha - z) = 1/(1-z) - x z/(1-z)^2 + O(x^2),
-//   E_{alpha,beta}(z) = 1/Gamma(beta) / (1-z) + alpha (1/Gamma)'(beta) z/(1-z)^2 + rest.
-// On Hankel's contour, round the unit circle and along the cut, |log s|^2 is at most pi^2 and 2r + 2 pi^2, so
-// |rest| <= alpha^2 |z| (1+|z|) / |1-z|^3 (13 + (n+11) n!). At the distance epsilon from -n, 1/Gamma is
-// (-1)^n n! epsilon and its slope (-1)^n n!, both but for 3 |epsilon| (1 + log(n+1)) of it. No pole s^alpha =
-// z is beyond the contour.
-std::optional<QuickValue> of_tiny_order(double order, const DoubleDouble& beta,
-                                        std::complex<double> argument) {
-  constexpr double tiny = 1e-30, most_factorial = 170.0;
-  constexpr long double nearest_zero = 1e-25L, nearest_pole = 1e-9L, far = 2.0L;
-  const double whole = std::round(beta.hi);
-  const long double epsilon = static_cast<long double>(beta.hi - whole) + beta.lo;
-  if (order > tiny || whole > 0.0 || whole < -most_factorial || std::abs(epsilon) > nearest_zero)
-    return std::nullopt;
-  const Value z(argument), rest = 1.0L - z;
-  const long double alpha = order, size = std::abs(z), distance = std::abs(rest);
-  const bool next_to_poles = z.real() > 0.5L && z.imag() <= 8.0L * alpha * z.real() && size > 1.0L;
-  if (size == 0.0L || distance < nearest_pole || next_to_poles) return std::nullopt;
-  // As z/(1-z)^2 is 1/(1-z)^2 - 1/(1-z), what cancels for large z is put together.
-  const Value first = (size > far ? epsilon - alpha : epsilon) / rest,
-              second = alpha * (size > far ? Value(1.0L) : z) / (rest * rest);
-  const long double n = -whole, factorial = std::tgamma(n + 1.0L), terms = std::abs(first) + std::abs(second),
-                    off = 3.0L * std::abs(epsilon) * (1.0L + std::log(n + 1.0L)),
-                    square = alpha / distance * alpha / distance * size * (1.0L + size) / distance;
-  const QuickValue sum{
-      (std::fmod(n, 2.0L) == 0.0L ? factorial : -factorial) * (first + second),
-      factorial * (few_ulps * terms + off * (std::abs(epsilon) + alpha * size / distance) / distance) +
-          square * (13.0L + (n + 11.0L) * factorial)};
   return is_good(sum) ? std::optional(sum) : std::nullopt;
 }
 

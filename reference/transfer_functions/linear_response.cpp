@@ -11,7 +11,39 @@ void report_step(std::size_t done, std::size_t total) {
   if constexpr (std::is_same_v<Real, BigReal>) report_work(done, total);
 }
 
+// Whether e^p of a pole far on the left is less than any number of digits asks for, log p being off by that
+// at most.
+template <class Real>
+bool is_nothing(const Complex<Real>& log_p, const Real& off) {
+  using std::cos, std::exp;
+  constexpr double least = 1e6;
+  const Real cosine = cos(imag_part<Real>(log_p)) + off;
+  return cosine < 0 && exp(real_part<Real>(log_p)) * cosine < -least;
+}
+
+// Of log p, from a zero that Newton's method ends at.
+template <class Real>
+Real rounding_of(const Complex<Real>& log_p) {
+  return Real(64 * (1 + size_of(log_p)) * epsilon<Real>());
+}
+
+// Of a circle in the plane of log p round zeros that cannot be told apart: off the others, and e^p changes
+// moderately on it. It encloses them where they are closer together than this part of it.
+template <class Real>
+Real largest_radius(const Zero<Real>& zero, const Complex<Real>& center) {
+  using std::abs, std::exp, std::min;
+  return min(Real(0.25), min(Real(zero.isolation / 2), Real(4 / abs(Complex<Real>(exp(center))))));
+}
+constexpr double largest_spread = 0.9;
+
 }  // namespace
+
+bool has_no_circle(const Zero<long double>& zero, long double log_time) {
+  const std::complex<long double> center = zero.log + log_time;
+  return zero.multiplicity > 1 &&
+         !is_nothing<long double>(center, rounding_of<long double>(center) + zero.spread) &&
+         zero.spread > largest_spread * largest_radius<long double>(zero, center);
+}
 
 template <class Real>
 LinearResponse<Real>::LinearResponse(const RoundedTransform<Real>& transform, const Group& group,
@@ -128,9 +160,7 @@ template <class Real>
 void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex<Real>& estimate,
                                        const Contour<Real>& contour, const Real& count) {
   using std::exp;
-  if (contour.at_branch_point(estimate) ||
-      real_part<Real>(Complex<Real>(exp(estimate))) < -8 / epsilon<Real>())
-    return;
+  if (contour.at_branch_point(estimate) || is_nothing<Real>(estimate, rounding_of<Real>(estimate))) return;
   const auto [log_pole, pole, slope, pole_ulps, slope_ulps] = at_pole(estimate);
   if (exp_overflows(pole, Real(pole_ulps * epsilon<Real>()))) {
     const Complex<Real> direction = exp(Complex<Real>(Real(0), imag_part<Real>(pole))) * pole / slope;
@@ -158,19 +188,20 @@ void LinearResponse<Real>::add_circle(LinearValues<Real>& values, const Zero<Rea
                                       const Contour<Real>& contour, const Real& count) {
   using std::abs, std::conj, std::exp, std::log, std::min;
   const Complex<Real> center = zero.log + log_time_;
-  if (contour.at_branch_point(center)) return;
-  Real radius = min(Real(0.25), min(Real(zero.isolation / 2), Real(4 / abs(Complex<Real>(exp(center))))));
+  if (contour.at_branch_point(center) || is_nothing<Real>(center, rounding_of<Real>(center) + zero.spread))
+    return;
+  Real radius = largest_radius<Real>(zero, center);
   for (const auto& node : contour.nodes()) {
     const Complex<Real> upper = center - node.log_s, lower = center - conj(node.log_s);
     radius = min(radius, Real(min(Real(abs(upper)), Real(abs(lower))) / 2));
   }
-  if (zero.spread > Real(0.9) * radius) {  // the bound then sends for more digits, and other nodes
+  if (zero.spread > Real(largest_spread) * radius) {  // the bound then sends for more digits, and other nodes
     for (auto& sum : values.sums) sum.error = std::numeric_limits<double>::infinity();
     return;
   }
   // Zeros at that fraction of the radius, others at twice the radius and more: what n points leave is
   // fraction^n.
-  const Real fraction = std::clamp(Real(zero.spread / radius), Real(0.5), Real(0.9));
+  const Real fraction = std::clamp(Real(zero.spread / radius), Real(0.5), Real(largest_spread));
   const int points = 8 + static_cast<int>(log(epsilon<Real>()) / log(fraction));
   for (int i = 0; i < points; ++i) {
     report_step<Real>(static_cast<std::size_t>(i), static_cast<std::size_t>(points));

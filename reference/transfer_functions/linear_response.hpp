@@ -70,6 +70,10 @@ class LinearResponse {
   Value characteristic_;
 };
 
+// Whether zeros that cannot be told apart in a long double are, after that time, so far out that e^p is
+// anything between them: then no number of digits helps.
+bool has_no_circle(const Zero<long double>& zero, long double log_time);
+
 extern template class LinearResponse<long double>;
 extern template class LinearResponse<BigReal>;
 

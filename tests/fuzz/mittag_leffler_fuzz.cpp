@@ -19,18 +19,6 @@ void in_double(double alpha, double beta, std::complex<double> z) {
   fuzz::require(finite == std::isfinite(bound), "a finite value has a finite bound, no other has", shown);
 }
 
-// Whether the value is lost in what a contour sums up, by hundreds of digits: next to a zero of 1/Gamma for
-// all terms and next to z = 1, or beside 1/Gamma(beta) for a large beta, unless the value is below double for
-// all that. Those take seconds: an open defect of the smallest alpha.
-bool takes_hundreds_of_digits(double alpha, double beta, std::complex<double> z) {
-  constexpr double nothing = 1e-30, large = 170.0, larger = 180.0, largest = 10000.0;
-  const bool near_zeros = alpha < nothing && beta < nothing && std::abs(beta - std::round(beta)) < nothing &&
-                          std::abs(1.0 - z) < 2e-9;
-  const bool vanishes =
-      beta >= larger && (alpha <= 1.0 ? z.real() : std::abs(z)) <= 0.5 * std::pow(beta - 1.0, alpha);
-  return near_zeros || (std::abs(beta) > large && std::abs(beta) <= largest && !vanishes);
-}
-
 void in_digits(double alpha, double beta, std::complex<double> z, int digits) {
   const auto text = [](double number) { return fmt::format("{}", number); };
   const auto [re, im, bound] =
@@ -48,7 +36,7 @@ void in_digits(double alpha, double beta, std::complex<double> z, int digits) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Bytes bytes(data, size);
   const bool digits = bytes.place(64) == 0;  // slower by orders of magnitude
-  auto alpha = bytes.take<double>(), beta = bytes.take<double>();
+  const auto alpha = bytes.take<double>(), beta = bytes.take<double>();
   const auto re = bytes.take<double>(), im = bytes.take<double>();
   fuzz::answers([&] {
     if (digits) {
@@ -59,7 +47,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       in_digits(std::max(0.05, moderate(alpha, 5.5)), moderate(beta, 50.0),
                 {moderate(re, 20.0), moderate(im, 20.0)}, 20);
     } else {
-      if (takes_hundreds_of_digits(alpha, beta, {re, im})) beta = std::fmod(beta, 100.0) + 1.0;
       in_double(alpha, beta, {re, im});
     }
   });

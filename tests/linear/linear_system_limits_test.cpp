@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "progress/work.hpp"
 #include "support/linear_system_testing.hpp"
 
 namespace fde {
@@ -23,6 +24,31 @@ TEST(LinearSystem, StartsWithItsInitialValuesAndGrowsBeyondDouble) {
                                              .initial = {{1.0}, {2.0, 0.0}},
                                              .matrix = (Matrix(2, 2) << -2.0, 1.0, 0.25, -0.125).finished()});
   for (const double t : {0.0, 0.1, 1e6}) EXPECT_EQ(steady.at(t).value, (Vec(2) << 1.0, 2.0).finished()) << t;
+}
+
+// (s^g - re)^2 + im^2, whose zeros s* are one to all digits of a long double.
+LinearSystem pair(double order, double re, double im) {
+  return {.orders = {order, order},
+          .initial = order > 1.0 ? std::vector{std::vector{1.0, 0.0}, std::vector{0.0, 0.0}}
+                                 : std::vector{std::vector{1.0}, std::vector{0.0}},
+          .matrix = (Matrix(2, 2) << re, -im, im, re).finished()};
+}
+
+// s* = 1e97 e^(162 degrees i): what is left is the head -1 / (z Gamma(1-g)) of E_g(z), z = re + i im.
+TEST(LinearSystem, HasNothingOfDoubleZerosFarOnTheLeft) {
+  const auto [value, bound] = linear_reference(pair(1.11, -1e108, 3.0)).at(1.0);
+  const double head = 1e-108 / std::tgamma(1.0 - 1.11);
+  EXPECT_NEAR(value[0] / head, 1.0, 1e-14);
+  EXPECT_NEAR(value[1] / (3e-108 * head), 1.0, 1e-14);
+  EXPECT_LE(bound[0], 1e-15 * std::abs(head));
+}
+
+// s* = 1e33 on the right is known to 17 digits, so e^s* is not known, and more digits do not help.
+TEST(LinearSystem, RefusesAtOnceDoubleZerosFarOnTheRight) {
+  std::size_t work = 0;
+  const ListeningToWork listening([&](std::size_t, std::size_t) { ++work; });
+  EXPECT_THROW(linear_reference(pair(0.6, 1e20, 3e-20)).at(1.0), std::runtime_error);
+  EXPECT_EQ(work, 0U);
 }
 
 struct Mistake {

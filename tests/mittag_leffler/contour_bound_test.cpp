@@ -83,6 +83,32 @@ TEST_P(OnCoarseContours, WhatIsNeglectedIsBounded) {
   }
 }
 
+// The function is its integral along a line and the residues of the poles to the right of it.
+TEST_P(OnCoarseContours, TheIntegralAlongALineIsBounded) {
+  constexpr double rounding = 1e-13;  // of large residues
+  const Case& x = GetParam();
+  const std::complex<double> value = mittag_leffler(x.alpha, x.beta, x.z).value;
+  for (const double mu : {0.5, 2.0, 8.0}) {
+    for (const double distance : {0.25, 1.0, 2.0}) {
+      ContourBound::Quotient quotient{.exponent = x.alpha - x.beta,
+                                      .alpha = x.alpha,
+                                      .log_size = std::log(std::abs(x.z)),
+                                      .nearest_sheet = 100.0,
+                                      .roots = {}};
+      const auto roots = roots_of(x, mu, quotient.nearest_sheet);
+      quotient.roots = roots;
+      std::complex<double> integral = value;
+      for (const auto& root : roots) {
+        const std::complex<double> pole = mu * root * root, log_pole = std::log(mu) + 2.0 * std::log(root);
+        if (root.real() > distance) integral -= std::exp(pole + (1.0 - x.beta) * log_pole) / x.alpha;
+      }
+      EXPECT_LE(std::abs(integral),
+                std::exp(ContourBound::log_integral(mu, distance, quotient)) + rounding * std::abs(value))
+          << "mu = " << mu << ", distance " << distance;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     ContourBound, OnCoarseContours,
     testing::Values(Case{"NoPole", 0.5, 1.0, -1.0}, Case{"Kernel", 0.5, 0.5, -3.0},

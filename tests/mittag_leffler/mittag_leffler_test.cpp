@@ -250,6 +250,17 @@ TEST(MittagLeffler, OverflowsAtOnceForTheSmallestOrders) {
   EXPECT_THROW(mittag_leffler(1e-20, 0.5, Value(8.3, 1e-20)), std::runtime_error);
 }
 
+// e^s* with s* of 1633 digits before its point: only the signs of its parts are left. mpmath, 3600 digits.
+TEST(MittagLeffler, OverflowsWithoutAContourWhereThePhaseIsKnown) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  mittag_leffler(0.5, 1.0, -1.0);  // makes the tables
+  std::size_t work = 0;
+  const ListeningToWork listening([&](std::size_t, std::size_t) { ++work; });
+  EXPECT_EQ(mittag_leffler(0.05625, 1.0, {6.5e91, 1e-231}).value, Value(infinity, infinity));
+  EXPECT_EQ(mittag_leffler(0.05625, 1.0, {6.5e91, 1e80}).value, Value(-infinity, -infinity));
+  EXPECT_EQ(work, 0U);
+}
+
 // Decimal arguments are taken exactly. mpmath as above.
 TEST(MittagLefflerDigits, MeetsThirtyDigits) {
   const auto value = [](const char* alpha, const char* beta, const char* z) {
@@ -305,13 +316,18 @@ TEST(MittagLeffler, TakesTheSmallestOrders) {
   EXPECT_NEAR(mittag_leffler(1e-60, -1.0, -0.5) / 1e-60, 0.5 / 2.25, 1e-15);
 }
 
-// |E| <= 2 / Gamma(beta), which is nothing beside the smallest double.
+// |E| <= 2 / Gamma(beta), which is nothing beside the smallest double; for large arguments the same by the
+// integral along s = beta (1 + i x)^2, with s* on another sheet, to the left of it, or where e^s* is nothing.
 TEST(MittagLeffler, VanishesWithoutWorkForALargeBeta) {
   std::size_t work = 0;
   const ListeningToWork listening([&](std::size_t, std::size_t) { ++work; });
   for (const auto& [alpha, beta, z] : {std::tuple{0.5, 500.0, std::complex(-3.0)},
                                        {0.01, 9000.0, {0.3, 400.0}},
-                                       {2.0, 200.5, {50.0, -70.0}}}) {
+                                       {2.0, 200.5, {50.0, -70.0}},
+                                       {1.5e-7, 5945.5, {3.0, -8e279}},
+                                       {4e-9, 9467.5, {10.0, 1.0}},
+                                       {2.0, 300.5, -1e5},
+                                       {0.9, 400.0, {1.0, -1e4}}}) {
     const auto [value, bound] = mittag_leffler(alpha, beta, z);
     EXPECT_EQ(value, 0.0) << beta;
     EXPECT_EQ(bound, std::numeric_limits<double>::denorm_min()) << beta;
