@@ -95,7 +95,7 @@ function errorAgainstTime(scene, channels, kind) {
   const points = scene.points.filter((point) => point.error && point.seconds);
   const encoding = { x: logAxis(points, "seconds", "run time", labels.time), y: logAxis(points, "error", kind.title, labels.number) };
   return {
-    title: "Error against run time", points,
+    id: "error-against-time", title: "Error against run time", points,
     spec: chart(`${scene.title}: ${kind.title} against run time, a line for each scheme`, points,
       { layer: lineLayers(encoding, channels) }),
   };
@@ -110,7 +110,7 @@ function errorAgainstStep(scene, channels, kind) {
     mark: { type: "line", strokeDash: [4, 4], strokeWidth: 1 }, encoding: { ...encoding, ...channels.colour },
   };
   return {
-    title: "Error against step; dashed: theoretical rate", points,
+    id: "error-against-step", title: "Error against step; dashed: theoretical rate", points,
     spec: chart(`${scene.title}: ${kind.title} against step, a line for each scheme and dashed its theoretical rate`, points,
       { layer: [guides, ...lineLayers(encoding, channels)] }),
   };
@@ -120,7 +120,7 @@ function energyAgainstStep(scene, channels) {
   const points = scene.points.filter((point) => point.energy);
   const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "energy", "energy residual", labels.number) };
   return {
-    title: "Residual of the energy balance against step", points,
+    id: "energy-against-step", title: "Residual of the energy balance against step", points,
     spec: chart(`${scene.title}: largest residual of the energy balance against step, a line for each scheme`, points,
       { layer: lineLayers(encoding, channels) }),
   };
@@ -133,7 +133,7 @@ function overParameter(field, labelExpr, nameOf) {
     const points = section.points.filter((point) => point[field]);
     const encoding = { x: parameterAxis(points, section.parameter), y: logAxis(points, field, name, labelExpr) };
     return {
-      title: `${name[0].toUpperCase()}${name.slice(1)} over ${section.parameter}`, points,
+      id: `${field}-over-parameter`, title: `${name[0].toUpperCase()}${name.slice(1)} over ${section.parameter}`, points,
       spec: chart(`${section.title}: ${name}, a line for each scheme`, points, { layer: lineLayers(encoding, channels, "value") }),
     };
   };

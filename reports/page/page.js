@@ -69,10 +69,11 @@ function tableFrame(table, lines) {
 
 function drawCharts(scene, { lines, kinds }, kind, frame) {
   const actions = { export: true, source: false, compiled: false, editor: false };
-  for (const { title, spec } of chartsOf(scene, lines, kind, kinds)) {
+  for (const { id, title, spec } of chartsOf(scene, lines, kind, kinds)) {
     const place = element("div", { class: "chart" });
-    frame.append(element("figure", {}, element("figcaption", {}, title), place));
-    vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: scene.id, tooltip: { theme: isDark ? "dark" : "light" } });
+    frame.append(element("figure", { "data-chart": id }, element("figcaption", {}, title), place));
+    vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: `${scene.id}-${id}`, tooltip: { theme: isDark ? "dark" : "light" } })
+      .then(() => place.querySelector("summary").setAttribute("aria-label", `Save: ${title}`));
   }
 }
 
