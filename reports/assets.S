@@ -20,6 +20,8 @@ END(style)
 
 BEGIN(script)
   TEXT(page/charts.js)
+  TEXT(page/section_charts.js)
+  TEXT(page/chart_table.js)
   TEXT(page/page.js)
 END(script)
 

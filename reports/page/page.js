@@ -67,11 +67,25 @@ function tableFrame(table, lines) {
       ...table.groups.map((group) => tableGroup(group, table, lines))));
 }
 
+// The chart's table, made when it is opened, and its numbers as a file.
+function numbersOf(chart, section, kind, lines) {
+  const titles = { error: kind.title, value: section.parameter };
+  const save = element("a", { download: `${section.id}-${chart.id}.csv`, href: "" }, "CSV");
+  save.addEventListener("click", () => save.setAttribute("href", `data:text/csv;charset=utf-8,${encodeURIComponent(csvOf(chart, titles))}`));
+  const details = element("details", { class: "numbers" }, element("summary", {}, "Numbers"));
+  details.addEventListener("toggle", () => {
+    if (details.open && details.children.length === 1) details.append(save, tableFrame(numbersTable(chart, titles), lines));
+  });
+  details.open = Boolean(chart.open);
+  return details;
+}
+
 function drawCharts(scene, { lines, kinds }, kind, frame) {
   const actions = { export: true, source: false, compiled: false, editor: false };
-  for (const { id, title, spec } of chartsOf(scene, lines, kind, kinds)) {
+  for (const made of chartsOf(scene, lines, kind, kinds)) {
+    const { id, title, spec } = made;
     const place = element("div", { class: "chart" });
-    frame.append(element("figure", { "data-chart": id }, element("figcaption", {}, title), place));
+    frame.append(element("figure", { "data-chart": id }, element("figcaption", {}, title), place, numbersOf(made, scene, kind, lines)));
     vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: `${scene.id}-${id}`, tooltip: { theme: isDark ? "dark" : "light" } })
       .then(() => place.querySelector("summary").setAttribute("aria-label", `Save: ${title}`));
   }

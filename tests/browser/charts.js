@@ -8,7 +8,7 @@ const marksOf = (figure) =>
     const box = node.querySelector("svg").getBoundingClientRect();
     const marks = [...node.querySelectorAll(".mark-symbol.role-mark path")];
     return {
-      lines: new Set([...node.querySelectorAll(".mark-line.role-mark path")].map((path) => path.__data__.datum.line)).size,
+      lines: new Set([...node.querySelectorAll(".mark-line.role-mark path")].map((path) => path.__data__.datum.line).filter(Boolean)).size,
       points: marks.map((mark) => {
         const { left, right, top, bottom } = mark.getBoundingClientRect();
         const { line, steps, error, energy, h } = mark.__data__.datum;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <variant>
 
 #include "analysis/text.hpp"
 #include "page/page_data.hpp"
@@ -65,6 +66,8 @@ json tooltip(const PageInput& page, const MeasuredRun& run, const MeasuredRun* c
 json point(const PageInput& page, const MeasuredRun& run, const MeasuredRun* coarser) {
   json shown{{"line", page.label(run.key)}, {"steps", run.steps}, {"h", in_chart(run.h)}};
   shown["errors"] = errors_of(run);
+  if (const auto* accuracy = std::get_if<Accuracy>(&run.key.setup.resolution))
+    shown["asked"] = accuracy->relative;
   if (const auto value = above_zero(run, "time_minimum")) shown["seconds"] = in_chart(*value);
   if (const auto value = above_zero(run, "energy_residual")) shown["energy"] = in_chart(*value);
   shown["words"] = tooltip(page, run, coarser);
