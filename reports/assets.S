@@ -19,6 +19,7 @@ BEGIN(style)
 END(style)
 
 BEGIN(script)
+  TEXT(page/runs.js)
   TEXT(page/charts.js)
   TEXT(page/section_charts.js)
   TEXT(page/chart_table.js)

@@ -1,15 +1,14 @@
 // The numbers behind a chart: a table for readers, comma-separated values for programs.
 
-const fewDigits = (value) => value.toExponential(1).replace("e+", "e");
 const columnsOfCharts = {
   line: { title: "scheme" },
   steps: { title: "N", text: String },
   asked: { title: "asked", text: fewDigits },
   h: { title: "h", text: (value) => value.toPrecision(3) },
-  seconds: { title: "run time in s", text: (value) => value.toPrecision(3) },
+  time_minimum: { title: "run time in s", text: (value) => value.toPrecision(3) },
   error: { text: fewDigits },
   ratio: { title: "ratio", text: fewDigits },
-  energy: { title: "energy residual", text: fewDigits },
+  energy_residual: { title: "energy residual", text: fewDigits },
   value: { text: String },
 };
 

@@ -13,9 +13,12 @@ const breakable = (text) => text.split(/(?<=[_,:])/).flatMap((part, i) => (i ? [
 // Step counts, times and numbers like 1.2e-7 may not break.
 const unbroken = (text) => text.split(/([Nt] = [^\s,]+|\S+e-\d+)/).map((part, i) => (i % 2 ? element("span", {}, part) : part));
 
-function cellContent(cell, lines, painted) {
+// Cells are texts, or say more; their text may be their line's.
+const cellOf = (cell) => (typeof cell === "string" ? { text: cell } : { text: cell.line, ...cell });
+
+function cellContent(cell, lines, painted, to) {
   const text = cell.marked ? [element("mark", {}, cell.text)] : breakable(cell.text);
-  const parts = cell.to && cell.text ? [element("a", { href: `#${cell.to}` }, ...text)] : text;
+  const parts = to && cell.text ? [element("a", { href: `#${to}` }, ...text)] : text;
   if (cell.line && !painted) parts.unshift(element("i", { class: "swatch", style: `background:${colourOf(lines, cell.line)}` }));
   if (cell.detail) parts.push(element("small", {}, ...unbroken(cell.detail)));
   return parts;
@@ -27,10 +30,19 @@ function mapAttributes(cell, column, lines) {
   return { "data-column": column.text, ...(cell.tone && { "data-tone": cell.tone }), ...paint };
 }
 
+// A cell of the map stands for a row of its section's table, which says more.
+function hintOf(cell, i, { to }, kind) {
+  if (cell.hint || !to || i === 0) return cell.hint;
+  const row = data.sections.find(({ id }) => id === to).tables[kind.id].groups[0].rows[i - 1];
+  return row.slice(1).map((of) => cellOf(of).text).filter(Boolean).join(": ");
+}
+
 function tableRow(row, { columns, map }, lines) {
-  return element("tr", {}, ...row.map((cell, i) => {
-    const attributes = { ...(cell.hint && { title: cell.hint }), ...(map && i > 0 && mapAttributes(cell, columns[i], lines)) };
-    return element(i ? "td" : "th", i ? attributes : { scope: "row" }, ...cellContent(cell, lines, map));
+  const cells = row.map(cellOf);
+  return element("tr", {}, ...cells.map((cell, i) => {
+    const hint = hintOf(cell, i, cells[0], chosenKind(data.kinds));
+    const attributes = { ...(hint && { title: hint }), ...(map && i > 0 && mapAttributes(cell, columns[i], lines)) };
+    return element(i ? "td" : "th", i ? attributes : { scope: "row" }, ...cellContent(cell, lines, map, cells[0].to));
   }));
 }
 
@@ -46,7 +58,7 @@ function tableGroup(group, table, lines) {
 // The headings that neighbouring columns share, each over all of them.
 function sharedHeadings(columns) {
   const spans = [];
-  for (const { over } of columns) {
+  for (const { over = "" } of columns) {
     if (spans.at(-1)?.over === over) spans.at(-1).colspan += 1;
     else spans.push({ over, colspan: 1 });
   }
@@ -96,9 +108,9 @@ function showKind(section, page, kind, place) {
   const shown = [];
   const table = section.tables?.[kind.id] ?? section.table;
   if (table) shown.push(tableFrame(table, page.lines));
-  if (section.points) shown.push(element("div", { class: "charts" }));
+  if (section.runs) shown.push(element("div", { class: "charts" }));
   place.replaceChildren(...shown);
-  if (section.points) drawCharts(section, page, kind, shown.at(-1));
+  if (section.runs) drawCharts(section, page, kind, shown.at(-1));
 }
 
 // The frame of a section, which waits to be drawn.
@@ -112,7 +124,7 @@ function frameOf(section) {
 
 // Scenes are reached from the map.
 function link(section) {
-  if (section.points && !section.parameter) return;
+  if (section.runs && !section.parameter) return;
   document.querySelector("nav").append(element("a", { href: `#${section.id}` }, section.title));
 }
 
@@ -153,5 +165,5 @@ window.addEventListener("beforeprint", () => {
 });
 for (const name of ["norm", "scale"]) {
   document.getElementById(name).addEventListener("change", () =>
-    frames.filter(({ drawn, section }) => drawn && (section.tables || section.points)).forEach(draw));
+    frames.filter(({ drawn, section }) => drawn && (section.tables || section.runs)).forEach(draw));
 }

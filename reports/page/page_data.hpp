@@ -52,10 +52,7 @@ Section reference_section(const PageInput& page);
 Section failures_section(const PageInput& page);
 Section schemes_section(const PageInput& page);
 
-// The errors of a run that a logarithmic axis can show, by their measure.
-nlohmann::json errors_of(const MeasuredRun& run);
-
-// A section for each scene with its charts: points, guides of theoretical slope, energy.
+// A section for each scene with its runs and the rates of its lines.
 nlohmann::json scene_sections(const PageInput& page);
 
 // A section for each parameter in which alone at least three scenes differ: errors and times over it.

@@ -11,8 +11,8 @@ const marksOf = (figure) =>
       lines: new Set([...node.querySelectorAll(".mark-line.role-mark path")].map((path) => path.__data__.datum.line).filter(Boolean)).size,
       points: marks.map((mark) => {
         const { left, right, top, bottom } = mark.getBoundingClientRect();
-        const { line, steps, error, energy, h } = mark.__data__.datum;
-        return { line, steps, error, energy, h, inside: right > left && left >= box.left && right <= box.right && top >= box.top && bottom <= box.bottom };
+        const { line, steps, error, energy_residual } = mark.__data__.datum;
+        return { line, steps, error, energy_residual, inside: right > left && left >= box.left && right <= box.right && top >= box.top && bottom <= box.bottom };
       }),
     };
   });
@@ -42,7 +42,7 @@ export async function checkCharts(page, runs, error, scenes = scenesOf(runs)) {
       const figure = sectionOf(page, scene).locator(`figure[data-chart="${chart}"]`);
       assert.equal(await figure.count(), expected.length > 0 ? 1 : 0, `${scene}: ${chart}`);
       if (expected.length === 0) continue;
-      const valueOf = chart === "energy-against-step" ? (of) => of.energy ?? of.energy_residual : (of) => of.error ?? of[error];
+      const valueOf = chart === "energy-against-step" ? (of) => of.energy_residual : (of) => of.error ?? of[error];
       await checkChart(figure, expected, valueOf, `${scene}: ${chart}`);
     }
   }

@@ -8,15 +8,10 @@ import { errorText, finished, runsOf } from "./records.js";
 const runs = runsOf(RESULTS);
 const shown = "error_maximum_mixed"; // what the page begins with
 
-test("every chart has the marks of its records", () =>
+test("every chart has the marks of its records, and those of another norm and scale", () =>
   withPage({}, async (page) => {
     await drawAll(page);
     await checkCharts(page, runs, shown);
-  }));
-
-test("another norm and scale draws the errors of that kind", () =>
-  withPage({}, async (page) => {
-    await drawAll(page);
     await page.selectOption("#norm", "end");
     await page.selectOption("#scale", "absolute");
     await settled(page);
@@ -29,7 +24,7 @@ test("errors over a parameter have a point for each line and value", () =>
     await settled(page);
     const most = Math.max(...finished(runs).map(({ steps }) => steps));
     const expected = finished(runs).filter((run) => run.scene.startsWith("relaxation") && run.steps === most);
-    for (const chart of ["error-over-parameter", "seconds-over-parameter"]) {
+    for (const chart of ["error-over-parameter", "time-over-parameter"]) {
       assert.equal(await page.locator(`#curve-relaxation-gamma figure[data-chart="${chart}"] .mark-symbol.role-mark path`).count(), expected.length, chart);
     }
   }));
@@ -47,9 +42,9 @@ const visiblePoint = (figure) =>
   });
 
 test("hovering tells the run under the pointer", () =>
-  withPage({}, async (page) => {
-    await drawAll(page);
-    for (const [scene, chart] of [["pendulum", "error-against-time"], ["damped_oscillator", "error-against-step"], ["damped_oscillator", "energy-against-step"]]) {
+  withPage({ address: "#scene-pendulum" }, async (page) => {
+    await settled(page);
+    for (const [scene, chart] of [["pendulum", "error-against-time"], ["loxodrome", "error-against-step"], ["pendulum", "energy-against-step"]]) {
       const point = await visiblePoint(sectionOf(page, scene).locator(`figure[data-chart="${chart}"]`));
       await page.mouse.move(point.x, point.y);
       const run = finished(runs).find((one) => one.scene === scene && one.scheme === point.line && one.steps === point.steps);

@@ -26,7 +26,7 @@ export const finished = (runs) => runs.filter((run) => run.ending === "finished"
 export const scenesOf = (runs) => [...new Set(finished(runs).map(({ scene }) => scene))];
 
 // As the page writes them.
-export const errorText = (value) => value.toExponential(1);
+export const errorText = (value) => value.toExponential(1).replace("e+", "e");
 
 // The runs that each chart of a scene draws, by the quantity of the error that is shown.
 export const drawn = {
