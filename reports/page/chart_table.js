@@ -9,18 +9,22 @@ const columnsOfCharts = {
   error: { text: fewDigits },
   ratio: { title: "ratio", text: fewDigits },
   energy_residual: { title: "energy residual", text: fewDigits },
-  value: { text: String },
+  value: { title: "value", text: String },
+  column: { title: "column", text: String },
+  t: { title: "t", text: String },
+  x: { title: "x", text: String },
+  y: { title: "y", text: String },
 };
 
 // Those that a point of the chart has, each { field, title, text }.
 function columnsOf({ points, columns }, titles) {
-  return columns.filter((field) => points.some((point) => point[field]))
+  return columns.filter((field) => points.some((point) => point[field] !== undefined))
     .map((field) => ({ field, ...columnsOfCharts[field], ...(titles[field] && { title: titles[field] }) }));
 }
 
 function numbersTable(chart, titles) {
   const columns = columnsOf(chart, titles);
-  const cell = (point, { field, text }) => field === "line" ? { text: point.line, line: point.line } : { text: point[field] ? text(point[field]) : "" };
+  const cell = (point, { field, text }) => field === "line" ? { text: point.line, line: point.line } : { text: point[field] === undefined ? "" : text(point[field]) };
   return {
     caption: `The numbers of: ${chart.title}`, columns: columns.map(({ title }) => ({ text: title })),
     groups: [{ rows: chart.points.map((point) => columns.map((column) => cell(point, column))) }],

@@ -52,6 +52,15 @@ Section reference_section(const PageInput& page);
 Section failures_section(const PageInput& page);
 Section schemes_section(const PageInput& page);
 
+// In words which line of a scene is cheapest to which accuracy and why, what no run reaches, who does not
+// solve it.
+std::string conclusion(const PageInput& page, const SceneLines& lines, RunSpan runs, const ErrorKind& kind);
+// What a scene says of itself: its equations as formulas, values and meanings of its parameters; and its
+// solution for drawing: times, columns, values, the largest bound. Each empty where there is none.
+nlohmann::json equations_of(const SceneSettings& scene);
+Table parameters_table(const SceneSettings& scene);
+nlohmann::json solution_of(const SceneSettings& scene);
+
 // A section for each scene with its runs and the rates of its lines.
 nlohmann::json scene_sections(const PageInput& page);
 

@@ -1,15 +1,14 @@
 #include "page/run_columns.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <variant>
+
+#include "page/chart_number.hpp"
 
 namespace fde {
 namespace {
@@ -19,9 +18,6 @@ using nlohmann::json;
 // Beside the errors.
 constexpr std::array<std::string_view, 5> quantities{"time_minimum", "time_median", "energy_residual",
                                                      "drift_internal", "drift_independent"};
-
-// As many digits as a chart can show: a page has thousands of these numbers.
-double in_chart(double value) { return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr); }
 
 json number(const std::optional<double>& value) { return value ? json(in_chart(*value)) : json(); }
 

@@ -73,9 +73,9 @@ const chartsOfCurves = [
   overParameter("error-over-parameter", "error", labels.number, (kind) => kind.title), overParameter("time-over-parameter", "time_minimum", labels.time, () => "run time"),
 ];
 
-// The charts of a scene, or over a parameter, that have points, as { title, spec }, with errors of this kind.
-function chartsOf(scene, lines, kind, kinds) {
-  const drawn = { ...scene, points: pointsOf(scene, kind, kinds) };
+// The charts of a scene, or over a parameter, that have points, with errors of this kind and the lines that are wanted.
+function chartsOf(scene, lines, kind, kinds, wants) {
+  const drawn = { ...scene, points: pointsOf(scene, kind, kinds).filter(({ line }) => wants(line)) };
   return (scene.parameter ? chartsOfCurves : chartsOfScenes)
     .map((make) => make(drawn, lines, kind)).filter((made) => made.points.length > 0);
 }

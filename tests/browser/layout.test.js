@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { test } from "node:test";
-import { drawAll, SCREENSHOTS, withPage } from "./browser.js";
+import { drawAll, SCREENSHOTS, settled, withPage } from "./browser.js";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -22,13 +22,15 @@ async function violations(page) {
 for (const dark of [false, true]) {
   const colours = dark ? "dark" : "light";
   test(`nothing is cut off, and everyone can read it: ${colours}`, () =>
-    withPage({ dark }, async (page) => {
+    withPage({ dark, address: "#scene-pendulum" }, async (page) => {
       await page.evaluate(axe);
-      await drawAll(page);
+      await (dark ? settled : drawAll)(page);
       for (const width of dark ? [1280, 400] : [1280, 700, 400]) {
         await page.setViewportSize({ width, height: 900 });
+        await page.evaluate(() => scrollTo(0, 0));
         assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
         assert.deepEqual(await widerThanTheWindow(page), [], `at ${width} pixels`);
+        await settled(page);
         await page.screenshot({ path: join(SCREENSHOTS, `first_${width}_${colours}.png`) });
         await page.locator('[id="scene-pendulum"]').screenshot({ path: join(SCREENSHOTS, `scene_${width}_${colours}.png`) });
         if (width === (dark ? 1280 : 400)) assert.deepEqual(await violations(page), [], `at ${width} pixels`);

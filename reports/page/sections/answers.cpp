@@ -2,17 +2,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
 #include "analysis/text.hpp"
+#include "page/accuracies.hpp"
 #include "page/page_data.hpp"
 
 namespace fde {
 namespace {
-
-constexpr std::array accuracies{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
 
 std::string accuracy_text(double accuracy) { return fmt::format("≤ 1e{:.0f}", std::log10(accuracy)); }
 

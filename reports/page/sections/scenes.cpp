@@ -64,6 +64,14 @@ std::string on_wall_clock(const PageInput& page, RunSpan scene) {
                      fmt::join(names, ", "));
 }
 
+// What the scene itself is.
+void add_scene(json& section, const SceneSettings& scene) {
+  if (auto equations = equations_of(scene); !equations.empty()) section["equations"] = std::move(equations);
+  if (const auto parameters = parameters_table(scene); !parameters.empty())
+    section["parameters"] = to_json(parameters);
+  if (auto solution = solution_of(scene); !solution.empty()) section["solution"] = std::move(solution);
+}
+
 }  // namespace
 
 json scene_sections(const PageInput& page) {
@@ -77,16 +85,21 @@ json scene_sections(const PageInput& page) {
       if (!text.empty()) paragraphs.push_back(text);
     }
     const SceneLines lines(page.runs, solved);
-    json answers = json::object();
-    for (const ErrorKind& kind : error_kinds())
+    json answers = json::object(), conclusions = json::object();
+    for (const ErrorKind& kind : error_kinds()) {
       answers[error_measure(kind)] = to_json(scene_answers(page, lines, kind));
-    sections.push_back({{"id", section_of(solved)},
-                        {"title", title},
-                        {"tables", answers},
-                        {"name", label},
-                        {"paragraphs", paragraphs},
-                        {"runs", runs_of_scene(page, scene)},
-                        {"rates", rates_of_scene(page, scene)}});
+      conclusions[error_measure(kind)] = conclusion(page, lines, scene, kind);
+    }
+    json section{{"id", section_of(solved)},
+                 {"title", title},
+                 {"tables", answers},
+                 {"name", label},
+                 {"paragraphs", paragraphs},
+                 {"conclusions", conclusions},
+                 {"runs", runs_of_scene(page, scene)},
+                 {"rates", rates_of_scene(page, scene)}};
+    add_scene(section, solved);
+    sections.push_back(std::move(section));
   }
   return sections;
 }
