@@ -14,7 +14,7 @@ const breakable = (text) => text.split(/(?<=[_,:])/).flatMap((part, i) => (i ? [
 const unbroken = (text) => text.split(/([Nt] = [^\s,]+|\S+e-\d+)/).map((part, i) => (i % 2 ? element("span", {}, part) : part));
 
 // Cells are texts, or say more; their text may be their line's.
-const cellOf = (cell) => (typeof cell === "string" ? { text: cell } : { text: cell.line, ...cell });
+const cellOf = (cell) => (typeof cell === "string" ? { text: cell } : { text: cell.line ?? "", ...cell });
 
 function cellContent(cell, lines, painted, to) {
   const text = cell.marked ? [element("mark", {}, cell.text)] : breakable(cell.text);

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { RESULTS, settled, withPage } from "./browser.js";
 import { sectionOf } from "./charts.js";
-import { finished, isTrial, runsOf, scenesOf } from "./records.js";
+import { errorText, finished, isTrial, runsOf, scenesOf } from "./records.js";
 
 const runs = runsOf(RESULTS);
 
@@ -22,6 +22,9 @@ test("the first screen has the answer of every scene, the cheapest run in each c
       assert.equal(await cell.locator("a").textContent(), best.scheme);
       assert.match(await cell.getAttribute("title"), new RegExp(`^${best.scheme}: .*N = ${best.steps}, `));
     }
+    const least = Math.min(...finished(runs).filter(({ scene }) => scene === "pendulum").map((run) => run.error_maximum_mixed));
+    assert.ok(least > 1e-12);
+    assert.equal(await row.locator("td").last().textContent(), `best ${errorText(least)}`);
   }));
 
 test("a click in the map leads to the scene, and the way back to the map", () =>

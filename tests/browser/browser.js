@@ -56,5 +56,5 @@ export async function drawAll(page) {
 
 // All charts that were begun are there, as wide as their places.
 export async function settled(page) {
-  await page.waitForFunction(() => [...document.querySelectorAll("figure[data-chart] .chart")].every((chart) => chart.querySelector("svg .role-mark path")), null, { timeout: 8000 });
+  await page.waitForFunction(() => [...document.querySelectorAll("figure[data-chart] .chart")].every((chart) => chart.querySelector("svg .role-mark path")), null, { timeout: 20000 });
 }

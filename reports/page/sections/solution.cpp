@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,33 +17,71 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int times = 240;
+constexpr int first_times = 120, most_times = 700;
+constexpr double allowed = 0.004;         // of a column's range, between a curve and the lines that draw it
 constexpr Eigen::Index most_columns = 6;  // of hundreds of a diffusion
 constexpr int digits = 4;
 
-// Closer at the start, where solutions rise like a power below 1.
-double time(double end, int i) { return end * std::pow(static_cast<double>(i) / times, 1.5); }
+// The solution at times that are close together where it bends.
+class Samples {
+ public:
+  Samples(const Scene& scene, Eigen::Index columns)
+      : reference_(reference_of(scene)), columns_(columns), end_(scene.problem.end) {
+    for (int i = 0; i <= first_times; ++i) add(end_ * i / first_times);
+    const auto rows = values_.size();
+    Vec low = values_.begin()->second, high = low;
+    for (const auto& [t, value] : values_) low = low.cwiseMin(value), high = high.cwiseMax(value);
+    range_ = high - low;
+    if (rows < 2) return;
+    for (auto left = values_.begin(); std::next(left) != values_.end();) left = refined(left);
+  }
+
+  [[nodiscard]] const std::map<double, Vec>& values() const { return values_; }
+  [[nodiscard]] double bound() const { return bound_; }
+
+ private:
+  using Place = std::map<double, Vec>::iterator;
+
+  Place add(double t) {
+    const auto [value, bounds] = reference_.at(t);
+    if (!value.allFinite()) throw std::runtime_error("no value");
+    if (bounds.size() > 0) bound_ = std::max(bound_, bounds.maxCoeff());
+    return values_.insert_or_assign(t, value.head(columns_)).first;
+  }
+
+  // The place to go on from: the same, where a time was put behind it, or the next.
+  Place refined(Place left) {
+    const auto right = std::next(left);
+    const double width = right->first - left->first;
+    if (std::ssize(values_) >= most_times || width < 1e-5 * end_) return right;
+    const Vec between = 0.5 * (left->second + right->second);
+    const Place middle = add(left->first + 0.5 * width);
+    const Vec away = (middle->second - between).cwiseAbs() - allowed * range_;
+    return away.maxCoeff() > 0.0 ? left : right;
+  }
+
+  Reference reference_;
+  Eigen::Index columns_;
+  double end_, bound_ = 0.0;
+  std::map<double, Vec> values_{};
+  Vec range_{};
+};
 
 json solution(const Scene& scene) {
-  const Reference reference = reference_of(scene);
   const auto shown = std::min<Eigen::Index>(std::ssize(scene.outputs.names), most_columns);
-  json found{{"t", json::array()},
-             {"columns",
-              std::vector<std::string>(scene.outputs.names.begin(), scene.outputs.names.begin() + shown)}};
+  const Samples samples(scene, shown);
+  json t = json::array();
   std::vector<json> values(static_cast<std::size_t>(shown), json::array());
-  double bound = 0.0;
-  for (int i = 0; i <= times; ++i) {
-    const double t = time(scene.problem.end, i);
-    const auto [value, bounds] = reference.at(t);
-    if (!value.allFinite()) continue;
-    found["t"].push_back(in_chart(t, digits));
+  for (const auto& [time, value] : samples.values()) {
+    t.push_back(in_chart(time));
     for (Eigen::Index c = 0; c < shown; ++c)
       values[static_cast<std::size_t>(c)].push_back(in_chart(value[c], digits));
-    if (bounds.size() > 0) bound = std::max(bound, bounds.maxCoeff());
   }
-  found["values"] = values;
-  found["bound"] = bound;
-  return found;
+  const auto& names = scene.outputs.names;
+  return {{"t", t},
+          {"columns", std::vector<std::string>(names.begin(), names.begin() + shown)},
+          {"values", values},
+          {"bound", samples.bound()}};
 }
 
 }  // namespace
