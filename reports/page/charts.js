@@ -1,5 +1,3 @@
-"use strict";
-
 // Charts as Vega-Lite specifications over the points that the report computed.
 
 const isDark = matchMedia("(prefers-color-scheme: dark)").matches;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@
 namespace fde {
 
 // All that the page shows, as its script takes it: lines, sessions, sections. Numbers in tables are text
-// already.
-nlohmann::json page_data(ReadRuns read);
+// already. before: results that these are set against, a section of their own.
+nlohmann::json page_data(ReadRuns read, const std::optional<ReadRuns>& before = {});
 
 // What the sections are made from.
 struct PageInput {
@@ -43,6 +44,8 @@ Table sessions_table(const PageInput& page);
 Section answers_section(const PageInput& page);
 // The same of one scene, with all that is known of the run.
 Table scene_answers(const PageInput& page, const SceneLines& lines, const ErrorKind& kind);
+// What changed since other results, as `compare` has it.
+Section compared_section(const PageInput& page, const Runs& before);
 Section rates_section(const PageInput& page);
 Section drift_section(const PageInput& page);
 Section stability_section(const PageInput& page);
@@ -59,7 +62,7 @@ std::string conclusion(const PageInput& page, const SceneLines& lines, RunSpan r
 // solution for drawing: times, columns, values, the largest bound. Each empty where there is none.
 nlohmann::json equations_of(const SceneSettings& scene);
 Table parameters_table(const SceneSettings& scene);
-nlohmann::json solution_of(const SceneSettings& scene);
+nlohmann::json solution_of(const SceneSettings& settings);
 
 // A section for each scene with its runs and the rates of its lines.
 nlohmann::json scene_sections(const PageInput& page);

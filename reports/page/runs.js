@@ -1,3 +1,5 @@
+"use strict";
+
 // Runs arrive as columns, and are shown as points that know all that is known of them.
 
 const fewDigits = (value) => value.toExponential(1).replace("e+", "e");

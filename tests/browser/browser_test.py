@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-PROGRAM, FOLDER = sys.argv[1], Path(sys.argv[2])
+PROGRAM, FOLDER = sys.argv[1], Path(sys.argv[2]).resolve()
 SKIPPED = 77
 
 # A second or two: closed forms and small references, of each kind of section one.
@@ -45,5 +45,5 @@ screenshots = FOLDER / "screenshots"
 screenshots.mkdir(parents=True)
 file = results()
 fdebench("report", file, "--out", FOLDER)
-of_tests = {"CHROMIUM": chromium, "PAGE": FOLDER / "index.html", "RESULTS": file, "SCREENSHOTS": screenshots}
+of_tests = {"PROGRAM": PROGRAM, "CHROMIUM": chromium, "PAGE": FOLDER / "index.html", "RESULTS": file, "SCREENSHOTS": screenshots}
 os.execvpe("node", ["node", "--test", str(HERE / "all.test.js")], {**os.environ, **{name: str(value) for name, value in of_tests.items()}})

@@ -178,6 +178,31 @@ TEST(Report, MarksRatesThatDeviate) {
   EXPECT_THAT(data_of(written(two_lines())).dump(), HasSubstr("1.00 below theory"));
 }
 
+// adams_pc has twice its errors and a fifth of its time in the second.
+TEST(Report, SetsTwoResultsSideBySide) {
+  Results now = empty_results();
+  add_line(now, "l1", 1.5, 1e-6);
+  add_line(now, "adams_pc", 2.0, 6e-7);
+  for (Record& row : now.records) {
+    if (row.key.scheme == "adams_pc" && row.quantity.starts_with("error_")) row.value *= 2.0;
+  }
+  const auto data = page_data(read_runs(now), read_runs(two_lines()));
+  const auto compared = section(data, "compared");
+  EXPECT_THAT(compared["paragraphs"][0].get<std::string>(),
+              HasSubstr("8 runs are in both, 0 only in the first"));
+  const auto& groups = compared["table"]["groups"];
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0]["title"], "Errors: 4");
+  const auto& row = groups[0]["rows"][0];
+  EXPECT_EQ(row[0]["to"], "scene-pendulum");
+  EXPECT_EQ(text_of(row[1]), "adams_pc");
+  EXPECT_THAT(text_of(row[4]), HasSubstr("× 2"));
+  EXPECT_TRUE(row[4]["marked"]);
+  EXPECT_EQ(groups[1]["title"], "Times: 4");
+  EXPECT_THAT(text_of(groups[1]["rows"][0][4]), testing::StartsWith("× 0.2 "));
+  EXPECT_THAT(section_ids(page_data(read_runs(now))), Not(testing::Contains("compared")));
+}
+
 TEST(Report, LeavesOutWhatHasNoData) {
   const auto data = data_of(written(two_lines()));
   EXPECT_THAT(section_ids(data), Not(testing::Contains("failures")));

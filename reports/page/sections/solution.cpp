@@ -55,7 +55,7 @@ class Samples {
     const double width = right->first - left->first;
     if (std::ssize(values_) >= most_times || width < 1e-5 * end_) return right;
     const Vec between = 0.5 * (left->second + right->second);
-    const Place middle = add(left->first + 0.5 * width);
+    const auto middle = add(left->first + 0.5 * width);
     const Vec away = (middle->second - between).cwiseAbs() - allowed * range_;
     return away.maxCoeff() > 0.0 ? left : right;
   }
