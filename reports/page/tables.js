@@ -33,8 +33,8 @@ function mapAttributes(cell, column, lines) {
 // A cell of the map stands for a row of its section's table, which says more.
 function hintOf(cell, column, { to }, kind) {
   if (cell.hint || !to) return cell.hint;
-  const rows = data.sections.find(({ id }) => id === to).tables[kind.id].groups[0].rows;
-  const row = rows.find(([heading]) => cellOf(heading).text === column.text);
+  const rows = data.sections.find(({ id }) => id === to)?.tables[kind.id].groups[0].rows;
+  const row = rows?.find(([heading]) => cellOf(heading).text === column.text);
   return row?.slice(1).map((of) => cellOf(of).text).filter(Boolean).join(": ");
 }
 
@@ -43,7 +43,7 @@ function tableRow(row, { columns, map }, lines) {
   return element("tr", {}, ...cells.map((cell, i) => {
     const hint = hintOf(cell, columns[i], cells[0], chosenKind(data.kinds));
     const attributes = { ...(hint && { title: hint }), ...(cell.faint && { class: "faint" }), ...(map && i > 0 && mapAttributes(cell, columns[i], lines)) };
-    return element(i ? "td" : "th", i ? attributes : { scope: "row" }, ...cellContent(cell, lines, map, cells[0].to));
+    return element(i ? "td" : "th", i ? attributes : { scope: "row" }, ...cellContent(cell, lines, map, map || i === 0 ? cells[0].to : undefined));
   }));
 }
 
