@@ -88,9 +88,10 @@ void plot(const PlotArguments& arguments, const Streams& streams, const Scenes& 
                     .dump());
   const auto end = run_command(fmt::format("node '{}'", script.path().string()), request.path().string(),
                                said.descriptor(), complained.descriptor(), {most_seconds, most_bytes});
-  if (end.how != CommandEnd::How::exited || end.code != 0)
+  if (end.how != CommandEnd::How::exited || end.code != 0) {
     throw std::invalid_argument(
         fmt::format("{}: cannot be drawn by node: {}", arguments.out, first_line_of(complained.path())));
+  }
   streams.out << out.string() << '\n';
 }
 

@@ -101,10 +101,11 @@ std::string left_out(const PageInput& page, const SceneSettings& scene) {
     (run.ending.kind == Ending::refused ? refused : ended).insert(page.label(run.key));
   std::vector<std::string> parts;
   if (!ended.empty()) parts.push_back(fmt::format("Some runs of {} end early", fmt::join(ended, ", ")));
-  if (!refused.empty())
+  if (!refused.empty()) {
     parts.push_back(fmt::format("{} {} it, with {}", count_text(static_cast<double>(refused.size())),
                                 refused.size() == 1 ? "scheme refuses" : "schemes refuse",
                                 "the reason under Refused and failed"));
+  }
   return parts.empty() ? "" : fmt::format("{}.", fmt::join(parts, ". "));
 }
 
@@ -125,7 +126,7 @@ std::string conclusion(const PageInput& page, const SceneLines& lines, RunSpan r
                                                          reason(page, scene, ranked[0], ranked[1], kind)));
   }
   const double reached = found.empty() ? 1.0 : found.back().to;
-  const auto next =
+  const auto* const next =
       std::ranges::find_if(accuracies, [&](double accuracy) { return accuracy < 0.5 * reached; });
   if (next != accuracies.end()) {
     if (auto text = limit(page, lines, runs, kind, *next); !text.empty()) sentences.push_back(text);
