@@ -7,6 +7,7 @@ cd "$(dirname "$0")"
 
 packages=(git pkg-config cmake ninja-build g++ ccache libeigen3-dev libgsl-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev
   libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev libtomlplusplus-dev)
+npm_folders=(reports)
 command -v node >/dev/null || packages+=(nodejs)
 command -v npm >/dev/null || packages+=(npm)
 for option in "$@"; do
@@ -17,6 +18,8 @@ for option in "$@"; do
       packages+=(dpkg-dev python3 python3-dev pybind11-dev python3-numpy python3-pytest python3-mpmath python3-matplotlib)
       python3 -c "import jsonschema" 2>/dev/null || packages+=(python3-jsonschema)
       command -v octave-cli >/dev/null || packages+=(octave)
+      command -v chromium >/dev/null || packages+=(chromium)
+      npm_folders+=(tests/browser)
       ;;
     --lint) packages+=(clang-format clang-tidy libclang-dev llvm-dev python3) ;;
     --clang) packages+=(clang libclang-rt-dev) ;;
@@ -39,7 +42,9 @@ if ((${#missing[@]})); then
 fi
 
 # npm leaves .package-lock.json in node_modules when it has finished; older than our lock means out of date.
-if [ ! reports/node_modules/.package-lock.json -nt reports/package-lock.json ]; then
-  npm ci --prefix reports --no-audit --no-fund
-  touch reports/node_modules/.package-lock.json
-fi
+for folder in "${npm_folders[@]}"; do
+  if [ ! "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ]; then
+    npm ci --prefix "$folder" --no-audit --no-fund
+    touch "$folder/node_modules/.package-lock.json"
+  fi
+done

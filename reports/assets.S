@@ -18,8 +18,22 @@ BEGIN(style)
   TEXT(page/page.css)
 END(style)
 
-BEGIN(script)
+BEGIN(charts)
+  TEXT(page/runs.js)
   TEXT(page/charts.js)
+  TEXT(page/section_charts.js)
+  TEXT(page/solution_charts.js)
+END(charts)
+
+BEGIN(plot)
+  TEXT(plot/plot.js)
+END(plot)
+
+BEGIN(script)
+  TEXT(page/mathml.js)
+  TEXT(page/chart_table.js)
+  TEXT(page/tables.js)
+  TEXT(page/view.js)
   TEXT(page/page.js)
 END(script)
 

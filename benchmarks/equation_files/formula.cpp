@@ -129,7 +129,8 @@ class FormulaReader {
   Expression named(const FormulaToken& token) {
     if (token.text == "D") return derivative(token);
     const auto function = std::ranges::find(known_functions(), token.text, &KnownFunction::name);
-    if (function != known_functions().end()) return call(*function);
+    const bool named_alike = token_.text != "(" && names_.of && names_.of(token.text);  // as gamma, an order
+    if (function != known_functions().end() && !named_alike) return call(*function);
     if (token.text == "pi") return into_.pi();
     if (names_.of) {
       if (const auto known = names_.of(token.text)) return *known;

@@ -115,7 +115,7 @@ struct Scene {
   StateGeometry geometry{};
 };
 
-// An equation as a file writes it: the sum of coefficient D^order unknown = rhs, all formulas.
+// An equation as a file writes it, or for readers: the sum of coefficient D^order unknown = rhs, formulas.
 struct WrittenEquation {
   struct Term {
     std::string coefficient, order;
@@ -132,7 +132,7 @@ struct SceneMaker {
   std::vector<Parameter> parameters;
   std::function<Scene(const Parameters&)> make;
   std::string checksum{};  // of what a file says that it was read from; empty: it is of the code
-  std::vector<WrittenEquation> equations{};  // of that file
+  std::vector<WrittenEquation> equations{};  // empty: it says none
 };
 
 // The columns of components at a time, or of a path.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <variant>
 
 #include "scenes/registry.hpp"
 #include "scenes/scene.hpp"
@@ -54,12 +55,14 @@ Line line_of(const RunKey& run) {
   return line;
 }
 
-// The steps that each line has at all its values; lines with too few values are left out.
+// The steps that each line has at all its values; lines with too few values are left out, and those that
+// choose their steps themselves.
 std::map<Line, std::set<int>> common_steps(const Family& family) {
   std::map<Line, std::set<int>> steps;
   std::map<Line, std::size_t> values;
   for (const auto& [value, scene] : family) {
     for (const RunSpan runs : by_line(scene)) {
+      if (!std::holds_alternative<int>(runs.front().key.setup.resolution)) continue;
       const Line line = line_of(runs.front().key);
       std::set<int> here, both;
       for (const MeasuredRun& run : runs) here.insert(run.steps);

@@ -192,11 +192,18 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
   run_command.callback([=, &known] { run(*of_run, streams, known); });
 
   auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
-  Subcommand report_command(program, "report", "Write the report page of a results file");
+  auto second = std::make_shared<std::optional<std::string>>();
+  Subcommand report_command(program, "report",
+                            "Write the report page of a results file, or of what changed in a second");
   report_command.required("file", *file, "results file");
+  report_command.option("second", *second, "results file, now: the page is of it, set against the first");
   report_command.required("--out", *folder, "folder of the page");
-  report_command.callback(
-      [=, &known] { streams.out << write_report(read_runs(*file, known), *folder).string() << '\n'; });
+  report_command.callback([=, &known] {
+    auto first = read_runs(*file, known);
+    const auto path = *second ? write_report(read_runs(**second, known), *folder, std::move(first))
+                              : write_report(std::move(first), *folder);
+    streams.out << path.string() << '\n';
+  });
 }
 
 }  // namespace fde

@@ -7,6 +7,8 @@
 
 FDE_ASSET(page)
 FDE_ASSET(style)
+FDE_ASSET(charts)
+FDE_ASSET(plot)
 FDE_ASSET(script)
 FDE_ASSET(vega)
 FDE_ASSET(licences)

@@ -7,7 +7,9 @@ namespace fde::assets {
 
 std::string_view page();      // the template with its {{places}}
 std::string_view style();     // css
-std::string_view script();    // charts and tables
+std::string_view charts();    // the specifications of charts
+std::string_view script();    // tables, controls, the page itself
+std::string_view plot();      // draws a chart without a browser
 std::string_view vega();      // vega, vega-lite and vega-embed
 std::string_view licences();  // of vega and what it bundles
 

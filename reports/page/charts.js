@@ -1,5 +1,3 @@
-"use strict";
-
 // Charts as Vega-Lite specifications over the points that the report computed.
 
 const isDark = matchMedia("(prefers-color-scheme: dark)").matches;
@@ -48,7 +46,8 @@ function parameterAxis(points, title) {
 }
 
 // Colour and shape of the lines in this chart, the same on the whole page. A click in the legend isolates a line.
-function lineChannels(lines, shown) {
+function lineChannels(lines, points) {
+  const shown = lines.filter((line) => points.some((point) => point.line === line));
   const widest = 7 * Math.max(...shown.map((line) => line.length)) + 26;
   const columns = { expr: `clamp(floor((containerSize()[0] - 60) / ${widest}), 1, 3)` };  // of width it would chase itself
   const scale = (of) => ({ domain: shown, range: shown.map((line) => of(lines, line)) });
@@ -63,7 +62,8 @@ function lineChannels(lines, shown) {
 const picked = { name: "picked", select: { type: "point", fields: ["line"] }, bind: "legend" };
 
 // Lines through the points of each scheme, by default in the order of their steps; hovering shows a point's words.
-function lineLayers(encoding, channels, field = "steps") {
+function lineLayers(encoding, lines, points, field = "steps") {
+  const channels = lineChannels(lines, points);
   const all = { ...encoding, ...channels.colour };
   return [
     { mark: { type: "line", strokeWidth: 1.5 }, encoding: { ...all, order: { field, type: "quantitative" } } },
@@ -89,71 +89,4 @@ function chart(description, points, rest) {
       legend: { labelFontSize: 11.5, labelColor: text } },
     ...rest,
   };
-}
-
-function errorAgainstTime(scene, channels, kind) {
-  const points = scene.points.filter((point) => point.error && point.seconds);
-  const encoding = { x: logAxis(points, "seconds", "run time", labels.time), y: logAxis(points, "error", kind.title, labels.number) };
-  return {
-    title: "Error against run time", points,
-    spec: chart(`${scene.title}: ${kind.title} against run time, a line for each scheme`, points,
-      { layer: lineLayers(encoding, channels) }),
-  };
-}
-
-// Dashed lines have the slope that theory promises.
-function errorAgainstStep(scene, channels, kind) {
-  const points = scene.points.filter((point) => point.error);
-  const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "error", kind.title, labels.number) };
-  const guides = {
-    data: { values: scene.guides.filter((guide) => guide.kind === kind.id) },
-    mark: { type: "line", strokeDash: [4, 4], strokeWidth: 1 }, encoding: { ...encoding, ...channels.colour },
-  };
-  return {
-    title: "Error against step; dashed: theoretical rate", points,
-    spec: chart(`${scene.title}: ${kind.title} against step, a line for each scheme and dashed its theoretical rate`, points,
-      { layer: [guides, ...lineLayers(encoding, channels)] }),
-  };
-}
-
-function energyAgainstStep(scene, channels) {
-  const points = scene.points.filter((point) => point.energy);
-  const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "energy", "energy residual", labels.number) };
-  return {
-    title: "Residual of the energy balance against step", points,
-    spec: chart(`${scene.title}: largest residual of the energy balance against step, a line for each scheme`, points,
-      { layer: lineLayers(encoding, channels) }),
-  };
-}
-
-// What is named by a field, over the parameter of the section.
-function overParameter(field, labelExpr, nameOf) {
-  return (section, channels, kind) => {
-    const name = nameOf(kind);
-    const points = section.points.filter((point) => point[field]);
-    const encoding = { x: parameterAxis(points, section.parameter), y: logAxis(points, field, name, labelExpr) };
-    return {
-      title: `${name[0].toUpperCase()}${name.slice(1)} over ${section.parameter}`, points,
-      spec: chart(`${section.title}: ${name}, a line for each scheme`, points, { layer: lineLayers(encoding, channels, "value") }),
-    };
-  };
-}
-
-const chartsOfScenes = [errorAgainstTime, errorAgainstStep, energyAgainstStep];
-const chartsOfCurves = [
-  overParameter("error", labels.number, (kind) => kind.title), overParameter("seconds", labels.time, () => "run time"),
-];
-
-// What a point's tooltip says of its errors of all kinds: 1.2e-7.
-const errorWords = ({ errors }, kinds) =>
-  kinds.filter(({ id }) => errors[id]).map(({ id, title }) => [title, errors[id].toExponential(1)]);
-
-// The charts of a scene, or over a parameter, that have points, as { title, spec }, with errors of this kind.
-function chartsOf(scene, lines, kind, kinds) {
-  const shown = lines.filter((line) => scene.points.some((point) => point.line === line));
-  const channels = lineChannels(lines, shown);
-  const drawn = { ...scene, points: scene.points.map((point) =>
-    ({ ...point, error: point.errors[kind.id], words: Object.fromEntries([...point.words, ...errorWords(point, kinds)]) })) };
-  return (scene.parameter ? chartsOfCurves : chartsOfScenes)
-    .map((make) => make(drawn, channels, kind)).filter((made) => made.points.length > 0);
 }

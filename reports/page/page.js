@@ -1,89 +1,50 @@
 // Builds the page from its data: sections with paragraphs, charts and tables. Numbers arrive as text.
 
-function element(name, attributes = {}, ...children) {
-  const made = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  made.append(...children);
-  return made;
+// The chart's table, made when it is opened, and its numbers as a file.
+function numbersOf(chart, section, kind, lines) {
+  const titles = { error: kind.title, value: section.parameter };
+  const save = element("a", { download: `${section.id}-${chart.id}.csv`, href: "" }, "CSV");
+  save.addEventListener("click", () => save.setAttribute("href", `data:text/csv;charset=utf-8,${encodeURIComponent(csvOf(chart, titles))}`));
+  const details = element("details", { class: "numbers" }, element("summary", {}, "Numbers"));
+  details.addEventListener("toggle", () => {
+    if (details.open && details.children.length === 1) details.append(save, tableFrame(numbersTable(chart, titles), lines));
+  });
+  details.open = Boolean(chart.open);
+  return details;
 }
 
-// Ids may break behind their underscores, labels behind each setting.
-const breakable = (text) => text.split(/(?<=[_,:])/).flatMap((part, i) => (i ? [element("wbr"), part] : [part]));
-
-// Step counts, times and numbers like 1.2e-7 may not break.
-const unbroken = (text) => text.split(/([Nt] = [^\s,]+|\S+e-\d+)/).map((part, i) => (i % 2 ? element("span", {}, part) : part));
-
-function cellContent(cell, lines, painted) {
-  const text = cell.marked ? [element("mark", {}, cell.text)] : breakable(cell.text);
-  const parts = cell.to && cell.text ? [element("a", { href: `#${cell.to}` }, ...text)] : text;
-  if (cell.line && !painted) parts.unshift(element("i", { class: "swatch", style: `background:${colourOf(lines, cell.line)}` }));
-  if (cell.detail) parts.push(element("small", {}, ...unbroken(cell.detail)));
-  return parts;
-}
-
-// A map's cell wears the colour of its line or its verdict; data-column repeats its heading for narrow screens, where the cells of a row wrap.
-function mapAttributes(cell, column, lines) {
-  const paint = cell.line ? { style: `--paint:${colourOf(lines, cell.line)};--strength:${Math.round(12 + 48 * (cell.strength ?? 0))}%` } : {};
-  return { "data-column": column.text, ...(cell.tone && { "data-tone": cell.tone }), ...paint };
-}
-
-function tableRow(row, { columns, map }, lines) {
-  return element("tr", {}, ...row.map((cell, i) => {
-    const attributes = { ...(cell.hint && { title: cell.hint }), ...(map && i > 0 && mapAttributes(cell, columns[i], lines)) };
-    return element(i ? "td" : "th", i ? attributes : { scope: "row" }, ...cellContent(cell, lines, map));
-  }));
-}
-
-function tableGroup(group, table, lines) {
-  const { columns } = table;
-  const rows = group.rows.map((row) => tableRow(row, table, lines));
-  if (group.title) {
-    rows.unshift(element("tr", { class: "group" }, element("th", { scope: "rowgroup", colspan: columns.length }, group.title)));
-  }
-  return element("tbody", {}, ...rows);
-}
-
-// The headings that neighbouring columns share, each over all of them.
-function sharedHeadings(columns) {
-  const spans = [];
-  for (const { over } of columns) {
-    if (spans.at(-1)?.over === over) spans.at(-1).colspan += 1;
-    else spans.push({ over, colspan: 1 });
-  }
-  return spans.map(({ over, colspan }) =>
-    over ? element("th", { scope: "colgroup", colspan }, over) : element("td", { colspan }));
-}
-
-function tableHead(columns) {
-  const row = element("tr", {}, ...columns.map((column) => element("th", { scope: "col" }, ...breakable(column.text))));
-  if (!columns.some((column) => column.over)) return element("thead", {}, row);
-  return element("thead", {}, element("tr", {}, ...sharedHeadings(columns)), row);
-}
-
-// A table in a frame of its own, which scrolls where the screen is narrower.
-function tableFrame(table, lines) {
-  return element("div", { class: "frame", role: "region", tabindex: "0", "aria-label": table.caption },
-    element("table", table.map ? { class: "map" } : {}, element("caption", {}, table.caption), tableHead(table.columns),
-      ...table.groups.map((group) => tableGroup(group, table, lines))));
-}
-
-function drawCharts(scene, { lines, kinds }, kind, frame) {
+function drawCharts(scene, charts, { lines }, kind, frame) {
   const actions = { export: true, source: false, compiled: false, editor: false };
-  for (const { title, spec } of chartsOf(scene, lines, kind, kinds)) {
+  for (const made of charts) {
+    const { id, title, spec } = made;
     const place = element("div", { class: "chart" });
-    frame.append(element("figure", {}, element("figcaption", {}, title), place));
-    vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: scene.id, tooltip: { theme: isDark ? "dark" : "light" } });
+    frame.append(element("figure", { "data-chart": id }, element("figcaption", {}, title), place, numbersOf(made, scene, kind, lines)));
+    vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: `${scene.id}-${id}`, tooltip: { theme: isDark ? "dark" : "light" } })
+      .then(() => place.querySelector("summary").setAttribute("aria-label", `Save: ${title}`));
   }
 }
 
-// What of a section depends on the kind of error: its table and its charts.
+// What a scene is: its equations, parameters and solution.
+function showScene(section, page, place) {
+  if (section.equations) place.append(element("div", { class: "frame equations", role: "region", tabindex: "0", "aria-label": "Equation" }, ...section.equations.map(equation)));
+  if (section.parameters) {
+    place.append(element("details", { class: "numbers" }, element("summary", {}, "Parameters"), tableFrame(section.parameters, page.lines)));
+  }
+  const charts = chartsOfSolution(section);
+  if (charts.length === 0) return;
+  place.append(element("div", { class: "charts" }));
+  drawCharts(section, charts, page, {}, place.lastChild);
+}
+
+// What of a section depends on the kind of error: its conclusion, its table and its charts.
 function showKind(section, page, kind, place) {
   const shown = [];
+  if (section.conclusions?.[kind.id]) shown.push(element("p", { class: "conclusion" }, section.conclusions[kind.id]));
   const table = section.tables?.[kind.id] ?? section.table;
-  if (table) shown.push(tableFrame(table, page.lines));
-  if (section.points) shown.push(element("div", { class: "charts" }));
+  if (table) shown.push(tableFrame(viewed(table, viewNow(), page.sections), page.lines));
+  if (section.runs) shown.push(element("div", { class: "charts" }));
   place.replaceChildren(...shown);
-  if (section.points) drawCharts(section, page, kind, shown.at(-1));
+  if (section.runs) drawCharts(section, chartsOf(section, page.lines, kind, page.kinds, (line) => wantsLine(viewNow(), line)), page, kind, shown.at(-1));
 }
 
 // The frame of a section, which waits to be drawn.
@@ -91,13 +52,14 @@ function frameOf(section) {
   const heading = element("h2", {}, section.title);
   if (section.name) heading.append(" ", element("code", {}, section.name));
   const place = element(section.folded ? "details" : "div", { class: "waiting" });
-  return { place, whole: element("section", { id: section.id }, heading,
-    ...section.paragraphs.map((text) => element("p", {}, text)), place) };
+  const scene = element("div", { class: "scene" });
+  return { place, scene, whole: element("section", { id: section.id }, heading,
+    ...section.paragraphs.map((text) => element("p", {}, text)), scene, place) };
 }
 
 // Scenes are reached from the map.
 function link(section) {
-  if (section.points && !section.parameter) return;
+  if (section.runs && !section.parameter) return;
   document.querySelector("nav").append(element("a", { href: `#${section.id}` }, section.title));
 }
 
@@ -119,8 +81,9 @@ function draw(frame) {
   frame.place.classList.remove("waiting");
   frame.drawn = true;
   if (frame.section.folded) {
-    frame.place.replaceChildren(element("summary", {}, "Show"), tableFrame(frame.section.table, data.lines));
+    frame.place.replaceChildren(element("summary", {}, "Show"), tableFrame(viewed(frame.section.table, viewNow(), data.sections), data.lines));
   } else {
+    if (!frame.scene.hasChildNodes()) showScene(frame.section, data, frame.scene);
     showKind(frame.section, data, chosenKind(data.kinds), frame.place);
   }
 }
@@ -136,7 +99,37 @@ window.addEventListener("beforeprint", () => {
   frames.filter(({ drawn }) => !drawn).forEach(draw);
   for (const { section, place } of frames) if (section.folded) place.open = true;
 });
-for (const name of ["norm", "scale"]) {
-  document.getElementById(name).addEventListener("change", () =>
-    frames.filter(({ drawn, section }) => drawn && (section.tables || section.points)).forEach(draw));
+
+// Whatever is drawn is drawn anew for another view; scenes that it does not want are hidden.
+function show() {
+  const view = viewNow();
+  for (const { section, whole } of frames) whole.hidden = !wantsScene(view, section);
+  frames.filter(({ drawn, section }) => drawn && (section.tables || section.table || section.runs)).forEach(draw);
 }
+
+offerSchemes(data.lines);
+readAddress();
+show();
+const start = document.getElementById(addressOf().place);
+if (location.hash.includes("?")) start?.scrollIntoView();
+document.getElementById("view").addEventListener("change", () => {
+  writeAddress();
+  sayHowManySchemes();
+  show();
+});
+document.getElementById("view").addEventListener("submit", (event) => event.preventDefault());
+window.addEventListener("hashchange", () => {
+  if (location.hash.includes("?")) {
+    readAddress();
+    show();
+    document.getElementById(addressOf().place)?.scrollIntoView();
+  } else {
+    writeAddress();
+  }
+});
+let width = innerWidth;
+window.addEventListener("resize", () => {
+  if (innerWidth === width) return;
+  width = innerWidth;
+  show();
+});

@@ -94,9 +94,10 @@ std::string section_of(const SceneSettings& scene) {
   return fmt::format("scene-{}{}", label_of(scene), short_checksum(scene));
 }
 
-json page_data(ReadRuns read) {
+json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
   PageInput page{.sessions = std::move(read.sessions), .names = LineNames(read.runs)};
   page.runs = std::move(read.runs);
+  const Section compared = before ? compared_section(page, before->runs) : Section{};
   page.trials = take_trials(page.runs);
   page.rates = rates(page.runs);
   json sections = json::array();
@@ -104,6 +105,7 @@ json page_data(ReadRuns read) {
     if (!section.table.empty() || !section.tables.empty()) sections.push_back(to_json(section));
   };
   add(answers_section(page));
+  if (before) sections.push_back(to_json(compared));
   add(stability_section(page));
   for (auto& scene : scene_sections(page)) sections.push_back(std::move(scene));
   for (auto& curves : curve_sections(page)) sections.push_back(std::move(curves));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@
 namespace fde {
 
 // All that the page shows, as its script takes it: lines, sessions, sections. Numbers in tables are text
-// already.
-nlohmann::json page_data(ReadRuns read);
+// already. before: results that these are set against, a section of their own.
+nlohmann::json page_data(ReadRuns read, const std::optional<ReadRuns>& before = {});
 
 // What the sections are made from.
 struct PageInput {
@@ -43,6 +44,8 @@ Table sessions_table(const PageInput& page);
 Section answers_section(const PageInput& page);
 // The same of one scene, with all that is known of the run.
 Table scene_answers(const PageInput& page, const SceneLines& lines, const ErrorKind& kind);
+// What changed since other results, as `compare` has it.
+Section compared_section(const PageInput& page, const Runs& before);
 Section rates_section(const PageInput& page);
 Section drift_section(const PageInput& page);
 Section stability_section(const PageInput& page);
@@ -52,10 +55,16 @@ Section reference_section(const PageInput& page);
 Section failures_section(const PageInput& page);
 Section schemes_section(const PageInput& page);
 
-// The errors of a run that a logarithmic axis can show, by their measure.
-nlohmann::json errors_of(const MeasuredRun& run);
+// In words which line of a scene is cheapest to which accuracy and why, what no run reaches, who does not
+// solve it.
+std::string conclusion(const PageInput& page, const SceneLines& lines, RunSpan runs, const ErrorKind& kind);
+// What a scene says of itself: its equations as formulas, values and meanings of its parameters; and its
+// solution for drawing: times, columns, values, the largest bound. Each empty where there is none.
+nlohmann::json equations_of(const SceneSettings& scene);
+Table parameters_table(const SceneSettings& scene);
+nlohmann::json solution_of(const SceneSettings& settings);
 
-// A section for each scene with its charts: points, guides of theoretical slope, energy.
+// A section for each scene with its runs and the rates of its lines.
 nlohmann::json scene_sections(const PageInput& page);
 
 // A section for each parameter in which alone at least three scenes differ: errors and times over it.

@@ -55,7 +55,7 @@ std::string fill(std::string_view page, const std::map<std::string_view, std::st
 
 }  // namespace
 
-fs::path write_report(ReadRuns read, const fs::path& directory) {
+fs::path write_report(ReadRuns read, const fs::path& directory, const std::optional<ReadRuns>& before) {
   if (assets::vega().empty()) {
     throw std::invalid_argument(
         "report: this build has no charts; run ./setup.sh, then configure and build again");
@@ -66,12 +66,14 @@ fs::path write_report(ReadRuns read, const fs::path& directory) {
     throw std::invalid_argument(
         fmt::format("{}: cannot be written: {}", directory.string(), problem.message()));
   }
-  const std::string data = as_script_data(page_data(std::move(read))), licences = as_html(assets::licences());
+  const std::string data = as_script_data(page_data(std::move(read), before)),
+                    licences = as_html(assets::licences());
   fs::path path = directory / "index.html";
   WholeFile file(path);
   file.write(fill(assets::page(), {{"style", assets::style()},
                                    {"data", data},
                                    {"vega", assets::vega()},
+                                   {"charts", assets::charts()},
                                    {"script", assets::script()},
                                    {"licences", licences}}));
   file.finish();

@@ -1,6 +1,7 @@
 #include "page/table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace fde {
@@ -14,15 +15,18 @@ bool has_text(const Table& table, std::size_t column) {
   });
 }
 
+// A text alone; with more a record of what there is, without a text that is the line's.
 json to_json(const Cell& cell) {
-  json shown{{"text", cell.text}};
+  json shown = json::object();
   if (!cell.detail.empty()) shown["detail"] = cell.detail;
   if (!cell.line.empty()) shown["line"] = cell.line;
   if (cell.marked) shown["marked"] = true;
   if (!cell.hint.empty()) shown["hint"] = cell.hint;
   if (!cell.to.empty()) shown["to"] = cell.to;
   if (!cell.tone.empty()) shown["tone"] = cell.tone;
-  if (cell.strength > 0.0) shown["strength"] = cell.strength;
+  if (cell.strength > 0.0) shown["strength"] = std::round(1e2 * cell.strength) / 1e2;
+  if (shown.empty()) return cell.text;
+  if (cell.text != cell.line) shown["text"] = cell.text;
   return shown;
 }
 
@@ -36,7 +40,8 @@ json to_json(const Table& table) {
   json shown{{"caption", table.caption}, {"columns", json::array()}, {"groups", json::array()}};
   if (table.is_map) shown["map"] = true;
   for (const auto column : kept) {
-    shown["columns"].push_back({{"text", table.columns[column].text}, {"over", table.columns[column].over}});
+    const auto& [text, over] = table.columns[column];
+    shown["columns"].push_back(over.empty() ? json{{"text", text}} : json{{"text", text}, {"over", over}});
   }
   for (const auto& group : table.groups) {
     json rows = json::array();

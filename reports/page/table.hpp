@@ -13,7 +13,7 @@ struct Cell {
   std::string line{};     // the label of the line whose colour it wears
   bool marked = false;    // set apart: worth a second look
   std::string hint{};     // shown where a pointer rests on it
-  std::string to{};       // the id of the section that a click leads to
+  std::string to{};       // of a row's heading: the id of the section it leads to, in a map all cells
   std::string tone{};     // a verdict, whose colour it wears in a map
   double strength = 0.0;  // of its line's colour in a map, 0 to 1
 };

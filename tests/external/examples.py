@@ -73,8 +73,8 @@ class Examples(unittest.TestCase):
         page = (Path(self.folder.name) / "index.html").read_text()
         data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page, re.DOTALL)[1])
         self.assertEqual(data["lines"], [SCHEME, NAME])
-        points = next(section["points"] for section in data["sections"] if section["id"] == "scene-relaxation")
-        self.assertEqual(sum(point["line"] == NAME for point in points), 4)
+        runs = next(section["runs"] for section in data["sections"] if section["id"] == "scene-relaxation")
+        self.assertEqual(runs["line"].count(runs["lines"].index(NAME)), 4)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
 
 #include "analysis/formulations.hpp"
 #include "page/page_data.hpp"
+#include "reports/page_section.hpp"
 
 namespace fde {
 namespace {
@@ -76,9 +77,9 @@ std::vector<std::string> column(const nlohmann::json& section, const std::string
   std::vector<std::string> cells;
   const auto& columns = section["table"]["columns"];
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    if (columns[c]["text"] != text || columns[c]["over"] != over) continue;
+    if (columns[c]["text"] != text || columns[c].value("over", "") != over) continue;
     for (const auto& group : section["table"]["groups"]) {
-      for (const auto& row : group["rows"]) cells.push_back(row[c]["text"]);
+      for (const auto& row : group["rows"]) cells.push_back(text_of(row[c]));
     }
   }
   return cells;

@@ -35,7 +35,7 @@ void add_run(Results& results, const SceneSettings& scene, const std::string& sc
 
 std::vector<std::string> texts(const nlohmann::json& row) {
   std::vector<std::string> all;
-  for (const auto& cell : row) all.push_back(cell["text"]);
+  for (const auto& cell : row) all.push_back(text_of(cell));
   return all;
 }
 

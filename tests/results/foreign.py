@@ -47,9 +47,9 @@ class Foreign(unittest.TestCase):
             page = (Path(folder) / "index.html").read_text()
             data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page, re.DOTALL)[1])
             self.assertEqual(data["lines"], ["l1", "grunwald_letnikov", NAME])
-            points = next(section["points"] for section in data["sections"] if section["id"] == "scene-relaxation")
-            self.assertEqual(sum(point["line"] == NAME for point in points), 4)
-            self.assertTrue(all(point["seconds"] > 0 for point in points))
+            runs = next(section["runs"] for section in data["sections"] if section["id"] == "scene-relaxation")
+            self.assertEqual(runs["line"].count(runs["lines"].index(NAME)), 4)
+            self.assertTrue(all(seconds > 0 for seconds in runs["time_minimum"]))
 
     def test_is_the_scheme_that_it_says(self):
         """The same rule over the same grid, so the same numbers up to rounding."""

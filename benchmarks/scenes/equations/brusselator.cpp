@@ -29,7 +29,10 @@ SceneMaker brusselator() {
                                 .end = 50.0},
                     .smoothness = {{powers, powers}},
                     .outputs = {{"x", "y"}}};
-          }};
+          },
+          .equations = {
+              {.unknown = "x", .terms = {{"1", "gamma"}}, .rhs = "A - (B + 1)*x + x^2*y", .initial = {"x0"}},
+              {.unknown = "y", .terms = {{"1", "gamma"}}, .rhs = "B*x - x^2*y", .initial = {"y0"}}}};
 }
 
 }  // namespace fde

@@ -32,7 +32,13 @@ SceneMaker diethelm() {
                     .smoothness = {{{g, 4.0 + g / 2, 8.0}}},
                     .outputs = {{"y"}},
                     .reference = power_sum({{1.0, 8.0}, {-3.0, 4.0, 0.5}, {2.25, 0.0, 1.0}}, g)};
-          }};
+          },
+          .equations = {
+              {.unknown = "y",
+               .terms = {{"1", "gamma"}},
+               .rhs = "40320/gamma(9 - gamma)*t^(8 - gamma) - 3*gamma(5 + gamma/2)/gamma(5 - gamma/2)*t^(4 "
+                      "- gamma/2) + 9/4*gamma(gamma + 1) + abs(3/2*t^(gamma/2) - t^4)^3 - abs(y)^1.5",
+               .initial = {"0", "0"}}}};
 }
 
 }  // namespace fde

@@ -28,7 +28,11 @@ SceneMaker power() {
                 .smoothness = {{{p}}},
                 .outputs = {{"y"}},
                 .reference = power_sum({{1.0, p}})};
-          }};
+          },
+          .equations = {{.unknown = "y",
+                         .terms = {{"1", "gamma"}},
+                         .rhs = "gamma(p + 1)/gamma(p + 1 - gamma)*t^(p - gamma) + t^p - y",
+                         .initial = {"0", "0"}}}};
 }
 
 }  // namespace fde

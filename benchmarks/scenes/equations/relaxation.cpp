@@ -28,7 +28,9 @@ SceneMaker relaxation() {
                     .reference = linear_reference({.terms = {{1.0, gamma}, {-lambda, 0.0}},
                                                    .initial = {initial.begin(), initial.end()}},
                                                   {0.0})};
-          }};
+          },
+          .equations = {
+              {.unknown = "y", .terms = {{"1", "gamma"}}, .rhs = "lambda*y", .initial = {"y0", "dy0"}}}};
 }
 
 }  // namespace fde

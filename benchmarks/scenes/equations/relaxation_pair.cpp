@@ -32,7 +32,10 @@ SceneMaker relaxation_pair() {
                     .reference = linear_reference({.orders = {gamma, gamma},
                                                    .initial = {components[0].initial, components[1].initial},
                                                    .matrix = rotation})};
-          }};
+          },
+          .equations = {
+              {.unknown = "x", .terms = {{"1", "gamma"}}, .rhs = "re*x - im*y", .initial = {"x0", "dx0"}},
+              {.unknown = "y", .terms = {{"1", "gamma"}}, .rhs = "im*x + re*y", .initial = {"y0", "dy0"}}}};
 }
 
 }  // namespace fde

@@ -30,7 +30,10 @@ SceneMaker van_der_pol() {
                                 .end = 20.0},
                     .smoothness = {{rests ? later : powers, powers}},
                     .outputs = {{"x", "v"}}};
-          }};
+          },
+          .equations = {
+              {.unknown = "x", .terms = {{"1", "gamma"}}, .rhs = "v", .initial = {"x0"}},
+              {.unknown = "v", .terms = {{"1", "gamma"}}, .rhs = "mu*(1 - x^2)*v - x", .initial = {"v0"}}}};
 }
 
 }  // namespace fde

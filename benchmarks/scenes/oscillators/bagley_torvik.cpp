@@ -57,7 +57,11 @@ SceneMaker bagley_torvik() {
                                           .initial = {p["y0"], p["dy0"]},
                                           .loads = {{load}, {.coefficient = -load, .from = until}}},
                                          orders)};
-          }};
+          },
+          .equations = {{.unknown = "y",
+                         .terms = {{"A", "2"}, {"B", "alpha"}},
+                         .rhs = "load*step(load_until - t) - C*y",
+                         .initial = {"y0", "dy0"}}}};
 }
 
 }  // namespace fde

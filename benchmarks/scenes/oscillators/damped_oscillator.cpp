@@ -42,7 +42,12 @@ SceneMaker damped_oscillator() {
                 .reference = linear_reference(equation(p), u.orders()),
                 .energy = {.value = [=](In c) { return 0.5 * (u.du(c) * u.du(c) + w2 * u.u(c) * u.u(c)); },
                            .power = [=](double, In c) { return u.power(c); }}};
-          }};
+          },
+          .equations = {
+              {.unknown = "u",
+               .terms = {{"1", "2"}, {"mu*tau^alpha", "alpha"}, {"lambda*tau", "1"}, {"nu*tau^beta", "beta"}},
+               .rhs = "-w2*u",
+               .initial = {"u0", "du0"}}}};
 }
 
 }  // namespace fde

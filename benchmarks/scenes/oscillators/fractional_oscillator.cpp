@@ -123,7 +123,11 @@ SceneMaker fractional_oscillator() {
                     .smoothness = of.smoothness(),
                     .outputs = apart ? parts(of) : Outputs{{"q"}},
                     .reference = apart ? with_parts(of) : of.motion()};
-          }};
+          },
+          .equations = {{.unknown = "q",
+                         .terms = {{"1", "nu"}},
+                         .rhs = "-w2*q + c0 + c1*t + c2*t^(2 - nu)/gamma(3 - nu)",
+                         .initial = {"q0", "dq0"}}}};
 }
 
 }  // namespace fde

@@ -40,7 +40,12 @@ SceneMaker pendulum() {
                                  return 0.5 * dphi * dphi + g * (1.0 - std::cos(phi.u(c)));
                                },
                            .power = [=](double, In c) { return phi.power(c); }}};
-          }};
+          },
+          .equations = {
+              {.unknown = "phi",
+               .terms = {{"1", "2"}, {"mu*tau^alpha", "alpha"}, {"lambda*tau", "1"}, {"nu*tau^beta", "beta"}},
+               .rhs = "-g_over_L*sin(phi)",
+               .initial = {"phi0", "dphi0"}}}};
 }
 
 }  // namespace fde

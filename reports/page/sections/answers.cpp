@@ -2,17 +2,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
 #include "analysis/text.hpp"
+#include "page/accuracies.hpp"
 #include "page/page_data.hpp"
 
 namespace fde {
 namespace {
-
-constexpr std::array accuracies{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
 
 std::string accuracy_text(double accuracy) { return fmt::format("≤ 1e{:.0f}", std::log10(accuracy)); }
 
@@ -65,23 +63,21 @@ std::string best_text(const PageInput& page, const Option& best) {
   return fmt::format("{}, {}{}", page.label(best), run_text(best), session_note(page, best));
 }
 
-// What the map says where nothing is within the accuracy.
-Cell missing_cell(const PageInput& page, const std::optional<Shortfall>& missed) {
+// What the map says where nothing is within the accuracy. More is said by the row of the scene's own table,
+// which the page shows where a pointer rests on the cell.
+Cell missing_cell(const std::optional<Shortfall>& missed) {
   if (!missed) return {.text = "", .detail = "not measured"};
   if (missed->untimed > 0) return {.text = "", .detail = "not timed yet"};
-  return {.text = "",
-          .detail = fmt::format("best {}", error_text(missed->best.error)),
-          .hint = fmt::format("None measured gets there. Best: {}.", best_text(page, missed->best))};
+  return {.text = "", .detail = fmt::format("best {}", error_text(missed->best.error))};
 }
 
 Cell map_cell(const PageInput& page, const SceneLines& lines, const ErrorKind& kind, double accuracy) {
   const auto ranked = lines.within(kind, accuracy);
-  if (ranked.empty()) return missing_cell(page, lines.shortfall(kind, accuracy, {}));
+  if (ranked.empty()) return missing_cell(lines.shortfall(kind, accuracy, {}));
   const Option& first = ranked.front();
   return {.text = page.label(first),
           .detail = time_text(first.time.median),
           .line = page.label(first),
-          .hint = fmt::format("{}: {}.", best_text(page, first), margin_text(page, ranked)),
           .strength = strength(page, ranked)};
 }
 
@@ -130,10 +126,7 @@ Table answers_map(const PageInput& page, const std::vector<MapRow>& scenes, cons
   RowGroup rows;
   for (const auto& [title, section, lines] : scenes) {
     std::vector<Cell> cells{{.text = title, .to = section}};
-    for (const double accuracy : accuracies) {
-      cells.push_back(map_cell(page, lines, kind, accuracy));
-      cells.back().to = section;
-    }
+    for (const double accuracy : accuracies) cells.push_back(map_cell(page, lines, kind, accuracy));
     rows.rows.push_back(std::move(cells));
   }
   table.groups.push_back(std::move(rows));

@@ -11,6 +11,7 @@ namespace fde {
 namespace {
 
 constexpr double largest_share = 0.1;
+constexpr auto errors_at_end = "error at the end", errors_over_all = "largest error over all times";
 
 // The smallest error of a scene in one norm beside the reference's own: three cells, empty ones where no run
 // has both.
@@ -26,7 +27,7 @@ std::vector<Cell> reference_cells(const PageInput& page, RunSpan scene, std::str
   Cell share{.text = error > 0.0 ? error_text(bound / error) : "the error is 0"};
   if (bound > largest_share * error) {
     share.marked = true;
-    share.detail = "the reference does not resolve this error";
+    share.detail = "not resolved by the reference";
   }
   const std::string label = page.label(best->key);
   return {{.text = error_text(bound)},
@@ -59,12 +60,12 @@ Section reference_section(const PageInput& page) {
                      "against the smallest error measured on the scene."},
       .table = {.caption = "The reference's own error against the smallest error measured",
                 .columns = {{"scene"},
-                            {"error of the reference at the end"},
-                            {"smallest error at the end"},
-                            {"ratio"},
-                            {"largest error of the reference"},
-                            {"smallest error over all times"},
-                            {"ratio"}}}};
+                            {"reference", errors_at_end},
+                            {"smallest measured", errors_at_end},
+                            {"ratio", errors_at_end},
+                            {"reference", errors_over_all},
+                            {"smallest measured", errors_over_all},
+                            {"ratio", errors_over_all}}}};
   RowGroup rows;
   for (const RunSpan scene : by_scene(page.runs.finished)) {
     if (auto cells = reference_row(page, scene); !cells.empty()) rows.rows.push_back(std::move(cells));

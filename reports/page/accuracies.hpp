@@ -1,0 +1,10 @@
+#pragma once
+
+#include <array>
+
+namespace fde {
+
+// Those that the page has answers to.
+inline constexpr std::array accuracies{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
+
+}  // namespace fde

@@ -1,0 +1,13 @@
+#include "page/chart_number.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+namespace fde {
+
+double in_chart(double value, int digits) {
+  return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
+}
+
+}  // namespace fde

@@ -1,0 +1,39 @@
+// The numbers behind a chart: a table for readers, comma-separated values for programs.
+
+const columnsOfCharts = {
+  line: { title: "scheme" },
+  steps: { title: "N", text: String },
+  asked: { title: "asked", text: fewDigits },
+  h: { title: "h", text: (value) => value.toPrecision(3) },
+  time_minimum: { title: "run time in s", text: (value) => value.toPrecision(3) },
+  error: { text: fewDigits },
+  ratio: { title: "ratio", text: fewDigits },
+  energy_residual: { title: "energy residual", text: fewDigits },
+  value: { title: "value", text: String },
+  column: { title: "column", text: String },
+  t: { title: "t", text: String },
+  x: { title: "x", text: String },
+  y: { title: "y", text: String },
+};
+
+// Those that a point of the chart has, each { field, title, text }.
+function columnsOf({ points, columns }, titles) {
+  return columns.filter((field) => points.some((point) => point[field] !== undefined))
+    .map((field) => ({ field, ...columnsOfCharts[field], ...(titles[field] && { title: titles[field] }) }));
+}
+
+function numbersTable(chart, titles) {
+  const columns = columnsOf(chart, titles);
+  const cell = (point, { field, text }) => field === "line" ? { text: point.line, line: point.line } : { text: point[field] === undefined ? "" : text(point[field]) };
+  return {
+    caption: `The numbers of: ${chart.title}`, columns: columns.map(({ title }) => ({ text: title })),
+    groups: [{ rows: chart.points.map((point) => columns.map((column) => cell(point, column))) }],
+  };
+}
+
+function csvOf(chart, titles) {
+  const columns = columnsOf(chart, titles);
+  const quoted = (value) => (/[",]/.test(value) ? `"${String(value).replaceAll('"', '""')}"` : String(value ?? ""));
+  return [columns.map(({ title }) => title), ...chart.points.map((point) => columns.map(({ field }) => point[field]))]
+    .map((row) => `${row.map(quoted).join(",")}\n`).join("");
+}

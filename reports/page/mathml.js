@@ -1,0 +1,122 @@
+// Formulas as docs/equation_files.md has them, set as MathML. A reader of its own, as small as what it shows: it has to show a
+// formula, not to compute it.
+
+const mathSpace = "http://www.w3.org/1998/Math/MathML";
+function math(name, ...children) {
+  const made = document.createElementNS(mathSpace, name);
+  made.append(...children);
+  return made;
+}
+
+const greek = Object.fromEntries(("alpha α beta β gamma γ delta δ epsilon ε kappa κ lambda λ mu μ nu ν omega ω phi φ psi ψ rho ρ " +
+  "sigma σ tau τ theta θ xi ξ zeta ζ pi π").split(" ").map((word, i, all) => [word, all[i + 1]]).filter((_, i) => i % 2 === 0));
+
+// k1 has a subscript, g_over_L is a quotient, mu is a letter.
+function mathName(name) {
+  const [over, under] = name.split("_over_");
+  if (under) return math("mfrac", mathName(over), mathName(under));
+  const [, letters, index] = /^(.*?)_?(\d*|_\w+)$/.exec(name);
+  const letter = greek[letters] ?? letters;
+  const identifier = /_/.test(letter) ? math("mtext", letter.replaceAll("_", " ")) : math("mi", letter);
+  return index ? math("msub", identifier, math("mn", index.replace("_", ""))) : identifier;
+}
+
+// Brackets round a single letter or number do not grow with it.
+function inBrackets(inner, open = "(", close = ")") {
+  const marks = [open, close].map((mark) => math("mo", mark));
+  if (["mi", "mn"].includes(inner.nodeName)) for (const mark of marks) mark.setAttribute("stretchy", "false");
+  return math("mrow", marks[0], inner, marks[1]);
+}
+const primes = { 1: "′", 2: "″" };
+
+// D^order x; whole orders as primes.
+function derivative(unknown, order) {
+  if (order.textContent === "0") return mathName(unknown);
+  const prime = primes[order.textContent];
+  if (prime) {
+    const mark = math("mo", prime);
+    for (const side of ["lspace", "rspace"]) mark.setAttribute(side, "0");
+    return math("mrow", mathName(unknown), mark);
+  }
+  return math("mrow", math("msup", math("mi", "D"), order), mathName(unknown));
+}
+
+const functionsOfMath = {
+  sqrt: ([x]) => math("msqrt", x),
+  abs: ([x]) => inBrackets(x, "|", "|"),
+  gamma: ([x]) => math("mrow", math("mi", "Γ"), inBrackets(x)),
+  step: ([x]) => math("mrow", math("mi", "θ"), inBrackets(x)),
+  mittag_leffler: ([a, b, z]) => math("mrow", math("msub", math("mi", "E"), math("mrow", a, math("mo", ","), b)), inBrackets(z)),
+};
+
+class FormulaSetter {
+  constructor(text) {
+    this.tokens = text.match(/[A-Za-z]\w*|(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|\S/g) ?? [];
+  }
+  take(symbol) {
+    const found = this.tokens[0] === symbol;
+    if (found) this.tokens.shift();
+    return found;
+  }
+  sum() {
+    const parts = [this.product()];
+    while (["+", "-"].includes(this.tokens[0])) parts.push(math("mo", this.tokens.shift() === "-" ? "−" : "+"), this.product());
+    return parts.length > 1 ? math("mrow", ...parts) : parts[0];
+  }
+  product() {
+    let parts = [this.signed()];
+    while (["*", "/"].includes(this.tokens[0])) {
+      if (this.tokens.shift() === "*") {
+        const next = this.signed();
+        parts.push(...(next.firstChild?.nodeName === "mn" || next.nodeName === "mn" ? [math("mo", "·")] : []), next);
+      } else {
+        parts = [math("mfrac", bare(parts.length > 1 ? math("mrow", ...parts) : parts[0]), bare(this.signed()))];
+      }
+    }
+    return parts.length > 1 ? math("mrow", ...parts) : parts[0];
+  }
+  signed() {
+    if (this.take("-")) return math("mrow", math("mo", "−"), this.signed());
+    if (this.take("+")) return this.signed();
+    const base = this.single();
+    return this.take("^") ? math("msup", base, bare(this.signed())) : base;
+  }
+  single() {
+    if (this.take("(")) {
+      const inner = this.sum();
+      this.take(")");
+      return inBrackets(inner);
+    }
+    const token = this.tokens.shift() ?? "";
+    if (/^[\d.]/.test(token)) return math("mn", token);
+    return this.take("(") ? this.call(token) : mathName(token);
+  }
+  call(name) {
+    const parts = [];
+    do parts.push(this.sum()); while (this.take(","));
+    this.take(")");
+    if (name === "D") return derivative(parts[0].textContent, parts[1]);
+    return functionsOfMath[name]?.(parts) ?? math("mrow", math("mi", name), inBrackets(parts[0]));
+  }
+}
+
+// Without brackets that a bar or a raised place makes needless.
+function bare(node) {
+  const [open, inner, close] = node.childNodes;
+  return node.nodeName === "mrow" && open?.textContent === "(" && close?.textContent === ")" && node.childNodes.length === 3 ? inner : node;
+}
+
+const formula = (text) => new FormulaSetter(text).sum();
+
+// Sum of coefficient D^order unknown = rhs.
+function equation({ unknown, terms, rhs }) {
+  const left = terms.flatMap(([coefficient, order], i) => {
+    const parts = [...(i ? [math("mo", "+")] : [])];
+    if (coefficient !== "1") parts.push(/[+-]/.test(coefficient.slice(1)) ? inBrackets(formula(coefficient)) : formula(coefficient));
+    return [...parts, derivative(unknown, formula(order))];
+  });
+  const whole = math("math", math("mrow", ...left, math("mo", "="), formula(rhs)));
+  whole.setAttribute("display", "block");
+  whole.setAttribute("alttext", `${terms.map(([coefficient, order]) => `${coefficient} D^${order} ${unknown}`).join(" + ")} = ${rhs}`);
+  return whole;
+}

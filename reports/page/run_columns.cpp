@@ -1,0 +1,61 @@
+#include "page/run_columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "page/chart_number.hpp"
+
+namespace fde {
+namespace {
+
+using nlohmann::json;
+
+// Beside the errors.
+constexpr std::array<std::string_view, 5> quantities{"time_minimum", "time_median", "energy_residual",
+                                                     "drift_internal", "drift_independent"};
+
+json number(const std::optional<double>& value) { return value ? json(in_chart(*value)) : json(); }
+
+json asked(const MeasuredRun& run) {
+  const auto* accuracy = std::get_if<Accuracy>(&run.key.setup.resolution);
+  return accuracy != nullptr ? json(accuracy->relative) : json();
+}
+
+}  // namespace
+
+json run_columns(const PageInput& page, const std::vector<const MeasuredRun*>& runs) {
+  json columns;
+  const auto add = [&](const std::string& name, const std::function<json(const MeasuredRun&)>& of) {
+    json column = json::array();
+    for (const MeasuredRun* run : runs) column.push_back(of(*run));
+    if (std::ranges::any_of(column, [](const json& value) { return !value.is_null(); }))
+      columns[name] = column;
+  };
+  std::vector<std::string> lines;
+  add("line", [&](const MeasuredRun& run) {
+    const auto found = std::ranges::find(lines, page.label(run.key));
+    if (found != lines.end()) return json(found - lines.begin());
+    lines.push_back(page.label(run.key));
+    return json(lines.size() - 1);
+  });
+  columns["lines"] = lines;
+  add("steps", [](const MeasuredRun& run) { return json(run.steps); });
+  add("h", [](const MeasuredRun& run) { return json(in_chart(run.h)); });
+  add("asked", asked);
+  for (const ErrorKind& kind : error_kinds()) {
+    const auto name = error_measure(kind);
+    add(std::string(name), [&](const MeasuredRun& run) { return number(run[name]); });
+  }
+  for (const auto name : quantities)
+    add(std::string(name), [&](const MeasuredRun& run) { return number(run[name]); });
+  add("wall_clock", [](const MeasuredRun& run) { return run.wall_clock ? json(true) : json(); });
+  if (page.sessions.size() > 1) add("session", [](const MeasuredRun& run) { return json(run.session + 1); });
+  return columns;
+}
+
+}  // namespace fde

@@ -1,0 +1,67 @@
+"use strict";
+
+// Runs arrive as columns, and are shown as points that know all that is known of them.
+
+const fewDigits = (value) => value.toExponential(1).replace("e+", "e");
+
+function timeText(seconds) {
+  const [size, unit] = [[1, "s"], [1e-3, "ms"], [1e-6, "µs"]].find(([least]) => seconds >= least) ?? [1e-9, "ns"];
+  const number = seconds / size;
+  return `${number < 100 ? number.toPrecision(3) : number.toFixed(0)} ${unit}`;
+}
+
+// A row for each run, { line, steps, ... }, without what it does not have.
+function rowsOf({ lines, ...columns }) {
+  const names = Object.keys(columns);
+  return columns.steps.map((_, i) => {
+    const row = Object.fromEntries(names.filter((name) => columns[name][i] !== null).map((name) => [name, columns[name][i]]));
+    return { ...row, line: lines[row.line] };
+  });
+}
+
+// The slope between a run and the next coarser one of its line.
+function rateBetween(coarse, fine, error) {
+  if (!(coarse?.[error] > 0) || !(fine[error] > 0) || coarse.line !== fine.line || fine.asked || coarse.h === fine.h) return undefined;
+  return Math.log(coarse[error] / fine[error]) / Math.log(coarse.h / fine.h);
+}
+
+// What a point's tooltip says, a name and a text each.
+function wordsOf(row, coarser, kind, kinds, parameter) {
+  const words = { title: row.line };
+  const add = (name, value, text) => {
+    if (value !== undefined) words[name] = text(value);
+  };
+  const time = (seconds) => timeText(seconds) + (row.wall_clock ? " of the wall clock" : "");
+  if (parameter) add(parameter, row.value, String);
+  add("asked", row.asked, fewDigits);
+  add("N", row.steps, String);
+  add("h", row.h, (h) => String(Number(h.toPrecision(3))));
+  add("energy residual", row.energy_residual, fewDigits);
+  add("internal drift", row.drift_internal, fewDigits);
+  add("independent drift", row.drift_independent, fewDigits);
+  add("time", row.time_minimum, time);
+  add("median time", row.time_median, time);
+  add(`rate from N = ${coarser?.steps}`, rateBetween(coarser, row, kind.id), (rate) => rate.toFixed(2));
+  add("session", row.session, String);
+  for (const { id, title } of kinds) add(title, row[id], fewDigits);
+  return words;
+}
+
+// The points of a section for a kind of error.
+function pointsOf(section, kind, kinds) {
+  const rows = rowsOf(section.runs);
+  return rows.map((row, i) => ({
+    ...row, error: row[kind.id], ratio: row[kind.id] / row.asked,
+    words: wordsOf(row, section.parameter ? undefined : rows[i - 1], kind, kinds, section.parameter),
+  }));
+}
+
+// Lines of theoretical slope, each from a line's finest point to its coarsest step.
+function guidesOf(points, rates, { norm }) {
+  return rates.filter((rate) => rate[norm] !== undefined).flatMap((rate) => {
+    const line = points.filter((point) => point.line === rate.line);
+    const [coarsest, finest] = [line[0], line.at(-1)];
+    if (!(finest?.error > 0)) return [];
+    return [finest.h, coarsest.h].map((h) => ({ line: rate.line, h, error: finest.error * (h / finest.h) ** rate[norm] }));
+  });
+}

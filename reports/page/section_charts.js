@@ -1,0 +1,81 @@
+// The charts of a section, each { id, title, points, columns, spec }: the columns are those of its table.
+
+function errorAgainstTime(scene, lines, kind) {
+  const points = scene.points.filter((point) => point.error && point.time_minimum);
+  const encoding = { x: logAxis(points, "time_minimum", "run time", labels.time), y: logAxis(points, "error", kind.title, labels.number) };
+  return {
+    id: "error-against-time", title: "Error against run time", points, columns: ["line", "steps", "asked", "time_minimum", "error"],
+    spec: chart(`${scene.title}: ${kind.title} against run time, a line for each scheme`, points,
+      { layer: lineLayers(encoding, lines, points) }),
+  };
+}
+
+// Dashed lines have the slope that theory promises. A scheme that chooses its steps has no step to speak of.
+function errorAgainstStep(scene, lines, kind) {
+  const points = scene.points.filter((point) => point.error && !point.asked);
+  const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "error", kind.title, labels.number) };
+  const guides = {
+    data: { values: guidesOf(points, scene.rates, kind) },
+    mark: { type: "line", strokeDash: [4, 4], strokeWidth: 1 }, encoding: { ...encoding, ...lineChannels(lines, points).colour },
+  };
+  return {
+    id: "error-against-step", title: "Error against step; dashed: theoretical rate", points, columns: ["line", "steps", "h", "error"],
+    spec: chart(`${scene.title}: ${kind.title} against step, a line for each scheme and dashed its theoretical rate`, points,
+      { layer: [guides, ...lineLayers(encoding, lines, points)] }),
+  };
+}
+
+// On the diagonal a scheme delivers what it is asked for; the band is within a factor of ten.
+function deliveredAgainstAsked(scene, lines, kind) {
+  const points = scene.points.filter((point) => point.error && point.asked);
+  const ends = [Math.min, Math.max].map((end) => end(...points.map((point) => point.asked)));
+  const diagonal = { values: ends.map((error) => ({ asked: error, error, low: error / 10, high: error * 10 })) };
+  const all = [...points, ...diagonal.values.map(({ asked, low, high }, end) => ({ asked, error: end ? high : low }))];
+  const both = { x: logAxis(all, "asked", "accuracy asked", labels.number), y: logAxis(all, "error", `${kind.title} delivered`, labels.number) };
+  const mark = { color: ofPage("--quiet"), tooltip: false, clip: true };
+  const guides = [
+    { data: diagonal, mark: { ...mark, type: "area", opacity: 0.15 }, encoding: { x: both.x, y: { ...both.y, field: "low" }, y2: { field: "high" } } },
+    { data: diagonal, mark: { ...mark, type: "line", strokeDash: [4, 4], strokeWidth: 1 }, encoding: both },
+  ];
+  return {
+    id: "delivered-against-asked", title: "Accuracy delivered against asked; band: a factor of ten", points,
+    columns: ["line", "asked", "error", "ratio", "steps", "time_minimum"], open: true,
+    spec: chart(`${scene.title}: ${kind.title} delivered against accuracy asked, a line for each scheme that takes one`, points,
+      { layer: [...guides, ...lineLayers(both, lines, points, "asked")] }),
+  };
+}
+
+function energyAgainstStep(scene, lines) {
+  const points = scene.points.filter((point) => point.energy_residual && !point.asked);
+  const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "energy_residual", "energy residual", labels.number) };
+  return {
+    id: "energy-against-step", title: "Residual of the energy balance against step", points, columns: ["line", "steps", "h", "energy_residual"],
+    spec: chart(`${scene.title}: largest residual of the energy balance against step, a line for each scheme`, points,
+      { layer: lineLayers(encoding, lines, points) }),
+  };
+}
+
+// What is named by a field, over the parameter of the section.
+function overParameter(id, field, labelExpr, nameOf) {
+  return (section, lines, kind) => {
+    const name = nameOf(kind);
+    const points = section.points.filter((point) => point[field]);
+    const encoding = { x: parameterAxis(points, section.parameter), y: logAxis(points, field, name, labelExpr) };
+    return {
+      id, title: `${name[0].toUpperCase()}${name.slice(1)} over ${section.parameter}`, points, columns: ["line", "value", "steps", field],
+      spec: chart(`${section.title}: ${name}, a line for each scheme`, points, { layer: lineLayers(encoding, lines, points, "value") }),
+    };
+  };
+}
+
+const chartsOfScenes = [errorAgainstTime, errorAgainstStep, deliveredAgainstAsked, energyAgainstStep];
+const chartsOfCurves = [
+  overParameter("error-over-parameter", "error", labels.number, (kind) => kind.title), overParameter("time-over-parameter", "time_minimum", labels.time, () => "run time"),
+];
+
+// The charts of a scene, or over a parameter, that have points, with errors of this kind and the lines that are wanted.
+function chartsOf(scene, lines, kind, kinds, wants) {
+  const drawn = { ...scene, points: pointsOf(scene, kind, kinds).filter(({ line }) => wants(line)) };
+  return (scene.parameter ? chartsOfCurves : chartsOfScenes)
+    .map((make) => make(drawn, lines, kind)).filter((made) => made.points.length > 0);
+}

@@ -1,0 +1,47 @@
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "page/page_data.hpp"
+#include "scenes/registry.hpp"
+
+namespace fde {
+namespace {
+
+using nlohmann::json;
+
+std::string value_text(const Parameter& parameter, const SceneSettings& scene) {
+  const auto given = scene.values.find(parameter.name);
+  if (given != scene.values.end()) return text_of(given->second);
+  return parameter.derived.empty() ? text_of(parameter.value) : parameter.derived;
+}
+
+}  // namespace
+
+// As formulas: the page sets them.
+json equations_of(const SceneSettings& scene) {
+  json all = json::array();
+  const SceneMaker* maker = find_scene(scene.id);
+  if (maker == nullptr) return all;
+  for (const auto& [unknown, terms, rhs, initial] : maker->equations) {
+    json of_unknown = json::array();
+    for (const auto& [coefficient, order] : terms) of_unknown.push_back({coefficient, order});
+    all.push_back({{"unknown", unknown}, {"terms", of_unknown}, {"rhs", rhs}});
+  }
+  return all;
+}
+
+Table parameters_table(const SceneSettings& scene) {
+  Table table{.caption = "Parameters", .columns = {{"parameter"}, {"value"}, {"meaning"}}};
+  const SceneMaker* maker = find_scene(scene.id);
+  if (maker == nullptr || maker->parameters.empty()) return table;
+  RowGroup rows;
+  for (const Parameter& parameter : maker->parameters) {
+    Cell value{.text = value_text(parameter, scene)};
+    value.marked = scene.values.contains(parameter.name);
+    rows.rows.push_back({{.text = parameter.name}, value, {.text = parameter.meaning}});
+  }
+  table.groups.push_back(std::move(rows));
+  return table;
+}
+
+}  // namespace fde

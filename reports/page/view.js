@@ -1,0 +1,75 @@
+// What of the page is shown: a kind of error, an accuracy, scenes, schemes. It stands in the address behind the section, as in
+// #scene-pendulum?norm=end&schemes=l1,bdf4, so that a link restores it.
+
+const schemeOf = (line) => line.split(",")[0];
+const controls = Object.fromEntries(["norm", "scale", "accuracy", "scene"].map((name) => [name, document.getElementById(name)]));
+const unset = Object.fromEntries(Object.entries(controls).map(([name, control]) => [name, control.value]));
+const schemeBoxes = () => [...document.querySelectorAll("#schemes input")];
+
+const addressOf = () => {
+  const [place, view = ""] = decodeURIComponent(location.hash.slice(1)).split("?");
+  return { place, view: new URLSearchParams(view) };
+};
+
+function viewNow() {
+  const [chosen, boxes] = [schemeBoxes().filter((box) => box.checked), schemeBoxes()];
+  return {
+    ...Object.fromEntries(Object.entries(controls).map(([name, control]) => [name, control.value])),
+    schemes: chosen.length === 0 || chosen.length === boxes.length ? null : chosen.map((box) => box.value),
+  };
+}
+
+function writeAddress() {
+  const view = viewNow();
+  const said = Object.entries(view).filter(([name, value]) => name !== "schemes" && value !== unset[name]);
+  if (view.schemes) said.push(["schemes", view.schemes.join(",")]);
+  const text = said.map(([name, value]) => `${name}=${encodeURIComponent(value)}`).join("&");
+  const { place } = addressOf();
+  history.replaceState(null, "", `#${place}${text ? `?${text}` : ""}`);
+}
+
+function readAddress() {
+  const { view } = addressOf();
+  for (const [name, control] of Object.entries(controls)) control.value = view.get(name) ?? unset[name];
+  const schemes = view.get("schemes")?.split(",");
+  for (const box of schemeBoxes()) box.checked = schemes?.includes(box.value) ?? true;
+  sayHowManySchemes();
+}
+
+function sayHowManySchemes() {
+  const { schemes } = viewNow();
+  document.querySelector("#schemes summary").textContent = schemes ? `Schemes: ${schemes.length} of ${schemeBoxes().length}` : "Schemes: all";
+}
+
+function offerSchemes(lines) {
+  const all = element("button", { type: "button" }, "all"), none = element("button", { type: "button" }, "none");
+  const set = (checked) => () => {
+    for (const box of schemeBoxes()) box.checked = checked;
+    schemeBoxes()[0]?.dispatchEvent(new Event("change", { bubbles: true }));
+  };
+  all.addEventListener("click", set(true));
+  none.addEventListener("click", set(false));
+  const boxes = [...new Set(lines.map(schemeOf))].map((scheme) =>
+    element("label", {}, element("input", { type: "checkbox", value: scheme, checked: "" }), ` ${scheme}`));
+  document.querySelector("#schemes div").append(...boxes, all, none);
+}
+
+// Whether a section's scene is wanted; sections without one are.
+const wantsScene = ({ scene }, { runs, title, name }) =>
+  !runs || [title, name].some((text) => text.toLowerCase().includes(scene.trim().toLowerCase()));
+const wantsLine = ({ schemes }, line) => !schemes || schemes.includes(schemeOf(line));
+
+const accuracyName = /^≤ 1e-\d+$/;
+const wantsAccuracy = ({ accuracy }, text) => !accuracy || !accuracyName.test(text) || text === `≤ ${accuracy}`;
+
+// A table as this view shows it. sections: all of the page.
+function viewed(table, view, sections) {
+  const kept = table.columns.map((column, i) => i).filter((i) => wantsAccuracy(view, table.columns[i].text));
+  const unwanted = new Set(sections.filter((section) => !wantsScene(view, section)).flatMap(({ id, title }) => [id, title]));
+  const wantsRow = ([heading]) => wantsAccuracy(view, heading.text) && !unwanted.has(heading.to) && (!heading.line || wantsLine(view, heading.line));
+  const groups = table.groups.filter(({ title }) => !unwanted.has(title)).map(({ title, rows }) => ({
+    title, rows: rows.map((row) => row.map(cellOf)).filter(wantsRow)
+      .map((row) => kept.map((i) => ({ ...row[i], faint: Boolean(table.map && row[i].line && !wantsLine(view, row[i].line)) }))),
+  }));
+  return { ...table, columns: kept.map((i) => table.columns[i]), groups: groups.filter(({ rows }) => rows.length > 0) };
+}

@@ -1,0 +1,9 @@
+// One browser for all tests, two at a time.
+import { after, before, describe } from "node:test";
+import { start, stop } from "./browser.js";
+
+before(start);
+after(stop);
+describe("the page", { concurrency: 2 }, async () => {
+  for (const part of ["layout", "charts", "answers", "scene", "view", "figures", "broken"]) await import(`./${part}.test.js`);
+});

@@ -1,0 +1,54 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { RESULTS, settled, withPage } from "./browser.js";
+import { sectionOf } from "./charts.js";
+import { errorText, finished, isTrial, runsOf, scenesOf } from "./records.js";
+
+const runs = runsOf(RESULTS);
+
+const topOf = (heading) => heading.evaluate((node) => node.getBoundingClientRect().top);
+const near = (top) => assert.ok(top > -5 && top < 120, `the heading is at ${top} pixels`);
+
+test("the first screen has the answer of every scene, the cheapest run in each cell", () =>
+  withPage({}, async (page) => {
+    const table = page.locator("#answer table");
+    assert.equal(await table.locator("tbody tr").count(), scenesOf(runs).length);
+    assert.ok((await table.boundingBox()).y < 400);
+    const row = table.locator("tbody tr", { has: page.locator('th a[href="#scene-pendulum"]') });
+    for (const [column, accuracy] of [[0, 1e-2], [2, 1e-6]]) {
+      const within = finished(runs).filter((run) => run.scene === "pendulum" && run.error_maximum_mixed <= accuracy && !run.trivial_maximum_mixed);
+      const best = within.reduce((a, b) => (a.time_median < b.time_median ? a : b));
+      const cell = row.locator("td").nth(column);
+      assert.equal(await cell.locator("a").textContent(), best.scheme);
+      assert.match(await cell.getAttribute("title"), new RegExp(`^${best.scheme}: .*N = ${best.steps}, `));
+    }
+    const least = Math.min(...finished(runs).filter(({ scene }) => scene === "pendulum").map((run) => run.error_maximum_mixed));
+    assert.ok(least > 1e-12);
+    assert.equal(await row.locator("td").last().textContent(), `best ${errorText(least)}`);
+  }));
+
+test("a click in the map leads to the scene, and the way back to the map", () =>
+  withPage({}, async (page) => {
+    await page.locator('#answer td a[href="#scene-pendulum"]').first().click();
+    await settled(page);
+    assert.equal(new URL(page.url()).hash, "#scene-pendulum");
+    near(await topOf(sectionOf(page, "pendulum").locator("h2")));
+    await page.goBack();
+    near(await topOf(page.locator("#answer h2")) - 100);
+  }));
+
+test("a link to a scene opens there", () =>
+  withPage({ address: "#scene-loxodrome" }, async (page) => {
+    await settled(page);
+    near(await topOf(sectionOf(page, "loxodrome").locator("h2")));
+  }));
+
+test("trials have their verdict", () =>
+  withPage({ address: "#stability" }, async (page) => {
+    const trials = runs.filter(isTrial);
+    const cells = page.locator("#stability tbody td[data-tone]");
+    await cells.first().waitFor();
+    assert.equal(await cells.count(), trials.length);
+    const surviving = trials.filter((run) => run.ending === "finished" && run.error_relative <= 1e-2);
+    assert.equal(await page.locator('#stability td[data-tone="survives"]').count(), surviving.length);
+  }));

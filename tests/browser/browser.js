@@ -1,0 +1,60 @@
+// Pages in a headless browser. Whatever a test does, the page must not complain.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { chromium } from "playwright-core";
+
+export const { CHROMIUM, PAGE, RESULTS, SCREENSHOTS } = process.env;
+
+let browser;
+export async function start() {
+  browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-gpu"] });
+}
+export const stop = () => browser.close();
+
+function complaintsOf(page) {
+  const complaints = [];
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) complaints.push(message.text());
+  });
+  page.on("pageerror", (error) => complaints.push(error.message));
+  page.on("request", (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asks the network for ${request.url()}`);
+  });
+  return complaints;
+}
+
+// Opens the page and calls visit with it. address: what stands behind the file, "#scene-relaxation". changed: a text of the file and what
+// stands in its place.
+export async function withPage({ width = 1280, height = 900, dark = false, address = "", changed }, visit) {
+  const context = await browser.newContext({
+    viewport: { width, height }, colorScheme: dark ? "dark" : "light", reducedMotion: "reduce", acceptDownloads: true,
+  });
+  try {
+    const page = await context.newPage();
+    const complaints = complaintsOf(page);
+    if (changed) {
+      const text = readFileSync(PAGE, "utf8");
+      assert.ok(text.includes(changed[0]), `the page has no ${changed[0]}`);
+      await page.route("file://**/index.html", (route) => route.fulfill({ contentType: "text/html", body: text.replace(changed[0], () => changed[1]) }));
+    }
+    await page.goto(`file://${PAGE}${address}`);
+    await visit(page).catch((error) => {
+      error.message = [error.message, ...complaints].join("\n");
+      throw error;
+    });
+    assert.deepEqual(complaints, []);
+  } finally {
+    await context.close();
+  }
+}
+
+// Has every section drawn, as print does, and waits for the charts.
+export async function drawAll(page) {
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  await settled(page);
+}
+
+// All charts that were begun are there, as wide as their places.
+export async function settled(page) {
+  await page.waitForFunction(() => [...document.querySelectorAll("figure[data-chart] .chart")].every((chart) => chart.querySelector("svg .role-mark path")), null, { timeout: 20000 });
+}

@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""browser_test.py FDEBENCH FOLDER: makes a small page in FOLDER and tries it in Debian's Chromium. Exit code 77, for skipped, where
+Chromium, node or the packages of this folder are missing; ./setup.sh --tests installs them."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+PROGRAM, FOLDER = sys.argv[1], Path(sys.argv[2]).resolve()
+SKIPPED = 77
+
+# A second or two: closed forms and small references, of each kind of section one.
+SCHEMES = ["adams_pc", "l1", "product_trapezoidal", "bdf4", "spectral_collocation"]
+SWEEPS = [
+    ["relaxation:gamma=0.3", "relaxation", "relaxation:gamma=0.8", "pendulum", "loxodrome"],
+    ["relaxation:gamma=0.05", "stiff_relaxation"],  # trials
+]
+
+
+def fdebench(*words):
+    subprocess.run([PROGRAM, *map(str, words)], check=True, stdout=subprocess.DEVNULL)
+
+
+def results():
+    file = FOLDER / "results.jsonl"
+    file.unlink(missing_ok=True)
+    for scenes, steps in zip(SWEEPS, [["--steps", "64,128,256,512,1024", "--accuracy", "1e-3,1e-6,1e-9"], ["--steps", "4096"]]):
+        named = [word for kind, ids in (("--scene", scenes), ("--scheme", SCHEMES)) for id in ids for word in (kind, id)]
+        fdebench("run", *named, *steps, "--repeat", 1, "--out", file)
+    return file
+
+
+chromium = shutil.which("chromium") or shutil.which("chromium-browser")
+missing = [name for name, there in [
+    ("chromium", chromium), ("node", shutil.which("node")), ("the packages of tests/browser", (HERE / "node_modules" / ".package-lock.json").exists()),
+] if not there]  # fmt: skip
+if missing:
+    print(f"skipped without {', '.join(missing)}: ./setup.sh --tests installs them")
+    sys.exit(SKIPPED)
+shutil.rmtree(FOLDER, ignore_errors=True)
+screenshots = FOLDER / "screenshots"
+screenshots.mkdir(parents=True)
+file = results()
+fdebench("report", file, "--out", FOLDER)
+of_tests = {"PROGRAM": PROGRAM, "CHROMIUM": chromium, "PAGE": FOLDER / "index.html", "RESULTS": file, "SCREENSHOTS": screenshots}
+os.execvpe("node", ["node", "--test", str(HERE / "all.test.js")], {**os.environ, **{name: str(value) for name, value in of_tests.items()}})

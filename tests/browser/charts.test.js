@@ -1,0 +1,86 @@
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { drawAll, RESULTS, settled, withPage } from "./browser.js";
+import { checkCharts, sectionOf } from "./charts.js";
+import { errorText, finished, runsOf } from "./records.js";
+
+const runs = runsOf(RESULTS);
+const shown = "error_maximum_mixed"; // what the page begins with
+
+test("every chart has the marks of its records, and those of another norm and scale", () =>
+  withPage({}, async (page) => {
+    await drawAll(page);
+    await checkCharts(page, runs, shown);
+    await page.selectOption("#norm", "end");
+    await page.selectOption("#scale", "absolute");
+    await settled(page);
+    await checkCharts(page, runs, "error_end");
+    assert.match(await page.locator("#answer caption").textContent(), /scene and error at the end$/);
+  }));
+
+test("errors over a parameter have a point for each line and value", () =>
+  withPage({ address: "#curve-relaxation-gamma" }, async (page) => {
+    await settled(page);
+    const most = Math.max(...finished(runs).map(({ steps }) => steps));
+    const expected = finished(runs).filter((run) => run.scene.startsWith("relaxation") && run.steps === most);
+    for (const chart of ["error-over-parameter", "time-over-parameter"]) {
+      assert.equal(await page.locator(`#curve-relaxation-gamma figure[data-chart="${chart}"] .mark-symbol.role-mark path`).count(), expected.length, chart);
+    }
+  }));
+
+// A point that no other covers, in the middle of the window.
+const visiblePoint = (figure) =>
+  figure.evaluate((node) => {
+    node.scrollIntoView({ block: "center" });
+    for (const mark of node.querySelectorAll(".mark-symbol.role-mark path")) {
+      const { x, y, width, height } = mark.getBoundingClientRect();
+      const place = { x: x + width / 2, y: y + height / 2 };
+      if (document.elementFromPoint(place.x, place.y) === mark) return { ...place, line: mark.__data__.datum.line, steps: mark.__data__.datum.steps };
+    }
+    return null;
+  });
+
+test("hovering tells the run under the pointer", () =>
+  withPage({ address: "#scene-pendulum" }, async (page) => {
+    await settled(page);
+    for (const [scene, chart] of [["pendulum", "error-against-time"], ["loxodrome", "error-against-step"], ["pendulum", "energy-against-step"]]) {
+      const point = await visiblePoint(sectionOf(page, scene).locator(`figure[data-chart="${chart}"]`));
+      await page.mouse.move(point.x, point.y);
+      const run = finished(runs).find((one) => one.scene === scene && one.scheme === point.line && one.steps === point.steps);
+      const tooltip = page.locator("#vg-tooltip-element.visible");
+      await tooltip.waitFor();
+      assert.equal(await tooltip.locator("h2").textContent(), run.scheme);
+      const words = Object.fromEntries(await tooltip.locator("tr").evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent.replace(/:$/, "")))));
+      assert.equal(words.N, String(run.steps));
+      assert.equal(words["maximum error"], errorText(run.error_maximum));
+      assert.equal(words["relative error at the end"], errorText(run.error_end_relative));
+      await page.mouse.move(0, 0);
+    }
+  }));
+
+test("a click in the legend leaves one line bright", () =>
+  withPage({ address: "#scene-pendulum" }, async (page) => {
+    await settled(page);
+    const figure = sectionOf(page, "pendulum").locator('figure[data-chart="error-against-time"]');
+    const brightLines = () => figure.evaluate((node) => [...new Set([...node.querySelectorAll(".mark-symbol.role-mark path")]
+      .filter((mark) => Number(mark.getAttribute("opacity") ?? 1) > 0.5).map((mark) => mark.__data__.datum.line))].sort());
+    const all = await brightLines();
+    assert.ok(all.length > 2);
+    await figure.locator(".role-legend-label text", { hasText: /^l1$/ }).click();
+    await page.waitForTimeout(100);
+    assert.deepEqual(await brightLines(), ["l1"]);
+  }));
+
+test("the numbers behind a chart are a table and a file", () =>
+  withPage({ address: "#scene-pendulum" }, async (page) => {
+    await settled(page);
+    const figure = sectionOf(page, "pendulum").locator('figure[data-chart="delivered-against-asked"]');
+    const asked = finished(runs).filter((run) => run.scene === "pendulum" && run.asked);
+    const rows = await figure.locator("tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+    assert.deepEqual(rows.map((row) => row.slice(0, 3)), asked.map((run) => [run.scheme, errorText(run.asked), errorText(run[shown])]));
+    const [download] = await Promise.all([page.waitForEvent("download"), figure.locator(".numbers > a").click()]);
+    const lines = readFileSync(await download.path(), "utf8").trim().split("\n").map((line) => line.split(","));
+    assert.deepEqual(lines[0], ["scheme", "asked", "mixed maximum error", "ratio", "N", "run time in s"]);
+    assert.deepEqual(lines.slice(1).map(([, , error, , steps]) => [Number(error).toPrecision(4), steps]), asked.map((run) => [run[shown].toPrecision(4), String(run.steps)]));
+  }));

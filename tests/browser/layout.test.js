@@ -1,0 +1,39 @@
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { test } from "node:test";
+import { drawAll, SCREENSHOTS, settled, withPage } from "./browser.js";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+const widerThanTheWindow = (page) =>
+  page.evaluate(() => [...document.querySelectorAll("body *")]
+    .filter((node) => node.getBoundingClientRect().right > innerWidth + 1 && !node.closest(".frame, nav, svg, details:not([open])"))
+    .map((node) => `${node.tagName} ${node.className}: ${node.textContent.slice(0, 40)}`).slice(0, 5));
+
+// What axe-core calls serious or critical: labels, contrast, roles, what a keyboard reaches. Of charts the frame, not each mark.
+async function violations(page) {
+  const found = await page.evaluate(() => globalThis.axe.run({ exclude: [["svg.marks > g"]] }, { resultTypes: ["violations"] }));
+  return found.violations.filter(({ impact }) => ["serious", "critical"].includes(impact))
+    .map(({ id, nodes }) => `${id}: ${nodes.length} times, ${nodes[0].target} ${nodes[0].failureSummary}`);
+}
+
+for (const dark of [false, true]) {
+  const colours = dark ? "dark" : "light";
+  test(`nothing is cut off, and everyone can read it: ${colours}`, () =>
+    withPage({ dark, address: "#scene-pendulum" }, async (page) => {
+      await page.evaluate(axe);
+      await (dark ? settled : drawAll)(page);
+      for (const width of dark ? [1280, 400] : [1280, 700, 400]) {
+        await page.setViewportSize({ width, height: 900 });
+        await page.evaluate(() => scrollTo(0, 0));
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+        assert.deepEqual(await widerThanTheWindow(page), [], `at ${width} pixels`);
+        await settled(page);
+        await page.screenshot({ path: join(SCREENSHOTS, `first_${width}_${colours}.png`) });
+        await page.locator('[id="scene-pendulum"]').screenshot({ path: join(SCREENSHOTS, `scene_${width}_${colours}.png`) });
+        if (width === (dark ? 1280 : 400)) assert.deepEqual(await violations(page), [], `at ${width} pixels`);
+      }
+    }));
+}

@@ -1,0 +1,37 @@
+// What the results file says should be on the page, read without the report.
+import { readFileSync } from "node:fs";
+
+const labelOf = (scene, settings = {}) =>
+  [scene, Object.entries(settings).map(([name, value]) => `${name}=${value}`).join(",")].filter(Boolean).join(":");
+
+// A trial has as many steps as no other run of these results.
+const trialSteps = 4096;
+
+// Each run once: {scene, scheme, steps, asked, ending, <quantity>: value, ...}.
+export function runsOf(file) {
+  const runs = new Map();
+  for (const line of readFileSync(file, "utf8").trim().split("\n")) {
+    const row = JSON.parse(line);
+    if (!row.quantity) continue;
+    const scene = labelOf(row.scene, row.settings);
+    const key = JSON.stringify([scene, row.scheme, row.accuracy ?? row.steps]);
+    if (!runs.has(key)) runs.set(key, { scene, scheme: row.scheme, steps: row.steps, h: row.h, asked: row.accuracy?.relative });
+    Object.assign(runs.get(key), { [row.quantity]: row.value, ...(row.ending && { ending: row.ending }) });
+  }
+  return [...runs.values()];
+}
+
+export const isTrial = (run) => run.steps === trialSteps;
+export const finished = (runs) => runs.filter((run) => run.ending === "finished" && !isTrial(run));
+export const scenesOf = (runs) => [...new Set(finished(runs).map(({ scene }) => scene))];
+
+// As the page writes them.
+export const errorText = (value) => value.toExponential(1).replace("e+", "e");
+
+// The runs that each chart of a scene draws, by the quantity of the error that is shown.
+export const drawn = {
+  "error-against-time": (runs, error) => runs.filter((run) => run[error] > 0 && run.time_minimum > 0),
+  "error-against-step": (runs, error) => runs.filter((run) => run[error] > 0 && !run.asked),
+  "delivered-against-asked": (runs, error) => runs.filter((run) => run[error] > 0 && run.asked),
+  "energy-against-step": (runs) => runs.filter((run) => run.energy_residual > 0 && !run.asked),
+};

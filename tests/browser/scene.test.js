@@ -1,0 +1,29 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { RESULTS, settled, withPage } from "./browser.js";
+import { sectionOf } from "./charts.js";
+import { finished, runsOf } from "./records.js";
+
+const runs = runsOf(RESULTS);
+
+test("a scene has its equation, its solution and a conclusion", () =>
+  withPage({ address: "#scene-pendulum" }, async (page) => {
+    await settled(page);
+    const section = sectionOf(page, "pendulum");
+    assert.equal(await section.locator("math").count(), 1);
+    assert.equal((await section.locator("math").textContent()).replaceAll(/\s/g, ""), "φ″+μταDαφ+λτφ′+ντβDβφ=−gLsin(φ)");
+    assert.ok((await section.locator("math").boundingBox()).height > 20);
+    const lines = await section.locator('figure[data-chart="solution"] .mark-line.role-mark path').evaluateAll((paths) => paths.map((path) => path.getAttribute("d").length));
+    assert.equal(lines.length, 4);
+    assert.ok(lines.every((length) => length > 1000));
+    assert.match(await section.locator('figure[data-chart="phase-portrait"] figcaption').textContent(), /^dphi against phi/);
+    const within = finished(runs).filter((run) => run.scene === "pendulum" && run.error_maximum_mixed <= 1e-6);
+    const best = within.reduce((a, b) => (a.time_median < b.time_median ? a : b));
+    assert.match(await section.locator(".conclusion").textContent(), new RegExp(`${best.scheme} (from|to) 1e-\\d`));
+  }));
+
+test("a scene without a declared equation has none", () =>
+  withPage({ address: "#scene-loxodrome" }, async (page) => {
+    await settled(page);
+    assert.equal(await sectionOf(page, "loxodrome").locator("math").count(), 0);
+  }));
