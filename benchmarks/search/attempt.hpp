@@ -23,7 +23,7 @@ struct Way {
 
 // One run of a way.
 struct Attempt {
-  int steps = 0;                  // of the grid, or those taken
+  int steps = 0;                                           // of the grid, or those taken
   std::optional<double> asked{};                           // accuracy, of a scheme that chooses its steps
   double error = std::numeric_limits<double>::infinity();  // infinite: it did not come to its end
   double trivial = 0.0;                                    // that y = 0 or y = y(0) has

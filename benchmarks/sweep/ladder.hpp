@@ -58,11 +58,12 @@ std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, E
 // Whether the rungs that are left cannot change an answer, so that the climb ends. One of all climbs of a
 // scene ends
 //   - at the top, or where its rung is hopeless;
-//   - where the next rung is forecast to take more than most_seconds, the start of a process not counted;
-//   - if it is one of steps, within the least error of the goal, or at the floor, in both norms;
-//   - likewise from the fifth rung on, with which a rate is known, where each error not reached is out of its hopeful
+//   - where the next rung is forecast to take more than most_seconds, the start of a process not counted.
+// One of steps ends, too,
+//   - within the least error of the goal, or at the floor, in both norms;
+//   - from the fifth rung on, with which a rate is known, where each error not reached is out of its hopeful
 //     reach, or another climb is within it in less time, by its measured or its forecast seconds;
-//   - and from the fifth rung on, where a climb listed before has the same errors to the last bit: both schemes
+//   - from the fifth rung on, where a climb listed before has the same errors to the last bit: both schemes
 //     are one algorithm on this scene.
 // Without a goal only at the top.
 bool has_ended(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb);
