@@ -27,9 +27,10 @@ const std::array<double, stages>& points() {
 // The values at places of 1, w, w^2, one row a place.
 Square powers_at(const std::array<double, stages>& places) {
   Square result;
-  for (Eigen::Index i = 0; i < stages; ++i)
+  for (Eigen::Index i = 0; i < stages; ++i) {
     for (Eigen::Index m = 0; m < stages; ++m)
       result(i, m) = std::pow(places[static_cast<std::size_t>(i)], static_cast<double>(m));
+  }
   return result;
 }
 
@@ -108,9 +109,10 @@ void RadauSteps::prepare(double t) {
     if (!rows_[r]) continue;
     const auto& kernel = kernels_[rows_[r]->kernel];
     weights_[r] = kernel.unit * kernel.weights;
-    for (Eigen::Index i = 0; i < stages; ++i)
+    for (Eigen::Index i = 0; i < stages; ++i) {
       past_(static_cast<Eigen::Index>(r), i) += kernel.integrals.integral(
           kernel.to_stage[static_cast<std::size_t>(i)], rows_[r]->function, Polynomial::Zero());
+    }
   }
 }
 

@@ -73,10 +73,12 @@ class SparseStageMatrix final : public StageMatrix {
     for (Eigen::Index outer = 0; outer < jacobian.outerSize(); ++outer) {
       for (SparseMatrix::InnerIterator entry(jacobian, outer); entry; ++entry) {
         const auto& of_row = weights[static_cast<std::size_t>(entry.row())];
-        for (Eigen::Index i = 0; i < stages; ++i)
-          for (Eigen::Index j = 0; j < stages; ++j)
+        for (Eigen::Index i = 0; i < stages; ++i) {
+          for (Eigen::Index j = 0; j < stages; ++j) {
             entries.emplace_back(i * size + entry.row(), j * size + entry.col(),
                                  -of_row(i, j) * entry.value());
+          }
+        }
       }
     }
     matrix_.resize(stages * size, stages * size);
