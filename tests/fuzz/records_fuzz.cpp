@@ -1,6 +1,8 @@
 // A results file of any bytes: read, or refused in one line; the page and the advice made of what was read
 // have no number that is none, and the file can be continued.
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -15,11 +17,17 @@ namespace {
 
 using namespace fde;
 
+// What a run does not have is null in its column; a number that is none would be written as the same.
+bool all_finite(const nlohmann::json& value) {
+  if (value.is_number_float()) return std::isfinite(value.get<double>());
+  return !value.is_structured() || std::ranges::all_of(value, all_finite);
+}
+
 void show(const Results& results) {
-  const std::string page = page_data(read_runs(results)).dump();
+  const auto data = page_data(read_runs(results));
+  const std::string page = data.dump();
   fuzz::require(!fuzz::shows_no_number(page), "numbers on the page", page);
-  fuzz::require(page.find(":null") == std::string::npos && page.find("[null") == std::string::npos,
-                "numbers of the charts are finite", page);
+  fuzz::require(all_finite(data), "numbers of the charts are finite", page);
   if (results.records.empty()) return;
   for (const double accuracy : {1e-3, 1e-12}) {
     for (const ErrorKind& kind : error_kinds()) {
