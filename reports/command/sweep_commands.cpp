@@ -29,10 +29,15 @@ namespace {
 constexpr int most_repeats = 1000;
 constexpr Repeats of_default_sweep{.least_seconds = 0.003, .enough_seconds = 0.1};
 
+// Seconds after which a run ends: where steps or accuracies are listed; in a thorough sweep; in another,
+// times what an answer may take. Schemes that choose their steps may take very many where they do not fit.
+constexpr auto usual_budget = "600";
+constexpr double thorough_budget = 60.0, far_from_an_answer = 20.0;
+
 struct SweepArguments {
   std::vector<std::string> scenes, settings, schemes, externals;
   std::optional<std::string> steps, accuracies;
-  MeansArguments means{.budget = "600"};
+  MeansArguments means{.budget = usual_budget};
   std::string repeats = "3";
   std::optional<std::string> out;
   std::optional<std::string> shard;
@@ -98,6 +103,10 @@ Sweep sweep_of(const SweepArguments& arguments, const Scenes& known) {
   if (sweep.optimal_grids && !sweep.programs.empty())
     reject_text("--grid", arguments.means.grid, "uniform or graded:R beside --external");
   if (sweep.ladder.goal) sweep.repeats = of_default_sweep;
+  const bool listed = arguments.steps || arguments.accuracies;
+  if (!listed && arguments.means.budget == usual_budget)
+    sweep.setup.budget =
+        sweep.ladder.goal ? far_from_an_answer * sweep.ladder.goal->most_seconds : thorough_budget;
   sweep.repeats.most = parse_count("--repeat", arguments.repeats, 1, most_repeats);
   return sweep;
 }
