@@ -163,7 +163,7 @@ class March {
   // Leads over a switch that is next to the last time taken, and begins anew. A run that is back there at
   // once slides along the switch: it has no solution beyond.
   bool switch_over() {
-    const double t = time_ + 2.0 * at_switch();
+    const double t = std::min(time_ + 2.0 * at_switch(), problem_.end);
     if (switched_at_ == time_) {
       run_.fail(Ending::not_converged, t);
       return false;
