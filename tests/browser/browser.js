@@ -3,6 +3,8 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { chromium } from "playwright-core";
 
+const patience = 120_000; // milliseconds; a busy machine draws slowly
+
 export const { CHROMIUM, PAGE, RESULTS, SCREENSHOTS } = process.env;
 
 let browser;
@@ -31,6 +33,7 @@ export async function withPage({ width = 1280, height = 900, dark = false, addre
   });
   try {
     const page = await context.newPage();
+    page.setDefaultTimeout(patience);
     const complaints = complaintsOf(page);
     if (changed) {
       const text = readFileSync(PAGE, "utf8");
@@ -56,5 +59,5 @@ export async function drawAll(page) {
 
 // All charts that were begun are there, as wide as their places.
 export async function settled(page) {
-  await page.waitForFunction(() => [...document.querySelectorAll("figure[data-chart] .chart")].every((chart) => chart.querySelector("svg .role-mark path")), null, { timeout: 20000 });
+  await page.waitForFunction(() => [...document.querySelectorAll("figure[data-chart] .chart")].every((chart) => chart.querySelector("svg .role-mark path")), null, { timeout: patience });
 }
