@@ -76,9 +76,10 @@ class Probe {
 
   [[nodiscard]] Rung rung_of(const Accuracy& asked) const {
     Rung rung{.hopeless = refused_};
-    if (!failed_)
+    if (!failed_) {
       rung.seconds =
           seconds_ * std::pow(longer_, std::log10(fine_ / std::max(asked.relative, asked.absolute)));
+    }
     return rung;
   }
 

@@ -97,16 +97,18 @@ Sweep sweep_of(const SweepArguments& arguments, const Scenes& known) {
               .ladder = chosen_ladder(arguments),
               .setup = parse_means(arguments.means),
               .optimal_grids = asks_optimal_grading(arguments.means)};
-  if (arguments.accuracies && !arguments.steps && arguments.means.grid != MeansArguments{}.grid)
+  if (arguments.accuracies && !arguments.steps && arguments.means.grid != MeansArguments{}.grid) {
     reject_text("--grid", arguments.means.grid,
                 "with --steps: schemes that take --accuracy choose their times");
+  }
   if (sweep.optimal_grids && !sweep.programs.empty())
     reject_text("--grid", arguments.means.grid, "uniform or graded:R beside --external");
   if (sweep.ladder.goal) sweep.repeats = of_default_sweep;
   const bool listed = arguments.steps || arguments.accuracies;
-  if (!listed && arguments.means.budget == usual_budget)
+  if (!listed && arguments.means.budget == usual_budget) {
     sweep.setup.budget =
         sweep.ladder.goal ? far_from_an_answer * sweep.ladder.goal->most_seconds : thorough_budget;
+  }
   sweep.repeats.most = parse_count("--repeat", arguments.repeats, 1, most_repeats);
   return sweep;
 }

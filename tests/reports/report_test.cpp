@@ -16,6 +16,7 @@
 #include "analysis/line_rates.hpp"
 #include "analysis/recommendation.hpp"
 #include "analysis/text.hpp"
+#include "page/page_data.hpp"
 #include "reports/made_results.hpp"
 #include "reports/page_section.hpp"
 
