@@ -92,6 +92,7 @@ SweepProgress::SweepProgress(const Streams& streams, Forecast expected, bool cou
 }
 
 SweepProgress::~SweepProgress() {
+  const std::scoped_lock lock(mutex_);
   if (line_is_open_) streams_.err << std::endl;
 }
 
