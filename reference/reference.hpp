@@ -21,11 +21,16 @@ struct Decimal {
   std::string bound;
 };
 
+// What a reference rests on. The first two state bounds; of two methods that share no line the difference
+// is what is said.
+enum class Evidence { closed_form, laplace_transform, two_methods };
+
 // A known solution as a function of time, in double and to any number of decimal digits.
 // Parameters and times are read as the shortest decimals that name them, so 0.1 means one tenth here.
 struct Reference {
   std::function<ReferenceValue(double t)> at;
   std::function<std::vector<Decimal>(double t, int digits)> digits{};  // empty: double is all there is
+  Evidence evidence = Evidence::closed_form;
 };
 
 }  // namespace fde

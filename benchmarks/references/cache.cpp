@@ -113,8 +113,10 @@ PanelTable table_of(const Problem& problem) {
 }
 
 Reference from_table(PanelTable table, const Problem& problem) {
-  if (two_sided(problem)) return two_sided_reference(std::move(table), problem);
-  return table_reference(std::move(table), problem);
+  Reference reference = two_sided(problem) ? two_sided_reference(std::move(table), problem)
+                                           : table_reference(std::move(table), problem);
+  reference.evidence = Evidence::two_methods;
+  return reference;
 }
 
 }  // namespace

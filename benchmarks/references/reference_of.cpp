@@ -10,12 +10,14 @@ namespace {
 
 Reference through(const Outputs& outputs, Reference components) {
   if (!outputs.of) return components;
-  return {[outputs, components = std::move(components)](double t) -> ReferenceValue {
-    const ReferenceValue known = components.at(t);
-    Vec columns = columns_at(outputs, t, known.value);
-    Vec bound = bound_of_columns(outputs, t, known, columns);
-    return {std::move(columns), std::move(bound)};
-  }};
+  const auto evidence = components.evidence;
+  return {.at = [outputs, components = std::move(components)](double t) -> ReferenceValue {
+            const ReferenceValue known = components.at(t);
+            Vec columns = columns_at(outputs, t, known.value);
+            Vec bound = bound_of_columns(outputs, t, known, columns);
+            return {std::move(columns), std::move(bound)};
+          },
+          .evidence = evidence};
 }
 
 }  // namespace

@@ -158,6 +158,7 @@ Evaluation linear_evaluation(const char* name, std::function<LinearTransform()> 
 
 Reference linear_reference(const Evaluation& evaluation) {
   Reference reference = as_reference(evaluation);
+  reference.evidence = Evidence::laplace_transform;
   reference.at = [at = std::move(reference.at)](double t) {
     ReferenceValue known = at(t);
     require_bounds(known, t);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
+#include <string_view>
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
@@ -34,6 +35,13 @@ std::vector<std::string> capabilities(const Scene& scene) {
   if (scene.energy) names.emplace_back("energy");
   if (scene.constraint) names.emplace_back("constraint");
   return names;
+}
+
+// What its errors are measured against.
+std::string_view evidence_of(const Scene& scene) {
+  const auto evidence = scene.reference.at ? scene.reference.evidence : Evidence::two_methods;
+  if (evidence == Evidence::closed_form) return "closed form";
+  return evidence == Evidence::laplace_transform ? "inverse Laplace transform" : "two methods";
 }
 
 // Names one by one; many that count on, u1, u2, ..., as their pattern.
@@ -68,7 +76,8 @@ Json describe(const SceneMaker& maker) {
           {"parameters", parameters},
           {"end", scene.problem.end},
           {"columns", describe(scene.outputs.names)},
-          {"has", capabilities(scene)}};
+          {"has", capabilities(scene)},
+          {"reference", evidence_of(scene)}};
 }
 
 Json needs_of(const Scheme& scheme) {
@@ -151,14 +160,18 @@ std::vector<Row> needs_of_all(std::span<const Scheme> known) {
 // Everything about one: a fact a line, the parameters as in the list of all.
 void print_one(const SceneMaker& maker, std::ostream& out) {
   const Scene scene = make_known_scene(maker);
-  std::vector<std::string> fitting;
+  std::vector<std::string> over_grids, to_accuracies;
   for (const auto& scheme : schemes()) {
-    if (scene.refusal.empty() && !refusal(scheme, scene.problem, Grid{scene.problem.end, 1024}))
-      fitting.emplace_back(scheme.id);
+    if (!scene.refusal.empty()) break;
+    if (!refusal(scheme, scene.problem, Grid{scene.problem.end, 1024})) over_grids.emplace_back(scheme.id);
+    if (!refusal(scheme, scene.problem, Accuracy{1e-6, 1e-6})) to_accuracies.emplace_back(scheme.id);
   }
-  out << fmt::format("{}: {}\nsource: {}\nend: {}\ncolumns: {}\nhas: {}\nschemes: {}\n", maker.id,
-                     maker.title, maker.source, scene.problem.end, column_text(scene.outputs.names),
-                     fmt::join(capabilities(scene), ", "), fmt::join(fitting, ", "));
+  out << fmt::format(
+      "{}: {}\nsource: {}\nend: {}\ncolumns: {}\nhas: {}\nreference: {}\nschemes: {}\n"
+      "schemes that take an accuracy: {}\n",
+      maker.id, maker.title, maker.source, scene.problem.end, column_text(scene.outputs.names),
+      fmt::join(capabilities(scene), ", "), evidence_of(scene), fmt::join(over_grids, ", "),
+      fmt::join(to_accuracies, ", "));
   if (!maker.parameters.empty()) {
     std::vector<Row> rows{{"parameter", "default", "allowed", "meaning"}};
     for (const auto& parameter : maker.parameters)
@@ -166,9 +179,14 @@ void print_one(const SceneMaker& maker, std::ostream& out) {
     out << '\n';
     print_table(rows, out);
   }
-  if (fitting.empty()) return;
-  out << fmt::format("\nfdebench solve {} --scheme {} --steps 1024 --at {}\n", maker.id, fitting.back(),
-                     scene.problem.end);
+  if (!over_grids.empty()) {
+    out << fmt::format("\nfdebench solve {} --scheme {} --steps 1024 --at {}\n", maker.id, over_grids.back(),
+                       scene.problem.end);
+  }
+  if (!to_accuracies.empty()) {
+    out << fmt::format("{}fdebench solve {} --scheme {} --accuracy 1e-6 --at {}\n",
+                       over_grids.empty() ? "\n" : "", maker.id, to_accuracies.front(), scene.problem.end);
+  }
 }
 
 void print_one(const Scheme& scheme, std::ostream& out) {

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "command/command.hpp"
 #include "records/results_file.hpp"
@@ -52,9 +55,27 @@ TEST(Lists, TellAllOfOne) {
   EXPECT_THAT(pendulum, StartsWith("pendulum: "));
   EXPECT_THAT(pendulum, HasSubstr("\ncolumns: phi, Dbeta_phi, dphi, Dalpha_phi\n"));
   EXPECT_THAT(pendulum, testing::ContainsRegex("\nbeta +0.5 +a number in .0, 1. +lower order of damping\n"));
-  const auto example = pendulum.substr(pendulum.rfind("fdebench solve") + std::string("fdebench ").size());
-  EXPECT_EQ(fdebench(example).code, 0) << example;
+  EXPECT_THAT(pendulum, HasSubstr("\nreference: two methods\n"));
+  EXPECT_THAT(pendulum, HasSubstr("\nschemes that take an accuracy: spectral_collocation, "));
+  const std::string program = "fdebench ";
+  std::vector<std::string> examples;
+  for (auto at = pendulum.find("fdebench solve"); at != std::string::npos;
+       at = pendulum.find("fdebench solve", at + 1))
+    examples.push_back(pendulum.substr(at, pendulum.find('\n', at) - at).substr(program.size()));
+  ASSERT_EQ(examples.size(), 2U) << "one over a grid, one to an accuracy";
+  for (const auto& example : examples) EXPECT_EQ(fdebench(example).code, 0) << example;
   EXPECT_THAT(fdebench("schemes l1").out, testing::ContainsRegex("implicit +yes\n"));
+}
+
+// A closed form and an inverse Laplace transform vouch by themselves.
+TEST(Lists, SayWhatVouchesForEveryScene) {
+  std::map<std::string, std::set<std::string>> of;
+  for (const auto& scene : nlohmann::json::parse(fdebench("scenes --json").out))
+    of[scene["reference"]].insert(scene["id"]);
+  EXPECT_THAT(of["closed form"], testing::IsSupersetOf({"power", "diethelm", "knife_edge"}));
+  EXPECT_THAT(of["inverse Laplace transform"],
+              testing::IsSupersetOf({"relaxation", "bagley_torvik", "fractional_constraint_2d"}));
+  EXPECT_THAT(of["two methods"], testing::IsSupersetOf({"pendulum", "brusselator", "isokinetic"}));
 }
 
 TEST(Lists, AreAlignedTables) {

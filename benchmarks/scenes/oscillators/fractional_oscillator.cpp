@@ -72,11 +72,14 @@ struct Oscillation {
 
 // q, f = q - g, g.
 Reference with_parts(const LoadedOscillator& of) {
-  return {[motion = of.motion(), oscillation = closed_form(Oscillation{of})](double t) -> ReferenceValue {
-    const auto [q, of_q] = motion.at(t);
-    const auto [g, of_g] = oscillation.at(t);
-    return {Eigen::Vector3d(q[0], q[0] - g[0], g[0]), Eigen::Vector3d(of_q[0], of_q[0] + of_g[0], of_g[0])};
-  }};
+  const auto motion = of.motion(), oscillation = closed_form(Oscillation{of});
+  return {.at = [motion, oscillation](double t) -> ReferenceValue {
+            const auto [q, of_q] = motion.at(t);
+            const auto [g, of_g] = oscillation.at(t);
+            return {Eigen::Vector3d(q[0], q[0] - g[0], g[0]),
+                    Eigen::Vector3d(of_q[0], of_q[0] + of_g[0], of_g[0])};
+          },
+          .evidence = motion.evidence};
 }
 
 Outputs parts(const LoadedOscillator& of) {
