@@ -9,14 +9,13 @@ Scheme spectral_collocation() {
           .source =
               "Brunner, Collocation Methods for Volterra Integral Equations (2004), chapter 6; the past "
               "as Greengard & Rokhlin, J. Comput. Phys. 73 (1987)",
-          .needs = {.takes_grid = false, .takes_accuracy = true, .implicit = true},
+          .needs = {.takes_grid = false, .takes_accuracy = true, .implicit = true, .algebraic_rows = true},
           .solve =
               [](const Problem& problem, const Resolution& resolution, const Options& options) {
                 return PanelMarch(problem, std::get<Accuracy>(resolution), options).solve();
               },
           .refuses = [](const Problem& problem) -> std::optional<std::string> {
             if (sparse(problem)) return "takes dense Jacobians only";
-            if (!problem.switches.empty()) return "does not locate where the right-hand side jumps with y";
             return std::nullopt;
           }};
 }

@@ -5,7 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "adaptive/dense_path.hpp"
 #include "adaptive/step_control.hpp"
+#include "problem/switches.hpp"
 #include "stepping/allowed_error.hpp"
 
 namespace fde {
@@ -72,7 +74,8 @@ class March {
     shortest_ = std::min(0.1 * first, std::numeric_limits<double>::epsilon() * ends.front());
     steps_ = make(run_, shortest_);
     control_ = StepControl(steps_->rate(), std::min(first, ends.front()));
-    for (const auto& one : problem.switches) sides_.push_back(one(0.0, run_.start()) > 0.0);
+    sides_ = sides(problem, 0.0, run_.start());
+    if (options.at.empty()) dense_ = std::make_shared<DensePath>(problem);
   }
 
   Trajectory solve() {
@@ -84,7 +87,9 @@ class March {
     }
     run_.cost().history_bytes = steps_->bytes();
     run_.cost().rejected_steps = rejected_;
-    return run_.finish();
+    auto path = run_.finish();
+    if (dense_ && time_ > 0.0) path.dense = [dense = dense_](double t) { return dense->at(t); };
+    return path;
   }
 
  private:
@@ -109,7 +114,7 @@ class March {
       }
       double error = steps_->attempt(run_, t);
       const double length = t - time_;
-      if (error < no_solution && sides(t, steps_->result()) != sides_) {
+      if (error < no_solution && sides(problem_, t, steps_->result()) != sides_) {
         if (length <= at_switch()) return switch_over();
         error = no_solution;
       }
@@ -155,20 +160,23 @@ class March {
   // Up to the first switch that is passed up to t where f goes on as on the step before. Infinite: none is.
   double time_to_switch(double t) {
     const auto ahead = [&](double at) { return steps_->continued(at); };
-    const auto switched = [&](double at, In y) { return sides(at, y) != sides_; };
+    const auto switched = [&](double at, In y) { return sides(problem_, at, y) != sides_; };
     if (problem_.switches.empty() || !switched(t, ahead(t))) return std::numeric_limits<double>::infinity();
     return change(switched, ahead, t).first - time_;
   }
 
-  // Leads over a switch that is next to the last time taken, and begins anew. A run that is back there at
-  // once slides along the switch: it has no solution beyond.
+  // Leads over a switch that is next to the last time taken, and begins anew. A run that is back there again
+  // and again at once slides along the switch: it has no solution beyond.
   bool switch_over() {
+    constexpr int most_returns = 8;
+    constexpr double at_once = 1e-9;  // of the time
     const double t = std::min(time_ + 2.0 * at_switch(), problem_.end);
-    if (switched_at_ == time_) {
+    returns_ = time_ - switched_at_ <= at_once * time_ ? returns_ + 1 : 0;
+    if (switched_at_ == time_ || returns_ > most_returns) {
       run_.fail(Ending::not_converged, t);
       return false;
     }
-    sides_ = sides(t, steps_->continued(t));
+    sides_ = sides(problem_, t, steps_->continued(t));
     if (!cross_to(t)) return false;
     switched_at_ = time_;
     return true;
@@ -185,16 +193,11 @@ class March {
     return std::max(shortest_, 4.0 * std::numeric_limits<double>::epsilon() * time_);
   }
 
-  [[nodiscard]] std::vector<bool> sides(double t, In y) const {
-    std::vector<bool> positive;
-    for (const auto& one : problem_.switches) positive.push_back(one(t, y) > 0.0);
-    return positive;
-  }
-
   bool take(double t) {
     if (!run_.accept(t, steps_->result(), [&](double between) { return steps_->between(between); }))
       return false;
     steps_->take();
+    if (dense_) dense_->add(t, steps_->drives());
     time_ = t;
     return true;
   }
@@ -208,10 +211,12 @@ class March {
   Run run_;
   double shortest_ = 0.0, time_ = 0.0;
   std::unique_ptr<AdaptiveSteps> steps_;
+  std::shared_ptr<DensePath> dense_;  // where all times are asked for
   StepControl control_{1.0, 1.0};
   std::int64_t rejected_ = 0;
   std::vector<bool> sides_{};  // on which the run is of each switch
   double switched_at_ = -1.0;  // last
+  int returns_ = 0;            // there, at once
 };
 
 }  // namespace

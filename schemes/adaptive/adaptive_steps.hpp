@@ -9,6 +9,10 @@ namespace fde {
 // The error of a step that has no solution.
 inline constexpr double no_solution = std::numeric_limits<double>::infinity();
 
+// The drives on a step as polynomials of its share w, one row a row: coefficients of 1, w, w^2. Of algebraic
+// rows y itself.
+using Drives = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
 // A rule that steps by any length: each step is attempted, its error is estimated, and it is taken or
 // attempted anew with another length. What is not taken leaves no trace.
 class AdaptiveSteps {
@@ -33,6 +37,9 @@ class AdaptiveSteps {
 
   // The last attempt joins the past.
   virtual void take() = 0;
+
+  // What it left there.
+  [[nodiscard]] virtual Drives drives() const = 0;
 
   // The right-hand side has jumped at the last time taken: nothing before tells how it goes on.
   virtual void begin_anew(Run& run) = 0;

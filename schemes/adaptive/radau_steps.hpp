@@ -28,6 +28,7 @@ class RadauSteps final : public AdaptiveSteps {
   Vec continued(double t) override;
   void coast(Run& run, double t) override;
   void take() override;
+  [[nodiscard]] Drives drives() const override { return parabolas_before_; }
   void begin_anew(Run& run) override;
   [[nodiscard]] double rate() const override;
   [[nodiscard]] std::size_t bytes() const override;

@@ -16,7 +16,7 @@ class DenseStageMatrix final : public StageMatrix {
 
   void factorise(Run& run, double t, In y, In f, const StageWeights& weights) override {
     if (!evaluate_jacobian(problem_, t, y, jacobian_))
-      difference_rhs(run, t, y, f, Vec::Zero(y.size()), jacobian_);
+      difference_rhs(run, problem_, t, y, f, Vec::Zero(y.size()), jacobian_);
     const auto size = y.size();
     matrix_.setIdentity(stages * size, stages * size);
     for (Eigen::Index row = 0; row < size; ++row) {

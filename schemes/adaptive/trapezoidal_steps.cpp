@@ -190,4 +190,11 @@ void TrapezoidalSteps::take() {
   before_ = y_;
 }
 
+Drives TrapezoidalSteps::drives() const {
+  Drives lines = Drives::Zero(before_.size(), 3);
+  lines.col(0) = older_->f;
+  lines.col(1) = newest_.f - older_->f;
+  return lines;
+}
+
 }  // namespace fde

@@ -54,6 +54,7 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   Vec continued(double t) override;
   void coast(Run& run, double t) override;
   void take() override;
+  [[nodiscard]] Drives drives() const override;
   void begin_anew(Run& /*run*/) override { older_.reset(); }
   [[nodiscard]] double rate() const override { return 2.0; }
   [[nodiscard]] std::size_t bytes() const override { return history_->bytes(); }

@@ -30,7 +30,7 @@ void DenseNewtonMatrix<size>::linearise(Run& run, const StepEquations& step, In 
   if (!evaluate_jacobian(problem_, step.t, y, matrix_)) {
     const Vec sizes =
         step.past.cwiseAbs().cwiseMax(step.kappa.cwiseProduct(f).cwiseAbs()).cwiseProduct(rows_.mass);
-    difference_rhs(run, step.t, y, f, sizes, matrix_);
+    difference_rhs(run, problem_, step.t, y, f, sizes, matrix_);
   }
   assemble(step.kappa);
 }

@@ -16,6 +16,8 @@ struct DrivenRow {
   Eigen::Index drive;  // k
   double order;
   std::vector<Power> start;
+
+  [[nodiscard]] bool algebraic() const { return order == 0.0; }
 };
 
 // All rows, and for each x_k the row of the right-hand side that it equals: D^L u of a multi-term equation,

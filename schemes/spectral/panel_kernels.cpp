@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "spectral/kernel_moments.hpp"
+#include "weights/kernel_moments.hpp"
 
 namespace fde {
 

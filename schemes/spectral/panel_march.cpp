@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "problem/switches.hpp"
+
 namespace fde {
 namespace {
 
@@ -28,41 +30,48 @@ PanelMarch::PanelMarch(const Problem& problem, const Accuracy& accuracy, const O
       solver_(problem, solution_->driven, solution_->past.kernels(), accuracy) {}
 
 Trajectory PanelMarch::solve() {
-  auto& segments = solution_->segments;
-  segments.push_back({0.0, problem_.end});
+  sides_ = sides(problem_, 0.0, run_.start());
+  double start = 0.0;
   for (const double jump : problem_.jumps) {
-    if (jump >= problem_.end) break;
-    segments.back().length = jump - segments.back().start;
-    segments.push_back({jump, problem_.end - jump});
+    if (jump < problem_.end) solve_between(std::exchange(start, jump), jump);
   }
-  const Matrix nothing = Matrix::Zero(solution_->rule.size(), solution_->driven.row_count());
-  for (const Segment& segment : segments) {
-    width_ = 1.0;
-    tried_ = {1.0, infinity};
-    last_drives_ = &segment == &segments.front() ? solver_.first_drives(run_) : Vec();
-    Sources before;
-    for (const auto& tree : solution_->trees) before.push_back(tree.get());
-    auto tree = visit({&segment, 0.0, 1.0}, nothing, before);
-    if (tree) solution_->trees.push_back(std::move(tree));
-    if (over_) break;
-  }
+  solve_between(start, problem_.end);
   run_.cost().history_bytes = solution_->bytes();
   auto path = run_.finish();
   if (!solution_->panels.empty()) path.dense = [solution = solution_](double t) { return solution->at(t); };
   return path;
 }
 
+// Between two jumps, in segments that end at switches.
+void PanelMarch::solve_between(double start, double end) {
+  const Matrix nothing = Matrix::Zero(solution_->rule.size(), solution_->driven.row_count());
+  while (going_ != Going::over && start < end) {
+    going_ = Going::on;
+    const double last = end < problem_.end ? std::nextafter(end, 0.0) : infinity;
+    const Segment& segment = solution_->segments.emplace_back(start, end - start, last);
+    width_ = 1.0;
+    tried_ = {0.0, 1.0, infinity};
+    last_drives_ = start == 0.0 ? solver_.first_drives(run_) : Vec();
+    Sources before;
+    for (const auto& tree : solution_->trees) before.push_back(tree.get());
+    auto tree = visit({&segment, 0.0, 1.0}, nothing, before);
+    if (tree) solution_->trees.push_back(std::move(tree));
+    if (going_ == Going::on) return;
+    start = switched_at_;
+  }
+}
+
 std::unique_ptr<PastBlock> PanelMarch::visit(const TimeBlock& block, const Matrix& smooth,
                                              const Sources& near) {
   if (block.width <= width_) {
     auto panel = attempt(block, smooth, near);
-    if (panel || over_) return panel;
+    if (panel || going_ != Going::on) return panel;
   }
   Matrix of_half = solution_->rule.older_half * smooth;
   Sources near_half;
   for (const auto* source : near) solution_->past.sort(*source, block.older(), of_half, near_half);
   auto older = visit(block.older(), of_half, near_half);
-  if (over_) {
+  if (going_ != Going::on) {
     if (older) solution_->trees.push_back(std::move(older));
     return nullptr;
   }
@@ -71,7 +80,7 @@ std::unique_ptr<PastBlock> PanelMarch::visit(const TimeBlock& block, const Matri
   for (const auto* source : near) solution_->past.sort(*source, block.newer(), of_half, near_half);
   solution_->past.sort(*older, block.newer(), of_half, near_half);
   auto newer = visit(block.newer(), of_half, near_half);
-  if (over_ && !newer) {
+  if (!newer) {
     solution_->trees.push_back(std::move(older));
     return nullptr;
   }
@@ -94,32 +103,76 @@ std::unique_ptr<PastBlock> PanelMarch::attempt(const TimeBlock& block, const Mat
                                                const Sources& near) {
   const PanelTask task = task_on(block, smooth, near);
   PanelValues solved{guess_on(task), {}};
-  if (!solver_.solve(run_, task, solved)) {
-    shorten(block, infinity);
-    return nullptr;
+  if (!solver_.solve(run_, task, solved) || reaches_switch(block, task, solved.rows)) {
+    auto panel = lead_over_switch(block, task);
+    if (!panel && going_ == Going::on) shorten(block, infinity);
+    return panel;
   }
-  Matrix coefficients = solution_->rule.to_coefficients * solved.drives;
+  const Matrix coefficients = solution_->rule.to_coefficients * solved.drives;
   const Vec effects = effects_of(block, task, solved, coefficients);
   // More than the places can see grow.
   const bool outrun = solver_.grows(run_, task, solved.rows, static_cast<double>(effects.size()));
-  const double doubt = outrun || breaks_off(task, solved) ? infinity : effects.tail(2).sum() / part;
-  if (!(doubt <= 1.0)) {
+  const double doubt = outrun || breaks_off(block, task, solved) ? infinity : effects.tail(2).sum() / part;
+  if (!(doubt <= 1.0) && !left_by_rounding(block, doubt)) {
     shorten(block, doubt);
     return nullptr;
   }
   lengthen(block, needed_share(effects));
-  solver_.pass(solved.rows);
-  last_drives_ = solved.drives.transpose() * solution_->rule.at_end;
+  return take(block, task, std::move(solved));
+}
+
+std::unique_ptr<PastBlock> PanelMarch::take(const TimeBlock& block, const PanelTask& task,
+                                            PanelValues solved) {
+  const auto& rule = solution_->rule;
+  solver_.pass(solved);
+  last_drives_ = solved.drives.transpose() * rule.at_end;
+  sides_ = sides(problem_, task.times[rule.size() - 1], solved.rows.transpose() * rule.at_end);
   auto panel = std::make_unique<PastBlock>(PastBlock{.block = block,
-                                                     .coefficients = std::move(coefficients),
+                                                     .coefficients = rule.to_coefficients * solved.drives,
                                                      .units = task.units,
                                                      .values = std::move(solved.rows)});
   accept(*panel);
   return panel;
 }
 
+// Whether the panel is not all on one side of every switch, or, behind the first panel, not on that of the
+// panel before.
+bool PanelMarch::reaches_switch(const TimeBlock& panel, const PanelTask& task, const Matrix& rows) const {
+  if (problem_.switches.empty()) return false;
+  const Eigen::Index places = rows.rows();
+  const Vec at_end = rows.transpose() * solution_->rule.at_end;
+  const auto begun = panel.from > 0.0 ? sides_ : sides(problem_, task.times[0], rows.row(0).transpose());
+  if (sides(problem_, task.times[places - 1], at_end) != begun) return true;
+  for (Eigen::Index j = 0; j < places; ++j) {
+    if (sides(problem_, task.times[j], rows.row(j).transpose()) != begun) return true;
+  }
+  return false;
+}
+
+// Over a block as short as a switch is located, on which drives go on as they were; behind it all begins
+// anew. nullptr: the block is longer, or ends on the same side. A run that is back there at once slides along
+// the switch, and has no solution beyond.
+std::unique_ptr<PastBlock> PanelMarch::lead_over_switch(const TimeBlock& block, const PanelTask& task) {
+  constexpr double located = 1e-13;  // of the time
+  const double t = block.time(1.0);
+  if (problem_.switches.empty() || block.length() > located * t) return nullptr;
+  PanelValues followed{guess_on(task), {}};
+  solver_.follow(task, followed);
+  if (sides(problem_, t, followed.rows.transpose() * solution_->rule.at_end) == sides_) return nullptr;
+  if (block.from == 0.0 && switched_at_ == block.segment->start) {
+    run_.fail(Ending::not_converged, t);
+    going_ = Going::over;
+    return nullptr;
+  }
+  auto panel = take(block, task, std::move(followed));
+  switched_at_ = t;
+  if (going_ == Going::on) going_ = Going::switched;
+  return panel;
+}
+
 PanelTask PanelMarch::task_on(const TimeBlock& panel, const Matrix& smooth, const Sources& near) {
-  PanelTask task{.times = solution_->rule.places.unaryExpr([&](double place) { return panel.time(place); }),
+  PanelTask task{.times = solution_->rule.places.unaryExpr(
+                     [&](double place) { return std::min(panel.time(place), panel.segment->last); }),
                  .units = solution_->past.kernels().units(panel.length()),
                  .past = smooth,
                  .size = {}};
@@ -148,7 +201,7 @@ Vec PanelMarch::effects_of(const TimeBlock& panel, const PanelTask& task, const 
   Matrix effects(of_drives.rows(), driven.row_count());
   for (Eigen::Index i = 0; i < allowed.size(); ++i) {
     const auto drive = driven.rows[static_cast<std::size_t>(i)].drive;
-    effects.col(i) = unit_of(task, i) / allowed[i] * of_drives.col(drive).cwiseAbs();
+    effects.col(i) = solver_.unit_of(task, i) / allowed[i] * of_drives.col(drive).cwiseAbs();
   }
   const bool follows = panel.from > 0.0;  // and is past the transient that a start is
   const double in_doubt = effects.rowwise().maxCoeff().tail(2).sum();
@@ -160,16 +213,9 @@ Vec PanelMarch::effects_of(const TimeBlock& panel, const PanelTask& task, const 
   return effects.rowwise().maxCoeff();
 }
 
-// What a row's integral makes of a drive of 1 all over the panel, without the powers of 2.
-double PanelMarch::unit_of(const PanelTask& task, Eigen::Index row) const {
-  const auto order = solution_->past.kernels().order_of(row);
-  if (order < 0) return 1.0;
-  return task.units[order] / std::tgamma(solution_->driven.rows[static_cast<std::size_t>(row)].order + 1.0);
-}
-
 // Whether this is another root of the equations than that of the panel before, which then begins elsewhere:
-// drives are continuous.
-bool PanelMarch::breaks_off(const PanelTask& task, const PanelValues& solved) const {
+// drives are continuous. How algebraic rows begin is not known.
+bool PanelMarch::breaks_off(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved) const {
   constexpr double clear = 1000.0, half = 0.5;
   if (last_drives_.size() == 0 || linear(problem_)) return false;
   const Vec change = (solved.drives.transpose() * solution_->rule.at_start - last_drives_).cwiseAbs();
@@ -177,8 +223,10 @@ bool PanelMarch::breaks_off(const PanelTask& task, const PanelValues& solved) co
       solved.drives.cwiseAbs().colwise().maxCoeff().transpose().cwiseMax(last_drives_.cwiseAbs());
   const Vec allowed = solver_.allowed(task, solved.rows);
   for (Eigen::Index i = 0; i < allowed.size(); ++i) {
-    const auto drive = solution_->driven.rows[static_cast<std::size_t>(i)].drive;
-    if (change[drive] > half * sizes[drive] && unit_of(task, i) * change[drive] > clear * allowed[i])
+    const auto& row = solution_->driven.rows[static_cast<std::size_t>(i)];
+    const auto drive = row.drive;
+    if (panel.from == 0.0 && row.algebraic()) continue;
+    if (change[drive] > half * sizes[drive] && solver_.unit_of(task, i) * change[drive] > clear * allowed[i])
       return true;
   }
   return false;
@@ -191,29 +239,38 @@ double PanelMarch::needed_share(const Vec& effects) {
   return static_cast<double>(needed) / static_cast<double>(effects.size());
 }
 
+// Whether a panel twice as long was no worse. The last coefficients show rounding as up to as many times what
+// it is worth as there are points: where rows constrain others, drives are slopes of what they constrain.
+bool PanelMarch::left_by_rounding(const TimeBlock& panel, double doubt) const {
+  constexpr double hardly_less = 0.5;
+  return panel.from > 0.0 && panel.from == tried_.from && doubt > hardly_less * tried_.doubt &&
+         doubt <= static_cast<double>(solution_->rule.size());
+}
+
 void PanelMarch::shorten(const TimeBlock& block, double doubt) {
   const bool first = block.from == 0.0;
+  const Attempt before = std::exchange(tried_, {block.from, block.width, doubt});
   double halvings = 1.0;
   if (std::isfinite(doubt)) {
     const auto points = static_cast<double>(solution_->rule.size());
-    const double rate = first ? rate_at_start(block.width, doubt) : points / 2.0;
+    const double rate = first ? rate_at_start(before) : points / 2.0;
     halvings = std::clamp(std::floor(std::log2(doubt) / rate), 1.0, first ? 16.0 : 4.0);
   }
   width_ = block.width * std::exp2(-halvings);
   const double shortest = first ? 0x1p-900 : 0x1p-48 * block.from;
   const bool too_short = width_ <= shortest;
-  over_ = too_short || run_.out_of_budget();
-  if (!over_) return;
+  if (!too_short && !run_.out_of_budget()) return;
+  going_ = Going::over;
   const auto reason = solver_.left_domain() ? Ending::singular : Ending::not_converged;
   run_.fail(too_short ? reason : Ending::out_of_budget, block.time(1.0));
 }
 
 // With which power of its width the doubt of a first panel falls, by the last two of them.
-double PanelMarch::rate_at_start(double width, double doubt) {
+double PanelMarch::rate_at_start(const Attempt& before) const {
   constexpr double usual = 2.0, least = 0.05, most = 4.0;
-  const auto [before, doubt_before] = std::exchange(tried_, {width, doubt});
-  if (!(doubt < doubt_before) || !std::isfinite(doubt_before)) return usual;
-  return std::clamp(std::log(doubt_before / doubt) / std::log(before / width), least, most);
+  if (!(tried_.doubt < before.doubt) || !std::isfinite(before.doubt)) return usual;
+  return std::clamp(std::log(before.doubt / tried_.doubt) / std::log(before.width / tried_.width), least,
+                    most);
 }
 
 // Panels that grow from the start are as long as their distance from it; others may grow where half of the
@@ -229,7 +286,8 @@ void PanelMarch::lengthen(const TimeBlock& panel, double needed_share) {
 void PanelMarch::accept(const PastBlock& panel) {
   solution_->panels.push_back(&panel);
   const double t = panel.block.time(1.0);
-  over_ = !run_.accept(t, solution_->at(t), [&](double between) { return solution_->at(between); });
+  if (!run_.accept(t, solution_->at(t), [&](double between) { return solution_->at(between); }))
+    going_ = Going::over;
 }
 
 }  // namespace fde

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "spectral/panel_solution.hpp"
 #include "spectral/panel_solver.hpp"
@@ -13,7 +14,8 @@ namespace fde {
 // Time between two jumps is halved until a panel passes: Newton's method converges, the last Legendre
 // coefficients of the drives are below what is allowed, and the drives go on from the panel before. So panels
 // shrink towards a start that is a power of t, where each is as long as its distance from it, and wherever
-// the solution turns quickly. What lies in the past of a panel comes from the tree.
+// the solution turns quickly, or reaches a switch: there panels begin anew as behind a jump. What lies in the
+// past of a panel comes from the tree.
 class PanelMarch {
  public:
   PanelMarch(const Problem& problem, const Accuracy& accuracy, const Options& options);
@@ -23,19 +25,27 @@ class PanelMarch {
  private:
   using Sources = PastSum::Sources;
 
+  void solve_between(double start, double end);
   std::unique_ptr<PastBlock> visit(const TimeBlock& block, const Matrix& smooth, const Sources& near);
   std::unique_ptr<PastBlock> attempt(const TimeBlock& block, const Matrix& smooth, const Sources& near);
+  std::unique_ptr<PastBlock> take(const TimeBlock& block, const PanelTask& task, PanelValues solved);
+  std::unique_ptr<PastBlock> lead_over_switch(const TimeBlock& block, const PanelTask& task);
+  [[nodiscard]] bool reaches_switch(const TimeBlock& panel, const PanelTask& task, const Matrix& rows) const;
   [[nodiscard]] std::unique_ptr<PastBlock> joined(const TimeBlock& block, std::unique_ptr<PastBlock> older,
                                                   std::unique_ptr<PastBlock> newer) const;
   [[nodiscard]] PanelTask task_on(const TimeBlock& panel, const Matrix& smooth, const Sources& near);
   [[nodiscard]] Matrix guess_on(const PanelTask& task);
   [[nodiscard]] Vec effects_of(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
                                const Matrix& of_drives);
-  [[nodiscard]] double unit_of(const PanelTask& task, Eigen::Index row) const;
-  [[nodiscard]] bool breaks_off(const PanelTask& task, const PanelValues& solved) const;
+  [[nodiscard]] bool breaks_off(const TimeBlock& panel, const PanelTask& task,
+                                const PanelValues& solved) const;
   static double needed_share(const Vec& effects);
+  struct Attempt {
+    double from, width, doubt;
+  };
+  [[nodiscard]] bool left_by_rounding(const TimeBlock& panel, double doubt) const;
+  [[nodiscard]] double rate_at_start(const Attempt& before) const;
   void shorten(const TimeBlock& block, double doubt);
-  double rate_at_start(double width, double doubt);
   void lengthen(const TimeBlock& panel, double needed_share);
   void accept(const PastBlock& panel);
 
@@ -43,10 +53,13 @@ class PanelMarch {
   std::shared_ptr<PanelSolution> solution_;
   Run run_;
   PanelSolver solver_;
-  double width_ = 1.0;                         // of the next panel at most, in units of its segment
-  std::pair<double, double> tried_{1.0, 0.0};  // the first panel that did not pass last, and its doubt
-  bool over_ = false;
-  Vec last_drives_;  // at the end of the panel before; empty: not known
+  double width_ = 1.0;  // of the next panel at most, in units of its segment
+  Attempt tried_{};     // the last one on this segment that did not pass
+  enum class Going { on, switched, over };
+  Going going_ = Going::on;    // otherwise blocks that are begun end where they are
+  std::vector<bool> sides_{};  // on which the run is of each switch
+  double switched_at_ = -1.0;  // last
+  Vec last_drives_;            // at the end of the panel before; empty: not known
 };
 
 }  // namespace fde

@@ -1,9 +1,31 @@
 #include "spectral/panel_rule.hpp"
 
+#include <Eigen/LU>
 #include <boost/math/special_functions/legendre.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <utility>
 
 namespace fde {
 namespace {
+
+// What all panels use again and again is made with more digits.
+using Wide = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+
+template <class Points>
+auto legendre(const Points& points, Eigen::Index count) {
+  using Real = typename Points::Scalar;
+  Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> p(points.size(), count);
+  p.col(0).setOnes();
+  if (count > 1) p.col(1) = points;
+  for (Eigen::Index l = 1; l + 1 < count; ++l) {
+    const auto degree = static_cast<Real>(l);
+    p.col(l + 1) = ((2 * degree + 1) * points.cwiseProduct(p.col(l)) - degree * p.col(l - 1)) / (degree + 1);
+  }
+  return p;
+}
 
 // The zeros of P_n, increasing; the library has those that are not negative.
 Vec gauss_places(Eigen::Index count) {
@@ -13,6 +35,23 @@ Vec gauss_places(Eigen::Index count) {
     const auto from_middle = static_cast<Eigen::Index>(zeros.size() - 1 - i);
     places[count - 1 - from_middle] = zeros[i];
     places[from_middle] = -zeros[i];
+  }
+  return places;
+}
+
+// The zeros of P_n - P_(n-1), increasing: one between any two of P_n, and 1.
+Vec radau_places(Eigen::Index count) {
+  const auto degree = static_cast<int>(count);
+  const auto radau = [degree](double x) {
+    return boost::math::legendre_p(degree, x) - boost::math::legendre_p(degree - 1, x);
+  };
+  const Vec between = gauss_places(count);
+  Vec places = Vec::Ones(count);
+  for (Eigen::Index i = 0; i + 1 < count; ++i) {
+    std::uintmax_t evaluations = 100;
+    const auto [below, above] = boost::math::tools::toms748_solve(
+        radau, between[i], between[i + 1], boost::math::tools::eps_tolerance<double>(), evaluations);
+    places[i] = (below + above) / 2.0;
   }
   return places;
 }
@@ -27,31 +66,34 @@ Vec gauss_weights(const Vec& places) {
 
 }  // namespace
 
-Matrix legendre_polynomials(const Vec& points, Eigen::Index count) {
-  Matrix p(points.size(), count);
-  p.col(0).setOnes();
-  if (count > 1) p.col(1) = points;
-  for (Eigen::Index l = 1; l + 1 < count; ++l) {
-    const auto degree = static_cast<double>(l);
-    p.col(l + 1) =
-        ((2.0 * degree + 1.0) * points.cwiseProduct(p.col(l)) - degree * p.col(l - 1)) / (degree + 1.0);
-  }
-  return p;
+Matrix legendre_polynomials(const Vec& points, Eigen::Index count) { return legendre(points, count); }
+
+PanelRule::PanelRule(Eigen::Index points, RulePoints kind)
+    : places(kind == RulePoints::gauss ? gauss_places(points) : radau_places(points)) {
+  const auto at = [points](const Wide& x) { return legendre(Wide(x).col(0).eval(), points); };
+  const auto older = [](const Wide& x) { return Wide((x.array() - 1) / 2); };
+  const auto newer = [](const Wide& x) { return Wide((x.array() + 1) / 2); };
+  const Wide x = places.cast<long double>();
+  const Wide coefficients = at(x).inverse();
+  to_coefficients = coefficients.cast<double>();
+  at_end = coefficients.colwise().sum().transpose().cast<double>();
+  at_start = (at(Wide::Constant(1, 1, -1)) * coefficients).transpose().cast<double>();
+  older_half = (at(older(x)) * coefficients).cast<double>();
+  newer_half = (at(newer(x)) * coefficients).cast<double>();
+  const Vec norms = Vec::LinSpaced(points, 0.5, static_cast<double>(points) - 0.5);  // 1 / int P_l^2
+  const Vec gauss = gauss_places(points);
+  const Wide inner = gauss.cast<long double>();
+  const Wide weighted = gauss_weights(gauss).cast<long double>().asDiagonal() * at(inner);
+  const Wide half_norms = (norms / 2).cast<long double>().asDiagonal();
+  from_older = (half_norms * at(older(inner)).transpose() * weighted).cast<double>();
+  from_newer = (half_norms * at(newer(inner)).transpose() * weighted).cast<double>();
 }
 
-PanelRule::PanelRule(Eigen::Index points) : places(gauss_places(points)) {
-  const Vec weights = gauss_weights(places);
-  const Vec norms = Vec::LinSpaced(points, 0.5, static_cast<double>(points) - 0.5);  // 1 / int P_l^2
-  const Vec older = (places.array() - 1.0) / 2.0, newer = (places.array() + 1.0) / 2.0;
-  const Matrix at_places = legendre_polynomials(places, points);
-  const Matrix at_older = legendre_polynomials(older, points), at_newer = legendre_polynomials(newer, points);
-  to_coefficients = norms.asDiagonal() * at_places.transpose() * weights.asDiagonal();
-  at_end = to_coefficients.colwise().sum().transpose();
-  at_start = (legendre_polynomials(Vec::Constant(1, -1.0), points) * to_coefficients).transpose();
-  older_half = at_older * to_coefficients;
-  newer_half = at_newer * to_coefficients;
-  from_older = 0.5 * norms.asDiagonal() * at_older.transpose() * weights.asDiagonal() * at_places;
-  from_newer = 0.5 * norms.asDiagonal() * at_newer.transpose() * weights.asDiagonal() * at_places;
+const PanelRule& panel_rule(Eigen::Index points, RulePoints kind) {
+  static std::mutex mutex;
+  static std::map<std::pair<Eigen::Index, RulePoints>, PanelRule> made;
+  const std::scoped_lock lock(mutex);
+  return made.try_emplace({points, kind}, points, kind).first->second;
 }
 
 }  // namespace fde

@@ -7,10 +7,13 @@ namespace fde {
 // P_0(x) ... P_(count-1)(x), one row a point.
 Matrix legendre_polynomials(const Vec& points, Eigen::Index count);
 
-// What all panels share: Gauss's points, and functions on a panel as their values there or as coefficients of
-// Legendre polynomials. Places on a panel are in (-1, 1). One column a function throughout.
+// The points of collocation: Gauss's, inside a panel, or Radau's, of which the last is its end.
+enum class RulePoints { gauss, radau };
+
+// What all panels share: the points, and functions on a panel as their values there or as coefficients of
+// Legendre polynomials. Places on a panel are in (-1, 1]. One column a function throughout.
 struct PanelRule {
-  explicit PanelRule(Eigen::Index points);
+  explicit PanelRule(Eigen::Index points, RulePoints kind = RulePoints::gauss);
 
   [[nodiscard]] Eigen::Index size() const { return places.size(); }
 
@@ -21,5 +24,8 @@ struct PanelRule {
   Matrix from_older,
       from_newer;  // coefficients of a block, as best fits, from those of its halves: their sum
 };
+
+// The rule of so many points, made once. Safe from any thread; it lasts until the program ends.
+const PanelRule& panel_rule(Eigen::Index points, RulePoints kind);
 
 }  // namespace fde

@@ -2,9 +2,15 @@
 
 #include <algorithm>
 
-#include "spectral/kernel_moments.hpp"
+#include "weights/kernel_moments.hpp"
 
 namespace fde {
+
+// Algebraic rows may constrain what other rows integrate. With the end of a panel among its points they hold
+// there, and the next panel begins without a defect for the multipliers to answer.
+RulePoints PanelSolution::points_of(const Problem& problem) {
+  return std::ranges::any_of(problem.components, algebraic) ? RulePoints::radau : RulePoints::gauss;
+}
 
 Vec PanelSolution::at(double t) const {
   const auto found =
@@ -18,7 +24,9 @@ Vec PanelSolution::at(double t) const {
 
 Vec PanelSolution::by_integrals(const PastBlock& panel, double t) const {
   Vec rows = driven.start(t);
-  for (std::size_t s = 0; &segments[s] != panel.block.segment; ++s) past.add_at(*trees[s], t, rows);
+  for (const auto& tree : trees) {
+    if (tree->block.segment->start < panel.block.segment->start) past.add_at(*tree, t, rows);
+  }
   past.add_at(panel, t, rows);
   const double place = panel.block.place(t);
   for (Eigen::Index i = 0; i < rows.size(); ++i) {

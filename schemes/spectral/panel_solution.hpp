@@ -10,15 +10,15 @@ namespace fde {
 class PanelSolution {
  public:
   PanelSolution(const Problem& problem, Eigen::Index points)
-      : rule(points), driven(problem), past(rule, driven) {}
+      : rule(panel_rule(points, points_of(problem))), driven(problem), past(rule, driven) {}
   PanelSolution(const PanelSolution&) = delete;
   PanelSolution& operator=(const PanelSolution&) = delete;
 
-  const PanelRule rule;
+  const PanelRule& rule;
   const DrivenRows driven;
   PastSum past;
   std::deque<Segment> segments{};
-  std::vector<std::unique_ptr<PastBlock>> trees{};  // one a segment; of the last, where it ended early, parts
+  std::vector<std::unique_ptr<PastBlock>> trees{};  // one a segment; where that ended early, parts
   std::vector<const PastBlock*> panels{};           // in the order of time
 
   // The rows at a time that the panels cover. On the first panel of a segment, where they are not smooth,
@@ -28,6 +28,7 @@ class PanelSolution {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  static RulePoints points_of(const Problem& problem);
   [[nodiscard]] Vec by_integrals(const PastBlock& panel, double t) const;
 };
 

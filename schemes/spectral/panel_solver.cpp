@@ -22,19 +22,42 @@ PanelSolver::PanelSolver(const Problem& problem, const DrivenRows& driven, const
       kernels_(kernels),
       allowed_(accuracy),
       mass_(Vec::Ones(driven.drive_count())),
+      held_(taylor_part(problem, 0.0)),
+      felt_(Matrix::Zero(driven.drive_count(), driven.row_count())),
       jacobian_(problem.size(), problem.size()),
       y_(problem.size()) {
   for (const auto& row : driven.rows) {
-    if (row.order == 0.0) mass_[row.drive] = 0.0;
+    if (row.algebraic()) mass_[row.drive] = 0.0;
   }
 }
 
-Vec PanelSolver::allowed(const PanelTask& task, const Matrix& rows) const {
-  return allowed_.of(rows.cwiseAbs().colwise().maxCoeff().transpose(), task.size);
+double PanelSolver::unit_of(const PanelTask& task, Eigen::Index row) const {
+  const auto order = kernels_.order_of(row);
+  if (order < 0) return 1.0;
+  return task.units[order] / std::tgamma(driven_.rows[static_cast<std::size_t>(row)].order + 1.0);
 }
 
-void PanelSolver::pass(const Matrix& rows) {
-  allowed_.pass(rows.cwiseAbs().colwise().maxCoeff().transpose());
+Vec PanelSolver::with_unfelt(const PanelTask& task, Vec limits) const {
+  for (Eigen::Index a = 0; a < limits.size(); ++a) {
+    if (!driven_.rows[static_cast<std::size_t>(a)].algebraic()) continue;
+    double unfelt = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < limits.size(); ++i) {
+      const auto& row = driven_.rows[static_cast<std::size_t>(i)];
+      const double slope = row.algebraic() ? 0.0 : felt_(row.drive, a);
+      if (slope > 0.0) unfelt = std::min(unfelt, limits[i] / (unit_of(task, i) * slope));
+    }
+    if (std::isfinite(unfelt)) limits[a] = std::max(limits[a], unfelt);
+  }
+  return limits;
+}
+
+Vec PanelSolver::allowed(const PanelTask& task, const Matrix& rows) const {
+  return with_unfelt(task, allowed_.of(rows.cwiseAbs().colwise().maxCoeff().transpose(), task.size));
+}
+
+void PanelSolver::pass(const PanelValues& solved) {
+  allowed_.pass(solved.rows.cwiseAbs().colwise().maxCoeff().transpose());
+  held_ = solved.rows.bottomRows<1>().transpose();
 }
 
 // What Newton's method may leave: little of what is allowed, and of the row, for others may be far more
@@ -42,15 +65,21 @@ void PanelSolver::pass(const Matrix& rows) {
 Vec PanelSolver::left_over(const PanelTask& task, const Matrix& rows) const {
   constexpr double of_allowed = 0.01, of_row = 1e-6;
   const Vec largest = rows.cwiseAbs().colwise().maxCoeff();
-  return (of_allowed * allowed(task, rows)).cwiseMin(of_row * largest).cwiseMax(2.0 * rounding * task.size);
+  return with_unfelt(
+      task,
+      (of_allowed * allowed(task, rows)).cwiseMin(of_row * largest).cwiseMax(2.0 * rounding * task.size));
+}
+
+void PanelSolver::follow(const PanelTask& task, PanelValues& values) {
+  values.rows = task.past;
+  const Matrix drives = values.drives;
+  values.drives.setZero();
+  move(task, drives, values.drives, values.rows);
 }
 
 bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
   auto& [drives, rows] = values;
-  rows = task.past;
-  const Matrix guess = drives;
-  drives.setZero();
-  move(task, guess, drives, rows);
+  follow(task, values);
   const bool is_linear = linear(problem_);
   bool anew = true;
   int sweeps = 0;
@@ -89,8 +118,10 @@ bool PanelSolver::cancels(const Vec& limit) const {
 
 Vec PanelSolver::drives_of(Run& run, double t) {
   const Vec& f = run.rhs(t, y_);
-  return Vec::NullaryExpr(driven_.drive_count(),
-                          [&](Eigen::Index k) { return f[driven_.drives[static_cast<std::size_t>(k)]]; });
+  return Vec::NullaryExpr(driven_.drive_count(), [&](Eigen::Index k) {
+    const auto row = driven_.drives[static_cast<std::size_t>(k)];
+    return mass_[k] == 0.0 ? y_[row] : f[row];
+  });
 }
 
 Vec PanelSolver::first_drives(Run& run) {
@@ -101,6 +132,9 @@ Vec PanelSolver::first_drives(Run& run) {
 
 Vec PanelSolver::drives_at(Run& run, const PanelTask& task) {
   y_ = task.past.row(0);
+  for (Eigen::Index i = 0; i < y_.size(); ++i) {
+    if (driven_.rows[static_cast<std::size_t>(i)].algebraic()) y_[i] = held_[i];
+  }
   const Vec drives = drives_of(run, task.times[0]);
   return drives.array().isFinite().select(drives, 0.0);
 }
@@ -109,11 +143,10 @@ Vec PanelSolver::drives_at(Run& run, const PanelTask& task) {
 void PanelSolver::differentiate(Run& run, double t, In sizes) {
   if (evaluate_jacobian(problem_, t, y_, jacobian_)) return;
   f_ = run.rhs(t, y_);
-  difference_rhs(run, t, y_, f_, sizes, jacobian_);
+  difference_rhs(run, problem_, t, y_, f_, sizes, jacobian_);
 }
 
 bool PanelSolver::grows(Run& run, const PanelTask& task, const Matrix& rows, double folds) {
-  if ((mass_.array() == 0.0).any()) return true;
   const double rate = folds / (task.times[rows.rows() - 1] - task.times[0]);
   if (rate >= calm_rate_) return false;
   const Vec orders = Vec::NullaryExpr(problem_.size(), [&](Eigen::Index i) {
@@ -140,16 +173,26 @@ bool PanelSolver::evaluate(Run& run, const PanelTask& task, const Matrix& rows) 
   return right_.allFinite();
 }
 
+// Keeps what jacobian_ says of algebraic rows in the drives.
+void PanelSolver::feel() {
+  for (Eigen::Index k = 0; k < felt_.rows(); ++k) {
+    const auto slopes = jacobian_.row(driven_.drives[static_cast<std::size_t>(k)]).cwiseAbs();
+    felt_.row(k) = felt_.row(k).cwiseMax(slopes);
+  }
+}
+
 bool PanelSolver::linearise(Run& run, const PanelTask& task, const Matrix& rows) {
   const bool is_linear = linear(problem_);
   if (is_linear && factored_units_.size() == task.units.size() && factored_units_ == task.units) return true;
   const Eigen::Index places = rows.rows(), drives = driven_.drive_count();
   matrix_.setZero(places * drives, places * drives);
+  felt_.setZero();
   for (Eigen::Index k = 0; k < drives; ++k)
     matrix_.diagonal().segment(k * places, places).setConstant(mass_[k]);
   for (Eigen::Index j = 0; j < places; ++j) {
     y_ = rows.row(j);
     differentiate(run, task.times[j], task.size);
+    feel();
     for (Eigen::Index i = 0; i < driven_.row_count(); ++i) {
       const Eigen::Index order = kernels_.order_of(i),
                          drive = driven_.rows[static_cast<std::size_t>(i)].drive;

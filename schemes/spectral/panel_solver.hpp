@@ -33,27 +33,37 @@ class PanelSolver {
   // leads out of the domain.
   bool solve(Run& run, const PanelTask& task, PanelValues& values);
 
+  // The rows that drives make.
+  void follow(const PanelTask& task, PanelValues& values);
+
   // Whether the last iteration that came to no end was out of the domain.
   [[nodiscard]] bool left_domain() const { return left_domain_; }
 
   // The drives at t = 0; empty where f is not finite there.
   Vec first_drives(Run& run);
-  // Those that the past alone makes at the first place; 0 where f is not finite there.
+  // Those that the past alone makes at the first place; 0 where f is not finite there. Algebraic rows are as
+  // they were last.
   Vec drives_at(Run& run, const PanelTask& task);
+
+  // What a row's integral makes of a drive of 1 all over the panel.
+  [[nodiscard]] double unit_of(const PanelTask& task, Eigen::Index row) const;
 
   // Whether the problem, linearised at the middle place, has a mode that grows by more than e^folds on the
   // panel. What grows and is not resolved is wrong however small.
   bool grows(Run& run, const PanelTask& task, const Matrix& rows, double folds);
 
-  // What may be wrong in each row.
+  // What may be wrong in each row. In an algebraic row it is at least what moves no other row by more than
+  // may be wrong there: at an early time t a multiplier is known up to 1/t of that only.
   [[nodiscard]] Vec allowed(const PanelTask& task, const Matrix& rows) const;
 
   // Takes a panel as solved.
-  void pass(const Matrix& rows);
+  void pass(const PanelValues& solved);
 
  private:
+  [[nodiscard]] Vec with_unfelt(const PanelTask& task, Vec limits) const;
   [[nodiscard]] Vec left_over(const PanelTask& task, const Matrix& rows) const;
   Vec drives_of(Run& run, double t);  // at y_
+  void feel();
   void differentiate(Run& run, double t, In sizes);
   bool evaluate(Run& run, const PanelTask& task, const Matrix& rows);
   bool linearise(Run& run, const PanelTask& task, const Matrix& rows);
@@ -64,7 +74,9 @@ class PanelSolver {
   const DrivenRows& driven_;
   const PanelKernels& kernels_;
   AllowedError allowed_;
-  Vec mass_;  // 1, and 0 of an algebraic drive
+  Vec mass_;     // 1, and 0 of an algebraic drive
+  Vec held_;     // the rows at the end of the last panel passed
+  Matrix felt_;  // the largest slopes of the drives of the panel by algebraic rows
   Eigen::PartialPivLU<Matrix> factors_;
   Vec factored_units_;                                          // of a linear problem
   double calm_rate_ = std::numeric_limits<double>::infinity();  // of a linear problem: no mode grows faster

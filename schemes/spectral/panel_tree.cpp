@@ -1,6 +1,6 @@
 #include "spectral/panel_tree.hpp"
 
-#include "spectral/kernel_moments.hpp"
+#include "weights/kernel_moments.hpp"
 
 namespace fde {
 namespace {

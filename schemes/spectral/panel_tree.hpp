@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace fde {
 // A stretch of time between two jumps of a right-hand side: its panels grow from its start by themselves.
 struct Segment {
   double start, length;
+  double last = std::numeric_limits<double>::infinity();  // before its right-hand side jumps
 };
 
 // A part of a segment: a panel, or a block of panels. Its place is in units of the segment's length and made

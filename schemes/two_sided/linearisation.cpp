@@ -30,7 +30,7 @@ void Linearisation::update(Run& run, const Guess& guess, const Residual& residua
     const double t = equations_.grid().time(static_cast<int>(n));
     Eigen::Map<Matrix> jacobian(jacobians_.col(n).data(), size, size);
     if (evaluate_jacobian(problem, t, guess.y.col(n), jacobian)) continue;
-    difference_rhs(run, t, guess.y.col(n), residual.f.col(n), sizes, jacobian);
+    difference_rhs(run, problem, t, guess.y.col(n), residual.f.col(n), sizes, jacobian);
   }
   left_inverses_ = equations_.left().inverses(jacobians_);
   right_inverses_ = equations_.right().inverses(jacobians_);
@@ -51,8 +51,9 @@ void Linearisation::differentiate_conditions(const Guess& guess, const Vec& cond
     problem.conditions(start, y, result);
     return result;
   };
-  forward_differences(from_start, start, conditions, sizes, by_start_);
-  forward_differences(from_end, end, conditions, sizes, by_end_);
+  const auto everywhere = [](const Vec&) { return true; };
+  differences(from_start, everywhere, start, conditions, sizes, by_start_);
+  differences(from_end, everywhere, end, conditions, sizes, by_end_);
 }
 
 Guess Linearisation::increment(const Residual& residual) const {

@@ -16,15 +16,6 @@ class AccuracyScheme : public testing::TestWithParam<const Scheme*> {
     options.budget = 2.0;
     return GetParam()->solve(problem, Accuracy{accuracy, accuracy}, options);
   }
-  // Whether it says that it does not take the switches of this problem; without them it does.
-  static bool refuses_switches(Problem problem) {
-    const auto why = refusal(*GetParam(), problem, Accuracy{1e-5, 1e-5});
-    problem.switches.clear();
-    EXPECT_EQ(refusal(*GetParam(), problem, Accuracy{1e-5, 1e-5}), std::nullopt);
-    EXPECT_EQ(why.value_or("does not locate where the right-hand side jumps with y"),
-              "does not locate where the right-hand side jumps with y");
-    return why.has_value();
-  }
 };
 
 Component decay(double order) { return {order, order > 1.0 ? std::vector{1.0, 0.0} : std::vector{1.0}}; }
@@ -67,6 +58,32 @@ TEST_P(AccuracyScheme, ReturnsTheTimesAskedForOnItsStepsOrBetween) {
   }
 }
 
+// A corrector leaves f one correction ahead of y.
+TEST_P(AccuracyScheme, KnowsTheSolutionAtAnyTimeAfterTheRun) {
+  const Scene scene = scene_of("relaxation");
+  const auto path = run(scene.problem, 1e-6);
+  ASSERT_TRUE(path.dense);
+  for (const double t : {1e-9, 1e-4, 0.013, 0.5, 0.77, 1.0})
+    EXPECT_NEAR(path.dense(t)[0], mittag_leffler(0.5, 1.0, -std::sqrt(t)), 2e-6) << t;
+  for (std::size_t i = 0; i < path.times.size(); i += 1 + path.times.size() / 16) {
+    EXPECT_NEAR(path.dense(path.times[i])[0], path.y(0, static_cast<Eigen::Index>(i)), 1e-8) << path.times[i];
+  }
+}
+
+// y' = z and 0 = y + z, which is e^-t. Steps are judged by y; z between the points of a step is a parabola.
+TEST_P(AccuracyScheme, KnowsAlgebraicRowsAtAnyTimeAfterTheRun) {
+  const Problem problem{.components = {{1.0, {1.0}}, {0.0, {-1.0}}}, .rhs = [](double, In y, Out f) {
+                          f[0] = y[1];
+                          f[1] = y[0] + y[1];
+                        }};
+  if (refusal(*GetParam(), problem, Accuracy{1e-6, 1e-6})) GTEST_SKIP() << "takes no algebraic rows";
+  const auto path = run(problem, 1e-6);
+  for (const double t : {0.1, 0.35, 0.9}) {
+    EXPECT_NEAR(path.dense(t)[0], std::exp(-t), 2e-6) << t;
+    EXPECT_NEAR(path.dense(t)[1], -std::exp(-t), 1e-4) << t;
+  }
+}
+
 // D^0.5 y = 1 up to t = 1 and -1 behind it: y = (2 sqrt t - 4 sqrt(t - 1)) / sqrt pi.
 TEST_P(AccuracyScheme, StartsAnewWhereTheRightHandSideJumps) {
   const Problem problem{.components = {{0.5, {0.0}}},
@@ -88,7 +105,6 @@ TEST_P(AccuracyScheme, LocatesWhereTheStateMakesTheRightHandSideJump) {
                         .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? 2.0 : 1.0; },
                         .end = 2.0,
                         .switches = {[](double, In y) { return y[0] - 1.0; }}};
-  if (refuses_switches(problem)) return;
   const auto path = run(problem, 1e-5);
   ASSERT_EQ(path.ending, Ending::finished);
   for (std::size_t i = 0; i < path.times.size(); ++i) {
@@ -98,18 +114,22 @@ TEST_P(AccuracyScheme, LocatesWhereTheStateMakesTheRightHandSideJump) {
   }
 }
 
-// y'' = -y - sign(y') / 10 from 1: half waves about +1/10 and -1/10, turning at every multiple of pi.
-TEST_P(AccuracyScheme, FollowsDryFriction) {
+// y'' = -y - sign(y') / 10 from 1.
+Problem dry_friction(double end) {
   const auto sign = [](double v) { return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : 0.0; };
-  const Problem problem{.components = {{1.0, {1.0}}, {1.0, {0.0}}},
-                        .rhs =
-                            [=](double, In y, Out f) {
-                              f[0] = y[1];
-                              f[1] = -y[0] - 0.1 * sign(y[1]);
-                            },
-                        .end = 9.0,
-                        .switches = {[](double, In y) { return y[1]; }}};
-  if (refuses_switches(problem)) return;
+  return {.components = {{1.0, {1.0}}, {1.0, {0.0}}},
+          .rhs =
+              [=](double, In y, Out f) {
+                f[0] = y[1];
+                f[1] = -y[0] - 0.1 * sign(y[1]);
+              },
+          .end = end,
+          .switches = {[](double, In y) { return y[1]; }}};
+}
+
+// Half waves about +1/10 and -1/10, turning at every multiple of pi.
+TEST_P(AccuracyScheme, FollowsDryFriction) {
+  const Problem problem = dry_friction(9.0);
   const std::vector<double> at{1.0, 3.0, 4.0, 6.0, 7.0, 9.0};
   const auto path = run(problem, 1e-5, {.at = at});
   ASSERT_EQ(path.times, at);
@@ -140,6 +160,13 @@ TEST_P(AccuracyScheme, EndsAtTheEdgeOfTheDomain) {
   const auto path = run(problem, 1e-4);
   EXPECT_NE(path.ending, Ending::finished);
   EXPECT_NEAR(path.reached, 0.5, 1e-2);
+}
+
+// The same friction stops y where it turns within 0.1 of 0, here at 5 pi: there is no solution behind it.
+TEST_P(AccuracyScheme, EndsWhereTheStateStaysOnASwitch) {
+  const auto path = run(dry_friction(20.0), 1e-5);
+  EXPECT_EQ(path.ending, Ending::not_converged);
+  EXPECT_NEAR(path.reached, 5.0 * M_PI, 1e-3);
 }
 
 TEST_P(AccuracyScheme, EndsWithItsBudget) {

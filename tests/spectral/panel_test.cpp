@@ -5,9 +5,10 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
+#include <utility>
 
 #include "spectral/growing_modes.hpp"
-#include "spectral/kernel_moments.hpp"
+#include "weights/kernel_moments.hpp"
 #include "spectral/panel_rule.hpp"
 
 namespace fde {
@@ -18,8 +19,10 @@ constexpr Eigen::Index points = 20;
 // x^15 - 3 x^4 + 1.
 Vec some_polynomial(const Vec& x) { return x.array().pow(15) - 3.0 * x.array().pow(4) + 1.0; }
 
-TEST(PanelRule, IsExactForPolynomialsOnAPanelAndItsHalves) {
-  const PanelRule rule(points);
+class PanelRules : public testing::TestWithParam<RulePoints> {};
+
+TEST_P(PanelRules, AreExactForPolynomialsOnAPanelAndItsHalves) {
+  const PanelRule rule(points, GetParam());
   const Vec values = some_polynomial(rule.places);
   EXPECT_NEAR(rule.at_end.dot(values), -1.0, 1e-13);
   EXPECT_NEAR(rule.at_start.dot(values), -3.0, 1e-13);
@@ -28,12 +31,32 @@ TEST(PanelRule, IsExactForPolynomialsOnAPanelAndItsHalves) {
   EXPECT_LT((rule.newer_half * values - some_polynomial(newer)).lpNorm<Eigen::Infinity>(), 1e-13);
 }
 
-TEST(PanelRule, JoinsTheHalvesOfAPolynomial) {
-  const PanelRule rule(points);
+TEST_P(PanelRules, JoinTheHalvesOfAPolynomial) {
+  const PanelRule rule(points, GetParam());
   const Vec values = some_polynomial(rule.places);
   const Vec joined = rule.from_older * (rule.to_coefficients * (rule.older_half * values)) +
                      rule.from_newer * (rule.to_coefficients * (rule.newer_half * values));
   EXPECT_LT((joined - rule.to_coefficients * values).lpNorm<Eigen::Infinity>(), 1e-13);
+}
+
+// To rounding: a constraint that is off by more where panels meet is what multipliers answer.
+TEST_P(PanelRules, KeepConstants) {
+  const PanelRule rule(points, GetParam());
+  EXPECT_NEAR(rule.at_start.sum(), 1.0, 1e-14);
+  EXPECT_NEAR(rule.at_end.sum(), 1.0, 1e-14);
+}
+
+INSTANTIATE_TEST_SUITE_P(Points, PanelRules, testing::Values(RulePoints::gauss, RulePoints::radau),
+                         [](const auto& test) {
+                           return test.param == RulePoints::gauss ? "gauss" : "radau";
+                         });
+
+// Abramowitz & Stegun (1964), 25.4.31, give the points of Radau's rule mirrored: (6 -+ sqrt 6) / 10.
+TEST(PanelRule, OfRadauEndsWithThePanel) {
+  const Vec places = PanelRule(3, RulePoints::radau).places;
+  EXPECT_NEAR(places[0], -(1.0 + std::sqrt(6.0)) / 5.0, 1e-15);
+  EXPECT_NEAR(places[1], -(1.0 - std::sqrt(6.0)) / 5.0, 1e-15);
+  EXPECT_EQ(places[2], 1.0);
 }
 
 // Where the halves are other functions, the mean of both is kept: 1 and 0 make 1/2 and (at P_1) -3/4.
@@ -111,6 +134,21 @@ TEST(GrowingModes, OfAChainAreThoseOfItsEquation) {
   EXPECT_TRUE(grows_faster(growing, orders, 0.9));
   EXPECT_FALSE(grows_faster(growing, orders, 1.1));
   EXPECT_FALSE(grows_faster(swinging, orders, 0.01));
+}
+
+// D^g x = a x + lambda, D^g z = b z - lambda, 0 = x - z: 2 D^g x = (a + b) x. An algebraic row that holds its
+// own unknown, 0 = lambda - x, adds 1 to a.
+TEST(GrowingModes, OfAlgebraicRowsAreThoseOfTheOthers) {
+  const Matrix constrained{{5.0, 0.0, 1.0}, {0.0, 1.0, -1.0}, {1.0, -1.0, 0.0}};
+  const Matrix eliminated{{2.0, 1.0}, {-1.0, 1.0}};
+  for (const double order : {0.4, 1.0, 1.6}) {
+    const double rate = std::pow(3.0, 1.0 / order);
+    for (const auto& [matrix, orders] :
+         {std::pair{constrained, Vec{{order, order, 0.0}}}, {eliminated, Vec{{order, 0.0}}}}) {
+      EXPECT_TRUE(grows_faster(matrix, orders, 0.9 * rate)) << order;
+      EXPECT_FALSE(grows_faster(matrix, orders, 1.1 * rate)) << order;
+    }
+  }
 }
 
 TEST(GrowingModes, OfAnOrderNextToZeroAreNotRuledOut) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "mittag_leffler/mittag_leffler.hpp"
 #include "references/reference_of.hpp"
@@ -27,6 +28,13 @@ struct Asked {
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
 void PrintTo(const Asked& asked, std::ostream* out) {
   *out << SceneVariant{&scene_maker(asked.scene), asked.values}.label();
+}
+
+// With the constraint as an algebraic row, at the order of the scene's memory where it has one.
+Asked multiplier(const std::string& scene, std::optional<double> alpha = {}) {
+  Asked asked{scene, {{"formulation", "multiplier"}}};
+  if (alpha) asked.values["alpha"] = *alpha;
+  return asked;
 }
 
 class Spectral : public testing::TestWithParam<Asked> {};
@@ -55,15 +63,17 @@ TEST_P(Spectral, DeliversTheAccuracy) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, Spectral,
-    testing::Values(Asked{"relaxation"}, Asked{"relaxation", {{"gamma", 0.1}}},
-                    Asked{"relaxation", {{"gamma", 1.7}}}, Asked{"relaxation", {{"gamma", 1.0}}},
-                    Asked{"relaxation", {{"lambda", 20.0}}}, Asked{"relaxation_pair"},
-                    Asked{"power", {{"gamma", 0.2}, {"p", 0.3}}}, Asked{"diethelm"}, Asked{"linear_system"},
-                    Asked{"fractional_oscillator"}, Asked{"damped_oscillator"}, Asked{"pendulum"},
-                    Asked{"extensible_pendulum"}, Asked{"multi_term"}, Asked{"brusselator"},
-                    Asked{"van_der_pol", {{"mu", 1e4}}}, Asked{"robertson"},
-                    Asked{"stiff_relaxation", {{"lambda", -1e8}}}, Asked{"fractional_constraint_2d"},
-                    Asked{"knife_edge"}, Asked{"canonical_ensemble"}, Asked{"fractional_knife_edge"}),
+    testing::Values(
+        Asked{"relaxation"}, Asked{"relaxation", {{"gamma", 0.1}}}, Asked{"relaxation", {{"gamma", 1.7}}},
+        Asked{"relaxation", {{"gamma", 1.0}}}, Asked{"relaxation", {{"lambda", 20.0}}},
+        Asked{"relaxation_pair"}, Asked{"power", {{"gamma", 0.2}, {"p", 0.3}}}, Asked{"diethelm"},
+        Asked{"linear_system"}, Asked{"fractional_oscillator"}, Asked{"damped_oscillator"}, Asked{"pendulum"},
+        Asked{"extensible_pendulum"}, Asked{"multi_term"}, Asked{"brusselator"},
+        Asked{"van_der_pol", {{"mu", 1e4}}}, Asked{"robertson"},
+        Asked{"stiff_relaxation", {{"lambda", -1e8}}}, Asked{"fractional_constraint_2d"}, Asked{"knife_edge"},
+        Asked{"canonical_ensemble"}, Asked{"fractional_knife_edge"}, multiplier("nonholonomic_particle"),
+        multiplier("blade_on_sphere"), multiplier("isokinetic"), multiplier("fractional_constraint_2d", 0.8),
+        multiplier("fractional_constraint_nonlinear", 0.3), multiplier("fractional_knife_edge", 0.8)),
     [](const auto& test) {
       auto name = testing::PrintToString(test.param);
       std::ranges::replace_if(
@@ -82,6 +92,80 @@ TEST(SpectralJump, IsStartedFrom) {
     const Vec error = columns_at(scene.outputs, at[i], path.y.col(static_cast<Eigen::Index>(i))) -
                       reference.at(at[i]).value;
     EXPECT_LT(error.lpNorm<Eigen::Infinity>(), 1e-10) << at[i];
+  }
+}
+
+// D^0.5 y = 1, and 2 where y > 1, which is at pi/4: y = (2 sqrt t + 2 sqrt(t - pi/4)) / sqrt pi.
+TEST(SpectralSwitch, IsLocatedToRounding) {
+  const Problem problem{.components = {{0.5, {0.0}}},
+                        .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? 2.0 : 1.0; },
+                        .end = 2.0,
+                        .switches = {[](double, In y) { return y[0] - 1.0; }}};
+  const std::vector<double> at{0.5, 0.785, 0.786, 1.0, 2.0};
+  for (const double accuracy : {1e-3, 1e-6, 1e-12}) {
+    const auto path = run(problem, accuracy, {.at = at});
+    ASSERT_EQ(path.times, at);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const double behind = std::max(0.0, at[i] - std::numbers::pi / 4.0);
+      const double exact = 2.0 * (std::sqrt(at[i]) + std::sqrt(behind)) * std::numbers::inv_sqrtpi;
+      EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), exact, std::max(accuracy, 1e-11)) << at[i];
+    }
+  }
+}
+
+// D^g y = lambda and y = t: lambda = t^(1-g) / Gamma(2-g), Abel's equation.
+TEST(SpectralAlgebraic, RowsSolveAbelsEquation) {
+  for (const double order : {0.2, 0.5, 0.9, 1.0}) {
+    const Problem problem{.components = {{order, {0.0}}, {0.0, {0.0}}}, .rhs = [](double t, In y, Out f) {
+                            f[0] = y[1];
+                            f[1] = y[0] - t;
+                          }};
+    const auto path = run(problem, 1e-9);
+    ASSERT_EQ(path.ending, Ending::finished) << order;
+    for (const double t : {0.01, 0.3, 1.0}) {
+      EXPECT_NEAR(path.dense(t)[1], std::pow(t, 1.0 - order) / std::tgamma(2.0 - order), 1e-8)
+          << order << ' ' << t;
+    }
+  }
+}
+
+// D^0.5 y = -z and y = z^3: known by D^0.5 y = -y^(1/3), whose slope at the end of y is infinite.
+TEST(SpectralAlgebraic, RowsDetermineTheirOwnUnknown) {
+  const Problem with_row{.components = {{0.5, {1.0}}, {0.0, {1.0}}}, .rhs = [](double, In y, Out f) {
+                           f[0] = -y[1];
+                           f[1] = y[0] - std::pow(y[1], 3.0);
+                         }};
+  const Problem without{.components = {{0.5, {1.0}}},
+                        .rhs = [](double, In y, Out f) { f[0] = -std::cbrt(y[0]); }};
+  const double y = run(without, 1e-11, {.at = {0.3}}).y(0, 0);
+  const auto found = run(with_row, 1e-11, {.at = {0.3}});
+  EXPECT_NEAR(found.y(0, 0), y, 1e-11);
+  EXPECT_NEAR(found.y(1, 0), std::cbrt(y), 1e-10);
+}
+
+// y' + lambda = 0 with y = t up to 1 and y = 1 behind it: lambda jumps from -1 to 0.
+TEST(SpectralAlgebraic, RowsMayJump) {
+  const Problem problem{.components = {{1.0, {0.0}}, {0.0, {0.0}}},
+                        .rhs =
+                            [](double t, In y, Out f) {
+                              f[0] = -y[1];
+                              f[1] = y[0] - std::min(t, 1.0);
+                            },
+                        .end = 2.0,
+                        .jumps = {1.0}};
+  const auto path = run(problem, 1e-10, {.at = {0.5, 1.5, 2.0}});
+  ASSERT_EQ(path.ending, Ending::finished);
+  EXPECT_LT((path.y.row(1) - Eigen::RowVector3d(-1.0, 0.0, 0.0)).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+// lambda ~ t^-0.8 at the start.
+TEST(SpectralAlgebraic, RowsKnowASingularReaction) {
+  const Scene scene = scene_of("fractional_constraint_2d", {{"formulation", "multiplier"}, {"alpha", 0.8}});
+  const auto reference = reference_of(scene);
+  const auto path = run(scene.problem, 1e-10);
+  for (const double t : {1e-3, 0.1, 1.0, 7.3}) {
+    const double exact = exact_reactions(scene, t, reference.at(t).value)[0];
+    EXPECT_NEAR(path.dense(t).tail<1>()[0], exact, 1e-8 * std::abs(exact)) << t;
   }
 }
 

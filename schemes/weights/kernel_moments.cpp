@@ -1,4 +1,4 @@
-#include "spectral/kernel_moments.hpp"
+#include "weights/kernel_moments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ void upwards(double order, double beyond, Out m) {
 }  // namespace
 
 Matrix kernel_moments(double order, const Vec& beyond, Eigen::Index count) {
-  constexpr double equal = 0.03;  // decays up to here leave upwards all but a digit
+  const double equal = 0.75 / static_cast<double>(count);  // decays up to here leave upwards all but a digit
   constexpr double digits =
       20.0;  // half of those kept, as a power of e: what starts a ratio dies out squared
   const double a = order - 1.0;

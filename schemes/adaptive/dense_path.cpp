@@ -1,0 +1,70 @@
+#include "adaptive/dense_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "weights/kernel_moments.hpp"
+
+namespace fde {
+namespace {
+
+// From coefficients of 1, w, w^2 to those of the Legendre polynomials in 2w - 1, one row a polynomial.
+Drives legendre(const Drives& powers) {
+  Drives result(powers.rows(), powers.cols());
+  result.col(0) = powers.col(0) + powers.col(1) / 2.0 + powers.col(2) / 3.0;
+  result.col(1) = (powers.col(1) + powers.col(2)) / 2.0;
+  result.col(2) = powers.col(2) / 6.0;
+  return result;
+}
+
+}  // namespace
+
+DensePath::DensePath(const Problem& problem) : taylor_(problem), size_(problem.size()) {
+  for (Eigen::Index i = 0; i < size_; ++i) {
+    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    auto found = std::ranges::find(groups_, order, &Group::order);
+    if (found == groups_.end()) found = groups_.insert(found, {order, {}});
+    found->rows.push_back(i);
+  }
+}
+
+void DensePath::add(double t, const Drives& drives) {
+  times_.push_back(t);
+  const Drives coefficients = legendre(drives);
+  drives_.insert(drives_.end(), coefficients.data(), coefficients.data() + coefficients.size());
+}
+
+Eigen::Map<const Drives> DensePath::drives_of(std::size_t step) const {
+  const auto size = static_cast<std::size_t>(3 * size_);
+  return {drives_.data() + step * size, size_, 3};
+}
+
+Vec DensePath::at(double t) const {
+  Vec y(size_);
+  taylor_.at(t, y);
+  const auto end = std::min(std::ranges::lower_bound(times_.begin() + 1, times_.end(), t), times_.end() - 1);
+  const auto steps = std::max<Eigen::Index>(end - times_.begin(), 0);
+  if (steps == 0) return y;
+  Vec halves(steps), beyond(steps);
+  for (Eigen::Index k = 0; k < steps; ++k) {
+    const auto step = static_cast<std::size_t>(k);
+    halves[k] = (times_[step + 1] - times_[step]) / 2.0;
+    beyond[k] = (t - times_[step + 1]) / halves[k];
+  }
+  for (const auto& [order, rows] : groups_) {
+    if (order == 0.0) {
+      const double x = 1.0 + beyond[steps - 1];
+      const Eigen::Vector3d polynomials(1.0, x, 1.5 * x * x - 0.5);
+      for (const auto i : rows) y[i] = drives_of(static_cast<std::size_t>(steps - 1)).row(i) * polynomials;
+      continue;
+    }
+    const Matrix moments = halves.array().pow(order).matrix().asDiagonal() * kernel_moments(order, beyond, 3);
+    for (Eigen::Index k = 0; k < steps; ++k) {
+      const auto drives = drives_of(static_cast<std::size_t>(k));
+      for (const auto i : rows) y[i] += drives.row(i).dot(moments.row(k));
+    }
+  }
+  return y;
+}
+
+}  // namespace fde

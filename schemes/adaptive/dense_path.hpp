@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "adaptive/adaptive_steps.hpp"
+
+namespace fde {
+
+// What a run of steps leaves on which drives are polynomials: y at any time up to the last,
+//   y_i(t) = Taylor part + the fractional integral of all polynomials up to t,
+// summed as it stands. A value costs as much as there are steps before it, some ten nanoseconds each.
+class DensePath {
+ public:
+  explicit DensePath(const Problem& problem);
+
+  // The drives from the end of the step before up to t.
+  void add(double t, const Drives& drives);
+
+  // 0 <= t <= the end of the last step.
+  [[nodiscard]] Vec at(double t) const;
+
+ private:
+  // All rows of one order; 0: algebraic ones.
+  struct Group {
+    double order;
+    std::vector<Eigen::Index> rows;
+  };
+  [[nodiscard]] Eigen::Map<const Drives> drives_of(std::size_t step) const;
+
+  TaylorPart taylor_;
+  Eigen::Index size_;
+  std::vector<Group> groups_;
+  std::vector<double> times_{0.0};
+  std::vector<double> drives_;  // of one step after the other, as coefficients of Legendre polynomials
+};
+
+}  // namespace fde
