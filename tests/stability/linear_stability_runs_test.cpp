@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "programs/stability/across.hpp"
+#include "stability/across.hpp"
 #include "programs/stability/late.hpp"
 #include "stability/stability_region.hpp"
 #include "support/testing.hpp"
