@@ -113,6 +113,7 @@ struct Scene {
   std::vector<Memory> memories{};  // the columns that the drift evaluates independently
   Reactions reactions{};
   StateGeometry geometry{};
+  Outputs motion{};  // of the columns: two or three coordinates of the point whose path shows the motion
 };
 
 // An equation as a file writes it, or for readers: the sum of coefficient D^order unknown = rhs, formulas.

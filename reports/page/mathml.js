@@ -108,15 +108,16 @@ function bare(node) {
 
 const formula = (text) => new FormulaSetter(text).sum();
 
-// Sum of coefficient D^order unknown = rhs.
+// Sum of coefficient D^order unknown = rhs; a condition, of order 0, is 0 = rhs.
 function equation({ unknown, terms, rhs }) {
-  const left = terms.flatMap(([coefficient, order], i) => {
+  const condition = terms.every(([, order]) => order === "0");
+  const left = condition ? [math("mn", "0")] : terms.flatMap(([coefficient, order], i) => {
     const parts = [...(i ? [math("mo", "+")] : [])];
     if (coefficient !== "1") parts.push(/[+-]/.test(coefficient.slice(1)) ? inBrackets(formula(coefficient)) : formula(coefficient));
     return [...parts, derivative(unknown, formula(order))];
   });
   const whole = math("math", math("mrow", ...left, math("mo", "="), formula(rhs)));
   whole.setAttribute("display", "block");
-  whole.setAttribute("alttext", `${terms.map(([coefficient, order]) => `${coefficient} D^${order} ${unknown}`).join(" + ")} = ${rhs}`);
+  whole.setAttribute("alttext", `${condition ? "0" : terms.map(([coefficient, order]) => `${coefficient} D^${order} ${unknown}`).join(" + ")} = ${rhs}`);
   return whole;
 }

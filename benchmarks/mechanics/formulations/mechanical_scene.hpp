@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -73,6 +74,14 @@ inline void end_at_the_poles(Scene& scene) {
   scene.problem.domain = domain(scene.outputs);
   if (scene.reference_problem)
     scene.reference_problem->problem.domain = domain(scene.reference_problem->outputs);
+}
+
+// Of such a scene, whose second column is the longitude: its place on the unit sphere.
+inline Outputs path_on_sphere() {
+  return {{"x", "y", "z"}, [](double /*t*/, In columns, Out place) {
+            const double theta = columns[0], phi = columns[1];
+            place << std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta);
+          }};
 }
 
 }  // namespace fde::mechanics

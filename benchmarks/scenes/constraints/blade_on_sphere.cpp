@@ -66,8 +66,25 @@ SceneMaker blade_on_sphere() {
             .coordinates = {"theta", "phi", "psi"}};
         Scene scene = mechanical_scene(setting, asked_of(p));
         end_at_the_poles(scene);
+        scene.motion = path_on_sphere();
         return scene;
-      }};
+      },
+      .equations = {
+          {.unknown = "theta",
+           .terms = {{"1", "2"}},
+           .rhs = "sin(theta)*cos(theta)*D(phi,1)^2 - inertia*spin*sin(theta)*D(phi,1) + gravity*sin(theta) "
+                  "+ lambda*sin(psi)",
+           .initial = {"theta0", "speed*cos(psi0)"}},
+          {.unknown = "phi",
+           .terms = {{"1", "2"}},
+           .rhs = "(inertia*spin*D(theta,1) - lambda*cos(psi))/sin(theta) - "
+                  "2*cos(theta)/sin(theta)*D(theta,1)*D(phi,1)",
+           .initial = {"0", "speed*sin(psi0)/sin(theta0)"}},
+          {.unknown = "psi", .terms = {{"1", "1"}}, .rhs = "spin - D(phi,1)*cos(theta)", .initial = {"psi0"}},
+          {.unknown = "lambda",
+           .terms = {{"1", "0"}},
+           .rhs = "D(theta,1)*sin(psi) - sin(theta)*D(phi,1)*cos(psi)",
+           .initial = {"0"}}}};
 }
 
 }  // namespace fde

@@ -28,7 +28,25 @@ SceneMaker canonical_ensemble() {
                                                   .coordinates = {"q1", "q2", "q3"},
                                                   .reference = Formulation::acceleration};
             return mechanical_scene(setting, asked_of(p));
-          }};
+          },
+          .equations = {
+              {.unknown = "q1",
+               .terms = {{"1", "2"}},
+               .rhs = "-k*q1 - c*q1^3 + k*(q2 - q1) + c*(q2 - q1)^3 - gamma1*D(q1,1) + lambda*gamma1*D(q1,1)",
+               .initial = {"q1", "v1"}},
+              {.unknown = "q2",
+               .terms = {{"1", "2"}},
+               .rhs = "-k*(q2 - q1) - c*(q2 - q1)^3 + k*(q3 - q2) + c*(q3 - q2)^3 - gamma2*D(q2,1) + "
+                      "lambda*gamma2*D(q2,1)",
+               .initial = {"q2", "v2"}},
+              {.unknown = "q3",
+               .terms = {{"1", "2"}},
+               .rhs = "-k*(q3 - q2) - c*(q3 - q2)^3 - k*q3 - c*q3^3 - gamma3*D(q3,1) + lambda*gamma3*D(q3,1)",
+               .initial = {"q3", "v3"}},
+              {.unknown = "lambda",
+               .terms = {{"1", "0"}},
+               .rhs = "(gamma1*(D(q1,1)^2 - v1^2) + gamma2*(D(q2,1)^2 - v2^2) + gamma3*(D(q3,1)^2 - v3^2))/2",
+               .initial = {"0"}}}};
 }
 
 }  // namespace fde

@@ -135,7 +135,9 @@ SceneMaker fractional_constraint_1d() {
                     .constraint = constraint_of(line),
                     .memories = memories_of(line, smoothness),
                     .reactions = reactions_of(line, smoothness)};
-          }};
+          },
+          .equations = {
+              {.unknown = "q", .terms = {{"a", "1"}, {"b", "alpha"}}, .rhs = "C0", .initial = {"q0", "q1"}}}};
 }
 
 }  // namespace fde

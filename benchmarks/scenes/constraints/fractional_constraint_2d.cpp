@@ -104,24 +104,32 @@ SceneMaker fractional_constraint_2d() {
       {"v1", 0.4, any_number, "q1'(0)"},
       {"v2", -0.2, any_number, "q2'(0)"},
       derived_number("C0", "a1*v1+a2*v2", any_number, "what a.v + b.w is; free for 1 < alpha < 2")};
-  return {.id = "fractional_constraint_2d",
-          .title = "Oscillator in the plane with a linear fractional constraint",
-          .source = "Tarasov & Zaslavsky 2006, eqs 41-43, 55-63",
-          .parameters = with_formulations(parameters, all_formulations()),
-          .make = [](const Parameters& p) -> Scene {
-            if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
-            const Setting<LinearConstraint> setting{.system = {p["alpha"], p["a1"], p["a2"], p["b1"], p["b2"],
-                                                               p["k1"], p["k2"], p["g"], constant_of(p)},
-                                                    .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
-                                                    .coordinates = {"q1", "q2"},
-                                                    .end = 10.0};
-            Scene scene = mechanical_scene(setting, asked_of(p));
-            LinearSystem system = system_of(p);
-            scene.reference = linear_reference(system);
-            system.outputs = {multiplier_component};
-            if (!scene.reactions.of_columns()) scene.reactions.exact = linear_reference(system);
-            return scene;
-          }};
+  return {
+      .id = "fractional_constraint_2d",
+      .title = "Oscillator in the plane with a linear fractional constraint",
+      .source = "Tarasov & Zaslavsky 2006, eqs 41-43, 55-63",
+      .parameters = with_formulations(parameters, all_formulations()),
+      .make = [](const Parameters& p) -> Scene {
+        if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
+        const Setting<LinearConstraint> setting{.system = {p["alpha"], p["a1"], p["a2"], p["b1"], p["b2"],
+                                                           p["k1"], p["k2"], p["g"], constant_of(p)},
+                                                .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
+                                                .coordinates = {"q1", "q2"},
+                                                .end = 10.0};
+        Scene scene = mechanical_scene(setting, asked_of(p));
+        LinearSystem system = system_of(p);
+        scene.reference = linear_reference(system);
+        system.outputs = {multiplier_component};
+        if (!scene.reactions.of_columns()) scene.reactions.exact = linear_reference(system);
+        return scene;
+      },
+      .equations = {
+          {.unknown = "q1", .terms = {{"1", "2"}}, .rhs = "-k1*q1 + a1*lambda", .initial = {"q1", "v1"}},
+          {.unknown = "q2", .terms = {{"1", "2"}}, .rhs = "-k2*q2 - g + a2*lambda", .initial = {"q2", "v2"}},
+          {.unknown = "lambda",
+           .terms = {{"1", "0"}},
+           .rhs = "a1*D(q1,1) + a2*D(q2,1) + b1*D(q1,alpha) + b2*D(q2,alpha) - C0",
+           .initial = {"0"}}}};
 }
 
 }  // namespace fde

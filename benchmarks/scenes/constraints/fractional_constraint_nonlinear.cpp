@@ -49,7 +49,20 @@ SceneMaker fractional_constraint_nonlinear() {
                 .end = 10.0,
                 .reference = p["alpha"] < 0.5 ? Formulation::acceleration : Formulation::multiplier};
             return mechanical_scene(setting, asked_of(p));
-          }};
+          },
+          .equations = {{.unknown = "q1",
+                         .terms = {{"1", "2"}},
+                         .rhs = "-k*(2*q1 - q2) + lambda*(D(q1,1) + coupling*D(q1,alpha))",
+                         .initial = {"q1", "v1"}},
+                        {.unknown = "q2",
+                         .terms = {{"1", "2"}},
+                         .rhs = "-k*(2*q2 - q1) + lambda*(D(q2,1) + coupling*D(q2,alpha))",
+                         .initial = {"q2", "v2"}},
+                        {.unknown = "lambda",
+                         .terms = {{"1", "0"}},
+                         .rhs = "(D(q1,1)^2 + D(q2,1)^2)/2 + coupling*(D(q1,1)*D(q1,alpha) + "
+                                "D(q2,1)*D(q2,alpha)) - (v1^2 + v2^2)/2",
+                         .initial = {"0"}}}};
 }
 
 }  // namespace fde

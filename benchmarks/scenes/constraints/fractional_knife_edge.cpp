@@ -91,9 +91,14 @@ SceneMaker fractional_knife_edge() {
           .make = [](const Parameters& p) -> Scene {
             if (p["alpha"] == 1.0 && p["b"] == -1.0) reject("b", -1.0, "other than -1 for alpha = 1");
             const Asked asked = asked_of(p);
-            if (p.choice("surface") == "plane") return mechanical_scene(on_plane(p), asked);
+            if (p.choice("surface") == "plane") {
+              Scene scene = mechanical_scene(on_plane(p), asked);
+              scene.motion = picked({"x", "y"}, {0, 1});
+              return scene;
+            }
             Scene scene = mechanical_scene(on_sphere(p), asked);
             end_at_the_poles(scene);
+            scene.motion = path_on_sphere();
             return scene;
           }};
 }

@@ -40,18 +40,30 @@ SceneMaker knife_edge() {
       {"g", 9.81, any_number, "acceleration of gravity"},
       {"theta", 0.5, {.low = 0.0, .high = std::numbers::pi / 2}, "slope of the plane, radians"},
       {"omega", 1.0, any_number, "phi'(0)"}};
-  return {.id = "knife_edge",
-          .title = "Blade on an inclined plane",
-          .source = "Tarasov & Zaslavsky 2006, eqs 7, 13, with x' sin phi = y' cos phi",
-          .parameters = with_formulations(parameters, all_formulations()),
-          .make = [](const Parameters& p) -> Scene {
-            const Setting<Blade> setting{.system = {p["g"] * std::sin(p["theta"])},
-                                         .start = {Vector<double, 3>::Zero(), {0.0, 0.0, p["omega"]}},
-                                         .coordinates = {"x", "y", "phi"}};
-            Scene scene = mechanical_scene(setting, asked_of(p));
-            scene.reference = closed_form(Slide{p["g"], p["theta"], p["omega"]});
-            return scene;
-          }};
+  return {
+      .id = "knife_edge",
+      .title = "Blade on an inclined plane",
+      .source = "Tarasov & Zaslavsky 2006, eqs 7, 13, with x' sin phi = y' cos phi",
+      .parameters = with_formulations(parameters, all_formulations()),
+      .make = [](const Parameters& p) -> Scene {
+        const Setting<Blade> setting{.system = {p["g"] * std::sin(p["theta"])},
+                                     .start = {Vector<double, 3>::Zero(), {0.0, 0.0, p["omega"]}},
+                                     .coordinates = {"x", "y", "phi"}};
+        Scene scene = mechanical_scene(setting, asked_of(p));
+        scene.reference = closed_form(Slide{p["g"], p["theta"], p["omega"]});
+        scene.motion = picked({"x", "y"}, {0, 1});
+        return scene;
+      },
+      .equations = {{.unknown = "x",
+                     .terms = {{"1", "2"}},
+                     .rhs = "g*sin(theta) + lambda*sin(phi)",
+                     .initial = {"0", "0"}},
+                    {.unknown = "y", .terms = {{"1", "2"}}, .rhs = "-lambda*cos(phi)", .initial = {"0", "0"}},
+                    {.unknown = "phi", .terms = {{"1", "2"}}, .rhs = "0", .initial = {"0", "omega"}},
+                    {.unknown = "lambda",
+                     .terms = {{"1", "0"}},
+                     .rhs = "D(x,1)*sin(phi) - D(y,1)*cos(phi)",
+                     .initial = {"0"}}}};
 }
 
 }  // namespace fde

@@ -67,8 +67,21 @@ SceneMaker loxodrome() {
             Scene scene = mechanical_scene(setting, asked_of(p));
             end_at_the_poles(scene);
             scene.reference = closed_form(Loxodrome{theta0, k, p["speed"]});
+            scene.motion = path_on_sphere();
             return scene;
-          }};
+          },
+          .equations = {{.unknown = "theta",
+                         .terms = {{"1", "2"}},
+                         .rhs = "sin(theta)*cos(theta)*D(phi,1)^2 - k*lambda",
+                         .initial = {"theta0", "speed/sqrt(1 + k^2)"}},
+                        {.unknown = "phi",
+                         .terms = {{"1", "2"}},
+                         .rhs = "-2*cos(theta)/sin(theta)*D(theta,1)*D(phi,1) + lambda/sin(theta)",
+                         .initial = {"0", "k*speed/sqrt(1 + k^2)/sin(theta0)"}},
+                        {.unknown = "lambda",
+                         .terms = {{"1", "0"}},
+                         .rhs = "sin(theta)*D(phi,1) - k*D(theta,1)",
+                         .initial = {"0"}}}};
 }
 
 }  // namespace fde

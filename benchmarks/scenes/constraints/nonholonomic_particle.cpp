@@ -61,8 +61,14 @@ SceneMaker nonholonomic_particle() {
           .make = [](const Parameters& p) -> Scene {
             Scene scene = mechanical_scene(particle_setting(p), asked_of(p));
             scene.reference = closed_form(ParticleMotion{p["y0"], p["dx0"], p["dy0"]});
+            scene.motion = picked({"x", "y", "z"}, {0, 1, 2});
             return scene;
-          }};
+          },
+          .equations = {
+              {.unknown = "x", .terms = {{"1", "2"}}, .rhs = "-lambda*y", .initial = {"0", "dx0"}},
+              {.unknown = "y", .terms = {{"1", "2"}}, .rhs = "0", .initial = {"y0", "dy0"}},
+              {.unknown = "z", .terms = {{"1", "2"}}, .rhs = "lambda", .initial = {"0", "y0*dx0"}},
+              {.unknown = "lambda", .terms = {{"1", "0"}}, .rhs = "D(z,1) - y*D(x,1)", .initial = {"0"}}}};
 }
 
 }  // namespace fde

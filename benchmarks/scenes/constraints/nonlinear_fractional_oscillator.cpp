@@ -88,7 +88,11 @@ SceneMaker nonlinear_fractional_oscillator() {
             if (p["b2"] == 0.0) reject("b2", 0.0, "other than 0");
             const std::string& form = p.choice("form");
             return form == "reduced" ? reduced(p) : pair_of_points(p, formulation_named(form));
-          }};
+          },
+          .equations = {{.unknown = "x",
+                         .terms = {{"1", "2"}, {"2*c/b2", "3 - alpha"}},
+                         .rhs = "-(k1*x + k3*x^3)/2",
+                         .initial = {"x0", "dx0"}}}};
 }
 
 }  // namespace fde

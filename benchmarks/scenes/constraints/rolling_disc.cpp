@@ -58,8 +58,25 @@ SceneMaker rolling_disc() {
                 .coordinates = {"x", "y", "phi", "psi"}};
             Scene scene = mechanical_scene(setting, asked_of(p));
             scene.reference = closed_form(Roll{p["R"], p["m"], p["I"], p["pull"], p["dphi0"], p["dpsi0"]});
+            scene.motion = picked({"x", "y"}, {0, 1});
             return scene;
-          }};
+          },
+          .equations = {
+              {.unknown = "x", .terms = {{"m", "2"}}, .rhs = "m*pull + lambda1", .initial = {"0", "R*dpsi0"}},
+              {.unknown = "y", .terms = {{"m", "2"}}, .rhs = "lambda2", .initial = {"0", "0"}},
+              {.unknown = "phi", .terms = {{"J", "2"}}, .rhs = "0", .initial = {"0", "dphi0"}},
+              {.unknown = "psi",
+               .terms = {{"I", "2"}},
+               .rhs = "-R*(lambda1*cos(phi) + lambda2*sin(phi))",
+               .initial = {"0", "dpsi0"}},
+              {.unknown = "lambda1",
+               .terms = {{"1", "0"}},
+               .rhs = "D(x,1) - R*D(psi,1)*cos(phi)",
+               .initial = {"0"}},
+              {.unknown = "lambda2",
+               .terms = {{"1", "0"}},
+               .rhs = "D(y,1) - R*D(psi,1)*sin(phi)",
+               .initial = {"0"}}}};
 }
 
 }  // namespace fde

@@ -109,7 +109,17 @@ SceneMaker extensible_pendulum() {
                                  return spring.energy({phi.u(c), phi.du(c), xi.u(c), xi.du(c)});
                                },
                            .power = [=](double, In c) { return phi.power(c) + xi.power(c); }}};
-      }};
+      },
+      .equations = {
+          {.unknown = "phi",
+           .terms = {{"1", "2"}},
+           .rhs = "-(g_over_L*sin(phi) + 2*D(phi,1)*D(xi,1))/(1 + xi) - (mu*tau^alpha*D(phi,alpha) + "
+                  "lambda*tau*D(phi,1) + nu*tau^beta*D(phi,beta))/(1 + xi)^2",
+           .initial = {"phi0", "dphi0"}},
+          {.unknown = "xi",
+           .terms = {{"1", "2"}, {"mu1*tau^alpha", "alpha"}, {"lambda1*tau", "1"}, {"nu1*tau^beta", "beta"}},
+           .rhs = "g_over_L*cos(phi) + (1 + xi)*D(phi,1)^2 - K_over_m*xi",
+           .initial = {"xi0", "dxi0"}}}};
 }
 
 }  // namespace fde
