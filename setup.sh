@@ -7,6 +7,8 @@ cd "$(dirname "$0")"
 
 packages=(git pkg-config cmake ninja-build g++ ccache libeigen3-dev libgsl-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev
   libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev libtomlplusplus-dev)
+# Of figures as PDF: librsvg, and the letters of papers.
+packages+=(librsvg2-bin fonts-urw-base35)
 npm_folders=(reports)
 command -v node >/dev/null || packages+=(nodejs)
 command -v npm >/dev/null || packages+=(npm)

@@ -5,65 +5,108 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "analysis/runs.hpp"
 #include "command/arguments.hpp"
 #include "command/command.hpp"
 #include "command/command_line.hpp"
+#include "command/plot_data.hpp"
 #include "external/shell_command.hpp"
 #include "external/temporary_file.hpp"
 #include "page/assets.hpp"
-#include "page/page_data.hpp"
-#include "scenes/variant.hpp"
+#include "references/whole_file.hpp"
+#include "scenes/printable.hpp"
 
 namespace fde {
 namespace {
 
 struct PlotArguments {
   SceneArguments scene;
-  std::string results, kind, out;
+  std::string kind, out;
+  std::optional<std::string> results, columns;
+  std::vector<std::string> schemes;
 };
 
-// What a figure is called here, and the chart of the page that it is.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kinds{
-    {{"work-precision", "error-against-time"},
-     {"rate", "error-against-step"},
-     {"accuracy", "delivered-against-asked"},
-     {"energy", "energy-against-step"},
-     {"solution", "solution"}}};
+// What a figure shows, and from where its data are.
+enum class Of { runs, drifts, solution, regions };
+struct Kind {
+  std::string_view name, chart,
+      family;  // the charts of the page that it is; of several values of a parameter
+  Of of;
+  bool of_columns = false;
+};
+constexpr std::array kinds{Kind{"work-precision", "error-against-time", "", Of::runs},
+                           Kind{"rate", "error-against-step", "", Of::runs},
+                           Kind{"accuracy", "delivered-against-asked", "", Of::runs},
+                           Kind{"energy", "energy-against-step", "", Of::runs},
+                           Kind{"drift", "drift-against-step", "", Of::drifts},
+                           Kind{"drift-over-time", "drift-over-time", "", Of::drifts},
+                           Kind{"solution", "solution", "family", Of::solution, true},
+                           Kind{"phase", "phase-portrait", "family-phase", Of::solution, true},
+                           Kind{"motion", "motion", "", Of::solution},
+                           Kind{"stability", "stability-regions", "", Of::regions}};
 constexpr double most_seconds = 120.0;
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20;
 
-std::string_view chart_named(const std::string& kind) {
-  const auto* const found =
-      std::ranges::find(kinds, kind, &std::pair<std::string_view, std::string_view>::first);
-  if (found != kinds.end()) return found->second;
+const Kind& kind_named(const std::string& name) {
+  const auto* const found = std::ranges::find(kinds, name, &Kind::name);
+  if (found != kinds.end()) return *found;
   std::vector<std::string_view> names;
-  for (const auto& [name, chart] : kinds) names.push_back(name);
-  throw std::invalid_argument(fmt::format("--kind = {}: must be one of {}", kind, fmt::join(names, ", ")));
+  for (const Kind& kind : kinds) names.push_back(kind.name);
+  throw std::invalid_argument(fmt::format("--kind = {}: must be one of {}", name, fmt::join(names, ", ")));
 }
 
-void check_ending(const std::string& out) {
-  if (out.ends_with(".svg") || out.ends_with(".vl.json")) return;
-  throw std::invalid_argument(fmt::format("--out = {}: must end in .svg or .vl.json", out));
+void check(const PlotArguments& arguments, const Kind& kind) {
+  const auto& out = arguments.out;
+  if (!out.ends_with(".svg") && !out.ends_with(".pdf") && !out.ends_with(".vl.json"))
+    throw std::invalid_argument(fmt::format("--out = {}: must end in .svg, .pdf or .vl.json", out));
+  const bool measured = kind.of == Of::runs || kind.of == Of::drifts;
+  if (measured && !arguments.results) {
+    throw std::invalid_argument(
+        fmt::format("--results: --kind {} draws runs, and needs a results file", kind.name));
+  }
+  if (!measured && arguments.results) {
+    throw std::invalid_argument(fmt::format("--results = {}: --kind {} draws no runs: must not be given",
+                                            *arguments.results, kind.name));
+  }
+  if (!arguments.schemes.empty() && kind.of == Of::solution) {
+    throw std::invalid_argument(fmt::format("--scheme = {}: --kind {} draws no schemes: must not be given",
+                                            arguments.schemes.front(), kind.name));
+  }
+  if (arguments.columns && !kind.of_columns) {
+    throw std::invalid_argument(
+        fmt::format("--columns = {}: must be given with --kind solution or phase only", *arguments.columns));
+  }
 }
 
-// Of this scene alone.
-nlohmann::json data_of(const PlotArguments& arguments, const Scenes& known) {
-  const SceneSettings scene = read_variant(arguments.scene, known).key();
-  ReadRuns read = read_runs(arguments.results, known);
-  for (auto* some : {&read.runs.finished, &read.runs.failed})
-    std::erase_if(*some, [&](const MeasuredRun& run) { return run.key.scene != scene; });
-  if (read.runs.finished.empty())
-    throw std::invalid_argument(fmt::format("{}: has no run of {}", arguments.results, label_of(scene)));
-  return page_data(std::move(read));
+nlohmann::json data_of(const PlotArguments& arguments, const Kind& kind, const Scenes& known) {
+  const auto& [scene, settings] = arguments.scene;
+  switch (kind.of) {
+    case Of::runs:
+      return data_of_runs(*arguments.results, read_variant(arguments.scene, known), known);
+    case Of::drifts:
+      return data_of_drifts(*arguments.results, read_variant(arguments.scene, known), known);
+    case Of::solution:
+      return data_of_solutions(read_variants(scene, settings, known));
+    case Of::regions:
+      return data_of_regions(read_variant(arguments.scene, known));
+  }
+  return {};
+}
+
+std::vector<std::string> columns_in(const PlotArguments& arguments, const Kind& kind) {
+  const auto names = arguments.columns ? split_names(*arguments.columns) : std::vector<std::string>();
+  if (kind.name == "phase" && !names.empty() && names.size() != 2)
+    throw std::invalid_argument(fmt::format("--columns = {}: must be two", *arguments.columns));
+  return names;
 }
 
 std::string first_line_of(const std::filesystem::path& file) {
@@ -73,25 +116,51 @@ std::string first_line_of(const std::filesystem::path& file) {
   return line;
 }
 
+// Runs a program with one argument; its first complaint is ours.
+void draw(const std::string& program, const std::string& command, const std::filesystem::path& argument,
+          const std::string& out, const TemporaryFile& said) {
+  const TemporaryFile complained(".txt");
+  const auto end = run_command(command, argument.string(), said.descriptor(), complained.descriptor(),
+                               {most_seconds, most_bytes});
+  if (end.how == CommandEnd::How::exited && end.code == 0) return;
+  throw std::invalid_argument(
+      fmt::format("{}: cannot be drawn by {}: {}", out, program, first_line_of(complained.path())));
+}
+
+void print_on_paper(const std::filesystem::path& svg, const std::string& out) {
+  const TemporaryFile pdf(".pdf");
+  draw("rsvg-convert of Debian's librsvg2-bin", "rsvg-convert --format=pdf", svg, out, pdf);
+  std::ifstream stream(pdf.path(), std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  WholeFile file(out);
+  file.write(bytes);
+  file.finish();
+}
+
 void plot(const PlotArguments& arguments, const Streams& streams, const Scenes& known) {
-  const auto chart = chart_named(arguments.kind);
-  check_ending(arguments.out);
+  const Kind& kind = kind_named(arguments.kind);
+  check(arguments, kind);
+  const auto columns = columns_in(arguments, kind);
+  const auto data = data_of(arguments, kind, known);
+  const bool several = data["sections"].front().contains("family");
+  if (several && kind.family.empty())
+    throw std::invalid_argument(fmt::format("--kind = {}: one value of each parameter", kind.name));
   const auto out = std::filesystem::absolute(arguments.out);
-  const TemporaryFile script(".cjs"), request(".json"), said(".txt"), complained(".txt");
+  const bool on_paper = arguments.out.ends_with(".pdf");
+  const TemporaryFile script(".cjs"), request(".json"), drawn(".svg");
   script.write(assets::plot());
-  request.write(nlohmann::json{{"data", data_of(arguments, known)},
+  request.write(nlohmann::json{{"data", data},
                                {"charts", assets::charts()},
-                               {"chart", chart},
+                               {"chart", several ? kind.family : kind.chart},
                                {"kind", "error_maximum_mixed"},
+                               {"columns", columns},
+                               {"schemes", arguments.schemes},
                                {"modules", FDEBENCH_NODE_MODULES},
-                               {"out", out.string()}}
+                               {"out", on_paper ? drawn.path().string() : out.string()}}
                     .dump());
-  const auto end = run_command(fmt::format("node '{}'", script.path().string()), request.path().string(),
-                               said.descriptor(), complained.descriptor(), {most_seconds, most_bytes});
-  if (end.how != CommandEnd::How::exited || end.code != 0) {
-    throw std::invalid_argument(
-        fmt::format("{}: cannot be drawn by node: {}", arguments.out, first_line_of(complained.path())));
-  }
+  const TemporaryFile said(".txt");
+  draw("node", fmt::format("node '{}'", script.path().string()), request.path(), arguments.out, said);
+  if (on_paper) print_on_paper(drawn.path(), arguments.out);
   streams.out << out.string() << '\n';
 }
 
@@ -101,9 +170,14 @@ void add_plot_command(CommandLine& program, const Streams& streams, const Scenes
   auto arguments = std::make_shared<PlotArguments>();
   Subcommand command(program, "plot", "A figure of a scene for a paper of two columns");
   add_scene(command, arguments->scene);
-  command.required("--results", arguments->results, "results file");
-  command.required("--kind", arguments->kind, "work-precision, rate, accuracy, energy or solution");
-  command.required("--out", arguments->out, "the figure: .svg, or .vl.json for its Vega-Lite specification");
+  command.option("--results", arguments->results, "results file, of what shows runs");
+  command.required("--kind", arguments->kind,
+                   "work-precision, rate, accuracy, energy, drift, drift-over-time of runs; solution, phase, "
+                   "motion, stability");
+  command.list("--scheme", arguments->schemes, "ids of schemes to draw; default all");
+  command.option("--columns", arguments->columns, "A,B,...: of solution and phase; also energy, multipliers");
+  command.required("--out", arguments->out,
+                   "the figure: .svg, .pdf, or .vl.json for its Vega-Lite specification");
   command.callback([=, &known] { plot(*arguments, streams, known); });
 }
 

@@ -9,11 +9,18 @@ const columnsOfCharts = {
   error: { text: fewDigits },
   ratio: { title: "ratio", text: fewDigits },
   energy_residual: { title: "energy residual", text: fewDigits },
+  formulation: { title: "formulation", text: String },
+  drift: { title: "drift", text: fewDigits },
+  order: { title: "γ", text: String },
+  re: { title: "Re z", text: String },
+  im: { title: "Im z", text: String },
+  parameter: { title: "parameter", text: String },
   value: { title: "value", text: String },
   column: { title: "column", text: String },
   t: { title: "t", text: String },
   x: { title: "x", text: String },
   y: { title: "y", text: String },
+  z: { title: "z", text: String },
 };
 
 // Those that a point of the chart has, each { field, title, text }.

@@ -42,9 +42,16 @@ function showKind(section, page, kind, place) {
   if (section.conclusions?.[kind.id]) shown.push(element("p", { class: "conclusion" }, section.conclusions[kind.id]));
   const table = section.tables?.[kind.id] ?? section.table;
   if (table) shown.push(tableFrame(viewed(table, viewNow(), page.sections), page.lines));
-  if (section.runs) shown.push(element("div", { class: "charts" }));
+  if (section.verdicts) {
+    shown.push(element("h3", {}, "Each scheme: where it wins, and where not to use it"));
+    shown.push(tableFrame(viewed(section.verdicts[kind.id], viewNow(), page.sections), page.lines));
+  }
+  const { solution, ...measured } = section;
+  const charts = chartsOfSection(measured, page.lines, kind, page.kinds, (line, session) => wantsLine(viewNow(), line) && wantsSession(viewNow(), session));
+  const frame = element("div", { class: "charts" });
+  if (charts.length > 0) shown.splice(section.drifts ? 0 : shown.length, 0, frame);
   place.replaceChildren(...shown);
-  if (section.runs) drawCharts(section, chartsOf(section, page.lines, kind, page.kinds, (line) => wantsLine(viewNow(), line)), page, kind, shown.at(-1));
+  drawCharts(section, charts, page, kind, frame);
 }
 
 // The frame of a section, which waits to be drawn.
@@ -70,6 +77,8 @@ function chosenKind(kinds) {
 }
 
 const data = JSON.parse(document.getElementById("data").textContent);
+// A solution may stand in another section.
+for (const section of data.sections.filter(({ solution }) => solution?.of)) section.solution = data.sections.find(({ id }) => id === section.solution.of).solution;
 document.getElementById("sessions").append(tableFrame(data.sessions, data.lines));
 
 // Sections are drawn as they come near the window, all of them for print, and anew for another kind of error.
@@ -104,13 +113,16 @@ window.addEventListener("beforeprint", () => {
 function show() {
   const view = viewNow();
   for (const { section, whole } of frames) whole.hidden = !wantsScene(view, section);
-  frames.filter(({ drawn, section }) => drawn && (section.tables || section.table || section.runs)).forEach(draw);
+  frames.filter(({ drawn, section }) => drawn && (section.tables || section.table || section.runs || section.regions)).forEach(draw);
 }
 
 offerSchemes(data.lines);
+offerMachines(data.machines);
 readAddress();
+if (frames.length > 0) draw(frames[0]);  // the answer, wherever the address leads to
 show();
 const start = document.getElementById(addressOf().place);
+if (addressOf().view.has("all")) frames.filter(({ drawn }) => !drawn).forEach(draw);
 if (location.hash.includes("?")) start?.scrollIntoView();
 document.getElementById("view").addEventListener("change", () => {
   writeAddress();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/text.hpp"
+#include "page/assets.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/scene.hpp"
 #include "stepping/scheme.hpp"
@@ -25,6 +26,13 @@ json to_json(const Section& section) {
     shown["tables"][error_measure(error_kinds()[i])] = to_json(section.tables[i]);
   if (section.folded) shown["folded"] = true;
   return shown;
+}
+
+// Of each session.
+std::vector<std::string> machines_of(const PageInput& page) {
+  std::vector<std::string> machines;
+  for (const Session& session : page.sessions) machines.push_back(session.machine);
+  return machines;
 }
 
 // The kinds of error that the controls choose from.
@@ -77,6 +85,29 @@ std::vector<MeasuredRun> take_trials(Runs& runs) {
   return taken;
 }
 
+// Whether no run strays by more than rounding.
+bool at_rounding(const ConstrainedScene& scene) {
+  return std::ranges::all_of(scene.formulations, [](const FormulationRuns& of) {
+    return std::ranges::all_of(of.runs,
+                               [](const MeasuredRun& run) { return judged_drift(run) <= drift_of_rounding; });
+  });
+}
+
+// Where schemes are stable, of any results: computed once.
+json regions_section() {
+  return {
+      {"id", "regions"},
+      {"title", "Stability: linear equations"},
+      {"paragraphs",
+       {"For D^γ y = λ y a scheme with steps h depends on z = λ h^γ alone. The solution decays where |arg z| "
+        "> "
+        "γπ/2, left of the dashed ray. An implicit scheme is stable outside of its curve, which is open to "
+        "the "
+        "right; one with a prediction inside, next to 0. Schemes whose curves are those of another are not "
+        "drawn. fdebench stability prints them for any order."}},
+      {"regions", json::parse(assets::regions())}};
+}
+
 }  // namespace
 
 SceneName name_of_scene(const SceneSettings& scene) {
@@ -104,13 +135,23 @@ json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
   const auto add = [&](const Section& section) {
     if (!section.table.empty() || !section.tables.empty()) sections.push_back(to_json(section));
   };
-  add(answers_section(page));
+  if (json answers = to_json(answers_section(page)); answers.contains("tables")) {
+    for (const ErrorKind& kind : error_kinds())
+      answers["verdicts"][error_measure(kind)] = to_json(scheme_verdicts(page, kind));
+    sections.push_back(std::move(answers));
+  }
   if (before) sections.push_back(to_json(compared));
   add(stability_section(page));
+  sections.push_back(regions_section());
   for (auto& scene : scene_sections(page)) sections.push_back(std::move(scene));
   for (auto& curves : curve_sections(page)) sections.push_back(std::move(curves));
   add(rates_section(page));
   add(drift_section(page));
+  if (sections.back()["id"] == "drift") {
+    for (const auto& scene : constrained_scenes(page.runs)) {
+      if (!at_rounding(scene)) sections.back()["drifts"].push_back(drift_charts(page, scene));
+    }
+  }
   add(cost_section(page));
   add(expansion_section(page));
   add(reference_section(page));
@@ -119,6 +160,7 @@ json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
   return {{"lines", line_labels(page)},
           {"kinds", kinds()},
           {"sessions", to_json(sessions_table(page))},
+          {"machines", machines_of(page)},
           {"sections", sections}};
 }
 

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "analysis/formulations.hpp"
 #include "analysis/line_names.hpp"
 #include "analysis/line_rates.hpp"
 #include "analysis/option.hpp"
 #include "page/table.hpp"
+#include "scenes/scene.hpp"
 
 namespace fde {
 
@@ -42,7 +44,9 @@ struct Section {
 Table sessions_table(const PageInput& page);
 // The cheapest run of each scene and accuracy, as a map.
 Section answers_section(const PageInput& page);
-// The same of one scene, with all that is known of the run.
+// Of each scheme a row: where it is cheapest, and where it fails, is inaccurate or refuses.
+Table scheme_verdicts(const PageInput& page, const ErrorKind& kind);
+// The cheapest run of each accuracy of one scene, with all that is known of the run.
 Table scene_answers(const PageInput& page, const SceneLines& lines, const ErrorKind& kind);
 // What changed since other results, as `compare` has it.
 Section compared_section(const PageInput& page, const Runs& before);
@@ -63,6 +67,12 @@ std::string conclusion(const PageInput& page, const SceneLines& lines, RunSpan r
 nlohmann::json equations_of(const SceneSettings& scene);
 Table parameters_table(const SceneSettings& scene);
 nlohmann::json solution_of(const SceneSettings& settings);
+// The same of a scene that is at hand: t, columns, values, bound; energy, reactions and motion as columns and
+// values too. Throws where there is no reference.
+nlohmann::json solution_of(const Scene& scene);
+// The drifts of a constrained scene by formulation: those of all runs, and in the course of time of the run
+// that keeps the constraint best within a time that all were given, solved anew.
+nlohmann::json drift_charts(const PageInput& page, const ConstrainedScene& scene);
 
 // A section for each scene with its runs and the rates of its lines.
 nlohmann::json scene_sections(const PageInput& page);

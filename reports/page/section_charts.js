@@ -1,12 +1,25 @@
 // The charts of a section, each { id, title, points, columns, spec }: the columns are those of its table.
 
+// The points that no other beats in both, by increasing time.
+function paretoFront(points) {
+  const front = [];
+  for (const point of [...points].sort((a, b) => a.time_minimum - b.time_minimum || a.error - b.error)) {
+    if (front.length === 0 || point.error < front.at(-1).error) front.push(point);
+  }
+  return front;
+}
+
 function errorAgainstTime(scene, lines, kind) {
   const points = scene.points.filter((point) => point.error && point.time_minimum);
   const encoding = { x: logAxis(points, "time_minimum", "run time", labels.time), y: logAxis(points, "error", kind.title, labels.number) };
+  const front = {
+    name: "pareto-front", data: { values: paretoFront(points).map(({ time_minimum, error }) => ({ time_minimum, error })) },
+    mark: { type: "line", interpolate: "step-after", strokeWidth: 9, strokeJoin: "round", strokeCap: "round", opacity: 0.16, color: ofPage("--text"), tooltip: false }, encoding,
+  };
   return {
-    id: "error-against-time", title: "Error against run time", points, columns: ["line", "steps", "asked", "time_minimum", "error"],
+    id: "error-against-time", title: "Error against run time; band: nothing is quicker and more accurate", points, columns: ["line", "steps", "asked", "time_minimum", "error"],
     spec: chart(`${scene.title}: ${kind.title} against run time, a line for each scheme`, points,
-      { layer: lineLayers(encoding, lines, points) }),
+      { layer: [front, ...lineLayers(encoding, lines, points)] }),
   };
 }
 
@@ -75,7 +88,18 @@ const chartsOfCurves = [
 
 // The charts of a scene, or over a parameter, that have points, with errors of this kind and the lines that are wanted.
 function chartsOf(scene, lines, kind, kinds, wants) {
-  const drawn = { ...scene, points: pointsOf(scene, kind, kinds).filter(({ line }) => wants(line)) };
+  const drawn = { ...scene, points: pointsOf(scene, kind, kinds).filter(({ line, session }) => wants(line, session)) };
   return (scene.parameter ? chartsOfCurves : chartsOfScenes)
     .map((make) => make(drawn, lines, kind)).filter((made) => made.points.length > 0);
+}
+
+// All charts that a section has, of what is measured and of what is known.
+function chartsOfSection(section, lines, kind, kinds, wants, columns) {
+  return [
+    ...(section.runs ? chartsOf(section, lines, kind, kinds, wants) : []),
+    ...(section.regions ? [stabilityRegions(section, lines, wants)] : []),
+    ...(section.drifts ?? []).flatMap((drift) => chartsOfDrift(drift, wants)),
+    ...chartsOfSolution(section, columns),
+    ...chartsOfFamily(section, columns),
+  ];
 }

@@ -1,47 +1,103 @@
-// What is known of a scene's solution: its columns against t, and one against another.
+// What is known of a scene's solution: its columns against t, one against another, its energy, the reactions of its constraints.
 
-const solutionRows = ({ t, columns, values }) =>
-  columns.flatMap((column, c) => t.map((time, i) => ({ t: time, column, value: values[c][i] })));
+const rowsOfColumns = ({ columns, values }, times) =>
+  columns.flatMap((column, c) => times.map((t, i) => ({ t, column, value: values[c][i] }))).filter(({ value }) => value !== null);
 
 // x against its rate, where the rate is a column; otherwise the first column against the second.
-function portraitOf({ columns }) {
+function portraitOf(columns) {
   const rate = columns.indexOf(`d${columns[0]}`);
   return columns.length < 2 ? null : [0, rate > 0 ? rate : 1];
 }
 
+// Names of columns as symbols: phi, dphi, Dbeta_phi are φ, φ′, Dᵝφ.
+const letters = { alpha: "α", beta: "β", gamma: "γ", lambda: "λ", mu: "μ", nu: "ν", omega: "ω", phi: "φ", psi: "ψ", theta: "θ", xi: "ξ" };
+const raised = { alpha: "ᵅ", beta: "ᵝ" };
+function symbolOf(name, columns = []) {
+  const [, order, of] = /^D(alpha|beta)_(\w+)$/.exec(name) ?? [];
+  if (order) return `D${raised[order]}${symbolOf(of)}`;
+  if (name.length > 1 && name.startsWith("d") && columns.includes(name.slice(1))) return `${symbolOf(name.slice(1))}′`;
+  const [, word, index] = /^(.*?)(\d?)$/.exec(name);
+  return (letters[word] ?? word) + (index && String.fromCharCode(0x2080 + Number(index)));
+}
+const symbolLabels = (columns) => `(${JSON.stringify(Object.fromEntries(columns.map((name) => [name, symbolOf(name, columns)])))})[datum.label]`;
+
 const linear = (field, title) => ({ field, title, type: "quantitative", scale: { zero: false, nice: false, padding: 6 } });
 
-function solutionOverTime(section) {
-  const { columns, bound } = section.solution;
-  const points = solutionRows(section.solution);
-  const color = { field: "column", type: "nominal", scale: { domain: columns, range: columns.map((_, i) => colours[i % colours.length]) },
-    legend: columns.length > 1 ? { orient: "bottom", title: null } : null };
+// Colours and dashes: curves are told apart on paper without colours too.
+const dashes = [[], [6, 3], [2, 2], [8, 3, 2, 3], [1, 3], [10, 4]];
+function columnChannels(columns) {
+  const legend = columns.length > 1 ? { orient: "bottom", title: null, symbolType: "stroke", symbolSize: 260, symbolStrokeWidth: 1.5, labelExpr: symbolLabels(columns) } : null;
+  const scale = (range) => ({ domain: columns, range: columns.map((_, i) => range[i % range.length]) });
   return {
-    id: "solution", title: `The solution, known to ${fewDigits(bound)}`, points, columns: ["column", "t", "value"],
-    spec: chart(`${section.title}: the reference solution, ${columns.join(", ")} against t`, points, {
+    color: { field: "column", type: "nominal", scale: scale(colours), legend },
+    strokeDash: { field: "column", type: "nominal", scale: scale(dashes), legend },
+  };
+}
+
+function againstTime(section, part, id, title, description) {
+  const points = rowsOfColumns(part, section.solution.t);
+  const { columns } = part;
+  return {
+    id, title, points, columns: ["column", "t", "value"],
+    spec: chart(`${section.title}: ${description}`, points, {
       mark: { type: "line", strokeWidth: 1.5 },
-      encoding: { x: linear("t", "t"), y: linear("value", columns.length > 1 ? "columns" : columns[0]), color, detail: { field: "column" }, order: { field: "t" } },
+      encoding: { x: linear("t", "t"), y: linear("value", columns.length > 1 ? "" : symbolOf(columns[0], columns)), ...columnChannels(columns),
+        detail: { field: "column" }, order: { field: "t" } },
     }),
   };
 }
 
-function phasePortrait(section) {
-  const place = portraitOf(section.solution);
-  if (!place) return { points: [] };
-  const { t, columns, values } = section.solution;
+// The columns that are wanted, of all that is known over time.
+function chosenPart({ columns, values, energy, reactions, motion }, wanted) {
+  const all = [{ columns, values }, energy, reactions, motion].filter((part) => part?.values);
+  const found = wanted.map((name) => {
+    const part = all.find((one) => one.columns.includes(name));
+    if (!part) throw new Error(`--columns: ${name} is none of ${[...new Set(all.flatMap((one) => one.columns))].join(", ")}`);
+    return part.values[part.columns.indexOf(name)];
+  });
+  return { columns: wanted, values: found };
+}
+
+function solutionOverTime(section, wanted) {
+  const { solution } = section;
+  const part = wanted ? chosenPart(solution, wanted) : solution;
+  return againstTime(section, part, "solution", `The solution, known to ${fewDigits(solution.bound)}`, `the reference solution, ${part.columns.join(", ")} against t`);
+}
+
+// Whether there is something to see: not where all values are one to the digits that are kept.
+const varies = (values) => Math.max(...values) - Math.min(...values) > 2e-4 * Math.max(...values.map(Math.abs));
+
+const energyOverTime = (section) => section.solution.energy && varies(section.solution.energy.values[0]) &&
+  againstTime(section, section.solution.energy, "energy-over-time", "The energy of the solution", "the energy of the reference solution against t");
+
+const reactionsOverTime = (section) => section.solution.reactions &&
+  againstTime(section, section.solution.reactions, "multipliers", "The multipliers of the constraints", "the multipliers of its constraints against t");
+
+// One curve in the plane, a dot at its start.
+function curve(points, x, y) {
+  return {
+    encoding: { x, y },
+    layer: [
+      { mark: { type: "line", strokeWidth: 1.2, color: colours[0] }, encoding: { order: { field: "t" } } },
+      { data: { values: points.slice(0, 1) }, mark: { type: "point", filled: true, size: 60, color: colours[1] } },
+    ],
+  };
+}
+
+function phasePortrait(section, wanted) {
+  const { t } = section.solution;
+  const { columns, values } = wanted ? chosenPart(section.solution, wanted) : section.solution;
+  const place = wanted ? [0, 1] : portraitOf(columns);
+  if (!place) return null;
   const [x, y] = place;
+  if (!varies(values[x]) || !varies(values[y])) return null;
   const points = t.map((time, i) => ({ t: time, x: values[x][i], y: values[y][i] }));
   return {
-    id: "phase-portrait", title: `${columns[y]} against ${columns[x]}; the dot: t = 0`, points, columns: ["t", "x", "y"],
-    spec: chart(`${section.title}: phase portrait, ${columns[y]} against ${columns[x]}`, points, {
-      encoding: { x: linear("x", columns[x]), y: linear("y", columns[y]) },
-      layer: [
-        { mark: { type: "line", strokeWidth: 1.2, color: colours[0] }, encoding: { order: { field: "t" } } },
-        { data: { values: points.slice(0, 1) }, mark: { type: "point", filled: true, size: 60, color: colours[1] } },
-      ],
-    }),
+    id: "phase-portrait", title: `${symbolOf(columns[y], columns)} against ${symbolOf(columns[x], columns)}; the dot: t = 0`, points, columns: ["t", "x", "y"],
+    spec: chart(`${section.title}: phase portrait, ${columns[y]} against ${columns[x]}`, points, curve(points, linear("x", symbolOf(columns[x], columns)), linear("y", symbolOf(columns[y], columns)))),
   };
 }
 
-const chartsOfSolution = (section) =>
-  section.solution ? [solutionOverTime(section), phasePortrait(section)].filter(({ points }) => points.length > 0) : [];
+const chartsOfSolution = (section, wanted) =>
+  section.solution ? [solutionOverTime(section, wanted), phasePortrait(section, wanted?.length === 2 ? wanted : undefined), motionOf(section), energyOverTime(section),
+    reactionsOverTime(section)].filter((made) => made && made.points.length > 0) : [];

@@ -25,6 +25,7 @@ json to_json(const Cell& cell) {
   if (!cell.to.empty()) shown["to"] = cell.to;
   if (!cell.tone.empty()) shown["tone"] = cell.tone;
   if (cell.strength > 0.0) shown["strength"] = std::round(1e2 * cell.strength) / 1e2;
+  if (cell.session > 0) shown["session"] = cell.session;
   if (shown.empty()) return cell.text;
   if (cell.text != cell.line) shown["text"] = cell.text;
   return shown;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -9,13 +10,14 @@ namespace fde {
 // One cell as the page shows it.
 struct Cell {
   std::string text;
-  std::string detail{};   // a second, smaller line
-  std::string line{};     // the label of the line whose colour it wears
-  bool marked = false;    // set apart: worth a second look
-  std::string hint{};     // shown where a pointer rests on it
-  std::string to{};       // of a row's heading: the id of the section it leads to, in a map all cells
-  std::string tone{};     // a verdict, whose colour it wears in a map
-  double strength = 0.0;  // of its line's colour in a map, 0 to 1
+  std::string detail{};     // a second, smaller line
+  std::string line{};       // the label of the line whose colour it wears
+  bool marked = false;      // set apart: worth a second look
+  std::string hint{};       // shown where a pointer rests on it
+  std::string to{};         // of a row's heading: the id of the section it leads to, in a map all cells
+  std::string tone{};       // a verdict, whose colour it wears in a map
+  double strength = 0.0;    // of its line's colour in a map, 0 to 1
+  std::size_t session = 0;  // whose run it is of, from 1 on; 0: of none, or there is one only
 };
 
 // Rows under one heading; without a title: no heading.

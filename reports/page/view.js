@@ -1,8 +1,8 @@
-// What of the page is shown: a kind of error, an accuracy, scenes, schemes. It stands in the address behind the section, as in
+// What of the page is shown: a kind of error, an accuracy, a machine, scenes, schemes. It stands in the address behind the section, as in
 // #scene-pendulum?norm=end&schemes=l1,bdf4, so that a link restores it.
 
 const schemeOf = (line) => line.split(",")[0];
-const controls = Object.fromEntries(["norm", "scale", "accuracy", "scene"].map((name) => [name, document.getElementById(name)]));
+const controls = Object.fromEntries(["norm", "scale", "accuracy", "machine", "scene"].map((name) => [name, document.getElementById(name)]));
 const unset = Object.fromEntries(Object.entries(controls).map(([name, control]) => [name, control.value]));
 const schemeBoxes = () => [...document.querySelectorAll("#schemes input")];
 
@@ -54,10 +54,21 @@ function offerSchemes(lines) {
   document.querySelector("#schemes div").append(...boxes, all, none);
 }
 
+// Results of one machine have no choice of it.
+function offerMachines(machines) {
+  const names = [...new Set(machines)];
+  if (names.length < 2) return;
+  document.getElementById("of-machine").hidden = false;
+  controls.machine.append(...names.map((name) => element("option", {}, name)));
+}
+
 // Whether a section's scene is wanted; sections without one are.
 const wantsScene = ({ scene }, { runs, title, name }) =>
   !runs || [title, name].some((text) => text.toLowerCase().includes(scene.trim().toLowerCase()));
 const wantsLine = ({ schemes }, line) => !schemes || schemes.includes(schemeOf(line));
+
+// session: from 1 on; undefined where there is one only.
+const wantsSession = ({ machine }, session) => !machine || session === undefined || data.machines[session - 1] === machine;
 
 const accuracyName = /^≤ 1e-\d+$/;
 const wantsAccuracy = ({ accuracy }, text) => !accuracy || !accuracyName.test(text) || text === `≤ ${accuracy}`;
@@ -69,7 +80,7 @@ function viewed(table, view, sections) {
   const wantsRow = ([heading]) => wantsAccuracy(view, heading.text) && !unwanted.has(heading.to) && (!heading.line || wantsLine(view, heading.line));
   const groups = table.groups.filter(({ title }) => !unwanted.has(title)).map(({ title, rows }) => ({
     title, rows: rows.map((row) => row.map(cellOf)).filter(wantsRow)
-      .map((row) => kept.map((i) => ({ ...row[i], faint: Boolean(table.map && row[i].line && !wantsLine(view, row[i].line)) }))),
+      .map((row) => kept.map((i) => ({ ...row[i], faint: Boolean(table.map && row[i].line && !(wantsLine(view, row[i].line) && wantsSession(view, row[i].session))) }))),
   }));
   return { ...table, columns: kept.map((i) => table.columns[i]), groups: groups.filter(({ rows }) => rows.length > 0) };
 }

@@ -20,23 +20,28 @@ const sized = (of) => (Array.isArray(of) ? of.map(sized)
   : of === null || typeof of !== "object" ? of
   : Object.fromEntries(Object.entries(of).map(([key, value]) => [key, key === "columns" && value?.expr ? 2
     : key === "size" && typeof value === "number" ? paper.pointSize
-    : key === "strokeWidth" && typeof value === "number" ? Math.min(value, paper.lineWidth)
+    : key === "strokeWidth" && typeof value === "number" && of.interpolate === undefined ? Math.min(value, paper.lineWidth)
     : key === "tooltip" ? null : sized(value)])));
 
 function specification() {
-  const { data, kind, chart } = request;
-  const section = data.sections.find(({ runs, parameter }) => runs && !parameter);
-  const made = vm.runInThisContext("(section, lines, kind, kinds) => [...chartsOf(section, lines, kind, kinds, () => true), ...chartsOfSolution(section)]")(
-    section, data.lines, data.kinds.find(({ id }) => id === kind), data.kinds);
+  const { data, kind, chart, columns, schemes } = request;
+  const [section] = data.sections;
+  const charts = vm.runInThisContext("(section, lines, kind, kinds, wants, columns) => chartsOfSection(section, lines, kind, kinds, wants, columns)");
+  const made = charts(section, data.lines, data.kinds.find(({ id }) => id === kind), data.kinds,
+    (line) => schemes.length === 0 || schemes.includes(line.split(",")[0]), columns.length > 0 ? columns : undefined);
   const found = made.find(({ id }) => id === chart);
-  if (!found) throw new Error(`the results have no ${chart.replaceAll("-", " ")} of this scene`);
+  if (!found) throw new Error(`there is no ${chart.replaceAll("-", " ")} of this scene`);
   const { params, ...spec } = sized(found.spec);
   const layers = spec.layer?.map(({ params: _, ...layer }) => layer);
   const plain = JSON.parse(JSON.stringify({ ...spec, ...(layers && { layer: layers }) }, (key, value) => (key === "opacity" && value?.condition ? undefined : value)));
   const text = { labelFontSize: 8, titleFontSize: 8, titleFontWeight: "normal", labelColor: "#000", titleColor: "#000", tickSize: 3, ...{ labelFont: font.font, titleFont: font.font } };
-  return { ...plain, width: paper.width, height: paper.height, autosize: { type: "pad" }, background: "white", padding: 2,
+  // What has a width of its own keeps its shape.
+  const size = typeof plain.width === "number" ? { width: paper.width, height: (paper.width * plain.height) / plain.width } : { width: paper.width, height: paper.height };
+  const sizes = plain.vconcat ? { vconcat: plain.vconcat.map((panel) => ({ ...panel, width: paper.width, height: 100 })) } : size;
+  const { width: _w, height: _h, ...rest } = plain;
+  return { ...rest, ...sizes, autosize: { type: "pad" }, background: "white", padding: 2,
     config: { ...plain.config, font: font.font, axis: { ...plain.config.axis, ...text },
-      legend: { ...text, labelColor: "#000", symbolSize: 30, rowPadding: 1, columnPadding: 8, labelLimit: 140 } } };
+      legend: { ...text, labelColor: "#000", symbolSize: 30, rowPadding: 1, columnPadding: 8, labelLimit: 140, offset: 6 } } };
 }
 
 async function svgOf(spec) {

@@ -11,7 +11,7 @@ const near = (top) => assert.ok(top > -5 && top < 120, `the heading is at ${top}
 
 test("the first screen has the answer of every scene, the cheapest run in each cell", () =>
   withPage({}, async (page) => {
-    const table = page.locator("#answer table");
+    const table = page.locator("#answer table.map");
     assert.equal(await table.locator("tbody tr").count(), scenesOf(runs).length);
     assert.ok((await table.boundingBox()).y < 400);
     const row = table.locator("tbody tr", { has: page.locator('th a[href="#scene-pendulum"]') });
@@ -41,6 +41,21 @@ test("a link to a scene opens there", () =>
   withPage({ address: "#scene-loxodrome" }, async (page) => {
     await settled(page);
     near(await topOf(sectionOf(page, "loxodrome").locator("h2")));
+  }));
+
+test("each scheme has a sentence on where it wins and where not to use it", () =>
+  withPage({}, async (page) => {
+    const words = await page.locator("#answer table").nth(1).locator("tbody tr").evaluateAll((rows) =>
+      Object.fromEntries(rows.map((row) => [...row.children].map((cell) => cell.textContent)).map(([scheme, wins, not]) => [scheme, { wins, not }])));
+    const accuracies = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+    const winners = scenesOf(runs).flatMap((scene) => accuracies.map((accuracy) => finished(runs)
+      .filter((run) => run.scene === scene && run.error_maximum_mixed <= accuracy && !run.trivial_maximum_mixed && run.time_median)
+      .reduce((a, b) => (!a || b.time_median < a.time_median ? b : a), null)).filter(Boolean));
+    for (const [scheme, { wins }] of Object.entries(words)) {
+      const won = winners.filter((run) => run.scheme === scheme).length;
+      assert.match(wins, won > 0 ? new RegExp(`^cheapest in ${won} of ${winners.length} cells: `) : /^(cheapest nowhere|reaches none)/, scheme);
+    }
+    assert.match(words.adams_pc.not, /^fails .*stiff_relaxation/);
   }));
 
 test("trials have their verdict", () =>

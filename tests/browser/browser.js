@@ -27,7 +27,7 @@ function complaintsOf(page) {
 
 // Opens the page and calls visit with it. address: what stands behind the file, "#scene-relaxation". changed: a text of the file and what
 // stands in its place.
-export async function withPage({ width = 1280, height = 900, dark = false, address = "", changed }, visit) {
+export async function withPage({ width = 1280, height = 900, dark = false, address = "", changed, page: file = PAGE }, visit) {
   const context = await browser.newContext({
     viewport: { width, height }, colorScheme: dark ? "dark" : "light", reducedMotion: "reduce", acceptDownloads: true,
   });
@@ -36,11 +36,11 @@ export async function withPage({ width = 1280, height = 900, dark = false, addre
     page.setDefaultTimeout(patience);
     const complaints = complaintsOf(page);
     if (changed) {
-      const text = readFileSync(PAGE, "utf8");
+      const text = readFileSync(file, "utf8");
       assert.ok(text.includes(changed[0]), `the page has no ${changed[0]}`);
       await page.route("file://**/index.html", (route) => route.fulfill({ contentType: "text/html", body: text.replace(changed[0], () => changed[1]) }));
     }
-    await page.goto(`file://${PAGE}${address}`);
+    await page.goto(`file://${file}${address}`);
     await visit(page).catch((error) => {
       error.message = [error.message, ...complaints].join("\n");
       throw error;

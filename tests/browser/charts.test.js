@@ -16,7 +16,7 @@ test("every chart has the marks of its records, and those of another norm and sc
     await page.selectOption("#scale", "absolute");
     await settled(page);
     await checkCharts(page, runs, "error_end");
-    assert.match(await page.locator("#answer caption").textContent(), /scene and error at the end$/);
+    assert.match(await page.locator("#answer caption").first().textContent(), /scene and error at the end$/);
   }));
 
 test("errors over a parameter have a point for each line and value", () =>
@@ -27,6 +27,30 @@ test("errors over a parameter have a point for each line and value", () =>
     for (const chart of ["error-over-parameter", "time-over-parameter"]) {
       assert.equal(await page.locator(`#curve-relaxation-gamma figure[data-chart="${chart}"] .mark-symbol.role-mark path`).count(), expected.length, chart);
     }
+  }));
+
+test("the band in the chart of errors and times is the Pareto front", () =>
+  withPage({ address: "#scene-pendulum" }, async (page) => {
+    await settled(page);
+    const ofPendulum = finished(runs).filter((run) => run.scene === "pendulum" && run[shown] > 0 && run.time_minimum > 0);
+    const front = ofPendulum.filter((run) => !ofPendulum.some((other) => other !== run && other.time_minimum <= run.time_minimum && other[shown] <= run[shown]));
+    const data = await sectionOf(page, "pendulum").locator('figure[data-chart="error-against-time"]').evaluate((node) =>
+      [...node.querySelectorAll(".mark-line.role-mark path")].map((path) => path.__data__).find(({ mark }) => mark.items.every(({ datum }) => !datum.line)).mark.items.length);
+    assert.equal(data, front.length);
+  }));
+
+test("regions of stability follow the order that is chosen", () =>
+  withPage({ address: "#regions" }, async (page) => {
+    await settled(page);
+    const figure = page.locator('#regions figure[data-chart="stability-regions"]');
+    const reach = () => figure.evaluate((node) => {
+      const [mark] = [...node.querySelectorAll(".mark-symbol.role-mark path")].filter((path) => path.__data__.datum.line === "grunwald_letnikov").map((path) => path.__data__.datum);
+      return mark.order;
+    });
+    assert.equal(await reach(), 0.5);
+    await figure.locator('input[type="range"]').fill("1.5");
+    await page.waitForTimeout(200);
+    assert.equal(await reach(), 1.5);
   }));
 
 // A point that no other covers, in the middle of the window.

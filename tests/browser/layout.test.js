@@ -19,6 +19,25 @@ async function violations(page) {
     .map(({ id, nodes }) => `${id}: ${nodes.length} times, ${nodes[0].target} ${nodes[0].failureSummary}`);
 }
 
+// A4 with its margins, upright and across.
+const paper = { upright: 695, across: 1022 };
+const wide = "#stability, #drift, #reference, #rates, #compared";
+
+test("a printed page has nothing that is cut off", () =>
+  withPage({ address: "#?all" }, async (page) => {
+    await drawAll(page);
+    await page.emulateMedia({ media: "print" });
+    for (const [way, width] of Object.entries(paper)) {
+      await page.setViewportSize({ width, height: 900 });
+      await settled(page);
+      const cut = await page.evaluate(([isWide, sections]) => [...document.querySelectorAll("main td, main th, main figure, main svg, main p, main math")]
+        .filter((node) => Boolean(node.closest(sections)) === isWide && node.getBoundingClientRect().right > innerWidth + 1)
+        .map((node) => `${node.closest("section").id}: ${node.tagName} ${node.textContent.slice(0, 40)}`).slice(0, 5), [way === "across", wide]);
+      assert.deepEqual(cut, [], way);
+    }
+    await page.pdf({ path: join(SCREENSHOTS, "page.pdf"), preferCSSPageSize: true });
+  }));
+
 for (const dark of [false, true]) {
   const colours = dark ? "dark" : "light";
   test(`nothing is cut off, and everyone can read it: ${colours}`, () =>

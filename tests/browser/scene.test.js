@@ -16,14 +16,23 @@ test("a scene has its equation, its solution and a conclusion", () =>
     const lines = await section.locator('figure[data-chart="solution"] .mark-line.role-mark path').evaluateAll((paths) => paths.map((path) => path.getAttribute("d").length));
     assert.equal(lines.length, 4);
     assert.ok(lines.every((length) => length > 1000));
-    assert.match(await section.locator('figure[data-chart="phase-portrait"] figcaption').textContent(), /^dphi against phi/);
+    assert.match(await section.locator('figure[data-chart="phase-portrait"] figcaption').textContent(), /^φ′ against φ/);
     const within = finished(runs).filter((run) => run.scene === "pendulum" && run.error_maximum_mixed <= 1e-6);
     const best = within.reduce((a, b) => (a.time_median < b.time_median ? a : b));
     assert.match(await section.locator(".conclusion").textContent(), new RegExp(`${best.scheme} (from|to) 1e-\\d`));
   }));
 
-test("a scene without a declared equation has none", () =>
+test("a constrained scene has its multiplier, its constraint and its motion", () =>
   withPage({ address: "#scene-loxodrome" }, async (page) => {
     await settled(page);
-    assert.equal(await sectionOf(page, "loxodrome").locator("math").count(), 0);
+    const section = sectionOf(page, "loxodrome");
+    const equations = await section.locator("math").allTextContents();
+    assert.equal(equations.length, 3);
+    assert.equal(equations.at(-1).replaceAll(/\s/g, ""), "0=sin(θ)φ′−kθ′");
+    for (const chart of ["motion", "multipliers"]) {
+      assert.equal(await section.locator(`figure[data-chart="${chart}"] .mark-line.role-mark path`).count() > 0, true, chart);
+    }
+    // Its energy is kept: there is nothing to see.
+    assert.equal(await section.locator('figure[data-chart="energy-over-time"]').count(), 0);
+    assert.equal(await sectionOf(page, "pendulum").locator('figure[data-chart="energy-over-time"]').count(), 1);
   }));

@@ -12,8 +12,8 @@ async function checkView(page) {
   assert.equal(await page.inputValue("#norm"), "end");
   assert.equal(await page.inputValue("#scene"), "pend");
   assert.match(await page.locator("#schemes summary").textContent(), /^Schemes: 2 of \d$/);
-  assert.deepEqual(await page.locator("#answer thead th").allTextContents(), ["scene", "≤ 1e-6"]);
-  assert.deepEqual(await page.locator("#answer tbody th").allTextContents(), ["Pendulum with fractional damping"]);
+  assert.deepEqual(await page.locator("#answer .map thead th").allTextContents(), ["scene", "≤ 1e-6"]);
+  assert.deepEqual(await page.locator("#answer .map tbody th").allTextContents(), ["Pendulum with fractional damping"]);
   assert.equal(await sectionOf(page, "relaxation").isVisible(), false);
   const section = sectionOf(page, "pendulum");
   assert.equal(await section.locator(":scope > div > .frame tbody tr").count(), 1);

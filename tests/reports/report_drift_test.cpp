@@ -1,8 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "analysis/formulations.hpp"
 #include "page/page_data.hpp"
@@ -129,6 +132,30 @@ TEST(DriftSection, TakesRunsWithoutAReference) {
   EXPECT_THAT(column(section, "largest", "internal drift"), ElementsAre("1.6e-4"));
   EXPECT_TRUE(column(section, "time", "").empty());
   EXPECT_TRUE(column(section, "largest", "independent drift").empty());
+}
+
+// Of each run a point; the best run of each formulation solved anew.
+TEST(DriftSection, DrawsDriftsOverStepAndTime) {
+  const auto drifts = section_of(three_formulations())["drifts"];
+  ASSERT_EQ(drifts.size(), 1U);
+  EXPECT_EQ(drifts[0]["points"]["drift"].size(), 12U);
+  EXPECT_EQ(drifts[0]["points"]["formulations"],
+            std::vector<std::string>({"integrated", "acceleration", "multiplier"}));
+  ASSERT_EQ(drifts[0]["courses"].size(), 3U);
+  for (const auto& course : drifts[0]["courses"]) {
+    EXPECT_EQ(course["t"].size(), course["drift"].size());
+    EXPECT_GT(course["t"].size(), 30U) << course["formulation"];
+    EXPECT_EQ(course["t"].back(), 10.0);
+    const auto drift = course["drift"].get<std::vector<double>>();
+    EXPECT_TRUE(std::ranges::is_sorted(drift)) << "largest so far";
+    EXPECT_THAT(drift.back(), testing::AllOf(testing::Gt(1e-6), testing::Lt(0.1)));
+  }
+}
+
+TEST(DriftSection, DrawsNothingOfRounding) {
+  Results results = empty_results();
+  add_line(results, {with({}), 1e-16, 0.0, 1.0, 1e-6});
+  EXPECT_FALSE(section_of(results).contains("drifts"));
 }
 
 TEST(DriftSection, IsThereOnlyWithDrift) {

@@ -127,8 +127,9 @@ TEST(Report, HoldsEverySceneSchemeSessionAndFailure) {
         "the compiler", "-O3", "0123abc", "2025-01-02T03:04:05Z"}) {
     EXPECT_THAT(shown, HasSubstr(text));
   }
-  EXPECT_THAT(section_ids(data), testing::ElementsAre("answer", "scene-pendulum", "scene-brusselator",
-                                                      "rates", "cost", "reference", "failures", "schemes"));
+  EXPECT_THAT(section_ids(data),
+              testing::ElementsAre("answer", "regions", "scene-pendulum", "scene-brusselator", "rates",
+                                   "cost", "reference", "failures", "schemes"));
 }
 
 // At the end l1 is within 1e-4 after 256 steps of 1 us, adams_pc after 128 of 3 us: one and a half times as
@@ -149,6 +150,22 @@ TEST(Report, MapsTheCheapestRunAndLeadsToItsScene) {
 }
 
 // What is not reached by any run has no colour, and says how near they come.
+// l1 of the map above reaches accuracies in less time; what ended early and what refuses speaks against it.
+TEST(Report, SaysOfEachSchemeWhereItWinsAndWhatSpeaksAgainstIt) {
+  Results results = two_lines();
+  add_ending(results, {"brusselator", "l1", 64}, 1.5, {Ending::not_finite, "at step 13, t = 1.5"});
+  add_ending(results, {"diethelm", "adams_pc", 64}, 0.0, {Ending::refused, "takes no such order"});
+  const auto rows =
+      section(data_of(written(results)), "answer")["verdicts"]["error_end"]["groups"][0]["rows"];
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(text_of(rows[0][0]), "adams_pc");
+  EXPECT_EQ(text_of(rows[0][1]),
+            "cheapest nowhere; nearest on pendulum to 1e-4, in 1.5 times the least time");
+  EXPECT_EQ(text_of(rows[0][2]), "refuses diethelm: takes no such order");
+  EXPECT_THAT(text_of(rows[1][1]), HasSubstr("cheapest in 2 of 2 cells: pendulum; the next takes"));
+  EXPECT_EQ(text_of(rows[1][2]), "fails once (brusselator)");
+}
+
 TEST(Report, SaysHowFarTheBestRunIsFromAnAccuracy) {
   const auto data = data_of(written(two_lines()));
   const auto rows = section(data, "scene-pendulum")["tables"]["error_end"]["groups"][0]["rows"];

@@ -137,5 +137,28 @@ class Results(unittest.TestCase):
             self.assertIn(said, why)
 
 
+class Page(unittest.TestCase):
+    """What the page holds is what docs/page.schema.json says."""
+
+    SCHEMA = json.loads((ROOT / "docs" / "page.schema.json").read_text())
+
+    def test_is_what_the_schema_says(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file, constrained = Path(folder) / "results.jsonl", "fractional_constraint_2d:alpha=0.3"
+            for words in (["relaxation:gamma=0.3", "relaxation", "relaxation:gamma=0.8", "pendulum"],
+                          [constrained, f"{constrained},formulation=multiplier", f"{constrained},formulation=acceleration", "loxodrome"]):
+                scenes = [word for scene in words for word in ("--scene", scene)]
+                run = fdebench("run", *scenes, "--scheme", "l1", "--scheme", "product_trapezoidal", "--scheme", "spectral_collocation",
+                               "--steps", "32,64,128", "--accuracy", "1e-3,1e-6", "--repeat", 1, "--out", file)  # fmt: skip
+                self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertEqual(fdebench("report", file, "--out", folder).returncode, 0)
+            page = (Path(folder) / "index.html").read_text()
+        data = json.loads(re.search('<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1])
+        jsonschema.Draft202012Validator.check_schema(self.SCHEMA)
+        jsonschema.Draft202012Validator(self.SCHEMA).validate(data)
+        held = {name for section in data["sections"] for name in section}
+        self.assertEqual(set(self.SCHEMA["$defs"]["section"]["properties"]) - held, set(), "what the test does not see")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -78,7 +78,8 @@ Cell map_cell(const PageInput& page, const SceneLines& lines, const ErrorKind& k
   return {.text = page.label(first),
           .detail = time_text(first.time.median),
           .line = page.label(first),
-          .strength = strength(page, ranked)};
+          .strength = strength(page, ranked),
+          .session = page.sessions.size() > 1 ? first.session + 1 : 0};
 }
 
 std::vector<Cell> answer_row(const PageInput& page, const SceneLines& lines, const ErrorKind& kind,

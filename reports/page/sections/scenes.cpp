@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -69,7 +70,16 @@ void add_scene(json& section, const SceneSettings& scene) {
   if (auto equations = equations_of(scene); !equations.empty()) section["equations"] = std::move(equations);
   if (const auto parameters = parameters_table(scene); !parameters.empty())
     section["parameters"] = to_json(parameters);
-  if (auto solution = solution_of(scene); !solution.empty()) section["solution"] = std::move(solution);
+}
+
+// Scenes that differ in their form have one solution, which stands in the first of their sections.
+void share_solutions(json& sections) {
+  std::map<std::string, std::string> seen;
+  for (auto& section : sections) {
+    if (!section.contains("solution")) continue;
+    const auto [first, is_new] = seen.try_emplace(section["solution"].dump(), section["id"]);
+    if (!is_new) section["solution"] = {{"of", first->second}};
+  }
 }
 
 }  // namespace
@@ -99,8 +109,10 @@ json scene_sections(const PageInput& page) {
                  {"runs", runs_of_scene(page, scene)},
                  {"rates", rates_of_scene(page, scene)}};
     add_scene(section, solved);
+    if (auto solution = solution_of(solved); !solution.empty()) section["solution"] = std::move(solution);
     sections.push_back(std::move(section));
   }
+  share_solutions(sections);
   return sections;
 }
 

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -17,12 +19,12 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int first_times = 120, most_times = 700;
+constexpr int first_times = 120, most_times = 400;
 constexpr double allowed = 0.004;         // of a column's range, between a curve and the lines that draw it
-constexpr Eigen::Index most_columns = 6;  // of hundreds of a diffusion
+constexpr Eigen::Index most_columns = 8;  // of hundreds of a diffusion
 constexpr int digits = 4;
 
-// The solution at times that are close together where it bends.
+// All columns of the solution, at times that are close together where the first few bend.
 class Samples {
  public:
   Samples(const Scene& scene, Eigen::Index columns)
@@ -31,7 +33,7 @@ class Samples {
     const auto rows = values_.size();
     Vec low = values_.begin()->second, high = low;
     for (const auto& [t, value] : values_) low = low.cwiseMin(value), high = high.cwiseMax(value);
-    range_ = high - low;
+    range_ = (high - low).head(columns_);
     if (rows < 2) return;
     for (auto left = values_.begin(); std::next(left) != values_.end();) left = refined(left);
   }
@@ -46,7 +48,7 @@ class Samples {
     const auto [value, bounds] = reference_.at(t);
     if (!value.allFinite()) throw std::runtime_error("no value");
     if (bounds.size() > 0) bound_ = std::max(bound_, bounds.maxCoeff());
-    return values_.insert_or_assign(t, value.head(columns_)).first;
+    return values_.insert_or_assign(t, value).first;
   }
 
   // The place to go on from: the same, where a time was put behind it, or the next.
@@ -56,7 +58,7 @@ class Samples {
     if (std::ssize(values_) >= most_times || width < 1e-5 * end_) return right;
     const Vec between = 0.5 * (left->second + right->second);
     const auto middle = add(left->first + 0.5 * width);
-    const Vec away = (middle->second - between).cwiseAbs() - allowed * range_;
+    const Vec away = (middle->second - between).head(columns_).cwiseAbs() - allowed * range_;
     return away.maxCoeff() > 0.0 ? left : right;
   }
 
@@ -67,24 +69,71 @@ class Samples {
   Vec range_{};
 };
 
-json solution(const Scene& scene) {
-  const auto shown = std::min<Eigen::Index>(std::ssize(scene.outputs.names), most_columns);
-  const Samples samples(scene, shown);
-  json t = json::array();
-  std::vector<json> values(static_cast<std::size_t>(shown), json::array());
-  for (const auto& [time, value] : samples.values()) {
-    t.push_back(in_chart(time));
-    for (Eigen::Index c = 0; c < shown; ++c)
-      values[static_cast<std::size_t>(c)].push_back(in_chart(value[c], digits));
+using Path = std::map<double, Vec>;
+
+// Values along the path as a column for each name, null where they are unbounded.
+json columns_along(const Path& path, const std::vector<std::string>& names,
+                   const std::function<Vec(double t, In columns)>& of) {
+  std::vector<json> values(names.size(), json::array());
+  for (const auto& [t, columns] : path) {
+    const Vec at = of(t, columns);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const double value = at[static_cast<Eigen::Index>(i)];
+      values[i].push_back(std::isfinite(value) ? json(in_chart(value, digits)) : json());
+    }
   }
-  const auto& names = scene.outputs.names;
-  return {{"t", t},
-          {"columns", std::vector<std::string>(names.begin(), names.begin() + shown)},
-          {"values", values},
-          {"bound", samples.bound()}};
+  return {{"columns", names}, {"values", values}};
+}
+
+// Nothing of an energy that is kept.
+void add_energy(json& shown, const Scene& scene, const Path& path) {
+  if (!scene.energy) return;
+  json energy = columns_along(
+      path, {"energy"}, [&](double, In columns) { return Vec::Constant(1, scene.energy.value(columns)); });
+  const auto& values = energy["values"][0];
+  const bool kept = std::ranges::all_of(values, [&](const json& value) { return value == values.front(); });
+  if (!kept) shown["energy"] = std::move(energy);
+}
+
+void add_reactions(json& shown, const Scene& scene, const Path& path) {
+  const auto& reactions = scene.reactions;
+  if (!reactions || !reactions.known()) return;
+  const auto size = std::ssize(reactions.names);
+  shown["reactions"] = columns_along(path, reactions.names, [&](double t, In columns) -> Vec {
+    return exact_reactions(scene, t, columns).head(size);
+  });
+}
+
+// Coordinates that are columns are not said twice.
+void add_motion(json& shown, const Scene& scene, const Path& path) {
+  const auto& names = scene.motion.names;
+  if (names.empty()) return;
+  const auto columns = shown["columns"].get<std::vector<std::string>>();
+  const bool are_columns = std::ranges::all_of(
+      names, [&](const std::string& name) { return std::ranges::find(columns, name) != columns.end(); });
+  if (are_columns) {
+    shown["motion"] = {{"columns", names}};
+    return;
+  }
+  shown["motion"] =
+      columns_along(path, names, [&](double t, In of_path) { return columns_at(scene.motion, t, of_path); });
 }
 
 }  // namespace
+
+json solution_of(const Scene& scene) {
+  const auto shown = std::min<Eigen::Index>(std::ssize(scene.outputs.names), most_columns);
+  const Samples samples(scene, shown);
+  const auto& names = scene.outputs.names;
+  json solution = columns_along(samples.values(), {names.begin(), names.begin() + shown},
+                                [](double, In columns) -> Vec { return columns; });
+  for (const auto& [t, value] : samples.values()) solution["t"].push_back(in_chart(t));
+  solution["bound"] = samples.bound();
+  add_energy(solution, scene, samples.values());
+  add_reactions(solution, scene, samples.values());
+  add_motion(solution, scene, samples.values());
+  return solution;
+}
 
 // Scenes of files are not at hand.
 json solution_of(const SceneSettings& settings) {
@@ -93,7 +142,7 @@ json solution_of(const SceneSettings& settings) {
   try {
     Scene scene = make_known_scene(*maker, settings.values);
     if (settings.until) scene.problem.end = *settings.until;
-    return solution(scene);
+    return solution_of(scene);
   } catch (const std::exception&) {  // where there is no reference, a scene has no picture of it
     return {};
   }

@@ -1,0 +1,112 @@
+#include "command/plot_data.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "analysis/runs.hpp"
+#include "page/page_data.hpp"
+#include "page/stability_curves.hpp"
+
+namespace fde {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t most_members = 24;  // of a family that a chart can show
+constexpr int points = 48;                // of a curve of stability
+
+json page_of(json section) {
+  return {{"lines", json::array()}, {"kinds", json::array()}, {"sections", {std::move(section)}}};
+}
+
+json solution(const SceneVariant& of) {
+  Scene scene = make_known_scene(*of.maker, of.values);
+  if (of.until) scene.problem.end = *of.until;
+  try {
+    return solution_of(scene);
+  } catch (const std::runtime_error& none) {
+    throw std::invalid_argument(fmt::format("{}: has no reference to draw: {}", of.label(), none.what()));
+  }
+}
+
+// The settings in which scenes differ: one, as the first of them has it or another one does.
+std::string parameter_of(const std::vector<SceneVariant>& scenes) {
+  std::set<std::string> differing;
+  for (const SceneVariant& scene : scenes) {
+    for (const auto& [name, value] : scene.values)
+      if (scenes.front().values.at(name) != value) differing.insert(name);
+  }
+  if (differing.size() != 1) {
+    throw std::invalid_argument(
+        fmt::format("--set: a figure is over one parameter, not {}", fmt::join(differing, ", ")));
+  }
+  return *differing.begin();
+}
+
+}  // namespace
+
+json data_of_runs(const std::string& results, const SceneVariant& of, const Scenes& known) {
+  const SceneSettings scene = of.key();
+  ReadRuns read = read_runs(results, known);
+  for (auto* some : {&read.runs.finished, &read.runs.failed})
+    std::erase_if(*some, [&](const MeasuredRun& run) { return run.key.scene != scene; });
+  if (read.runs.finished.empty())
+    throw std::invalid_argument(fmt::format("{}: has no run of {}", results, label_of(scene)));
+  json data = page_data(std::move(read));
+  std::erase_if(data["sections"].get_ref<json::array_t&>(), [](const json& section) {
+    return !section.contains("runs") || section.contains("parameter");
+  });
+  return data;
+}
+
+json data_of_drifts(const std::string& results, const SceneVariant& of, const Scenes& known) {
+  SceneSettings asked = of.key();
+  asked.values.erase("formulation");
+  ReadRuns read = read_runs(results, known);
+  PageInput page{.sessions = std::move(read.sessions), .names = LineNames(read.runs)};
+  page.runs = std::move(read.runs);
+  for (const auto& scene : constrained_scenes(page.runs)) {
+    if (scene.scene != asked) continue;
+    return page_of({{"id", section_of(asked)}, {"drifts", {drift_charts(page, scene)}}});
+  }
+  throw std::invalid_argument(
+      fmt::format("{}: has no run of {} with a drift from constraints", results, label_of(asked)));
+}
+
+json data_of_solutions(const std::vector<SceneVariant>& scenes) {
+  const auto& first = scenes.front();
+  json section{{"id", section_of(first.key())}, {"title", name_of_scene(first.key()).title}};
+  if (scenes.size() == 1) {
+    section["solution"] = solution(first);
+    return page_of(std::move(section));
+  }
+  if (scenes.size() > most_members) {
+    throw std::invalid_argument(
+        fmt::format("--set: {} values, a figure can show {}", scenes.size(), most_members));
+  }
+  const auto parameter = parameter_of(scenes);
+  json members = json::array();
+  for (const auto& scene : scenes)
+    members.push_back({{"value", text_of(scene.values.at(parameter))}, {"solution", solution(scene)}});
+  section["family"] = {{"parameter", parameter}, {"members", std::move(members)}};
+  return page_of(std::move(section));
+}
+
+json data_of_regions(const SceneVariant& of) {
+  const Scene scene = make_scene(of);
+  std::set<double> orders;
+  for (const auto& component : scene.problem.components) orders.insert(component.order);
+  if (orders.size() != 1 || !scene.problem.equations.empty()) {
+    throw std::invalid_argument(fmt::format(
+        "{}: has several orders; regions of stability are of one, as of relaxation:gamma=0.5", of.label()));
+  }
+  return page_of(
+      {{"id", "regions"}, {"regions", stability_curves(all_schemes(), {*orders.begin()}, points)}});
+}
+
+}  // namespace fde

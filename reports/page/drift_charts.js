@@ -1,0 +1,41 @@
+// How far the formulations of a scene stray from its constraints: a colour for each formulation.
+
+function formulationChannels(points) {
+  const names = [...new Set(points.map(({ formulation }) => formulation))];
+  const scale = (range) => ({ domain: names, range: names.map((_, i) => range[i % range.length]) });
+  const legend = names.length > 1 ? { orient: "bottom", title: null, symbolOpacity: 1 } : null;
+  return {
+    color: { field: "formulation", type: "nominal", scale: scale(colours), legend },
+    shape: { field: "formulation", type: "nominal", scale: scale(shapes), legend },
+  };
+}
+
+const wordsOfDrift = ({ formulation, line, steps, h, t, drift }) => ({
+  title: [formulation, line].filter(Boolean).join(", "), N: String(steps), ...(h && { h: String(Number(h.toPrecision(3))) }), ...(t && { t: String(t) }), drift: fewDigits(drift),
+});
+
+function driftChart(id, title, description, field, of, points) {
+  const told = points.map((point) => ({ ...point, words: wordsOfDrift(point) }));
+  if (told.length === 0) return null;
+  const { color, shape } = formulationChannels(told);
+  const encoding = { x: logAxis(told, field, of, labels.number), y: logAxis(told, "drift", "drift", labels.number), color, detail: [{ field: "line" }, { field: "formulation" }] };
+  return {
+    id, title, points: told, columns: ["formulation", "line", "steps", "h", "t", "drift"],
+    spec: chart(description, told, { layer: [
+      { mark: { type: "line", strokeWidth: 1, opacity: 0.7 }, encoding: { ...encoding, order: { field } } },
+      { mark: { type: "point", filled: true, size: 30, tooltip: { expr: "datum.words" } }, encoding: { ...encoding, shape } },
+    ] }),
+  };
+}
+
+const pointsOfDrift = ({ formulations, lines, formulation = [], line, steps, h, drift }) =>
+  formulation.map((place, i) => ({ formulation: formulations[place], line: lines[line[i]], steps: steps[i], h: h[i], drift: drift[i] }));
+
+// Of a scene: against the step by the runs, against time by the run of each formulation that is best within a common time.
+function chartsOfDrift({ title, points, courses }, wants) {
+  const overTime = courses.filter(({ line }) => wants(line)).flatMap(({ t, drift, ...of }) => t.map((time, i) => ({ ...of, t: time, drift: drift[i] })));
+  return [
+    driftChart("drift-against-step", `${title}: drift against step`, `${title}: largest drift from the constraints against the step, a line for each scheme in the colour of its formulation`, "h", "step h", pointsOfDrift(points).filter(({ line }) => wants(line))),
+    driftChart("drift-over-time", `${title}: drift up to t, the best run of each`, `${title}: largest drift up to t, a line for each formulation`, "t", "t", overTime),
+  ].filter(Boolean);
+}

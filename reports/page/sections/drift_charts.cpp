@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/formulations.hpp"
+#include "observers/independent_memory.hpp"
+#include "page/chart_number.hpp"
+#include "page/page_data.hpp"
+#include "scenes/variant.hpp"
+
+namespace fde {
+namespace {
+
+using nlohmann::json;
+
+constexpr int digits = 3;
+constexpr int times_an_octave = 8, octaves = 10;
+
+// The largest drift so far, at times that double eight at a time up to the end.
+class LargestSoFar {
+ public:
+  explicit LargestSoFar(double end) : next_(std::ldexp(end, -octaves)) {}
+
+  void observe(double t, double drift) {
+    largest_ = std::max(largest_, drift);
+    if (t < next_ * (1.0 - 1e-12)) return;
+    if (largest_ > 0.0) {
+      t_.push_back(in_chart(t, digits));
+      drift_.push_back(in_chart(largest_, digits));
+    }
+    while (next_ * (1.0 - 1e-12) <= t) next_ *= std::exp2(1.0 / times_an_octave);
+  }
+
+  void add_to(json& shown) const {
+    shown["t"] = t_;
+    shown["drift"] = drift_;
+  }
+
+ private:
+  double next_, largest_ = 0.0;
+  std::vector<double> t_{}, drift_{};
+};
+
+// The columns of a run's steps, with D^order of the velocities by another rule than the scheme's where that
+// is known.
+class SeenColumns {
+ public:
+  SeenColumns(const Scene& scene, const Grid& grid, Matrix columns)
+      : scene_(scene), columns_(std::move(columns)) {
+    if (!grid.uniform() || grid.steps < IndependentMemory::fewest_steps) return;
+    for (const auto& [derivative, velocity, order, powers] : scene.memories)
+      memories_.emplace_back(grid, order, powers);
+  }
+
+  // Whether each costs a sum over the past.
+  [[nodiscard]] bool dear() const { return !memories_.empty(); }
+
+  [[nodiscard]] Vec at(int step) const {
+    Vec seen = columns_.col(step);
+    for (std::size_t m = 0; m < memories_.size(); ++m) {
+      const Memory& of = scene_.memories[m];
+      seen[of.derivative] = memories_[m].at(step, columns_.row(of.velocity).transpose());
+    }
+    return seen;
+  }
+
+ private:
+  const Scene& scene_;
+  Matrix columns_;
+  std::vector<IndependentMemory> memories_{};
+};
+
+// The run's drift in the course of time, solved anew; nothing where it ends early.
+std::optional<json> course_of(const PageInput& page, const BestInTime& best) {
+  const RunKey& key = best.run.key;
+  const auto* maker = find_scene(key.scene.id);
+  const auto* scheme = find_scheme(key.scheme);
+  const auto* steps = std::get_if<int>(&key.setup.resolution);
+  if (maker == nullptr || scheme == nullptr || steps == nullptr || !key.scene.checksum.empty())
+    return std::nullopt;
+  const Scene scene = make_scene(SceneVariant{maker, key.scene.values, key.scene.until});
+  const Grid grid{.end = scene.problem.end, .steps = *steps, .grading = key.setup.grading};
+  const Trajectory path = scheme->solve(scene.problem, grid, key.setup.options());
+  if (path.ending != Ending::finished || path.y.cols() != *steps + 1) return std::nullopt;
+  const SeenColumns columns(scene, grid, columns_of(scene.outputs, path));
+  LargestSoFar largest(grid.end);
+  double next = 0.0;
+  for (int n = 1; n <= *steps; ++n) {
+    const double t = grid.time(n);
+    if (columns.dear() && t < next && n < *steps) continue;
+    next = t * std::exp2(1.0 / times_an_octave);
+    largest.observe(t, scene.constraint.drift(t, columns.at(n)));
+  }
+  json course{{"formulation", best.formulation}, {"line", page.label(key)}, {"steps", *steps}};
+  largest.add_to(course);
+  return course;
+}
+
+json courses_of(const PageInput& page, const ConstrainedScene& scene) {
+  json courses = json::array();
+  for (const auto& best : best_in_time(scene).ranked) {
+    try {
+      if (auto course = course_of(page, best)) courses.push_back(std::move(*course));
+    } catch (const std::exception&) {  // a scene that this build does not solve has no picture
+      continue;
+    }
+  }
+  return courses;
+}
+
+// The place of a name in a list, at whose end it is put where it is new.
+std::size_t place_in(std::vector<std::string>& names, const std::string& name) {
+  const auto found = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  if (found == names.size()) names.push_back(name);
+  return found;
+}
+
+// Columns of equal length, an entry a run.
+json points_of(const PageInput& page, const ConstrainedScene& scene) {
+  std::vector<std::string> formulations, lines;
+  json points;
+  for (const auto& of : scene.formulations) {
+    for (const MeasuredRun& run : of.runs) {
+      const double drift = judged_drift(run);
+      if (!(drift > 0.0) || !std::isfinite(drift)) continue;
+      points["formulation"].push_back(place_in(formulations, of.formulation));
+      points["line"].push_back(place_in(lines, page.label(run.key)));
+      points["steps"].push_back(run.steps);
+      points["h"].push_back(in_chart(run.h));
+      points["drift"].push_back(in_chart(drift, digits));
+    }
+  }
+  points["formulations"] = formulations;
+  points["lines"] = lines;
+  return points;
+}
+
+}  // namespace
+
+json drift_charts(const PageInput& page, const ConstrainedScene& scene) {
+  return {{"id", section_of(scene.scene)},
+          {"title", name_of_scene(scene.scene).title},
+          {"points", points_of(page, scene)},
+          {"courses", courses_of(page, scene)}};
+}
+
+}  // namespace fde

@@ -1,0 +1,23 @@
+// Prints reports/page/regions.json, the regions of linear stability on the page: a line for each scheme.
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "page/stability_curves.hpp"
+
+int main() try {
+  const auto all = fde::page_stability_curves(fde::all_schemes());
+  fmt::print("{{\"orders\": {},\n\"same\": {},\n\"curves\": {{\n", all["orders"].dump(), all["same"].dump());
+  std::string_view before;
+  for (const auto& [id, curves] : all["curves"].items()) {
+    fmt::print("{}\"{}\": {}", before, id, curves.dump());
+    before = ",\n";
+  }
+  fmt::print("}}}}\n");
+  return 0;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "fde_page_regions: {}\n", error.what());
+  return 1;
+}
