@@ -16,7 +16,7 @@ struct Cell {
   std::string hint{};       // shown where a pointer rests on it
   std::string to{};         // of a row's heading: the id of the section it leads to, in a map all cells
   std::string tone{};       // a verdict, whose colour it wears in a map
-  double strength = 0.0;    // of its line's colour in a map, 0 to 1
+  double strength = 0.0;    // of the colour in a map, of its line or its verdict, 0 to 1
   std::size_t session = 0;  // whose run it is of, from 1 on; 0: of none, or there is one only
 };
 

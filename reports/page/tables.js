@@ -26,7 +26,8 @@ function cellContent(cell, lines, painted, to) {
 
 // A map's cell wears the colour of its line or its verdict; data-column repeats its heading for narrow screens, where the cells of a row wrap.
 function mapAttributes(cell, column, lines) {
-  const paint = cell.line ? { style: `--paint:${colourOf(lines, cell.line)};--strength:${Math.round(12 + 48 * (cell.strength ?? 0))}%` } : {};
+  const paint = cell.line ? { style: `--paint:${colourOf(lines, cell.line)};--strength:${Math.round(12 + 48 * (cell.strength ?? 0))}%` }
+    : cell.tone && cell.strength ? { style: `--strength:${Math.round(8 + 34 * cell.strength)}%` } : {};
   return { "data-column": column.text, ...(cell.tone && { "data-tone": cell.tone }), ...paint };
 }
 

@@ -66,4 +66,8 @@ test("trials have their verdict", () =>
     assert.equal(await cells.count(), trials.length);
     const surviving = trials.filter((run) => run.ending === "finished" && run.error_relative <= 1e-2);
     assert.equal(await page.locator('#stability td[data-tone="survives"]').count(), surviving.length);
+    // The smaller its error, the fuller its colour.
+    const shades = await page.locator('#stability td[data-tone="survives"]').evaluateAll((all) =>
+      all.map((cell) => [parseFloat(cell.style.getPropertyValue("--strength")), Number(cell.querySelector("small").textContent)]).sort((a, b) => a[1] - b[1]).map(([shade]) => shade));
+    assert.deepEqual(shades, [...shades].sort((a, b) => b - a));
   }));

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "stability/across.hpp"
 #include "programs/stability/late.hpp"
+#include "stability/across.hpp"
 #include "stability/stability_region.hpp"
 #include "support/testing.hpp"
 

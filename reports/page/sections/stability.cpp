@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -35,10 +36,13 @@ Cell cell(const PageInput& page, const SceneSettings& scene, const std::string& 
   if (found == page.trials.end()) return {.text = "not run"};
   const std::string word(verdict(*found).word);
   const auto error = (*found)["error_relative"];
+  // Of an error that is nothing 1, of one that is as large as the value 0.
+  const double digits = error && word == survives.word ? -std::log10(std::max(*error, 1e-16)) : 0.0;
   return {.text = word,
           .detail = error ? error_text(*error) : "",
           .hint = fmt::format("{}, {}: {}", line, label_of(scene), because(*found)),
-          .tone = word};
+          .tone = word,
+          .strength = std::clamp(digits / 16.0, 0.0, 1.0)};
 }
 
 // "5 of 12", and how many it refuses or stops at rightly.
@@ -77,7 +81,8 @@ Section stability_section(const PageInput& page) {
            "where it ends early, or where from some step on its error is not below the size of the "
            "value up to the end. It stops rightly where the solution has a singularity, and is not "
            "judged where there is no reference or the solution itself overflows. Below the "
-           "verdict stands the error at the end as a part of the value; a pointer that rests there shows the "
+           "verdict stands the error at the end as a part of the value, the smaller the fuller the colour; a "
+           "pointer that rests there shows the "
            "reason, or from when on rounding is at least a quarter of the error, and the time of the solve. "
            "Why each scheme fares as it does: docs/stability.md."},
       .table = {.caption = "Verdicts by scene and scheme", .columns = {{"scene"}}, .is_map = true}};
