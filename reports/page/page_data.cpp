@@ -100,11 +100,9 @@ json regions_section() {
       {"title", "Stability: linear equations"},
       {"paragraphs",
        {"For D^γ y = λ y a scheme with steps h depends on z = λ h^γ alone. The solution decays where |arg z| "
-        "> "
-        "γπ/2, left of the dashed ray. An implicit scheme is stable outside of its curve, which is open to "
-        "the "
-        "right; one with a prediction inside, next to 0. Schemes whose curves are those of another are not "
-        "drawn. fdebench stability prints them for any order."}},
+        "> γπ/2, left of the dashed ray. A scheme is stable next to 0 on the left, up to its curve: without "
+        "end where that stays on the right, only within it where it crosses the negative axis. Schemes whose "
+        "curves are those of another are not drawn. fdebench stability prints them for any order."}},
       {"regions", json::parse(assets::regions())}};
 }
 
