@@ -9,7 +9,7 @@ namespace fde {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t fewest_rungs = 5;
+constexpr std::size_t fewest_rungs = 5, fewest_accuracies = 3;
 
 bool is_hopeless(Ending ending) {
   switch (ending) {
@@ -119,6 +119,18 @@ bool is_settled(const Ladder& ladder, std::span<const Climb> of_scene, const Cli
          });
 }
 
+// Whether each error of the goal is another climb's in far less time than this one, of accuracies, takes.
+bool is_outrun(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb, ErrorOfRung of) {
+  const double last = climb.back().seconds.value_or(0.0);
+  return std::ranges::all_of(ladder.goal->errors, [&](double error) {
+    const double own = measured_seconds(climb, of, error).value_or(last);
+    return std::ranges::any_of(of_scene, [&](const Climb& other) {
+      const auto seconds = measured_seconds(other, of, error);
+      return &other != &climb && seconds && own > ladder.goal->margin * *seconds;
+    });
+  });
+}
+
 }  // namespace
 
 Ladder ladder_for(const Ladder& ladder, const Needs& needs) {
@@ -170,7 +182,10 @@ bool has_ended(const Ladder& ladder, std::span<const Climb> of_scene, const Clim
   const Rung& last = climb.back();
   if (last.hopeless) return true;
   if (last.seconds && next_seconds(ladder, climb) - start_up(climb) > ladder.goal->most_seconds) return true;
-  if (last.steps == 0) return false;
+  if (last.steps == 0) {
+    return climb.size() >= fewest_accuracies && is_outrun(ladder, of_scene, climb, &Rung::end) &&
+           is_outrun(ladder, of_scene, climb, &Rung::maximum);
+  }
   if (climb.size() >= fewest_rungs && is_repeated(of_scene, climb)) return true;
   return is_settled(ladder, of_scene, climb, &Rung::end) &&
          is_settled(ladder, of_scene, climb, &Rung::maximum);

@@ -102,6 +102,30 @@ TEST(Ladders, EndWhereAnotherSchemeIsWithinEachErrorInLessTime) {
 }
 
 // adams_pc and decoupled_multi_order are one algorithm where no order is above 1.
+// One that is asked for 1e-2, 1e-4, ... and delivers that, in so many seconds times 1, 10, ...
+Climb climb_of_accuracies(int rungs, double first) {
+  Climb climb;
+  for (int i = 0; i < rungs; ++i) {
+    const FallingError error{std::pow(10.0, -2 * (i + 1)), {}};
+    climb.push_back({.end = error, .maximum = error, .seconds = first * std::pow(10.0, i)});
+  }
+  return climb;
+}
+
+TEST(Ladders, OfAccuraciesEndWhereAnotherSchemeHasEveryErrorInFarLessTime) {
+  const Ladder accuracies{std::vector<StepsOrAccuracy>(8, Accuracy{}), Goal{}};
+  const auto quick = climb_of_accuracies(4, 1e-6);
+  const auto ends_beside = [&](const Climb& climb, const Climb& other) {
+    const std::vector<Climb> of_scene{climb, other};
+    return has_ended(accuracies, of_scene, of_scene.front());
+  };
+  EXPECT_FALSE(ends_beside(climb_of_accuracies(2, 1e-4), quick)) << "three rungs are the fewest";
+  EXPECT_TRUE(ends_beside(climb_of_accuracies(3, 1e-4), quick));
+  EXPECT_FALSE(ends_beside(climb_of_accuracies(3, 1e-4), climb_of_accuracies(3, 1e-6))) << "1e-8 is nobody's";
+  EXPECT_FALSE(ends_beside(climb_of_accuracies(3, 1.5e-6), quick)) << "times may be wrong by a factor of two";
+  EXPECT_FALSE(ends_beside(quick, climb_of_accuracies(3, 1e-4)));
+}
+
 TEST(Ladders, EndWhereAnotherSchemeListedBeforeIsTheSameAlgorithm) {
   const auto ended = [](const std::vector<Climb>& climbs, std::size_t i) {
     return has_ended(ladder, climbs, climbs[i]);
