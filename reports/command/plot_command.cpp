@@ -103,7 +103,7 @@ nlohmann::json data_of(const PlotArguments& arguments, const Kind& kind, const S
 }
 
 std::vector<std::string> columns_in(const PlotArguments& arguments, const Kind& kind) {
-  const auto names = arguments.columns ? split_names(*arguments.columns) : std::vector<std::string>();
+  auto names = arguments.columns ? split_names(*arguments.columns) : std::vector<std::string>();
   if (kind.name == "phase" && !names.empty() && names.size() != 2)
     throw std::invalid_argument(fmt::format("--columns = {}: must be two", *arguments.columns));
   return names;

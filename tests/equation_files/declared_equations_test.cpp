@@ -36,9 +36,10 @@ std::string of_parameters(const SceneMaker& maker, const std::string& formula) {
 // A parameter that follows from others is their formula, also of a start that is called as its unknown.
 std::string without_derived(const SceneMaker& maker, std::string formula) {
   for (const auto& parameter : maker.parameters) {
-    if (!parameter.derived.empty())
+    if (!parameter.derived.empty()) {
       formula = std::regex_replace(formula, std::regex("\\b" + parameter.name + "\\b"),
                                    "(" + parameter.derived + ")");
+    }
   }
   return formula;
 }
@@ -51,15 +52,17 @@ void add_nodes(EquationText& text) {
   for (const auto& unknown : text.unknowns) {
     const std::string& rhs = unknown.rhs.text;
     for (auto at = std::sregex_iterator(rhs.begin(), rhs.end(), derivative); at != std::sregex_iterator();
-         ++at)
+         ++at) {
       if ((*at)[2] != "1") asked.emplace((*at)[1], (*at)[2]);
+    }
   }
-  for (const auto& [name, order] : asked) {
+  for (const auto& derivative_of : asked) {
+    const auto &name = derivative_of.first, &order = derivative_of.second;
     auto& unknown = *std::ranges::find(text.unknowns, name, &UnknownText::name);
     const auto has = [&](const auto& term) { return term.order.text == order; };
     if (std::ranges::any_of(unknown.terms, has)) continue;
     unknown.terms.push_back({formula("1"), formula(order)});
-    unknown.rhs.text += " + D(" + name + "," + order + ")";
+    unknown.rhs.text.append(" + D(").append(name).append(",").append(order).append(")");
   }
 }
 

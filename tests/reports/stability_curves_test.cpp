@@ -18,9 +18,10 @@ TEST(PageRegions, AreThoseOfTheSchemes) {
   const auto kept = json::parse(assets::regions());
   const auto now = page_stability_curves({find_scheme("l1"), find_scheme("bdf4"), find_scheme("bdf5")});
   EXPECT_EQ(kept["orders"], now["orders"]);
-  for (const auto& [id, curves] : now["curves"].items())
+  for (const auto& [id, curves] : now["curves"].items()) {
     EXPECT_TRUE(kept["curves"][id] == curves)
         << id << " differs: cmake --build --preset release --target page_regions";
+  }
 }
 
 // A scheme that is new has none until the table is made anew.

@@ -20,8 +20,9 @@ TEST(RegionBoundary, OfBackwardEulerIsACircle) {
 TEST(RegionBoundary, OfHeunsMethodIsWhereItsPolynomialHasSizeOne) {
   const auto pieces = region_boundary(*find_scheme("adams_pc"), 1.0, 20);
   ASSERT_FALSE(pieces.empty());
-  for (const auto& piece : pieces)
+  for (const auto& piece : pieces) {
     for (const auto& [theta, z] : piece) EXPECT_NEAR(std::abs(1.0 + z + z * z / 2.0), 1.0, 1e-9);
+  }
 }
 
 // The curves of its modes go on where others have grown already.

@@ -115,9 +115,10 @@ std::string against(const PageInput& page, const std::string& line) {
   }
   std::vector<std::string> parts;
   for (const Verdict& of : {fails, inaccurate}) {
-    if (const auto& [runs, scenes, reasons] = counted[of.word]; runs > 0)
+    if (const auto& [runs, scenes, reasons] = counted[of.word]; runs > 0) {
       parts.push_back(fmt::format("{} {} ({})", of.word, runs == 1 ? "once" : fmt::format("{} times", runs),
                                   named(scenes)));
+    }
   }
   if (const auto& [runs, scenes, reasons] = counted[refuses.word]; runs > 0) {
     const auto most = std::ranges::max_element(reasons, {}, &std::pair<const std::string, int>::second);
