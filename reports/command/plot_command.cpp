@@ -73,10 +73,6 @@ void check(const PlotArguments& arguments, const Kind& kind) {
     throw std::invalid_argument(
         fmt::format("--results: --kind {} draws runs, and needs a results file", kind.name));
   }
-  if (!measured && arguments.results) {
-    throw std::invalid_argument(fmt::format("--results = {}: --kind {} draws no runs: must not be given",
-                                            *arguments.results, kind.name));
-  }
   if (!arguments.schemes.empty() && kind.of == Of::solution) {
     throw std::invalid_argument(fmt::format("--scheme = {}: --kind {} draws no schemes: must not be given",
                                             arguments.schemes.front(), kind.name));
@@ -170,7 +166,7 @@ void add_plot_command(CommandLine& program, const Streams& streams, const Scenes
   auto arguments = std::make_shared<PlotArguments>();
   Subcommand command(program, "plot", "A figure of a scene for a paper of two columns");
   add_scene(command, arguments->scene);
-  command.option("--results", arguments->results, "results file, of what shows runs");
+  command.option("--results", arguments->results, "results file; kinds that draw no runs do not read it");
   command.required("--kind", arguments->kind,
                    "work-precision, rate, accuracy, energy, drift, drift-over-time of runs; solution, phase, "
                    "motion, stability");
