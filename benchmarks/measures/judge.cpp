@@ -73,8 +73,13 @@ Judgement judge_values(const Trajectory& path, const Rows& values, WatchedRefere
 
 Judgement judge(const Scene& scene, const Trajectory& path, WatchedReference& reference,
                 const Observed& observed) {
+  return judge(scene, path, columns_of(scene.outputs, path), reference, observed);
+}
+
+Judgement judge(const Scene& scene, const Trajectory& path, const Rows& columns, WatchedReference& reference,
+                const Observed& observed) {
   if (path.ending != Ending::finished) return judge_stopped(scene, path, reference);
-  return judge_values(path, columns_of(scene.outputs, path), reference, observed);
+  return judge_values(path, columns, reference, observed);
 }
 
 Judgement judge_columns(const std::vector<double>& times, const Rows& columns, WatchedReference& reference,

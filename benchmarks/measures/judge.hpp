@@ -22,6 +22,10 @@ struct Judgement {
 Judgement judge(const Scene& scene, const Trajectory& path, WatchedReference& reference,
                 const Observed& observed = {});
 
+// The same of a run whose columns at path.times, one column a time, stand for the states.
+Judgement judge(const Scene& scene, const Trajectory& path, const Rows& columns, WatchedReference& reference,
+                const Observed& observed);
+
 // The same for the columns of the scene at some times, one column a time: what another program writes. They
 // have come to their end.
 Judgement judge_columns(const std::vector<double>& times, const Rows& columns, WatchedReference& reference,

@@ -11,6 +11,7 @@
 #include "measures/rounding.hpp"
 #include "observers/drift.hpp"
 #include "observers/energy_balance.hpp"
+#include "observers/kept_columns.hpp"
 #include "observers/watched_steps.hpp"
 #include "records/run_rows.hpp"
 #include "stepping/rates.hpp"
@@ -48,14 +49,40 @@ class Observers {
   std::optional<DriftObserver> drift_{};
 };
 
-// The columns at the times of a path, computed in other units; none where that run has others.
+// A run and its columns at path.times. Of a run over a grid only these are kept, and the last state.
+struct ShownRun {
+  Trajectory path;
+  Rows columns;
+};
+
+ShownRun solve_shown(const Scene& scene, const Scheme& scheme, const Problem& problem,
+                     const Resolution& resolution, const Options& options, double unit) {
+  if (!std::holds_alternative<Grid>(resolution)) {
+    ShownRun run{scheme.solve(problem, resolution, options), {}};
+    run.path.y *= unit;
+    run.columns = columns_of(scene.outputs, run.path);
+    return run;
+  }
+  KeptColumns kept(scene.outputs, options.at, unit);
+  Options observed = options;
+  observed.at = {problem.end};
+  observed.observer = [&](double t, In y) {
+    if (options.observer) options.observer(t, y);
+    kept.observe(t, y);
+  };
+  ShownRun run{scheme.solve(problem, resolution, observed), {}};
+  run.path.times = kept.times();
+  run.columns = kept.columns();
+  return run;
+}
+
+// The columns at these times, computed in other units; none where that run has others.
 Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Resolution& resolution,
                        const Options& options, const std::vector<double>& times) {
   constexpr double unit = 0.7;
-  auto path = scheme.solve(in_units_of(unit, scene.problem), resolution, options);
-  if (path.ending != Ending::finished || path.times != times) return {};
-  path.y *= unit;
-  return columns_of(scene.outputs, path);
+  const auto run = solve_shown(scene, scheme, in_units_of(unit, scene.problem), resolution, options, unit);
+  if (run.path.ending != Ending::finished || run.path.times != times) return {};
+  return run.columns;
 }
 
 void tell_rates(const Scene& scene, const Scheme& scheme, const Grid& grid, Observed& observed) {
@@ -84,14 +111,14 @@ Examined solve_and_judge(const Scene& scene, WatchedReference& reference, const 
   Options observing = options;
   Observers observers(scene, observed.grid);
   if (!observers.empty()) observing.observer = [&](double t, In y) { observers.observe(t, y); };
-  auto path = scheme.solve(scene.problem, resolution, observing);
+  auto [path, columns] = solve_shown(scene, scheme, scene.problem, resolution, observing, 1.0);
   if (!scheme.needs.implicit) path.cost.newton_iterations.reset();  // it has none to count
   if (path.ending == Ending::finished) {
     observed.rounded = rounded_otherwise(scene, scheme, resolution, options, path.times);
     observers.tell(observed);
     if (observed.grid) tell_rates(scene, scheme, *observed.grid, observed);
   }
-  return {path.steps, judge(scene, path, reference, observed)};
+  return {path.steps, judge(scene, path, columns, reference, observed)};
 }
 
 // A row without its number. The steps of a run over a grid are those asked for, also where it stopped.

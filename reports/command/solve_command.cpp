@@ -63,6 +63,8 @@ void add_solve_command(CommandLine& program, const Streams& streams, const Scene
   Subcommand::exclude(points, at);
   Subcommand::exclude(points, every);
   add_options(command, arguments->run.means);
+  command.option("--threads", arguments->run.threads,
+                 "among which the past of many unknowns is shared, default 1; the same bits for any number");
   command.flag("--check", arguments->run.check, "also warn where half the steps give another result");
   command.flag("--strict", arguments->strict, "a warning is a failure: exit 3, nothing printed but its line");
   command.flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "observers/kept_columns.hpp"
 #include "observers/reaction_path.hpp"
 #include "scenes/number_text.hpp"
 #include "stepping/optimal_grading.hpp"
@@ -23,6 +24,7 @@ namespace {
 
 constexpr int most_direct_steps = 1 << 21;  // beyond, hours
 constexpr int most_rows = 10'000'000;
+constexpr int most_threads = 1024;
 
 constexpr double rounding = 1e-12;
 
@@ -124,21 +126,22 @@ void require_finite(const Vec& values, const SolvedTable& table, const Scheme& s
   }
 }
 
+// Of the columns at times of a run, which are those of the path where it has states that tell reactions.
 SolvedTable table_of(const Scene& scene, const Scheme& scheme, const std::optional<Grid>& grid,
-                     const Trajectory& path, const std::vector<double>& asked) {
+                     const Trajectory& path, const std::vector<double>& times, const Rows& columns,
+                     const std::vector<double>& asked) {
   const ReactionPath reactions(scene, grid, path);
-  SolvedTable table{.names = printed_names(scene), .times = asked.empty() ? path.times : asked};
+  SolvedTable table{.names = printed_names(scene), .times = asked.empty() ? times : asked};
   const auto of_reactions = reactions.names();
   table.names.insert(table.names.end(), of_reactions.begin(), of_reactions.end());
   table.values.resize(std::ssize(table.names), std::ssize(table.times));
   Eigen::Index next = 0;
-  for (Eigen::Index c = 0; c < path.y.cols() && next < table.values.cols(); ++c) {
-    const double t = path.time(c);
+  for (Eigen::Index c = 0; c < columns.cols() && next < table.values.cols(); ++c) {
+    const double t = times[static_cast<std::size_t>(c)];
     if (t != table.times[static_cast<std::size_t>(next)]) continue;
-    const Vec columns = columns_at(scene.outputs, t, path.y.col(c));
-    const Vec values = printed_values(scene, t, columns);
+    const Vec values = printed_values(scene, t, columns.col(c));
     require_finite(values, table, scheme, grid, t);
-    table.values.col(next++) << values, reactions.at(c, columns);
+    table.values.col(next++) << values, reactions.at(c, columns.col(c));
   }
   return table;
 }
@@ -157,6 +160,7 @@ std::string cost_text(const Scene& scene, const Scheme& scheme, const Resolution
   if (grid != nullptr && cost.history_bytes) shown["history"] = name(resolve(history, step_plan(*grid)));
   add("history_bytes", cost.history_bytes);
   add("states", cost.states);
+  if (!cost.linear_solver.empty()) shown["linear_solver"] = cost.linear_solver;
   add("start_weights", cost.start_weights);
   add("rejected_steps", cost.rejected_steps);
   if (grid != nullptr)
@@ -194,10 +198,15 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments) {
   if (chosen) setup.grading = optimal_grading(scheme, scene.problem);
   const Resolution resolution = resolution_of(setup, scene.problem.end);
   Options options = setup.options();
+  if (arguments.threads) options.threads = parse_count("--threads", *arguments.threads, 1, most_threads);
   const auto grid = grid_of(resolution);
   if (grid) require_affordable(*grid, options.history);
   const auto asked = times_of(arguments, resolution, scene.problem.end);
-  options.at = with_times_beside(scene.reactions, grid, asked);
+  // Without reactions columns are all there is to keep, and the states that warnings look at.
+  const bool by_columns = grid && !scene.reactions;
+  KeptColumns kept(scene.outputs, asked);
+  if (by_columns) options.observer = [&kept](double t, In y) { kept.observe(t, y); };
+  options.at = by_columns ? std::vector{scene.problem.end} : with_times_beside(scene.reactions, grid, asked);
   if (grid) options.at = with_times_looked_at(scene.problem, *grid, options.at);
   if (const auto reason = refusal(scheme, scene.problem, resolution)) {
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
@@ -208,7 +217,9 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (path.ending != Ending::finished)
     throw RunFailure(fmt::format("{}: {}", scheme.id, describe(scene.problem, path)), scheme.id, path);
-  SolvedTable table = table_of(scene, scheme, grid, path, asked);
+  SolvedTable table =
+      by_columns ? table_of(scene, scheme, grid, path, kept.times(), kept.columns(), asked)
+                 : table_of(scene, scheme, grid, path, path.times, columns_of(scene.outputs, path), asked);
   if (grid) {
     table.warning = warning_line({scheme, scene.problem, *grid, options, path, columns_of_components(scene)},
                                  arguments.check);

@@ -16,7 +16,7 @@ namespace fde {
 // What `solve` is told of a run, as texts; --until belongs to the scene.
 struct RunArguments {
   std::string scheme;
-  std::optional<std::string> steps, accuracy, at, every, points;
+  std::optional<std::string> steps, accuracy, at, every, points, threads;
   MeansArguments means{.budget = "3600"};
   bool check = false;
 };

@@ -96,21 +96,34 @@ void scatter_kernel(const double* a, const double* b, Eigen::Index columns, Bloc
   }
 }
 
-// The sum with its rounding error is Knuth's.
+// state + carry += decay_minus_one * state + input. The sum with its rounding error is Knuth's.
+HWY_INLINE void advance_vector(Vector decay_minus_one, const double* input, double* state, double* carry) {
+  const Vector old = hn::Load(tag, state), before = hn::Load(tag, carry);
+  const Vector change = hn::Add(hn::MulAdd(decay_minus_one, old, hn::Load(tag, input)), before);
+  const Vector sum = hn::Add(old, change), added = hn::Sub(sum, old);
+  hn::Store(sum, tag, state);
+  hn::Store(hn::Add(hn::Sub(old, hn::Sub(sum, added)), hn::Sub(change, added)), tag, carry);
+}
+
 void advance_kernel(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
                     Block state, Block carry) {
   constexpr Eigen::Index width = hn::MaxLanes(tag);
   for (Eigen::Index j = 0; j < columns; ++j) {
     for (Eigen::Index row = 0; row < rows; row += width) {
-      double *const at = state.data + j * state.stride + row, *const rest =
-                                                                  carry.data + j * carry.stride + row;
-      const Vector old = hn::Load(tag, at), before = hn::Load(tag, rest);
-      const Vector change = hn::Add(hn::MulAdd(hn::Load(tag, decay_minus_one + row), old,
-                                               hn::Load(tag, input.data + j * input.stride + row)),
-                                    before);
-      const Vector sum = hn::Add(old, change), added = hn::Sub(sum, old);
-      hn::Store(sum, tag, at);
-      hn::Store(hn::Add(hn::Sub(old, hn::Sub(sum, added)), hn::Sub(change, added)), tag, rest);
+      advance_vector(hn::Load(tag, decay_minus_one + row), input.data + j * input.stride + row,
+                     state.data + j * state.stride + row, carry.data + j * carry.stride + row);
+    }
+  }
+}
+
+void advance_columns_kernel(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one,
+                            ConstBlock input, Block state, Block carry) {
+  constexpr Eigen::Index width = hn::MaxLanes(tag);
+  for (Eigen::Index j = 0; j < columns; ++j) {
+    const Vector decay = hn::Set(tag, decay_minus_one[j]);
+    for (Eigen::Index row = 0; row < rows; row += width) {
+      advance_vector(decay, input.data + j * input.stride + row, state.data + j * state.stride + row,
+                     carry.data + j * carry.stride + row);
     }
   }
 }
@@ -205,6 +218,7 @@ namespace fde {
 HWY_EXPORT(multiply_add_kernel);
 HWY_EXPORT(scatter_kernel);
 HWY_EXPORT(advance_kernel);
+HWY_EXPORT(advance_columns_kernel);
 HWY_EXPORT(dot_product_kernel);
 HWY_EXPORT(phi_functions_kernel);
 
@@ -215,14 +229,15 @@ struct Kernels {
   decltype(&multiply_add) multiplying;
   decltype(&scatter) scattering;
   decltype(&advance) advancing;
+  decltype(&advance_columns) advancing_columns;
   decltype(&dot_product) multiplying_arrays;
   decltype(&phi_functions) integrating;
 };
 Kernels kernels_of(std::int64_t targets) {
   hwy::GetChosenTarget().Update(targets);
   return {HWY_DYNAMIC_DISPATCH(multiply_add_kernel), HWY_DYNAMIC_DISPATCH(scatter_kernel),
-          HWY_DYNAMIC_DISPATCH(advance_kernel), HWY_DYNAMIC_DISPATCH(dot_product_kernel),
-          HWY_DYNAMIC_DISPATCH(phi_functions_kernel)};
+          HWY_DYNAMIC_DISPATCH(advance_kernel),      HWY_DYNAMIC_DISPATCH(advance_columns_kernel),
+          HWY_DYNAMIC_DISPATCH(dot_product_kernel),  HWY_DYNAMIC_DISPATCH(phi_functions_kernel)};
 }
 Kernels kernels = kernels_of(hwy::SupportedTargets());
 
@@ -246,6 +261,11 @@ void scatter(const double* a, const double* b, Eigen::Index columns, Block c) {
 void advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
              Block state, Block carry) {
   kernels.advancing(rows, columns, decay_minus_one, input, state, carry);
+}
+
+void advance_columns(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
+                     Block state, Block carry) {
+  kernels.advancing_columns(rows, columns, decay_minus_one, input, state, carry);
 }
 
 double dot_product(const double* a, const double* b, Eigen::Index length) {

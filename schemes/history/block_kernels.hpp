@@ -49,6 +49,10 @@ void scatter(const double* a, const double* b, Eigen::Index columns, Block c);
 void advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
              Block state, Block carry);
 
+// The same where a decay belongs to a column.
+void advance_columns(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
+                     Block state, Block carry);
+
 // The dot product of two arrays of any length and alignment.
 double dot_product(const double* a, const double* b, Eigen::Index length);
 

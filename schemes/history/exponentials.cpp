@@ -18,8 +18,25 @@ Eigen::Index index_in(std::vector<Value>& list, const Value& value) {
 
 }  // namespace
 
-ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, double tolerance)
-    : totals_(static_cast<Eigen::Index>(tables.front().size())) {
+Eigen::Index ExponentialHistory::Columns::of(Eigen::Index component) {
+  const auto index = static_cast<std::size_t>(component);
+  if (index >= columns_.size()) columns_.resize(index + 1, -1);
+  if (columns_[index] < 0) {
+    columns_[index] = std::ssize(components_);
+    components_.push_back(component);
+  }
+  return columns_[index];
+}
+
+bool ExponentialHistory::Columns::are_all(Eigen::Index size) const {
+  if (std::ssize(components_) != size) return false;
+  for (std::size_t i = 0; i < components_.size(); ++i)
+    if (components_[i] != static_cast<Eigen::Index>(i)) return false;
+  return true;
+}
+
+ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, double tolerance, int threads)
+    : size_(std::ssize(tables.front())) {
   for (const auto& of_sum : tables) {
     auto& sum = sums_.emplace_back();
     for (std::size_t i = 0; i < of_sum.size(); ++i) add(sum, of_sum[i], static_cast<Eigen::Index>(i));
@@ -27,14 +44,34 @@ ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, do
   // A run shorter than a block never asks for the exponentials.
   const double longest = std::max<double>(steps, ExponentialMemory::block) + 2.0;
   for (auto& group : groups_) {
-    group.sample.resize(static_cast<Eigen::Index>(group.components.size()));
+    const auto columns = std::ssize(group.columns.components());
     memories_.emplace_back(
-        group.tables, group.sample.size(),
-        exponential_sum(group.exponent, ExponentialMemory::shortest_lag, longest, tolerance));
+        group.tables, columns,
+        exponential_sum(group.exponent, ExponentialMemory::shortest_lag, longest, tolerance), threads);
   }
   for (auto& filter : filters_) {
-    filter.sample.resize(static_cast<Eigen::Index>(filter.components.size()));
+    filter.sample.resize(std::ssize(filter.columns.components()));
     filtered_.emplace_back(filter.table, filter.sample.size(), longest, tolerance);
+  }
+  if (needs_totals_) totals_ = RunningSums(size_);
+  leave_out_lists();
+}
+
+// The lists of columns are as large as a sample.
+void ExponentialHistory::leave_out_lists() {
+  for (auto& sum : sums_) {
+    for (auto& use : sum.uses) {
+      use.all = std::ssize(use.components) == size_ && groups_[use.group].columns.are_all(size_);
+      if (use.all) use.components = {};
+    }
+  }
+  for (auto& group : groups_) {
+    group.all = !group.running_sums && !group.alternates && group.columns.are_all(size_);
+    if (group.all) {
+      group.columns = {};
+    } else {
+      group.sample.resize(std::ssize(group.columns.components()));
+    }
   }
 }
 
@@ -55,7 +92,7 @@ void ExponentialHistory::add_filtered(Sum& sum, const WeightTable& table, Eigen:
   auto found = std::ranges::find(filters_, table, &Filtered::table);
   if (found == filters_.end()) found = filters_.insert(found, {table});
   const auto group = static_cast<std::size_t>(found - filters_.begin());
-  sum.filtered.push_back({component, group, index_in(found->components, component)});
+  sum.filtered.push_back({component, group, found->columns.of(component)});
 }
 
 void ExponentialHistory::add_exponentials(Sum& sum, const WeightTable& table, Eigen::Index component,
@@ -72,14 +109,14 @@ void ExponentialHistory::add_exponentials(Sum& sum, const WeightTable& table, Ei
   auto use = std::ranges::find_if(
       sum.uses, [&](const auto& other) { return other.group == group && other.table == row; });
   if (use == sum.uses.end()) use = sum.uses.insert(use, {group, row});
-  use->components.emplace_back(component, index_in(found->components, component));
+  use->components.emplace_back(component, found->columns.of(component));
 }
 
 void ExponentialHistory::push(double /*t*/, In sample) {
   for (std::size_t f = 0; f < filters_.size(); ++f) {
     auto& filter = filters_[f];
     for (Eigen::Index c = 0; c < filter.sample.size(); ++c)
-      filter.sample[c] = sample[filter.components[static_cast<std::size_t>(c)]];
+      filter.sample[c] = sample[filter.columns.components()[static_cast<std::size_t>(c)]];
     filtered_[f].push(filter.sample);
   }
   sign_ = -sign_;
@@ -90,8 +127,12 @@ void ExponentialHistory::push(double /*t*/, In sample) {
   if (needs_totals_) totals_.add(sample);
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     auto& group = groups_[g];
+    if (group.all) {
+      memories_[g].push(sample);
+      continue;
+    }
     for (Eigen::Index c = 0; c < group.sample.size(); ++c) {
-      const auto i = group.components[static_cast<std::size_t>(c)];
+      const auto i = group.columns.components()[static_cast<std::size_t>(c)];
       group.sample[c] = group.running_sums ? totals_[i] : group.alternates ? -sign_ * sample[i] : sample[i];
     }
     memories_[g].push(group.sample);
@@ -103,10 +144,14 @@ void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) con
     result[i] = start * first_[i] + constant * totals_[i];
   }
   for (const auto& [i, filter, column] : sums_[sum].filtered) result[i] = filtered_[filter].convolved(column);
-  for (const auto& [group, table, components] : sums_[sum].uses) {
+  for (const auto& [group, table, components, all] : sums_[sum].uses) {
     const auto convolved = memories_[group].convolved(table);
     const double start = memories_[group].start(table);
-    if (groups_[group].alternates) {
+    if (all && groups_[group].alternates) {
+      result += sign_ * (start * first_ + convolved);
+    } else if (all) {
+      result = start * first_ + convolved;
+    } else if (groups_[group].alternates) {
       for (const auto& [i, column] : components) result[i] += sign_ * (start * first_[i] + convolved[column]);
     } else {
       for (const auto& [i, column] : components) result[i] = start * first_[i] + convolved[column];
@@ -115,7 +160,7 @@ void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) con
 }
 
 std::size_t ExponentialHistory::bytes() const {
-  std::size_t bytes = 3 * sizeof(double) * static_cast<std::size_t>(totals_.size());
+  std::size_t bytes = sizeof(double) * static_cast<std::size_t>(size_ + 2 * totals_.size());
   for (const auto& memory : memories_) bytes += memory.bytes();
   for (const auto& memory : filtered_) bytes += memory.bytes();
   return bytes;

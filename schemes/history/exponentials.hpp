@@ -12,7 +12,7 @@ namespace fde {
 // Weights w(k) = u(k) + (-1)^k v(k) are two tables, of which the second weighs (-1)^j x_j.
 class ExponentialHistory final : public History {
  public:
-  ExponentialHistory(const WeightTables& tables, int steps, double tolerance);
+  ExponentialHistory(const WeightTables& tables, int steps, double tolerance, int threads = 1);
   [[nodiscard]] std::unique_ptr<History> copy() const override {
     return std::make_unique<ExponentialHistory>(*this);
   }
@@ -21,13 +21,26 @@ class ExponentialHistory final : public History {
   [[nodiscard]] std::size_t bytes() const override;
 
  private:
+  // The components that share something, each with a column there in the order in which they came.
+  class Columns {
+   public:
+    // That of a component, which is taken in where it is new.
+    Eigen::Index of(Eigen::Index component);
+    [[nodiscard]] const std::vector<Eigen::Index>& components() const { return components_; }
+    // Whether the columns are just the components, of which there are so many.
+    [[nodiscard]] bool are_all(Eigen::Index size) const;
+
+   private:
+    std::vector<Eigen::Index> components_, columns_;  // columns_[component]; -1: it has none
+  };
   // Components with one kernel exponent, that weigh running sums or not, or the samples with alternating
   // sign.
   struct Group {
     long double exponent;
     bool running_sums, alternates;
     std::vector<WeightTable> tables{};
-    std::vector<Eigen::Index> components{};
+    Columns columns{};
+    bool all = false;  // the sample is that of the group
     Vec sample{};
   };
   // Components whose weights are all equal: x_0 counts with start, the others with constant.
@@ -40,11 +53,12 @@ class ExponentialHistory final : public History {
     std::size_t group;
     Eigen::Index table;
     std::vector<std::pair<Eigen::Index, Eigen::Index>> components{};
+    bool all = false;  // every component is in its own column; none is listed
   };
   // The filtered samples of components with one table.
   struct Filtered {
     WeightTable table;
-    std::vector<Eigen::Index> components{};
+    Columns columns{};
     Vec sample{};
   };
   struct FilteredUse {
@@ -57,10 +71,12 @@ class ExponentialHistory final : public History {
     std::vector<Use> uses{};
     std::vector<FilteredUse> filtered{};
   };
+  void leave_out_lists();
   void add(Sum& sum, const WeightTable& table, Eigen::Index component);
   void add_exponentials(Sum& sum, const WeightTable& table, Eigen::Index component, bool alternates);
   void add_filtered(Sum& sum, const WeightTable& table, Eigen::Index component);
 
+  Eigen::Index size_;  // of a sample
   std::vector<Group> groups_;
   std::vector<ExponentialMemory> memories_;  // one a group
   std::vector<Filtered> filters_;
@@ -69,7 +85,7 @@ class ExponentialHistory final : public History {
   Vec first_;          // x_0
   double sign_ = 1.0;  // (-1)^n, n the number of samples
   bool needs_totals_ = false;
-  RunningSums totals_;  // of x_1, x_2, ...
+  RunningSums totals_{0};  // of x_1, x_2, ..., where they are needed
 };
 
 }  // namespace fde

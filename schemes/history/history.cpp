@@ -66,7 +66,7 @@ std::string_view name(HistoryKind kind) {
 }
 
 std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
-                                      double tolerance) {
+                                      double tolerance, int threads) {
   const WeightTable* const only_direct = first_without(tables, has_exponentials);
   const bool direct = resolve(kind, steps) == HistoryKind::direct ||
                       (kind == HistoryKind::automatic && only_direct != nullptr);
@@ -74,7 +74,7 @@ std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tabl
   const double achievable = std::clamp(tolerance, finest_tolerance, coarsest_tolerance);
   if (steps.equal) {
     if (direct) return std::make_unique<DirectHistory>(tables, steps.most());
-    return std::make_unique<ExponentialHistory>(tables, steps.most(), achievable);
+    return std::make_unique<ExponentialHistory>(tables, steps.most(), achievable, threads);
   }
   refuse(first_without(tables, [](const WeightTable& table) { return table.family->ends != nullptr; }),
          "form for steps that differ");

@@ -65,8 +65,9 @@ std::string_view name(HistoryKind kind);
 
 // The tolerance is the relative error allowed to each weight, at least rounding and at most a tenth; `direct`
 // is always exact, and `automatic` takes it for families without exponentials. Throws std::invalid_argument
-// that names the family where it has no exponentials or no weights for steps that differ.
+// that names the family where it has no exponentials or no weights for steps that differ. Exponentials of
+// equal steps are shared among threads, with the same bits for any number of them.
 std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
-                                      double tolerance);
+                                      double tolerance, int threads = 1);
 
 }  // namespace fde

@@ -17,7 +17,8 @@ class PastOfRows {
       remembered.push_back(tables[i]);
     }
     buffer_.resize(static_cast<Eigen::Index>(rows_.size()));
-    history_ = make_history(options.history, {remembered}, step_plan(grid), options.tolerance);
+    history_ =
+        make_history(options.history, {remembered}, step_plan(grid), options.tolerance, options.threads);
   }
 
   [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
@@ -64,7 +65,7 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
   PastOfRows history(problem, rule.tables, grid, options);
   run.cost().history_bytes = history.bytes();
 
-  Vec previous = run.start(), y = previous, told = y, sample(y.size()), past(y.size());
+  Vec previous = run.start(), y = previous, told, sample(y.size()), past(y.size());
   Vec convolved = Vec::Zero(y.size());
   double t = 0.0;
   rule.sample(run, t, y, previous, sample);
@@ -79,12 +80,15 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
       run.fail(ending, t);
       break;
     }
-    told = y;
-    if (rule.told) rule.told(y, told);
-    if (!run.accept(t, told)) break;
+    if (rule.told) {
+      told = y;
+      rule.told(y, told);
+    }
+    if (!run.accept(t, rule.told ? told : y)) break;
     if (n < grid.steps) rule.sample(run, t, y, previous, sample);
     previous = y;
   }
+  run.cost().linear_solver = newton.linear_solver();
   return run.finish();
 }
 

@@ -60,6 +60,9 @@ class NewtonSolver {
   // (1 - kappa df/dy)^(-1) error.
   void respond(Vec& error) const { matrix_->solve(error); }
 
+  // What solves with the matrix, where that is sparse; empty: it is not, or nothing has been solved.
+  [[nodiscard]] std::string_view linear_solver() const { return matrix_->solver(); }
+
  private:
   bool solve_nonlinear(Run& run, const StepEquations& step, Out y);
   bool solve_linear(Run& run, const StepEquations& step, Out y);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "implicit/step_equations.hpp"
 #include "stepping/run.hpp"
@@ -32,6 +33,9 @@ class NewtonMatrix {
 
   // b becomes the solution x of (the factorised matrix) x = b.
   virtual void solve(Vec& b) const = 0;
+
+  // The name of the method, of a sparse matrix that is factorised; empty: it says none.
+  [[nodiscard]] virtual std::string_view solver() const { return {}; }
 
   // Those of the equations that have been linearised last.
   [[nodiscard]] virtual const RowScales& rows() const = 0;

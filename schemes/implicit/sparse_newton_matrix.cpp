@@ -1,24 +1,20 @@
 #include "implicit/sparse_newton_matrix.hpp"
 
-#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace fde {
-namespace {
 
-bool same_pattern(const SparseMatrix& a, const SparseMatrix& b) {
-  return a.nonZeros() == b.nonZeros() && a.cols() == b.cols() &&
-         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
-         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
-}
-
-}  // namespace
+SparseNewtonMatrix::Pattern::Pattern(const SparseMatrix& matrix)
+    : outer(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.cols() + 1),
+      inner(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros()) {}
 
 SparseNewtonMatrix::SparseNewtonMatrix(const Problem& problem)
     : problem_(problem),
       rows_(problem),
       identity_(problem.size(), problem.size()),
-      derivatives_(problem.size(), problem.size()) {
+      derivatives_(problem.size(), problem.size()),
+      analysed_(derivatives_) {
   identity_.setIdentity();
 }
 
@@ -33,8 +29,10 @@ bool SparseNewtonMatrix::factorise_linear(const Vec& kappa) {
   return true;
 }
 
-int SparseNewtonMatrix::determinant_sign() {
-  return factors_.info() == Eigen::Success ? static_cast<int>(factors_.signDeterminant()) : 0;
+int SparseNewtonMatrix::determinant_sign() { return factors_ ? factors_->determinant_sign() : 0; }
+
+std::string_view SparseNewtonMatrix::solver() const {
+  return factors_ ? factors_->name() : std::string_view();
 }
 
 void SparseNewtonMatrix::assemble(const SparseMatrix& derivatives, const Vec& kappa) {
@@ -44,16 +42,15 @@ void SparseNewtonMatrix::assemble(const SparseMatrix& derivatives, const Vec& ka
 }
 
 void SparseNewtonMatrix::factorise() {
-  if (!same_pattern(matrix_, analysed_)) {
-    factors_.analyzePattern(matrix_);
-    analysed_ = matrix_;
-  }
-  factors_.factorize(matrix_);
+  Pattern pattern(matrix_);
+  if (factors_ && pattern == analysed_ && factors_->factorise(matrix_)) return;
+  analysed_ = std::move(pattern);
+  factors_ = sparse_factors(matrix_);
 }
 
 void SparseNewtonMatrix::solve(Vec& b) const {
-  if (factors_.info() == Eigen::Success) {
-    b = factors_.solve(b).eval();
+  if (factors_) {
+    factors_->solve(b);
   } else {
     b.setConstant(std::numeric_limits<double>::quiet_NaN());
   }

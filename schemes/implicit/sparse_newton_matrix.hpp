@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/SparseLU>
+#include <vector>
 
 #include "implicit/newton_matrix.hpp"
+#include "implicit/sparse_factors.hpp"
 
 namespace fde {
 
@@ -17,15 +18,24 @@ class SparseNewtonMatrix : public NewtonMatrix {
   void add_to_diagonal(const Vec& values) override { matrix_.diagonal() += values; }
   void factorise() override;
   void solve(Vec& b) const override;
+  [[nodiscard]] std::string_view solver() const override;
   [[nodiscard]] const RowScales& rows() const override { return rows_; }
 
  private:
   void assemble(const SparseMatrix& derivatives, const Vec& kappa);
 
+  // Where the entries of a matrix are.
+  struct Pattern {
+    explicit Pattern(const SparseMatrix& matrix);
+    bool operator==(const Pattern&) const = default;
+    std::vector<int> outer, inner;
+  };
+
   const Problem& problem_;
   RowScales rows_;
-  SparseMatrix identity_, derivatives_, matrix_, analysed_;
-  Eigen::SparseLU<SparseMatrix> factors_;
+  SparseMatrix identity_, derivatives_, matrix_;
+  Pattern analysed_;                        // of the matrix for which the factors were made
+  std::unique_ptr<SparseFactors> factors_;  // nullptr: it has none
 };
 
 }  // namespace fde

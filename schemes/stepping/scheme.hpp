@@ -24,6 +24,7 @@ struct Options {
   // Newton's method leaves of a step (see NewtonSolver), and the error of every weight of the past.
   double tolerance = 1e-15;
   double budget = std::numeric_limits<double>::infinity();  // seconds: a run that takes longer ends there
+  int threads = 1;  // among which a step of many unknowns may be shared; the result has the same bits for any
   std::vector<double> at{};  // times to return, increasing, each up to rounding; empty: all
   std::function<void(double t, In y)> observer{};  // hears every step from t = 0 on, returned or not
 };

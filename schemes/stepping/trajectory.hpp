@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "problem/problem.hpp"
@@ -36,6 +37,7 @@ struct Cost {
   std::optional<int> states{};
   std::optional<int> start_weights{};            // of f_0, f_1, ... at every step
   std::optional<std::int64_t> rejected_steps{};  // attempted and not taken
+  std::string_view linear_solver{};              // of sparse equations; empty: there were none
 };
 
 // What a scheme returns: y at the times that were asked for, otherwise at its own, as far as the run came.

@@ -115,9 +115,10 @@ std::optional<int> modes_of_equation(const Problem& linear_problem, double lengt
   return count(*find_scheme("grunwald_letnikov"), linear_problem, 0.01 * length);
 }
 
-bool unstable_at(const Scheme& scheme, const Problem& linear_problem, double length) {
+bool unstable_at(const Scheme& scheme, const Problem& problem, double t, const Vec& y, double length) {
   constexpr Eigen::Index largest = 8;
-  if (linear_problem.size() > largest) return false;
+  if (problem.size() > largest) return false;
+  const Problem linear_problem = frozen(problem, t, y);
   const auto of_scheme = count(scheme, linear_problem, length);
   if (!of_scheme || *of_scheme == 0) return false;
   const auto of_equation = modes_of_equation(linear_problem, length);
@@ -155,7 +156,7 @@ std::optional<std::string> unstable_modes(const SolvedRun& run) {
     const double length = step_at(run.grid, t);
     const auto order = run.scheme.needs.discretises_equations ? std::nullopt : common_order(run.problem);
     const bool unstable = order ? unstable_at(run.scheme, *order, spectrum(run.problem, t, y), length)
-                                : unstable_at(run.scheme, frozen(run.problem, t, y), length);
+                                : unstable_at(run.scheme, run.problem, t, y, length);
     if (!unstable) continue;
     return fmt::format(
         "a step of {:.3g} is outside the region of stability of {} for the linear part at t = "

@@ -38,6 +38,13 @@ inline std::vector<Variant> variants() {
     }
     if (g > 1.0) all.push_back({"bagley_torvik_" + tag, "bagley_torvik", {{"alpha", g}}, 2.0});
   }
+  // So slow that the steps resolve the fastest mode.
+  for (const auto& [tenths, start] : {std::pair{5, "smooth"}, {8, "step"}, {15, "smooth"}}) {
+    const ParameterValues values{
+        {"gamma", tenths / 10.0}, {"start", start}, {"diffusivity", 0.02}, {"n", 3.0}};
+    all.push_back({fmt::format("fractional_diffusion_2d_{}_{}", tenths, start), "fractional_diffusion_2d",
+                   values, 1.0});
+  }
   all.push_back({"bagley_torvik_5", "bagley_torvik", {{"alpha", 0.5}}, 2.0});
   for (const auto& [first, second] : {std::pair{0.6, 1.5}, {0.5, 0.9}}) {
     const ParameterValues orders{{"gamma1", first}, {"gamma2", second}};

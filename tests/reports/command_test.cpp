@@ -101,6 +101,21 @@ TEST(Solve, PrintsEachKthTimeAndTheLast) {
   EXPECT_EQ(fdebench(solve + "--points 1000").out, fdebench(solve).out);
 }
 
+TEST(Solve, SaysWhatSolvesSparseEquations) {
+  const auto cost = [](const std::string& scene) {
+    return fdebench("solve " + scene + " --scheme l1 --steps 8 --at 1 --cost").err;
+  };
+  EXPECT_THAT(cost("fractional_diffusion"), HasSubstr(R"("linear_solver":"tridiagonal")"));
+  EXPECT_THAT(cost("fractional_diffusion_2d"), HasSubstr(R"("linear_solver":"cholesky")"));
+  EXPECT_THAT(cost("relaxation"), testing::Not(HasSubstr("linear_solver")));
+}
+
+TEST(Solve, PrintsTheSameWithAnyNumberOfThreads) {
+  const std::string solve =
+      "solve fractional_diffusion:components=40000 --scheme l1 --steps 150 --at 1 --threads ";
+  EXPECT_EQ(fdebench(solve + "1").out, fdebench(solve + "4").out);
+}
+
 TEST(Scenes, AreNamedAlikeByEveryCommand) {
   const auto alike = [](const std::string& label, const std::string& settings) {
     const auto answer = fdebench(label);
@@ -141,6 +156,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "--until = 4: must be without until= in the scene"},
         Mistake{"run --set beta=0.5 --out /tmp/never", "--set = beta=0.5: must be with --scene"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --every 0", "--every = 0: must be"},
+        Mistake{"solve pendulum --scheme l1 --steps 8 --threads 0", "--threads = 0: must be"},
+        Mistake{"solve fractional_diffusion_2d:n=1001 --scheme l1 --steps 8",
+                "n = 1001: must be a number in [2, 1000]"},
+        Mistake{"solve fractional_diffusion_2d:n=2.5 --scheme l1 --steps 8",
+                "n = 2.5: must be a whole number"},
+        Mistake{"solve fractional_diffusion_2d:n=2 --scheme l1 --steps 8",
+                "modes = 3: must be at most n = 2"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --points 1", "--points = 1: must be"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --points 4 --every 2", "excludes"},
         Mistake{"solve relaxation --scheme l1 --steps 100000000 --every 10",

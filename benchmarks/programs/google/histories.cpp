@@ -69,6 +69,21 @@ void bare_loop(benchmark::State& state, int count) {
   state.counters["per_step"] = per_iteration(block);
 }
 
+// Steps of many components of one sum, each a column, or side by side.
+template <class Past, class... Rest>
+void many_components(benchmark::State& state, Eigen::Index count, Rest... rest) {
+  constexpr int steps_of_run = 10 * MemoryTables::block;
+  const MemoryTables tables({{&families::l1, order}},
+                            exponential_sum(1.0 - order, ExponentialMemory::shortest_lag, 1002.0, full));
+  Past past(tables, count, rest...);
+  const Vec sample = Vec::LinSpaced(count, 0.5, 1.5);
+  for (auto _ : state) {
+    for (int n = 0; n < steps_of_run; ++n) past.push(tables, n % MemoryTables::block, sample);
+    benchmark::DoNotOptimize(past.sums(0, 0));
+  }
+  state.counters["per_step_and_component"] = per_iteration(steps_of_run * count);
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
@@ -105,6 +120,14 @@ int main(int argument_count, char** arguments) {
       steps(state, HistoryKind::exponentials, {1.0, usual}, full);
       use_vector_target(targets.front());
     });
+  }
+  for (const Eigen::Index count : {4, 16, 32, 64, 128, 1'000, 10'000, 100'000, 1'000'000}) {
+    add(fmt::format("components/narrow/{}", count), many_components<NarrowPast>, count);
+    for (const int threads : {1, 2}) {
+      if (threads > 1 && count < 100'000) continue;
+      add(fmt::format("components/wide/{}/threads/{}", count, threads), many_components<WidePast, int>, count,
+          threads);
+    }
   }
   benchmark::Initialize(&argument_count, arguments);
   if (benchmark::ReportUnrecognizedArguments(argument_count, arguments)) return 2;

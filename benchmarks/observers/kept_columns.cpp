@@ -1,0 +1,25 @@
+#include "observers/kept_columns.hpp"
+
+#include <utility>
+
+namespace fde {
+
+KeptColumns::KeptColumns(const Outputs& outputs, std::vector<double> times, double unit)
+    : outputs_(outputs), asked_(std::move(times)), unit_(unit) {}
+
+void KeptColumns::observe(double t, In y) {
+  if (!asked_.empty() && !asked_for(t)) return;
+  const Vec columns = columns_at(outputs_, t, unit_ * y);
+  const auto count = std::ssize(times_);
+  if (count == columns_.cols()) columns_.conservativeResize(columns.size(), 2 * count + 16);
+  columns_.col(count) = columns;
+  times_.push_back(t);
+}
+
+bool KeptColumns::asked_for(double t) {
+  constexpr double rounding = 1e-12;
+  while (next_ < asked_.size() && asked_[next_] < t * (1 - rounding)) ++next_;
+  return next_ < asked_.size() && asked_[next_] <= t * (1 + rounding);
+}
+
+}  // namespace fde

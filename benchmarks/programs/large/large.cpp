@@ -1,0 +1,270 @@
+// What a step of a large problem costs: diffusion on a line and in a square, L1 of order 1/2, 1000 steps.
+// Each row is a process of its own, so that its memory is its own. Seconds of the run by the clock, then
+// nanoseconds of the processor and bytes, an unknown and step: of the whole run, of its parts made alone, and
+// of bare loops.
+//   fde_large             10^3 ... 10^6 unknowns of both
+//   fde_large D N [T]     one row: D = 1 or 2 dimensions, N unknowns, T threads
+//   fde_large solvers     what solves the equations of a step, and what else might
+//   fde_large direct      the sum over the whole past in place of exponentials
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <string_view>
+
+#include "history/exponential_memory.hpp"
+#include "implicit/sparse_factors.hpp"
+#include "programs/google/bare_loop.hpp"
+#include "scenes/registry.hpp"
+#include "scenes/variant.hpp"
+#include "stepping/scheme.hpp"
+#include "weights/step_factors.hpp"
+
+namespace {
+
+using namespace fde;
+
+constexpr int steps = 1000;
+constexpr double order = 0.5;
+
+struct Row {
+  int dimensions;
+  Eigen::Index unknowns;
+  int threads;
+};
+
+double seconds_of(const auto& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Of all threads of this process, on a machine that others use too.
+double processor_seconds_of(const auto& work) {
+  const auto start = std::clock();
+  work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+Scene scene_of(const Row& row) {
+  const auto points = std::round(std::pow(static_cast<double>(row.unknowns), 1.0 / row.dimensions));
+  const bool line = row.dimensions == 1;
+  const auto& makers = scenes();
+  const auto maker =
+      std::ranges::find(makers, line ? "fractional_diffusion" : "fractional_diffusion_2d", &SceneMaker::id);
+  return make_scene(*maker, {{"gamma", order}, {line ? "components" : "n", points}});
+}
+
+// A step of the history alone: a whole run of few unknowns, a number of blocks of many.
+double history_seconds(const Row& row, HistoryKind kind, int count) {
+  const auto size = static_cast<std::size_t>(row.unknowns);
+  const auto history = make_history(kind, {std::vector<WeightTable>(size, {&families::l1, order})},
+                                    step_plan({.end = 1.0, .steps = steps}), 1e-15, row.threads);
+  const Vec sample = Vec::LinSpaced(row.unknowns, 0.5, 1.5);
+  Vec sums(row.unknowns);
+  const auto some = [&](int from, int to) {
+    for (int n = from; n < to; ++n) {
+      history->push(n, sample);
+      history->convolve(n + 1, 0, sums);
+    }
+  };
+  some(0, 33);  // touches all of its memory
+  return processor_seconds_of([&] { some(33, 33 + count); }) / count;
+}
+
+// 1 - kappa A of a step.
+SparseMatrix matrix_of_step(const Scene& scene) {
+  const auto& matrix = std::get<SparseLinearPart>(scene.problem.derivatives).matrix;
+  StepFactors factors({WeightTable{&families::l1, order}});
+  SparseMatrix step(matrix.rows(), matrix.cols());
+  step.setIdentity();
+  step -= factors.at(1.0 / steps)[0] * matrix;
+  return step;
+}
+
+int count_of_solves(Eigen::Index unknowns) {
+  return static_cast<int>(std::clamp<Eigen::Index>(2'000'000 / unknowns, 4, 400));
+}
+
+struct Solving {
+  std::string_view method;
+  double once, each;  // seconds: to make the factors, and of a step
+};
+
+Solving solving_seconds(const Scene& scene) {
+  const SparseMatrix step = matrix_of_step(scene);
+  std::unique_ptr<SparseFactors> made;
+  const double once = processor_seconds_of([&] { made = sparse_factors(step); });
+  Vec b = Vec::LinSpaced(step.rows(), -1.0, 1.0);
+  const int count = count_of_solves(step.rows());
+  const double each = processor_seconds_of([&] {
+    for (int i = 0; i < count; ++i) made->solve(b);
+  });
+  return {made->name(), once, each / count};
+}
+
+Eigen::Index exponentials() {
+  return exponential_sum(order, ExponentialMemory::shortest_lag, steps + 2.0, 1e-15).nodes.size();
+}
+
+// The states of a step and what is carried of their rounding, read and written once in a block of steps.
+double streaming_seconds(Eigen::Index unknowns) {
+  Vec states = Vec::Ones(2 * exponentials() * unknowns);
+  const auto stream = [&] { states.array() += 1.0; };
+  stream();
+  const int count = static_cast<int>(std::clamp<Eigen::Index>(20'000'000 / unknowns / 40, 2, 1000));
+  const double taken = processor_seconds_of([&] {
+    for (int i = 0; i < count; ++i) stream();
+  });
+  return taken / count / ExponentialMemory::block;
+}
+
+// The multiply-adds of a step in a loop that the compiler vectorises, its numbers in the cache.
+double arithmetic_seconds(Eigen::Index unknowns) {
+  constexpr Eigen::Index block = ExponentialMemory::block, columns = 8;
+  const Eigen::Index near = ExponentialMemory::recent + block / 2, inner = 2 * exponentials() + near;
+  const Matrix a = Matrix::Random(block, inner), b = Matrix::Random(inner, columns);
+  Matrix c = Matrix::Zero(block, columns);
+  constexpr int count = 20'000;
+  const double taken = processor_seconds_of([&] {
+    for (int i = 0; i < count; ++i) bare_multiply_add(inner, columns, a.data(), b.data(), c.data());
+  });
+  return taken / count / (block * columns) * static_cast<double>(unknowns);
+}
+
+// Of this process, the most so far.
+double bytes_in_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+void measure(const Row& row) {
+  const double before = bytes_in_memory(), unknowns = static_cast<double>(row.unknowns);
+  Trajectory path;
+  double taken = 0.0, whole = 0.0, most = 0.0;
+  Solving solving{};
+  double error = 0.0;
+  {
+    const Scene scene = scene_of(row);
+    const Options options{.threads = row.threads, .at = {1.0}};
+    const auto run = [&] { path = find_scheme("l1")->solve(scene.problem, Grid{1.0, steps}, options); };
+    taken = seconds_of([&] { whole = processor_seconds_of(run); });
+    most = bytes_in_memory() - before;
+    error =
+        (columns_at(scene.outputs, 1.0, path.y.col(0)) - scene.reference.at(1.0).value).cwiseAbs().maxCoeff();
+    solving = solving_seconds(scene);
+  }
+  const int blocks = static_cast<int>(std::clamp<Eigen::Index>(10'000'000 / row.unknowns / 32, 2, 30));
+  const double past = history_seconds(row, HistoryKind::exponentials, 32 * blocks);
+  const auto each = [&](double seconds) { return 1e9 * seconds / unknowns; };
+  const double rest = (whole - solving.once) / steps - past - solving.each;
+  fmt::print(
+      "{} | {:.0e} | {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {} | {:.1f} | "
+      "{:.0f} | {:.0f} | {:.2e}\n",
+      row.dimensions, unknowns, row.threads, taken, each(whole / steps), each(past), each(solving.each),
+      each(rest), each(streaming_seconds(row.unknowns)), each(arithmetic_seconds(row.unknowns)),
+      solving.method, solving.once, static_cast<double>(*path.cost.history_bytes) / unknowns, most / unknowns,
+      error);
+}
+
+// The sum over the whole past at 10^4 unknowns: linear in these, and quadratic in the steps.
+void measure_direct() {
+  const Row row{1, 10'000, 1};
+  const double mean = history_seconds(row, HistoryKind::direct, steps - 33);
+  fmt::print("direct: {:.1f} ns an unknown and step, of {} steps; 10^6 unknowns: {:.0f} s and {:.1f} GB\n",
+             1e9 * mean / 1e4, steps, 100.0 * mean * steps, 8e-9 * 1e6 * steps);
+}
+
+// The seconds of making a method of Eigen's, and nanoseconds an unknown of solving with it to rounding.
+template <class Method>
+void measure_method(const char* name, int dimensions, const SparseMatrix& step) {
+  Method method;
+  const double once = processor_seconds_of([&] { method.compute(step); });
+  const Vec b = Vec::LinSpaced(step.rows(), -1.0, 1.0).array().sin();
+  Vec x(b.size());
+  constexpr bool iterates = requires { method.iterations(); };
+  if constexpr (iterates) method.setTolerance(1e-14);
+  const int count = iterates ? 1 : count_of_solves(step.rows());
+  const double each = processor_seconds_of([&] {
+    for (int i = 0; i < count; ++i) x = method.solve(b);
+  });
+  long iterations = 1;
+  if constexpr (iterates) iterations = method.iterations();
+  fmt::print("{} | {:.0e} | {} | {:.3f} | {:.0f} | {}\n", dimensions, static_cast<double>(step.rows()), name,
+             once, 1e9 * each / count / static_cast<double>(step.rows()), iterations);
+}
+
+void measure_solvers() {
+  using Whole =
+      Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper, Eigen::IncompleteCholesky<double>>;
+  fmt::print("dimensions | unknowns | method | made [s] | solve | iterations\n");
+  for (const int dimensions : {1, 2}) {
+    for (const Eigen::Index unknowns : {1'000, 10'000, 100'000}) {
+      const Scene scene = scene_of({dimensions, unknowns, 1});
+      const SparseMatrix step = matrix_of_step(scene);
+      const Solving chosen = solving_seconds(scene);
+      fmt::print("{} | {:.0e} | {} | {:.3f} | {:.0f} | 1\n", dimensions, static_cast<double>(step.rows()),
+                 chosen.method, chosen.once, 1e9 * chosen.each / static_cast<double>(step.rows()));
+      if (dimensions == 1) measure_method<Eigen::SimplicialLDLT<SparseMatrix>>("cholesky", dimensions, step);
+      measure_method<Eigen::SparseLU<SparseMatrix>>("lu", dimensions, step);
+      measure_method<Whole>("conjugate gradients, incomplete Cholesky", dimensions, step);
+    }
+  }
+}
+
+// In a process of its own.
+void apart(const auto& work) {
+  std::fflush(stdout);
+  if (const pid_t child = fork(); child == 0) {
+    work();
+    std::fflush(stdout);
+    _exit(0);
+  } else {
+    waitpid(child, nullptr, 0);
+  }
+}
+
+long number(const char* text) {
+  long value = 0;
+  std::from_chars(text, text + std::string_view(text).size(), value);
+  return value;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const std::string_view what = count == 2 ? arguments[1] : "";
+  if (what == "solvers") measure_solvers();
+  if (what == "direct") measure_direct();
+  if (count == 2) return what == "solvers" || what == "direct" ? 0 : 2;
+  fmt::print(
+      "dimensions | unknowns | threads | run [s] | step | history | solve | rest | bare streaming | bare "
+      "arithmetic | "
+      "solver | factors [s] | history bytes | bytes | error\n");
+  if (count > 2) {
+    measure({static_cast<int>(number(arguments[1])), number(arguments[2]),
+             count > 3 ? static_cast<int>(number(arguments[3])) : 1});
+    return 0;
+  }
+  for (const int dimensions : {1, 2}) {
+    for (const Eigen::Index unknowns : {1'000, 10'000, 100'000, 1'000'000}) {
+      const auto points = std::lround(std::sqrt(unknowns));
+      apart([&] { measure({dimensions, dimensions == 1 ? unknowns : points * points, 1}); });
+    }
+  }
+  for (const int dimensions : {1, 2}) apart([&] { measure({dimensions, 1'000'000, 2}); });
+  apart(measure_direct);
+  return 0;
+}

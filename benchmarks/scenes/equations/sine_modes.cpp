@@ -1,0 +1,80 @@
+#include "scenes/equations/sine_modes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fde {
+namespace {
+
+// sin(pi m / n), its argument reduced in whole numbers to [0, pi/2].
+double sine_of_part(long m, long n) {
+  const long turned = m % (2 * n), rest = turned % n, angle = std::min(rest, n - rest);
+  const double sine = std::sin(std::numbers::pi * static_cast<double>(angle) / static_cast<double>(n));
+  return turned < n ? sine : -sine;
+}
+
+}  // namespace
+
+double SinePoints::sine(int k, int j) const { return sine_of_part(static_cast<long>(k) * j, points + 1L); }
+
+double SinePoints::rate(int k) const {
+  const double sine = sine_of_part(k, 2 * (points + 1L));
+  return 4.0 * intervals() * intervals() * sine * sine;
+}
+
+std::vector<int> SinePoints::spread(int count) const {
+  std::vector<int> some;
+  for (int i = 1; i <= std::min(count, points); ++i) {
+    const double place = points <= count ? i : i * intervals() / (count + 1);
+    some.push_back(static_cast<int>(std::lround(place)));
+  }
+  return some;
+}
+
+SineStart smooth_start(const SinePoints& points, int modes) {
+  SineStart start{Vec::Zero(modes), Vec::Zero(points.points)};
+  for (int k = 1; k <= modes; ++k) {
+    start.amplitudes[k - 1] = 1.0 / k;
+    for (int j = 1; j <= points.points; ++j) start.values[j - 1] += points.sine(k, j) / k;
+  }
+  return start;
+}
+
+// The amplitudes are 2 dx sum_(j <= m) sin(j a) with a = k pi dx, and the sum is sin(m a/2) sin((m+1) a/2) /
+// sin(a/2).
+SineStart step_start(const SinePoints& points) {
+  const int below = points.points / 2;
+  const long halves = 2 * (points.points + 1L);
+  SineStart start{Vec::Zero(points.points), Vec::Zero(points.points)};
+  start.values.head(below).setOnes();
+  for (long k = 1; k <= points.points; ++k) {
+    const double sum =
+        sine_of_part(k * below, halves) * sine_of_part(k * (below + 1), halves) / sine_of_part(k, halves);
+    start.amplitudes[k - 1] = 2.0 / points.intervals() * sum;
+  }
+  return start;
+}
+
+SinePoints points_of(const Parameters& parameters, const char* name) {
+  if (!whole(parameters[name])) reject(name, parameters[name], "a whole number");
+  return {static_cast<int>(std::lround(parameters[name]))};
+}
+
+std::vector<Parameter> start_parameters() {
+  return {choice("start", {"smooth", "step"}, "u(x, 0): sum sin(k pi x) / k, or 1 below x = 1/2 and 0 above"),
+          {"modes", 3.0, {.low = 1.0, .high = 2000.0}, "of the smooth start, whole"}};
+}
+
+SineStart start_of(const Parameters& parameters, const SinePoints& points, const char* points_name) {
+  const double modes = parameters["modes"];
+  if (!whole(modes)) reject("modes", modes, "a whole number");
+  if (parameters.choice("start") == "step") return step_start(points);
+  if (modes > points.points)
+    reject("modes", modes, fmt::format("at most {} = {}", points_name, points.points));
+  return smooth_start(points, static_cast<int>(std::lround(modes)));
+}
+
+}  // namespace fde

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "history/memory_tables.hpp"
+
+namespace fde {
+
+// The past of many components: what is done at once is done with neighbours, and every array is read and
+// written from its first entry to its last. The states of `tile` components lie together, so that a block
+// advances them in the cache, once through memory in 32 steps. Terms are added in the order of NarrowPast:
+// the results have the same bits.
+class WidePast {
+ public:
+  static constexpr Eigen::Index tile = 64;
+
+  // Steps are shared among so many threads.
+  WidePast(const MemoryTables& tables, Eigen::Index components, int threads);
+
+  // Takes the sample at this step of a block.
+  void push(const MemoryTables& tables, Eigen::Index position, In sample);
+
+  // The sums of a table at the step that follows.
+  [[nodiscard]] const double* sums(Eigen::Index table, Eigen::Index /*position*/) const {
+    return current_.col(table).data();
+  }
+  static constexpr Eigen::Index stride() { return 1; }
+  [[nodiscard]] Eigen::Index components() const { return components_; }
+
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;
+
+  // What a push does to the rows from `first` on, so many: a whole number of tiles, but for the last.
+  void push_part(const MemoryTables& tables, Eigen::Index position, In sample, Eigen::Index first,
+                 Eigen::Index count);
+  void pass_on(Eigen::Index position, Eigen::Index first, Eigen::Index count, Eigen::Index tables);
+  void advance_tile(const MemoryTables& tables, Eigen::Index first, Eigen::Index count, Matrix& input);
+  void take_sums(Eigen::Index position, Eigen::Index first, Eigen::Index count, Eigen::Index tables);
+
+  Eigen::Index components_;
+  int threads_;
+  Matrix gather_, inner_, near_, far_;  // those of the tables, with rows and columns exchanged
+  // Rows are components, filled up to a multiple of lanes.
+  Matrix samples_;           // components x (recent + block)
+  Matrix sums_;              // components x block of each table, without the newest samples
+  Matrix current_;           // components x tables: the sums of the step that follows
+  Matrix states_, carries_;  // tile x exponentials of a tile below each other, a column a tile
+};
+
+}  // namespace fde

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "problem/vectors.hpp"
+
+namespace fde {
+
+// A sparse matrix as a product that is quickly solved with.
+class SparseFactors {
+ public:
+  SparseFactors() = default;
+  SparseFactors(const SparseFactors&) = delete;
+  SparseFactors& operator=(const SparseFactors&) = delete;
+  virtual ~SparseFactors() = default;
+
+  // Of a matrix whose entries are where they were in that for which this was made. False where the method
+  // does not serve: a value is not finite, the matrix is singular, or digits would be lost.
+  virtual bool factorise(const SparseMatrix& matrix) = 0;
+
+  // The sign of the determinant.
+  [[nodiscard]] virtual int determinant_sign() = 0;
+
+  // b becomes the solution.
+  virtual void solve(Vec& b) const = 0;
+
+  [[nodiscard]] virtual std::string_view name() const = 0;
+};
+
+// The factors of a matrix by the quickest method that serves; nullptr: none does.
+//   tridiagonal  elimination without exchange of rows, of rows whose diagonal outweighs the rest
+//   cholesky     L D L^T in an order of least degree (Eigen::SimplicialLDLT), of symmetric and positive
+//   definite matrices lu           L U with exchange of rows (Eigen::SparseLU)
+std::unique_ptr<SparseFactors> sparse_factors(const SparseMatrix& matrix);
+
+}  // namespace fde
