@@ -20,11 +20,12 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
+// Two hundred columns are nothing to read; a variant of the scene with few of them has a table.
 TEST(ReferenceData, HasATableOfEveryKindAndScene) {
   std::vector<SceneVariant> all;
   for (const auto& maker : scenes()) all.push_back({.maker = &maker});
   const auto tables = planned_tables(all);
-  EXPECT_EQ(tables.size(), 1 + 2 * scenes().size());
+  EXPECT_EQ(tables.size(), 1 + 2 * scenes().size() - 1);  // no trajectories of fractional_diffusion
   EXPECT_EQ(tables[0].stem(), "mittag_leffler");
   EXPECT_EQ(some_tables().at(1).stem(), "trajectories/relaxation,gamma=0.2");
 }

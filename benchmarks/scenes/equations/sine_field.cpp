@@ -13,7 +13,7 @@
 namespace fde {
 namespace {
 
-constexpr int shown_of_a_line = 9, shown_of_a_side = 3;
+constexpr int longest_shown = 2000, shown_of_a_line = 9, shown_of_a_side = 3;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 struct Bounded {
@@ -49,10 +49,11 @@ class SineField::Sum {
 
   // The norm of a mode is below its largest value: one bound serves all columns. square_of_mode is that of
   // its norm.
-  [[nodiscard]] ReferenceValue result(double square_of_mode) const {
-    ReferenceValue result{Vec(at_points_.size() + 1), Vec::Constant(at_points_.size() + 1, bound_)};
-    for (Eigen::Index i = 0; i < at_points_.size(); ++i) result.value[i] = at_points_[i];
-    result.value[at_points_.size()] = std::sqrt(square_of_mode * squares_[0]);
+  [[nodiscard]] ReferenceValue result(bool with_norm, double square_of_mode) const {
+    const Eigen::Index points = at_points_.size(), columns = points + (with_norm ? 1 : 0);
+    ReferenceValue result{Vec(columns), Vec::Constant(columns, bound_)};
+    for (Eigen::Index i = 0; i < points; ++i) result.value[i] = at_points_[i];
+    if (with_norm) result.value[points] = std::sqrt(square_of_mode * squares_[0]);
     return result;
   }
 
@@ -67,7 +68,10 @@ SineField::SineField(SinePoints points, SineStart start, int dimensions, double 
       dimensions_(dimensions),
       order_(order),
       diffusivity_(diffusivity),
-      shown_(points.spread(dimensions == 1 ? shown_of_a_line : shown_of_a_side)),
+      with_norm_(dimensions > 1 || points.points > longest_shown),
+      shown_(points.spread(!with_norm_       ? points.points
+                           : dimensions == 1 ? shown_of_a_line
+                                             : shown_of_a_side)),
       sines_(std::ssize(shown_), start_.amplitudes.size()) {
   for (Eigen::Index k = 0; k < sines_.cols(); ++k) {
     for (Eigen::Index i = 0; i < sines_.rows(); ++i)
@@ -141,6 +145,7 @@ Outputs SineField::outputs() const {
       show(fmt::format("u{}_{}", i, j), i - 1 + static_cast<Eigen::Index>(points_.points) * (j - 1));
     }
   }
+  if (!with_norm_) return outputs;
   outputs.names.emplace_back("l2");
   const double cell = std::pow(points_.intervals(), -dimensions_);
   outputs.of = [places = std::move(places), cell](double, In u, Out columns) {
@@ -170,7 +175,7 @@ ReferenceValue SineField::at(double t) const {
       sum.add(amplitude, part_left(order_, rate(k) + rate(l), t), l < k ? 2.0 : 1.0, both.reshaped());
     }
   }
-  return sum.result(dimensions_ == 1 ? 0.5 : 0.25);
+  return sum.result(with_norm_, dimensions_ == 1 ? 0.5 : 0.25);
 }
 
 Scene scene_of_field(const SineField& field, double order) {

@@ -16,7 +16,8 @@ class SineField {
   // kappa times the second differences, as a matrix and of a field.
   [[nodiscard]] SparseMatrix matrix() const;
   void differences(In u, Out f) const;
-  // u at a few points, and `l2`, the root of dx^dimensions sum u^2.
+  // u at all points of a line of at most 2000; otherwise at a few, and `l2`, the root of dx^dimensions sum
+  // u^2.
   [[nodiscard]] Outputs outputs() const;
   [[nodiscard]] ReferenceValue at(double t) const;
 
@@ -29,6 +30,7 @@ class SineField {
   SineStart start_;
   int dimensions_;
   double order_, diffusivity_;
+  bool with_norm_;
   std::vector<int> shown_;  // the points of an axis that are shown
   Matrix sines_;            // of each mode at these, a column a mode
 };
