@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "spectral/growing_modes.hpp"
-#include "weights/kernel_moments.hpp"
 #include "spectral/panel_rule.hpp"
+#include "weights/kernel_moments.hpp"
 
 namespace fde {
 namespace {
