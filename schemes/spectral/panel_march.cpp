@@ -48,7 +48,8 @@ void PanelMarch::solve_between(double start, double end) {
   while (going_ != Going::over && start < end) {
     going_ = Going::on;
     const double last = end < problem_.end ? std::nextafter(end, 0.0) : infinity;
-    const Segment& segment = solution_->segments.emplace_back(start, end - start, last);
+    solution_->segments.push_back({start, end - start, last});
+    const Segment& segment = solution_->segments.back();
     width_ = 1.0;
     tried_ = {0.0, 1.0, infinity};
     last_drives_ = start == 0.0 ? solver_.first_drives(run_) : Vec();

@@ -57,7 +57,12 @@ export async function drawAll(page) {
   await settled(page);
 }
 
-// All charts that were begun are there, as wide as their places.
+// The scene that the address leads to is drawn, and all charts that were begun are there, as wide as their places.
 export async function settled(page) {
-  await page.waitForFunction(() => [...document.querySelectorAll("figure[data-chart] .chart")].every((chart) => chart.querySelector("svg .role-mark path")), null, { timeout: patience });
+  await page.waitForFunction(() => {
+    const [id] = decodeURIComponent(location.hash.slice(1)).split("?");
+    const begun = (section) => section === null || section.querySelector("figure[data-chart] .chart") !== null;
+    const charts = [...document.querySelectorAll("figure[data-chart] .chart")];
+    return (!id.startsWith("scene-") || begun(document.getElementById(id))) && charts.every((chart) => chart.querySelector("svg .role-mark path"));
+  }, null, { timeout: patience });
 }

@@ -24,7 +24,7 @@ test("a page of two results says what changed, and leads to the scenes", () =>
     // The rest of the page is of the second results.
     const figure = sectionOf(page, "relaxation").locator('figure[data-chart="error-against-step"]');
     await sectionOf(page, "relaxation").scrollIntoViewIfNeeded();
-    await settled(page);
+    await figure.locator(".mark-symbol.role-mark path").first().waitFor({ state: "attached" });
     const drawn = await figure.locator(".mark-symbol.role-mark path").evaluateAll((marks) => marks.filter((mark) => mark.__data__.datum.line === "bdf4").length);
     assert.equal(drawn, ofBdf4.filter((run) => !run.asked).length);
   }));

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { RESULTS, settled, withPage } from "./browser.js";
+import { RESULTS, drawAll, settled, withPage } from "./browser.js";
 import { sectionOf } from "./charts.js";
 import { finished, runsOf } from "./records.js";
 
@@ -24,7 +24,7 @@ test("a scene has its equation, its solution and a conclusion", () =>
 
 test("a constrained scene has its multiplier, its constraint and its motion", () =>
   withPage({ address: "#scene-loxodrome" }, async (page) => {
-    await settled(page);
+    await drawAll(page);
     const section = sectionOf(page, "loxodrome");
     const equations = await section.locator("math").allTextContents();
     assert.equal(equations.length, 3);
