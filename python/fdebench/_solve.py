@@ -97,7 +97,8 @@ def choose(
     ``norm``: "maximum" over all steps, or "end". ``scale``: "absolute", "relative" or "mixed", |e| / (1 + |y|). ``columns``: those
     that count; default all. ``seconds``: for the search; default 60. Returns the fields that ``fdebench choose --json`` has: scheme,
     grid, steps, error, seconds, runner_up, ...; of a problem of one's own ``command`` is None. Raises NumericalFailure where no
-    run is within the accuracy.
+    run is within the accuracy. Solve what was found with ``solve(..., steps, grid=grid)``, or with ``accuracy=asked`` where
+    ``asked`` is not None: a scheme that chooses its own steps.
     """
     options = ["--error", _text(error), "--norm", norm, "--scale", scale, "--json"]
     if columns is not None:

@@ -27,6 +27,7 @@ std::string json_of(const Recommendation& made) {
             {"scheme", first.schemes.front()},
             {"same_as", std::vector(first.schemes.begin() + 1, first.schemes.end())},
             {"grid", nullptr},
+            {"asked", nullptr},
             {"steps", first.steps},
             {"norm", name(made.kind.norm)},
             {"scale", name(made.kind.scale)},

@@ -92,7 +92,10 @@ def test_choose_returns_what_the_command_prints():
 def test_choose_answers_for_a_problem_of_ones_own():
     problem = fdebench.Problem([0.5], [1.0], lambda t, y: -y, 1.0)
     chosen = fdebench.choose(problem, 1e-3, norm="end", scale="absolute", seconds=10)
-    solution = fdebench.solve(problem, chosen["scheme"], chosen["steps"], grid=chosen["grid"])
+    if chosen["asked"] is None:
+        solution = fdebench.solve(problem, chosen["scheme"], chosen["steps"], grid=chosen["grid"])
+    else:
+        solution = fdebench.solve(problem, chosen["scheme"], accuracy=chosen["asked"])
     assert abs(solution["y"][-1] - math.e * math.erfc(1)) <= 1e-3
     assert chosen["command"] is None
 

@@ -142,15 +142,27 @@ TEST(Recommendation, TellsWhatIsWithinNoise) {
   EXPECT_EQ(runner_up(made)->schemes.front(), "adams_pc");
   const auto json = nlohmann::json::parse(json_of(made));
   for (const auto* field :
-       {"scene", "scheme", "grid", "steps", "norm", "scale", "error", "predicted_error", "seconds",
+       {"scene", "scheme", "grid", "asked", "steps", "norm", "scale", "error", "predicted_error", "seconds",
         "seconds_low", "seconds_high", "within_noise", "runner_up", "factor", "command"}) {
     EXPECT_TRUE(json.contains(field)) << field;
   }
+  EXPECT_EQ(json["grid"], "uniform");
+  EXPECT_TRUE(json["asked"].is_null()) << json["asked"];
   EXPECT_EQ(json["steps"], 512);
   EXPECT_DOUBLE_EQ(json["factor"], 1.2);
   EXPECT_EQ(json["command"], "fdebench solve pendulum --scheme l1 --steps 512");
   EXPECT_THAT(text_of(made), HasSubstr("within noise of adams_pc\n"));
   EXPECT_THAT(text_of(made), HasSubstr("2 times more steps"));
+}
+
+TEST(Recommendation, SaysWhatToAskASchemeWithoutAGridFor) {
+  Option asked = option("spectral_collocation", 12, {1.0, 1.0, 1.0});
+  asked.setup.resolution = Accuracy{.relative = 1e-7, .absolute = 1e-7};
+  const auto json = nlohmann::json::parse(
+      json_of({.scene = {"pendulum"}, .kind = at_end, .accuracy = 1e-6, .options = {asked}}));
+  EXPECT_TRUE(json["grid"].is_null()) << json["grid"];
+  EXPECT_EQ(json["asked"], 1e-7);
+  EXPECT_EQ(json["command"], "fdebench solve pendulum --scheme spectral_collocation --accuracy 1e-07");
 }
 
 }  // namespace
