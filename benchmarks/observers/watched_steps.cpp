@@ -1,11 +1,29 @@
 #include "observers/watched_steps.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
 
 namespace fde {
+namespace {
+
+double smallest_order(const Problem& problem) {
+  double smallest = 1.0;
+  for (const auto& component : problem.components) {
+    if (component.order > 0.0) smallest = std::min(smallest, component.order);
+  }
+  return smallest;
+}
+
+// Four to a power of ten between start and end, down to `least` from the start.
+void watch_towards(double start, double end, double least, std::vector<double>& times) {
+  constexpr double ratio = 0.5623413251903491;  // 10^(-1/4)
+  for (double since = ratio * (end - start); since >= least; since *= ratio) times.push_back(start + since);
+}
+
+}  // namespace
 
 std::vector<int> watched_steps(int steps, int most) {
   constexpr int first = 16;
@@ -22,6 +40,19 @@ std::vector<int> watched_steps(int steps, int most) {
 std::vector<double> watched_times(const Grid& grid, int most) {
   std::vector<double> times;
   for (const int n : watched_steps(grid.steps, most)) times.push_back(grid.time(n));
+  return times;
+}
+
+std::vector<double> watched_times(const Problem& problem, int evenly) {
+  constexpr double rounding = 1e-17, shortest = 1e-66, of_jump = 1e-12;
+  auto times = watched_times(Grid{.end = problem.end, .steps = evenly});
+  const double least = std::max(shortest, std::pow(rounding, 1.0 / smallest_order(problem)));
+  watch_towards(0.0, problem.end, least * problem.end, times);
+  for (const double jump : problem.jumps) {
+    if (jump < problem.end) watch_towards(jump, problem.end, of_jump * jump, times);
+  }
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 

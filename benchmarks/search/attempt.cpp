@@ -11,24 +11,6 @@
 #include "observers/watched_steps.hpp"
 
 namespace fde {
-namespace {
-
-// Of the times of a run so many, the last among them.
-void keep_some(Trajectory& path, int most) {
-  const auto count = path.y.cols(), kept = std::min<Eigen::Index>(count, most);
-  if (kept == count) return;
-  std::vector<Eigen::Index> columns;
-  std::vector<double> times;
-  for (Eigen::Index i = 1; i <= kept; ++i) {
-    columns.push_back(count * i / kept - 1);
-    times.push_back(path.time(columns.back()));
-  }
-  path.y = Rows(path.y(Eigen::all, columns));
-  path.times = std::move(times);
-}
-
-}  // namespace
-
 StepsOrAccuracy resolution_of(const Attempt& attempt) {
   if (attempt.asked) return Accuracy{*attempt.asked, *attempt.asked};
   return attempt.steps;
@@ -46,12 +28,11 @@ Trajectory Examiner::solve(const Way& way, const StepsOrAccuracy& resolution,
                            {.budget = budget, .at = times});
 }
 
-// Empty: all times of the run.
 std::vector<double> Examiner::compared_times(const Way& way, const StepsOrAccuracy& resolution,
                                              int watched) const {
   const double end = scene_.problem.end;
   if (question_.kind.norm == Norm::end) return {end};
-  if (way.chooses_steps()) return {};
+  if (way.chooses_steps()) return watched_times(scene_.problem, watched);
   return watched_times({.end = end, .steps = std::get<int>(resolution), .grading = way.grading}, watched);
 }
 
@@ -60,7 +41,7 @@ Attempt Examiner::examine(const Way& way, const StepsOrAccuracy& resolution, int
   const auto times = compared_times(way, resolution, watched);
   Attempt attempt;
   const auto start = std::chrono::steady_clock::now();
-  auto path = solve(way, resolution, times, budget);
+  const auto path = solve(way, resolution, times, budget);
   attempt.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (const auto* asked = std::get_if<Accuracy>(&resolution)) {
     attempt.asked = asked->relative;
@@ -68,7 +49,6 @@ Attempt Examiner::examine(const Way& way, const StepsOrAccuracy& resolution, int
   } else {
     attempt.steps = std::get<int>(resolution);
   }
-  if (times.empty()) keep_some(path, watched);
   attempt.ending = ending_of(scene_.problem, path);
   if (path.ending != Ending::finished) return attempt;
   attempt.values = counted(columns_of(scene_.outputs, path));

@@ -76,12 +76,13 @@ ShownRun solve_shown(const Scene& scene, const Scheme& scheme, const Problem& pr
   return run;
 }
 
-// The columns at these times, computed in other units; none where that run has others.
+// The columns of a run, computed in other units; none where that takes other steps.
 Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Resolution& resolution,
-                       const Options& options, const std::vector<double>& times) {
+                       const Options& options, const Trajectory& path) {
   constexpr double unit = 0.7;
   const auto run = solve_shown(scene, scheme, in_units_of(unit, scene.problem), resolution, options, unit);
-  if (run.path.ending != Ending::finished || run.path.times != times) return {};
+  const auto& other = run.path;
+  if (other.ending != Ending::finished || other.steps != path.steps || other.times != path.times) return {};
   return run.columns;
 }
 
@@ -107,14 +108,14 @@ Examined solve_and_judge(const Scene& scene, WatchedReference& reference, const 
   Observed observed;
   if (const auto* grid = std::get_if<Grid>(&resolution)) observed.grid = *grid;
   Options options = setup.options();
-  if (observed.grid) options.at = watched_times(*observed.grid);
+  options.at = observed.grid ? watched_times(*observed.grid) : watched_times(scene.problem);
   Options observing = options;
   Observers observers(scene, observed.grid);
   if (!observers.empty()) observing.observer = [&](double t, In y) { observers.observe(t, y); };
   auto [path, columns] = solve_shown(scene, scheme, scene.problem, resolution, observing, 1.0);
   if (!scheme.needs.implicit) path.cost.newton_iterations.reset();  // it has none to count
   if (path.ending == Ending::finished) {
-    observed.rounded = rounded_otherwise(scene, scheme, resolution, options, path.times);
+    observed.rounded = rounded_otherwise(scene, scheme, resolution, options, path);
     observers.tell(observed);
     if (observed.grid) tell_rates(scene, scheme, *observed.grid, observed);
   }

@@ -32,7 +32,7 @@ constexpr Repeats of_default_sweep{.least_seconds = 0.003, .enough_seconds = 0.1
 // Seconds after which a run ends: where steps or accuracies are listed; in a thorough sweep; in another,
 // times what an answer may take. Schemes that choose their steps may take very many where they do not fit.
 constexpr auto usual_budget = "600";
-constexpr double thorough_budget = 60.0, far_from_an_answer = 20.0;
+constexpr double thorough_budget = 60.0, far_from_an_answer = 5.0;
 
 struct SweepArguments {
   std::vector<std::string> scenes, settings, schemes, externals;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -104,6 +105,31 @@ TEST(WatchedSteps, AreAllUpToALimitAndThenSpread) {
   EXPECT_EQ(some[17], 1'000'000'000 / 8192);
   EXPECT_EQ(some.back(), 1'000'000'000);
   EXPECT_EQ(watched_times({.end = 0.75, .steps = 3}), (std::vector{0.0, 0.25, 0.5, 0.75}));
+}
+
+// Whether of these times some follow `start` by every power of ten and by three between, from `least` to
+// `most`.
+bool meet_powers_of_ten(const std::vector<double>& times, double start, double least, double most) {
+  for (double since = least; since < most; since *= 1.8) {
+    const auto next = std::ranges::upper_bound(times, start + since);
+    if (next == times.end() || *next - start > 1.8 * since) return false;
+  }
+  return true;
+}
+
+// The smallest order of a row with a derivative is 1/2: t^(1/2) is rounding at 1e-34.
+TEST(WatchedTimes, OfAProblemLieCloserTowardsItsStartAndItsJumps) {
+  const Problem problem{
+      .components = {{0.5, {1.0}}, {0.0, {0.0}}, {1.5, {0.0, 0.0}}}, .end = 2.0, .jumps = {1.25, 2.0}};
+  const auto times = watched_times(problem, 8);
+  EXPECT_TRUE(std::ranges::is_sorted(times, std::less_equal<>())) << "none is there twice";
+  for (int i = 0; i <= 8; ++i) EXPECT_TRUE(std::ranges::binary_search(times, 0.25 * i)) << i;
+  EXPECT_EQ(times.front(), 0.0);
+  EXPECT_EQ(times.back(), 2.0);
+  EXPECT_GE(times[1], 2e-34);
+  EXPECT_TRUE(meet_powers_of_ten(times, 0.0, 2e-34, 0.5));
+  EXPECT_TRUE(meet_powers_of_ten(times, 1.25, 2e-12, 0.5));
+  EXPECT_FALSE(meet_powers_of_ten(times, 1.5, 2e-12, 0.5)) << "nothing begins there";
 }
 
 TEST(Measures, ANumberWithoutErrorHasSeventeenDigits) {
