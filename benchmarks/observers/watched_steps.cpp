@@ -17,6 +17,13 @@ double smallest_order(const Problem& problem) {
   return smallest;
 }
 
+// How near to a jump a time can be told: as it is rounded, y ~ s^order is off by s^(order-1) times that,
+// which is rounding from here on.
+double least_after_jump(double order) {
+  constexpr double digits = 3.0, always = 1e-12;
+  return order < 1.0 ? std::max(always, std::pow(10.0, -digits / (1.0 - order))) : always;
+}
+
 // Four to a power of ten between start and end, down to `least` from the start.
 void watch_towards(double start, double end, double least, std::vector<double>& times) {
   constexpr double ratio = 0.5623413251903491;  // 10^(-1/4)
@@ -44,12 +51,12 @@ std::vector<double> watched_times(const Grid& grid, int most) {
 }
 
 std::vector<double> watched_times(const Problem& problem, int evenly) {
-  constexpr double rounding = 1e-17, shortest = 1e-66, of_jump = 1e-12;
+  constexpr double rounding = 1e-17, shortest = 1e-66;
   auto times = watched_times(Grid{.end = problem.end, .steps = evenly});
-  const double least = std::max(shortest, std::pow(rounding, 1.0 / smallest_order(problem)));
+  const double order = smallest_order(problem), least = std::max(shortest, std::pow(rounding, 1.0 / order));
   watch_towards(0.0, problem.end, least * problem.end, times);
   for (const double jump : problem.jumps) {
-    if (jump < problem.end) watch_towards(jump, problem.end, of_jump * jump, times);
+    if (jump < problem.end) watch_towards(jump, problem.end, least_after_jump(order) * jump, times);
   }
   std::ranges::sort(times);
   times.erase(std::unique(times.begin(), times.end()), times.end());

@@ -47,8 +47,9 @@ void PanelMarch::solve_between(double start, double end) {
   const Matrix nothing = Matrix::Zero(solution_->rule.size(), solution_->driven.row_count());
   while (going_ != Going::over && start < end) {
     going_ = Going::on;
+    const double first = start > 0.0 ? std::nextafter(start, infinity) : 0.0;
     const double last = end < problem_.end ? std::nextafter(end, 0.0) : infinity;
-    solution_->segments.push_back({start, end - start, last});
+    solution_->segments.push_back({start, end - start, first, last});
     const Segment& segment = solution_->segments.back();
     width_ = 1.0;
     tried_ = {0.0, 1.0, infinity};
@@ -172,8 +173,9 @@ std::unique_ptr<PastBlock> PanelMarch::lead_over_switch(const TimeBlock& block, 
 }
 
 PanelTask PanelMarch::task_on(const TimeBlock& panel, const Matrix& smooth, const Sources& near) {
-  PanelTask task{.times = solution_->rule.places.unaryExpr(
-                     [&](double place) { return std::min(panel.time(place), panel.segment->last); }),
+  PanelTask task{.times = solution_->rule.places.unaryExpr([&](double place) {
+                   return std::clamp(panel.time(place), panel.segment->first, panel.segment->last);
+                 }),
                  .units = solution_->past.kernels().units(panel.length()),
                  .past = smooth,
                  .size = {}};

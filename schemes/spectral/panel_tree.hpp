@@ -11,7 +11,8 @@ namespace fde {
 // A stretch of time between two jumps of a right-hand side: its panels grow from its start by themselves.
 struct Segment {
   double start, length;
-  double last = std::numeric_limits<double>::infinity();  // before its right-hand side jumps
+  double first = 0.0;                                     // after its right-hand side has jumped
+  double last = std::numeric_limits<double>::infinity();  // before it jumps
 };
 
 // A part of a segment: a panel, or a block of panels. Its place is in units of the segment's length and made

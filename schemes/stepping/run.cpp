@@ -30,13 +30,16 @@ bool Run::accept(double t, In y) {
 }
 
 bool Run::accept(double t, In y, const std::function<Vec(double)>& between) {
-  constexpr double rounding = 1e-12;
   const double before = path_.reached;
   if (!goes_on(t, y)) return false;
-  for (const auto& at = options_.at; next_at_ < at.size() && at[next_at_] < t * (1 - rounding); ++next_at_) {
-    if (at[next_at_] > before * (1 + rounding)) keep(at[next_at_], between(at[next_at_]));
+  if (options_.observer) options_.observer(t, y);
+  if (options_.at.empty()) keep(t, y);
+  constexpr double rounding = 1e-12;  // of the time at which a last step ends
+  const double until = t < problem_.end * (1 - rounding) ? t : std::max(t, problem_.end);
+  for (const auto& at = options_.at; next_at_ < at.size() && at[next_at_] <= until; ++next_at_) {
+    const double asked = at[next_at_];
+    if (asked > before) keep(asked, asked == t ? Vec(y) : between(std::min(asked, t)));
   }
-  record(t, y);
   return true;
 }
 

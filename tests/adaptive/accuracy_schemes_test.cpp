@@ -58,6 +58,11 @@ TEST_P(AccuracyScheme, ReturnsTheTimesAskedForOnItsStepsOrBetween) {
   }
 }
 
+TEST_P(AccuracyScheme, ReturnsTimesThatAreRoundingApart) {
+  const std::vector<double> at{0.5, std::nextafter(0.5, 1.0), 0.5 + 1e-14, std::nextafter(1.0, 0.0), 1.0};
+  EXPECT_EQ(run(scene_of("relaxation").problem, 1e-6, {.at = at}).times, at);
+}
+
 // A corrector leaves f one correction ahead of y.
 TEST_P(AccuracyScheme, KnowsTheSolutionAtAnyTimeAfterTheRun) {
   const Scene scene = scene_of("relaxation");

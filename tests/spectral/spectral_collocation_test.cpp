@@ -95,6 +95,19 @@ TEST(SpectralJump, IsStartedFrom) {
   }
 }
 
+// Whether the right-hand side jumps at 1 or behind it, where panels are far shorter than rounding of 1.
+TEST(SpectralJump, DoesNotAskOnWhichSideOfAJumpItsTimeIs) {
+  const auto values = [](bool included) {
+    const Problem problem{
+        .components = {{0.5, {0.0}}},
+        .rhs = [=](double t, In, Out f) { f[0] = (included ? t <= 1.0 : t < 1.0) ? 1.0 : -1.0; },
+        .end = 3.0,
+        .jumps = {1.0}};
+    return run(problem, 1e-12, {.at = {1.0, 1.0 + 1e-13, 1.0 + 1e-6, 2.0}}).y;
+  };
+  EXPECT_EQ(values(true), values(false));
+}
+
 // D^0.5 y = 1, and 2 where y > 1, which is at pi/4: y = (2 sqrt t + 2 sqrt(t - pi/4)) / sqrt pi.
 TEST(SpectralSwitch, IsLocatedToRounding) {
   const Problem problem{.components = {{0.5, {0.0}}},
