@@ -45,20 +45,24 @@ Vec DensePath::at(double t) const {
   const auto end = std::min(std::ranges::lower_bound(times_.begin() + 1, times_.end(), t), times_.end() - 1);
   const auto steps = std::max<Eigen::Index>(end - times_.begin(), 0);
   if (steps == 0) return y;
-  Vec halves(steps), beyond(steps);
+  const Eigen::Index last = steps - 1;
+  Vec halves(steps), beyond(last);
   for (Eigen::Index k = 0; k < steps; ++k) {
     const auto step = static_cast<std::size_t>(k);
     halves[k] = (times_[step + 1] - times_[step]) / 2.0;
-    beyond[k] = (t - times_[step + 1]) / halves[k];
+    if (k < last) beyond[k] = (t - times_[step + 1]) / halves[k];
   }
+  const double since = (t - times_[static_cast<std::size_t>(last)]) / halves[last];
   for (const auto& [order, rows] : groups_) {
     if (order == 0.0) {
-      const double x = 1.0 + beyond[steps - 1];
+      const double x = since - 1.0;
       const Eigen::Vector3d polynomials(1.0, x, 1.5 * x * x - 0.5);
-      for (const auto i : rows) y[i] = drives_of(static_cast<std::size_t>(steps - 1)).row(i) * polynomials;
+      for (const auto i : rows) y[i] = drives_of(static_cast<std::size_t>(last)).row(i) * polynomials;
       continue;
     }
-    const Matrix moments = halves.array().pow(order).matrix().asDiagonal() * kernel_moments(order, beyond, 3);
+    Matrix moments(steps, 3);
+    moments << kernel_moments(order, beyond, 3), own_moments(order, since, 3).transpose();
+    moments.array().colwise() *= halves.array().pow(order);
     for (Eigen::Index k = 0; k < steps; ++k) {
       const auto drives = drives_of(static_cast<std::size_t>(k));
       for (const auto i : rows) y[i] += drives.row(i).dot(moments.row(k));

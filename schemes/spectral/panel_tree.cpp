@@ -61,13 +61,17 @@ void PastSum::add_at(const PastBlock& source, double t, Out sums) const {
     add_at(*source.newer, t, sums);
     return;
   }
-  const Vec beyond = Vec::Constant(1, 2.0 * gap / length);
+  const double since = source.block.since(t);
+  const auto moments_of = [&](double order) -> Vec {
+    const auto count = source.coefficients.rows();
+    if (since <= length) return own_moments(order, 2.0 * since / length, count);
+    return kernel_moments(order, Vec::Constant(1, 2.0 * gap / length), count).row(0).transpose();
+  };
   for (Eigen::Index i = 0; i < driven_.row_count(); ++i) {
     const Eigen::Index order = kernels_.order_of(i), drive = driven_.rows[static_cast<std::size_t>(i)].drive;
     if (order < 0) continue;
-    const Matrix moments = kernel_moments(kernels_.orders()[static_cast<std::size_t>(order)], beyond,
-                                          source.coefficients.rows());
-    sums[i] += source.units[order] * moments.row(0).dot(source.coefficients.col(drive));
+    const Vec moments = moments_of(kernels_.orders()[static_cast<std::size_t>(order)]);
+    sums[i] += source.units[order] * moments.dot(source.coefficients.col(drive));
   }
 }
 

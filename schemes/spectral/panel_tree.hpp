@@ -28,6 +28,8 @@ struct TimeBlock {
   [[nodiscard]] double place(double t) const {
     return 2.0 * ((t - segment->start) / segment->length - from) / width - 1.0;
   }
+  // The time since its start, exact in the first of a segment.
+  [[nodiscard]] double since(double t) const { return (t - segment->start) - segment->length * from; }
   [[nodiscard]] double length() const { return segment->length * width; }
   [[nodiscard]] TimeBlock older() const { return {segment, from, width / 2.0}; }
   [[nodiscard]] TimeBlock newer() const { return {segment, from + width / 2.0, width / 2.0}; }
@@ -65,7 +67,7 @@ class PastSum {
   // Adds all of a source at the places of a panel.
   void add(const PastBlock& source, const TimeBlock& panel, Matrix& sums);
 
-  // Adds it at a time after it.
+  // Adds it at a time after its start.
   void add_at(const PastBlock& source, double t, Out sums) const;
 
  private:

@@ -17,11 +17,11 @@ double zeroth(double order, double beyond) {
   return std::pow(beyond, order) * std::expm1(order * std::log1p(2.0 / beyond)) / order;
 }
 
-// From m_0 and m_1 upwards, where no solution outgrows another.
-void upwards(double order, double beyond, Out m) {
-  const double a = order - 1.0, z = 1.0 + beyond;
-  m[0] = zeroth(order, beyond);
-  if (m.size() > 1) m[1] = z * m[0] - zeroth(order + 1.0, beyond);
+// From m_0 and m_1 upwards, where no solution outgrows another; m_0 is known, and for one order more.
+void upwards(double order, double z, double zeroth, double zeroth_of_next, Out m) {
+  const double a = order - 1.0;
+  m[0] = zeroth;
+  if (m.size() > 1) m[1] = z * zeroth - zeroth_of_next;
   for (Eigen::Index i = 1; i + 1 < m.size(); ++i) {
     const auto l = static_cast<double>(i);
     m[i + 1] = ((2.0 * l + 1.0) * z * m[i] - (l - 1.0 - a) * m[i - 1]) / (l + 2.0 + a);
@@ -42,7 +42,8 @@ Matrix kernel_moments(double order, const Vec& beyond, Eigen::Index count) {
     const double fall = decay(beyond[j]);
     falls[j] = fall > equal;
     if (falls[j]) slowest = std::min(slowest, fall);
-    if (!falls[j]) upwards(order, beyond[j], moments.col(j));
+    if (falls[j]) continue;
+    upwards(order, 1.0 + beyond[j], zeroth(order, beyond[j]), zeroth(order + 1.0, beyond[j]), moments.col(j));
   }
   if (falls.any()) {
     // The ratios m_l / m_(l-1) downwards, at all points at once.
@@ -61,6 +62,13 @@ Matrix kernel_moments(double order, const Vec& beyond, Eigen::Index count) {
     }
   }
   return moments.transpose() / std::tgamma(order);
+}
+
+Vec own_moments(double order, double since, Eigen::Index count) {
+  Vec moments(count);
+  const double power = std::pow(since, order);
+  upwards(order, since - 1.0, power / order, power * since / (order + 1.0), moments);
+  return moments / std::tgamma(order);
 }
 
 }  // namespace fde

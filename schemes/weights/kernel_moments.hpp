@@ -12,4 +12,8 @@ namespace fde {
 // derivative of P_(l+1) - P_(l-1) is (2l+1) P_l. Beyond the panel they are the solution that falls fastest.
 Matrix kernel_moments(double order, const Vec& beyond, Eigen::Index count);
 
+// Those at z = -1 + since on [-1, 1], 0 <= since <= 2, as good next to the start as elsewhere: relative to
+// since^order.
+Vec own_moments(double order, double since, Eigen::Index count);
+
 }  // namespace fde

@@ -63,6 +63,18 @@ TEST_P(AccuracyScheme, ReturnsTimesThatAreRoundingApart) {
   EXPECT_EQ(run(scene_of("relaxation").problem, 1e-6, {.at = at}).times, at);
 }
 
+// D^0.5 y = 1, which one step may solve: y = t^0.5 / Gamma(1.5).
+TEST_P(AccuracyScheme, KnowsTheStartToAsManyDigits) {
+  const Problem problem{.components = {{0.5, {0.0}}}, .rhs = [](double, In, Out f) { f[0] = 1.0; }};
+  const std::vector<double> at{1e-60, 1e-30, 1e-17, 1e-6};
+  const auto path = run(problem, 1e-6, {.at = at});
+  ASSERT_EQ(path.times, at);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const double exact = std::sqrt(at[i]) / std::tgamma(1.5);
+    EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)) / exact, 1.0, 1e-9) << at[i];
+  }
+}
+
 // A corrector leaves f one correction ahead of y.
 TEST_P(AccuracyScheme, KnowsTheSolutionAtAnyTimeAfterTheRun) {
   const Scene scene = scene_of("relaxation");

@@ -93,6 +93,22 @@ TEST_P(KernelMoments, AreTheIntegralsOfLegendrePolynomials) {
   }
 }
 
+TEST_P(KernelMoments, AreTheSameOfAPanelAtItsOwnPoints) {
+  const double order = GetParam();
+  for (const double since : {0.125, 1.0, 2.0}) {
+    const Vec own = own_moments(order, since, 12);
+    const Vec moments = kernel_moments(order, Vec::Constant(1, since - 2.0), 12).row(0).transpose();
+    EXPECT_LT((own - moments).cwiseAbs().maxCoeff(), 1e-15 * own[0]) << since;
+  }
+}
+
+// All polynomials are +1 or -1 there: s^order / Gamma(order + 1).
+TEST_P(KernelMoments, StartAsPowersOfTheTimeSince) {
+  const double order = GetParam(), since = 1e-30;
+  const Vec own = own_moments(order, since, 12) * std::tgamma(order + 1.0) / std::pow(since, order);
+  for (Eigen::Index l = 0; l < own.size(); ++l) EXPECT_NEAR(own[l], l % 2 == 0 ? 1.0 : -1.0, 1e-13) << l;
+}
+
 // Those of P_0 and P_1 are 2 z^(order-1) and 2/3 (1 - order) z^(order-2), over Gamma(order).
 TEST_P(KernelMoments, FallFarAwayAsThePowersOfTheKernel) {
   const double order = GetParam(), z = 1e8;
