@@ -127,6 +127,12 @@ struct WrittenEquation {
   std::vector<std::string> initial;
 };
 
+// An equation that is there to be read: two formulas, in which D(x, a) and J(x, a) are the derivative and the
+// integral of order a, D_right and J_right those from the end, sum(k, x) is a sum over k.
+struct ShownEquation {
+  std::string left, right;
+};
+
 // How a scene is made: one file in scenes/ and one line in scenes/list.def, or at run time.
 struct SceneMaker {
   std::string id, title, source;
@@ -134,6 +140,7 @@ struct SceneMaker {
   std::function<Scene(const Parameters&)> make;
   std::string checksum{};  // of what a file says that it was read from; empty: it is of the code
   std::vector<WrittenEquation> equations{};  // empty: it says none
+  std::vector<ShownEquation> shown{};        // where the former cannot say them
 };
 
 // The columns of components at a time, or of a path.

@@ -93,7 +93,8 @@ class Search {
     }
   }
 
-  // How often runs are compared with a reference that takes its time.
+  // How often runs are compared with a reference that takes its time. Those that choose their steps are all
+  // compared at the same times.
   void watch() {
     constexpr int most = 512, least = 64, most_at_last = most_watched;
     const auto start = Clock::now();
@@ -102,6 +103,7 @@ class Search {
     const double each = std::max(1e-9, std::chrono::duration<double>(Clock::now() - start).count() / some);
     watched_ = static_cast<int>(std::clamp(seconds_ / (300.0 * each), 1.0 * least, 1.0 * most));
     watched_at_last_ = static_cast<int>(std::clamp(seconds_ / (10.0 * each), 1.0 * most, 1.0 * most_at_last));
+    watched_by_all_ = std::min(watched_at_last_, evenly_watched);
   }
 
   [[nodiscard]] double elapsed() const {
@@ -119,11 +121,11 @@ class Search {
   }
 
   // A run that is far slower than the quickest so far is of no use.
-  Attempt examine_asked(const SearchedWay& of, double asked, int watched) {
+  Attempt examine_asked(const SearchedWay& of, double asked) {
     constexpr double shortest = 0.05, part = 0.1;
     tell_(fmt::format("{} accuracy = {:.1e}", of.way.scheme->id, asked), std::min(1.0, elapsed() / seconds_));
     const double budget = std::clamp(far * quickest_, shortest, std::max(shortest, part * left()));
-    return examiner_.examine(of.way, Accuracy{asked, asked}, watched, budget);
+    return examiner_.examine(of.way, Accuracy{asked, asked}, watched_by_all_, budget);
   }
 
   // One more rung for those who climb and are not expected to be slower than another; false: nobody climbs.
@@ -177,7 +179,7 @@ class Search {
   // All attempts of a scheme that chooses its steps.
   void ask(SearchedWay& of) {
     auto found = loosest_accuracy(accuracy(), [&](double asked) {
-      of.ladder.push_back(examine_asked(of, asked, watched_));
+      of.ladder.push_back(examine_asked(of, asked));
       return of.ladder.back();
     });
     if (found) {
@@ -310,8 +312,7 @@ class Search {
 
   // As an attempt was made, at more of its steps.
   Attempt examine_again(const SearchedWay& of, const Attempt& as) {
-    return as.asked ? examine_asked(of, *as.asked, watched_at_last_)
-                    : examine(of, as.steps, watched_at_last_);
+    return as.asked ? examine_asked(of, *as.asked) : examine(of, as.steps, watched_at_last_);
   }
 
   // A little finer.
@@ -355,7 +356,7 @@ class Search {
   std::vector<SearchedWay> ways_{};
   std::vector<bool> climbing_{};  // beside ways_
   double quickest_ = infinity;    // of those within, by one solve
-  int watched_ = 0, watched_at_last_ = 0;
+  int watched_ = 0, watched_at_last_ = 0, watched_by_all_ = 0;
   const SearchedWay* verified_ = nullptr;
   int verified_steps_ = 0;
 };

@@ -31,17 +31,25 @@ const primes = { 1: "′", 2: "″" };
 
 // D^order x; whole orders as primes.
 function derivative(unknown, order) {
-  if (order.textContent === "0") return mathName(unknown);
+  if (order.textContent === "0") return unknown;
   const prime = primes[order.textContent];
   if (prime) {
     const mark = math("mo", prime);
     for (const side of ["lspace", "rspace"]) mark.setAttribute(side, "0");
-    return math("mrow", mathName(unknown), mark);
+    return math("mrow", unknown, mark);
   }
-  return math("mrow", math("msup", math("mi", "D"), order), mathName(unknown));
+  return math("mrow", math("msup", math("mi", "D"), order), unknown);
+}
+
+// D^order and J^order of a formula; from the end T backwards with t and T beside it.
+function operator(name, [of, order]) {
+  const [letter, side] = name.split("_");
+  if (!side) return math("mrow", math("msup", math("mi", letter), order), of);
+  return math("mrow", math("mmultiscripts", math("mi", letter), math("mi", "T"), order, math("mprescripts"), math("mi", "t"), math("none")), of);
 }
 
 const functionsOfMath = {
+  sum: ([index, x]) => math("mrow", math("munder", math("mo", "∑"), index), x),
   sqrt: ([x]) => math("msqrt", x),
   abs: ([x]) => inBrackets(x, "|", "|"),
   gamma: ([x]) => math("mrow", math("mi", "Γ"), inBrackets(x)),
@@ -95,7 +103,8 @@ class FormulaSetter {
     const parts = [];
     do parts.push(this.sum()); while (this.take(","));
     this.take(")");
-    if (name === "D") return derivative(parts[0].textContent, parts[1]);
+    if (name === "D") return derivative(parts[0], parts[1]);
+    if (["J", "D_right", "J_right"].includes(name)) return operator(name, parts);
     return functionsOfMath[name]?.(parts) ?? math("mrow", math("mi", name), inBrackets(parts[0]));
   }
 }
@@ -108,16 +117,22 @@ function bare(node) {
 
 const formula = (text) => new FormulaSetter(text).sum();
 
-// Sum of coefficient D^order unknown = rhs; a condition, of order 0, is 0 = rhs.
-function equation({ unknown, terms, rhs }) {
-  const condition = terms.every(([, order]) => order === "0");
-  const left = condition ? [math("mn", "0")] : terms.flatMap(([coefficient, order], i) => {
+// Sum of coefficient D^order unknown = rhs; a condition, of order 0, is 0 = rhs. Or two formulas.
+function equation({ unknown, terms, rhs, left, right }) {
+  if (left) return setEquation(formula(left), formula(right), `${left} = ${right}`);
+  if (terms.every(([, order]) => order === "0")) return setEquation(math("mn", "0"), formula(rhs), `0 = ${rhs}`);
+  const sum = terms.flatMap(([coefficient, order], i) => {
     const parts = [...(i ? [math("mo", "+")] : [])];
     if (coefficient !== "1") parts.push(/[+-]/.test(coefficient.slice(1)) ? inBrackets(formula(coefficient)) : formula(coefficient));
-    return [...parts, derivative(unknown, formula(order))];
+    return [...parts, derivative(mathName(unknown), formula(order))];
   });
-  const whole = math("math", math("mrow", ...left, math("mo", "="), formula(rhs)));
+  const text = terms.map(([coefficient, order]) => `${coefficient} D^${order} ${unknown}`).join(" + ");
+  return setEquation(math("mrow", ...sum), formula(rhs), `${text} = ${rhs}`);
+}
+
+function setEquation(left, right, text) {
+  const whole = math("math", math("mrow", left, math("mo", "="), right));
   whole.setAttribute("display", "block");
-  whole.setAttribute("alttext", `${condition ? "0" : terms.map(([coefficient, order]) => `${coefficient} D^${order} ${unknown}`).join(" + ")} = ${rhs}`);
+  whole.setAttribute("alttext", text);
   return whole;
 }

@@ -22,6 +22,19 @@ test("a scene has its equation, its solution and a conclusion", () =>
     assert.match(await section.locator(".conclusion").textContent(), new RegExp(`${best.scheme} (from|to) 1e-\\d`));
   }));
 
+test("a formula says from where a derivative looks", () =>
+  withPage({}, async (page) => {
+    const set = await page.evaluate(() => {
+      const made = equation({ left: "D_right(p, alpha) + sum(k, b_k*D(u, 1))", right: "J(mu, 1 - alpha)" });
+      return { text: made.textContent, sided: made.querySelectorAll("mmultiscripts").length, alternative: made.getAttribute("alttext") };
+    });
+    assert.deepEqual(set, {
+      text: "DTαtp+∑kbku′=J1−αμ",
+      sided: 1,
+      alternative: "D_right(p, alpha) + sum(k, b_k*D(u, 1)) = J(mu, 1 - alpha)",
+    });
+  }));
+
 test("a constrained scene has its multiplier, its constraint and its motion", () =>
   withPage({ address: "#scene-loxodrome" }, async (page) => {
     await drawAll(page);

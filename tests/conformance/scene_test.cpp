@@ -67,6 +67,11 @@ TEST_P(EveryScene, FitsEverySchemeOrIsRefusedWithAReason) {
   }
 }
 
+TEST_P(EveryScene, SaysItsEquations) {
+  const SceneMaker& maker = *GetParam();
+  EXPECT_FALSE(maker.equations.empty() && maker.shown.empty());
+}
+
 TEST_P(EveryScene, HasConsistentShapes) {
   const auto size = static_cast<std::size_t>(scene_.problem.size());
   EXPECT_EQ(scene_.smoothness.powers.size(), size);

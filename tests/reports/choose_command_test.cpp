@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "observers/watched_steps.hpp"
 #include "records/setup.hpp"
 #include "references/watched_reference.hpp"
 #include "support/answer_of_words.hpp"
@@ -34,7 +35,11 @@ TEST(Choose, MakesTheRunThatItNames) {
     const double exact = std::pow(row[0], 1.83);
     worst = std::max(worst, std::abs(row[1] - exact) / (1.0 + exact));
   }
-  EXPECT_NEAR(worst / json["error"].get<double>(), 1.0, 1e-6);
+  // A run that chose its steps is printed at these, and is judged between them too.
+  EXPECT_LE(worst, (1.0 + 1e-6) * json["error"].get<double>());
+  if (json["asked"].is_null()) {
+    EXPECT_NEAR(worst / json["error"].get<double>(), 1.0, 1e-6);
+  }
 }
 
 TEST(Choose, SaysWhatWouldBeNeeded) {
@@ -54,8 +59,8 @@ TEST(Choose, CountsTheColumnsThatAreNamed) {
   Scene scene = scene_of("pendulum");
   scene.problem.end = 2.0;
   const double asked = chosen["asked"];
-  const auto path =
-      find_scheme(chosen["scheme"].get<std::string>())->solve(scene.problem, Accuracy{asked, asked}, {});
+  const auto path = find_scheme(chosen["scheme"].get<std::string>())
+                        ->solve(scene.problem, Accuracy{asked, asked}, {.at = watched_times(scene.problem)});
   EXPECT_EQ(path.steps, chosen["steps"]);
   EXPECT_TRUE(chosen["grid"].is_null());
   const Rows errors = columns_of(scene.outputs, path) - WatchedReference(scene).at(path.times);

@@ -100,7 +100,9 @@ SceneMaker fractional_knife_edge() {
             end_at_the_poles(scene);
             scene.motion = path_on_sphere();
             return scene;
-          }};
+          },
+          .shown = {{"d_over_dt*dL_over_dv - dL_over_dq", "lambda*a(q)"},
+                    {"a(q)*(D(q, 1) + b*D(q, alpha))", "0"}}};
 }
 
 }  // namespace fde

@@ -19,7 +19,8 @@ SceneMaker fractional_diffusion() {
             const SinePoints points = points_of(p, "components");
             return scene_of_field(
                 {points, start_of(p, points, "components"), 1, p["gamma"], p["diffusivity"]}, p["gamma"]);
-          }};
+          },
+          .shown = {{"D(u, gamma)", "diffusivity*u_xx"}}};
 }
 
 }  // namespace fde

@@ -19,7 +19,8 @@ SceneMaker fractional_diffusion_2d() {
             const SinePoints points = points_of(p, "n");
             return scene_of_field({points, start_of(p, points, "n"), 2, p["gamma"], p["diffusivity"]},
                                   p["gamma"]);
-          }};
+          },
+          .shown = {{"D(u, gamma)", "diffusivity*(u_xx + u_yy)"}}};
 }
 
 }  // namespace fde

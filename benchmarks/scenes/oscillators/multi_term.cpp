@@ -126,26 +126,29 @@ Scene scene_of(const Parameters& p) {
 // the chain (2.1). Wang's equation (1.4) is `order` = n/m with orders k/m below it, Diethelm's (1.6) any
 // `order`.
 SceneMaker multi_term() {
-  return {.id = "multi_term",
-          .title = "Multi-term equation of any number of orders",
-          .source = "Yin, Liu & Anh 2007, eqs 1.1, 2.1; 1.4 and 1.6 with other leading orders",
-          .parameters = {{"order", 2.0, order_up_to_two, "the leading order"},
-                         {"a", 1.0, positive, "coefficient of the leading derivative"},
-                         list_of_numbers("alpha", {1.2, 1.6}, {.low = 1.0, .high = 2.0, .open_high = true},
-                                         "orders alpha_k"),
-                         list_of_numbers("b", {0.1, 0.05}, any_number, "coefficients b_k"),
-                         {"c", 0.1, any_number, "coefficient of u'"},
-                         list_of_numbers("beta", {0.3, 0.7}, {.low = 0.0, .high = 1.0}, "orders beta_l"),
-                         list_of_numbers("d", {0.1, 0.05}, any_number, "coefficients d_l"),
-                         choice("force", {"sine", "linear", "cubic"}, "f(u) = k sin u, k u, k u^3"),
-                         {"k", 1.0, any_number, "size of the force"},
-                         choice("load", {"cosine", "none", "constant", "ramp"},
-                                "g(t) = g0 cos(omega t), 0, g0, g0 t"),
-                         {"g0", 0.3, any_number, "size of the load"},
-                         {"omega", 0.7, any_number, "frequency of the load"},
-                         {"u0", 1.0, any_number, "u(0)"},
-                         {"du0", -0.3, any_number, "u'(0); not where `order` is up to 1"}},
-          .make = scene_of};
+  return {
+      .id = "multi_term",
+      .title = "Multi-term equation of any number of orders",
+      .source = "Yin, Liu & Anh 2007, eqs 1.1, 2.1; 1.4 and 1.6 with other leading orders",
+      .parameters = {{"order", 2.0, order_up_to_two, "the leading order"},
+                     {"a", 1.0, positive, "coefficient of the leading derivative"},
+                     list_of_numbers("alpha", {1.2, 1.6}, {.low = 1.0, .high = 2.0, .open_high = true},
+                                     "orders alpha_k"),
+                     list_of_numbers("b", {0.1, 0.05}, any_number, "coefficients b_k"),
+                     {"c", 0.1, any_number, "coefficient of u'"},
+                     list_of_numbers("beta", {0.3, 0.7}, {.low = 0.0, .high = 1.0}, "orders beta_l"),
+                     list_of_numbers("d", {0.1, 0.05}, any_number, "coefficients d_l"),
+                     choice("force", {"sine", "linear", "cubic"}, "f(u) = k sin u, k u, k u^3"),
+                     {"k", 1.0, any_number, "size of the force"},
+                     choice("load", {"cosine", "none", "constant", "ramp"},
+                            "g(t) = g0 cos(omega t), 0, g0, g0 t"),
+                     {"g0", 0.3, any_number, "size of the load"},
+                     {"omega", 0.7, any_number, "frequency of the load"},
+                     {"u0", 1.0, any_number, "u(0)"},
+                     {"du0", -0.3, any_number, "u'(0); not where `order` is up to 1"}},
+      .make = scene_of,
+      .shown = {{"a*D(u, order) + sum(k, b_k*D(u, alpha_k)) + c*D(u, 1) + sum(l, d_l*D(u, beta_l)) + f(u)",
+                 "g(t)"}}};
 }
 
 }  // namespace fde

@@ -107,7 +107,8 @@ SceneMaker fractional_extremum() {
           pose_whole(scene, alpha, k);
         }
         return scene;
-      }};
+      },
+      .shown = {{"D(y, alpha)", "p"}, {"D_right(p, alpha)", "-k*y"}}};
 }
 
 }  // namespace fde

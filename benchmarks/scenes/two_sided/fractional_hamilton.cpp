@@ -184,7 +184,11 @@ SceneMaker fractional_hamilton() {
       .make = [](const Parameters& p) -> Scene {
         const Hamilton system{.coefficients = {p["kappa"], p["epsilon"]}, .stiffness = {p["k1"], p["k2"]}};
         return motion_is_given(p) ? given(system, p["alpha"], p) : made(system, p["alpha"]);
-      }};
+      },
+      .shown = {{"D(q, 1)", "p - mu*A"},
+                {"D(p_k, 1)", "-du_over_dq_k + mu*dA_over_dq_k*D(q, 1) - D(r_k, 1)"},
+                {"r_k", "J_right(mu*dA_over_dw_k*D(q, 1), 1 - alpha)"},
+                {"A*D(q, 1)", "0"}}};
 }
 
 }  // namespace fde

@@ -126,7 +126,12 @@ SceneMaker fractional_vakonomic() {
                              .c = {p["c1"], p["c2"]},
                              .stiffness = {p["k1"], p["k2"]}},
                             p);
-          }};
+          },
+          .shown = {{"D(q, 1)", "p - mu*a"},
+                    {"D(p, 1)", "g(t) - grad(u) - b*D(rho, 1) + c*D(ell, 1)"},
+                    {"rho", "J_right(mu, 1 - alpha)"},
+                    {"ell", "J(mu, 1 - alpha)"},
+                    {"a*D(q, 1) + b*D(q, alpha) + c*D_right(q, alpha)", "F(t)"}}};
 }
 
 }  // namespace fde

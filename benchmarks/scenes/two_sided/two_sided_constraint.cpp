@@ -166,7 +166,9 @@ SceneMaker two_sided_constraint() {
                                             .k2 = p["k2"],
                                             .k3 = p["k3"]};
             return motion_is_given(p) ? given(system, p["alpha"], p) : made(system, p["alpha"]);
-          }};
+          },
+          .shown = {{"D(q, 2)", "g(t) - grad(u) + mu*a"},
+                    {"a*D(q, 1) + b*D(q, alpha) + c*D_right(q, alpha)", "F(t)"}}};
 }
 
 }  // namespace fde

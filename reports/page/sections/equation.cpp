@@ -27,6 +27,7 @@ json equations_of(const SceneSettings& scene) {
     for (const auto& [coefficient, order] : terms) of_unknown.push_back({coefficient, order});
     all.push_back({{"unknown", unknown}, {"terms", of_unknown}, {"rhs", rhs}});
   }
+  for (const auto& [left, right] : maker->shown) all.push_back({{"left", left}, {"right", right}});
   return all;
 }
 
