@@ -143,9 +143,10 @@ SolvedTable table_of(const Scene& scene, const Scheme& scheme, const std::option
     require_finite(values, table, scheme, grid, t);
     table.values.col(next++) << values, reactions.at(c, columns.col(c));
   }
-  if (next < table.values.cols())
+  if (next < table.values.cols()) {
     throw std::logic_error(
         fmt::format("{} left out t = {}", scheme.id, table.times[static_cast<std::size_t>(next)]));
+  }
   return table;
 }
 

@@ -45,7 +45,7 @@ function derivative(unknown, order) {
 function operator(name, [of, order]) {
   const [letter, side] = name.split("_");
   if (!side) return math("mrow", math("msup", math("mi", letter), order), of);
-  return math("mrow", math("mmultiscripts", math("mi", letter), math("mi", "T"), order, math("mprescripts"), math("mi", "t"), math("none")), of);
+  return math("mrow", math("msub", math("mrow"), math("mi", "t")), math("msubsup", math("mi", letter), math("mi", "T"), order), of);
 }
 
 const functionsOfMath = {

@@ -1,7 +1,7 @@
 #include "history/shared_work.hpp"
 
 #include <algorithm>
-#include <thread>
+#include <future>
 #include <vector>
 
 namespace fde {
@@ -21,9 +21,11 @@ void share_work(int threads, Eigen::Index rows, Eigen::Index unit,
     for (Eigen::Index i = parts * worker / workers; i < parts * (worker + 1) / workers; ++i)
       work(i * part, std::min(part, rows - i * part));
   };
-  std::vector<std::jthread> others;
-  for (Eigen::Index worker = 1; worker < workers; ++worker) others.emplace_back(work_on, worker);
+  std::vector<std::future<void>> others;
+  for (Eigen::Index worker = 1; worker < workers; ++worker)
+    others.push_back(std::async(std::launch::async, work_on, worker));
   work_on(0);
+  for (auto& other : others) other.get();
 }
 
 }  // namespace fde

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "history/exponential_memory.hpp"
 #include "history/history.hpp"
+#include "history/shared_work.hpp"
 #include "stepping/trajectory.hpp"
 
 namespace fde {
@@ -70,6 +72,16 @@ TEST_P(ManyComponents, HaveTheSameBitsInAnyNumberOfThreads) {
 
 INSTANTIATE_TEST_SUITE_P(, ManyComponents, testing::ValuesIn(families_of_histories()),
                          [](const auto& test) { return test.param.name; });
+
+TEST(SharedWork, PassesOnWhatAnyThreadThrows) {
+  constexpr Eigen::Index rows = 100'000;
+  for (const Eigen::Index failing : {Eigen::Index{0}, rows - 1}) {
+    const auto work = [=](Eigen::Index first, Eigen::Index count) {
+      if (first <= failing && failing < first + count) throw std::runtime_error("no");
+    };
+    EXPECT_THROW(share_work(2, rows, 1, work), std::runtime_error) << failing;
+  }
+}
 
 // What grows with their number is all there is to pay.
 TEST(WidePast, TakesItsStatesAndLittleElse) {
