@@ -157,6 +157,7 @@ class Search {
     const int steps = of.ladder.empty() ? std::max(first_rung, unit_) : 2 * of.ladder.back().steps;
     if (steps > most_steps_ / 2 || next_seconds(of) > most_of_rest * left()) return false;
     of.ladder.push_back(examine(of, steps, watched_));
+    if (of.ladder.size() == 1 && of.way.scheme->start_powers) leave_out_start_weights(of);
     const Attempt& last = of.ladder.back();
     of.step_seconds = last.seconds / last.steps;
     if (last.within) {
@@ -176,6 +177,14 @@ class Search {
     return least_seconds(of, accuracy()) < far * left();
   }
 
+  // The first solve makes start weights, which are kept: runs are compared by what they cost after it.
+  void leave_out_start_weights(SearchedWay& of) const {
+    Attempt& first = of.ladder.front();
+    const double whole = first.seconds;
+    time_again(of.way, first);
+    of.once_seconds = whole - first.seconds;
+  }
+
   // All attempts of a scheme that chooses its steps.
   void ask(SearchedWay& of) {
     auto found = loosest_accuracy(accuracy(), [&](double asked) {
@@ -185,7 +194,7 @@ class Search {
     if (found) {
       of.best = std::move(*found);
       of.found = Found::within;
-      time_again(of);
+      time_best(of);
       return;
     }
     const RunEnding& last = of.ladder.back().ending;
@@ -219,20 +228,24 @@ class Search {
     const bool scan = is_short && (may_pass_zero || of.ladder.back().steps <= few_steps);
     of.best = fewest_steps(of.ladder, accuracy(), unit_, scan, attempt);
     of.found = Found::within;
-    time_again(of);
+    time_best(of);
   }
 
-  void time_again(SearchedWay& of) {
-    constexpr int more_solves = 2;
-    constexpr double part = 0.1;  // of the time left
-    for (int i = 0; i < more_solves && of.best.seconds < part * left(); ++i)
-      of.best.seconds = std::min(of.best.seconds, seconds_to_end(of));
+  void time_best(SearchedWay& of) {
+    time_again(of.way, of.best);
     quickest_ = std::min(quickest_, of.best.seconds);
   }
 
-  [[nodiscard]] double seconds_to_end(const SearchedWay& of) const {
+  void time_again(const Way& way, Attempt& attempt) const {
+    constexpr int more_solves = 2;
+    constexpr double part = 0.1;  // of the time left
+    for (int i = 0; i < more_solves && attempt.seconds < part * left(); ++i)
+      attempt.seconds = std::min(attempt.seconds, seconds_to_end(way, attempt));
+  }
+
+  [[nodiscard]] double seconds_to_end(const Way& way, const Attempt& as) const {
     const auto start = Clock::now();
-    examiner_.solve_to_end(of.way, resolution_of(of.best));
+    examiner_.solve_to_end(way, resolution_of(as));
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 

@@ -34,6 +34,7 @@ struct SearchedWay {
   std::optional<double> rate{};            // observed
   std::optional<Expected> steps_needed{};  // to the accuracy, of one that was not there
   double step_seconds = 0.0;               // a step takes, with as many as it came to
+  double once_seconds = 0.0;               // more for the first solve, which makes start weights
 };
 
 // The errors of its ladder that are numbers, the coarsest first.

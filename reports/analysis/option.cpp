@@ -164,8 +164,11 @@ std::string run_text(const Option& option, std::string_view error) {
       fmt::format("{}N = {}, {} {}", asked, count_text(option.steps), error, error_text(option.error));
   if (!is_timed(option)) return text + ", not timed";
   const auto& [median, low, high] = option.time;
-  return text + fmt::format(", {} ({} ... {}){}", time_text(median), time_text(low), time_text(high),
-                            clock_note(option.wall_clock));
+  text += fmt::format(", {} ({} ... {}){}", time_text(median), time_text(low), time_text(high),
+                      clock_note(option.wall_clock));
+  if (option.once_seconds > median)
+    text += fmt::format(", the first time {} more for start weights", time_text(option.once_seconds));
+  return text;
 }
 
 std::string needed_text(const std::string& name, const Expected& steps) {

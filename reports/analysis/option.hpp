@@ -21,6 +21,7 @@ struct Option {
   double error = 0.0;
   std::optional<double> predicted_error{};  // by the errors with other numbers of steps
   TimeSpread time{};
+  double once_seconds = 0.0;     // that the first solve of a program takes more, for start weights
   std::optional<double> rate{};  // observed
   std::size_t session = 0;       // of results; index into Results::sessions
   bool external = false;         // of another program

@@ -24,6 +24,7 @@ Option option_of(const SearchedWay& of) {
                 .steps = of.best.steps,
                 .error = of.best.error,
                 .time = of.time.value_or(TimeSpread{of.best.seconds, of.best.seconds, of.best.seconds}),
+                .once_seconds = of.once_seconds,
                 .rate = of.rate};
   if (of.predicted) option.predicted_error = of.predicted->value;
   return option;
@@ -59,7 +60,8 @@ std::string fate(const SearchedWay& of, std::string_view error) {
     case Found::failed:
       return fmt::format("{}: {}", name_of(of), of.reason);
     default:
-      return fmt::format("{}: {}{}", name_of(of), so_far(of, error),
+      return fmt::format("{}: {}{}{}", name_of(of), of.found == Found::slower ? "slower: " : "",
+                         so_far(of, error),
                          of.steps_needed ? "; " + needed_text("it", *of.steps_needed) : "");
   }
 }

@@ -100,6 +100,16 @@ TEST(Search, TriesSchemesThatChooseTheirSteps) {
   EXPECT_LE(found.front().best.error, 1e-9);
 }
 
+// Start weights of orders that no run before had take milliseconds to make, and four steps some microseconds:
+// the rule is not left behind for what it pays once.
+TEST(Search, ComparesRunsByWhatTheyCostOnceStartWeightsAreMade) {
+  const Scene scene = scene_of("relaxation", {{"gamma", 0.4321}});
+  const auto found = found_for(scene, {"", {Norm::end, Scale::mixed}, 1e-10});
+  const auto rule = std::ranges::find(found, "bdf5", [](const SearchedWay& of) { return of.way.scheme->id; });
+  EXPECT_GT(rule->once_seconds, 10.0 * rule->ladder.front().seconds);
+  EXPECT_GT(rule->ladder.size(), 1U);
+}
+
 TEST(Search, GivesOneAlgorithmAllItsNames) {
   const Scene scene = scene_of("relaxation");
   const auto found = found_for(scene, {"", {Norm::end, Scale::mixed}, 1e-2});
