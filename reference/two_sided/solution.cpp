@@ -81,7 +81,9 @@ PanelTable two_sided_table(const Problem& problem) {
       difference = difference.cwiseMax((y - second.at(times[j])).cwiseAbs());
     }
     differences.push_back(difference);
-    table.panels.push_back({problem.end * k / panels, problem.end * (k + 1) / panels, values, {}});
+    // The last edge is the end itself: (end * panels) / panels need not be.
+    const auto edge = [&](double number) { return problem.end * (number / panels); };
+    table.panels.push_back({edge(k), edge(k + 1.0), values, {}});
   }
   const auto spread_differences = spread(differences);
   for (std::size_t k = 0; k < table.panels.size(); ++k)

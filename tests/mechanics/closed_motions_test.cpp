@@ -96,6 +96,26 @@ INSTANTIATE_TEST_SUITE_P(
                     Motion{"loxodrome", {{"k", 0.0}, {"speed", 0.3}}}),
     [](const auto& test) { return test.param.scene + "__" + std::to_string(test.index); });
 
+// A bound is at most what the rounding of t does, t times the largest rate, for a place that turns as well.
+TEST(ClosedMotions, OfManyTurnsAreKnownAsWellAsTheirTime) {
+  const Precision precision(60);
+  for (const Motion& motion : {Motion{"knife_edge", {{"omega", 1.7}}},
+                               Motion{"rolling_disc", {{"pull", 0.6}, {"dphi0", -0.4}}}}) {
+    const Scene scene = scene_of(motion.scene, motion.values);
+    for (const double t : {1e6, 1e12, 1e20}) {
+      const auto [value, bound] = scene.reference.at(t);
+      const Eigen::Index n = value.size() / 2;
+      const auto precise = scene.reference.digits(t, 40);
+      for (Eigen::Index c = 0; c < n; ++c) {
+        const double largest_rate = 10.0;  // of both motions
+        EXPECT_LE(bound[c], 5e-16 * t * largest_rate) << motion.scene << ' ' << c << ", t = " << t;
+        const auto exact = parse<BigReal>(precise[static_cast<std::size_t>(c)].value);
+        EXPECT_LE(abs(BigReal(exact - BigReal(value[c]))), BigReal(bound[c])) << motion.scene << ' ' << c;
+      }
+    }
+  }
+}
+
 // To first order in b: x = dx0 (t - b y0 t^2 / (2 (1 + y0^2))).
 TEST(NonholonomicParticle, MovesUniformlyAsYStandsStill) {
   const double y0 = 0.5, t = 3.0;

@@ -86,6 +86,16 @@ TEST(TwoSidedReference, IsTheMadeSolutionByEitherMethod) {
   EXPECT_THROW((void)reference.at(1.5), std::invalid_argument);
 }
 
+// Of 12 panels, as orders of 0.3 take: 1.4 * 12 / 12 is below 1.4 in double.
+TEST(TwoSidedReference, ReachesTheEnd) {
+  const double end = 1.4;
+  const Made made = made_problem({{0.3, 3.0, Side::left}, {0.3, 3.5, Side::right}}, end);
+  const PanelTable table = two_sided_table(made.problem);
+  EXPECT_EQ(table.panels.size(), 12U);
+  const auto [value, bound] = two_sided_reference(table, made.problem).at(end);
+  EXPECT_TRUE(((value - made.exact(end)).cwiseAbs().array() <= bound.array()).all());
+}
+
 // q' starts like t^0.1 and ends like (T-t)^0.1 at alpha = 0.9. The values at T are those of product
 // trapezoids with 1024 to 16384 equal steps, without the powers 1.1, 1.2 and 1.3 of the step: two sets of
 // them agree to 2e-10.

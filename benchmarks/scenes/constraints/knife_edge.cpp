@@ -18,11 +18,11 @@ struct Slide {
 
   template <class Real>
   [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
-    using std::abs, std::sin;
+    using std::abs, std::min, std::sin;
     const Real turning = decimal<Real>(omega), phi = turning * t, slope = decimal<Real>(theta);
     const Real a = decimal<Real>(g) * sin(slope);
     const Real half = sine_quotient(phi), full = sine_quotient(Real(2 * phi));
-    const Real speed = 4 * abs(a) * t, place = speed * t;
+    const Real speed = 4 * abs(a) * t, place = speed * min(t, Real(1 / abs(turning)));
     return {{Real(a * t * t / 2 * half * half), place},
             {Real(a * t * t * sine_defect(Real(2 * phi))), place},
             {phi, abs(phi)},

@@ -15,7 +15,7 @@ struct Roll {
 
   template <class Real>
   [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
-    using std::abs, std::cos, std::sin;
+    using std::abs, std::cos, std::min, std::sin;
     const Real r = decimal<Real>(radius), m = decimal<Real>(mass), inertia = decimal<Real>(spin_inertia);
     const Real a = decimal<Real>(pull) / (1 + inertia / (m * r * r));
     const Real omega = decimal<Real>(turn), phi = omega * t, s = r * decimal<Real>(spin);
@@ -24,7 +24,8 @@ struct Roll {
     const Real x = s * t * full + a * t * t / 2 * full * full;
     const Real y = s * t * half * sin(Real(phi / 2)) + a * t * t * sine_defect(Real(2 * phi));
     const Real rolled = s * t + a * t * t / 2 * half * half;
-    const Real speed = 2 * abs(s) + 8 * abs(a) * t, place = speed * t, turned = abs(s * phi);
+    const Real speed = 2 * abs(s) + 8 * abs(a) * t, turned = abs(s * phi);
+    const Real place = (2 * abs(s) + 8 * abs(a) * min(t, Real(1 / abs(omega)))) * t;
     return {{x, place},
             {y, place},
             {phi, abs(phi)},
