@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -6,6 +9,7 @@
 
 #include "equation_files/equation_system.hpp"
 #include "equation_files/program.hpp"
+#include "problem/multipliers.hpp"
 
 namespace fde {
 namespace {
@@ -100,6 +104,19 @@ DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, 
   }};
 }
 
+// A constraint that is not met at t = 0 would be met by a jump of what it constrains.
+void require_start_on_constraints(const EquationSystem& system, const Problem& problem,
+                                  const FileFormulas& formulas) {
+  const auto row = row_off_at_start(problem);
+  if (!row) return;
+  Vec f(problem.size());
+  problem.rhs(0.0, taylor_part(problem, 0.0), f);
+  const auto unknown = std::ranges::find(system.unknowns, *row, &EquationSystem::Unknown::first);
+  const auto number = static_cast<std::size_t>(unknown - system.unknowns.begin());
+  formulas.reject(formulas.text().unknowns[number].rhs,
+                  fmt::format("is {:.6g} at t = 0: must be 0 with these initial values", f[*row]));
+}
+
 }  // namespace
 
 Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
@@ -117,6 +134,7 @@ Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
   } else {
     problem.derivatives = jacobian_of(entries, size, all);
   }
+  require_start_on_constraints(system, problem, formulas);
   for (const auto& unknown : system.unknowns) {
     if (!unknown.chain || unknown.chain->size() == 1) continue;
     const auto& chain = *unknown.chain;

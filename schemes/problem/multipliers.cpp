@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "problem/jacobian.hpp"
 
@@ -37,6 +38,35 @@ Matrix answers(const Problem& problem, const Matrix& jacobian, const std::vector
   return equations.partialPivLu().solve(off);
 }
 
+// How the answers grow as the length shrinks. The lengths are so far apart that other powers of h beside the
+// leading one do not count, nor the sign of what they add.
+class Growth {
+ public:
+  explicit Growth(const Problem& problem) {
+    const auto constraints = algebraic_rows(problem);
+    const Matrix jacobian = jacobian_at(problem, 0.0, taylor_part(problem, 0.0));
+    after_shorter_ = answers(problem, jacobian, constraints, shorter * problem.end);
+    after_longer_ = answers(problem, jacobian, constraints, longer * problem.end);
+  }
+
+  // Of an unknown to all constraints, and to the one of a column.
+  [[nodiscard]] double orders(Eigen::Index unknown) const {
+    return orders_of(after_shorter_.row(unknown).lpNorm<Eigen::Infinity>(),
+                     after_longer_.row(unknown).lpNorm<Eigen::Infinity>());
+  }
+  [[nodiscard]] double orders(Eigen::Index unknown, Eigen::Index column) const {
+    return orders_of(std::abs(after_shorter_(unknown, column)), std::abs(after_longer_(unknown, column)));
+  }
+
+ private:
+  static constexpr double shorter = 1e-60, longer = 1e-20;  // of the end
+  static double orders_of(double after_shorter, double after_longer) {
+    return std::log(after_shorter / after_longer) / std::log(longer / shorter);
+  }
+
+  Matrix after_shorter_, after_longer_;
+};
+
 }  // namespace
 
 std::vector<Eigen::Index> multipliers(const Problem& problem) {
@@ -59,23 +89,35 @@ std::vector<Eigen::Index> multipliers(const Problem& problem) {
   return found;
 }
 
-// The lengths are so far apart that other powers of h beside the leading one do not count, nor the sign of
-// what they add.
 double integrated_orders(const Problem& problem) {
-  constexpr double shorter = 1e-60, longer = 1e-20;  // of the end
-  const auto constraints = algebraic_rows(problem);
-  const Matrix jacobian = jacobian_at(problem, 0.0, taylor_part(problem, 0.0));
-  const Matrix after_shorter = answers(problem, jacobian, constraints, shorter * problem.end),
-               after_longer = answers(problem, jacobian, constraints, longer * problem.end);
+  const Growth growth(problem);
   double most = 0.0;
   for (const auto i : multipliers(problem)) {
-    const double grown =
-        after_shorter.row(i).lpNorm<Eigen::Infinity>() / after_longer.row(i).lpNorm<Eigen::Infinity>();
-    const double orders = std::log(grown) / std::log(longer / shorter);
+    const double orders = growth.orders(i);
     if (std::isnan(orders)) return orders;
     most = std::max(most, orders);
   }
   return most;
+}
+
+std::optional<Eigen::Index> row_off_at_start(const Problem& problem) {
+  constexpr double off = 1e-8;  // of the terms of a row: initial values are written with so many digits
+  constexpr double once = 1.0 - 1e-6;
+  const auto constraints = algebraic_rows(problem);
+  const auto drivers = multipliers(problem);
+  if (drivers.empty()) return std::nullopt;
+  const Vec start = taylor_part(problem, 0.0), f = rhs_at(problem, 0.0, start);
+  const Matrix jacobian = jacobian_at(problem, 0.0, start);
+  const Growth growth(problem);
+  for (std::size_t c = 0; c < constraints.size(); ++c) {
+    const auto row = constraints[c];
+    const double terms = jacobian.row(row).cwiseAbs().dot(start.cwiseAbs());
+    const bool mended = std::ranges::any_of(constraints, [&](auto i) { return jacobian(row, i) != 0.0; });
+    if (mended || !(std::abs(f[row]) > off * terms)) continue;
+    const auto column = static_cast<Eigen::Index>(c);
+    if (std::ranges::any_of(drivers, [&](auto i) { return growth.orders(i, column) > once; })) return row;
+  }
+  return std::nullopt;
 }
 
 }  // namespace fde

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "problem/problem.hpp"
@@ -19,5 +20,11 @@ std::vector<Eigen::Index> multipliers(const Problem& problem);
 // by 1 with a number of the size h^-p as h tends to 0; p is the result. NaN where the constraints at t = 0 do
 // not determine the multipliers.
 double integrated_orders(const Problem& problem);
+
+// The first algebraic row that the initial values do not satisfy, that holds no unknown of such rows which
+// could mend that, and whose multiplier is integrated once or more: to be met from t = 0 on it would need a
+// multiplier without an integral, and the run would begin elsewhere than at its initial values. Where less
+// than one order is integrated a multiplier like t^-order does, as that of a constraint above order 1.
+std::optional<Eigen::Index> row_off_at_start(const Problem& problem);
 
 }  // namespace fde

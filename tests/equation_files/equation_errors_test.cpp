@@ -104,6 +104,18 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{with("[parameters]\nuntil = 1\n" + x), "line 3, column 1", "parameter until"},
                     Wrong{with("[parameters]\npi = 3\n" + x), "line 3, column 1", "parameter pi"}));
 
+// x' = lambda from x(0) = 1 under x = a: lambda would have no integral where a is not 1.
+std::string held_at(const std::string& a, const std::string& order) {
+  return with("[unknown.x]\norder = " + order +
+              "\nrhs = \"lambda\"\ninitial = [1]\n[unknown.lambda]\norder = 0\nrhs = \"x - " + a +
+              "\"\ninitial = [0]\n");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Constraints, WrongEquationFile,
+    testing::Values(Wrong{held_at("0.75", "1"), "line 8, column 8",
+                          "is 0.25 at t = 0: must be 0 with these initial values"}));
+
 INSTANTIATE_TEST_SUITE_P(
     Values, WrongEquationFile,
     testing::Values(
@@ -178,6 +190,17 @@ TEST(EquationThatBreaksDown, IsANumericalFailure) {
     EXPECT_EQ(answer.code, 3) << file;
     EXPECT_THAT(answer.err, StartsWith("fdebench: adams_pc: ")) << file;
     EXPECT_THAT(answer.err, HasSubstr("step")) << file;
+  }
+}
+
+// A multiplier like t^-0.5 has an integral, and rounding is no jump.
+TEST(EquationFiles, BeginOnTheirConstraintsOrWhereAMultiplierTakesThem) {
+  const TemporaryFolder folder;
+  folder.write("near.toml", held_at("(1 - 1e-12)", "1"));
+  folder.write("jumps.toml", held_at("0.75", "0.5"));
+  for (const char* name : {"near.toml", "jumps.toml"}) {
+    const auto answer = fdebench({"solve", folder.path() / name, "--scheme", "l1", "--steps", "4"});
+    EXPECT_EQ(answer.code, 0) << answer.err;
   }
 }
 
