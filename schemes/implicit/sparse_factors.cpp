@@ -1,108 +1,54 @@
 #include "implicit/sparse_factors.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
-#include <algorithm>
-#include <cmath>
+#include <optional>
 #include <utility>
+
+#include "implicit/cholesky_factors.hpp"
+#include "implicit/conjugate_gradients.hpp"
+#include "implicit/fast_sine.hpp"
+#include "implicit/tridiagonal.hpp"
 
 namespace fde {
 namespace {
-
-using Entries = SparseMatrix::InnerIterator;
 
 class TridiagonalFactors final : public SparseFactors {
  public:
   explicit TridiagonalFactors(const SparseMatrix& /*matrix*/) {}
 
-  static bool fits(const SparseMatrix& matrix) {
-    for (Eigen::Index j = 0; j < matrix.outerSize(); ++j) {
-      for (Entries entry(matrix, j); entry; ++entry)
-        if (std::abs(entry.row() - j) > 1) return false;
-    }
-    return true;
-  }
-
-  bool factorise(const SparseMatrix& matrix) override {
-    take(matrix);
-    // No row has more beside its diagonal than there: the pivots are no smaller than what is left of that.
-    if (!(inverse_.array().abs() >= below_.array().abs() + above_.array().abs()).all()) return false;
-    sign_ = 1;
-    for (Eigen::Index i = 0; i < inverse_.size(); ++i) {
-      if (i > 0) {
-        below_[i] *= inverse_[i - 1];
-        inverse_[i] -= below_[i] * above_[i - 1];
-      }
-      if (inverse_[i] < 0.0) sign_ = -sign_;
-      inverse_[i] = 1.0 / inverse_[i];
-    }
-    return inverse_.allFinite();
-  }
-
-  [[nodiscard]] int determinant_sign() override { return sign_; }
-
-  void solve(Vec& b) const override {
-    double last = 0.0;
-    for (Eigen::Index i = 0; i < b.size(); ++i) b[i] = last = b[i] - below_[i] * last;
-    last = 0.0;
-    for (Eigen::Index i = b.size() - 1; i >= 0; --i) b[i] = last = (b[i] - above_[i] * last) * inverse_[i];
-  }
-
+  static bool fits(const SparseMatrix& matrix) { return Tridiagonal<double>::fits(matrix); }
+  bool factorise(const SparseMatrix& matrix) override { return factors_.factorise(matrix); }
+  [[nodiscard]] int determinant_sign() override { return factors_.determinant_sign(); }
+  void solve(Vec& b) const override { factors_.solve(b); }
   [[nodiscard]] std::string_view name() const override { return "tridiagonal"; }
 
  private:
-  void take(const SparseMatrix& matrix) {
-    below_ = above_ = inverse_ = Vec::Zero(matrix.rows());
-    for (Eigen::Index j = 0; j < matrix.outerSize(); ++j) {
-      for (Entries entry(matrix, j); entry; ++entry) {
-        Vec& line = entry.row() == j ? inverse_ : entry.row() < j ? above_ : below_;
-        line[entry.row()] = entry.value();
-      }
-    }
-  }
-
-  Vec below_, above_, inverse_;  // multipliers, entries right of the diagonal, inverse pivots
-  int sign_ = 1;
+  Tridiagonal<double> factors_;
 };
 
-bool symmetric(const SparseMatrix& matrix) {
-  const SparseMatrix other = matrix.transpose();
-  const auto* const values = matrix.valuePtr();
-  return std::equal(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.cols() + 1,
-                    other.outerIndexPtr()) &&
-         std::equal(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros(),
-                    other.innerIndexPtr()) &&
-         std::equal(values, values + matrix.nonZeros(), other.valuePtr());
-}
-
-class CholeskyFactors final : public SparseFactors {
+class FastSineFactors final : public SparseFactors {
  public:
-  explicit CholeskyFactors(const SparseMatrix& matrix) { factors_.analyzePattern(matrix); }
+  explicit FastSineFactors(const SparseMatrix& /*matrix*/) {}
 
-  static bool fits(const SparseMatrix& matrix) { return symmetric(matrix); }
+  static bool fits(const SparseMatrix& /*matrix*/) { return true; }
 
   bool factorise(const SparseMatrix& matrix) override {
-    if (!symmetric(matrix)) return false;
-    factors_.factorize(matrix);
-    return factors_.info() == Eigen::Success && (factors_.vectorD().array() > 0.0).all() &&
-           factors_.vectorD().allFinite();
+    const auto found = five_point(matrix);
+    const auto stencil = found ? found->constant() : std::nullopt;
+    if (!stencil) return false;
+    // Its entries are where they were.
+    if (!sines_) sines_.emplace(found->n, found->m);
+    stencil_ = *stencil;
+    return sines_->serves(stencil_);
   }
 
-  [[nodiscard]] int determinant_sign() override { return 1; }
-
-  void solve(Vec& b) const override {
-    ordered_ = factors_.permutationP() * b;
-    factors_.matrixL().solveInPlace(ordered_);
-    ordered_.array() /= factors_.vectorD().array();
-    factors_.matrixU().solveInPlace(ordered_);
-    b = factors_.permutationPinv() * ordered_;
-  }
-
-  [[nodiscard]] std::string_view name() const override { return "cholesky"; }
+  [[nodiscard]] int determinant_sign() override { return sines_->determinant_sign(stencil_); }
+  void solve(Vec& b) const override { sines_->solve(stencil_, b); }
+  [[nodiscard]] std::string_view name() const override { return "fast_sine"; }
 
  private:
-  Eigen::SimplicialLDLT<SparseMatrix> factors_;
-  mutable Vec ordered_;
+  std::optional<FastSine> sines_;
+  Stencil<double> stencil_{};
 };
 
 class LuFactors final : public SparseFactors {
@@ -136,6 +82,8 @@ std::unique_ptr<SparseFactors> factors_by(const SparseMatrix& matrix) {
 
 std::unique_ptr<SparseFactors> sparse_factors(const SparseMatrix& matrix) {
   if (auto factors = factors_by<TridiagonalFactors>(matrix)) return factors;
+  if (auto factors = factors_by<FastSineFactors>(matrix)) return factors;
+  if (auto factors = factors_by<ConjugateGradients>(matrix)) return factors;
   if (auto factors = factors_by<CholeskyFactors>(matrix)) return factors;
   return factors_by<LuFactors>(matrix);
 }

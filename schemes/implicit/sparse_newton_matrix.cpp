@@ -1,5 +1,6 @@
 #include "implicit/sparse_newton_matrix.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -9,12 +10,17 @@ SparseNewtonMatrix::Pattern::Pattern(const SparseMatrix& matrix)
     : outer(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.cols() + 1),
       inner(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros()) {}
 
+bool SparseNewtonMatrix::Pattern::is_of(const SparseMatrix& matrix) const {
+  return matrix.isCompressed() &&
+         std::equal(outer.begin(), outer.end(), matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.cols() + 1) &&
+         std::equal(inner.begin(), inner.end(), matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
+}
+
 SparseNewtonMatrix::SparseNewtonMatrix(const Problem& problem)
     : problem_(problem),
       rows_(problem),
       identity_(problem.size(), problem.size()),
-      derivatives_(problem.size(), problem.size()),
-      analysed_(derivatives_) {
+      derivatives_(problem.size(), problem.size()) {
   identity_.setIdentity();
 }
 
@@ -37,14 +43,25 @@ std::string_view SparseNewtonMatrix::solver() const {
 
 void SparseNewtonMatrix::assemble(const SparseMatrix& derivatives, const Vec& kappa) {
   rows_.scale = kappa;
+  if (assembled_.is_of(derivatives)) {
+    const auto* const rows = derivatives.innerIndexPtr();
+    const auto* const starts = derivatives.outerIndexPtr();
+    for (Eigen::Index j = 0; j < derivatives.outerSize(); ++j) {
+      for (auto k = starts[j]; k < starts[j + 1]; ++k)
+        matrix_.valuePtr()[k] = (rows[k] == j ? 1.0 : 0.0) - kappa[rows[k]] * derivatives.valuePtr()[k];
+    }
+    return;
+  }
   matrix_ = identity_ - SparseMatrix(kappa.asDiagonal() * derivatives);
   matrix_.makeCompressed();
+  assembled_ = Pattern();
+  if (Pattern places(matrix_); places.is_of(derivatives)) assembled_ = std::move(places);
 }
 
 void SparseNewtonMatrix::factorise() {
-  Pattern pattern(matrix_);
-  if (factors_ && pattern == analysed_ && factors_->factorise(matrix_)) return;
-  analysed_ = std::move(pattern);
+  const bool same_places = factors_ && analysed_.is_of(matrix_);
+  if (same_places && factors_->factorise(matrix_)) return;
+  if (!same_places) analysed_ = Pattern(matrix_);
   factors_ = sparse_factors(matrix_);
 }
 

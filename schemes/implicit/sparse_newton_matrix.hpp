@@ -24,17 +24,19 @@ class SparseNewtonMatrix : public NewtonMatrix {
  private:
   void assemble(const SparseMatrix& derivatives, const Vec& kappa);
 
-  // Where the entries of a matrix are.
+  // Where the entries of a matrix are that is compressed.
   struct Pattern {
+    Pattern() = default;
     explicit Pattern(const SparseMatrix& matrix);
-    bool operator==(const Pattern&) const = default;
+    [[nodiscard]] bool is_of(const SparseMatrix& matrix) const;
     std::vector<int> outer, inner;
   };
 
   const Problem& problem_;
   RowScales rows_;
   SparseMatrix identity_, derivatives_, matrix_;
-  Pattern analysed_;                        // of the matrix for which the factors were made
+  Pattern assembled_{};                     // of derivatives with a whole diagonal: the matrix has the same
+  Pattern analysed_{};                      // of the matrix for which the factors were made
   std::unique_ptr<SparseFactors> factors_;  // nullptr: it has none
 };
 

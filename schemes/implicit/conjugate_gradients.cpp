@@ -1,0 +1,132 @@
+#include "implicit/conjugate_gradients.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fde {
+namespace {
+
+// Below, factors are made in the time of the iterations of one solve.
+constexpr Eigen::Index fewest_unknowns = 2000;
+
+// Nanoseconds an unknown, as `fde_large solvers` measures them: their ratio counts. An iteration multiplies with sines of the
+// shorter line, and streams a few vectors; factors grow like the square root of the number of unknowns.
+double iteration_cost(const FivePoint& matrix) {
+  return 8.0 + 0.04 * static_cast<double>(std::min(matrix.n, matrix.m));
+}
+double factor_cost(const FivePoint& matrix) { return 6.0 * std::sqrt(static_cast<double>(matrix.diagonal.size())); }
+
+// sin(pi i / (n + 1)), i = 1 ... n.
+Vec lowest_mode(Eigen::Index n) {
+  const Vec numbers = Vec::LinSpaced(n, 1.0, static_cast<double>(n));
+  return (std::numbers::pi / static_cast<double>(n + 1) * numbers).array().sin();
+}
+
+// The mean stencil, its diagonal such that the lowest mode gets as much from it as from the matrix.
+Stencil<double> stencil_like(const FivePoint& matrix) {
+  const Vec mode = (lowest_mode(matrix.n) * lowest_mode(matrix.m).transpose()).reshaped();
+  Vec product(mode.size());
+  matrix.multiply(mode, product);
+  Stencil<double> stencil = matrix.mean();
+  const auto beside = [](double coupling, Eigen::Index n) {
+    return 2.0 * coupling * std::cos(std::numbers::pi / static_cast<double>(n + 1));
+  };
+  stencil.diagonal = mode.dot(product) / mode.squaredNorm() - beside(stencil.along, matrix.n) -
+                     beside(stencil.across, matrix.m);
+  return stencil;
+}
+
+// S M S for the diagonal s of S.
+FivePoint scaled(FivePoint matrix, const Vec& s) {
+  const Eigen::Index size = s.size(), n = matrix.n;
+  matrix.diagonal.array() *= s.array().square();
+  matrix.along.head(size - 1).array() *= s.head(size - 1).array() * s.tail(size - 1).array();
+  matrix.across.head(size - n).array() *= s.head(size - n).array() * s.tail(size - n).array();
+  return matrix;
+}
+
+// Whether couplings with the point before and with that after differ much, somewhere on a line: of a diffusivity that is smooth they
+// do not, once scaled.
+bool jumps(const FivePoint& matrix) {
+  constexpr double much = 0.2;
+  const auto differ = [](double one, double other) {
+    return std::abs(one - other) > much * std::max(std::abs(one), std::abs(other));
+  };
+  const Eigen::Index size = matrix.diagonal.size(), n = matrix.n;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    if (i % n != 0 && (i + 1) % n != 0 && differ(matrix.along[i - 1], matrix.along[i])) return true;
+    if (i >= n && i + n < size && differ(matrix.across[i - n], matrix.across[i])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool ConjugateGradients::fits(const SparseMatrix& matrix) { return matrix.rows() >= fewest_unknowns; }
+
+bool ConjugateGradients::factorise(const SparseMatrix& matrix) {
+  auto found = five_point(matrix);
+  if (!found || !found->dominated() || !found->diagonal.allFinite()) return false;
+  const bool same_points = sines_ && matrix_.n == found->n && matrix_.m == found->m;
+  scale_ = found->diagonal.cwiseSqrt().cwiseInverse();
+  matrix_ = scaled(*found, scale_);
+  if (jumps(matrix_)) {
+    scale_.setOnes();
+    matrix_ = std::move(*found);
+  }
+  if (!same_points) {
+    sines_ = std::make_unique<FastSine>(matrix_.n, matrix_.m);
+    cholesky_.reset();
+  }
+  stencil_ = stencil_like(matrix_);
+  price_ = static_cast<int>(factor_cost(matrix_) / iteration_cost(matrix_));
+  spent_ = 0;
+  factorised_ = false;
+  return sines_->serves(stencil_);
+}
+
+void ConjugateGradients::solve(Vec& b) const {
+  if (!factorised_ && iterate(b)) return;
+  if (!factorised_) {
+    const SparseMatrix matrix = sparse(matrix_);
+    if (!cholesky_) cholesky_ = std::make_unique<CholeskyFactors>(matrix);
+    factorised_ = cholesky_->factorise(matrix);
+  }
+  b.array() *= scale_.array();
+  cholesky_->solve(b);
+  b.array() *= scale_.array();
+}
+
+// b becomes the solution, or is as it was where what factors cost is spent.
+bool ConjugateGradients::iterate(Vec& b) const {
+  constexpr double rounding = 0x1p-53;
+  x_ = Vec::Zero(b.size());
+  rest_ = scale_.cwiseProduct(b);
+  double before = 0.0;
+  for (; spent_ < price_; ++spent_) {
+    answer_ = rest_;
+    sines_->solve(stencil_, answer_);
+    const double largest = scale_.cwiseProduct(answer_).lpNorm<Eigen::Infinity>();
+    if (!(largest > rounding * scale_.cwiseProduct(x_).lpNorm<Eigen::Infinity>())) {
+      b = scale_.cwiseProduct(x_);
+      return true;
+    }
+    const double now = rest_.dot(answer_);
+    if (before == 0.0) {
+      direction_ = answer_;
+    } else {
+      direction_ = answer_ + (now / before) * direction_;
+    }
+    before = now;
+    matrix_.multiply(direction_, product_);
+    const double length = now / direction_.dot(product_);
+    x_ += length * direction_;
+    rest_ -= length * product_;
+  }
+  return false;
+}
+
+std::string_view ConjugateGradients::name() const { return factorised_ ? cholesky_->name() : "conjugate_gradients"; }
+
+}  // namespace fde
