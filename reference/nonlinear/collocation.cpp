@@ -21,6 +21,15 @@ namespace fde {
 
 namespace {
 
+// Both methods solve dense equations with all values of a panel or a step: a minute at 100 unknowns, eight
+// times as long at twice as many.
+void require_affordable(const Problem& problem) {
+  constexpr Eigen::Index most_unknowns = 200;
+  if (problem.size() <= most_unknowns) return;
+  throw std::runtime_error(fmt::format("the two methods of a reference take up to {} unknowns, not {}",
+                                       most_unknowns, problem.size()));
+}
+
 // Where the two methods start, as parts of the end.
 struct Starts {
   double panel = 1e-32, step = 1e-20, weightless = 1e-18;
@@ -77,6 +86,7 @@ Reference table_reference(PanelTable table, const Problem& problem) {
 
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options) {
   require_posed(problem);
+  require_affordable(problem);
   const Starts starts = starts_of(problem);
   const auto solve = [&](int points, double shortest) -> PiecewiseSolution {
     return {problem,

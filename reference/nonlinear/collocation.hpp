@@ -16,9 +16,10 @@ struct CollocationOptions {
 
 // Orders are in [0, 2], those of algebraic rows 0; f is continuous but for what unknowns of algebraic rows
 // add and at problem.jumps, and smooth for other t > 0. ReferenceValue::bound is an estimate. Throws
-// std::runtime_error naming the method and the time where one of the two does not converge, or the order that
-// is too small for a problem with algebraic rows: without a second opinion there is no reference. Throws
-// std::invalid_argument for a problem it cannot pose or, from Reference::at, a time outside [0, problem.end].
+// std::runtime_error naming the method and the time where one of the two does not converge, the order that is
+// too small for a problem with algebraic rows, or how many unknowns are more than 200: without a second
+// opinion there is no reference. Throws std::invalid_argument for a problem it cannot pose or, from
+// Reference::at, a time outside [0, problem.end].
 Reference reference_solution(const Problem& problem, const CollocationOptions& options = {});
 
 // The same as a table to be kept, and the reference that it makes. Initial values are exact; those of

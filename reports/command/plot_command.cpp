@@ -44,6 +44,7 @@ struct Kind {
   bool of_columns = false;
 };
 constexpr std::array kinds{Kind{"work-precision", "error-against-time", "", Of::runs},
+                           Kind{"memory", "error-against-memory", "", Of::runs},
                            Kind{"rate", "error-against-step", "", Of::runs},
                            Kind{"accuracy", "delivered-against-asked", "", Of::runs},
                            Kind{"energy", "energy-against-step", "", Of::runs},
@@ -167,9 +168,10 @@ void add_plot_command(CommandLine& program, const Streams& streams, const Scenes
   Subcommand command(program, "plot", "A figure of a scene for a paper of two columns");
   add_scene(command, arguments->scene);
   command.option("--results", arguments->results, "results file; kinds that draw no runs do not read it");
-  command.required("--kind", arguments->kind,
-                   "work-precision, rate, accuracy, energy, drift, drift-over-time of runs; solution, phase, "
-                   "motion, stability");
+  command.required(
+      "--kind", arguments->kind,
+      "work-precision, memory, rate, accuracy, energy, drift, drift-over-time of runs; solution, phase, "
+      "motion, stability");
   command.list("--scheme", arguments->schemes, "ids of schemes to draw; default all");
   command.option("--columns", arguments->columns, "A,B,...: of solution and phase; also energy, multipliers");
   command.required("--out", arguments->out,

@@ -17,6 +17,7 @@ const shapeOf = (lines, line) => {
 const labels = {
   number: "replace(format(datum.value, '.0e'), '+', '')",
   time: "format(datum.value, '~s') + 's'",
+  bytes: "format(datum.value, '~s') + 'B'",
 };
 
 // Where a logarithmic axis carries labels: powers of ten, with 2 and 5 times them where those are few.

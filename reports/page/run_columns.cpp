@@ -16,8 +16,8 @@ namespace {
 using nlohmann::json;
 
 // Beside the errors.
-constexpr std::array<std::string_view, 5> quantities{"time_minimum", "time_median", "energy_residual",
-                                                     "drift_internal", "drift_independent"};
+constexpr std::array<std::string_view, 6> quantities{
+    "time_minimum", "time_median", "history_bytes", "energy_residual", "drift_internal", "drift_independent"};
 
 json number(const std::optional<double>& value) { return value ? json(in_chart(*value)) : json(); }
 

@@ -10,6 +10,11 @@ function timeText(seconds) {
   return `${number < 100 ? number.toPrecision(3) : number.toFixed(0)} ${unit}`;
 }
 
+function bytesText(bytes) {
+  const [size, unit] = [[1e9, "GB"], [1e6, "MB"], [1e3, "kB"]].find(([least]) => bytes >= least) ?? [1, "B"];
+  return `${(bytes / size).toPrecision(3)} ${unit}`;
+}
+
 // A row for each run, { line, steps, ... }, without what it does not have.
 function rowsOf({ lines, ...columns }) {
   const names = Object.keys(columns);
@@ -41,6 +46,7 @@ function wordsOf(row, coarser, kind, kinds, parameter) {
   add("independent drift", row.drift_independent, fewDigits);
   add("time", row.time_minimum, time);
   add("median time", row.time_median, time);
+  add("memory of the past", row.history_bytes, bytesText);
   add(`rate from N = ${coarser?.steps}`, rateBetween(coarser, row, kind.id), (rate) => rate.toFixed(2));
   add("session", row.session, String);
   for (const { id, title } of kinds) add(title, row[id], fewDigits);

@@ -1,27 +1,34 @@
 // The charts of a section, each { id, title, points, columns, spec }: the columns are those of its table.
 
-// The points that no other beats in both, by increasing time.
-function paretoFront(points) {
+// The points that no other beats in both, by increasing cost.
+function paretoFront(points, cost) {
   const front = [];
-  for (const point of [...points].sort((a, b) => a.time_minimum - b.time_minimum || a.error - b.error)) {
+  for (const point of [...points].sort((a, b) => a[cost] - b[cost] || a.error - b.error)) {
     if (front.length === 0 || point.error < front.at(-1).error) front.push(point);
   }
   return front;
 }
 
-function errorAgainstTime(scene, lines, kind) {
-  const points = scene.points.filter((point) => point.error && point.time_minimum);
-  const encoding = { x: logAxis(points, "time_minimum", "run time", labels.time), y: logAxis(points, "error", kind.title, labels.number) };
+// A cost is a field of the points, what it is called and how its axis is labelled.
+function errorAgainstCost(scene, lines, kind, { id, field, name, labelExpr, least }) {
+  const points = scene.points.filter((point) => point.error && point[field]);
+  const encoding = { x: logAxis(points, field, name, labelExpr), y: logAxis(points, "error", kind.title, labels.number) };
   const front = {
-    name: "pareto-front", data: { values: paretoFront(points).map(({ time_minimum, error }) => ({ time_minimum, error })) },
+    name: "pareto-front", data: { values: paretoFront(points, field).map((point) => ({ [field]: point[field], error: point.error })) },
     mark: { type: "line", interpolate: "step-after", strokeWidth: 9, strokeJoin: "round", strokeCap: "round", opacity: 0.16, color: ofPage("--text"), tooltip: false }, encoding,
   };
   return {
-    id: "error-against-time", title: "Error against run time; band: nothing is quicker and more accurate", points, columns: ["line", "steps", "asked", "time_minimum", "error"],
-    spec: chart(`${scene.title}: ${kind.title} against run time, a line for each scheme`, points,
+    id, title: `Error against ${name}; band: nothing is ${least} and more accurate`, points, columns: ["line", "steps", "asked", field, "error"],
+    spec: chart(`${scene.title}: ${kind.title} against ${name}, a line for each scheme`, points,
       { layer: [front, ...lineLayers(encoding, lines, points)] }),
   };
 }
+
+const errorAgainstTime = (scene, lines, kind) => errorAgainstCost(scene, lines, kind,
+  { id: "error-against-time", field: "time_minimum", name: "run time", labelExpr: labels.time, least: "quicker" });
+
+const errorAgainstMemory = (scene, lines, kind) => errorAgainstCost(scene, lines, kind,
+  { id: "error-against-memory", field: "history_bytes", name: "memory of the past", labelExpr: labels.bytes, least: "smaller" });
 
 // Dashed lines have the slope that theory promises. A scheme that chooses its steps has no step to speak of.
 function errorAgainstStep(scene, lines, kind) {
@@ -81,7 +88,7 @@ function overParameter(id, field, labelExpr, nameOf) {
   };
 }
 
-const chartsOfScenes = [errorAgainstTime, errorAgainstStep, deliveredAgainstAsked, energyAgainstStep];
+const chartsOfScenes = [errorAgainstTime, errorAgainstStep, errorAgainstMemory, deliveredAgainstAsked, energyAgainstStep];
 const chartsOfCurves = [
   overParameter("error-over-parameter", "error", labels.number, (kind) => kind.title), overParameter("time-over-parameter", "time_minimum", labels.time, () => "run time"),
 ];

@@ -6,7 +6,7 @@ import { checkCharts } from "./charts.js";
 import { runsOf } from "./records.js";
 
 const faults = {
-  "a chart that drops a point": [/error-against-time: points/, "point.error && point.time_minimum", "point.error && point.time_minimum && point.steps !== 256"],
+  "a chart that drops a point": [/error-against-time: points/, "point.error && point[field]", "point.error && point[field] && point.steps !== 256"],
   "a chart that draws another number": [/no point of/, "error: row[kind.id]", "error: 2 * row[kind.id]"],
   "a chart whose points cannot be seen": [/cannot be seen/, "filled: true, size: 45", "filled: true, size: 0"],
   "a chart that is left out": [/error-against-time$/m, "const chartsOfScenes = [errorAgainstTime, ", "const chartsOfScenes = ["],

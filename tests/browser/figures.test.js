@@ -18,7 +18,7 @@ const draw = (out, scene, kind, ...more) => {
 const specOf = (...words) => JSON.parse(draw("spec.vl.json", ...words));
 
 test("a figure has a mark for each record", () => {
-  for (const [kind, chart] of [["work-precision", "error-against-time"], ["rate", "error-against-step"], ["accuracy", "delivered-against-asked"], ["energy", "energy-against-step"]]) {
+  for (const [kind, chart] of [["work-precision", "error-against-time"], ["memory", "error-against-memory"], ["rate", "error-against-step"], ["accuracy", "delivered-against-asked"], ["energy", "energy-against-step"]]) {
     const out = figure(`${kind}.svg`);
     assert.equal(execFileSync(PROGRAM, plot(kind, out), { encoding: "utf8" }), `${out}\n`);
     const svg = readFileSync(out, "utf8");

@@ -31,6 +31,7 @@ export const errorText = (value) => value.toExponential(1).replace("e+", "e");
 // The runs that each chart of a scene draws, by the quantity of the error that is shown.
 export const drawn = {
   "error-against-time": (runs, error) => runs.filter((run) => run[error] > 0 && run.time_minimum > 0),
+  "error-against-memory": (runs, error) => runs.filter((run) => run[error] > 0 && run.history_bytes > 0),
   "error-against-step": (runs, error) => runs.filter((run) => run[error] > 0 && !run.asked),
   "delivered-against-asked": (runs, error) => runs.filter((run) => run[error] > 0 && run.asked),
   "energy-against-step": (runs) => runs.filter((run) => run.energy_residual > 0 && !run.asked),

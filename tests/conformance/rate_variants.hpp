@@ -44,6 +44,9 @@ inline std::vector<Variant> variants() {
         {"gamma", tenths / 10.0}, {"start", start}, {"diffusivity", 0.02}, {"n", 3.0}};
     all.push_back({fmt::format("fractional_diffusion_2d_{}_{}", tenths, start), "fractional_diffusion_2d",
                    values, 1.0});
+    const ParameterValues field{{"gamma", tenths / 10.0}, {"start", start}, {"n", 4.0}};
+    all.push_back(
+        {fmt::format("fractional_allen_cahn_{}_{}", tenths, start), "fractional_allen_cahn", field, 1.0});
   }
   all.push_back({"bagley_torvik_5", "bagley_torvik", {{"alpha", 0.5}}, 2.0});
   for (const auto& [first, second] : {std::pair{0.6, 1.5}, {0.5, 0.9}}) {
@@ -131,6 +134,14 @@ inline std::vector<Variant> graded_variants() {
       all.push_back({"relaxation_" + tag, "relaxation", {{"gamma", g}}, 1.0, grading});
       if (g > 1.0) continue;
       all.push_back({"power_" + tag, "power", {{"gamma", g}, {"p", g / 2 + 0.5}}, 1.0, grading});
+    }
+  }
+  for (const auto* medium : {"even", "halves"}) {
+    for (const double grading : {1.5, 3.0}) {
+      const ParameterValues step{
+          {"start", "step"}, {"diffusivity", 0.02}, {"contrast", 3.0}, {"medium", medium}, {"n", 3.0}};
+      all.push_back({fmt::format("fractional_diffusion_2d_{}__graded_{:.0f}", medium, 10 * grading),
+                     "fractional_diffusion_2d", step, 1.0, grading});
     }
   }
   return all;

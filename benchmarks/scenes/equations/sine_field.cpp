@@ -1,32 +1,31 @@
 #include "scenes/equations/sine_field.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <limits>
-#include <memory>
+#include <numeric>
 #include <utility>
 
 #include "history/running_sum.hpp"
-#include "mittag_leffler/mittag_leffler.hpp"
+#include "scenes/equations/mode_decay.hpp"
 
 namespace fde {
 namespace {
 
-constexpr int longest_shown = 2000, shown_of_a_line = 9, shown_of_a_side = 3;
-constexpr double rounding = std::numeric_limits<double>::epsilon();
+constexpr Eigen::Index most_sines = 8'000'000;  // kept for the maximum: 64 MB
 
-struct Bounded {
-  double value, bound;
-};
+// Of each mode at some points, a column a mode.
+Matrix sines_at(const SinePoints& points, const std::vector<int>& places, Eigen::Index modes) {
+  Matrix sines(std::ssize(places), modes);
+  for (Eigen::Index k = 0; k < modes; ++k) {
+    for (Eigen::Index i = 0; i < sines.rows(); ++i)
+      sines(i, k) = points.sine(static_cast<int>(k) + 1, places[static_cast<std::size_t>(i)]);
+  }
+  return sines;
+}
 
-// The solution of D^g u = -rate u from 1: E_g(-z), z = rate t^g. Rounding moves z by some units, and E_g(-z)
-// by as many of z E_g'(-z) = z E_{g,g}(-z) / g; what is of second order in that is below the factor 2.
-Bounded part_left(double order, double rate, double t) {
-  const double z = rate * std::pow(t, order), of_time = t > 0.0 ? std::abs(std::log(t)) : 0.0;
-  const auto left = mittag_leffler(order, 1.0, std::complex<double>(-z));
-  const double slope = z * mittag_leffler(order, order, -z) / order;
-  return {left.value.real(), left.bound + 2.0 * (8.0 + of_time) * rounding * std::abs(slope)};
+std::vector<int> all_places(const SinePoints& points) {
+  std::vector<int> all(static_cast<std::size_t>(points.points));
+  std::iota(all.begin(), all.end(), 1);
+  return all;
 }
 
 }  // namespace
@@ -39,22 +38,23 @@ class SineField::Sum {
   // An amplitude times the part that is left of it, of so many modes whose values at the points add up to
   // these.
   template <class Values>
-  void add(double amplitude, const Bounded& part, double count, const Values& values) {
+  void add(double amplitude, const Decay& part, double count, const Values& values) {
     const double term = amplitude * part.value;
     for (Eigen::Index i = 0; i < values.size(); ++i) at_points_.add(i, term * values[i]);
     squares_.add(0, count * term * term);
     // Amplitude and sines are good to a few units.
-    bound_ += count * std::abs(amplitude) * (part.bound + 32.0 * rounding * std::abs(part.value));
+    bound_ += count * std::abs(amplitude) * (part.bound + 32.0 * rounding_unit * std::abs(part.value));
   }
 
-  // The norm of a mode is below its largest value: one bound serves all columns. square_of_mode is that of
-  // its norm.
-  [[nodiscard]] ReferenceValue result(bool with_norm, double square_of_mode) const {
-    const Eigen::Index points = at_points_.size(), columns = points + (with_norm ? 1 : 0);
-    ReferenceValue result{Vec(columns), Vec::Constant(columns, bound_)};
-    for (Eigen::Index i = 0; i < points; ++i) result.value[i] = at_points_[i];
-    if (with_norm) result.value[points] = std::sqrt(square_of_mode * squares_[0]);
-    return result;
+  // Norms are below the largest value: one bound serves all columns. square_of_mode is that of a mode's norm.
+  [[nodiscard]] ReferenceValue result(const std::optional<double>& square_of_mode,
+                                      const std::optional<double>& maximum) const {
+    std::vector<double> columns;
+    for (Eigen::Index i = 0; i < at_points_.size(); ++i) columns.push_back(at_points_[i]);
+    if (square_of_mode) columns.push_back(std::sqrt(*square_of_mode * squares_[0]));
+    if (maximum) columns.push_back(*maximum);
+    const auto count = std::ssize(columns);
+    return {Eigen::Map<const Vec>(columns.data(), count), Vec::Constant(count, bound_)};
   }
 
  private:
@@ -65,59 +65,36 @@ class SineField::Sum {
 SineField::SineField(SinePoints points, SineStart start, int dimensions, double order, double diffusivity)
     : points_(points),
       start_(std::move(start)),
-      dimensions_(dimensions),
+      shape_{points.points, dimensions},
       order_(order),
       diffusivity_(diffusivity),
-      with_norm_(dimensions > 1 || points.points > longest_shown),
-      shown_(points.spread(!with_norm_       ? points.points
-                           : dimensions == 1 ? shown_of_a_line
-                                             : shown_of_a_side)),
-      sines_(std::ssize(shown_), start_.amplitudes.size()) {
-  for (Eigen::Index k = 0; k < sines_.cols(); ++k) {
-    for (Eigen::Index i = 0; i < sines_.rows(); ++i)
-      sines_(i, k) = points.sine(static_cast<int>(k) + 1, shown_[static_cast<std::size_t>(i)]);
-  }
-}
-
-Eigen::Index SineField::size() const {
-  const Eigen::Index n = points_.points;
-  return dimensions_ == 1 ? n : n * n;
+      sines_(sines_at(points, shown_points(shape_), start_.amplitudes.size())) {
+  if (all_shown(shape_) || points.points * start_.amplitudes.size() > most_sines) return;
+  all_sines_ = sines_at(points, all_places(points), start_.amplitudes.size());
 }
 
 double SineField::coupling() const { return diffusivity_ * points_.intervals() * points_.intervals(); }
 
-std::vector<Component> SineField::components() const {
-  std::vector<Component> all;
-  all.reserve(static_cast<std::size_t>(size()));
-  const auto add = [&](double value) {
-    all.push_back({order_, order_ > 1.0 ? std::vector{value, 0.0} : std::vector{value}});
-  };
-  for (const double y : dimensions_ == 1 ? Vec::Ones(1) : start_.values) {
-    for (const double x : start_.values) add(x * y);
-  }
-  return all;
-}
-
 SparseMatrix SineField::matrix() const {
   const Eigen::Index n = points_.points;
-  SparseMatrix result(size(), size());
-  result.reserve(Eigen::VectorXi::Constant(static_cast<int>(size()), 2 * dimensions_ + 1));
+  SparseMatrix result(shape_.size(), shape_.size());
+  result.reserve(Eigen::VectorXi::Constant(static_cast<int>(shape_.size()), 2 * shape_.dimensions + 1));
   const double c = coupling();
-  for (Eigen::Index i = 0; i < size(); ++i) {
+  for (Eigen::Index i = 0; i < shape_.size(); ++i) {
     const bool first = i % n == 0, last = i % n == n - 1;
     if (i >= n) result.insert(i - n, i) = c;
     if (!first) result.insert(i - 1, i) = c;
-    result.insert(i, i) = -2.0 * dimensions_ * c;
+    result.insert(i, i) = -2.0 * shape_.dimensions * c;
     if (!last) result.insert(i + 1, i) = c;
-    if (i + n < size()) result.insert(i + n, i) = c;
+    if (i + n < shape_.size()) result.insert(i + n, i) = c;
   }
   result.makeCompressed();
   return result;
 }
 
-void SineField::differences(In u, Out f) const {
-  const Eigen::Index n = points_.points, lines = size() / n;
-  const double c = coupling(), middle = -2.0 * dimensions_;
+void SineField::apply(In u, Out f) const {
+  const Eigen::Index n = points_.points, lines = shape_.size() / n;
+  const double c = coupling(), middle = -2.0 * shape_.dimensions;
   for (Eigen::Index j = 0; j < lines; ++j) {
     const auto own = u.segment(j * n, n);
     auto line = f.segment(j * n, n);
@@ -130,40 +107,22 @@ void SineField::differences(In u, Out f) const {
 }
 
 Outputs SineField::outputs() const {
-  Outputs outputs;
-  std::vector<Eigen::Index> places;
-  const auto show = [&](std::string name, Eigen::Index place) {
-    outputs.names.push_back(std::move(name));
-    places.push_back(place);
-  };
-  for (const int i : shown_) {
-    if (dimensions_ == 1) {
-      show(fmt::format("u{}", i), i - 1);
-      continue;
-    }
-    for (const int j : shown_) {
-      show(fmt::format("u{}_{}", i, j), i - 1 + static_cast<Eigen::Index>(points_.points) * (j - 1));
-    }
-  }
-  if (!with_norm_) return outputs;
-  outputs.names.emplace_back("l2");
-  const double cell = std::pow(points_.intervals(), -dimensions_);
-  outputs.of = [places = std::move(places), cell](double, In u, Out columns) {
-    for (std::size_t i = 0; i < places.size(); ++i) columns[static_cast<Eigen::Index>(i)] = u[places[i]];
-    columns[columns.size() - 1] = std::sqrt(cell) * u.stableNorm();  // where its square would overflow, too
-  };
-  return outputs;
+  return field_outputs(shape_, points_.intervals(), all_sines_.size() > 0);
 }
 
 ReferenceValue SineField::at(double t) const {
+  const bool line = shape_.dimensions == 1;
   const Eigen::Index modes = start_.amplitudes.size(), shown = sines_.rows();
   const auto rate = [&](Eigen::Index k) { return diffusivity_ * points_.rate(static_cast<int>(k) + 1); };
-  Sum sum(dimensions_ == 1 ? shown : shown * shown);
+  Sum sum(line ? shown : shown * shown);
+  Matrix left = Matrix::Zero(modes, line ? 1 : modes);  // of the amplitudes
   for (Eigen::Index k = 0; k < modes; ++k) {
     const double of_x = start_.amplitudes[k];
     if (of_x == 0.0) continue;
-    if (dimensions_ == 1) {
-      sum.add(of_x, part_left(order_, rate(k), t), 1.0, sines_.col(k));
+    if (line) {
+      const Decay part = decay(order_, rate(k), t);
+      sum.add(of_x, part, 1.0, sines_.col(k));
+      left(k, 0) = of_x * part.value;
       continue;
     }
     // Modes k, l and l, k decay alike.
@@ -172,23 +131,21 @@ ReferenceValue SineField::at(double t) const {
       if (amplitude == 0.0) continue;
       Matrix both = sines_.col(l) * sines_.col(k).transpose();
       if (l < k) both += Matrix(both.transpose());
-      sum.add(amplitude, part_left(order_, rate(k) + rate(l), t), l < k ? 2.0 : 1.0, both.reshaped());
+      const Decay part = decay(order_, rate(k) + rate(l), t);
+      sum.add(amplitude, part, l < k ? 2.0 : 1.0, both.reshaped());
+      left(k, l) = left(l, k) = amplitude * part.value;
     }
   }
-  return sum.result(with_norm_, dimensions_ == 1 ? 0.5 : 0.25);
+  std::optional<double> square_of_mode, maximum;
+  if (!all_shown(shape_)) square_of_mode = line ? 0.5 : 0.25;
+  if (all_sines_.size() > 0) maximum = largest(left);
+  return sum.result(square_of_mode, maximum);
 }
 
-Scene scene_of_field(const SineField& field, double order) {
-  const auto kept = std::make_shared<const SineField>(field);
-  Scene scene;
-  scene.problem.components = field.components();
-  scene.problem.rhs = [kept](double, In u, Out f) { kept->differences(u, f); };
-  scene.problem.derivatives = SparseLinearPart{field.matrix()};
-  scene.smoothness.powers.assign(scene.problem.components.size(),
-                                 power_lattice({order}, {order}, order + 2.0));
-  scene.outputs = field.outputs();
-  scene.reference.at = [kept](double t) { return kept->at(t); };
-  return scene;
+double SineField::largest(const Matrix& amplitudes) const {
+  const Matrix half = all_sines_ * amplitudes;
+  if (shape_.dimensions == 1) return half.lpNorm<Eigen::Infinity>();
+  return (half * all_sines_.transpose()).lpNorm<Eigen::Infinity>();
 }
 
 }  // namespace fde

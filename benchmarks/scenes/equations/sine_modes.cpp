@@ -25,15 +25,6 @@ double SinePoints::rate(int k) const {
   return 4.0 * intervals() * intervals() * sine * sine;
 }
 
-std::vector<int> SinePoints::spread(int count) const {
-  std::vector<int> some;
-  for (int i = 1; i <= std::min(count, points); ++i) {
-    const double place = points <= count ? i : i * intervals() / (count + 1);
-    some.push_back(static_cast<int>(std::lround(place)));
-  }
-  return some;
-}
-
 SineStart smooth_start(const SinePoints& points, int modes) {
   SineStart start{Vec::Zero(modes), Vec::Zero(points.points)};
   for (int k = 1; k <= modes; ++k) {

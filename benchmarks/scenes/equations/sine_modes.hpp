@@ -16,8 +16,6 @@ struct SinePoints {
   [[nodiscard]] double sine(int k, int j) const;
   // 4 / dx^2 sin^2(k pi dx / 2).
   [[nodiscard]] double rate(int k) const;
-  // At most `count` points, spread evenly.
-  [[nodiscard]] std::vector<int> spread(int count) const;
 };
 
 // What a field is at t = 0: amplitudes[k - 1] of sin(k pi x), and its values at the points.

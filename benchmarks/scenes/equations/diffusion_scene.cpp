@@ -1,0 +1,36 @@
+#include "scenes/equations/diffusion_scene.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "scenes/equations/medium.hpp"
+#include "scenes/equations/sine_field.hpp"
+#include "scenes/equations/varying_field.hpp"
+
+namespace fde {
+
+std::vector<Parameter> diffusion_parameters(Parameter points, const char* diffusivity) {
+  std::vector<Parameter> all{{"gamma", 0.5, order_up_to_two, "order; a wave above 1, which starts at rest"},
+                             {"diffusivity", 1.0, positive, diffusivity},
+                             std::move(points)};
+  for (auto& parameter : start_parameters()) all.push_back(std::move(parameter));
+  for (auto& parameter : medium_parameters()) all.push_back(std::move(parameter));
+  return all;
+}
+
+Scene diffusion_scene(const Parameters& parameters, const char* points_name, int dimensions) {
+  const SinePoints points = points_of(parameters, points_name);
+  SineStart start = start_of(parameters, points, points_name);
+  const double order = parameters["gamma"], diffusivity = parameters["diffusivity"];
+  const Medium medium(parameters);
+  std::shared_ptr<const LinearField> field;
+  if (medium.even()) {
+    field = std::make_shared<const SineField>(points, std::move(start), dimensions, order, diffusivity);
+  } else {
+    field = std::make_shared<const VaryingField>(points, std::move(start), dimensions, order, diffusivity,
+                                                 medium);
+  }
+  return scene_of_field(std::move(field), order);
+}
+
+}  // namespace fde

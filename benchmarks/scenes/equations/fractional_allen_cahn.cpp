@@ -1,0 +1,77 @@
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "scenes/equations/insulated_cells.hpp"
+#include "scenes/equations/linear_field.hpp"
+#include "scenes/equations/sine_modes.hpp"
+
+namespace fde {
+namespace {
+
+constexpr double longest_side = 1000.0;
+
+FieldShape shape_of(const Parameters& p) {
+  const bool square = p.choice("domain") == "square";
+  if (square && p["n"] > longest_side) reject("n", p["n"], "at most 1000 in a square");
+  return {points_of(p, "n").points, square ? 2 : 1};
+}
+
+// On an axis: of a square the product of two.
+Vec start_of(const std::string& start, const Vec& x) {
+  if (start == "even") return Vec::Ones(x.size());
+  if (start == "step") return x.unaryExpr([](double at) { return at < 0.5 ? 1.0 : -1.0; });
+  return x.unaryExpr([](double at) {
+    return std::cos(std::numbers::pi * at) + 0.5 * std::cos(2.0 * std::numbers::pi * at);
+  });
+}
+
+Problem allen_cahn(const InsulatedCells& cells, std::vector<Component> components) {
+  Problem problem{.components = std::move(components), .end = 5.0};
+  problem.rhs = [cells](double, In u, Out f) {
+    cells.differences(u, f);
+    f.array() += u.array() - u.array().cube();
+  };
+  const auto differences = std::make_shared<const SparseMatrix>(cells.matrix());
+  problem.derivatives = SparseJacobian{[differences](double, In u, SparseMatrix& jacobian) {
+    jacobian = *differences;
+    for (Eigen::Index i = 0; i < u.size(); ++i) jacobian.coeffRef(i, i) += 1.0 - 3.0 * u[i] * u[i];
+  }};
+  return problem;
+}
+
+}  // namespace
+
+// Its states of rest are u = 1 and u = -1, which fronts as wide as epsilon divide. Up to order 1 |u| stays
+// below 1, and the free energy below what it was.
+SceneMaker fractional_allen_cahn() {
+  return {
+      .id = "fractional_allen_cahn",
+      .title = "Fractional Allen-Cahn equation, semi-discretised",
+      .source = "Tang, Yu & Zhou, SIAM J. Sci. Comput. 41 (2019); second differences, insulated borders",
+      .parameters =
+          {{"gamma", 0.8, order_up_to_two, "order; a wave above 1, which starts at rest"},
+           {"epsilon", 0.1, positive, "width of a front, in D^gamma u = epsilon^2 Laplace(u) + u - u^3"},
+           choice("domain", {"line", "square"}, "of cells inside (0, 1), or inside the unit square"),
+           {"n", 8.0, {.low = 2.0, .high = 1e6}, "cells of an axis, whole; at most 1000 in a square"},
+           choice("start", {"smooth", "step", "even"},
+                  "u(x, 0) / amplitude, of a square in x times in y: cos(pi x) + cos(2 pi x) / 2, 1 below x "
+                  "= 1/2 and -1 above, or 1"),
+           {"amplitude", 0.5, any_number, "of the start"}},
+      .make = [](const Parameters& p) -> Scene {
+        const double gamma = p["gamma"], epsilon = p["epsilon"], amplitude = p["amplitude"];
+        const FieldShape shape = shape_of(p);
+        const InsulatedCells cells(shape, epsilon * epsilon);
+        auto components = field_components(shape, start_of(p.choice("start"), cells.middles()), gamma);
+        for (auto& component : components) component.initial.front() *= amplitude;
+        Scene scene{.problem = allen_cahn(cells, std::move(components))};
+        scene.smoothness.powers.assign(scene.problem.components.size(),
+                                       power_lattice({gamma}, {gamma}, gamma + 2.0));
+        scene.outputs = field_outputs(shape, shape.points, true);
+        return scene;
+      },
+      .shown = {{"D(u, gamma)", "epsilon^2*div(grad(u)) + u - u^3"}}};
+}
+
+}  // namespace fde

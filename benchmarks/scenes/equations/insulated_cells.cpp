@@ -1,0 +1,44 @@
+#include "scenes/equations/insulated_cells.hpp"
+
+namespace fde {
+
+InsulatedCells::InsulatedCells(FieldShape shape, double coupling)
+    : shape_(shape), coupling_(coupling * shape.points * shape.points) {}
+
+Vec InsulatedCells::middles() const {
+  const double n = shape_.points;
+  return Vec::LinSpaced(shape_.points, 0.5 / n, (n - 0.5) / n);
+}
+
+void InsulatedCells::differences(In u, Out f) const {
+  const Eigen::Index n = shape_.points, lines = shape_.size() / n;
+  // What flows from each of `count` cells to the one that is `apart` further on.
+  const auto exchange = [&](Eigen::Index first, Eigen::Index count, Eigen::Index apart) {
+    const auto here = u.segment(first, count), there = u.segment(first + apart, count);
+    f.segment(first, count) += coupling_ * (there - here);
+    f.segment(first + apart, count) -= coupling_ * (there - here);
+  };
+  f.setZero();
+  for (Eigen::Index j = 0; j < lines; ++j) {
+    exchange(j * n, n - 1, 1);
+    if (j + 1 < lines) exchange(j * n, n, n);
+  }
+}
+
+SparseMatrix InsulatedCells::matrix() const {
+  const Eigen::Index n = shape_.points, size = shape_.size();
+  SparseMatrix result(size, size);
+  result.reserve(Eigen::VectorXi::Constant(static_cast<int>(size), 2 * shape_.dimensions + 1));
+  for (Eigen::Index place = 0; place < size; ++place) {
+    const bool left = place % n > 0, right = place % n + 1 < n, below = place >= n, above = place + n < size;
+    if (below) result.insert(place - n, place) = coupling_;
+    if (left) result.insert(place - 1, place) = coupling_;
+    result.insert(place, place) = -coupling_ * (int{left} + int{right} + int{below} + int{above});
+    if (right) result.insert(place + 1, place) = coupling_;
+    if (above) result.insert(place + n, place) = coupling_;
+  }
+  result.makeCompressed();
+  return result;
+}
+
+}  // namespace fde
