@@ -85,21 +85,35 @@ void multiply_add_kernel(Eigen::Index rows, Eigen::Index inner, Eigen::Index col
   }
 }
 
-void scatter_kernel(const double* a, const double* b, Eigen::Index columns, Block c) {
+void scatter_kernel(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns,
+                    Eigen::Index below, Block c) {
   constexpr Eigen::Index width = hn::MaxLanes(tag);
   for (Eigen::Index j = 0; j < columns; ++j) {
     const Vector factor = hn::Set(tag, b[j]);
-    for (Eigen::Index row = 0; row < lanes; row += width) {
-      double* entry = c.data + j * c.stride + row;
-      hn::Store(hn::MulAdd(hn::Load(tag, a + row), factor, hn::Load(tag, entry)), tag, entry);
+    for (Eigen::Index table = 0; table < tables; ++table) {
+      for (Eigen::Index row = 0; row < lanes; row += width) {
+        double* entry = c.data + j * c.stride + table * below + row;
+        hn::Store(hn::MulAdd(hn::Load(tag, a + table * lanes + row), factor, hn::Load(tag, entry)), tag,
+                  entry);
+      }
     }
   }
 }
 
+void weigh_kernel(Eigen::Index rows, const double* factors, const double* values, double scale,
+                  const double* others, double* result) {
+  constexpr Eigen::Index width = hn::MaxLanes(tag);
+  const Vector scales = hn::Set(tag, scale);
+  for (Eigen::Index row = 0; row < rows; row += width) {
+    const Vector first = hn::Mul(hn::Load(tag, factors + row), hn::Load(tag, values + row));
+    hn::Store(hn::Add(first, hn::Mul(scales, hn::Load(tag, others + row))), tag, result + row);
+  }
+}
+
 // state + carry += decay_minus_one * state + input. The sum with its rounding error is Knuth's.
-HWY_INLINE void advance_vector(Vector decay_minus_one, const double* input, double* state, double* carry) {
+HWY_INLINE void advance_vector(Vector decay_minus_one, Vector input, double* state, double* carry) {
   const Vector old = hn::Load(tag, state), before = hn::Load(tag, carry);
-  const Vector change = hn::Add(hn::MulAdd(decay_minus_one, old, hn::Load(tag, input)), before);
+  const Vector change = hn::Add(hn::MulAdd(decay_minus_one, old, input), before);
   const Vector sum = hn::Add(old, change), added = hn::Sub(sum, old);
   hn::Store(sum, tag, state);
   hn::Store(hn::Add(hn::Sub(old, hn::Sub(sum, added)), hn::Sub(change, added)), tag, carry);
@@ -110,7 +124,7 @@ void advance_kernel(Eigen::Index rows, Eigen::Index columns, const double* decay
   constexpr Eigen::Index width = hn::MaxLanes(tag);
   for (Eigen::Index j = 0; j < columns; ++j) {
     for (Eigen::Index row = 0; row < rows; row += width) {
-      advance_vector(hn::Load(tag, decay_minus_one + row), input.data + j * input.stride + row,
+      advance_vector(hn::Load(tag, decay_minus_one + row), hn::Load(tag, input.data + j * input.stride + row),
                      state.data + j * state.stride + row, carry.data + j * carry.stride + row);
     }
   }
@@ -122,33 +136,63 @@ void advance_columns_kernel(Eigen::Index rows, Eigen::Index columns, const doubl
   for (Eigen::Index j = 0; j < columns; ++j) {
     const Vector decay = hn::Set(tag, decay_minus_one[j]);
     for (Eigen::Index row = 0; row < rows; row += width) {
-      advance_vector(decay, input.data + j * input.stride + row, state.data + j * state.stride + row,
+      advance_vector(decay, hn::Load(tag, input.data + j * input.stride + row),
+                     state.data + j * state.stride + row, carry.data + j * carry.stride + row);
+    }
+  }
+}
+
+// input = phi_1 p_0 + phi_2 p_1 + phi_3 p_2 of each column, and the states advanced by it.
+void advance_integrals_kernel(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one,
+                              ConstBlock phi, ConstBlock polynomials, Block state, Block carry) {
+  constexpr Eigen::Index width = hn::MaxLanes(tag);
+  for (Eigen::Index j = 0; j < columns; ++j) {
+    const double* const p = polynomials.data + j * polynomials.stride;
+    const Vector constant = hn::Set(tag, p[0]), slope = hn::Set(tag, p[1]), bend = hn::Set(tag, p[2]);
+    for (Eigen::Index row = 0; row < rows; row += width) {
+      Vector input = hn::Mul(hn::Load(tag, phi.data + row), constant);
+      input = hn::MulAdd(hn::Load(tag, phi.data + phi.stride + row), slope, input);
+      input = hn::MulAdd(hn::Load(tag, phi.data + 2 * phi.stride + row), bend, input);
+      advance_vector(hn::Load(tag, decay_minus_one + row), input, state.data + j * state.stride + row,
                      carry.data + j * carry.stride + row);
     }
   }
 }
 
-// 1/i; the series below has 16 terms at most.
-constexpr auto reciprocals = [] {
-  std::array<double, 24> all{};
-  for (std::size_t i = 1; i < all.size(); ++i) all[i] = 1.0 / static_cast<double>(i);
+constexpr std::size_t most_terms = 16;
+
+// 1/(i+3)!
+constexpr auto inverse_factorials = [] {
+  std::array<double, most_terms + 1> all{};
+  double factorial = 6.0;
+  for (std::size_t i = 0; i < all.size(); factorial *= static_cast<double>(++i + 3)) all[i] = 1.0 / factorial;
+  return all;
+}();
+
+// Up to this x in [0, 1] the series of phi_3 is as good as its first term and so many more: the next is below
+// rounding, x^(terms+1) 3! / (terms+4)! <= 2^-55.
+constexpr auto reach_of_terms = [] {
+  std::array<double, most_terms + 1> all{};
+  for (std::size_t terms = 0; terms < all.size(); ++terms) {
+    double low = 0.0, high = 1.0;
+    for (int halving = 0; halving < 40; ++halving) {
+      const double x = (low + high) / 2;
+      double next = x / 4;
+      for (std::size_t i = 0; i < terms; ++i) next *= x / static_cast<double>(i + 5);
+      (next <= 0x1p-55 ? low : high) = x;
+    }
+    all[terms] = low;
+  }
+  all[most_terms] = 1.0;
   return all;
 }();
 
 // phi_3 = sum_i (-x)^i / (i+3)! for 0 <= x <= 1, by so many terms after the first.
-HWY_INLINE Vector third_phi(Vector x, int terms) {
-  const Vector one = hn::Set(tag, 1.0);
-  Vector sum = one;
-  for (int i = terms + 3; i > 3; --i)
-    sum = hn::NegMulAdd(hn::Mul(x, hn::Set(tag, reciprocals[static_cast<std::size_t>(i)])), sum, one);
-  return hn::Mul(sum, hn::Set(tag, reciprocals[6]));
-}
-
-// So many that the next is below rounding up to this x.
-HWY_INLINE int terms_up_to(double x) {
-  int terms = 0;
-  for (double next = x / 4.0; next > 0x1p-55; next *= x / (terms + 4)) ++terms;
-  return terms;
+HWY_INLINE Vector third_phi(Vector x, std::size_t terms) {
+  Vector sum = hn::Set(tag, inverse_factorials[terms]);
+  for (std::size_t i = terms; i > 0; --i)
+    sum = hn::NegMulAdd(x, sum, hn::Set(tag, inverse_factorials[i - 1]));
+  return sum;
 }
 
 // The functions follow from each other by phi_k = 1/k! - x phi_(k+1): upwards without loss for x below 1,
@@ -157,14 +201,14 @@ void phi_functions_kernel(Eigen::Index rows, double length, const double* nodes,
                           double* decay_minus_one) {
   constexpr Eigen::Index width = hn::MaxLanes(tag);
   const Vector one = hn::Set(tag, 1.0), half = hn::Set(tag, 0.5);
-  int terms = 0;
+  std::size_t terms = 0;
   bool some_small = false, some_large = false;
   for (Eigen::Index row = 0; row < rows; row += width) {
     if (row % lanes == 0) {
       const double last = length * nodes[row + lanes - 1];
       some_small = length * nodes[row] < 1.0;
       some_large = last >= 1.0;
-      if (some_small) terms = terms_up_to(std::min(last, 1.0));
+      while (terms < most_terms && reach_of_terms[terms] < last) ++terms;
     }
     const Vector x = hn::Mul(hn::Set(tag, length), hn::Load(tag, nodes + row));
     Vector first = one, second = one, third = one, decay = one;
@@ -176,9 +220,10 @@ void phi_functions_kernel(Eigen::Index rows, double length, const double* nodes,
     }
     if (some_large) {
       const auto large = hn::Ge(x, one);
-      const Vector below = hn::Sub(hn::Exp(tag, hn::Neg(x)), one);
-      const Vector one_below = hn::Div(hn::Neg(below), x), two_below = hn::Div(hn::Sub(one, one_below), x);
-      third = hn::IfThenElse(large, hn::Div(hn::Sub(half, two_below), x), third);
+      const Vector below = hn::Sub(hn::Exp(tag, hn::Neg(x)), one), inverse = hn::Div(one, x);
+      const Vector one_below = hn::Mul(hn::Neg(below), inverse);
+      const Vector two_below = hn::Mul(hn::Sub(one, one_below), inverse);
+      third = hn::IfThenElse(large, hn::Mul(hn::Sub(half, two_below), inverse), third);
       second = hn::IfThenElse(large, two_below, second);
       first = hn::IfThenElse(large, one_below, first);
       decay = hn::IfThenElse(large, below, decay);
@@ -190,21 +235,39 @@ void phi_functions_kernel(Eigen::Index rows, double length, const double* nodes,
   }
 }
 
-// Thirty-two running sums, whatever the width.
+void apply_decay_kernel(Eigen::Index rows, const double* values, const double* decay_minus_one,
+                        double* decayed) {
+  constexpr Eigen::Index width = hn::MaxLanes(tag);
+  for (Eigen::Index row = 0; row < rows; row += width) {
+    const Vector value = hn::Load(tag, values + row);
+    hn::Store(hn::MulAdd(value, hn::Load(tag, decay_minus_one + row), value), tag, decayed + row);
+  }
+}
+
+// Eight running sums and, of long arrays, four times as many, whatever the width. They are added in pairs.
 double dot_product_kernel(const double* a, const double* b, Eigen::Index length) {
-  constexpr Eigen::Index together = 4 * lanes, width = hn::MaxLanes(tag), vectors = together / width;
-  std::array<Vector, vectors> sum;
-  for (auto& part : sum) part = hn::Zero(tag);
+  constexpr Eigen::Index together = 4 * lanes, width = hn::MaxLanes(tag), vectors = lanes / width;
+  std::array<std::array<Vector, vectors>, 4> sum;
+  for (auto& part : sum) part.fill(hn::Zero(tag));
+  const auto add = [&](std::array<Vector, vectors>& to, Eigen::Index first) {
+    for (Eigen::Index v = 0; v < vectors; ++v) {
+      const Eigen::Index at = first + v * width;
+      to[v] = hn::MulAdd(hn::LoadU(tag, a + at), hn::LoadU(tag, b + at), to[v]);
+    }
+  };
   Eigen::Index k = 0;
   for (; k + together <= length; k += together) {
-    for (Eigen::Index v = 0; v < vectors; ++v) {
-      sum[v] = hn::MulAdd(hn::LoadU(tag, a + k + v * width), hn::LoadU(tag, b + k + v * width), sum[v]);
-    }
+    for (std::size_t part = 0; part < sum.size(); ++part)
+      add(sum[part], k + static_cast<Eigen::Index>(part) * lanes);
   }
-  HWY_ALIGN std::array<double, together> parts;
-  for (Eigen::Index v = 0; v < vectors; ++v) hn::Store(sum[v], tag, parts.data() + v * width);
-  double total = 0.0;
-  for (const double part : parts) total += part;
+  for (std::size_t part = 0; k + lanes <= length; k += lanes) add(sum[part++], k);
+  HWY_ALIGN std::array<double, lanes> parts;
+  for (Eigen::Index v = 0; v < vectors; ++v) {
+    const Vector total = hn::Add(hn::Add(sum[0][v], sum[1][v]), hn::Add(sum[2][v], sum[3][v]));
+    hn::Store(total, tag, parts.data() + v * width);
+  }
+  double total =
+      ((parts[0] + parts[1]) + (parts[2] + parts[3])) + ((parts[4] + parts[5]) + (parts[6] + parts[7]));
   for (; k < length; ++k) total += a[k] * b[k];
   return total;
 }
@@ -217,8 +280,11 @@ namespace fde {
 
 HWY_EXPORT(multiply_add_kernel);
 HWY_EXPORT(scatter_kernel);
+HWY_EXPORT(weigh_kernel);
 HWY_EXPORT(advance_kernel);
 HWY_EXPORT(advance_columns_kernel);
+HWY_EXPORT(advance_integrals_kernel);
+HWY_EXPORT(apply_decay_kernel);
 HWY_EXPORT(dot_product_kernel);
 HWY_EXPORT(phi_functions_kernel);
 
@@ -228,16 +294,21 @@ namespace {
 struct Kernels {
   decltype(&multiply_add) multiplying;
   decltype(&scatter) scattering;
+  decltype(&weigh) weighing;
   decltype(&advance) advancing;
   decltype(&advance_columns) advancing_columns;
+  decltype(&advance_integrals) advancing_integrals;
+  decltype(&apply_decay) decaying;
   decltype(&dot_product) multiplying_arrays;
   decltype(&phi_functions) integrating;
 };
 Kernels kernels_of(std::int64_t targets) {
   hwy::GetChosenTarget().Update(targets);
-  return {HWY_DYNAMIC_DISPATCH(multiply_add_kernel), HWY_DYNAMIC_DISPATCH(scatter_kernel),
-          HWY_DYNAMIC_DISPATCH(advance_kernel),      HWY_DYNAMIC_DISPATCH(advance_columns_kernel),
-          HWY_DYNAMIC_DISPATCH(dot_product_kernel),  HWY_DYNAMIC_DISPATCH(phi_functions_kernel)};
+  return {HWY_DYNAMIC_DISPATCH(multiply_add_kernel),    HWY_DYNAMIC_DISPATCH(scatter_kernel),
+          HWY_DYNAMIC_DISPATCH(weigh_kernel),           HWY_DYNAMIC_DISPATCH(advance_kernel),
+          HWY_DYNAMIC_DISPATCH(advance_columns_kernel), HWY_DYNAMIC_DISPATCH(advance_integrals_kernel),
+          HWY_DYNAMIC_DISPATCH(apply_decay_kernel),     HWY_DYNAMIC_DISPATCH(dot_product_kernel),
+          HWY_DYNAMIC_DISPATCH(phi_functions_kernel)};
 }
 Kernels kernels = kernels_of(hwy::SupportedTargets());
 
@@ -254,8 +325,14 @@ void multiply_add(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, C
   kernels.multiplying(rows, inner, columns, a, b, c);
 }
 
-void scatter(const double* a, const double* b, Eigen::Index columns, Block c) {
-  kernels.scattering(a, b, columns, c);
+void scatter(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns, Eigen::Index below,
+             Block c) {
+  kernels.scattering(tables, a, b, columns, below, c);
+}
+
+void weigh(Eigen::Index rows, const double* factors, const double* values, double scale, const double* others,
+           double* result) {
+  kernels.weighing(rows, factors, values, scale, others, result);
 }
 
 void advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
@@ -266,6 +343,15 @@ void advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_
 void advance_columns(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
                      Block state, Block carry) {
   kernels.advancing_columns(rows, columns, decay_minus_one, input, state, carry);
+}
+
+void advance_integrals(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock phi,
+                       ConstBlock polynomials, Block state, Block carry) {
+  kernels.advancing_integrals(rows, columns, decay_minus_one, phi, polynomials, state, carry);
+}
+
+void apply_decay(Eigen::Index rows, const double* values, const double* decay_minus_one, double* decayed) {
+  kernels.decaying(rows, values, decay_minus_one, decayed);
 }
 
 double dot_product(const double* a, const double* b, Eigen::Index length) {

@@ -26,6 +26,7 @@ struct Block {
   Eigen::Index stride;
 };
 struct ConstBlock {
+  ConstBlock(const Block& block) : data(block.data), stride(block.stride) {}
   ConstBlock(const double* first, Eigen::Index column_stride) : data(first), stride(column_stride) {}
   ConstBlock(const Matrix& whole) : ConstBlock(whole.data(), whole.rows()) {}
   ConstBlock(const Vec& whole) : ConstBlock(whole.data(), whole.size()) {}
@@ -40,8 +41,14 @@ Vec padded(const Vec& values, double fill);
 void multiply_add(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, ConstBlock a, ConstBlock b,
                   Block c);
 
-// The first eight entries of each column j of c += a * b[j].
-void scatter(const double* a, const double* b, Eigen::Index columns, Block c);
+// Eight entries of each column j of c += a * b[j], and the same of so many tables: the next eight of a belong
+// to the rows of c that lie so far below.
+void scatter(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns, Eigen::Index below,
+             Block c);
+
+// result = factors * values + scale * others, `rows` entries of each, every product rounded.
+void weigh(Eigen::Index rows, const double* factors, const double* values, double scale, const double* others,
+           double* result);
 
 // state + carry += state * (decay - 1) + input, where state stays the rounded sum: the carry keeps what
 // rounding took, so that slow decays over many calls lose nothing. decay_minus_one and the columns of the
@@ -52,6 +59,13 @@ void advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_
 // The same where a decay belongs to a column.
 void advance_columns(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
                      Block state, Block carry);
+
+// The same with the input sum_k phi_k p_k of each column, phi of three columns and polynomials of three rows.
+void advance_integrals(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock phi,
+                       ConstBlock polynomials, Block state, Block carry);
+
+// decayed = values * decay.
+void apply_decay(Eigen::Index rows, const double* values, const double* decay_minus_one, double* decayed);
 
 // The dot product of two arrays of any length and alignment.
 double dot_product(const double* a, const double* b, Eigen::Index length);

@@ -12,18 +12,24 @@ std::variant<NarrowPast, WidePast> past_of(const MemoryTables& tables, Eigen::In
 
 ExponentialMemory::ExponentialMemory(const std::vector<WeightTable>& tables, Eigen::Index components,
                                      const ExponentialSum& sum, int threads)
-    : tables_(tables, sum), start_(tables, tables_, sum), past_(past_of(tables_, components, threads)) {}
+    : tables_(tables, sum), start_(tables, tables_), past_(past_of(tables_, components, threads)) {}
+
+void ExponentialMemory::begin(In first) {
+  std::visit([&](auto& past) { past.begin(first, start_); }, past_);
+}
 
 void ExponentialMemory::push(In sample) {
-  std::visit([&](auto& past) { past.push(tables_, position_, sample); }, past_);
-  if (++position_ < block) return;
-  position_ = 0;
-  start_.advance_block(tables_);
+  const Eigen::Index next = (position_ + 1) % block;
+  if (next == 0) start_.advance_block(tables_);
+  std::visit([&](auto& past) { past.push(tables_, position_, sample, start_); }, past_);
+  position_ = next;
 }
 
 std::size_t ExponentialMemory::bytes() const {
   const auto doubles = tables_.nodes.size() + tables_.decay_minus_one.size() + tables_.gather.size() +
-                       tables_.inner.size() + tables_.near.size() + tables_.far.size();
+                       tables_.spread.size() + tables_.join.size() + tables_.inner.size() +
+                       tables_.near.size() + tables_.factors.size() + tables_.far.size() +
+                       2 * tables_.together.nodes.size();
   const auto of_past = std::visit([](const auto& past) { return past.bytes(); }, past_);
   return sizeof(double) * static_cast<std::size_t>(doubles) + start_.bytes() + of_past;
 }

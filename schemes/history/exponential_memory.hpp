@@ -27,10 +27,14 @@ class ExponentialMemory {
   ExponentialMemory(const std::vector<WeightTable>& tables, Eigen::Index components,
                     const ExponentialSum& sum, int threads = 1);
 
+  // Appends x_0, where it has weights of its own; otherwise it is left out.
+  void begin(In first);
+
   // Appends x_n, n >= 1, one value a component.
   void push(In sample);
 
-  // sum_{1<=j<n} w(n-j) x_j with the weights of tables[table], after x_1 ... x_(n-1). One value a component.
+  // start_weight(n) x_0 + sum_{1<=j<n} w(n-j) x_j with the weights of tables[table], after x_1 ... x_(n-1).
+  // One value a component.
   using Sums = Eigen::Map<const Vec, 0, Eigen::InnerStride<>>;
   [[nodiscard]] Sums convolved(Eigen::Index table) const {
     return std::visit(
@@ -39,9 +43,6 @@ class ExponentialMemory {
         },
         past_);
   }
-
-  // The weight of x_0 at the same step n.
-  [[nodiscard]] double start(Eigen::Index table) const { return start_.at(position_, table); }
 
   [[nodiscard]] std::size_t bytes() const;
 

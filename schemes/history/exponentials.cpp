@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "problem/componentwise.hpp"
 #include "problem/smoothness.hpp"
 
 namespace fde {
@@ -120,10 +121,7 @@ void ExponentialHistory::push(double /*t*/, In sample) {
     filtered_[f].push(filter.sample);
   }
   sign_ = -sign_;
-  if (first_.size() == 0) {
-    first_ = sample;
-    return;
-  }
+  if (first_.size() == 0) return begin(sample);
   if (needs_totals_) totals_.add(sample);
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     auto& group = groups_[g];
@@ -139,6 +137,20 @@ void ExponentialHistory::push(double /*t*/, In sample) {
   }
 }
 
+void ExponentialHistory::begin(In sample) {
+  first_ = sample;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    auto& group = groups_[g];
+    if (group.all) {
+      memories_[g].begin(sample);
+      continue;
+    }
+    for (Eigen::Index c = 0; c < group.sample.size(); ++c)
+      group.sample[c] = sample[group.columns.components()[static_cast<std::size_t>(c)]];
+    memories_[g].begin(group.sample);
+  }
+}
+
 void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) const {
   for (const auto& [i, start, constant] : sums_[sum].constants) {
     result[i] = start * first_[i] + constant * totals_[i];
@@ -146,15 +158,14 @@ void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) con
   for (const auto& [i, filter, column] : sums_[sum].filtered) result[i] = filtered_[filter].convolved(column);
   for (const auto& [group, table, components, all] : sums_[sum].uses) {
     const auto convolved = memories_[group].convolved(table);
-    const double start = memories_[group].start(table);
-    if (all && groups_[group].alternates) {
-      result += sign_ * (start * first_ + convolved);
-    } else if (all) {
-      result = start * first_ + convolved;
-    } else if (groups_[group].alternates) {
-      for (const auto& [i, column] : components) result[i] += sign_ * (start * first_[i] + convolved[column]);
+    const double* const values = convolved.data();
+    const Eigen::Index stride = convolved.innerStride();
+    if (groups_[group].alternates) {
+      if (all) for_each_component(size_, [&](Eigen::Index i) { result[i] += sign_ * values[i * stride]; });
+      for (const auto& [i, column] : components) result[i] += sign_ * values[column * stride];
     } else {
-      for (const auto& [i, column] : components) result[i] = start * first_[i] + convolved[column];
+      if (all) for_each_component(size_, [&](Eigen::Index i) { result[i] = values[i * stride]; });
+      for (const auto& [i, column] : components) result[i] = values[column * stride];
     }
   }
 }

@@ -72,6 +72,7 @@ class ExponentialHistory final : public History {
     std::vector<FilteredUse> filtered{};
   };
   void leave_out_lists();
+  void begin(In sample);
   void add(Sum& sum, const WeightTable& table, Eigen::Index component);
   void add_exponentials(Sum& sum, const WeightTable& table, Eigen::Index component, bool alternates);
   void add_filtered(Sum& sum, const WeightTable& table, Eigen::Index component);

@@ -24,9 +24,9 @@ Eigen::Index ExponentialKernel::needed(double length) const {
   return std::min((slower + 1 + lanes - 1) / lanes * lanes, nodes.size());
 }
 
-std::array<double, 3> ExponentialKernel::near(double length) const {
+std::array<double, 3> ExponentialKernel::near(double power) const {
   const auto a = static_cast<double>(exponent);
-  const double first = std::pow(length, a) / gamma_, second = first / (a + 1.0);
+  const double first = power / gamma_, second = first / (a + 1.0);
   return {first, second, second / (a + 2.0)};
 }
 
@@ -36,7 +36,7 @@ KernelIntegrals::KernelIntegrals(ExponentialKernel kernel)
 void KernelIntegrals::begin() {
   polynomials_.setZero(3, functions_);
   states_.setZero(kernel_.nodes.size(), functions_);
-  carries_ = input_ = states_;
+  carries_ = states_;
 }
 
 // Steps that are equal but for rounding revive nothing.
@@ -58,6 +58,10 @@ Matrix KernelIntegrals::revived(Eigen::Index count) const {
 }
 
 void KernelIntegrals::prepare(double length, KernelStep& step) const {
+  prepare(length, std::pow(length, static_cast<double>(kernel_.exponent)), step);
+}
+
+void KernelIntegrals::prepare(double length, double power, KernelStep& step) const {
   const auto size = kernel_.nodes.size();
   step.length = length;
   step.count = needed(length);
@@ -65,9 +69,8 @@ void KernelIntegrals::prepare(double length, KernelStep& step) const {
   step.phi.resize(size, 3);
   step.weights.resize(size);
   phi_functions(step.count, length, kernel_.nodes.data(), step.phi, step.decay_minus_one.data());
-  step.weights.head(step.count) =
-      kernel_.coefficients.head(step.count).array() * (1.0 + step.decay_minus_one.head(step.count).array());
-  step.near = kernel_.near(length);
+  apply_decay(step.count, kernel_.coefficients.data(), step.decay_minus_one.data(), step.weights.data());
+  step.near = kernel_.near(power);
   step.revived = revived(std::max(step.count, alive_));
 }
 
@@ -88,14 +91,13 @@ void KernelIntegrals::advance(const KernelStep& step) {
   }
   alive_ = step.count;
   length_ = step.length;
-  input_.topRows(alive_).setZero();
-  multiply_add(alive_, step.phi.cols(), states_.cols(), step.phi, polynomials_, input_);
-  fde::advance(alive_, states_.cols(), step.decay_minus_one.data(), input_, states_, carries_);
+  advance_integrals(alive_, states_.cols(), step.decay_minus_one.data(), step.phi, polynomials_, states_,
+                    carries_);
 }
 
 std::size_t KernelIntegrals::bytes() const {
   const auto step = (2 + 3) * kernel_.nodes.size();  // of a KernelStep
-  const auto doubles = 2 * kernel_.nodes.size() + step + 3 * states_.size() + polynomials_.size();
+  const auto doubles = 2 * kernel_.nodes.size() + step + 2 * states_.size() + polynomials_.size();
   return sizeof(double) * static_cast<std::size_t>(doubles);
 }
 

@@ -17,9 +17,9 @@ class ExponentialKernel {
   // So many exponentials, the slowest, make the kernel at distances from this length on. A multiple of lanes.
   [[nodiscard]] Eigen::Index needed(double length) const;
 
-  // The integrals of w^(k-1) / (k-1)!, k = 1, 2, 3, over a step of this length, up to its end: length^a /
-  // Gamma(a + k).
-  [[nodiscard]] std::array<double, 3> near(double length) const;
+  // The integrals of w^(k-1) / (k-1)!, k = 1, 2, 3, over a step whose length has this power a, up to its end:
+  // length^a / Gamma(a + k).
+  [[nodiscard]] std::array<double, 3> near(double power) const;
 
   long double exponent;
   Vec nodes,
@@ -60,6 +60,8 @@ class KernelIntegrals {
 
   // The step of this length that may follow. Changes nothing here.
   void prepare(double length, KernelStep& step) const;
+  // The same where the power a of the length is known.
+  void prepare(double length, double power, KernelStep& step) const;
 
   // The integral of the kernel with the function up to the end of this step, on which it is this polynomial.
   [[nodiscard]] double integral(const KernelStep& step, Eigen::Index function,
@@ -79,10 +81,10 @@ class KernelIntegrals {
 
   ExponentialKernel kernel_;
   Eigen::Index functions_ = 0;
-  double length_ = 0.0;              // of the newest step
-  Eigen::Index alive_;               // the exponentials whose states are those of now
-  Matrix polynomials_;               // 3 x functions, on the newest step, times its length
-  Matrix states_, carries_, input_;  // nodes x functions
+  double length_ = 0.0;      // of the newest step
+  Eigen::Index alive_;       // the exponentials whose states are those of now
+  Matrix polynomials_;       // 3 x functions, on the newest step, times its length
+  Matrix states_, carries_;  // nodes x functions
 };
 
 }  // namespace fde

@@ -16,49 +16,64 @@ Vec exact_start(const WeightTable& table, Eigen::Index first) {
 }  // namespace
 
 // x_0 is the newest sample before the first block. Alone it adds nothing later; its running sum stays 1.
-MemoryStart::MemoryStart(const std::vector<WeightTable>& weights, const MemoryTables& tables,
-                         const ExponentialSum& sum)
-    : weights_(block, tables.count),
-      near_(Matrix::Zero(block, tables.count)),
-      far_(weights.size()),
+MemoryStart::MemoryStart(const std::vector<WeightTable>& weights, const MemoryTables& tables)
+    : exact_(block * tables.count),
+      factors_(Matrix::Zero(tables.together.nodes.size(), tables.count)),
+      weighted_(factors_),
+      alive_(tables.nodes.size()),
       states_(Vec::Zero(tables.nodes.size())),
       carries_(states_),
-      input_(tables.gather.col(recent - 1)),
-      later_(states_) {
+      input_(states_),
+      later_(states_),
+      joined_(tables.points()) {
   const bool running_sums = weighs_running_sums(weights.front());
-  if (running_sums) {
-    later_ = tables.gather.rowwise().sum();
-    input_ += tables.gather.rightCols(block - recent).rowwise().sum();
+  const auto nodes = tables.nodes.tail(tables.exponentials).array();
+  const auto decay = [&](Eigen::Index age) -> Vec { return (-double(age) * nodes).exp(); };
+  input_.tail(nodes.size()) = decay(block - recent);
+  for (Eigen::Index age = 0; running_sums && age < block; ++age) {
+    later_.tail(nodes.size()) += decay(age);
+    if (age < block - recent) input_.tail(nodes.size()) += decay(age);
   }
-  Matrix decays(block, tables.nodes.size());
-  for (Eigen::Index row = 0; row < block; ++row)
-    decays.row(row) = (-double(recent + 1 + row) * tables.nodes).array().exp();
+  if (running_sums) near_.setZero(exact_.size());
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const auto table = static_cast<Eigen::Index>(i);
-    weights_.col(table) = exact_start(weights[i], 1);
+    exact_.segment(table * block, block) = exact_start(weights[i], 1);
     const auto start = start_weight(weights[i], 1);
     if (start && *start == 0.0) continue;
-    const Vec coefficients =
-        start ? start_coefficients(weights[i], sum) : weight_coefficients(weights[i], sum);
-    far_[i] = decays * padded(coefficients, 0.0).asDiagonal();
-    if (running_sums) near_.col(table) = exact_start(weights[i], recent);
+    factors_.col(table) = start ? start_coefficients(weights[i], tables.together)
+                                : weight_coefficients(weights[i], tables.together);
+    if (running_sums) near_.segment(table * block, block) = exact_start(weights[i], recent);
   }
 }
 
 void MemoryStart::advance_block(const MemoryTables& tables) {
-  const auto count = states_.size();
-  advance(count, 1, tables.decay_minus_one.data(), input_, states_, carries_);
+  exact_ = near_;
+  advance(alive_, 1, tables.decay_minus_one.data(), input_, states_, carries_);
   input_ = later_;
-  weights_ = near_;
-  for (std::size_t i = 0; i < far_.size(); ++i) {
-    if (far_[i].size() == 0) continue;
-    multiply_add(block, count, 1, far_[i], states_, {&weights_(0, static_cast<Eigen::Index>(i)), block});
+  leave_out_what_decayed(tables.slow);
+  const auto points = tables.points(), slow = tables.slow;
+  joined_.setZero();
+  multiply_add(points, slow, 1, tables.join, states_, joined_);
+  for (Eigen::Index table = 0; table < factors_.cols(); ++table) {
+    weighted_.col(table).head(points) = factors_.col(table).head(points).cwiseProduct(joined_);
+    weighted_.col(table).tail(states_.size() - slow) =
+        factors_.col(table).tail(states_.size() - slow).cwiseProduct(states_.tail(states_.size() - slow));
+  }
+}
+
+// Far below the rounding of any weight, and before such states become so small that arithmetic is slow.
+void MemoryStart::leave_out_what_decayed(Eigen::Index slow) {
+  constexpr double nothing = 1e-60;
+  while (alive_ > slow && later_[alive_ - 1] == 0.0 &&
+         states_.segment(alive_ - lanes, lanes).maxCoeff() < nothing) {
+    alive_ -= lanes;
+    states_.segment(alive_, lanes).setZero();
   }
 }
 
 std::size_t MemoryStart::bytes() const {
-  Eigen::Index doubles = 2 * weights_.size() + 4 * states_.size();
-  for (const auto& far : far_) doubles += far.size();
+  const auto doubles =
+      exact_.size() + near_.size() + 2 * factors_.size() + 4 * states_.size() + joined_.size();
   return sizeof(double) * static_cast<std::size_t>(doubles);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "history/memory_tables.hpp"
 
 namespace fde {
@@ -7,23 +9,31 @@ namespace fde {
 // The weights of x_0 at each step, of every table: a sample as any other, x_0 = 1, with states of its own.
 class MemoryStart {
  public:
-  MemoryStart(const std::vector<WeightTable>& weights, const MemoryTables& tables, const ExponentialSum& sum);
+  MemoryStart(const std::vector<WeightTable>& weights, const MemoryTables& tables);
 
-  // That of a table at a step of this block.
-  [[nodiscard]] double at(Eigen::Index position, Eigen::Index table) const {
-    return weights_(position, table);
-  }
-
+  // Goes to the next block.
   void advance_block(const MemoryTables& tables);
+
+  // The weights at the steps of a block are MemoryTables::far times these, one column a table, and besides
+  // those that are known exactly, block of each table. In the first block that is all of them.
+  [[nodiscard]] const Matrix& weighted() const { return weighted_; }
+  [[nodiscard]] const Vec& exact() const { return exact_; }
+
+  // Whether there are exact ones from the second block on.
+  [[nodiscard]] bool stays_exact() const { return near_.size() > 0; }
 
   [[nodiscard]] std::size_t bytes() const;
 
  private:
   static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;
 
-  Matrix weights_, near_;    // block x tables: those of this block, and their exact part
-  std::vector<Matrix> far_;  // block x nodes of each; empty where the weights are 0
-  Vec states_, carries_, input_, later_;
+  void leave_out_what_decayed(Eigen::Index slow);
+
+  Vec exact_, near_;    // block of each table: those of this block, and of all after the first
+  Matrix factors_;      // as those of the tables; 0 where weights are
+  Matrix weighted_;     // factors_, times the states
+  Eigen::Index alive_;  // so many nodes, the slowest, have states that count; a multiple of lanes
+  Vec states_, carries_, input_, later_, joined_;
 };
 
 }  // namespace fde

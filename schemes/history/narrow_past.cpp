@@ -3,21 +3,34 @@
 namespace fde {
 
 NarrowPast::NarrowPast(const MemoryTables& tables, Eigen::Index components)
-    : samples_(Matrix::Zero(recent + block, components)),
+    : first_(Vec::Zero(components)),
+      samples_(Matrix::Zero(recent + block, components)),
+      gathered_(Matrix::Zero(tables.gather.rows(), components)),
       states_(Matrix::Zero(tables.nodes.size(), components)),
       carries_(states_),
-      input_(states_),
+      input_(Matrix::Zero(tables.slow, components)),
+      joined_(Matrix::Zero(tables.points(), components)),
+      weighted_(Matrix::Zero(tables.far.cols(), tables.count * components)),
       sums_(Matrix::Zero(tables.count * block, components)) {}
 
-void NarrowPast::push(const MemoryTables& tables, Eigen::Index position, In sample) {
-  samples_.row(recent + position) = sample;
+void NarrowPast::begin(In first, const MemoryStart& start) {
+  first_ = first;
+  add_exact(start);
+}
+
+// What exact weights of x_0 add to a block.
+void NarrowPast::add_exact(const MemoryStart& start) {
+  multiply_add(sums_.rows(), 1, sums_.cols(), start.exact(), {first_.data(), 1}, sums_);
+}
+
+void NarrowPast::push(const MemoryTables& tables, Eigen::Index position, In sample,
+                      const MemoryStart& start) {
+  for (Eigen::Index c = 0; c < samples_.cols(); ++c) samples_(recent + position, c) = sample[c];
   const Eigen::Index column = position % recent, first = position - column;
-  for (Eigen::Index table = 0; table < tables.count; ++table) {
-    scatter(&tables.inner(table * recent, column), sample.data(), sums_.cols(),
-            {&sums_(table * block + first, 0), sums_.rows()});
-  }
+  scatter(tables.count, &tables.inner(0, column), sample.data(), sums_.cols(), block,
+          {&sums_(first, 0), sums_.rows()});
   if (position + 1 == block) {
-    advance_block(tables);
+    advance_block(tables, start);
   } else if ((position + 1) % recent == 0) {
     pass_on(tables, position + 1);
   }
@@ -32,18 +45,39 @@ void NarrowPast::pass_on(const MemoryTables& tables, Eigen::Index position) {
   }
 }
 
-void NarrowPast::advance_block(const MemoryTables& tables) {
+void NarrowPast::advance_block(const MemoryTables& tables, const MemoryStart& start) {
+  const Eigen::Index columns = sums_.cols(), points = tables.points(), slow = tables.slow;
+  const Eigen::Index others = states_.rows() - slow;
+  const auto below = [](Matrix& whole, Eigen::Index row) { return Block(whole.data() + row, whole.rows()); };
+  gathered_.setZero();
+  multiply_add(gathered_.rows(), block, columns, tables.gather, samples_, gathered_);
   input_.setZero();
-  multiply_add(states_.rows(), block, input_.cols(), tables.gather, samples_, input_);
-  advance(states_.rows(), states_.cols(), tables.decay_minus_one.data(), input_, states_, carries_);
+  multiply_add(slow, points, columns, tables.spread, gathered_, input_);
+  advance(slow, columns, tables.decay_minus_one.data(), input_, states_, carries_);
+  advance(others, columns, tables.decay_minus_one.data() + slow, below(gathered_, points),
+          below(states_, slow), below(carries_, slow));
   samples_.topRows(recent) = samples_.bottomRows(recent);
+  joined_.setZero();
+  multiply_add(points, slow, columns, tables.join, states_, joined_);
+  for (Eigen::Index c = 0; c < columns; ++c) {
+    for (Eigen::Index table = 0; table < tables.count; ++table) {
+      const double* const factors = &tables.factors(0, table);
+      const double* const of_first = &start.weighted()(0, table);
+      double* const result = &weighted_(0, c * tables.count + table);
+      weigh(points, factors, joined_.data() + c * points, first_[c], of_first, result);
+      weigh(others, factors + points, &states_(slow, c), first_[c], of_first + points, result + points);
+    }
+  }
   sums_.setZero();
-  multiply_add(tables.far.rows(), tables.far.cols(), sums_.cols(), tables.far, states_, sums_);
+  multiply_add(block, weighted_.rows(), weighted_.cols(), tables.far, weighted_, {sums_.data(), block});
+  if (start.stays_exact()) add_exact(start);
   pass_on(tables, 0);
 }
 
 std::size_t NarrowPast::bytes() const {
-  return sizeof(double) * static_cast<std::size_t>(samples_.size() + 3 * states_.size() + sums_.size());
+  const auto doubles = samples_.size() + gathered_.size() + 2 * states_.size() + input_.size() +
+                       joined_.size() + weighted_.size() + sums_.size() + first_.size();
+  return sizeof(double) * static_cast<std::size_t>(doubles);
 }
 
 }  // namespace fde

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "history/memory_tables.hpp"
+#include "history/memory_start.hpp"
 
 namespace fde {
 
@@ -10,8 +10,11 @@ class NarrowPast {
  public:
   NarrowPast(const MemoryTables& tables, Eigen::Index components);
 
-  // Takes the sample at this step of a block.
-  void push(const MemoryTables& tables, Eigen::Index position, In sample);
+  // Takes x_0, before the first push. The start tells its weights in the first block.
+  void begin(In first, const MemoryStart& start);
+
+  // Takes the sample at this step of a block. At the end of a block the start tells those of the next.
+  void push(const MemoryTables& tables, Eigen::Index position, In sample, const MemoryStart& start);
 
   // The sums of a table at the step that follows; stride between components.
   [[nodiscard]] const double* sums(Eigen::Index table, Eigen::Index position) const {
@@ -26,10 +29,15 @@ class NarrowPast {
   static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;
 
   void pass_on(const MemoryTables& tables, Eigen::Index position);
-  void advance_block(const MemoryTables& tables);
+  void advance_block(const MemoryTables& tables, const MemoryStart& start);
+  void add_exact(const MemoryStart& start);
 
+  Vec first_;                        // x_0; 0 where it has no weights of its own
   Matrix samples_;                   // (recent + block) x components
+  Matrix gathered_;                  // (points and other nodes) x components
   Matrix states_, carries_, input_;  // nodes x components
+  Matrix joined_;                    // points x components
+  Matrix weighted_;                  // (points and other nodes) x tables of each component: to be evaluated
   Matrix sums_;                      // block x components of each table
 };
 

@@ -16,7 +16,7 @@ VariableStepExponentialHistory::VariableStepExponentialHistory(const WeightTable
       const auto table = std::ranges::find(tables_, of_sum[i]);
       const auto kernel = kernel_of(of_sum[i], steps, tolerance);
       tracks.push_back({static_cast<Eigen::Index>(i), static_cast<std::size_t>(table - tables_.begin()),
-                        kernel, kernels_[kernel].add_function()});
+                        kernel, kernels_[kernel].add_function(), weighs_running_sums(of_sum[i])});
       if (table == tables_.end()) tables_.push_back(of_sum[i]);
     }
   }
@@ -47,9 +47,8 @@ void VariableStepExponentialHistory::push(double t, In sample) {
 
 Polynomial VariableStepExponentialHistory::integrand(const Track& track, double before, double after,
                                                      double length) const {
-  const auto& table = tables_[track.table];
-  const auto [begin, end] = table.family->ends(before, after, length);
-  if (!weighs_running_sums(table)) return {begin, end - begin, 0.0};
+  const auto [begin, end] = tables_[track.table].family->ends(before, after, length);
+  if (!track.running_sums) return {begin, end - begin, 0.0};
   return {track.integral[0], length * begin, length * (end - begin)};
 }
 
@@ -57,8 +56,11 @@ const VariableStepExponentialHistory::Candidate& VariableStepExponentialHistory:
   if (candidate_.time == t) return candidate_;
   const double length = t - time_;
   candidate_.time = t;
-  for (std::size_t k = 0; k < kernels_.size(); ++k) kernels_[k].prepare(length, candidate_.steps[k]);
   const Vec& factors = factors_.at(length);
+  for (std::size_t k = 0; k < kernels_.size(); ++k) {
+    const double power = factors_.power(static_cast<double>(kernels_[k].kernel().exponent));
+    kernels_[k].prepare(length, power, candidate_.steps[k]);
+  }
   for (std::size_t i = 0; i < tables_.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     candidate_.to_sums[row] = tables_[i].family->weighs_increments ? factors[row] : 1.0 / factors[row];
@@ -72,11 +74,10 @@ void VariableStepExponentialHistory::advance(double t, In sample) {
   const double length = t - time_;
   for (auto& tracks : tracks_) {
     for (auto& track : tracks) {
-      const auto& table = tables_[track.table];
       const double before = newest_[track.component], after = sample[track.component];
       kernels_[track.kernel].polynomial(track.function) = length * integrand(track, before, after, length);
-      if (!weighs_running_sums(table)) continue;
-      const auto [begin, end] = table.family->ends(before, after, length);
+      if (!track.running_sums) continue;
+      const auto [begin, end] = tables_[track.table].family->ends(before, after, length);
       track.integral.add(0, length * (begin + end) / 2.0);
     }
   }

@@ -25,7 +25,8 @@ class VariableStepExponentialHistory final : public History {
     Eigen::Index component;
     std::size_t table, kernel;
     Eigen::Index function;    // of its kernel
-    RunningSums integral{1};  // of the function, where the order is above 1
+    bool running_sums;        // the order is above 1
+    RunningSums integral{1};  // of the function then
   };
   // What the last candidate needed.
   struct Candidate {

@@ -14,11 +14,17 @@ Eigen::Index to_multiple(Eigen::Index count, Eigen::Index of) { return (count + 
 WidePast::WidePast(const MemoryTables& tables, Eigen::Index components, int threads)
     : components_(components),
       threads_(threads),
-      gather_(tables.gather.topRows(tables.exponentials).transpose()),
       inner_(tables.inner.transpose()),
-      near_(tables.near.transpose()),
-      far_(tables.far.leftCols(tables.exponentials).transpose()) {
+      near_(tables.near.transpose()) {
+  const Eigen::Index fillers = tables.nodes.size() - tables.exponentials, points = tables.points();
+  const Eigen::Index slow = std::max(tables.slow - fillers, Eigen::Index{0});
+  const Eigen::Index together = points + tables.exponentials - slow;
+  gather_ = tables.gather.bottomRows(together).transpose();
+  spread_ = tables.spread.bottomRows(slow).transpose();
+  join_ = tables.join.rightCols(slow).transpose();
+  far_ = tables.far.rightCols(together).transpose();
   const Eigen::Index rows = to_multiple(components, lanes), tiles = to_multiple(rows, tile) / tile;
+  first_.setZero(rows);
   samples_.setZero(rows, recent + block);
   sums_.setZero(rows, tables.count * block);
   current_.setZero(rows, tables.count);
@@ -26,21 +32,34 @@ WidePast::WidePast(const MemoryTables& tables, Eigen::Index components, int thre
   carries_ = states_;
 }
 
-void WidePast::push(const MemoryTables& tables, Eigen::Index position, In sample) {
+void WidePast::begin(In first, const MemoryStart& start) {
+  first_.head(components_) = first;
+  add_exact(start, 0, sums_.rows());
+  take_sums(0, 0, sums_.rows(), current_.cols());
+}
+
+// What exact weights of x_0 add to a block.
+void WidePast::add_exact(const MemoryStart& start, Eigen::Index first, Eigen::Index count) {
+  multiply_add(count, 1, sums_.cols(), {first_.data() + first, first_.size()}, {start.exact().data(), 1},
+               {&sums_(first, 0), sums_.rows()});
+}
+
+void WidePast::push(const MemoryTables& tables, Eigen::Index position, In sample, const MemoryStart& start) {
   share_work(threads_, current_.rows(), tile, [&](Eigen::Index first, Eigen::Index count) {
-    push_part(tables, position, sample, first, count);
+    push_part(tables, position, sample, start, first, count);
   });
 }
 
-void WidePast::push_part(const MemoryTables& tables, Eigen::Index position, In sample, Eigen::Index first,
-                         Eigen::Index count) {
+void WidePast::push_part(const MemoryTables& tables, Eigen::Index position, In sample,
+                         const MemoryStart& start, Eigen::Index first, Eigen::Index count) {
   const Eigen::Index real = std::min(count, components_ - first);
   samples_.col(recent + position).segment(first, real) = sample.segment(first, real);
   const Eigen::Index next = (position + 1) % block;
   if (next == 0) {
-    Matrix input(tile, far_.rows());
+    Scratch scratch{Matrix(tile, far_.rows()), Matrix(tile, spread_.cols()), Matrix(tile, spread_.rows()),
+                    Matrix(tile, far_.rows())};
     for (Eigen::Index done = 0; done < count; done += tile)
-      advance_tile(tables, first + done, std::min(tile, count - done), input);
+      advance_tile(tables, start, first + done, std::min(tile, count - done), scratch);
   } else if (next % recent == 0) {
     for (Eigen::Index done = 0; done < count; done += tile)
       pass_on(next, first + done, std::min(tile, count - done), tables.count);
@@ -56,18 +75,39 @@ void WidePast::pass_on(Eigen::Index position, Eigen::Index first, Eigen::Index c
   }
 }
 
-void WidePast::advance_tile(const MemoryTables& tables, Eigen::Index first, Eigen::Index count,
-                            Matrix& input) {
-  const Eigen::Index exponentials = far_.rows();
-  const Block states(states_.col(first / tile).data(), tile),
-      carries(carries_.col(first / tile).data(), tile);
+void WidePast::advance_tile(const MemoryTables& tables, const MemoryStart& start, Eigen::Index first,
+                            Eigen::Index count, Scratch& scratch) {
+  const Eigen::Index points = spread_.rows(), slow = spread_.cols(), others = far_.rows() - points;
+  const double* const decay = &tables.decay_minus_one[tables.nodes.size() - tables.exponentials];
+  const auto of_tile = [&](Matrix& all, Eigen::Index node) {
+    return Block(all.col(first / tile).data() + node * tile, tile);
+  };
+  const auto column = [](Matrix& all, Eigen::Index node) { return Block(all.data() + node * tile, tile); };
+  auto& [gathered, input, joined, weighted] = scratch;
+  gathered.setZero();
+  multiply_add(count, block, gathered.cols(), {&samples_(first, 0), samples_.rows()}, gather_, gathered);
   input.setZero();
-  multiply_add(count, block, exponentials, {&samples_(first, 0), samples_.rows()}, gather_, input);
-  advance_columns(count, exponentials, tables.decay_minus_one.data(), input, states, carries);
+  multiply_add(count, points, slow, gathered, spread_, input);
+  advance_columns(count, slow, decay, input, of_tile(states_, 0), of_tile(carries_, 0));
+  advance_columns(count, others, decay + slow, column(gathered, points), of_tile(states_, slow),
+                  of_tile(carries_, slow));
   auto samples = samples_.middleRows(first, count);
   samples.leftCols(recent) = samples.rightCols(recent);
+  joined.setZero();
+  multiply_add(count, slow, points, of_tile(states_, 0), join_, joined);
   sums_.middleRows(first, count).setZero();
-  multiply_add(count, exponentials, far_.cols(), {states.data, tile}, far_, {&sums_(first, 0), sums_.rows()});
+  const Eigen::Index fillers = tables.far.cols() - far_.rows();
+  for (Eigen::Index table = 0; table < tables.count; ++table) {
+    for (Eigen::Index node = 0; node < far_.rows(); ++node) {
+      const Block state = node < points ? column(joined, node) : of_tile(states_, slow + node - points);
+      const double factor = tables.factors(fillers + node, table);
+      const double of_first = start.weighted()(fillers + node, table);
+      weighted.col(node).head(count) =
+          factor * Eigen::Map<const Vec>(state.data, count) + of_first * first_.segment(first, count);
+    }
+    multiply_add(count, far_.rows(), block, weighted, far_, {&sums_(first, table * block), sums_.rows()});
+  }
+  if (start.stays_exact()) add_exact(start, first, count);
   pass_on(0, first, count, tables.count);
 }
 
@@ -82,8 +122,10 @@ void WidePast::take_sums(Eigen::Index position, Eigen::Index first, Eigen::Index
 }
 
 std::size_t WidePast::bytes() const {
-  const auto of_components = samples_.size() + sums_.size() + current_.size() + 2 * states_.size();
-  const auto of_tables = gather_.size() + inner_.size() + near_.size() + far_.size();
+  const auto of_components =
+      samples_.size() + sums_.size() + current_.size() + first_.size() + 2 * states_.size();
+  const auto of_tables =
+      gather_.size() + inner_.size() + near_.size() + far_.size() + spread_.size() + join_.size();
   return sizeof(double) * static_cast<std::size_t>(of_components + of_tables);
 }
 

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "problem/componentwise.hpp"
+
 namespace fde {
 namespace {
 
@@ -18,15 +20,22 @@ Equations with_factors(Equations equations) {
 
 // sum_k c_k D^(a_k) u.
 double sum_of_terms(const Chain& chain, In y) {
-  return chain.coefficients().dot(y.segment(chain.first(), chain.size()));
+  const Vec& coefficients = chain.coefficients();
+  double sum = 0.0;
+  for_each_component(coefficients.size(),
+                     [&](Eigen::Index i) { sum += coefficients[i] * y[chain.first() + i]; });
+  return sum;
 }
 
-// f_i = y_{i+1}, the last f of each chain D^leading u.
-void evaluate(const Equations& equations, double t, In y, Out f) {
+// f_i = y_{i+1}, the last f of each chain D^leading u. Equations with an empty factor have 1.
+void evaluate(const std::vector<DrivenChain>& equations, double t, In y, Out f) {
   for (const auto& [chain, force, factor, _] : equations) {
-    const auto first = chain.first(), links = chain.size() - 1;
-    f.segment(first, links) = y.segment(first + 1, links);
-    f[first + links] = (force(t, y) - factor(t, y) * sum_of_terms(chain, y)) / chain.leading().coefficient;
+    const auto first = chain.first(), last = first + chain.size() - 1;
+    for_each_component(chain.size() - 1, [&](Eigen::Index i) { f[first + i] = y[first + i + 1]; });
+    double driven = force(t, y);
+    const double scale = factor ? factor(t, y) : 1.0, leading = chain.leading().coefficient;
+    driven -= scale * sum_of_terms(chain, y);
+    f[last] = leading == 1.0 ? driven : driven / leading;
   }
 }
 
@@ -73,7 +82,7 @@ Derivatives derivatives_of(const Equations& equations, Eigen::Index size) {
 
 Problem chain_problem(const std::vector<DrivenChain>& equations, double end) {
   const Equations driven = with_factors(equations);
-  Problem problem{.rhs = [driven](double t, In y, Out f) { evaluate(driven, t, y, f); }, .end = end};
+  Problem problem{.rhs = [equations](double t, In y, Out f) { evaluate(equations, t, y, f); }, .end = end};
   for (const auto& [chain, force, factor, _] : driven) {
     if (chain.first() != problem.size())
       throw std::invalid_argument("a chain does not begin where the one before it ends");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problem/componentwise.hpp"
+
 namespace fde {
 
 namespace {
@@ -70,8 +72,12 @@ TaylorPart::TaylorPart(const Problem& problem) {
 }
 
 void TaylorPart::at(double t, Out value) const {
-  value = coefficients_.rightCols(1);
-  for (Eigen::Index k = coefficients_.cols() - 1; k-- > 0;) value = coefficients_.col(k) + t * value;
+  const Eigen::Index last = coefficients_.cols() - 1;
+  for_each_component(coefficients_.rows(), [&](Eigen::Index i) {
+    double sum = coefficients_(i, last);
+    for (Eigen::Index k = last; k-- > 0;) sum = coefficients_(i, k) + t * sum;
+    value[i] = sum;
+  });
 }
 
 Vec taylor_part(const Problem& problem, double t) {

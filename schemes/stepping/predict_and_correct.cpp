@@ -1,5 +1,8 @@
 #include "stepping/predict_and_correct.hpp"
 
+#include <algorithm>
+
+#include "problem/componentwise.hpp"
 #include "stepping/run.hpp"
 #include "weights/step_factors.hpp"
 
@@ -17,19 +20,25 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
   of_both.insert(of_both.end(), corrector.begin(), corrector.end());
   StepFactors factors(of_both);
 
+  const Eigen::Index size = problem.size();
   Vec y = run.start(), predicted(y.size()), corrected(y.size()), taylor(y.size());
+  const bool moves =
+      std::ranges::any_of(problem.components, [](const auto& component) { return component.order > 1.0; });
   double t = 0.0;
+  taylor_part.at(t, taylor);
   for (int n = 1; n <= grid.steps; ++n) {
     history->push(t, run.rhs(t, y));
     const double before = t;
     t = grid.time(n);
     history->convolve(t, 0, predicted);
     history->convolve(t, 1, corrected);
-    taylor_part.at(t, taylor);
+    if (moves) taylor_part.at(t, taylor);
     const Vec& kappa = factors.at(grid.step(before, t));
-    y = taylor + kappa.head(y.size()).cwiseProduct(predicted);
+    for_each_component(size, [&](Eigen::Index i) { y[i] = taylor[i] + kappa[i] * predicted[i]; });
     for (int correction = 0; correction < options.corrections; ++correction) {
-      y = taylor + kappa.tail(y.size()).cwiseProduct(corrected + run.rhs(t, y));
+      const Vec& f = run.rhs(t, y);
+      for_each_component(size,
+                         [&](Eigen::Index i) { y[i] = taylor[i] + kappa[size + i] * (corrected[i] + f[i]); });
     }
     if (!run.accept(t, y)) break;
   }

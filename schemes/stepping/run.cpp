@@ -3,9 +3,20 @@
 #include <algorithm>
 #include <utility>
 
+#include "problem/componentwise.hpp"
 #include "progress/work.hpp"
 
 namespace fde {
+namespace {
+
+// x - x is 0 where x is finite, otherwise no number.
+bool all_finite(In y) {
+  double sum = 0.0;
+  for_each_component(y.size(), [&](Eigen::Index i) { sum += y[i] - y[i]; });
+  return sum == 0.0;
+}
+
+}  // namespace
 
 Run::Run(const Problem& problem, const Options& options, int steps)
     : problem_(problem), options_(options), start_(taylor_part(problem, 0.0)), f_(problem.size()) {
@@ -47,7 +58,7 @@ bool Run::goes_on(double t, In y) {
   // At every step a look at the clock would be a quarter of the cheapest step.
   constexpr int steps_between_looks = 16;
   const std::int64_t n = t > 0.0 ? path_.steps + 1 : 0;
-  if (!y.allFinite()) {
+  if (!all_finite(y)) {
     fail(Ending::not_finite, t);
   } else if (!problem_.domain.contains(t, y)) {
     fail(Ending::singular, t);

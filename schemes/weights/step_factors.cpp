@@ -25,4 +25,9 @@ const Vec& StepFactors::at(double length) {
   return factors_;
 }
 
+double StepFactors::power(double exponent) const {
+  const auto found = std::ranges::find(orders_, exponent);
+  return found == orders_.end() ? std::pow(length_, exponent) : powers_[found - orders_.begin()];
+}
+
 }  // namespace fde

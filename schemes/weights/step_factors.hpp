@@ -15,6 +15,9 @@ class StepFactors {
   // One a table, in their order. Valid until the next call.
   const Vec& at(double length);
 
+  // A power of the length of the last call; those of the orders are known.
+  [[nodiscard]] double power(double exponent) const;
+
  private:
   std::vector<double> orders_;        // without repetition
   std::vector<Eigen::Index> of_row_;  // which of them each table has

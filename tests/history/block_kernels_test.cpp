@@ -97,24 +97,28 @@ TEST_P(BlockKernels, MultiplyAddAddsTheProduct) {
   }
 }
 
-TEST_P(BlockKernels, ScatterAddsEightEntriesAColumn) {
+// Two tables: eight entries for each, the second for the rows of c that lie 24 below, with a border between.
+TEST_P(BlockKernels, ScatterAddsEightEntriesAColumnForEachTable) {
+  constexpr Eigen::Index tables = 2, below = 3 * lanes;
   for (Eigen::Index columns = 0; columns <= 9; ++columns) {
-    const Matrix a = random_matrix(lanes, 1, 1), b = random_matrix(columns + 1, 1, 2),
-                 c = random_matrix(2 * lanes, columns + 1, 3);
+    const Matrix a = random_matrix(tables * lanes, 1, 1), b = random_matrix(columns + 1, 1, 2),
+                 c = random_matrix(below + 2 * lanes, columns + 1, 3);
     const auto scattered = [&] {
       Matrix result = c;
-      scatter(a.data(), b.data(), columns, writing(result));
+      scatter(tables, a.data(), b.data(), columns, below, writing(result));
       return result;
     };
     const Matrix result = scattered();
+    EXPECT_EQ(result.middleRows(lanes, below - lanes), c.middleRows(lanes, below - lanes));
     EXPECT_EQ(result.bottomRows(lanes), c.bottomRows(lanes));
     EXPECT_EQ(result.col(columns), c.col(columns));
     for (Eigen::Index j = 0; j < columns; ++j) {
-      for (Eigen::Index i = 0; i < lanes; ++i) {
+      for (Eigen::Index i = 0; i < tables * lanes; ++i) {
+        const auto row = i / lanes * below + i % lanes;
         Sum sum;
-        sum.add(c(i, j), 1);
+        sum.add(c(row, j), 1);
         sum.add(a(i), b(j));
-        EXPECT_TRUE(sum.agrees(result(i, j))) << i << ", " << j;
+        EXPECT_TRUE(sum.agrees(result(row, j))) << i << ", " << j;
       }
     }
     expect_the_bits_of_the_widest(scattered);

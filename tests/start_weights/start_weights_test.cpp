@@ -202,11 +202,13 @@ TEST(FirstSteps, AreTheSameWithEveryKindOfDerivatives) {
 
 // E_{1/2}(-1) = e erfc(1); DLMF 7.
 // Together they have a second solution where steps are as long as what the motion does: x = -0.1, y = 109.
+// Newton's method does not come to it, or is led there and found to have gone past the end of its own:
+// rounding decides.
 TEST(FirstSteps, AreNotAnotherSolution) {
   const Problem brusselator = scene_of("brusselator").problem;
   for (const auto* scheme : {"bdf4", "bdf5", "bdf6"}) {
     const auto coarse = solve(scheme, brusselator, 64);
-    EXPECT_EQ(coarse.ending, Ending::not_converged) << scheme;
+    EXPECT_TRUE(coarse.ending == Ending::not_converged || coarse.ending == Ending::outran_growth) << scheme;
     EXPECT_EQ(coarse.failed_at, brusselator.end / 64) << scheme;
     EXPECT_EQ(solve(scheme, brusselator, 256).ending, Ending::finished) << scheme;
   }

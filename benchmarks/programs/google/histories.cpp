@@ -54,11 +54,11 @@ Eigen::Index nodes(int count, double tolerance) {
 // reach at best. Rows of one block, columns of components, and as many inner products as make up the number.
 void bare_loop(benchmark::State& state, int count) {
   constexpr Eigen::Index block = ExponentialMemory::block, tables = 2;
-  const auto exponentials = nodes(count, full);
-  const Eigen::Index near = ExponentialMemory::recent + block / 2;
-  const Eigen::Index for_samples = exponentials + tables * (exponentials + near);
-  const Eigen::Index for_start = tables * exponentials / components;
-  const Eigen::Index inner = for_samples + for_start;
+  const MemoryTables made({{&families::rectangle, order}, {&families::trapezoid, order}},
+                          exponential_sum(order, ExponentialMemory::shortest_lag, count + 2.0, full));
+  const Eigen::Index near = ExponentialMemory::recent + block / 2, together = made.far.cols();
+  const Eigen::Index joining = 2 * made.points() * made.slow / block;
+  const Eigen::Index inner = together + joining + tables * (together + near);
   const Matrix a = Matrix::Random(block, inner), b = Matrix::Random(inner, components);
   Matrix c = Matrix::Zero(block, components);
   for (auto _ : state) {
@@ -76,9 +76,10 @@ void many_components(benchmark::State& state, Eigen::Index count, Rest... rest) 
   const MemoryTables tables({{&families::l1, order}},
                             exponential_sum(1.0 - order, ExponentialMemory::shortest_lag, 1002.0, full));
   Past past(tables, count, rest...);
+  const MemoryStart start({{&families::l1, order}}, tables);
   const Vec sample = Vec::LinSpaced(count, 0.5, 1.5);
   for (auto _ : state) {
-    for (int n = 0; n < steps_of_run; ++n) past.push(tables, n % MemoryTables::block, sample);
+    for (int n = 0; n < steps_of_run; ++n) past.push(tables, n % MemoryTables::block, sample, start);
     benchmark::DoNotOptimize(past.sums(0, 0));
   }
   state.counters["per_step_and_component"] = per_iteration(steps_of_run * count);

@@ -29,12 +29,14 @@ std::string time_of(double seconds) {
   return seconds < 1e-3 ? fmt::format("{:.3g} µs", 1e6 * seconds) : fmt::format("{:.3g} ms", 1e3 * seconds);
 }
 
-// "`l1`, graded:3, 12: 12 µs"; the grid where it is not uniform.
+// "`l1`, graded:3, 12: 12 µs"; the grid where it is not uniform, in place of steps the accuracy that a scheme
+// was asked for.
 std::string cell(const SearchedWay& first) {
   if (first.found != Found::within) return "-";
   const auto grid = first.way.grading == 1.0 ? "" : ", " + grid_text(first.way.grading);
-  return fmt::format("`{}`{}, {}: {}", first.names.front(), grid, first.best.steps,
-                     time_of(first.time->median));
+  const auto asked =
+      first.best.asked ? fmt::format("asked {:.1e}", *first.best.asked) : fmt::format("{}", first.best.steps);
+  return fmt::format("`{}`{}, {}: {}", first.names.front(), grid, asked, time_of(first.time->median));
 }
 
 // The rates and the cost of a step of each scheme, over the grid with which it came nearest.
