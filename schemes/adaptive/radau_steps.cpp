@@ -86,6 +86,7 @@ RadauSteps::RadauSteps(const Problem& problem, const Accuracy& accuracy, const O
     }
     row = Row{static_cast<std::size_t>(found - kernels_.begin()), found->integrals.add_function()};
   }
+  for (auto& kernel : kernels_) kernel.integrals.make_states();
 }
 
 double RadauSteps::rate() const {

@@ -33,12 +33,10 @@ std::array<double, 3> ExponentialKernel::near(double length) const {
 KernelIntegrals::KernelIntegrals(ExponentialKernel kernel)
     : kernel_(std::move(kernel)), alive_(kernel_.nodes.size()) {}
 
-Eigen::Index KernelIntegrals::add_function() {
-  const auto function = polynomials_.cols();
-  polynomials_.setZero(3, function + 1);
-  states_.setZero(kernel_.nodes.size(), function + 1);
+void KernelIntegrals::make_states() {
+  polynomials_.setZero(3, functions_);
+  states_.setZero(kernel_.nodes.size(), functions_);
   carries_ = input_ = states_;
-  return function;
 }
 
 // Steps that are equal but for rounding revive nothing.

@@ -54,8 +54,9 @@ class KernelIntegrals {
 
   [[nodiscard]] const ExponentialKernel& kernel() const { return kernel_; }
 
-  // The number of a new function. All are added before the first step.
-  Eigen::Index add_function();
+  // The number of a new function. All are added before their states are made, and these before the first step.
+  Eigen::Index add_function() { return functions_++; }
+  void make_states();
 
   // The step of this length that may follow. Changes nothing here.
   void prepare(double length, KernelStep& step) const;
@@ -77,6 +78,7 @@ class KernelIntegrals {
   [[nodiscard]] Matrix revived(Eigen::Index count) const;
 
   ExponentialKernel kernel_;
+  Eigen::Index functions_ = 0;
   double length_ = 0.0;              // of the newest step
   Eigen::Index alive_;               // the exponentials whose states are those of now
   Matrix polynomials_;               // 3 x functions, on the newest step, times its length

@@ -20,6 +20,7 @@ VariableStepExponentialHistory::VariableStepExponentialHistory(const WeightTable
       if (table == tables_.end()) tables_.push_back(of_sum[i]);
     }
   }
+  for (auto& kernel : kernels_) kernel.make_states();
   candidate_.steps.resize(kernels_.size());
   candidate_.to_sums.resize(std::ssize(tables_));
   factors_ = StepFactors(tables_);
