@@ -87,6 +87,7 @@ class March {
     }
     run_.cost().history_bytes = steps_->bytes();
     run_.cost().rejected_steps = rejected_;
+    run_.cost().linear_solver = steps_->linear_solver();
     auto path = run_.finish();
     if (dense_ && time_ > 0.0) path.dense = [dense = dense_](double t) { return dense->at(t); };
     return path;

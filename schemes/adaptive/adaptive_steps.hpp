@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <string_view>
 
 #include "stepping/run.hpp"
 
@@ -48,6 +49,9 @@ class AdaptiveSteps {
   [[nodiscard]] virtual double rate() const = 0;
 
   [[nodiscard]] virtual std::size_t bytes() const = 0;
+
+  // What solves sparse equations of a step; empty: there were none.
+  [[nodiscard]] virtual std::string_view linear_solver() const = 0;
 };
 
 }  // namespace fde

@@ -32,6 +32,7 @@ class RadauSteps final : public AdaptiveSteps {
   void begin_anew(Run& run) override;
   [[nodiscard]] double rate() const override;
   [[nodiscard]] std::size_t bytes() const override;
+  [[nodiscard]] std::string_view linear_solver() const override { return matrix_->solver(); }
 
  private:
   using Weights = Eigen::Matrix<double, stages, stages>;

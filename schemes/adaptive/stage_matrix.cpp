@@ -2,8 +2,10 @@
 
 #include <Eigen/LU>
 #include <Eigen/SparseLU>
+#include <algorithm>
 #include <limits>
 
+#include "adaptive/decoupled_stage_matrix.hpp"
 #include "implicit/differences.hpp"
 
 namespace fde {
@@ -65,6 +67,8 @@ class SparseStageMatrix final : public StageMatrix {
     }
   }
 
+  [[nodiscard]] std::string_view solver() const override { return "lu"; }
+
  private:
   void assemble(const SparseMatrix& jacobian, const StageWeights& weights) {
     const auto size = jacobian.rows();
@@ -93,6 +97,10 @@ class SparseStageMatrix final : public StageMatrix {
 }  // namespace
 
 std::unique_ptr<StageMatrix> make_stage_matrix(const Problem& problem) {
+  const auto& rows = problem.components;
+  const bool one_order =
+      std::ranges::all_of(rows, [&](const Component& row) { return row.order == rows.front().order; });
+  if (sparse(problem) && one_order) return std::make_unique<DecoupledStageMatrix>(problem);
   if (sparse(problem)) return std::make_unique<SparseStageMatrix>(problem);
   return std::make_unique<DenseStageMatrix>(problem);
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <string_view>
 
 #include "stepping/run.hpp"
 
@@ -27,6 +28,9 @@ class StageMatrix {
 
   // b becomes the solution x of (the matrix) x = b; not finite where it is singular.
   virtual void solve(Vec& b) const = 0;
+
+  // The name of the method, of sparse derivatives; empty: it says none.
+  [[nodiscard]] virtual std::string_view solver() const { return {}; }
 };
 
 // Of the kind of the problem's derivatives.

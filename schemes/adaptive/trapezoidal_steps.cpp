@@ -34,6 +34,9 @@ class NewtonOnTrapezoids final : public TrapezoidalSolver {
 
   [[nodiscard]] Vec left_over() const override { return Vec::Zero(problem_.size()); }
   void respond(Vec& error) const override { newton_->respond(error); }
+  [[nodiscard]] std::string_view linear_solver() const override {
+    return newton_ ? newton_->linear_solver() : std::string_view();
+  }
 
  private:
   const Problem& problem_;

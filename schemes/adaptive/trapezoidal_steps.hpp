@@ -27,6 +27,9 @@ class TrapezoidalSolver {
   // error becomes what the equations of the step make of it: (1 - kappa df/dy)^(-1) error, as far as it is
   // known.
   virtual void respond(Vec& error) const = 0;
+
+  // What solves sparse equations; empty: there were none.
+  [[nodiscard]] virtual std::string_view linear_solver() const { return {}; }
 };
 
 // Newton's method.
@@ -58,6 +61,7 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   void begin_anew(Run& /*run*/) override { older_.reset(); }
   [[nodiscard]] double rate() const override { return 2.0; }
   [[nodiscard]] std::size_t bytes() const override { return history_->bytes(); }
+  [[nodiscard]] std::string_view linear_solver() const override { return solver_->linear_solver(); }
 
  private:
   // f at a time.
