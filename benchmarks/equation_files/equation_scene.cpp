@@ -55,6 +55,11 @@ Constraint constraint_of(const std::vector<FormulaText>& texts, const std::vecto
           }};
 }
 
+SceneEvent event_of(const EventText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
+  const auto value = formulas.read(text.zero, variables_of(columns, formulas.all(), true));
+  return {text.name, Program(formulas.all(), {value}, std::ssize(columns)), text.crossing, text.ends};
+}
+
 Scene scene_of(const EquationText& text, const Parameters& parameters) {
   FileFormulas formulas(text, parameters, Numbers::folded);
   const auto system = read_system(formulas);
@@ -68,6 +73,7 @@ Scene scene_of(const EquationText& text, const Parameters& parameters) {
     scene.reference = std::move(*motion);
   }
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
+  for (const auto& event : text.events) scene.events.push_back(event_of(event, columns, formulas));
   if (!text.constraints.empty()) scene.constraint = constraint_of(text.constraints, columns, formulas);
   return scene;
 }

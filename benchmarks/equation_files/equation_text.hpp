@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "stepping/events.hpp"
+
 namespace fde {
 
 // Where something stands in a file: its line and column, from 1.
@@ -50,6 +52,14 @@ struct ParameterText {
   double value = 0.0;
 };
 
+// [event.NAME]: its zeros along the path are located.
+struct EventText {
+  std::string name{};
+  FormulaText zero{};
+  Crossing crossing = Crossing::either;
+  bool ends = false;
+};
+
 // What an equation file says, its formulas unread: docs/equation_files.md.
 struct EquationText {
   std::string file{};
@@ -61,6 +71,7 @@ struct EquationText {
   std::optional<EnergyText> energy{};
   std::vector<FormulaText> constraints{};
   std::vector<FormulaText> jumps{};
+  std::vector<EventText> events{};
   std::string checksum{};  // SHA-256 of all this but the title
 };
 

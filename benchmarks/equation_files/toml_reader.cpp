@@ -24,7 +24,7 @@ class EquationReader : TomlText {
 
   [[nodiscard]] EquationText read(const toml::table& all) const {
     require_keys(all, "the file",
-                 {"title", "end", "parameters", "unknown", "exact", "energy", "constraint", "jump"});
+                 {"title", "end", "parameters", "unknown", "exact", "energy", "constraint", "jump", "event"});
     EquationText read{.file = file()};
     if (const auto* title = all.get("title")) read.title = title_of(*title);
     read.end = formula(required(all, {}, "the file", "end"), "end");
@@ -37,6 +37,9 @@ class EquationReader : TomlText {
     if (const auto* energy = all.get("energy")) read.energy = energy_of(*energy);
     if (const auto* constraint = all.get("constraint")) read.constraints = constraints_of(*constraint);
     if (const auto* jump = all.get("jump")) read.jumps = jumps_of(*jump);
+    if (const auto* event = all.get("event")) {
+      for (const auto& entry : entries(*event, "event")) read.events.push_back(event_of(entry));
+    }
     return read;
   }
 
@@ -174,6 +177,30 @@ class EquationReader : TomlText {
       jumps.push_back(formula(required(of, place_of(value), "jump", "at"), "at"));
     }
     return jumps;
+  }
+
+  [[nodiscard]] EventText event_of(const TomlEntry& entry) const {
+    const auto name = fmt::format("event {}", entry.name);
+    require_name(entry, "event");
+    const auto& of = table(*entry.node, name);
+    require_keys(of, name, {"zero", "crossing", "ends"});
+    EventText event{.name = entry.name, .zero = formula(required(of, entry.place, name, "zero"), "zero")};
+    if (const auto* crossing = of.get("crossing")) event.crossing = crossing_of(*crossing);
+    if (const auto* ends = of.get("ends")) {
+      if (!ends->is_boolean()) reject_kind(*ends, "ends", "true or false");
+      event.ends = **ends->as_boolean();
+    }
+    return event;
+  }
+
+  [[nodiscard]] Crossing crossing_of(const toml::node& node) const {
+    constexpr std::string_view allowed = "\"rising\", \"falling\" or \"either\"";
+    const auto text = node.value_exact<std::string>();
+    if (!text) reject_kind(node, "crossing", allowed);
+    if (text == "rising") return Crossing::rising;
+    if (text == "falling") return Crossing::falling;
+    if (text != "either") reject(place_of(node), fmt::format("crossing: must be {}", allowed));
+    return Crossing::either;
   }
 };
 

@@ -21,6 +21,7 @@ constexpr std::array all_words{
     Words{Ending::outran_growth, "outran_growth", "steps are too long for a mode that grows"},
     Words{Ending::singular, "singular", "ran into the singularity"},
     Words{Ending::out_of_budget, "out_of_budget", "out of its budget of time"},
+    Words{Ending::event, "event", "ended by an event"},
     Words{Ending::accuracy_lost, "accuracy_lost", "accuracy lost"},
     Words{Ending::overflow, "overflow", "the solution overflows"},
     Words{Ending::no_reference, "no_reference", "no reference:"},
@@ -50,6 +51,7 @@ bool is_compared(Ending ending) { return ending == Ending::finished || ending ==
 RunEnding ending_of(const Problem& problem, const Trajectory& path) {
   std::vector<std::string> detail;
   if (path.ending == Ending::singular) detail.push_back(problem.domain.edge);
+  if (path.ending == Ending::event) detail.push_back(fmt::format("at t = {:.17g}", path.reached));
   if (path.failed_at) detail.push_back(at_step(path.steps + 1, *path.failed_at));
   return {path.ending, fmt::format("{}", fmt::join(detail, " "))};
 }

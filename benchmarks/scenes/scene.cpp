@@ -43,6 +43,17 @@ Vec printed_values(const Scene& scene, double t, In columns) {
   return values;
 }
 
+std::vector<Event> events_of(const Scene& scene) {
+  std::vector<Event> events;
+  for (const auto& one : scene.events) {
+    const auto value = [&one, &outputs = scene.outputs](double t, In y) {
+      return one.value(t, columns_at(outputs, t, y));
+    };
+    events.push_back({value, one.crossing, one.ends});
+  }
+  return events;
+}
+
 std::vector<std::string> reaction_names(const Scene& scene) {
   auto names = scene.reactions.names;
   if (scene.reactions) names.emplace_back("power");

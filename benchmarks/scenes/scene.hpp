@@ -92,6 +92,15 @@ struct StateGeometry {
   explicit operator bool() const { return static_cast<bool>(at); }
 };
 
+// A function of the columns whose zeros along the path tell something, as where a body falls to the ground.
+// The solution does not depend on it: a reference goes on behind one at which a run ends.
+struct SceneEvent {
+  std::string name{};
+  std::function<double(double t, In columns)> value{};
+  Crossing crossing = Crossing::either;
+  bool ends = false;  // a solve, as Event::ends says
+};
+
 // A problem and the columns it gives.
 struct PosedProblem {
   Problem problem{};
@@ -113,6 +122,7 @@ struct Scene {
   std::vector<Memory> memories{};  // the columns that the drift evaluates independently
   Reactions reactions{};
   StateGeometry geometry{};
+  std::vector<SceneEvent> events{};
   Outputs motion{};  // of the columns: two or three coordinates of the point whose path shows the motion
 };
 
@@ -153,6 +163,9 @@ Vec bound_of_columns(const Outputs& outputs, double t, const ReferenceValue& ref
 // The columns, then `energy` and `constraint` (the drift) where the scene has them.
 std::vector<std::string> printed_names(const Scene& scene);
 Vec printed_values(const Scene& scene, double t, In columns);
+
+// The events of a scene as those of its problem, in the same order. The scene must live as long.
+std::vector<Event> events_of(const Scene& scene);
 
 // The multipliers and `power`, that of the reactions.
 std::vector<std::string> reaction_names(const Scene& scene);

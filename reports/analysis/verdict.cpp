@@ -43,6 +43,7 @@ Verdict verdict(const MeasuredRun& run) {
       return refuses;
     case Ending::overflow:
     case Ending::no_reference:
+    case Ending::event:
       return not_judged;
   }
   throw std::logic_error("an ending without a verdict");

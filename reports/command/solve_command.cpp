@@ -22,8 +22,10 @@ struct SolveArguments {
 };
 
 void print_rows(const SolvedTable& table, std::ostream& out) {
-  out << fmt::format("t,{}\n", csv_names(table.names));
+  const bool of_events = table.events.has_value();
+  out << fmt::format("{}t,{}\n", of_events ? "event," : "", csv_names(table.names));
   for (std::size_t c = 0; c < table.times.size(); ++c) {
+    if (of_events) out << (*table.events)[c] << ',';
     out << fmt::format("{:.17g}", table.times[c]);
     for (const double value : table.values.col(static_cast<Eigen::Index>(c)))
       out << fmt::format(",{:.17g}", value);
@@ -41,6 +43,7 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
   if (arguments.strict && !table.warning.empty()) throw NumericalFailure(table.warning);
   print_rows(table, streams.out);
   if (!table.warning.empty()) streams.err << fmt::format("fdebench: {}\n", table.warning);
+  if (!table.ended.empty()) streams.err << fmt::format("fdebench: {}\n", table.ended);
   if (arguments.cost) streams.err << table.cost << '\n';
 }
 
@@ -59,6 +62,8 @@ void add_solve_command(CommandLine& program, const Streams& streams, const Scene
   auto* at = command.option("--at", arguments->run.at, "grid times to print, T1,T2,...; default all");
   auto* every = command.option("--every", arguments->run.every, "print each K-th grid time, and the last");
   auto* points = command.option("--points", arguments->run.points, "print K grid times from 0 to the end");
+  command.flag("--events", arguments->run.events,
+               "print the events of the scene in place of times, with --accuracy");
   Subcommand::exclude(every, at);
   Subcommand::exclude(points, at);
   Subcommand::exclude(points, every);

@@ -185,9 +185,43 @@ std::vector<std::string> columns_of_components(const Scene& scene) {
   return names;
 }
 
-// One line of all that speaks against the numbers of a run; empty: nothing.
-std::string warning_line(const SolvedRun& run, bool check) {
+// Throws std::invalid_argument where there are no events to print.
+void require_events(const Scene& scene, const RunArguments& arguments) {
+  if (!arguments.events) return;
+  if (!arguments.accuracy) throw std::invalid_argument("--events: is only taken with --accuracy");
+  if (arguments.at) throw std::invalid_argument("--events: is not taken with --at");
+  if (scene.events.empty())
+    throw std::invalid_argument("--events: the scene has none; those of a file stand under [event.NAME]");
+}
+
+// The events in place of the times of the path.
+SolvedTable table_of_events(const Scene& scene, const Scheme& scheme, const Trajectory& path) {
+  SolvedTable table{.names = printed_names(scene), .events = std::vector<std::string>()};
+  table.values.resize(std::ssize(table.names), std::ssize(path.events));
+  for (Eigen::Index c = 0; const auto& [event, t, y] : path.events) {
+    const Vec values = printed_values(scene, t, columns_at(scene.outputs, t, y));
+    require_finite(values, table, scheme, std::nullopt, t);
+    table.times.push_back(t);
+    table.events->push_back(scene.events[event].name);
+    table.values.col(c++) = values;
+  }
+  return table;
+}
+
+std::string ended_by(const Scene& scene, const Trajectory& path) {
+  if (path.ending != Ending::event) return "";
+  return fmt::format("event {} ended the run at t = {:.17g}", scene.events[path.events.back().event].name,
+                     path.reached);
+}
+
+// One line of all that speaks against the numbers of a run over a grid; empty: nothing.
+std::string warning_line(const Scene& scene, const SolvedRun& run, bool check) {
   std::vector<std::string> texts;
+  for (const auto& event : scene.events) {
+    if (!event.ends) continue;
+    texts.push_back(fmt::format("event {} does not end this run: {} steps over a grid and locates none",
+                                event.name, run.scheme.id));
+  }
   for (const Warning& warning : warnings(run, check)) texts.push_back(warning.text);
   return texts.empty() ? "" : fmt::format("warning: {}", fmt::join(texts, "; "));
 }
@@ -205,12 +239,14 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments) {
   if (arguments.threads) options.threads = parse_count("--threads", *arguments.threads, 1, most_threads);
   const auto grid = grid_of(resolution);
   if (grid) require_affordable(*grid, options.history);
-  const auto asked = times_of(arguments, resolution, scene.problem.end);
+  require_events(scene, arguments);
+  auto asked = times_of(arguments, resolution, scene.problem.end);
   // Without reactions columns are all there is to keep, and the states that warnings look at.
   const bool by_columns = grid && !scene.reactions;
   KeptColumns kept(scene.outputs, asked);
   if (by_columns) options.observer = [&kept](double t, In y) { kept.observe(t, y); };
   options.at = by_columns ? std::vector{scene.problem.end} : with_times_beside(scene.reactions, grid, asked);
+  if (!grid) options.events = events_of(scene);
   if (grid) options.at = with_times_looked_at(scene.problem, *grid, options.at);
   if (const auto reason = refusal(scheme, scene.problem, resolution)) {
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
@@ -219,15 +255,18 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Trajectory path = scheme.solve(scene.problem, resolution, options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  if (path.ending != Ending::finished)
+  if (path.ending != Ending::finished && path.ending != Ending::event)
     throw RunFailure(fmt::format("{}: {}", scheme.id, describe(scene.problem, path)), scheme.id, path);
+  std::erase_if(asked, [&](double t) { return path.ending == Ending::event && t > path.reached; });
   SolvedTable table =
-      by_columns ? table_of(scene, scheme, grid, path, kept.times(), kept.columns(), asked)
-                 : table_of(scene, scheme, grid, path, path.times, columns_of(scene.outputs, path), asked);
+      arguments.events ? table_of_events(scene, scheme, path)
+      : by_columns     ? table_of(scene, scheme, grid, path, kept.times(), kept.columns(), asked)
+                   : table_of(scene, scheme, grid, path, path.times, columns_of(scene.outputs, path), asked);
   if (grid) {
-    table.warning = warning_line({scheme, scene.problem, *grid, options, path, columns_of_components(scene)},
-                                 arguments.check);
+    table.warning = warning_line(
+        scene, {scheme, scene.problem, *grid, options, path, columns_of_components(scene)}, arguments.check);
   }
+  table.ended = ended_by(scene, path);
   table.cost = cost_text(scene, scheme, resolution, path.cost, options.history, elapsed.count(),
                          chosen ? grid_text(setup.grading) : "");
   return table;

@@ -19,12 +19,15 @@ struct RunArguments {
   std::optional<std::string> steps, accuracy, at, every, points, threads;
   MeansArguments means{.budget = "3600"};
   bool check = false;
+  bool events = false;  // the events in place of times
 };
 
-// What is printed of a run: at all its times, or at those asked for.
+// What is printed of a run: at all its times, at those asked for, or at its events.
 struct SolvedTable {
   std::vector<std::string> names{};
   std::vector<double> times{};
+  std::optional<std::vector<std::string>> events{};  // at these times, where events are printed
+  std::string ended{};    // by which event and when the run ended before its end; empty: it did not
   Rows values{};          // one row a name, one column a time
   std::string warning{};  // of all that speaks against them; empty: nothing
   std::string cost{};     // one JSON object: time, calls, memory, rate

@@ -195,12 +195,14 @@ class March {
   }
 
   bool take(double t) {
-    if (!run_.accept(t, steps_->result(), [&](double between) { return steps_->between(between); }))
-      return false;
+    const bool accepted =
+        run_.accept(t, steps_->result(), [&](double between) { return steps_->between(between); });
+    // The step within which an event has ended the run leads up to it.
+    if (!accepted && !run_.ended_by_event()) return false;
     steps_->take();
-    if (dense_) dense_->add(t, steps_->drives());
+    if (dense_) dense_->add(t, steps_->drives(), steps_->interpolated());
     time_ = t;
-    return true;
+    return accepted;
   }
 
   [[nodiscard]] Ending failure() const {

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "stepping/run.hpp"
 
@@ -13,6 +14,20 @@ inline constexpr double no_solution = std::numeric_limits<double>::infinity();
 // The drives on a step as polynomials of its share w, one row a row: coefficients of 1, w, w^2. Of algebraic
 // rows y itself.
 using Drives = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+// A row that is known on a step by its values better than by its drive: y as a polynomial of the share w,
+// coefficients of 1, w, w^2, w^3. Where f makes a row decay within the step, f is by far larger than the row:
+// between the points of the rule what is wrong in it is worth more than is allowed, though its equations
+// leave next to nothing of that at the points.
+struct InterpolatedRow {
+  Eigen::Index row;
+  Eigen::Vector4d powers;
+  // y at the share w of the step.
+  [[nodiscard]] double at(double w) const {
+    return powers[0] + w * (powers[1] + w * (powers[2] + w * powers[3]));
+  }
+};
+using InterpolatedRows = std::vector<InterpolatedRow>;
 
 // A rule that steps by any length: each step is attempted, its error is estimated, and it is taken or
 // attempted anew with another length. What is not taken leaves no trace.
@@ -39,8 +54,9 @@ class AdaptiveSteps {
   // The last attempt joins the past.
   virtual void take() = 0;
 
-  // What it left there.
+  // What it left there, and rows of which its values say more.
   [[nodiscard]] virtual Drives drives() const = 0;
+  [[nodiscard]] virtual const InterpolatedRows& interpolated() const = 0;
 
   // The right-hand side has jumped at the last time taken: nothing before tells how it goes on.
   virtual void begin_anew(Run& run) = 0;

@@ -28,8 +28,10 @@ DensePath::DensePath(const Problem& problem) : taylor_(problem), size_(problem.s
   }
 }
 
-void DensePath::add(double t, const Drives& drives) {
+void DensePath::add(double t, const Drives& drives, const InterpolatedRows& interpolated) {
   times_.push_back(t);
+  interpolated_.insert(interpolated_.end(), interpolated.begin(), interpolated.end());
+  interpolated_from_.push_back(interpolated_.size());
   const Drives coefficients = legendre(drives);
   drives_.insert(drives_.end(), coefficients.data(), coefficients.data() + coefficients.size());
 }
@@ -68,6 +70,9 @@ Vec DensePath::at(double t) const {
       for (const auto i : rows) y[i] += drives.row(i).dot(moments.row(k));
     }
   }
+  const auto newest = static_cast<std::size_t>(last);
+  for (auto k = interpolated_from_[newest]; k < interpolated_from_[newest + 1]; ++k)
+    y[interpolated_[k].row] = interpolated_[k].at(since / 2.0);
   return y;
 }
 

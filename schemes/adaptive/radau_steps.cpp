@@ -40,6 +40,20 @@ const Square& to_powers() {
   return matrix;
 }
 
+// From values at the beginning and at the points to coefficients of 1, w, w^2, w^3.
+const Eigen::Matrix4d& to_cubic() {
+  static const Eigen::Matrix4d matrix = [] {
+    Eigen::Matrix4d powers = Eigen::Matrix4d::Zero();
+    powers(0, 0) = 1.0;
+    for (Eigen::Index i = 0; i < stages; ++i) {
+      for (Eigen::Index m = 0; m <= stages; ++m)
+        powers(i + 1, m) = std::pow(points()[static_cast<std::size_t>(i)], static_cast<double>(m));
+    }
+    return Eigen::Matrix4d(powers.inverse());
+  }();
+  return matrix;
+}
+
 // I^order of w^m at the points is Gamma(m+1)/Gamma(order+m+1) w^(order+m).
 Square integral_weights(double order) {
   Square of_powers;
@@ -199,7 +213,7 @@ double RadauSteps::attempt(Run& run, double t) {
   return error();
 }
 
-double RadauSteps::error() const {
+double RadauSteps::error() {
   const Vec from_parabola = drives_ * to_powers().row(0).transpose();
   Values effect(y_.rows(), stages);
   for (Eigen::Index r = 0; r < y_.rows(); ++r) {
@@ -216,11 +230,18 @@ double RadauSteps::error() const {
   matrix_->solve(answered);
   const Vec limit = limits();
   double result = 0.0;
+  interpolated_.clear();
   for (Eigen::Index r = 0; r < y_.rows(); ++r) {
     const double of_row = std::abs(answered[(stages - 1) * y_.rows() + r]);
     if (rows_[static_cast<std::size_t>(r)] && of_row != 0.0) result = std::max(result, of_row / limit[r]);
+    if (!(std::abs(effect(r, stages - 1)) <= limit[r])) interpolate(r);
   }
   return result;
+}
+
+void RadauSteps::interpolate(Eigen::Index row) {
+  const Eigen::Vector4d values(before_[row], y_(row, 0), y_(row, 1), y_(row, 2));
+  interpolated_.push_back({row, to_cubic() * values});
 }
 
 // y at t with each drive this polynomial of (t' - time_) / (t - time_), one row each.
@@ -256,7 +277,9 @@ Vec RadauSteps::between(double t) {
   Values polynomials = parabolas();
   polynomials.col(1) *= share;
   polynomials.col(2) *= share * share;
-  return integrated(t, polynomials);
+  Vec y = integrated(t, polynomials);
+  for (const auto& row : interpolated_) y[row.row] = row.at(share);
+  return y;
 }
 
 Vec RadauSteps::continued(double t) {
@@ -281,6 +304,7 @@ void RadauSteps::coast(Run& /*run*/, double t) {
   prepare(t);
   drives_.colwise() = at_start_;
   y_.colwise() = result_;
+  interpolated_.clear();
 }
 
 void RadauSteps::begin_anew(Run& run) {

@@ -29,6 +29,7 @@ class RadauSteps final : public AdaptiveSteps {
   void coast(Run& run, double t) override;
   void take() override;
   [[nodiscard]] Drives drives() const override { return parabolas_before_; }
+  [[nodiscard]] const InterpolatedRows& interpolated() const override { return interpolated_; }
   void begin_anew(Run& run) override;
   [[nodiscard]] double rate() const override;
   [[nodiscard]] std::size_t bytes() const override;
@@ -58,7 +59,8 @@ class RadauSteps final : public AdaptiveSteps {
   void take_drives();
   [[nodiscard]] Values parabolas() const;
   Vec integrated(double t, const Values& polynomials);
-  [[nodiscard]] double error() const;
+  [[nodiscard]] double error();
+  void interpolate(Eigen::Index row);
   [[nodiscard]] Vec limits() const;
 
   const Problem& problem_;
@@ -71,9 +73,10 @@ class RadauSteps final : public AdaptiveSteps {
   double time_ = 0.0;                 // of the newest step taken
   double next_ = 0.0, length_ = 0.0;  // of the attempt
   std::optional<double> length_before_{};
-  Values past_, y_, f_, drives_;  // drives: the derivatives D^g y, as f, but from the equations
-  Values parabolas_before_;       // their parabolas on the step before, by powers of its share
-  Vec at_start_;                  // f where the step begins
+  Values past_, y_, f_, drives_;   // drives: the derivatives D^g y, as f, but from the equations
+  Values parabolas_before_;        // their parabolas on the step before, by powers of its share
+  InterpolatedRows interpolated_;  // on the newest attempt
+  Vec at_start_;                   // f where the step begins
   Vec before_, result_;
 };
 

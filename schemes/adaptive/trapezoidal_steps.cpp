@@ -137,10 +137,15 @@ Vec TrapezoidalSteps::defect() const {
   return bend * (length * length / 6.0);
 }
 
-double TrapezoidalSteps::error(const Vec& of_f) const {
+double TrapezoidalSteps::error(const Vec& of_f) {
   const Vec unit = kappa_.cwiseProduct((orders_.array() + 1.0).matrix());  // h^g / Gamma(g+1)
   const Vec limit = allowed_.of(y_.cwiseAbs().cwiseMax(before_.cwiseAbs()), past_.cwiseAbs());
   Vec answered = unit.cwiseProduct(of_f);
+  interpolated_.clear();
+  for (Eigen::Index i = 0; i < limit.size(); ++i) {
+    if (!(std::abs(answered[i]) <= limit[i]))
+      interpolated_.push_back({i, {before_[i], y_[i] - before_[i], 0.0, 0.0}});
+  }
   solver_->respond(answered);
   Vec again = answered;
   solver_->respond(again);
@@ -156,10 +161,10 @@ double TrapezoidalSteps::error(const Vec& of_f) const {
   return result;
 }
 
-// What as large errors on all steps up to now add up to at the end, the kernel t^(order-1) falling or not, in
-// units of what one leaves in its own step.
+// What as large errors on all steps since f jumped last add up to at the end, the kernel t^(order-1) falling
+// or not, in units of what one leaves in its own step.
 double TrapezoidalSteps::accumulation(double order) const {
-  const double length = next_.t - newest_.t, steps = next_.t / length;
+  const double length = next_.t - newest_.t, steps = (next_.t - begun_) / length;
   if (order <= 1.0) return std::pow(steps, order);
   return steps * std::pow(problem_.end / length, order - 1.0);
 }
@@ -178,12 +183,15 @@ Vec TrapezoidalSteps::continued(double t) {
 Vec TrapezoidalSteps::between(double t) {
   past_at(t);
   const double share = (t - newest_.t) / (next_.t - newest_.t);
-  return past_ + kappa_.cwiseProduct(newest_.f + share * (next_.f - newest_.f));
+  Vec y = past_ + kappa_.cwiseProduct(newest_.f + share * (next_.f - newest_.f));
+  for (const auto& row : interpolated_) y[row.row] = row.at(share);
+  return y;
 }
 
 void TrapezoidalSteps::coast(Run& run, double t) {
   y_ = continued(t);
   next_ = {t, run.rhs(t, y_)};
+  interpolated_.clear();
 }
 
 void TrapezoidalSteps::take() {
@@ -191,6 +199,11 @@ void TrapezoidalSteps::take() {
   allowed_.pass(y_.cwiseAbs().cwiseMax(before_.cwiseAbs()));
   older_ = std::exchange(newest_, next_);
   before_ = y_;
+}
+
+void TrapezoidalSteps::begin_anew(Run& /*run*/) {
+  older_.reset();
+  begun_ = newest_.t;
 }
 
 Drives TrapezoidalSteps::drives() const {

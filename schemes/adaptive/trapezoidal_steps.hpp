@@ -42,7 +42,8 @@ std::unique_ptr<TrapezoidalSolver> correct_predictions(int corrections);
 // The error of a step is that of the line against the parabola through f at the ends of the last two steps,
 // a mean of h^2 f[t_(n-2), t_(n-1), t_n] / 6. Such errors have one sign as long as f bends to one side, and
 // memory keeps them: one is worth h^g / Gamma(g+1) times it in y_n, but as large ones on all steps before a
-// times that where nothing makes them decay, a = (t/h)^g, and of orders above 1 up to t end^(g-1) / h^g. What
+// times that where nothing makes them decay, a = (t/h)^g, t since f jumped last, and of orders above 1 up to
+// t end^(g-1) / h^g. What
 // does so shows in the equations of the step: they leave a part r of an error when they answer to it a second
 // time, with one row 1 / (1 - kappa df/dy). The first answer is what decays at once. Over all steps it is
 // the answer times a / (r + a (1 - r)).
@@ -58,7 +59,8 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   void coast(Run& run, double t) override;
   void take() override;
   [[nodiscard]] Drives drives() const override;
-  void begin_anew(Run& /*run*/) override { older_.reset(); }
+  [[nodiscard]] const InterpolatedRows& interpolated() const override { return interpolated_; }
+  void begin_anew(Run& run) override;
   [[nodiscard]] double rate() const override { return 2.0; }
   [[nodiscard]] std::size_t bytes() const override { return history_->bytes(); }
   [[nodiscard]] std::string_view linear_solver() const override { return solver_->linear_solver(); }
@@ -73,7 +75,7 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   [[nodiscard]] Vec continued_drive(double t) const;
   [[nodiscard]] Vec defect() const;
   static double largest_part(const Vec& error, const Vec& limit);
-  [[nodiscard]] double error(const Vec& of_f) const;
+  [[nodiscard]] double error(const Vec& of_f);
   [[nodiscard]] double accumulation(double order) const;
 
   const Problem& problem_;
@@ -85,6 +87,8 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   Vec orders_;
   Sample newest_, next_;
   std::optional<Sample> older_{};
+  double begun_ = 0.0;             // where f jumped last
+  InterpolatedRows interpolated_;  // on the newest attempt
   Vec before_, y_, kappa_, convolved_, past_;
 };
 

@@ -289,7 +289,9 @@ void PanelMarch::lengthen(const TimeBlock& panel, double needed_share) {
 void PanelMarch::accept(const PastBlock& panel) {
   solution_->panels.push_back(&panel);
   const double t = panel.block.time(1.0);
-  if (!run_.accept(t, solution_->at(t), [&](double between) { return solution_->at(between); }))
+  const auto pieces = static_cast<int>(solution_->rule.size());
+  if (!run_.accept(
+          t, solution_->at(t), [&](double between) { return solution_->at(between); }, pieces))
     going_ = Going::over;
 }
 

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
-#include <utility>
 
 namespace fde {
 namespace {
@@ -68,8 +67,7 @@ Vec gauss_weights(const Vec& places) {
 
 Matrix legendre_polynomials(const Vec& points, Eigen::Index count) { return legendre(points, count); }
 
-PanelRule::PanelRule(Eigen::Index points, RulePoints kind)
-    : places(kind == RulePoints::gauss ? gauss_places(points) : radau_places(points)) {
+PanelRule::PanelRule(Eigen::Index points) : places(radau_places(points)) {
   const auto at = [points](const Wide& x) { return legendre(Wide(x).col(0).eval(), points); };
   const auto older = [](const Wide& x) { return Wide((x.array() - 1) / 2); };
   const auto newer = [](const Wide& x) { return Wide((x.array() + 1) / 2); };
@@ -89,11 +87,11 @@ PanelRule::PanelRule(Eigen::Index points, RulePoints kind)
   from_newer = (half_norms * at(newer(inner)).transpose() * weighted).cast<double>();
 }
 
-const PanelRule& panel_rule(Eigen::Index points, RulePoints kind) {
+const PanelRule& panel_rule(Eigen::Index points) {
   static std::mutex mutex;
-  static std::map<std::pair<Eigen::Index, RulePoints>, PanelRule> made;
+  static std::map<Eigen::Index, PanelRule> made;
   const std::scoped_lock lock(mutex);
-  return made.try_emplace({points, kind}, points, kind).first->second;
+  return made.try_emplace(points, points).first->second;
 }
 
 }  // namespace fde

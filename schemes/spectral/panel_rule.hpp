@@ -7,13 +7,16 @@ namespace fde {
 // P_0(x) ... P_(count-1)(x), one row a point.
 Matrix legendre_polynomials(const Vec& points, Eigen::Index count);
 
-// The points of collocation: Gauss's, inside a panel, or Radau's, of which the last is its end.
-enum class RulePoints { gauss, radau };
-
-// What all panels share: the points, and functions on a panel as their values there or as coefficients of
-// Legendre polynomials. Places on a panel are in (-1, 1]. One column a function throughout.
+// What all panels share: the points of collocation, which are Radau's, and functions on a panel as their
+// values there or as coefficients of Legendre polynomials. Places on a panel are in (-1, 1], the last is its
+// end. One column a function throughout.
+//
+// With the end among them a panel hands on what its equations have there. Where f makes a mode decay within
+// the panel that damps it; Gauss's points, all inside, would hand on what the polynomial is at the end, which
+// is off by more than it is inside, for orders above 1 by more from panel to panel. And algebraic rows hold
+// there: the next panel begins without a defect for multipliers to answer.
 struct PanelRule {
-  explicit PanelRule(Eigen::Index points, RulePoints kind = RulePoints::gauss);
+  explicit PanelRule(Eigen::Index points);
 
   [[nodiscard]] Eigen::Index size() const { return places.size(); }
 
@@ -26,6 +29,6 @@ struct PanelRule {
 };
 
 // The rule of so many points, made once. Safe from any thread; it lasts until the program ends.
-const PanelRule& panel_rule(Eigen::Index points, RulePoints kind);
+const PanelRule& panel_rule(Eigen::Index points);
 
 }  // namespace fde

@@ -6,12 +6,6 @@
 
 namespace fde {
 
-// Algebraic rows may constrain what other rows integrate. With the end of a panel among its points they hold
-// there, and the next panel begins without a defect for the multipliers to answer.
-RulePoints PanelSolution::points_of(const Problem& problem) {
-  return std::ranges::any_of(problem.components, algebraic) ? RulePoints::radau : RulePoints::gauss;
-}
-
 Vec PanelSolution::at(double t) const {
   const auto found =
       std::ranges::lower_bound(panels, t, {}, [](const PastBlock* panel) { return panel->block.time(1.0); });

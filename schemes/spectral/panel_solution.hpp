@@ -10,7 +10,7 @@ namespace fde {
 class PanelSolution {
  public:
   PanelSolution(const Problem& problem, Eigen::Index points)
-      : rule(panel_rule(points, points_of(problem))), driven(problem), past(rule, driven) {}
+      : rule(panel_rule(points)), driven(problem), past(rule, driven) {}
   PanelSolution(const PanelSolution&) = delete;
   PanelSolution& operator=(const PanelSolution&) = delete;
 
@@ -28,7 +28,6 @@ class PanelSolution {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  static RulePoints points_of(const Problem& problem);
   [[nodiscard]] Vec by_integrals(const PastBlock& panel, double t) const;
 };
 

@@ -1,6 +1,7 @@
 #include "stepping/run.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "problem/componentwise.hpp"
@@ -20,6 +21,7 @@ bool all_finite(In y) {
 
 Run::Run(const Problem& problem, const Options& options, int steps)
     : problem_(problem), options_(options), start_(taylor_part(problem, 0.0)), f_(problem.size()) {
+  if (!options.events.empty()) events_.emplace(options.events, start_);
   path_.cost = {
       .rhs_calls = 0, .newton_iterations = 0, .history_bytes = 0, .states = static_cast<int>(problem.size())};
   const std::size_t expected = options.at.empty() ? static_cast<std::size_t>(steps) + 1 : options.at.size();
@@ -35,23 +37,40 @@ const Vec& Run::rhs(double t, In y) {
 }
 
 bool Run::accept(double t, In y) {
+  if (events_)
+    throw std::invalid_argument("events: are located by schemes that take an accuracy, not over a grid");
   if (!goes_on(t, y)) return false;
   record(t, y);
   return true;
 }
 
-bool Run::accept(double t, In y, const std::function<Vec(double)>& between) {
+bool Run::accept(double t, In y, const std::function<Vec(double)>& between, int pieces) {
   const double before = path_.reached;
   if (!goes_on(t, y)) return false;
+  if (events_) {
+    const auto found = events_->step(t, y, between, pieces);
+    path_.events.insert(path_.events.end(), found.begin(), found.end());
+    if (!found.empty() && options_.events[found.back().event].ends) {
+      path_.ending = Ending::event;
+      path_.reached = found.back().t;
+      record_step(before, found.back().t, found.back().y, between);
+      return false;
+    }
+  }
+  record_step(before, t, y, between);
+  return true;
+}
+
+void Run::record_step(double before, double t, In y, const std::function<Vec(double)>& between) {
   if (options_.observer) options_.observer(t, y);
   if (options_.at.empty()) keep(t, y);
   constexpr double rounding = 1e-12;  // of the time at which a last step ends
-  const double until = t < problem_.end * (1 - rounding) ? t : std::max(t, problem_.end);
+  const bool last = t >= problem_.end * (1 - rounding) && !ended_by_event();
+  const double until = last ? std::max(t, problem_.end) : t;
   for (const auto& at = options_.at; next_at_ < at.size() && at[next_at_] <= until; ++next_at_) {
     const double asked = at[next_at_];
     if (asked > before) keep(asked, asked == t ? Vec(y) : between(std::min(asked, t)));
   }
-  return true;
 }
 
 bool Run::goes_on(double t, In y) {

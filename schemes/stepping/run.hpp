@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "stepping/event_search.hpp"
 #include "stepping/scheme.hpp"
 
 namespace fde {
@@ -21,10 +22,16 @@ class Run {
   [[nodiscard]] const Vec& start() const { return start_; }
 
   // Records the result of the step to t > 0, of a two-sided problem from t = 0 on. False, and the run is
-  // over, when y is not finite or outside the domain, or the budget is spent.
+  // over, when y is not finite or outside the domain, or the budget is spent. Throws std::invalid_argument
+  // where there are events, which a scheme that knows y at its steps alone cannot locate.
   bool accept(double t, In y);
-  // The same of a scheme that knows y since the last step: of Options::at, times between are recorded too.
-  bool accept(double t, In y, const std::function<Vec(double)>& between);
+  // The same of a scheme that knows y since the last step: of Options::at, times between are recorded too,
+  // and events are located, for which the step is looked at in so many pieces. False also at an event that
+  // ends the run; the result then counts up to there.
+  bool accept(double t, In y, const std::function<Vec(double)>& between, int pieces = 8);
+
+  // Whether an event has ended the run, within the last step.
+  [[nodiscard]] bool ended_by_event() const { return path_.ending == Ending::event; }
 
   // Ends the run where the step to t has no result.
   void fail(Ending ending, double t);
@@ -37,6 +44,7 @@ class Run {
 
  private:
   bool goes_on(double t, In y);
+  void record_step(double before, double t, In y, const std::function<Vec(double)>& between);
   void record(double t, In y);
   void keep(double t, In y);
   bool asked_for(double t);
@@ -46,6 +54,7 @@ class Run {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Vec start_, f_;
   std::size_t next_at_ = 0;  // of Options::at
+  std::optional<EventSearch> events_{};
   Trajectory path_;
 };
 

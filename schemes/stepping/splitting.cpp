@@ -122,8 +122,12 @@ Trajectory solve_split(const Problem& problem, const Resolution& resolution, con
   if (options.observer) {
     inner.observer = [&](double t, In y) { options.observer(t, Vec(y(position))); };
   }
+  for (auto& event : inner.events) {
+    event.value = [value = event.value, position](double t, In y) { return value(t, Vec(y(position))); };
+  }
   Trajectory path = solve(split(problem, links), resolution, inner);
   path.y = Rows(path.y(position, Eigen::all));
+  for (auto& occurrence : path.events) occurrence.y = Vec(occurrence.y(position));
   if (path.dense) {
     path.dense = [dense = std::move(path.dense), position](double t) -> Vec { return dense(t)(position); };
   }

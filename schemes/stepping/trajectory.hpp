@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "problem/problem.hpp"
+#include "stepping/events.hpp"
 
 namespace fde {
 
 using Rows = Matrix;  // one row a component, one column a time
 
-// How a run ended. A scheme says the first six; who compares the run with its reference says the others.
+// How a run ended. A scheme says the first seven; who compares the run with its reference says the others.
 enum class Ending {
   finished,
   not_finite,
@@ -20,6 +21,7 @@ enum class Ending {
   outran_growth,  // a mode of the problem grows so fast that a step leads through infinity
   singular,       // left the domain of its problem
   out_of_budget,
+  event,               // one of Options::events has ended it, as was asked
   accuracy_lost,       // finished, but see accuracy_lost()
   overflow,            // finished where the solution itself is infinite
   no_reference,        // finished, and there is nothing to compare with
@@ -45,6 +47,7 @@ struct Trajectory {
   std::vector<double> times{};           // increasing
   Rows y{};                              // y.col(c) belongs to times[c]
   std::function<Vec(double t)> dense{};  // y at any time up to `reached`; empty: not known between times
+  std::vector<Occurrence> events{};      // zeros of Options::events, in the order of time
   Ending ending = Ending::finished;      // how the run ended
   double reached = 0.0;                  // the last time with a result, asked for or not
   std::optional<double> failed_at{};     // the time of the step that has no result, where one failed

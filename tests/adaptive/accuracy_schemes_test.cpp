@@ -1,5 +1,7 @@
 // What holds for every scheme that is asked for an accuracy and chooses its steps.
 
+#include "support/accuracy_schemes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -75,6 +77,28 @@ TEST_P(AccuracyScheme, KnowsTheStartToAsManyDigits) {
   }
 }
 
+// D^g y = lambda y: f is lambda times what y is off by, and so would y be between steps if it followed from f
+// alone.
+TEST_P(AccuracyScheme, KnowsStiffRowsBetweenStepsAsWellAsOnThem) {
+  if (!GetParam()->needs.implicit) GTEST_SKIP() << "is not for stiff problems";
+  constexpr double within = 1e-4;  // a factor of ten
+  for (const double order : {0.36, 0.9, 1.4}) {
+    const Scene scene = scene_of("stiff_relaxation", {{"gamma", order}, {"lambda", -1e7}});
+    const std::vector<double> at{1e-6, 1e-3, 0.3125, 0.4375, 0.8125};
+    const auto path = run(scene.problem, 1e-5), asked = run(scene.problem, 1e-5, {.at = at});
+    ASSERT_EQ(asked.times, at);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const double exact = scene.reference.at(at[i]).value[0];
+      EXPECT_NEAR(asked.y(0, static_cast<Eigen::Index>(i)), exact, within) << order << " at " << at[i];
+      EXPECT_NEAR(path.dense(at[i])[0], exact, within) << order << " at " << at[i];
+    }
+    for (std::size_t i = 0; i < path.times.size(); i += 1 + path.times.size() / 64) {
+      EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), scene.reference.at(path.times[i]).value[0], within)
+          << order << " at " << path.times[i];
+    }
+  }
+}
+
 // A corrector leaves f one correction ahead of y.
 TEST_P(AccuracyScheme, KnowsTheSolutionAtAnyTimeAfterTheRun) {
   const Scene scene = scene_of("relaxation");
@@ -114,6 +138,15 @@ TEST_P(AccuracyScheme, StartsAnewWhereTheRightHandSideJumps) {
     const double exact = (2.0 * std::sqrt(t) - 4.0 * std::sqrt(std::max(0.0, t - 1.0))) / std::sqrt(M_PI);
     EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), exact, 1e-6) << t;
   }
+}
+
+// Where a row of order 0.37 takes the jump, what it does to f next to it asks for steps that are short beside
+// any time.
+TEST_P(AccuracyScheme, StartsAnewInRowsOfLowOrder) {
+  const Scene scene = scene_of("bagley_torvik", {{"alpha", 1.63}, {"B", 0.95}, {"load_until", 2.7}});
+  const auto path = run(scene.problem, 1e-5, {.at = {4.0}});
+  ASSERT_EQ(path.ending, Ending::finished);
+  EXPECT_NEAR(path.y(0, 0), scene.reference.at(4.0).value[0], 1e-4);
 }
 
 // D^0.5 y = 1, and 2 where y > 1: y = (2 sqrt t + 2 sqrt(t - pi/4)) / sqrt pi, as 1 is reached at pi/4.
@@ -196,12 +229,6 @@ TEST_P(AccuracyScheme, EndsWithItsBudget) {
 TEST_P(AccuracyScheme, RefusesAGrid) {
   EXPECT_EQ(refusal(*GetParam(), scene_of("relaxation").problem, Grid{1.0, 8}),
             "takes an accuracy, not a grid");
-}
-
-std::vector<const Scheme*> accuracy_schemes() {
-  auto some = all_schemes();
-  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.takes_accuracy; });
-  return some;
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, AccuracyScheme, testing::ValuesIn(accuracy_schemes()), id_of_param);

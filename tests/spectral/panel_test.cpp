@@ -19,10 +19,8 @@ constexpr Eigen::Index points = 20;
 // x^15 - 3 x^4 + 1.
 Vec some_polynomial(const Vec& x) { return x.array().pow(15) - 3.0 * x.array().pow(4) + 1.0; }
 
-class PanelRules : public testing::TestWithParam<RulePoints> {};
-
-TEST_P(PanelRules, AreExactForPolynomialsOnAPanelAndItsHalves) {
-  const PanelRule rule(points, GetParam());
+TEST(PanelRule, AreExactForPolynomialsOnAPanelAndItsHalves) {
+  const PanelRule rule(points);
   const Vec values = some_polynomial(rule.places);
   EXPECT_NEAR(rule.at_end.dot(values), -1.0, 1e-13);
   EXPECT_NEAR(rule.at_start.dot(values), -3.0, 1e-13);
@@ -31,8 +29,8 @@ TEST_P(PanelRules, AreExactForPolynomialsOnAPanelAndItsHalves) {
   EXPECT_LT((rule.newer_half * values - some_polynomial(newer)).lpNorm<Eigen::Infinity>(), 1e-13);
 }
 
-TEST_P(PanelRules, JoinTheHalvesOfAPolynomial) {
-  const PanelRule rule(points, GetParam());
+TEST(PanelRule, JoinTheHalvesOfAPolynomial) {
+  const PanelRule rule(points);
   const Vec values = some_polynomial(rule.places);
   const Vec joined = rule.from_older * (rule.to_coefficients * (rule.older_half * values)) +
                      rule.from_newer * (rule.to_coefficients * (rule.newer_half * values));
@@ -40,20 +38,15 @@ TEST_P(PanelRules, JoinTheHalvesOfAPolynomial) {
 }
 
 // To rounding: a constraint that is off by more where panels meet is what multipliers answer.
-TEST_P(PanelRules, KeepConstants) {
-  const PanelRule rule(points, GetParam());
+TEST(PanelRule, KeepConstants) {
+  const PanelRule rule(points);
   EXPECT_NEAR(rule.at_start.sum(), 1.0, 1e-14);
   EXPECT_NEAR(rule.at_end.sum(), 1.0, 1e-14);
 }
 
-INSTANTIATE_TEST_SUITE_P(Points, PanelRules, testing::Values(RulePoints::gauss, RulePoints::radau),
-                         [](const auto& test) {
-                           return test.param == RulePoints::gauss ? "gauss" : "radau";
-                         });
-
 // Abramowitz & Stegun (1964), 25.4.31, give the points of Radau's rule mirrored: (6 -+ sqrt 6) / 10.
-TEST(PanelRule, OfRadauEndsWithThePanel) {
-  const Vec places = PanelRule(3, RulePoints::radau).places;
+TEST(PanelRule, EndsWithThePanel) {
+  const Vec places = PanelRule(3).places;
   EXPECT_NEAR(places[0], -(1.0 + std::sqrt(6.0)) / 5.0, 1e-15);
   EXPECT_NEAR(places[1], -(1.0 - std::sqrt(6.0)) / 5.0, 1e-15);
   EXPECT_EQ(places[2], 1.0);

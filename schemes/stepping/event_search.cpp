@@ -1,0 +1,113 @@
+#include "stepping/event_search.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace fde {
+namespace {
+
+struct Sample {
+  double t, value;
+};
+using Value = std::function<double(double t)>;
+
+// The times from `start` to `end` at which a step is looked at. Those next to the ends show whether |value|
+// falls or rises there.
+std::vector<double> looked_at(double start, double end, int pieces) {
+  constexpr double next_to = 1e-3;  // of the step
+  std::vector<double> times{start};
+  const auto add = [&](double share) {
+    const double t = start + share * (end - start);
+    if (t > times.back() && t < end) times.push_back(t);
+  };
+  add(next_to);
+  for (int piece = 1; piece < pieces; ++piece) add(static_cast<double>(piece) / pieces);
+  add(1.0 - next_to);
+  times.push_back(end);
+  return times;
+}
+
+// The zero between two times at which the value has different signs: of the neighbouring numbers between
+// which it lies the one where |value| is less.
+double zero_between(const Value& value, const Sample& before, const Sample& behind) {
+  std::uintmax_t evaluations = 200;
+  const auto neighbours = [](double a, double b) { return std::nextafter(a, b) >= b; };
+  const auto [low, high] = boost::math::tools::toms748_solve(value, before.t, behind.t, before.value,
+                                                             behind.value, neighbours, evaluations);
+  return low > before.t && std::abs(value(low)) < std::abs(value(high)) ? low : high;
+}
+
+// Where the value is on the other side of 0, between samples that are not and show a minimum of |value|; or
+// the least that it is.
+Sample beyond(const Value& value, const Sample& before, const Sample& behind) {
+  constexpr int bits = 26;  // a minimum is known to half of all digits
+  std::uintmax_t evaluations = 100;
+  const double sign = std::copysign(1.0, before.value);
+  const auto [at, least] = boost::math::tools::brent_find_minima([&](double t) { return sign * value(t); },
+                                                                 before.t, behind.t, bits, evaluations);
+  return {at, sign * least};
+}
+
+bool opposite(const Sample& one, const Sample& other) { return one.value * other.value < 0.0; }
+
+// Samples between which the value changes its sign, in pairs.
+std::vector<std::pair<Sample, Sample>> changes(const Value& value, const std::vector<Sample>& samples) {
+  std::vector<std::pair<Sample, Sample>> found;
+  Sample sided = samples.front();  // the last that has a sign
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    const Sample& now = samples[k];
+    if (opposite(sided, now)) found.emplace_back(sided, now);
+    if (now.value != 0.0 && std::isfinite(now.value)) sided = now;
+    if (k + 1 == samples.size()) break;
+    const Sample &before = samples[k - 1], &behind = samples[k + 1];
+    const auto size = [](const Sample& sample) { return std::abs(sample.value); };
+    const bool one_side = before.value * now.value > 0.0 && now.value * behind.value > 0.0;
+    if (!one_side || !(size(now) < size(before)) || !(size(now) <= size(behind))) continue;
+    const Sample there = beyond(value, before, behind);
+    if (!opposite(there, now)) continue;
+    found.emplace_back(before, there);
+    found.emplace_back(there, behind);
+  }
+  return found;
+}
+
+bool counts(Crossing crossing, const Sample& before) {
+  return crossing == Crossing::either || (crossing == Crossing::rising) == (before.value < 0.0);
+}
+
+}  // namespace
+
+EventSearch::EventSearch(const std::vector<Event>& events, In start) : events_(events) {
+  for (const auto& event : events_) values_.push_back(event.value(0.0, start));
+}
+
+std::vector<Occurrence> EventSearch::step(double t, In y, const Path& path, int pieces) {
+  const auto times = looked_at(time_, t, pieces);
+  std::vector<Vec> states;
+  for (const double at : times) states.push_back(at == time_ || at == t ? Vec(y) : path(at));
+  std::vector<Occurrence> found;
+  for (std::size_t e = 0; e < events_.size(); ++e) {
+    const Value value = [&](double at) { return events_[e].value(at, at == t ? Vec(y) : path(at)); };
+    std::vector<Sample> samples{{time_, values_[e]}};
+    for (std::size_t k = 1; k < times.size(); ++k)
+      samples.push_back({times[k], events_[e].value(times[k], states[k])});
+    for (const auto& [before, behind] : changes(value, samples)) {
+      if (counts(events_[e].crossing, before)) found.push_back({e, zero_between(value, before, behind), {}});
+    }
+    // At a zero its sign remains what it was before.
+    if (samples.back().value != 0.0) values_[e] = samples.back().value;
+  }
+  std::ranges::stable_sort(found, {}, &Occurrence::t);
+  const auto last =
+      std::ranges::find_if(found, [&](const Occurrence& one) { return events_[one.event].ends; });
+  if (last != found.end()) found.erase(last + 1, found.end());
+  for (auto& one : found) one.y = one.t == t ? Vec(y) : path(one.t);
+  time_ = t;
+  return found;
+}
+
+}  // namespace fde

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "support/testing.hpp"
+
+namespace fde {
+
+// Those that choose their steps to an accuracy.
+inline std::vector<const Scheme*> accuracy_schemes() {
+  auto some = all_schemes();
+  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.takes_accuracy; });
+  return some;
+}
+
+}  // namespace fde
