@@ -39,6 +39,7 @@ END(regions)
 
 BEGIN(script)
   TEXT(page/mathml.js)
+  TEXT(page/short_names.js)
   TEXT(page/chart_table.js)
   TEXT(page/tables.js)
   TEXT(page/view.js)

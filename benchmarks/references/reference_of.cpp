@@ -36,4 +36,10 @@ Reference reference_of(const Scene& scene) {
   return through(outputs, cached_reference(scene.name, problem, ReferenceCache(cache_folder())));
 }
 
+std::string_view evidence_of(const Scene& scene) {
+  const auto evidence = scene.reference.at ? scene.reference.evidence : Evidence::two_methods;
+  if (evidence == Evidence::closed_form) return "closed form";
+  return evidence == Evidence::laplace_transform ? "inverse Laplace transform" : "two methods";
+}
+
 }  // namespace fde

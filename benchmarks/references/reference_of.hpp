@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "scenes/scene.hpp"
 
 namespace fde {
@@ -11,5 +13,8 @@ PosedProblem posed_for_reference(const Scene& scene);
 // whose bound is an estimate. Computing that takes some seconds, unless it is in the cache_folder(). Throws
 // std::runtime_error where there is no reference, with the reason.
 Reference reference_of(const Scene& scene);
+
+// What that rests on: "closed form", "inverse Laplace transform" or "two methods".
+std::string_view evidence_of(const Scene& scene);
 
 }  // namespace fde

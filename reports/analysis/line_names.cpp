@@ -4,25 +4,45 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace fde {
 namespace {
 
-std::array<std::string, 4> means_of(const Setup& setup) {
-  return {std::string(name(setup.history)), setup.grading == 1.0 ? "" : grid_text(setup.grading),
+std::array<std::string, 4> means_of(const Setup& setup, bool one_grading = false) {
+  const auto grid = one_grading ? "graded" : grid_text(setup.grading);
+  return {std::string(name(setup.history)), setup.grading == 1.0 ? "" : grid,
           fmt::format("tolerance {:g}", setup.tolerance),
           std::isfinite(setup.budget) ? fmt::format("budget {:g} s", setup.budget) : "no budget"};
 }
 
 // Those means that are told, behind each other.
-std::string told(const Setup& setup, const std::array<bool, 4>& which) {
-  const auto means = means_of(setup);
+std::string told(const Setup& setup, const std::array<bool, 4>& which, bool one_grading) {
+  const auto means = means_of(setup, one_grading);
   std::vector<std::string> words;
   for (std::size_t i = 0; i < means.size(); ++i) {
     if (which[i] && !means[i].empty()) words.push_back(means[i]);
   }
   return fmt::format("{}", fmt::join(words, ", "));
+}
+
+// Whether a scheme's grading differs from scene to scene and nowhere within a scene.
+bool differ_by_scene_only(const Runs& runs) {
+  std::map<std::pair<SceneSettings, std::string>, double> gradings;
+  std::map<std::string, double> of_schemes;
+  bool differ = false;
+  for (const auto* some : {&runs.finished, &runs.failed}) {
+    for (const MeasuredRun& run : *some) {
+      const double grading = run.key.setup.grading;
+      if (grading == 1.0) continue;
+      const auto [first, is_new] = gradings.try_emplace({run.key.scene, run.key.scheme}, grading);
+      if (first->second != grading) return false;
+      differ = differ || of_schemes.try_emplace(run.key.scheme, grading).first->second != grading;
+    }
+  }
+  return differ;
 }
 
 }  // namespace
@@ -44,8 +64,18 @@ LineNames::LineNames(const Runs& runs) {
 
 std::string LineNames::name(const std::string& scheme, const Setup& setup) const {
   constexpr std::array grid_alone{false, true, false, false};
-  const auto means = told(setup, external_.contains(scheme) ? grid_alone : differ_);
+  const auto means = told(setup, external_.contains(scheme) ? grid_alone : differ_, one_grading_);
   return means.empty() ? scheme : fmt::format("{}, {}", scheme, means);
+}
+
+LineNames LineNames::of_several_scenes(const Runs& runs) {
+  LineNames names(runs);
+  names.one_grading_ = differ_by_scene_only(runs);
+  return names;
+}
+
+std::string LineNames::grid(const Setup& setup) const {
+  return one_grading_ && setup.grading != 1.0 ? grid_text(setup.grading) : "";
 }
 
 }  // namespace fde

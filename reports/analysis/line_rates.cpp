@@ -1,6 +1,7 @@
 #include "analysis/line_rates.hpp"
 
 #include <algorithm>
+#include <variant>
 
 namespace fde {
 namespace {
@@ -43,7 +44,9 @@ RateRow rate_of(RunSpan line) {
 
 std::vector<RateRow> rates(const Runs& runs) {
   std::vector<RateRow> rows;
-  for (const RunSpan line : by_line(runs.finished)) rows.push_back(rate_of(line));
+  for (const RunSpan line : by_line(runs.finished)) {
+    if (!std::holds_alternative<Accuracy>(line.front().key.setup.resolution)) rows.push_back(rate_of(line));
+  }
   return rows;
 }
 

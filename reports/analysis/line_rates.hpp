@@ -33,7 +33,7 @@ RateRow rate_of(RunSpan line);
 // How fast a quantity falls with the step, over the same step counts.
 Fit observed_rate(RunSpan line, std::string_view quantity);
 
-// A row for each line, in the order of the runs.
+// A row for each line, in the order of the runs. Schemes that choose their steps have no rate in them.
 std::vector<RateRow> rates(const Runs& runs);
 
 }  // namespace fde

@@ -9,6 +9,7 @@
 #include "command/arguments.hpp"
 #include "command/command.hpp"
 #include "command/command_line.hpp"
+#include "references/reference_of.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/registry.hpp"
 #include "sweep/experiment.hpp"
@@ -35,13 +36,6 @@ std::vector<std::string> capabilities(const Scene& scene) {
   if (scene.energy) names.emplace_back("energy");
   if (scene.constraint) names.emplace_back("constraint");
   return names;
-}
-
-// What its errors are measured against.
-std::string_view evidence_of(const Scene& scene) {
-  const auto evidence = scene.reference.at ? scene.reference.evidence : Evidence::two_methods;
-  if (evidence == Evidence::closed_form) return "closed form";
-  return evidence == Evidence::laplace_transform ? "inverse Laplace transform" : "two methods";
 }
 
 // Names one by one; many that count on, u1, u2, ..., as their pattern.

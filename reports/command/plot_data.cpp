@@ -68,7 +68,7 @@ json data_of_drifts(const std::string& results, const SceneVariant& of, const Sc
   SceneSettings asked = of.key();
   asked.values.erase("formulation");
   ReadRuns read = read_runs(results, known);
-  PageInput page{.sessions = std::move(read.sessions), .names = LineNames(read.runs)};
+  PageInput page{.sessions = std::move(read.sessions), .names = LineNames::of_several_scenes(read.runs)};
   page.runs = std::move(read.runs);
   for (const auto& scene : constrained_scenes(page.runs)) {
     if (scene.scene != asked) continue;

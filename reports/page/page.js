@@ -39,17 +39,19 @@ function showScene(section, page, place) {
 // What of a section depends on the kind of error: its conclusion, its table and its charts.
 function showKind(section, page, kind, place) {
   const shown = [];
-  if (section.conclusions?.[kind.id]) shown.push(element("p", { class: "conclusion" }, section.conclusions[kind.id]));
+  if (section.conclusions?.[kind.id]) shown.push(element("p", { class: "conclusion" }, ...unbroken(section.conclusions[kind.id])));
   const table = section.tables?.[kind.id] ?? section.table;
-  if (table) shown.push(tableFrame(viewed(table, viewNow(), page.sections), page.lines));
+  if (table) shown.push(tableFrame(viewed(table, viewNow(), page.sections), page.lines), ...(table.map ? keyOf(table) : []));
   if (section.verdicts) {
-    shown.push(element("h3", {}, "Each scheme: where it wins, and where not to use it"));
-    shown.push(tableFrame(viewed(section.verdicts[kind.id], viewNow(), page.sections), page.lines));
+    const rows = viewed(section.verdicts[kind.id], viewNow(), page.sections).groups.flatMap((group) => group.rows.map((row) => row.map(cellOf)));
+    const [winners, others] = [true, false].map((wins) => rows.filter(([, { text }]) => text.startsWith("Cheapest in") === wins));
+    shown.push(element("div", {}, element("h3", {}, "Each scheme: where it wins, where not to use it"), linesSaid(winners, page.lines, "winners")));
+    if (others.length > 0) shown.push(element("div", { class: "wide" }, element("h3", {}, "Schemes that are cheapest nowhere"), linesSaid(others, page.lines, "others")));
   }
   const { solution, ...measured } = section;
   const charts = chartsOfSection(measured, page.lines, kind, page.kinds, (line, session) => wantsLine(viewNow(), line) && wantsSession(viewNow(), session));
   const frame = element("div", { class: "charts" });
-  if (charts.length > 0) shown.splice(section.drifts ? 0 : shown.length, 0, frame);
+  if (charts.length > 0) shown.push(frame);
   place.replaceChildren(...shown);
   drawCharts(section, charts, page, kind, frame);
 }
@@ -65,9 +67,11 @@ function frameOf(section) {
 }
 
 // Scenes are reached from the map.
+const briefTitles = { answer: "Answer", stability: "Trials", regions: "Stability", rates: "Rates", drift: "Drift", cost: "Cost", expansion: "Chain or expansion", reference: "References",
+  failures: "Refused and failed", schemes: "Schemes", compared: "Compared" };
 function link(section) {
   if (section.runs && !section.parameter) return;
-  document.querySelector("nav").append(element("a", { href: `#${section.id}` }, section.title));
+  document.querySelector("nav").append(element("a", { href: `#${section.id}` }, briefTitles[section.id] ?? section.title));
 }
 
 // The controls name a norm and a scale; both together are a kind of error.
@@ -77,6 +81,18 @@ function chosenKind(kinds) {
 }
 
 const data = JSON.parse(document.getElementById("data").textContent);
+// The drifts of a scene's formulations stand where its runs are.
+for (const drift of data.sections.flatMap(({ drifts }) => drifts ?? [])) {
+  const scene = data.sections.find(({ id, runs }) => runs && id === drift.id);
+  if (scene) scene.drifts = [drift];
+}
+for (const section of data.sections.filter(({ drifts, runs }) => drifts && !runs)) {
+  section.drifts = section.drifts.filter(({ id }) => !data.sections.some((other) => other.runs && other.id === id));
+}
+const short = shortNames(data.lines);
+const shortNameOfLine = (text) => short.get(text) ?? text;
+const made = madeOf(data.sessions);
+for (const section of data.sections.filter(({ runs }) => runs)) section.made = made;
 // A solution may stand in another section.
 for (const section of data.sections.filter(({ solution }) => solution?.of)) section.solution = data.sections.find(({ id }) => id === section.solution.of).solution;
 document.getElementById("sessions").append(tableFrame(data.sessions, data.lines));

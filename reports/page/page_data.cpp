@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "analysis/text.hpp"
 #include "page/assets.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/scene.hpp"
+#include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
 #include "sweep/trials.hpp"
 
@@ -47,7 +50,8 @@ json kinds() {
   return all;
 }
 
-// The labels of all lines, each once, schemes in the order of their list: the order gives them their colours.
+// The labels of all lines, each once, those that win most cells of the map first, otherwise in the order of
+// the list of schemes. The order gives them their colours: the first few have one of their own.
 std::vector<std::string> line_labels(const PageInput& page) {
   std::vector<std::string> labels;
   const auto add = [&](const MeasuredRun& run) {
@@ -60,6 +64,8 @@ std::vector<std::string> line_labels(const PageInput& page) {
     }
   }
   std::ranges::for_each(page.runs.finished, add);  // those of schemes that this build does not know
+  auto won = cells_won(page, {});
+  std::ranges::stable_sort(labels, std::greater{}, [&](const std::string& label) { return won[label]; });
   return labels;
 }
 
@@ -99,10 +105,11 @@ json regions_section() {
       {"id", "regions"},
       {"title", "Stability: linear equations"},
       {"paragraphs",
-       {"For D^γ y = λ y a scheme with steps h depends on z = λ h^γ alone. The solution decays where |arg z| "
-        "> γπ/2, left of the dashed ray. A scheme is stable next to 0 on the left, up to its curve: without "
-        "end where that stays on the right, only within it where it crosses the negative axis. Schemes whose "
-        "curves are those of another are not drawn. fdebench stability prints them for any order."}},
+       {"What a scheme makes of D^γ y = λ y with steps h depends on z = λ h^γ alone. The solution decays to "
+        "the left of the dashed ray, where |arg z| > γπ/2; a scheme does to the left of its curve. A curve "
+        "that stays in the right half bounds no step: the scheme may take any where the solution decays. One "
+        "that ends on the negative axis bounds them: z has to be inside. Of schemes with the same curve one "
+        "is drawn. fdebench stability prints the curves for any order."}},
       {"regions", json::parse(assets::regions())}};
 }
 
@@ -119,12 +126,25 @@ SceneName name_of_scene(const SceneSettings& scene) {
       .source = std::string(found->source)};
 }
 
+// Scenes of files are not at hand.
+std::optional<Scene> known_scene(const SceneSettings& settings) {
+  const SceneMaker* maker = settings.checksum.empty() ? find_scene(settings.id) : nullptr;
+  if (maker == nullptr) return std::nullopt;
+  try {
+    Scene scene = make_known_scene(*maker, settings.values);
+    if (settings.until) scene.problem.end = *settings.until;
+    return scene;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
 std::string section_of(const SceneSettings& scene) {
   return fmt::format("scene-{}{}", label_of(scene), short_checksum(scene));
 }
 
 json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
-  PageInput page{.sessions = std::move(read.sessions), .names = LineNames(read.runs)};
+  PageInput page{.sessions = std::move(read.sessions), .names = LineNames::of_several_scenes(read.runs)};
   page.runs = std::move(read.runs);
   const Section compared = before ? compared_section(page, before->runs) : Section{};
   page.trials = take_trials(page.runs);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -30,6 +31,8 @@ struct PageInput {
   [[nodiscard]] std::string label(const RunKey& run) const { return names.name(run.scheme, run.setup); }
   [[nodiscard]] std::string label(const Option& of) const { return names.name(of.schemes.front(), of.setup); }
   [[nodiscard]] std::string label(const RateRow& of) const { return names.name(of.scheme, of.setup); }
+  // The line's grid where its name does not tell it; otherwise nothing.
+  [[nodiscard]] std::string grid(const Setup& setup) const { return names.grid(setup); }
 };
 
 // A titled part of the page; what is empty is left out.
@@ -44,10 +47,18 @@ struct Section {
 Table sessions_table(const PageInput& page);
 // The cheapest run of each scene and accuracy, as a map.
 Section answers_section(const PageInput& page);
-// Of each scheme a row: where it is cheapest, and where it fails, is inaccurate or refuses.
+// How many cells of the map each line wins.
+std::map<std::string, int> cells_won(const PageInput& page, const ErrorKind& kind);
+// Of each scheme a row, the one that wins most cells first: where it is cheapest, and where it fails, is
+// inaccurate or refuses.
 Table scheme_verdicts(const PageInput& page, const ErrorKind& kind);
 // The cheapest run of each accuracy of one scene, with all that is known of the run.
-Table scene_answers(const PageInput& page, const SceneLines& lines, const ErrorKind& kind);
+Table scene_answers(const PageInput& page, const SceneSettings& scene, const SceneLines& lines,
+                    const ErrorKind& kind);
+// Why the first of two lines of a scene is quicker than the second, as the records show it: fewer steps, by
+// its rate, or cheaper ones.
+std::string reason_it_leads(const PageInput& page, const SceneSettings& scene, const Option& first,
+                            const Option& second, Norm norm);
 // What changed since other results, as `compare` has it.
 Section compared_section(const PageInput& page, const Runs& before);
 Section rates_section(const PageInput& page);
@@ -67,6 +78,8 @@ std::string conclusion(const PageInput& page, const SceneLines& lines, RunSpan r
 nlohmann::json equations_of(const SceneSettings& scene);
 Table parameters_table(const SceneSettings& scene);
 nlohmann::json solution_of(const SceneSettings& settings);
+// The scene itself; nullopt where this build does not know it, as that of a file, or cannot make it.
+std::optional<Scene> known_scene(const SceneSettings& settings);
 // The same of a scene that is at hand: t, columns, values, bound; energy, reactions and motion as columns and
 // values too. Throws where there is no reference.
 nlohmann::json solution_of(const Scene& scene);

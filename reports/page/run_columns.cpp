@@ -15,11 +15,21 @@ namespace {
 
 using nlohmann::json;
 
-// Beside the errors.
-constexpr std::array<std::string_view, 6> quantities{
-    "time_minimum", "time_median", "history_bytes", "energy_residual", "drift_internal", "drift_independent"};
+// Beside the errors: those that charts show, and those that only their tooltips do, to fewer digits.
+constexpr std::array<std::string_view, 6> drawn{"time_minimum",    "time_median",    "history_bytes",
+                                                "energy_residual", "drift_internal", "drift_independent"};
+constexpr std::array<std::string_view, 7> told{"time_low",
+                                               "time_high",
+                                               "rhs_calls",
+                                               "newton_iterations",
+                                               "rejected_steps",
+                                               "rounding",
+                                               "reference_bound_maximum"};
+constexpr int few_digits = 3;
 
 json number(const std::optional<double>& value) { return value ? json(in_chart(*value)) : json(); }
+
+json few(const std::optional<double>& value) { return value ? json(in_chart(*value, few_digits)) : json(); }
 
 json asked(const MeasuredRun& run) {
   const auto* accuracy = std::get_if<Accuracy>(&run.key.setup.resolution);
@@ -51,8 +61,12 @@ json run_columns(const PageInput& page, const std::vector<const MeasuredRun*>& r
     const auto name = error_measure(kind);
     add(std::string(name), [&](const MeasuredRun& run) { return number(run[name]); });
   }
-  for (const auto name : quantities)
+  for (const auto name : drawn)
     add(std::string(name), [&](const MeasuredRun& run) { return number(run[name]); });
+  for (const auto name : told) add(std::string(name), [&](const MeasuredRun& run) { return few(run[name]); });
+  add("grading", [](const MeasuredRun& run) {
+    return run.key.setup.grading == 1.0 ? json() : json(run.key.setup.grading);
+  });
   add("wall_clock", [](const MeasuredRun& run) { return run.wall_clock ? json(true) : json(); });
   if (page.sessions.size() > 1) add("session", [](const MeasuredRun& run) { return json(run.session + 1); });
   return columns;

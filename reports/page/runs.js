@@ -15,6 +15,13 @@ function bytesText(bytes) {
   return `${(bytes / size).toPrecision(3)} ${unit}`;
 }
 
+// Of each session what the tooltips of its runs say: where and with what they were made.
+function madeOf({ groups: [{ rows }] }) {
+  const texts = Object.fromEntries(rows.map(([name, ...of]) => [name, of]));
+  const told = ["machine", "date", "commit"].filter((name) => texts[name]);
+  return texts.date?.map((_, session) => Object.fromEntries(told.map((name) => [name, texts[name][session]])));
+}
+
 // A row for each run, { line, steps, ... }, without what it does not have.
 function rowsOf({ lines, ...columns }) {
   const names = Object.keys(columns);
@@ -31,7 +38,7 @@ function rateBetween(coarse, fine, error) {
 }
 
 // What a point's tooltip says, a name and a text each.
-function wordsOf(row, coarser, kind, kinds, parameter) {
+function wordsOf(row, coarser, kind, kinds, { parameter, made }) {
   const words = { title: row.line };
   const add = (name, value, text) => {
     if (value !== undefined) words[name] = text(value);
@@ -41,16 +48,21 @@ function wordsOf(row, coarser, kind, kinds, parameter) {
   add("asked", row.asked, fewDigits);
   add("N", row.steps, String);
   add("h", row.h, (h) => String(Number(h.toPrecision(3))));
+  add("grid", row.grading, (grading) => `graded:${Number(grading.toPrecision(3))}`);
+  add("time", row.time_minimum, time);
+  add("median time", row.time_median, (median) => `${time(median)}${row.time_low ? ` (${timeText(row.time_low)} … ${timeText(row.time_high)})` : ""}`);
+  add(`rate from N = ${coarser?.steps}`, rateBetween(coarser, row, kind.id), (rate) => rate.toFixed(2));
+  for (const { id, title } of kinds) add(title, row[id], fewDigits);
+  add("bound of the reference", row.reference_bound_maximum, fewDigits);
+  add("rounding", row.rounding, fewDigits);
   add("energy residual", row.energy_residual, fewDigits);
   add("internal drift", row.drift_internal, fewDigits);
   add("independent drift", row.drift_independent, fewDigits);
-  add("time", row.time_minimum, time);
-  add("median time", row.time_median, time);
+  add("calls of f", row.rhs_calls, String);
+  add("Newton iterations", row.newton_iterations, String);
+  add("rejected steps", row.rejected_steps, String);
   add("memory of the past", row.history_bytes, bytesText);
-  add(`rate from N = ${coarser?.steps}`, rateBetween(coarser, row, kind.id), (rate) => rate.toFixed(2));
-  add("session", row.session, String);
-  for (const { id, title } of kinds) add(title, row[id], fewDigits);
-  return words;
+  return { ...words, ...made?.[(row.session ?? 1) - 1] };
 }
 
 // The points of a section for a kind of error.
@@ -58,7 +70,7 @@ function pointsOf(section, kind, kinds) {
   const rows = rowsOf(section.runs);
   return rows.map((row, i) => ({
     ...row, error: row[kind.id], ratio: row[kind.id] / row.asked,
-    words: wordsOf(row, section.parameter ? undefined : rows[i - 1], kind, kinds, section.parameter),
+    words: wordsOf(row, section.parameter ? undefined : rows[i - 1], kind, kinds, section),
   }));
 }
 

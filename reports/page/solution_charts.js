@@ -21,7 +21,7 @@ function symbolOf(name, columns = []) {
 }
 const symbolLabels = (columns) => `(${JSON.stringify(Object.fromEntries(columns.map((name) => [name, symbolOf(name, columns)])))})[datum.label]`;
 
-const linear = (field, title) => ({ field, title, type: "quantitative", scale: { zero: false, nice: false, padding: 6 } });
+const linear = (field, title) => ({ field, title, type: "quantitative", scale: { zero: false, nice: false, padding: 6 }, axis: { tickCount: 7, labelOverlap: true } });
 
 // Colours and dashes: curves are told apart on paper without colours too.
 const dashes = [[], [6, 3], [2, 2], [8, 3, 2, 3], [1, 3], [10, 4]];

@@ -16,10 +16,26 @@ const unbroken = (text) => text.split(/([Nt] = [^\s,]+|\S+e-\d+)/).map((part, i)
 // Cells are texts, or say more; their text may be their line's.
 const cellOf = (cell) => (typeof cell === "string" ? { text: cell } : { text: cell.line ?? "", ...cell });
 
-function cellContent(cell, lines, painted, to) {
+// The colour and the shape that a line's points have in the charts.
+const swatch = (lines, line) => element("i", { class: "swatch", "data-shape": shapeOf(lines, line), style: `background:${colourOf(lines, line)}` });
+
+// What a verdict is in a map of narrow cells.
+const signs = { survives: "✓", "stops rightly": "✓", inaccurate: "≈", fails: "✗", refuses: "–", "not judged": "?" };
+
+// A map's cells are narrow: a line's short name and a time, a verdict's sign and an error. The whole name is what a screen reader says.
+function mapContent(cell, to) {
+  const sign = cell.line ? shortNameOfLine(cell.line) : signs[cell.tone] ?? "";
+  const detail = cell.tone && cell.detail ? Number(cell.detail).toExponential(0).replace("e+", "e") : cell.detail ?? (sign ? "" : cell.text);
+  const parts = [...(sign ? [element("b", {}, sign)] : []), ...(sign && detail ? [" "] : []), ...(detail ? [element("small", {}, ...unbroken(detail))] : [])];
+  const said = [cell.text, cell.detail].filter(Boolean).join(", ");
+  if (to && cell.text) return [element("a", { href: `#${to}`, "aria-label": said }, ...parts)];
+  return cell.tone ? [element("span", { role: "img", "aria-label": said }, ...parts)] : parts;
+}
+
+function cellContent(cell, lines, to) {
   const text = cell.marked ? [element("mark", {}, cell.text)] : breakable(cell.text);
   const parts = to && cell.text ? [element("a", { href: `#${to}` }, ...text)] : text;
-  if (cell.line && !painted) parts.unshift(element("i", { class: "swatch", style: `background:${colourOf(lines, cell.line)}` }));
+  if (cell.line) parts.unshift(swatch(lines, cell.line));
   if (cell.detail) parts.push(element("small", {}, ...unbroken(cell.detail)));
   return parts;
 }
@@ -28,29 +44,41 @@ function cellContent(cell, lines, painted, to) {
 function mapAttributes(cell, column, lines) {
   const paint = cell.line ? { style: `--paint:${colourOf(lines, cell.line)};--strength:${Math.round(12 + 48 * (cell.strength ?? 0))}%` }
     : cell.tone && cell.strength ? { style: `--strength:${Math.round(8 + 34 * cell.strength)}%` } : {};
-  return { "data-column": column.text, ...(cell.tone && { "data-tone": cell.tone }), ...paint };
+  return { "data-column": shortNameOfLine(column.text), ...(cell.tone && { "data-tone": cell.tone }), ...paint };
 }
 
 // A cell of the map stands for a row of its section's table, which says more.
-function hintOf(cell, column, { to }, kind) {
+function hintOf(cell, column, { to, text }, kind) {
+  if (cell.tone) return `${column.text}, ${text}: ${cell.text}${cell.hint ? `, ${cell.hint}` : ""}`;
   if (cell.hint || !to) return cell.hint;
   const rows = data.sections.find(({ id }) => id === to)?.tables[kind.id].groups[0].rows;
   const row = rows?.find(([heading]) => cellOf(heading).text === column.text);
   return row?.slice(1).map((of) => cellOf(of).text).filter(Boolean).join(": ");
 }
 
-function tableRow(row, { columns, map }, lines) {
+// A scene that differs from the one above in its settings alone is named by these.
+function shortHeading(text, above) {
+  const [base, settings] = text.split(" (");
+  return settings && above?.split(" (")[0] === base ? settings.replace(")", "") : text;
+}
+
+function tableRow(row, { columns, map }, lines, above) {
   const cells = row.map(cellOf);
+  if (map) {
+    const text = shortHeading(cells[0].text, above && cellOf(above[0]).text);
+    if (text !== cells[0].text) cells[0] = { ...cells[0], text, hint: cells[0].text, variant: true };
+  }
   return element("tr", {}, ...cells.map((cell, i) => {
     const hint = hintOf(cell, columns[i], cells[0], chosenKind(data.kinds));
-    const attributes = { ...(hint && { title: hint }), ...(cell.faint && { class: "faint" }), ...(map && i > 0 && mapAttributes(cell, columns[i], lines)) };
-    return element(i ? "td" : "th", i ? attributes : { scope: "row" }, ...cellContent(cell, lines, map, map || i === 0 ? cells[0].to : undefined));
+    const marks = ["faint", "variant"].filter((mark) => cell[mark]).join(" ");
+    const attributes = { ...(hint && { title: hint }), ...(marks && { class: marks }), ...(map && i > 0 && mapAttributes(cell, columns[i], lines)) };
+    return element(i ? "td" : "th", i ? attributes : { scope: "row", ...attributes }, ...(map && i ? mapContent(cell, cells[0].to) : cellContent(cell, lines, map || i === 0 ? cells[0].to : undefined)));
   }));
 }
 
 function tableGroup(group, table, lines) {
   const { columns } = table;
-  const rows = group.rows.map((row) => tableRow(row, table, lines));
+  const rows = group.rows.map((row, i) => tableRow(row, table, lines, group.rows[i - 1]));
   if (group.title) {
     rows.unshift(element("tr", { class: "group" }, element("th", { scope: "rowgroup", colspan: columns.length }, group.title)));
   }
@@ -68,8 +96,11 @@ function sharedHeadings(columns) {
     over ? element("th", { scope: "colgroup", colspan }, over) : element("td", { colspan }));
 }
 
-function tableHead(columns) {
-  const row = element("tr", {}, ...columns.map((column) => element("th", { scope: "col" }, ...breakable(column.text))));
+// A map's lines stand above narrow columns.
+const heading = ({ text }, map) => (map && shortNameOfLine(text) !== text ? [element("abbr", { title: text }, shortNameOfLine(text))] : breakable(text));
+
+function tableHead({ columns, map }) {
+  const row = element("tr", {}, ...columns.map((column) => element("th", { scope: "col" }, ...heading(column, map))));
   if (!columns.some((column) => column.over)) return element("thead", {}, row);
   return element("thead", {}, element("tr", {}, ...sharedHeadings(columns)), row);
 }
@@ -77,7 +108,21 @@ function tableHead(columns) {
 // A table in a frame of its own, which scrolls where the screen is narrower.
 function tableFrame(table, lines) {
   return element("div", { class: "frame", role: "region", tabindex: "0", "aria-label": table.caption },
-    element("table", table.map ? { class: "map" } : {}, element("caption", {}, table.caption), tableHead(table.columns),
+    element("table", table.map ? { class: "map" } : {}, element("caption", {}, table.caption), tableHead(table),
       ...table.groups.map((group) => tableGroup(group, table, lines))));
 }
 
+
+// The short names of a map's columns.
+function keyOf({ columns }) {
+  const named = columns.filter(({ text }) => shortNameOfLine(text) !== text);
+  return named.length === 0 ? [] : [element("p", { class: "key" }, ...named.flatMap(({ text }, i) => [...(i ? [", "] : []), element("b", {}, shortNameOfLine(text)), ` ${text}`]))];
+}
+
+// What is said of each line, its short name before it: a key to the map beside it.
+function linesSaid(rows, lines, id) {
+  return element("dl", { class: "said", id }, ...rows.flatMap(([{ line }, ...said]) => [
+    element("dt", {}, element("b", { style: `--paint:${colourOf(lines, line)}` }, shortNameOfLine(line)), ...breakable(line)),
+    ...said.filter(({ text }) => text).map(({ text }) => element("dd", {}, ...unbroken(text))),
+  ]));
+}

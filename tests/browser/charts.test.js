@@ -79,6 +79,8 @@ test("hovering tells the run under the pointer", () =>
       assert.equal(words.N, String(run.steps));
       assert.equal(words["maximum error"], errorText(run.error_maximum));
       assert.equal(words["relative error at the end"], errorText(run.error_end_relative));
+      assert.equal(words["calls of f"], String(Number(run.rhs_calls.toPrecision(3))));
+      assert.ok(words.machine && words.date);
       await page.mouse.move(0, 0);
     }
   }));

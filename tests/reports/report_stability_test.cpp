@@ -53,8 +53,7 @@ TEST(StabilitySection, HasAVerdictInEveryCell) {
   EXPECT_EQ(groups[1]["title"], first.kind);
   EXPECT_THAT(texts(groups[1]["rows"][0]), ElementsAre(first.scene.label(), "fails", "survives"));
   EXPECT_THAT(texts(groups[1]["rows"][1]), ElementsAre(trials()[1].scene.label(), "not run", "inaccurate"));
-  EXPECT_EQ(groups[1]["rows"][0][1]["hint"],
-            "adams_pc, " + first.scene.label() + ": not finite at step 7, t = 0.5");
+  EXPECT_EQ(groups[1]["rows"][0][1]["hint"], "not finite at step 7, t = 0.5");
 }
 
 TEST(StabilitySection, LeavesScenesWithTrialsOnlyToItself) {

@@ -146,7 +146,7 @@ TEST(Report, MapsTheCheapestRunAndLeadsToItsScene) {
   EXPECT_EQ(cell["detail"], "256 µs");
   EXPECT_NEAR(cell["strength"].get<double>(), std::log10(1.5), 5e-3);
   const auto said = section(data, "scene-pendulum")["tables"]["error_end"]["groups"][0]["rows"][1];
-  EXPECT_EQ(text_of(said[3]), "1.5 times as quick as adams_pc");
+  EXPECT_EQ(text_of(said[3]), "1.5 times as quick as adams_pc: a step takes 1.00 µs where one of adams_pc takes 3.00 µs");
 }
 
 // What is not reached by any run has no colour, and says how near they come.
@@ -158,12 +158,13 @@ TEST(Report, SaysOfEachSchemeWhereItWinsAndWhatSpeaksAgainstIt) {
   const auto rows =
       section(data_of(written(results)), "answer")["verdicts"]["error_end"]["groups"][0]["rows"];
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(text_of(rows[0][0]), "adams_pc");
-  EXPECT_EQ(text_of(rows[0][1]),
-            "cheapest nowhere; nearest on pendulum to 1e-4, in 1.5 times the least time");
-  EXPECT_EQ(text_of(rows[0][2]), "refuses diethelm: takes no such order");
-  EXPECT_THAT(text_of(rows[1][1]), HasSubstr("cheapest in 2 of 2 cells: pendulum; the next takes"));
-  EXPECT_EQ(text_of(rows[1][2]), "fails once (brusselator)");
+  EXPECT_EQ(text_of(rows[0][0]), "l1");  // who wins most comes first
+  EXPECT_THAT(text_of(rows[0][1]), HasSubstr("Cheapest in 2 of 2 cells: pendulum. The next takes"));
+  EXPECT_EQ(text_of(rows[0][2]), "Fails on brusselator.");
+  EXPECT_EQ(text_of(rows[1][0]), "adams_pc");
+  EXPECT_EQ(text_of(rows[1][1]),
+            "Cheapest nowhere; nearest on pendulum to 1e-4, in 1.5 times the least time.");
+  EXPECT_EQ(text_of(rows[1][2]), "Refuses diethelm (takes no such order).");
 }
 
 TEST(Report, SaysHowFarTheBestRunIsFromAnAccuracy) {
@@ -190,6 +191,46 @@ TEST(Report, NamesALineByWhatTellsItsSetupFromOthers) {
   EXPECT_THAT(text_of(recommend(runs_of(results), {"pendulum"}, {Norm::end, Scale::absolute}, 3e-5)),
               HasSubstr("l1, graded:2: N = 512"));
   EXPECT_THAT(lines(two_lines()), testing::UnorderedElementsAre("adams_pc", "l1"));
+}
+
+// Gradings that follow from the orders of scenes make one line, whose rows name them.
+TEST(Report, NamesALineOnceWhoseGradingDiffersFromSceneToScene) {
+  Results results = two_lines();
+  for (const auto& [scene, grading] : {std::pair{"pendulum", 2.0}, std::pair{"brusselator", 3.0}}) {
+    for (auto row : two_lines().records) {
+      if (row.key.scheme != "l1") continue;
+      row.key.scene = {scene};
+      row.key.setup.grading = grading;
+      results.records.push_back(row);
+    }
+  }
+  const auto data = data_of(written(results));
+  EXPECT_THAT(data["lines"].get<std::vector<std::string>>(),
+              testing::UnorderedElementsAre("adams_pc", "l1", "l1, graded"));
+  const auto rates = section(data, "rates").dump();
+  EXPECT_THAT(rates, HasSubstr(R"("detail":"graded:2","line":"l1, graded")"));
+  EXPECT_THAT(rates, HasSubstr(R"("detail":"graded:3","line":"l1, graded")"));
+}
+
+// A scheme that is asked for an accuracy has no step to have a rate in.
+TEST(Rates, AreOfRunsOverGridsOnly) {
+  Results results = two_lines();
+  for (auto& row : results.records) {
+    if (row.key.scheme == "l1") row.key.setup.resolution = Accuracy{.relative = row.h, .absolute = row.h};
+  }
+  const auto rows = rates(runs_of(results));
+  ASSERT_EQ(rows.size(), 1);
+  EXPECT_EQ(rows[0].scheme, "adams_pc");
+}
+
+// The pendulum's reference is what two methods agree on, and takes a while.
+TEST(Report, SaysWhatAReferenceRestsOnAndTakes) {
+  const auto of = section(data_of(written(two_lines())), "reference");
+  const auto cell = of["table"]["groups"][0]["rows"][0][1];
+  EXPECT_EQ(text_of(cell), "two methods");
+  EXPECT_THAT(cell["detail"].get<std::string>(), testing::MatchesRegex("computed in [0-9.]+ m?s"));
+  EXPECT_THAT(of["paragraphs"].back().get<std::string>(),
+              testing::StartsWith("Where two methods have to agree, a reference took "));
 }
 
 TEST(Report, MarksRatesThatDeviate) {

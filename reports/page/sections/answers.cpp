@@ -42,13 +42,36 @@ Margin margin_of(const PageInput& page, std::span<const Option> ranked) {
   return margin;
 }
 
-std::string margin_text(const PageInput& page, std::span<const Option> ranked) {
-  if (ranked.size() == 1) return "no other line gets there";
+// The first few, and how many there are behind them.
+std::string first_names(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 3;
+  const std::span first(names.data(), std::min(names.size(), most));
+  const auto more = names.size() - first.size();
+  return fmt::format("{}{}", fmt::join(first, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+// The smallest error of the lines that are not the algorithm of this one.
+std::string next_best(const PageInput& page, const SceneSettings& scene, const Option& first,
+                      const ErrorKind& kind) {
+  const MeasuredRun* next = nullptr;
+  const auto measure = error_measure(kind);
+  for (const MeasuredRun& run : of_scene(page.runs.finished, scene)) {
+    if (!run[measure] || std::ranges::count(first.schemes, run.key.scheme) > 0) continue;
+    if (next == nullptr || *run[measure] < *(*next)[measure]) next = &run;
+  }
+  if (next == nullptr) return {};
+  return fmt::format("; the next best, {}, has {}", page.label(next->key), error_text(*(*next)[measure]));
+}
+
+std::string margin_text(const PageInput& page, const SceneSettings& scene, std::span<const Option> ranked,
+                        const ErrorKind& kind) {
+  if (ranked.size() == 1) return "no other line gets there" + next_best(page, scene, ranked.front(), kind);
   const Margin margin = margin_of(page, ranked);
-  if (!margin.ties.empty()) return fmt::format("within noise of {}", fmt::join(margin.ties, ", "));
+  if (!margin.ties.empty()) return "within noise of " + first_names(margin.ties);
   const auto times =
       margin.ratio < 10.0 ? fmt::format("{:.1f}", margin.ratio) : rough_count_text(margin.ratio);
-  return fmt::format("{} times as quick as {}", times, page.label(ranked[1]));
+  return fmt::format("{} times as quick as {}: {}", times, page.label(ranked[1]),
+                     reason_it_leads(page, scene, ranked[0], ranked[1], kind.norm));
 }
 
 // From 0, where another line may be as quick, to 1, where the second takes ten times as long or there is
@@ -59,8 +82,14 @@ double strength(const PageInput& page, std::span<const Option> ranked) {
   return margin.ties.empty() ? std::clamp(std::log10(margin.ratio), 0.0, 1.0) : 0.0;
 }
 
+std::string run_note(const PageInput& page, const Option& option) {
+  const auto grid = page.grid(option.setup);
+  return fmt::format("{}{}{}{}", grid, grid.empty() ? "" : ", ", run_text(option),
+                     session_note(page, option));
+}
+
 std::string best_text(const PageInput& page, const Option& best) {
-  return fmt::format("{}, {}{}", page.label(best), run_text(best), session_note(page, best));
+  return fmt::format("{}, {}", page.label(best), run_note(page, best));
 }
 
 // What the map says where nothing is within the accuracy. More is said by the row of the scene's own table,
@@ -82,16 +111,17 @@ Cell map_cell(const PageInput& page, const SceneLines& lines, const ErrorKind& k
           .session = page.sessions.size() > 1 ? first.session + 1 : 0};
 }
 
-std::vector<Cell> answer_row(const PageInput& page, const SceneLines& lines, const ErrorKind& kind,
-                             std::span<const ErrorForecast> forecasts, double accuracy) {
+std::vector<Cell> answer_row(const PageInput& page, const SceneSettings& scene, const SceneLines& lines,
+                             const ErrorKind& kind, std::span<const ErrorForecast> forecasts,
+                             double accuracy) {
   Cell heading{.text = accuracy_text(accuracy)};
   if (const auto ranked = lines.within(kind, accuracy); !ranked.empty()) {
     const Option& first = ranked.front();
     const std::string label = page.label(first);
     return {heading,
             {.text = label, .detail = names_note(first), .line = label},
-            {.text = run_text(first) + session_note(page, first)},
-            {.text = margin_text(page, ranked)}};
+            {.text = run_note(page, first)},
+            {.text = margin_text(page, scene, ranked, kind)}};
   }
   const auto missed = lines.shortfall(kind, accuracy, forecasts);
   if (!missed) return {heading, {.text = "no run has this error"}, {}, {}};
@@ -155,13 +185,14 @@ Section answers_section(const PageInput& page) {
   return section;
 }
 
-Table scene_answers(const PageInput& page, const SceneLines& lines, const ErrorKind& kind) {
+Table scene_answers(const PageInput& page, const SceneSettings& scene, const SceneLines& lines,
+                    const ErrorKind& kind) {
   Table table{.caption = fmt::format("The cheapest measured run by {}", error_title(kind)),
-              .columns = {{error_title(kind)}, {"cheapest"}, {"its run"}, {"the others"}}};
+              .columns = {{error_title(kind)}, {"cheapest"}, {"its run"}, {"why"}}};
   RowGroup rows;
   const auto forecasts = lines.forecasts(kind);
   for (const double accuracy : accuracies)
-    rows.rows.push_back(answer_row(page, lines, kind, forecasts, accuracy));
+    rows.rows.push_back(answer_row(page, scene, lines, kind, forecasts, accuracy));
   table.groups.push_back(std::move(rows));
   return table;
 }

@@ -46,37 +46,6 @@ std::string stretch_text(const PageInput& page, const Stretch& of) {
       first == last ? first : fmt::format("{} to {}", first, last));
 }
 
-std::optional<double> observed_rate_of(const PageInput& page, const SceneSettings& scene, const Option& line,
-                                       Norm norm) {
-  for (const RateRow& row : page.rates) {
-    if (row.scene != scene || row.scheme != line.schemes.front() || !same_line(row.setup, line.setup))
-      continue;
-    const NormRate& rate = norm == Norm::end ? row.end : row.maximum;
-    if (rate.fit.points > 0) return rate.fit.slope;
-  }
-  return std::nullopt;
-}
-
-// Time is steps times what a step costs: which of the two sets the first line apart from the second.
-std::string reason(const PageInput& page, const SceneSettings& scene, const Option& first,
-                   const Option& second, const ErrorKind& kind) {
-  const double fewer = static_cast<double>(second.steps) / first.steps;
-  const double dearer = first.step_seconds() / second.step_seconds();
-  const auto name = page.label(second);
-  if (fewer < 1.5) {
-    return fmt::format("a step costs it {} where it costs {} {}", time_text(first.step_seconds()), name,
-                       time_text(second.step_seconds()));
-  }
-  std::string text = fmt::format("{} steps are enough where {} needs {}", count_text(first.steps), name,
-                                 count_text(second.steps));
-  const auto ours = observed_rate_of(page, scene, first, kind.norm),
-             theirs = observed_rate_of(page, scene, second, kind.norm);
-  if (ours && theirs && *ours > *theirs + 0.2)
-    text += fmt::format(", by its rate, {:.1f} against {:.1f}", *ours, *theirs);
-  if (dearer > 1.5) text += fmt::format(", although a step costs it {:.1f} times as much", dearer);
-  return text;
-}
-
 // Why no run is within the first accuracy that none reaches.
 std::string limit(const PageInput& page, const SceneLines& lines, RunSpan runs, const ErrorKind& kind,
                   double accuracy) {
@@ -121,9 +90,10 @@ std::string conclusion(const PageInput& page, const SceneLines& lines, RunSpan r
     sentences.push_back(fmt::format("Cheapest: {}.", fmt::join(parts, ", then ")));
     const auto ranked = lines.within(kind, found.back().to);
     const auto to = accuracy_name(found.back().to), name = page.label(ranked.front());
-    sentences.push_back(ranked.size() == 1 ? fmt::format("To {} {} is the only one measured.", to, name)
-                                           : fmt::format("To {} {} leads: {}.", to, name,
-                                                         reason(page, scene, ranked[0], ranked[1], kind)));
+    sentences.push_back(ranked.size() == 1
+                            ? fmt::format("Only {} reaches {}.", name, to)
+                            : fmt::format("To {} {} leads: {}.", to, name,
+                                          reason_it_leads(page, scene, ranked[0], ranked[1], kind.norm)));
   }
   const double reached = found.empty() ? 1.0 : found.back().to;
   const auto* const next =

@@ -26,7 +26,7 @@ Cell time_cell(const MeasuredRun& run) {
 
 std::vector<Cell> row(const PageInput& page, const MeasuredRun& run) {
   const std::string label = page.label(run.key);
-  return {{.text = label, .line = label},
+  return {{.text = label, .detail = page.grid(run.key.setup), .line = label},
           {.text = count_text(run.steps)},
           time_cell(run),
           cell(run["error_end"], error_text),

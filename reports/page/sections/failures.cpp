@@ -12,7 +12,7 @@ namespace fde {
 namespace {
 
 std::vector<Cell> row(const PageInput& page, const std::vector<std::string>& steps, const MeasuredRun& run) {
-  return {{.text = page.label(run.key)},
+  return {{.text = page.label(run.key), .detail = page.grid(run.key.setup)},
           {.text = fmt::format("{}", fmt::join(steps, ", "))},
           {.text = sentence(run.ending)}};
 }

@@ -37,7 +37,7 @@ Cell correlation(const NormRate& rate) {
 
 std::vector<Cell> row(const PageInput& page, const RateRow& rate) {
   const std::string label = page.label(rate);
-  return {{.text = label, .line = label},
+  return {{.text = label, .detail = page.grid(rate.setup), .line = label},
           {.text = fmt::format("{} to {}", count_text(rate.coarsest), count_text(rate.finest))},
           expected(rate.end),
           observed(rate.end),

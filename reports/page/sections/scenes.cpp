@@ -97,7 +97,7 @@ json scene_sections(const PageInput& page) {
     const SceneLines lines(page.runs, solved);
     json answers = json::object(), conclusions = json::object();
     for (const ErrorKind& kind : error_kinds()) {
-      answers[error_measure(kind)] = to_json(scene_answers(page, lines, kind));
+      answers[error_measure(kind)] = to_json(scene_answers(page, solved, lines, kind));
       conclusions[error_measure(kind)] = conclusion(page, lines, scene, kind);
     }
     json section{{"id", section_of(solved)},

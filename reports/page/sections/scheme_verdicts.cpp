@@ -2,7 +2,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -27,6 +29,12 @@ struct Standing {
   std::string nearest_on{};             // the scene of that
   double nearest_accuracy = 0.0;
   int reached = 0;  // cells
+
+  [[nodiscard]] int won() const {
+    int cells = 0;
+    for (const auto& [scene, of_scene] : won_on) cells += of_scene;
+    return cells;
+  }
 };
 
 struct Standings {
@@ -44,7 +52,7 @@ Standings standings_of(const PageInput& page, const ErrorKind& kind) {
       if (ranked.empty()) continue;
       ++found.cells;
       auto& winner = found.of[page.label(ranked.front())];
-      ++winner.won_on[label_of(scene)];
+      ++winner.won_on[scene.id];
       if (ranked.size() > 1) winner.margins.push_back(ranked[1].time.median / ranked.front().time.median);
       for (const Option& option : ranked) {
         auto& of = found.of[page.label(option)];
@@ -72,28 +80,29 @@ std::string named(const std::map<std::string, int>& counts) {
 
 std::string where_it_wins(const Standings& all, const std::string& line) {
   const auto found = all.of.find(line);
-  if (found == all.of.end()) return "reaches none of these accuracies";
+  if (found == all.of.end() || found->second.reached == 0) return "Reaches none of these accuracies.";
   auto of = found->second;
   if (of.won_on.empty()) {
-    return fmt::format("cheapest nowhere; nearest on {} to 1e{:.0f}, in {:.3g} times the least time",
+    return fmt::format("Cheapest nowhere; nearest on {} to 1e{:.0f}, in {:.3g} times the least time.",
                        of.nearest_on, std::log10(of.nearest_accuracy), of.nearest);
   }
-  int won = 0;
-  for (const auto& [scene, cells] : of.won_on) won += cells;
-  std::string text = fmt::format("cheapest in {} of {} cells: {}", won, all.cells, named(of.won_on));
+  std::string text = fmt::format("Cheapest in {} of {} cells: {}.", of.won(), all.cells, named(of.won_on));
   if (!of.margins.empty()) {
     const auto middle = of.margins.begin() + std::ssize(of.margins) / 2;
     std::ranges::nth_element(of.margins, middle);
-    text += fmt::format("; the next takes {:.2g} times as long, in the median", *middle);
+    text += *middle < 1.05 ? " The next is as quick, in the median."
+                           : fmt::format(" The next takes {:.2g} times as long, in the median.", *middle);
   }
   return text;
 }
 
-// Runs of a line that a verdict speaks against.
+// The runs of a line that a verdict speaks against, by scene and by reason.
 struct Counted {
-  int runs = 0;
   std::map<std::string, int> scenes{}, reasons{};
 };
+
+// Without what is of one scene: "takes no algebraic rows: component 6 is one".
+std::string general(const std::string& reason) { return reason.substr(0, reason.find(": component")); }
 
 std::string against(const PageInput& page, const std::string& line) {
   std::map<std::string_view, Counted> counted;
@@ -101,9 +110,8 @@ std::string against(const PageInput& page, const std::string& line) {
   const auto count = [&](const MeasuredRun& run) {
     if (page.label(run.key) != line) return;
     auto& of = counted[verdict(run).word];
-    ++of.runs;
     ++of.scenes[run.key.scene.id];
-    ++of.reasons[run.ending.detail];
+    ++of.reasons[general(run.ending.detail)];
   };
   for (const MeasuredRun& run : page.trials) {
     trials += page.label(run.key) == line ? 1 : 0;
@@ -115,18 +123,21 @@ std::string against(const PageInput& page, const std::string& line) {
   }
   std::vector<std::string> parts;
   for (const Verdict& of : {fails, inaccurate}) {
-    if (const auto& [runs, scenes, reasons] = counted[of.word]; runs > 0) {
-      parts.push_back(fmt::format("{} {} ({})", of.word, runs == 1 ? "once" : fmt::format("{} times", runs),
-                                  named(scenes)));
-    }
+    if (const auto& scenes = counted[of.word].scenes; !scenes.empty())
+      parts.push_back(fmt::format("{} on {}", of.word, named(scenes)));
   }
-  if (const auto& [runs, scenes, reasons] = counted[refuses.word]; runs > 0) {
+  if (const auto& [scenes, reasons] = counted[refuses.word]; !scenes.empty()) {
     const auto most = std::ranges::max_element(reasons, {}, &std::pair<const std::string, int>::second);
     parts.push_back(
-        fmt::format("refuses {}{}", named(scenes), most->first.empty() ? "" : ": " + most->first));
+        fmt::format("{} {}{}", refuses.word,
+                    scenes.size() > most_named ? fmt::format("{} scenes", scenes.size()) : named(scenes),
+                    most->first.empty() ? "" : fmt::format(" ({})", most->first)));
   }
-  if (parts.empty()) return trials > 0 ? fmt::format("survives all {} trials", trials) : "";
-  return fmt::format("{}", fmt::join(parts, "; "));
+  if (parts.empty() && trials == 0) return "";
+  if (parts.empty()) return trials == 1 ? "Survives its trial." : fmt::format("Survives all {} trials.", trials);
+  auto text = fmt::format("{}.", fmt::join(parts, "; "));
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
 }
 
 // Of finished runs, failed ones and trials, each once, in the order of the list of schemes.
@@ -147,13 +158,21 @@ std::vector<std::string> labels_of(const PageInput& page) {
 
 }  // namespace
 
+std::map<std::string, int> cells_won(const PageInput& page, const ErrorKind& kind) {
+  std::map<std::string, int> won;
+  for (const auto& [line, standing] : standings_of(page, kind).of) won[line] = standing.won();
+  return won;
+}
+
 Table scheme_verdicts(const PageInput& page, const ErrorKind& kind) {
   Table table{.caption = fmt::format("Each scheme, by {}: where it is cheapest, and what speaks against it",
                                      error_title(kind)),
               .columns = {{"scheme"}, {"where it wins"}, {"where not to use it"}}};
-  const auto all = standings_of(page, kind);
+  auto all = standings_of(page, kind);
+  auto labels = labels_of(page);
+  std::ranges::stable_sort(labels, std::greater{}, [&](const auto& label) { return all.of[label].won(); });
   RowGroup rows;
-  for (const auto& line : labels_of(page)) {
+  for (const auto& line : labels) {
     rows.rows.push_back(
         {{.text = line, .line = line}, {.text = where_it_wins(all, line)}, {.text = against(page, line)}});
   }

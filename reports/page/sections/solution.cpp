@@ -11,8 +11,6 @@
 #include "page/chart_number.hpp"
 #include "page/page_data.hpp"
 #include "references/reference_of.hpp"
-#include "scenes/registry.hpp"
-#include "scenes/variant.hpp"
 
 namespace fde {
 namespace {
@@ -135,14 +133,11 @@ json solution_of(const Scene& scene) {
   return solution;
 }
 
-// Scenes of files are not at hand.
 json solution_of(const SceneSettings& settings) {
-  const SceneMaker* maker = settings.checksum.empty() ? find_scene(settings.id) : nullptr;
-  if (maker == nullptr) return {};
+  const auto scene = known_scene(settings);
+  if (!scene) return {};
   try {
-    Scene scene = make_known_scene(*maker, settings.values);
-    if (settings.until) scene.problem.end = *settings.until;
-    return solution_of(scene);
+    return solution_of(*scene);
   } catch (const std::exception&) {  // where there is no reference, a scene has no picture of it
     return {};
   }

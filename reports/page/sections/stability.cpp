@@ -37,12 +37,12 @@ Cell cell(const PageInput& page, const SceneSettings& scene, const std::string& 
   const std::string word(verdict(*found).word);
   const auto error = (*found)["error_relative"];
   // Of an error that is nothing 1, of one that is as large as the value 0.
-  const double digits = error && word == survives.word ? -std::log10(std::max(*error, 1e-16)) : 0.0;
+  const double correct = error && word == survives.word ? -std::log10(std::max(*error, 1e-16)) : 0.0;
   return {.text = word,
           .detail = error ? error_text(*error) : "",
-          .hint = fmt::format("{}, {}: {}", line, label_of(scene), because(*found)),
+          .hint = because(*found),
           .tone = word,
-          .strength = std::clamp(digits / 16.0, 0.0, 1.0)};
+          .strength = std::clamp(correct / 16.0, 0.0, 1.0)};
 }
 
 // "5 of 12", and how many it refuses or stops at rightly.
@@ -59,7 +59,7 @@ Cell survivals(const PageInput& page, const std::string& line) {
     if (counts[of] > 0) others.push_back(fmt::format("{} {}", of.word, counts[of]));
   }
   return {.text = fmt::format("{} of {}", counts[survives], total),
-          .detail = fmt::format("{}", fmt::join(others, ", "))};
+          .hint = fmt::format("{}", fmt::join(others, ", "))};
 }
 
 std::vector<Cell> row(const PageInput& page, const Trial& trial, const std::vector<std::string>& lines) {
@@ -82,9 +82,8 @@ Section stability_section(const PageInput& page) {
            "value up to the end. It stops rightly where the solution has a singularity, and is not "
            "judged where there is no reference or the solution itself overflows. Below the "
            "verdict stands the error at the end as a part of the value, the smaller the fuller the colour; a "
-           "pointer that rests there shows the "
-           "reason, or from when on rounding is at least a quarter of the error, and the time of the solve. "
-           "Why each scheme fares as it does: docs/stability.md."},
+           "pointer that rests there shows the reason, or from when on rounding is at least a quarter of the "
+           "error, and the time of the solve. Why each scheme fares as it does: docs/stability.md."},
       .table = {.caption = "Verdicts by scene and scheme", .columns = {{"scene"}}, .is_map = true}};
   const auto lines = lines_of(page);
   std::vector<Cell> counts{{.text = "survived"}};

@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+#include "analysis/text.hpp"
+#include "page/page_data.hpp"
+
+namespace fde {
+namespace {
+
+std::optional<double> observed_rate_of(const PageInput& page, const SceneSettings& scene, const Option& line,
+                                       Norm norm) {
+  for (const RateRow& row : page.rates) {
+    if (row.scene != scene || row.scheme != line.schemes.front() || !same_line(row.setup, line.setup))
+      continue;
+    const NormRate& rate = norm == Norm::end ? row.end : row.maximum;
+    if (rate.fit.points > 0) return rate.fit.slope;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+// Time is steps times what a step costs: which of the two sets the first line apart from the second.
+std::string reason_it_leads(const PageInput& page, const SceneSettings& scene, const Option& first,
+                            const Option& second, Norm norm) {
+  const double fewer = static_cast<double>(second.steps) / first.steps;
+  const double dearer = first.step_seconds() / second.step_seconds();
+  const auto name = page.label(second);
+  if (fewer < 1.5) {
+    return fmt::format("a step takes {} where one of {} takes {}", time_text(first.step_seconds()), name,
+                       time_text(second.step_seconds()));
+  }
+  std::string text = fmt::format("{} steps are enough where {} needs {}", count_text(first.steps), name,
+                                 count_text(second.steps));
+  const auto ours = observed_rate_of(page, scene, first, norm),
+             theirs = observed_rate_of(page, scene, second, norm);
+  if (ours && theirs && *ours > *theirs + 0.2)
+    text += fmt::format(", by its rate, {:.1f} against {:.1f}", *ours, *theirs);
+  if (dearer > 1.5) text += fmt::format(", although a step takes {:.1f} times as long", dearer);
+  return text;
+}
+
+}  // namespace fde
