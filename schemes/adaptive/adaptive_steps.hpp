@@ -48,6 +48,9 @@ class AdaptiveSteps {
   [[nodiscard]] virtual double rate() const = 0;
 
   [[nodiscard]] virtual std::size_t bytes() const = 0;
+
+  // Between two steps: what it keeps of those taken.
+  virtual void state(Archive& archive) = 0;
 };
 
 }  // namespace fde

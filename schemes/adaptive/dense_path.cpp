@@ -71,4 +71,9 @@ Vec DensePath::at(double t) const {
   return y;
 }
 
+void DensePath::state(Archive& archive) {
+  archive.grown(times_);
+  archive.grown(drives_);
+}
+
 }  // namespace fde

@@ -32,6 +32,7 @@ class RadauSteps final : public AdaptiveSteps {
   void begin_anew(Run& run) override;
   [[nodiscard]] double rate() const override;
   [[nodiscard]] std::size_t bytes() const override;
+  void state(Archive& archive) override;
 
  private:
   using Weights = Eigen::Matrix<double, stages, stages>;

@@ -27,6 +27,9 @@ class TrapezoidalSolver {
   // error becomes what the equations of the step make of it: (1 - kappa df/dy)^(-1) error, as far as it is
   // known.
   virtual void respond(Vec& error) const = 0;
+
+  // What it keeps from step to step.
+  virtual void state(Archive& archive) = 0;
 };
 
 // Newton's method.
@@ -58,12 +61,14 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   void begin_anew(Run& /*run*/) override { older_.reset(); }
   [[nodiscard]] double rate() const override { return 2.0; }
   [[nodiscard]] std::size_t bytes() const override { return history_->bytes(); }
+  void state(Archive& archive) override;
 
  private:
   // f at a time.
   struct Sample {
     double t;
     Vec f;
+    void state(Archive& archive) { archive(t, f); }
   };
   void past_at(double t);
   [[nodiscard]] Vec continued_drive(double t) const;

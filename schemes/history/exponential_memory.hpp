@@ -44,6 +44,7 @@ class ExponentialMemory {
   [[nodiscard]] double start(Eigen::Index table) const { return start_.at(position_, table); }
 
   [[nodiscard]] std::size_t bytes() const;
+  void state(Archive& archive);
 
  private:
   MemoryTables tables_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "checkpoint/archive.hpp"
 #include "history/memory_tables.hpp"
 
 namespace fde {
@@ -17,6 +18,7 @@ class MemoryStart {
   void advance_block(const MemoryTables& tables);
 
   [[nodiscard]] std::size_t bytes() const;
+  void state(Archive& archive) { archive(weights_, states_, carries_, input_); }
 
  private:
   static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;

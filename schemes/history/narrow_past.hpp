@@ -1,5 +1,6 @@
 #pragma once
 
+#include "checkpoint/archive.hpp"
 #include "history/memory_tables.hpp"
 
 namespace fde {
@@ -21,6 +22,7 @@ class NarrowPast {
   [[nodiscard]] Eigen::Index components() const { return sums_.cols(); }
 
   [[nodiscard]] std::size_t bytes() const;
+  void state(Archive& archive) { archive(samples_, states_, carries_, sums_); }
 
  private:
   static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;

@@ -13,6 +13,8 @@ using Entries = SparseMatrix::InnerIterator;
 
 class TridiagonalFactors final : public SparseFactors {
  public:
+  static constexpr std::string_view id = "tridiagonal";
+
   explicit TridiagonalFactors(const SparseMatrix& /*matrix*/) {}
 
   static bool fits(const SparseMatrix& matrix) {
@@ -48,7 +50,7 @@ class TridiagonalFactors final : public SparseFactors {
     for (Eigen::Index i = b.size() - 1; i >= 0; --i) b[i] = last = (b[i] - above_[i] * last) * inverse_[i];
   }
 
-  [[nodiscard]] std::string_view name() const override { return "tridiagonal"; }
+  [[nodiscard]] std::string_view name() const override { return id; }
 
  private:
   void take(const SparseMatrix& matrix) {
@@ -77,6 +79,8 @@ bool symmetric(const SparseMatrix& matrix) {
 
 class CholeskyFactors final : public SparseFactors {
  public:
+  static constexpr std::string_view id = "cholesky";
+
   explicit CholeskyFactors(const SparseMatrix& matrix) { factors_.analyzePattern(matrix); }
 
   static bool fits(const SparseMatrix& matrix) { return symmetric(matrix); }
@@ -98,7 +102,7 @@ class CholeskyFactors final : public SparseFactors {
     b = factors_.permutationPinv() * ordered_;
   }
 
-  [[nodiscard]] std::string_view name() const override { return "cholesky"; }
+  [[nodiscard]] std::string_view name() const override { return id; }
 
  private:
   Eigen::SimplicialLDLT<SparseMatrix> factors_;
@@ -107,6 +111,8 @@ class CholeskyFactors final : public SparseFactors {
 
 class LuFactors final : public SparseFactors {
  public:
+  static constexpr std::string_view id = "lu";
+
   explicit LuFactors(const SparseMatrix& matrix) { factors_.analyzePattern(matrix); }
 
   static bool fits(const SparseMatrix& /*matrix*/) { return true; }
@@ -119,25 +125,25 @@ class LuFactors final : public SparseFactors {
 
   [[nodiscard]] int determinant_sign() override { return static_cast<int>(factors_.signDeterminant()); }
   void solve(Vec& b) const override { b = factors_.solve(b).eval(); }
-  [[nodiscard]] std::string_view name() const override { return "lu"; }
+  [[nodiscard]] std::string_view name() const override { return id; }
 
  private:
   Eigen::SparseLU<SparseMatrix> factors_;
 };
 
 template <class Method>
-std::unique_ptr<SparseFactors> factors_by(const SparseMatrix& matrix) {
-  if (!Method::fits(matrix)) return nullptr;
+std::unique_ptr<SparseFactors> factors_by(const SparseMatrix& matrix, std::string_view name) {
+  if (!(name.empty() || name == Method::id) || !Method::fits(matrix)) return nullptr;
   auto factors = std::make_unique<Method>(matrix);
   return factors->factorise(matrix) ? std::move(factors) : nullptr;
 }
 
 }  // namespace
 
-std::unique_ptr<SparseFactors> sparse_factors(const SparseMatrix& matrix) {
-  if (auto factors = factors_by<TridiagonalFactors>(matrix)) return factors;
-  if (auto factors = factors_by<CholeskyFactors>(matrix)) return factors;
-  return factors_by<LuFactors>(matrix);
+std::unique_ptr<SparseFactors> sparse_factors(const SparseMatrix& matrix, std::string_view name) {
+  if (auto factors = factors_by<TridiagonalFactors>(matrix, name)) return factors;
+  if (auto factors = factors_by<CholeskyFactors>(matrix, name)) return factors;
+  return factors_by<LuFactors>(matrix, name);
 }
 
 }  // namespace fde

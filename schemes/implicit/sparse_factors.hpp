@@ -32,6 +32,7 @@ class SparseFactors {
 //   tridiagonal  elimination without exchange of rows, of rows whose diagonal outweighs the rest
 //   cholesky     L D L^T in an order of least degree (Eigen::SimplicialLDLT), of symmetric and positive
 //   definite matrices lu           L U with exchange of rows (Eigen::SparseLU)
-std::unique_ptr<SparseFactors> sparse_factors(const SparseMatrix& matrix);
+// With a name by that method alone.
+std::unique_ptr<SparseFactors> sparse_factors(const SparseMatrix& matrix, std::string_view name = {});
 
 }  // namespace fde

@@ -14,6 +14,7 @@ SparseNewtonMatrix::SparseNewtonMatrix(const Problem& problem)
       rows_(problem),
       identity_(problem.size(), problem.size()),
       derivatives_(problem.size(), problem.size()),
+      matrix_(problem.size(), problem.size()),
       analysed_(derivatives_) {
   identity_.setIdentity();
 }
@@ -54,6 +55,19 @@ void SparseNewtonMatrix::solve(Vec& b) const {
   } else {
     b.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
+}
+
+// A matrix may be factorised by the method that served those before it, where another would be taken for it
+// alone.
+void SparseNewtonMatrix::state(Archive& archive) {
+  const auto name = solver();
+  std::vector<char> method(name.begin(), name.end());
+  archive(rows_);
+  archive.grown(matrix_);
+  archive.grown(method);
+  if (!archive.reads()) return;
+  analysed_ = Pattern(matrix_);
+  factors_ = method.empty() ? nullptr : sparse_factors(matrix_, {method.data(), method.size()});
 }
 
 }  // namespace fde

@@ -19,7 +19,13 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
 
   Vec y = run.start(), predicted(y.size()), corrected(y.size()), taylor(y.size());
   double t = 0.0;
-  for (int n = 1; n <= grid.steps; ++n) {
+  int n = 1;
+  const State state = [&](Archive& archive) {
+    archive.count(n, 1, grid.steps);
+    archive(t, y, *history);
+  };
+  for (run.resume(state); n <= grid.steps; ++n) {
+    run.offer(state);
     history->push(t, run.rhs(t, y));
     const double before = t;
     t = grid.time(n);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "checkpoint/checkpoints.hpp"
 #include "stepping/scheme.hpp"
 
 namespace fde {
@@ -26,6 +27,11 @@ class Run {
   // The same of a scheme that knows y since the last step: of Options::at, times between are recorded too.
   bool accept(double t, In y, const std::function<Vec(double)>& between);
 
+  // Options::checkpoints, between two steps: whether the run goes on from a state kept there, and one that may
+  // be kept. `state` is that of the scheme; what a Run has is part of it.
+  bool resume(const State& state);
+  void offer(const State& state);
+
   // Ends the run where the step to t has no result.
   void fail(Ending ending, double t);
 
@@ -37,6 +43,7 @@ class Run {
 
  private:
   bool goes_on(double t, In y);
+  void state(Archive& archive);
   void record(double t, In y);
   void keep(double t, In y);
   bool asked_for(double t);

@@ -1,40 +1,19 @@
 // Full disks: one line naming the path, nothing half written, and what was there stays.
 
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <fstream>
 #include <sstream>
 
 #include "hostile/unwritable_testing.hpp"
 #include "reference_data/reference_folder.hpp"
 #include "references/cache.hpp"
+#include "support/full_disk.hpp"
 #include "support/testing.hpp"
 #include "sweep/experiment.hpp"
 
 namespace fde {
 namespace {
-
-// A limit on the size of files stands for a full disk.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit full{.rlim_cur = bytes, .rlim_max = before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &full);
-  }
-  ~FullDisk() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  void (*handler_)(int);
-  rlimit before_{};
-};
 
 using FullDisks = Unwritable;
 
