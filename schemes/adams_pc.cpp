@@ -7,7 +7,7 @@ Scheme adams_pc() {
   return {.id = "adams_pc",
           .title = "Fractional Adams predictor-corrector",
           .source = "Diethelm, Ford & Freed, Nonlinear Dynamics 29 (2002); Numerical Algorithms 36 (2004)",
-          .needs = {},
+          .needs = {.checkpoints = true},
           .expected_rate =
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return rate(predictor_corrector_theory, problem, smoothness, grading, norm);

@@ -11,7 +11,7 @@ Scheme adaptive_pc() {
           .source =
               "Diethelm, Ford & Freed, Nonlinear Dynamics 29 (2002), with the predictor of rate 2; steps "
               "as Gustafsson, ACM Trans. Math. Softw. 17 (1991)",
-          .needs = {.takes_grid = false, .takes_accuracy = true},
+          .needs = {.takes_grid = false, .takes_accuracy = true, .checkpoints = true},
           .solve = [](const Problem& problem, const Resolution& resolution, const Options& options) {
             const auto accuracy = std::get<Accuracy>(resolution);
             return march_adaptively(problem, accuracy, options, [&](Run& run, double shortest) {

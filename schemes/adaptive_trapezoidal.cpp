@@ -9,7 +9,7 @@ Scheme adaptive_trapezoidal() {
       .id = "adaptive_trapezoidal",
       .title = "Adaptive product trapezoidal rule",
       .source = "Young, Proc. R. Soc. A 224 (1954); steps as Gustafsson, ACM Trans. Math. Softw. 17 (1991)",
-      .needs = {.takes_grid = false, .takes_accuracy = true, .implicit = true},
+      .needs = {.takes_grid = false, .takes_accuracy = true, .implicit = true, .checkpoints = true},
       .solve = [](const Problem& problem, const Resolution& resolution, const Options& options) {
         const auto accuracy = std::get<Accuracy>(resolution);
         return march_adaptively(problem, accuracy, options, [&](Run& run, double shortest) {

@@ -15,7 +15,7 @@ Scheme commensurate_adams_pc() {
   return {.id = "commensurate_adams_pc",
           .title = "Adams predictor-corrector on the commensurate expansion",
           .source = "Diethelm & Ford, BIT 42 (2002); the alternative of Yin, Liu & Anh 2007, eqs 1.5, 1.6",
-          .needs = {},
+          .needs = {.checkpoints = true},
           .expected_rate =
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return split_rate(predictor_corrector_theory, problem, smoothness, expansion(problem),

@@ -12,7 +12,7 @@ Scheme decoupled_multi_order() {
   return {.id = "decoupled_multi_order",
           .title = "Decoupled multi-order chain, predictor-corrector",
           .source = "Yin, Liu & Anh, J. Algorithms Comput. Technol. 1 (2007), eqs 3.8-3.11",
-          .needs = {},
+          .needs = {.checkpoints = true},
           .expected_rate =
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return split_rate(predictor_corrector_theory, problem, smoothness, links_up_to_one(problem),

@@ -24,7 +24,7 @@ Scheme l1() {
           .source =
               "Oldham & Spanier 1974; Langlands & Henry, J. Comput. Phys. 205 (2005); orders above 1 through "
               "y' = v",
-          .needs = {.implicit = true, .algebraic_rows = true},
+          .needs = {.implicit = true, .algebraic_rows = true, .checkpoints = true},
           .expected_rate =
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return split_rate(l1_theory, problem, smoothness, links_up_to_one(problem), grading, norm);

@@ -32,7 +32,7 @@ Scheme l1_2() {
   return {.id = "l1_2",
           .title = "L1-2",
           .source = "Gao, Sun & Zhang, J. Comput. Phys. 259 (2014); orders above 1 through y' = v",
-          .needs = {.implicit = true},
+          .needs = {.implicit = true, .checkpoints = true},
           .expected_rate =
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return split_rate(l1_2_theory, problem, smoothness, links_up_to_one(problem), grading, norm);

@@ -36,7 +36,7 @@ Scheme l2_1_sigma() {
           .source =
               "Alikhanov, J. Comput. Phys. 280 (2015); graded: Chen & Stynes, J. Sci. Comput. 79 (2019); "
               "orders above 1 through y' = v",
-          .needs = {.implicit = true},
+          .needs = {.implicit = true, .checkpoints = true},
           .expected_rate =
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return split_rate(l2_1_sigma_theory, problem, smoothness, links_up_to_one(problem), grading,

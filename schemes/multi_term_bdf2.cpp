@@ -12,7 +12,7 @@ Scheme multi_term_bdf2() {
       .id = "multi_term_bdf2",
       .title = "Direct multi-term fractional BDF2 with start weights",
       .source = "Diethelm & Ford, Appl. Math. Comput. 154 (2004); Lubich, SIAM J. Math. Anal. 17 (1986)",
-      .needs = {.discretises_equations = true, .uniform_grid = true, .implicit = true},
+      .needs = {.discretises_equations = true, .uniform_grid = true, .implicit = true, .checkpoints = true},
       .expected_rate =
           [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
             return multi_term_multistep_rate(families::bdf2, problem, smoothness, grading, norm);

@@ -10,7 +10,7 @@ Scheme multi_term_pc() {
   return {.id = "multi_term_pc",
           .title = "Direct multi-term predictor-corrector",
           .source = "Diethelm & Ford, Appl. Math. Comput. 154 (2004); Garrappa, Mathematics 6(2) 16 (2018)",
-          .needs = {.discretises_equations = true},
+          .needs = {.discretises_equations = true, .checkpoints = true},
           .expected_rate = multi_term_trapezoidal_rate,
           .solve = on_grid(predict_and_correct_equations),
           .refuses = refusal_of_equations,

@@ -10,7 +10,7 @@ Scheme multi_term_trapezoidal() {
   return {.id = "multi_term_trapezoidal",
           .title = "Direct multi-term product trapezoidal rule",
           .source = "Diethelm & Ford, Appl. Math. Comput. 154 (2004); Garrappa, Mathematics 6(2) 16 (2018)",
-          .needs = {.discretises_equations = true, .implicit = true},
+          .needs = {.discretises_equations = true, .implicit = true, .checkpoints = true},
           .expected_rate = multi_term_trapezoidal_rate,
           .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
             return step_equations_implicitly(problem, grid, options, families::trapezoid);

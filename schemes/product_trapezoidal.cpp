@@ -11,7 +11,7 @@ Scheme product_trapezoidal() {
       .id = "product_trapezoidal",
       .title = "Product trapezoidal rule",
       .source = "Young, Proc. R. Soc. A 224 (1954); weights as in Yin, Liu & Anh 2007, eq. 3.7",
-      .needs = {.implicit = true, .algebraic_rows = true, .two_sided = true},
+      .needs = {.implicit = true, .algebraic_rows = true, .two_sided = true, .checkpoints = true},
       .expected_rate = [](const Problem& problem, const Smoothness& smoothness, double grading,
                           Norm norm) { return rate(trapezoidal_theory, problem, smoothness, grading, norm); },
       .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {

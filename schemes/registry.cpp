@@ -69,6 +69,12 @@ std::optional<std::string> refusal(const Needs& needs, const Accuracy& accuracy)
 
 }  // namespace
 
+std::optional<std::string> refusal_of_checkpoints(const Scheme& scheme, const Problem& problem) {
+  if (!scheme.needs.checkpoints) return "keeps no checkpoints";
+  if (two_sided(problem)) return "keeps no checkpoints of a problem that it solves at all times at once";
+  return std::nullopt;
+}
+
 // Each row of the list is a function Scheme <id>() in the file of that name.
 #define FDE_SCHEME(id) Scheme id();
 #include "list.def"

@@ -22,4 +22,10 @@ bool KeptColumns::asked_for(double t) {
   return next_ < asked_.size() && asked_[next_] <= t * (1 + rounding);
 }
 
+void KeptColumns::state(Archive& archive) {
+  archive.count(next_, 0, asked_.size());
+  archive.grown(times_);
+  archive.first_columns(columns_, std::ssize(times_));
+}
+
 }  // namespace fde

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "checkpoint/archive.hpp"
 #include "scenes/scene.hpp"
 
 namespace fde {
@@ -15,6 +16,9 @@ class KeptColumns {
 
   // Hears every step.
   void observe(double t, In y);
+
+  // What it has kept, of a run that is ended and continued.
+  void state(Archive& archive);
 
   [[nodiscard]] const std::vector<double>& times() const { return times_; }
   // One column a time.

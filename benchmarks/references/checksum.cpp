@@ -9,12 +9,37 @@
 
 namespace fde {
 
-std::string sha256(std::string_view bytes) {
+namespace {
+
+void require_done(int done) {
+  if (done != 1) throw std::runtime_error("OpenSSL cannot compute SHA-256");
+}
+
+}  // namespace
+
+struct Sha256::Context {
+  Context() { require_done(EVP_DigestInit_ex(own.get(), EVP_sha256(), nullptr)); }
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> own{EVP_MD_CTX_new(), EVP_MD_CTX_free};
+};
+
+Sha256::Sha256() : context_(std::make_unique<Context>()) {}
+Sha256::~Sha256() = default;
+
+void Sha256::add(std::string_view bytes) {
+  require_done(EVP_DigestUpdate(context_->own.get(), bytes.data(), bytes.size()));
+}
+
+std::string Sha256::digest() {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned size = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("OpenSSL cannot compute SHA-256");
+  require_done(EVP_DigestFinal_ex(context_->own.get(), digest.data(), &size));
   return fmt::format("{:02x}", fmt::join(digest.begin(), digest.begin() + size, ""));
+}
+
+std::string sha256(std::string_view bytes) {
+  Sha256 sum;
+  sum.add(bytes);
+  return sum.digest();
 }
 
 std::string write_checksums(const Checksums& checksums) {

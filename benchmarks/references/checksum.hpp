@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,23 @@ namespace fde {
 
 // SHA-256 of the bytes, as 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);
+
+// The same of bytes that come one after the other.
+class Sha256 {
+ public:
+  Sha256();
+  ~Sha256();
+  Sha256(const Sha256&) = delete;
+  Sha256& operator=(const Sha256&) = delete;
+
+  void add(std::string_view bytes);
+  // Of all that has been added; nothing follows.
+  std::string digest();
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
 
 // The lines of a SHA256SUMS file as `sha256sum` writes them: digests by file name.
 using Checksums = std::map<std::string, std::string>;

@@ -5,6 +5,9 @@
 
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -17,6 +20,19 @@ namespace fs = std::filesystem;
 fs::path unfinished_name(const fs::path& path) {
   static std::atomic<unsigned> count = 0;
   return path.string() + fmt::format(".{}.{}.tmp", getpid(), count++);
+}
+
+// The process that a name of this kind belongs to; nullopt: it is of another kind.
+std::optional<pid_t> writer_of(const std::string& unfinished, const std::string& name) {
+  if (!unfinished.starts_with(name + ".") || !unfinished.ends_with(".tmp")) return std::nullopt;
+  pid_t writer = 0;
+  unsigned number = 0;
+  const char* const end = unfinished.data() + unfinished.size();
+  const auto pid = std::from_chars(unfinished.data() + name.size() + 1, end, writer);
+  if (pid.ec != std::errc{} || writer <= 0 || *pid.ptr != '.') return std::nullopt;
+  const auto count = std::from_chars(pid.ptr + 1, end, number);
+  if (count.ec != std::errc{} || std::string_view(count.ptr, end) != ".tmp") return std::nullopt;
+  return writer;
 }
 
 [[noreturn]] void reject(const fs::path& path, const std::error_code& reason) {
@@ -46,6 +62,16 @@ void WholeFile::finish() {
   std::error_code problem;
   fs::rename(unfinished_, path_, problem);
   if (problem) reject(path_, problem);
+}
+
+void remove_unfinished(const fs::path& path) {
+  const auto folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const auto writer = writer_of(entry.path().filename().string(), path.filename().string());
+    const bool is_gone = writer && kill(*writer, 0) != 0 && errno == ESRCH;
+    if (is_gone) fs::remove(entry.path(), ignored);
+  }
 }
 
 void WholeFile::check() const {

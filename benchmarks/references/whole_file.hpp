@@ -26,4 +26,7 @@ class WholeFile {
   std::ofstream stream_;
 };
 
+// Removes what processes that were killed while they wrote this file have left beside it.
+void remove_unfinished(const std::filesystem::path& path);
+
 }  // namespace fde

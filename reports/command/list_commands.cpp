@@ -83,6 +83,7 @@ Json needs_of(const Scheme& scheme) {
           {"takes_grid", scheme.needs.takes_grid},
           {"takes_accuracy", scheme.needs.takes_accuracy},
           {"discretises_equations", scheme.needs.discretises_equations},
+          {"checkpoints", scheme.needs.checkpoints},
           {"start_weights", bool(scheme.start_powers)}};
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -39,9 +40,13 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
     reject_text("--until", *arguments.until, "without until= in the scene");
   if (arguments.until) variant.until = parse_number("--until", *arguments.until, any_end);
   const Scene scene = make_scene(variant);
-  const SolvedTable table = solved_table(scene, arguments.run);
-  if (arguments.strict && !table.warning.empty()) throw NumericalFailure(table.warning);
-  print_rows(table, streams.out);
+  const SolvedTable table = solved_table(scene, arguments.run, [&](const std::string& problem) {
+    streams.err << fmt::format("fdebench: {}\n", problem) << std::flush;
+  });
+  const bool fails = arguments.strict && !table.warning.empty();
+  if (!fails) print_rows(table, streams.out);
+  if (!table.checkpoint.empty() && streams.out.flush()) std::filesystem::remove(table.checkpoint);
+  if (fails) throw NumericalFailure(table.warning);
   if (!table.warning.empty()) streams.err << fmt::format("fdebench: {}\n", table.warning);
   if (!table.ended.empty()) streams.err << fmt::format("fdebench: {}\n", table.ended);
   if (arguments.cost) streams.err << table.cost << '\n';
@@ -70,6 +75,10 @@ void add_solve_command(CommandLine& program, const Streams& streams, const Scene
   add_options(command, arguments->run.means);
   command.option("--threads", arguments->run.threads,
                  "among which the past of many unknowns is shared, default 1; the same bits for any number");
+  command.option("--checkpoint", arguments->run.checkpoint,
+                 "a file that keeps the state of the run: the same command goes on from it");
+  command.option("--checkpoint-every", arguments->run.checkpoint_every,
+                 "seconds between two states kept, default 300");
   command.flag("--check", arguments->run.check, "also warn where half the steps give another result");
   command.flag("--strict", arguments->strict, "a warning is a failure: exit 3, nothing printed but its line");
   command.flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");

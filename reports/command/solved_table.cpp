@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include "command/checkpoint_file.hpp"
+#include "history/block_kernels.hpp"
 #include "observers/kept_columns.hpp"
 #include "observers/reaction_path.hpp"
 #include "scenes/number_text.hpp"
@@ -152,7 +154,8 @@ SolvedTable table_of(const Scene& scene, const Scheme& scheme, const std::option
 
 // What was not counted or is not known is left out, and the grid where it was named.
 std::string cost_text(const Scene& scene, const Scheme& scheme, const Resolution& resolution,
-                      const Cost& cost, HistoryKind history, double seconds, const std::string& chosen_grid) {
+                      const Cost& cost, HistoryKind history, double seconds, const std::string& chosen_grid,
+                      const CheckpointFile* checkpoints) {
   const auto* grid = std::get_if<Grid>(&resolution);
   nlohmann::ordered_json shown{{"seconds", seconds}};
   const auto add = [&shown](const char* key, const auto& count) {
@@ -167,6 +170,13 @@ std::string cost_text(const Scene& scene, const Scheme& scheme, const Resolution
   if (!cost.linear_solver.empty()) shown["linear_solver"] = cost.linear_solver;
   add("start_weights", cost.start_weights);
   add("rejected_steps", cost.rejected_steps);
+  if (checkpoints != nullptr) {
+    const auto& spent = checkpoints->spent();
+    shown["continued"] = checkpoints->resumed();
+    shown["checkpoints"] = spent.count;
+    shown["checkpoint_bytes"] = spent.bytes;
+    shown["checkpoint_seconds"] = spent.seconds;
+  }
   if (grid != nullptr)
     add("expected_rate", theoretical_rate(scheme, scene.problem, scene.smoothness, *grid, Norm::end));
   return shown.dump();
@@ -226,9 +236,52 @@ std::string warning_line(const Scene& scene, const SolvedRun& run, bool check) {
   return texts.empty() ? "" : fmt::format("warning: {}", fmt::join(texts, "; "));
 }
 
+// The times to print, as they were asked for.
+std::string times_text(const RunArguments& arguments) {
+  if (arguments.at) return "--at " + *arguments.at;
+  if (arguments.every) return "--every " + *arguments.every;
+  return arguments.points ? "--points " + *arguments.points : "all";
+}
+
+RunFacts facts_of(const Scene& scene, const Scheme& scheme, const Setup& setup,
+                  const RunArguments& arguments) {
+  const Session session = this_session();
+  return {{"program",
+           fmt::format("{} {} {} {}", session.version, session.commit, session.compiler, session.flags)},
+          {"instructions", std::string(vector_targets().front())},
+          {"scene", scene.name},
+          {"end", fmt::format("{}", scene.problem.end)},
+          {"scheme", std::string(scheme.id)},
+          {"steps", resolution_text(setup)},
+          {"grid", grid_text(setup.grading)},
+          {"history", std::string(name(setup.history))},
+          {"tolerance", fmt::format("{}", setup.tolerance)},
+          {"times", times_text(arguments)}};
+}
+
+std::optional<CheckpointFile> checkpoint_file(const Scene& scene, const Scheme& scheme, const Setup& setup,
+                                              const RunArguments& arguments, KeptColumns& kept,
+                                              const std::function<void(const std::string&)>& say) {
+  if (!arguments.checkpoint) {
+    if (arguments.checkpoint_every)
+      reject_text("--checkpoint-every", *arguments.checkpoint_every, "with --checkpoint");
+    return std::nullopt;
+  }
+  constexpr double usual = 300.0;
+  const double between = arguments.checkpoint_every
+                             ? parse_number("--checkpoint-every", *arguments.checkpoint_every, not_negative)
+                             : usual;
+  if (const auto reason = refusal_of_checkpoints(scheme, scene.problem))
+    reject_text("--checkpoint", *arguments.checkpoint, fmt::format("left out: {} {}", scheme.id, *reason));
+  return std::optional<CheckpointFile>(
+      std::in_place, *arguments.checkpoint, std::chrono::duration<double>(between),
+      facts_of(scene, scheme, setup, arguments), [&kept](Archive& archive) { archive(kept); }, say);
+}
+
 }  // namespace
 
-SolvedTable solved_table(const Scene& scene, const RunArguments& arguments) {
+SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
+                         const std::function<void(const std::string&)>& say) {
   if (!arguments.steps && !arguments.accuracy) throw std::invalid_argument("--steps is required");
   const auto& scheme = scheme_named(arguments.scheme);
   Setup setup = parse_setup(arguments);
@@ -252,23 +305,28 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments) {
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
   }
 
+  auto checkpoints = checkpoint_file(scene, scheme, setup, arguments, kept, say);
+  if (checkpoints) options.checkpoints = &*checkpoints;
   const auto start = std::chrono::steady_clock::now();
   const Trajectory path = scheme.solve(scene.problem, resolution, options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  if (path.ending != Ending::finished && path.ending != Ending::event)
+  const bool came_through = path.ending == Ending::finished || path.ending == Ending::event;
+  if (checkpoints && !came_through && path.ending != Ending::out_of_budget) checkpoints->remove();
+  if (!came_through)
     throw RunFailure(fmt::format("{}: {}", scheme.id, describe(scene.problem, path)), scheme.id, path);
   std::erase_if(asked, [&](double t) { return path.ending == Ending::event && t > path.reached; });
   SolvedTable table =
       arguments.events ? table_of_events(scene, scheme, path)
       : by_columns     ? table_of(scene, scheme, grid, path, kept.times(), kept.columns(), asked)
                    : table_of(scene, scheme, grid, path, path.times, columns_of(scene.outputs, path), asked);
+  if (checkpoints) table.checkpoint = *arguments.checkpoint;
   if (grid) {
     table.warning = warning_line(
         scene, {scheme, scene.problem, *grid, options, path, columns_of_components(scene)}, arguments.check);
   }
   table.ended = ended_by(scene, path);
   table.cost = cost_text(scene, scheme, resolution, path.cost, options.history, elapsed.count(),
-                         chosen ? grid_text(setup.grading) : "");
+                         chosen ? grid_text(setup.grading) : "", checkpoints ? &*checkpoints : nullptr);
   return table;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +18,7 @@ namespace fde {
 // What `solve` is told of a run, as texts; --until belongs to the scene.
 struct RunArguments {
   std::string scheme;
-  std::optional<std::string> steps, accuracy, at, every, points, threads;
+  std::optional<std::string> steps, accuracy, at, every, points, threads, checkpoint, checkpoint_every;
   MeansArguments means{.budget = "3600"};
   bool check = false;
   bool events = false;  // the events in place of times
@@ -31,6 +33,7 @@ struct SolvedTable {
   Rows values{};          // one row a name, one column a time
   std::string warning{};  // of all that speaks against them; empty: nothing
   std::string cost{};     // one JSON object: time, calls, memory, rate
+  std::filesystem::path checkpoint{};  // of no use once the table is written; empty: there is none
 };
 
 // A run that did not come to its end.
@@ -42,8 +45,10 @@ struct RunFailure : NumericalFailure {
   std::optional<double> time;  // of that step
 };
 
-// Solves a scene. Throws std::invalid_argument naming the argument, the text and what is allowed, RunFailure,
-// and NumericalFailure where a column is not finite.
-SolvedTable solved_table(const Scene& scene, const RunArguments& arguments);
+// Solves a scene. A checkpoint that cannot be written is not thrown but said. Throws std::invalid_argument
+// naming the argument, the text and what is allowed, RunFailure, and NumericalFailure where a column is not
+// finite.
+SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
+                         const std::function<void(const std::string&)>& say = {});
 
 }  // namespace fde

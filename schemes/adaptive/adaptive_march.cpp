@@ -79,10 +79,13 @@ class March {
   }
 
   Trajectory solve() {
+    const State state = [this](Archive& archive) { this->state(archive); };
+    run_.resume(state);
     for (const double end : stretches(problem_)) {
-      if (time_ > 0.0 && !cross_to(std::nextafter(std::nextafter(time_, problem_.end), problem_.end))) break;
-      while (time_ < end && step_towards(end)) {
-      }
+      if (end < stretch_) continue;
+      if (stretch_ < end && time_ > 0.0 && !cross_to(behind(time_))) break;
+      stretch_ = end;
+      for (bool goes_on = true; goes_on && time_ < end; goes_on = step_towards(end)) run_.offer(state);
       if (time_ < end) break;
     }
     run_.cost().history_bytes = steps_->bytes();
@@ -94,6 +97,16 @@ class March {
   }
 
  private:
+  void state(Archive& archive) {
+    archive(time_, stretch_, steps_, control_, rejected_, sides_, switched_at_, returns_);
+    if (dense_) archive(*dense_);
+  }
+
+  // Over a jump next to t.
+  [[nodiscard]] double behind(double t) const {
+    return std::nextafter(std::nextafter(t, problem_.end), problem_.end);
+  }
+
   // From the near side of a jump to the other. What follows begins with steps that are short beside the time.
   bool cross_to(double t) {
     constexpr double short_step = 1e-6;
@@ -213,6 +226,7 @@ class March {
   const Problem& problem_;
   Run run_;
   double shortest_ = 0.0, time_ = 0.0;
+  double stretch_ = 0.0;  // where the one ends in which the run is; 0: it has not begun
   std::unique_ptr<AdaptiveSteps> steps_;
   std::shared_ptr<DensePath> dense_;  // where all times are asked for
   StepControl control_{1.0, 1.0};

@@ -26,6 +26,7 @@ struct InterpolatedRow {
   [[nodiscard]] double at(double w) const {
     return powers[0] + w * (powers[1] + w * (powers[2] + w * powers[3]));
   }
+  void state(Archive& archive) { archive(row, powers); }
 };
 using InterpolatedRows = std::vector<InterpolatedRow>;
 
@@ -68,6 +69,9 @@ class AdaptiveSteps {
 
   // What solves sparse equations of a step; empty: there were none.
   [[nodiscard]] virtual std::string_view linear_solver() const = 0;
+
+  // Between two steps: what it keeps of those taken.
+  virtual void state(Archive& archive) = 0;
 };
 
 }  // namespace fde

@@ -76,4 +76,11 @@ Vec DensePath::at(double t) const {
   return y;
 }
 
+void DensePath::state(Archive& archive) {
+  archive.grown(times_);
+  archive.grown(interpolated_);
+  archive.grown(interpolated_from_);
+  archive.grown(drives_);
+}
+
 }  // namespace fde

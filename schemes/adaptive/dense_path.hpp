@@ -20,6 +20,8 @@ class DensePath {
   // 0 <= t <= the end of the last step.
   [[nodiscard]] Vec at(double t) const;
 
+  void state(Archive& archive);
+
  private:
   // All rows of one order; 0: algebraic ones.
   struct Group {

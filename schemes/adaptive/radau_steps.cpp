@@ -81,6 +81,7 @@ RadauSteps::RadauSteps(const Problem& problem, const Accuracy& accuracy, const O
       y_(past_),
       f_(past_),
       drives_(past_),
+      parabolas_before_(Values::Zero(problem.size(), stages)),
       at_start_(run.rhs(0.0, run.start())),
       before_(run.start()),
       result_(before_) {
@@ -332,6 +333,11 @@ std::size_t RadauSteps::bytes() const {
   std::size_t bytes = 0;
   for (const auto& kernel : kernels_) bytes += kernel.integrals.bytes();
   return bytes;
+}
+
+void RadauSteps::state(Archive& archive) {
+  for (auto& kernel : kernels_) archive(kernel.integrals);
+  archive(allowed_, time_, length_before_, parabolas_before_, at_start_, before_, result_);
 }
 
 }  // namespace fde

@@ -34,6 +34,7 @@ class RadauSteps final : public AdaptiveSteps {
   [[nodiscard]] double rate() const override;
   [[nodiscard]] std::size_t bytes() const override;
   [[nodiscard]] std::string_view linear_solver() const override { return matrix_->solver(); }
+  void state(Archive& archive) override;
 
  private:
   using Weights = Eigen::Matrix<double, stages, stages>;

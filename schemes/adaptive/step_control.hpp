@@ -1,5 +1,7 @@
 #pragma once
 
+#include "checkpoint/archive.hpp"
+
 namespace fde {
 
 // How long the next step is, by the errors of the last two: proportional and integral control (Gustafsson,
@@ -14,6 +16,8 @@ class StepControl {
   // Sets the length after an attempt over a step of this one. Whether the step is taken: its error is at most
   // 1.
   bool judge(double error, double length);
+
+  void state(Archive& archive) { archive(length_, last_, rejected_); }
 
  private:
   double rate_, length_;

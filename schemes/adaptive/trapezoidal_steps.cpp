@@ -37,6 +37,12 @@ class NewtonOnTrapezoids final : public TrapezoidalSolver {
   [[nodiscard]] std::string_view linear_solver() const override {
     return newton_ ? newton_->linear_solver() : std::string_view();
   }
+  void state(Archive& archive) override {
+    bool is_there = newton_.has_value();
+    archive(is_there);
+    if (archive.reads() && is_there) newton_.emplace(problem_, tolerance_);
+    if (is_there) archive(*newton_);
+  }
 
  private:
   const Problem& problem_;
@@ -60,6 +66,7 @@ class PredictionCorrector final : public TrapezoidalSolver {
 
   [[nodiscard]] Vec left_over() const override { return last_change_; }
   void respond(Vec& /*error*/) const override {}
+  void state(Archive& /*archive*/) override {}
 
  private:
   int corrections_;
@@ -211,6 +218,13 @@ Drives TrapezoidalSteps::drives() const {
   lines.col(0) = older_->f;
   lines.col(1) = newest_.f - older_->f;
   return lines;
+}
+
+void TrapezoidalSteps::state(Archive& archive) {
+  bool has_older = older_.has_value();
+  archive(allowed_, history_, solver_, newest_, begun_, before_, y_, has_older);
+  if (archive.reads()) older_ = has_older ? std::optional(newest_) : std::nullopt;
+  if (older_) archive(*older_);
 }
 
 }  // namespace fde

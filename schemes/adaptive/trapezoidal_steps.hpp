@@ -30,6 +30,9 @@ class TrapezoidalSolver {
 
   // What solves sparse equations; empty: there were none.
   [[nodiscard]] virtual std::string_view linear_solver() const { return {}; }
+
+  // What it keeps from step to step.
+  virtual void state(Archive& archive) = 0;
 };
 
 // Newton's method.
@@ -64,12 +67,14 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   [[nodiscard]] double rate() const override { return 2.0; }
   [[nodiscard]] std::size_t bytes() const override { return history_->bytes(); }
   [[nodiscard]] std::string_view linear_solver() const override { return solver_->linear_solver(); }
+  void state(Archive& archive) override;
 
  private:
   // f at a time.
   struct Sample {
     double t;
     Vec f;
+    void state(Archive& archive) { archive(t, f); }
   };
   void past_at(double t);
   [[nodiscard]] Vec continued_drive(double t) const;

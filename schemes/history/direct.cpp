@@ -68,4 +68,11 @@ std::size_t DirectHistory::bytes() const {
          static_cast<std::size_t>(weights_.size() + starts_.size() + samples_.size() + 3 * totals_.size());
 }
 
+void DirectHistory::state(Archive& archive) {
+  archive.count(pushed_, 0, steps_);
+  archive.grown(first_);
+  archive(totals_);
+  for (Eigen::Index row = 0; row < samples_.cols(); ++row) archive.values(samples_.col(row).data(), pushed_);
+}
+
 }  // namespace fde

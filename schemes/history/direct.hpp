@@ -17,6 +17,7 @@ class DirectHistory final : public History {
   void push(double t, In sample) override;
   void convolve(double t, std::size_t sum, Out result) const override;
   [[nodiscard]] std::size_t bytes() const override;
+  void state(Archive& archive) override;
 
  private:
   // How one component enters one sum: a running sum with constant weights, or a dot product with a column of

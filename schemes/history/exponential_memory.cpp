@@ -34,4 +34,10 @@ std::size_t ExponentialMemory::bytes() const {
   return sizeof(double) * static_cast<std::size_t>(doubles) + start_.bytes() + of_past;
 }
 
+void ExponentialMemory::state(Archive& archive) {
+  archive.count(position_, 0, block - 1);
+  archive(start_);
+  std::visit([&](auto& past) { archive(past); }, past_);
+}
+
 }  // namespace fde

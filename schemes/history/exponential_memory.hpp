@@ -45,6 +45,7 @@ class ExponentialMemory {
   }
 
   [[nodiscard]] std::size_t bytes() const;
+  void state(Archive& archive);
 
  private:
   MemoryTables tables_;

@@ -177,4 +177,9 @@ std::size_t ExponentialHistory::bytes() const {
   return bytes;
 }
 
+void ExponentialHistory::state(Archive& archive) {
+  archive.grown(first_);
+  archive(sign_, totals_, memories_, filtered_);
+}
+
 }  // namespace fde

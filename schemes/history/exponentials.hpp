@@ -19,6 +19,7 @@ class ExponentialHistory final : public History {
   void push(double t, In sample) override;
   void convolve(double t, std::size_t sum, Out result) const override;
   [[nodiscard]] std::size_t bytes() const override;
+  void state(Archive& archive) override;
 
  private:
   // The components that share something, each with a column there in the order in which they came.

@@ -53,4 +53,9 @@ std::size_t FilteredMemory::bytes() const {
   return sizeof(double) * static_cast<std::size_t>(doubles) + (memory_ ? memory_->bytes() : 0);
 }
 
+void FilteredMemory::state(Archive& archive) {
+  archive.count(next_, filter_.size(), window_.rows());
+  archive(window_, tail_, totals_, memory_);
+}
+
 }  // namespace fde

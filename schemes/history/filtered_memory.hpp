@@ -24,6 +24,7 @@ class FilteredMemory {
   }
 
   [[nodiscard]] std::size_t bytes() const;
+  void state(Archive& archive);
 
  private:
   bool running_sums_;

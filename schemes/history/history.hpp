@@ -12,6 +12,8 @@
 
 namespace fde {
 
+class Archive;
+
 // The past of one run: samples x_0, x_1, ... (one value a component) go in, discrete convolutions come out.
 // Several sums share the samples: predictor and corrector weigh the same f with different tables.
 class History {
@@ -37,6 +39,9 @@ class History {
 
   // Memory for samples and weights.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
+
+  // What it keeps of the samples.
+  virtual void state(Archive& archive) = 0;
 
  protected:
   History(const History&) = default;

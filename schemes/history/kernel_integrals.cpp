@@ -101,4 +101,9 @@ std::size_t KernelIntegrals::bytes() const {
   return sizeof(double) * static_cast<std::size_t>(doubles);
 }
 
+void KernelIntegrals::state(Archive& archive) {
+  archive(length_, polynomials_, states_, carries_);
+  archive.count(alive_, 0, kernel_.nodes.size());
+}
+
 }  // namespace fde

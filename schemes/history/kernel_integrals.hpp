@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "checkpoint/archive.hpp"
 #include "problem/problem.hpp"
 
 namespace fde {
@@ -74,6 +75,7 @@ class KernelIntegrals {
   void advance(const KernelStep& step);
 
   [[nodiscard]] std::size_t bytes() const;
+  void state(Archive& archive);
 
  private:
   [[nodiscard]] Eigen::Index needed(double length) const;

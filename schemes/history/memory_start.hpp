@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "checkpoint/archive.hpp"
 #include "history/memory_tables.hpp"
 
 namespace fde {
@@ -23,6 +24,10 @@ class MemoryStart {
   [[nodiscard]] bool stays_exact() const { return near_.size() > 0; }
 
   [[nodiscard]] std::size_t bytes() const;
+  void state(Archive& archive) {
+    archive(exact_, weighted_, states_, carries_, input_);
+    archive.count(alive_, 0, states_.size());
+  }
 
  private:
   static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "checkpoint/archive.hpp"
 #include "history/memory_start.hpp"
 
 namespace fde {
@@ -24,6 +25,7 @@ class NarrowPast {
   [[nodiscard]] Eigen::Index components() const { return sums_.cols(); }
 
   [[nodiscard]] std::size_t bytes() const;
+  void state(Archive& archive) { archive(first_, samples_, states_, carries_, sums_); }
 
  private:
   static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "checkpoint/archive.hpp"
 #include "problem/problem.hpp"
 
 namespace fde {
@@ -21,6 +22,7 @@ class RunningSums {
   }
   [[nodiscard]] double operator[](Eigen::Index i) const { return total_[i] + carry_[i]; }
   [[nodiscard]] Eigen::Index size() const { return total_.size(); }
+  void state(Archive& archive) { archive(total_, carry_); }
 
  private:
   Vec total_, carry_;

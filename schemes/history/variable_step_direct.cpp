@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "checkpoint/archive.hpp"
 #include "weights/interval_weights.hpp"
 
 namespace fde {
@@ -81,6 +82,14 @@ std::size_t VariableStepDirectHistory::bytes() const {
   Eigen::Index doubles = samples_.size();
   for (const auto& integral : candidate_.integrals) doubles += 2 * integral.left.size();
   return sizeof(double) * static_cast<std::size_t>(doubles);
+}
+
+void VariableStepDirectHistory::state(Archive& archive) {
+  archive.grown(times_);
+  const auto rows = std::ssize(times_);
+  while (samples_.rows() <= rows) reserve(2 * samples_.rows());
+  for (Eigen::Index i = 0; i < samples_.cols(); ++i) archive.values(samples_.col(i).data(), rows);
+  candidate_.time.reset();
 }
 
 }  // namespace fde

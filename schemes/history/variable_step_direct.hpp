@@ -16,6 +16,7 @@ class VariableStepDirectHistory final : public History {
   void push(double t, In sample) override;
   void convolve(double t, std::size_t sum, Out result) const override;
   [[nodiscard]] std::size_t bytes() const override;
+  void state(Archive& archive) override;
 
  private:
   // The weights of all steps up to the candidate, for one order of integration.

@@ -101,4 +101,13 @@ std::size_t VariableStepExponentialHistory::bytes() const {
   return bytes;
 }
 
+void VariableStepExponentialHistory::state(Archive& archive) {
+  archive(time_, kernels_);
+  archive.grown(newest_);
+  for (auto& tracks : tracks_) {
+    for (auto& track : tracks) archive(track.integral);
+  }
+  candidate_.time.reset();
+}
+
 }  // namespace fde

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "checkpoint/archive.hpp"
 #include "history/memory_start.hpp"
 
 namespace fde {
@@ -29,6 +30,7 @@ class WidePast {
   [[nodiscard]] Eigen::Index components() const { return components_; }
 
   [[nodiscard]] std::size_t bytes() const;
+  void state(Archive& archive) { archive(first_, samples_, sums_, current_, states_, carries_); }
 
  private:
   static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;

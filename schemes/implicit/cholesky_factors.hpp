@@ -9,13 +9,15 @@ namespace fde {
 // L D L^T in an order of least degree (Eigen::SimplicialLDLT), of symmetric and positive definite matrices.
 class CholeskyFactors final : public SparseFactors {
  public:
+  static constexpr std::string_view id = "cholesky";
+
   explicit CholeskyFactors(const SparseMatrix& matrix) { factors_.analyzePattern(matrix); }
 
   static bool fits(const SparseMatrix& matrix);
   bool factorise(const SparseMatrix& matrix) override;
   [[nodiscard]] int determinant_sign() override { return 1; }
   void solve(Vec& b) const override;
-  [[nodiscard]] std::string_view name() const override { return "cholesky"; }
+  [[nodiscard]] std::string_view name() const override { return id; }
 
  private:
   Eigen::SimplicialLDLT<SparseMatrix> factors_;

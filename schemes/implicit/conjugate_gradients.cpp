@@ -10,12 +10,15 @@ namespace {
 // Below, factors are made in the time of the iterations of one solve.
 constexpr Eigen::Index fewest_unknowns = 2000;
 
-// Nanoseconds an unknown, as `fde_large solvers` measures them: their ratio counts. An iteration multiplies with sines of the
-// shorter line, and streams a few vectors; factors grow like the square root of the number of unknowns.
+// Nanoseconds an unknown, as `fde_large solvers` measures them: their ratio counts. An iteration multiplies
+// with sines of the shorter line, and streams a few vectors; factors grow like the square root of the number
+// of unknowns.
 double iteration_cost(const FivePoint& matrix) {
   return 8.0 + 0.04 * static_cast<double>(std::min(matrix.n, matrix.m));
 }
-double factor_cost(const FivePoint& matrix) { return 6.0 * std::sqrt(static_cast<double>(matrix.diagonal.size())); }
+double factor_cost(const FivePoint& matrix) {
+  return 6.0 * std::sqrt(static_cast<double>(matrix.diagonal.size()));
+}
 
 // sin(pi i / (n + 1)), i = 1 ... n.
 Vec lowest_mode(Eigen::Index n) {
@@ -46,8 +49,8 @@ FivePoint scaled(FivePoint matrix, const Vec& s) {
   return matrix;
 }
 
-// Whether couplings with the point before and with that after differ much, somewhere on a line: of a diffusivity that is smooth they
-// do not, once scaled.
+// Whether couplings with the point before and with that after differ much, somewhere on a line: of a
+// diffusivity that is smooth they do not, once scaled.
 bool jumps(const FivePoint& matrix) {
   constexpr double much = 0.2;
   const auto differ = [](double one, double other) {
@@ -88,14 +91,16 @@ bool ConjugateGradients::factorise(const SparseMatrix& matrix) {
 
 void ConjugateGradients::solve(Vec& b) const {
   if (!factorised_ && iterate(b)) return;
-  if (!factorised_) {
-    const SparseMatrix matrix = sparse(matrix_);
-    if (!cholesky_) cholesky_ = std::make_unique<CholeskyFactors>(matrix);
-    factorised_ = cholesky_->factorise(matrix);
-  }
+  if (!factorised_) make_factors();
   b.array() *= scale_.array();
   cholesky_->solve(b);
   b.array() *= scale_.array();
+}
+
+void ConjugateGradients::make_factors() const {
+  const SparseMatrix matrix = sparse(matrix_);
+  if (!cholesky_) cholesky_ = std::make_unique<CholeskyFactors>(matrix);
+  factorised_ = cholesky_->factorise(matrix);
 }
 
 // b becomes the solution, or is as it was where what factors cost is spent.
@@ -127,6 +132,12 @@ bool ConjugateGradients::iterate(Vec& b) const {
   return false;
 }
 
-std::string_view ConjugateGradients::name() const { return factorised_ ? cholesky_->name() : "conjugate_gradients"; }
+std::string_view ConjugateGradients::name() const { return factorised_ ? cholesky_->name() : id; }
+
+void ConjugateGradients::state(Archive& archive) {
+  archive.count(spent_, 0, price_);
+  archive(factorised_);
+  if (archive.reads() && factorised_) make_factors();
+}
 
 }  // namespace fde

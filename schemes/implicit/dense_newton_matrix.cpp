@@ -70,6 +70,12 @@ void DenseNewtonMatrix<size>::solve(Vec& b) const {
   x = factors_.solve(right);
 }
 
+template <int size>
+void DenseNewtonMatrix<size>::state(Archive& archive) {
+  archive(rows_, matrix_);
+  if (archive.reads()) factorise();
+}
+
 namespace {
 
 template <int size = 1>

@@ -20,6 +20,7 @@ class DenseNewtonMatrix : public NewtonMatrix {
   void add_to_diagonal(const Vec& values) override { matrix_.diagonal() += values; }
   void factorise() override { factors_.compute(matrix_); }
   void solve(Vec& b) const override;
+  void state(Archive& archive) override;
   [[nodiscard]] const RowScales& rows() const override { return rows_; }
 
  private:

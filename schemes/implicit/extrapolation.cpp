@@ -27,4 +27,11 @@ void Extrapolation::at(double t, Out value) const {
   }
 }
 
+void Extrapolation::state(Archive& archive) {
+  archive.count(known_, 0, most);
+  archive.count(newest_, 0, most - 1);
+  archive(times_);
+  archive.values(values_.data(), known_ * values_.rows());
+}
+
 }  // namespace fde

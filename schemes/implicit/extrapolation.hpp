@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "checkpoint/archive.hpp"
 #include "problem/vectors.hpp"
 
 namespace fde {
@@ -17,6 +18,8 @@ class Extrapolation {
 
   // value becomes that at t. At least one point is known.
   void at(double t, Out value) const;
+
+  void state(Archive& archive);
 
  private:
   static constexpr int most = 5;

@@ -23,6 +23,8 @@ class PastOfRows {
 
   [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
 
+  void state(Archive& archive) { archive(history_); }
+
   // Appends a sample of all rows, taken at time t.
   void push(double t, In sample) {
     if (sample.size() == buffer_.size()) return history_->push(t, sample);  // nothing to pick
@@ -68,8 +70,15 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
   Vec previous = run.start(), y = previous, told, sample(y.size()), past(y.size());
   Vec convolved = Vec::Zero(y.size());
   double t = 0.0;
+  int n = 1;
+  const State state = [&](Archive& archive) {
+    archive.count(n, 1, grid.steps);
+    archive(t, y, previous, sample, history, newton);
+    if (rule.state) rule.state(archive);
+  };
   rule.sample(run, t, y, previous, sample);
-  for (int n = 1; n <= grid.steps; ++n) {
+  for (run.resume(state); n <= grid.steps; ++n) {
+    run.offer(state);
     history.push(t, sample);
     const double before = t;
     t = grid.time(n);

@@ -18,6 +18,8 @@ struct ImplicitRule {
   std::function<void(Run& run, double t, In y, In previous, Out sample)> sample;
   // Turns a copy of y into what is told of the step. Empty: y is told.
   std::function<void(In y, Out told)> told{};
+  // What these functions keep from step to step. Empty: nothing.
+  State state{};
 };
 
 // The rule of the schemes that integrate f: past_n = Taylor part + kappa * (weighted sum of f_j).

@@ -219,4 +219,14 @@ void NewtonSolver::linearise(Run& run, const StepEquations& step, In y, Vec& res
   take_residual(step, matrix_->rows(), f_, y, rest);
 }
 
+void NewtonSolver::state(Archive& archive) {
+  bool factorised = factorised_for_ || !path_.empty();
+  archive(factorised, path_, wear_, sign_, growth_);
+  if (!factorised) return;
+  archive(matrix_);
+  if (!growth_) return;
+  if (!factorised_for_) factorised_for_ = Vec::Zero(problem_.size());
+  archive(*factorised_for_, solvable_);
+}
+
 }  // namespace fde

@@ -60,6 +60,9 @@ class NewtonSolver {
   // (1 - kappa df/dy)^(-1) error.
   void respond(Vec& error) const { matrix_->solve(error); }
 
+  // Between two steps: the path, and the matrix with whose factors the next step begins.
+  void state(Archive& archive);
+
   // What solves with the matrix, where that is sparse; empty: it is not, or nothing has been solved.
   [[nodiscard]] std::string_view linear_solver() const { return matrix_->solver(); }
 

@@ -37,6 +37,9 @@ class NewtonMatrix {
   // The name of the method, of a sparse matrix that is factorised; empty: it says none.
   [[nodiscard]] virtual std::string_view solver() const { return {}; }
 
+  // The matrix that has been factorised last: the factors are made of it again.
+  virtual void state(Archive& archive) = 0;
+
   // Those of the equations that have been linearised last.
   [[nodiscard]] virtual const RowScales& rows() const = 0;
 };

@@ -21,6 +21,8 @@ class OutrunGrowth {
   // The matrix is factorised for kappa, and `solvable` is what it said of that. It is so afterwards.
   bool outruns(NewtonMatrix& matrix, const Vec& kappa, bool solvable);
 
+  void state(Archive& archive) { archive(cleared_, sign_there_); }
+
  private:
   // Whether the determinant has its sign for this kappa and for all shorter steps.
   [[nodiscard]] bool dominated(const Vec& kappa) const;

@@ -14,13 +14,15 @@ namespace {
 
 class TridiagonalFactors final : public SparseFactors {
  public:
+  static constexpr std::string_view id = "tridiagonal";
+
   explicit TridiagonalFactors(const SparseMatrix& /*matrix*/) {}
 
   static bool fits(const SparseMatrix& matrix) { return Tridiagonal<double>::fits(matrix); }
   bool factorise(const SparseMatrix& matrix) override { return factors_.factorise(matrix); }
   [[nodiscard]] int determinant_sign() override { return factors_.determinant_sign(); }
   void solve(Vec& b) const override { factors_.solve(b); }
-  [[nodiscard]] std::string_view name() const override { return "tridiagonal"; }
+  [[nodiscard]] std::string_view name() const override { return id; }
 
  private:
   Tridiagonal<double> factors_;
@@ -28,6 +30,8 @@ class TridiagonalFactors final : public SparseFactors {
 
 class FastSineFactors final : public SparseFactors {
  public:
+  static constexpr std::string_view id = "fast_sine";
+
   explicit FastSineFactors(const SparseMatrix& /*matrix*/) {}
 
   static bool fits(const SparseMatrix& /*matrix*/) { return true; }
@@ -44,7 +48,7 @@ class FastSineFactors final : public SparseFactors {
 
   [[nodiscard]] int determinant_sign() override { return sines_->determinant_sign(stencil_); }
   void solve(Vec& b) const override { sines_->solve(stencil_, b); }
-  [[nodiscard]] std::string_view name() const override { return "fast_sine"; }
+  [[nodiscard]] std::string_view name() const override { return id; }
 
  private:
   std::optional<FastSine> sines_;
@@ -53,6 +57,8 @@ class FastSineFactors final : public SparseFactors {
 
 class LuFactors final : public SparseFactors {
  public:
+  static constexpr std::string_view id = "lu";
+
   explicit LuFactors(const SparseMatrix& matrix) { factors_.analyzePattern(matrix); }
 
   static bool fits(const SparseMatrix& /*matrix*/) { return true; }
@@ -65,27 +71,27 @@ class LuFactors final : public SparseFactors {
 
   [[nodiscard]] int determinant_sign() override { return static_cast<int>(factors_.signDeterminant()); }
   void solve(Vec& b) const override { b = factors_.solve(b).eval(); }
-  [[nodiscard]] std::string_view name() const override { return "lu"; }
+  [[nodiscard]] std::string_view name() const override { return id; }
 
  private:
   Eigen::SparseLU<SparseMatrix> factors_;
 };
 
 template <class Method>
-std::unique_ptr<SparseFactors> factors_by(const SparseMatrix& matrix) {
-  if (!Method::fits(matrix)) return nullptr;
+std::unique_ptr<SparseFactors> factors_by(const SparseMatrix& matrix, std::string_view method) {
+  if (!(method.empty() || method == Method::id) || !Method::fits(matrix)) return nullptr;
   auto factors = std::make_unique<Method>(matrix);
   return factors->factorise(matrix) ? std::move(factors) : nullptr;
 }
 
 }  // namespace
 
-std::unique_ptr<SparseFactors> sparse_factors(const SparseMatrix& matrix) {
-  if (auto factors = factors_by<TridiagonalFactors>(matrix)) return factors;
-  if (auto factors = factors_by<FastSineFactors>(matrix)) return factors;
-  if (auto factors = factors_by<ConjugateGradients>(matrix)) return factors;
-  if (auto factors = factors_by<CholeskyFactors>(matrix)) return factors;
-  return factors_by<LuFactors>(matrix);
+std::unique_ptr<SparseFactors> sparse_factors(const SparseMatrix& matrix, std::string_view method) {
+  if (auto factors = factors_by<TridiagonalFactors>(matrix, method)) return factors;
+  if (auto factors = factors_by<FastSineFactors>(matrix, method)) return factors;
+  if (auto factors = factors_by<ConjugateGradients>(matrix, method)) return factors;
+  if (auto factors = factors_by<CholeskyFactors>(matrix, method)) return factors;
+  return factors_by<LuFactors>(matrix, method);
 }
 
 }  // namespace fde

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string_view>
 
+#include "checkpoint/archive.hpp"
 #include "problem/vectors.hpp"
 
 namespace fde {
@@ -25,13 +26,19 @@ class SparseFactors {
   // b becomes the solution.
   virtual void solve(Vec& b) const = 0;
 
+  // What solves; and the method asked for, where another may have taken over.
   [[nodiscard]] virtual std::string_view name() const = 0;
+  [[nodiscard]] virtual std::string_view method() const { return name(); }
+
+  // What one solve leaves for the next, of factors of the same matrix.
+  virtual void state(Archive& /*archive*/) {}
 };
 
 // The factors of a matrix by the quickest method that serves; nullptr: none does.
 //   tridiagonal  elimination without exchange of rows, of rows whose diagonal outweighs the rest
 //   cholesky     L D L^T in an order of least degree (Eigen::SimplicialLDLT), of symmetric and positive
 //   definite matrices lu           L U with exchange of rows (Eigen::SparseLU)
-std::unique_ptr<SparseFactors> sparse_factors(const SparseMatrix& matrix);
+// With a method by that alone.
+std::unique_ptr<SparseFactors> sparse_factors(const SparseMatrix& matrix, std::string_view method = {});
 
 }  // namespace fde

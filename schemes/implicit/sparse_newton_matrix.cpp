@@ -12,15 +12,18 @@ SparseNewtonMatrix::Pattern::Pattern(const SparseMatrix& matrix)
 
 bool SparseNewtonMatrix::Pattern::is_of(const SparseMatrix& matrix) const {
   return matrix.isCompressed() &&
-         std::equal(outer.begin(), outer.end(), matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.cols() + 1) &&
-         std::equal(inner.begin(), inner.end(), matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
+         std::equal(outer.begin(), outer.end(), matrix.outerIndexPtr(),
+                    matrix.outerIndexPtr() + matrix.cols() + 1) &&
+         std::equal(inner.begin(), inner.end(), matrix.innerIndexPtr(),
+                    matrix.innerIndexPtr() + matrix.nonZeros());
 }
 
 SparseNewtonMatrix::SparseNewtonMatrix(const Problem& problem)
     : problem_(problem),
       rows_(problem),
       identity_(problem.size(), problem.size()),
-      derivatives_(problem.size(), problem.size()) {
+      derivatives_(problem.size(), problem.size()),
+      matrix_(problem.size(), problem.size()) {
   identity_.setIdentity();
 }
 
@@ -71,6 +74,21 @@ void SparseNewtonMatrix::solve(Vec& b) const {
   } else {
     b.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
+}
+
+// A matrix may be factorised by the method that served those before it, where another would be taken for it
+// alone.
+void SparseNewtonMatrix::state(Archive& archive) {
+  const auto used = factors_ ? factors_->method() : std::string_view();
+  std::vector<char> method(used.begin(), used.end());
+  archive(rows_);
+  archive.grown(matrix_);
+  archive.grown(method);
+  if (archive.reads()) {
+    analysed_ = Pattern(matrix_);
+    factors_ = method.empty() ? nullptr : sparse_factors(matrix_, {method.data(), method.size()});
+  }
+  if (factors_) archive(*factors_);
 }
 
 }  // namespace fde

@@ -19,6 +19,7 @@ class SparseNewtonMatrix : public NewtonMatrix {
   void factorise() override;
   void solve(Vec& b) const override;
   [[nodiscard]] std::string_view solver() const override;
+  void state(Archive& archive) override;
   [[nodiscard]] const RowScales& rows() const override { return rows_; }
 
  private:

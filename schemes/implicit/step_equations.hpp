@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "checkpoint/archive.hpp"
 #include "problem/problem.hpp"
 
 namespace fde {
@@ -24,6 +25,8 @@ struct RowScales {
   Vec scale;   // kappa; in algebraic rows what makes the largest df_i/dy_j 1
   Vec weight;  // of unknowns: 1; of algebraic rows what moving them does to the equations, max_k |M_ki| with
                // M the matrix of Newton's method
+
+  void state(Archive& archive) { archive(scale, weight); }
 };
 
 // rest becomes what y leaves of the equations, where f is f(t, y).

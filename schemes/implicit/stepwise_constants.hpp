@@ -27,6 +27,11 @@ class StepwiseConstants {
 
   [[nodiscard]] std::size_t bytes() const { return fractional_ ? fractional_->bytes() : 0; }
 
+  void state(Archive& archive) {
+    archive(totals_);
+    if (fractional_) archive(fractional_);
+  }
+
  private:
   std::vector<Eigen::Index> whole_, above_, below_;  // the components of order 1, above and below
   RunningSums totals_;                               // of the first two

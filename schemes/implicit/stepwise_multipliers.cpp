@@ -75,7 +75,12 @@ class StepwiseMultipliers {
                            Out past) { begin_step(t, convolved, kappa, past); },
             .sample = [this](Run& /*run*/, double t, In y, In /*previous*/,
                              Out sample) { end_step(t, y, sample); },
-            .told = [this](In y, Out told) { continue_multipliers(y, told); }};
+            .told = [this](In y, Out told) { continue_multipliers(y, told); },
+            .state =
+                [this](Archive& archive) {
+                  archive.count(done_, 0, grid_.steps);
+                  archive(constants_, t_, start_, rhs_, continuous_);
+                }};
   }
 
   [[nodiscard]] std::size_t bytes() const { return constants_.bytes(); }
@@ -166,10 +171,8 @@ std::optional<std::string> refusal_of_driven_rows(const Problem& problem,
 }  // namespace
 
 Trajectory step_trapezoidal(const Problem& problem, const Grid& grid, const Options& options) {
-  const auto step = [&](const Problem& plain) {
-    return solve_implicit(plain, grid, options, integral_rule(plain, families::trapezoid));
-  };
-  if (std::ranges::none_of(problem.components, algebraic)) return step(problem);
+  if (std::ranges::none_of(problem.components, algebraic))
+    return solve_implicit(problem, grid, options, integral_rule(problem, families::trapezoid));
   std::int64_t calls = 0;
   Problem counted = problem;
   counted.rhs = [&](double t, In y, Out f) {
@@ -178,11 +181,18 @@ Trajectory step_trapezoidal(const Problem& problem, const Grid& grid, const Opti
   };
   const auto unknowns = multipliers(counted);
   Trajectory path;
+  const auto step_counted = [&](const Problem& stepped, ImplicitRule rule) {
+    rule.state = [&calls, own = std::move(rule.state)](Archive& archive) {
+      archive(calls);
+      if (own) own(archive);
+    };
+    path = solve_implicit(stepped, grid, options, rule);
+  };
   if (unknowns.empty()) {
-    path = step(counted);
+    step_counted(counted, integral_rule(counted, families::trapezoid));
   } else {
     StepwiseMultipliers steps(counted, unknowns, grid, options);
-    path = solve_implicit(steps.stepped(), grid, options, steps.rule());
+    step_counted(steps.stepped(), steps.rule());
     *path.cost.history_bytes += steps.bytes();
   }
   path.cost.rhs_calls = calls;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "checkpoint/archive.hpp"
+
 namespace fde {
 
 // When factors of a matrix that are kept from step to step are no longer worth it: once they have cost as
@@ -24,6 +26,8 @@ class Wear {
     taken_ += iterations;
     if (taken_ - steps_ * fewest_ >= price_) worn_ = true;
   }
+
+  void state(Archive& archive) { archive(steps_, taken_, fewest_, worn_); }
 
  private:
   int price_;

@@ -13,7 +13,13 @@ Trajectory solve_with(Interpolant& interpolant, const Problem& problem, const Gr
   run.cost().history_bytes = interpolant.bytes();
 
   Vec y = run.start(), before = y, known(y.size()), newest(y.size()), kappa(y.size()), past(y.size());
-  for (int n = 1; n <= grid.steps; ++n) {
+  int n = 1;
+  const State state = [&](Archive& archive) {
+    archive.count(n, 1, grid.steps);
+    archive(y, newton, interpolant);
+  };
+  for (run.resume(state); n <= grid.steps; ++n) {
+    run.offer(state);
     const double t = grid.time(n);
     before = y;
     stepped.step_from(grid.time(n - 1), before, grid.step(n));

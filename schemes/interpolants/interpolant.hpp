@@ -23,6 +23,9 @@ class Interpolant {
   virtual void push(int n, In increment) = 0;
 
   [[nodiscard]] virtual std::size_t bytes() const = 0;
+
+  // What it keeps of the increments.
+  virtual void state(Archive& archive) = 0;
 };
 
 // Steps along the grid with D^g_i y_i = f_i, both at t*, y* on the line from y_(n-1) to y_n. Each step is

@@ -140,4 +140,9 @@ void ParabolasFromAhead::push(int n, In increment) {
   increment_ = increment;
 }
 
+void ParabolasFromAhead::state(Archive& archive) {
+  for (auto& group : groups_) archive(group.lines, group.bends);
+  archive(increment_);
+}
+
 }  // namespace fde

@@ -17,6 +17,7 @@ class ParabolasFromBehind final : public Interpolant {
   void derivative(int n, Out known, Out newest) override;
   void push(int n, In increment) override;
   [[nodiscard]] std::size_t bytes() const override { return lines_.bytes() + bends_.bytes(); }
+  void state(Archive& archive) override { archive(lines_, bends_, increment_); }
 
  private:
   Grid grid_;
@@ -35,6 +36,7 @@ class ParabolasFromAhead final : public Interpolant {
   void derivative(int n, Out known, Out newest) override;
   void push(int n, In increment) override;
   [[nodiscard]] std::size_t bytes() const override;
+  void state(Archive& archive) override;
 
  private:
   // The components of one order: where steps differ, they have a time t* of their own.

@@ -18,6 +18,8 @@ class SlopeMemory {
 
   [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
 
+  void state(Archive& archive) { archive(newest_, history_); }
+
  private:
   StepPlan steps_;
   double newest_ = 0.0;  // time of the newest sample

@@ -111,14 +111,14 @@ IntegratedEquations::IntegratedEquations(const Problem& problem, const WeightFam
       parts_(parts_of(problem)),
       tables_(tables(family)),
       history_(make_history(options.history, tables_, step_plan(grid), options.tolerance)),
-      first_samples_(std::ssize(tables_.front()), std::ssize(start_powers)),
+      first_samples_(Matrix::Zero(std::ssize(tables_.front()), std::ssize(start_powers))),
       factors_(Matrix::Zero(std::ssize(parts_), std::ssize(tables_))),
       sums_(std::ssize(tables_.front()), std::ssize(tables_)),
       sample_(sums_.rows()),
       starts_(problem.size()),
       drives_(problem.size()),
       past_(problem.size()),
-      kappa_(problem.size()) {
+      kappa_(Vec::Zero(problem.size())) {
   if (start_powers.empty()) return;
   for (auto of_sum : tables_) {
     // What a sum leaves out is not looked at.
@@ -264,6 +264,12 @@ bool IntegratedEquations::find_factors(int n) {
     kappa_.segment(chain.first(), rows) = factors.transpose() / own;
   }
   return true;
+}
+
+void IntegratedEquations::state(Archive& archive) {
+  archive(history_, corrections_, first_samples_, factors_, kappa_);
+  archive.count(pushed_, 0, first_samples_.cols());
+  for (auto& part : parts_) archive(part.own);
 }
 
 }  // namespace fde

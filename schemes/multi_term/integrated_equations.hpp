@@ -58,6 +58,8 @@ class IntegratedEquations {
   [[nodiscard]] const Vec& past() const { return past_; }
   [[nodiscard]] const Vec& kappa() const { return kappa_; }
 
+  void state(Archive& archive);
+
  private:
   // One equation among the samples: of its rows, then of f.
   struct Part {

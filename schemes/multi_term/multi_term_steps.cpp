@@ -38,11 +38,18 @@ Trajectory step_equations_implicitly(const Problem& problem, const Grid& grid, c
 
   Matrix first;
   Ending ending = Ending::finished;
-  if (powers.size() > 1)
-    first = first_steps_of(run, equations, problem, stepped, grid, options.tolerance, ending);
   Vec y = run.start();
   double t = 0.0;
-  for (int n = 1; n <= grid.steps && ending == Ending::finished; ++n) {
+  int n = 1;
+  const State state = [&](Archive& archive) {
+    archive.count(n, 1, grid.steps);
+    archive(t, y, newton, equations);
+    archive.grown(first);
+  };
+  if (!run.resume(state) && powers.size() > 1)
+    first = first_steps_of(run, equations, problem, stepped, grid, options.tolerance, ending);
+  for (; n <= grid.steps && ending == Ending::finished; ++n) {
+    run.offer(state);
     equations.push(t, y, run.rhs(t, y));
     t = grid.time(n);
     if (n <= first.cols()) {
@@ -63,9 +70,15 @@ Trajectory predict_and_correct_equations(const Problem& problem, const Grid& gri
   IntegratedEquations equations(problem, families::trapezoid, grid, options);
   run.cost().history_bytes = equations.bytes();
 
-  Vec y = run.start(), f(y.size()), before(y.size());
+  Vec y = run.start(), f = Vec::Zero(y.size()), before = f;
   double t = 0.0;
-  for (int n = 1; n <= grid.steps; ++n) {
+  int n = 1;
+  const State state = [&](Archive& archive) {
+    archive.count(n, 1, grid.steps);
+    archive(t, y, f, equations);
+  };
+  for (run.resume(state); n <= grid.steps; ++n) {
+    run.offer(state);
     before = f;
     f = run.rhs(t, y);
     equations.push(t, y, f);

@@ -41,7 +41,16 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   run.cost().start_weights = first_steps + 1;
 
   Matrix first;
-  if (first_steps > 0) {
+  Vec y = run.start(), past(y.size()), convolved(y.size());
+  Matrix starts = Matrix::Zero(y.size(), first_steps + 1);  // f_0 ... f_(s-1)
+  double t = 0.0;
+  int n = 1;
+  const State state = [&](Archive& archive) {
+    archive.count(n, 1, grid.steps);
+    archive(t, y, starts, *history, correction, newton);
+    archive.grown(first);
+  };
+  if (!run.resume(state) && first_steps > 0) {
     Ending ending{};
     const auto first_order = [&](const Grid& steps, const Options& exact) {
       return solve_implicit(problem, steps, exact, integral_rule(problem, families::grunwald_letnikov));
@@ -54,10 +63,8 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
       return run.finish();
     }
   }
-  Vec y = run.start(), past(y.size()), convolved(y.size());
-  Matrix starts(y.size(), first_steps + 1);  // f_0 ... f_(s-1)
-  double t = 0.0;
-  for (int n = 1; n <= grid.steps; ++n) {
+  for (; n <= grid.steps; ++n) {
+    run.offer(state);
     const Vec& f = run.rhs(t, y);
     history->push(t, f);
     if (n <= first_steps + 1) starts.col(n - 1) = f;
@@ -111,7 +118,7 @@ Scheme multistep_scheme(std::string_view id, std::string_view title, std::string
   return {.id = id,
           .title = title,
           .source = source,
-          .needs = {.uniform_grid = true, .implicit = true},
+          .needs = {.uniform_grid = true, .implicit = true, .checkpoints = true},
           .expected_rate =
               [&family](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return multistep_rate(family, start_powers(family, problem), problem, smoothness, grading,

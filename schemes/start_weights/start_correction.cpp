@@ -100,4 +100,10 @@ std::size_t StartCorrection::bytes() const {
   return sizeof(double) * static_cast<std::size_t>(doubles);
 }
 
+void StartCorrection::state(Archive& archive) {
+  archive.grown(f_);
+  first_ = 0;
+  begin_ = 0.0;
+}
+
 }  // namespace fde

@@ -23,6 +23,9 @@ class StartCorrection {
 
   [[nodiscard]] std::size_t bytes() const;
 
+  // Before or after start; what is summed a block at a time is summed again.
+  void state(Archive& archive);
+
  private:
   static constexpr int block = 32;
   using Block = Eigen::Array<double, block, 1>;

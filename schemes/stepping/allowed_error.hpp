@@ -1,5 +1,6 @@
 #pragma once
 
+#include "checkpoint/archive.hpp"
 #include "problem/resolution.hpp"
 #include "problem/vectors.hpp"
 
@@ -16,6 +17,8 @@ class AllowedError {
 
   // Takes a step as passed on which rows were at most so large.
   void pass(In largest);
+
+  void state(Archive& archive) { archive.grown(largest_); }
 
  private:
   Accuracy accuracy_;

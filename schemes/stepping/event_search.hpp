@@ -22,6 +22,8 @@ class EventSearch {
   // that ends the run is the last. The step is looked at in so many pieces.
   std::vector<Occurrence> step(double t, In y, const Path& path, int pieces);
 
+  void state(Archive& archive) { archive(time_, values_); }
+
  private:
   const std::vector<Event>& events_;
   double time_ = 0.0;

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "checkpoint/archive.hpp"
 #include "problem/vectors.hpp"
 
 namespace fde {
@@ -22,6 +23,11 @@ struct Occurrence {
   std::size_t event;  // its number among Options::events
   double t;
   Vec y;
+
+  void state(Archive& archive) {
+    archive(event, t);
+    archive.grown(y);
+  }
 };
 
 }  // namespace fde

@@ -26,7 +26,13 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
       std::ranges::any_of(problem.components, [](const auto& component) { return component.order > 1.0; });
   double t = 0.0;
   taylor_part.at(t, taylor);
-  for (int n = 1; n <= grid.steps; ++n) {
+  int n = 1;
+  const State state = [&](Archive& archive) {
+    archive.count(n, 1, grid.steps);
+    archive(t, y, *history);
+  };
+  for (run.resume(state); n <= grid.steps; ++n) {
+    run.offer(state);
     history->push(t, run.rhs(t, y));
     const double before = t;
     t = grid.time(n);

@@ -90,6 +90,30 @@ bool Run::goes_on(double t, In y) {
   return true;
 }
 
+bool Run::resume(const State& state) {
+  return options_.checkpoints != nullptr && options_.checkpoints->resume([&](Archive& archive) {
+    this->state(archive);
+    state(archive);
+  });
+}
+
+void Run::offer(const State& state) {
+  if (options_.checkpoints == nullptr) return;
+  options_.checkpoints->offer([&](Archive& archive) {
+    this->state(archive);
+    state(archive);
+  });
+}
+
+void Run::state(Archive& archive) {
+  archive(path_.steps, path_.reached, *path_.cost.rhs_calls, *path_.cost.newton_iterations);
+  archive.count(next_at_, 0, options_.at.size());
+  archive.grown(path_.times);
+  archive.first_columns(path_.y, std::ssize(path_.times));
+  archive.grown(path_.events);
+  archive(events_);
+}
+
 void Run::fail(Ending ending, double t) {
   path_.ending = ending;
   path_.failed_at = t;

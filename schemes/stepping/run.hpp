@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "checkpoint/checkpoints.hpp"
 #include "stepping/event_search.hpp"
 #include "stepping/scheme.hpp"
 
@@ -33,6 +34,11 @@ class Run {
   // Whether an event has ended the run, within the last step.
   [[nodiscard]] bool ended_by_event() const { return path_.ending == Ending::event; }
 
+  // Options::checkpoints, between two steps: whether the run goes on from a state kept there, and one that
+  // may be kept. `state` is that of the scheme; what a Run has is part of it.
+  bool resume(const State& state);
+  void offer(const State& state);
+
   // Ends the run where the step to t has no result.
   void fail(Ending ending, double t);
 
@@ -45,6 +51,7 @@ class Run {
  private:
   bool goes_on(double t, In y);
   void record_step(double before, double t, In y, const std::function<Vec(double)>& between);
+  void state(Archive& archive);
   void record(double t, In y);
   void keep(double t, In y);
   bool asked_for(double t);

@@ -16,6 +16,8 @@
 
 namespace fde {
 
+class Checkpoints;
+
 // Settings of a run that are not part of the problem.
 struct Options {
   HistoryKind history = HistoryKind::automatic;
@@ -28,6 +30,9 @@ struct Options {
   std::vector<double> at{};     // times to return, increasing, each up to rounding; empty: all
   std::vector<Event> events{};  // located by schemes that choose their steps; others refuse to run with them
   std::function<void(double t, In y)> observer{};  // hears every step from t = 0 on, returned or not
+  // Where the run keeps its state and goes on from it, where Needs::checkpoints is; nullptr: nowhere. What an
+  // observer has heard is not part of the state.
+  Checkpoints* checkpoints = nullptr;
 };
 
 // What a scheme takes, and what it asks of a problem.
@@ -39,7 +44,8 @@ struct Needs {
   bool implicit = false;        // solves an equation each step: uses the derivatives that the problem tells
   bool algebraic_rows = false;  // takes order 0
   double largest_order = 2.0;
-  bool two_sided = false;  // takes right derivatives and conditions
+  bool two_sided = false;    // takes right derivatives and conditions
+  bool checkpoints = false;  // takes Options::checkpoints, where it steps
 };
 
 // Where an error is measured: at a fixed time t > 0, at t_1 = h, or as the maximum over all grid times. A
@@ -85,6 +91,9 @@ Solve on_grid(GridSolve solve);
 // Why the scheme does not fit the problem or the resolution, as half a sentence; nullopt: it fits.
 std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
                                    const Resolution& resolution);
+
+// Why the scheme keeps no checkpoints of this problem, as half a sentence; nullopt: it does.
+std::optional<std::string> refusal_of_checkpoints(const Scheme& scheme, const Problem& problem);
 
 // All schemes, in the order of list.def.
 std::span<const Scheme> schemes();

@@ -64,6 +64,7 @@ Trajectory solve_other(const SolvedRun& run, const Grid& grid, const std::vector
   Options options = run.options;
   options.at = grid_times_at(grid, times);
   options.observer = {};
+  options.checkpoints = nullptr;
   return run.scheme.solve(run.problem, grid, options);
 }
 

@@ -1,9 +1,9 @@
 // Full disks: one line naming the path, nothing half written, and what was there stays.
 
-#include <gmock/gmock.h>
-#include <sys/resource.h>
+#include "support/full_disk.hpp"
 
-#include <csignal>
+#include <gmock/gmock.h>
+
 #include <fstream>
 #include <sstream>
 
@@ -15,26 +15,6 @@
 
 namespace fde {
 namespace {
-
-// A limit on the size of files stands for a full disk.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit full{.rlim_cur = bytes, .rlim_max = before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &full);
-  }
-  ~FullDisk() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  void (*handler_)(int);
-  rlimit before_{};
-};
 
 using FullDisks = Unwritable;
 

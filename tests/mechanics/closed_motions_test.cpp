@@ -99,8 +99,8 @@ INSTANTIATE_TEST_SUITE_P(
 // A bound is at most what the rounding of t does, t times the largest rate, for a place that turns as well.
 TEST(ClosedMotions, OfManyTurnsAreKnownAsWellAsTheirTime) {
   const Precision precision(60);
-  for (const Motion& motion : {Motion{"knife_edge", {{"omega", 1.7}}},
-                               Motion{"rolling_disc", {{"pull", 0.6}, {"dphi0", -0.4}}}}) {
+  for (const Motion& motion :
+       {Motion{"knife_edge", {{"omega", 1.7}}}, Motion{"rolling_disc", {{"pull", 0.6}, {"dphi0", -0.4}}}}) {
     const Scene scene = scene_of(motion.scene, motion.values);
     for (const double t : {1e6, 1e12, 1e20}) {
       const auto [value, bound] = scene.reference.at(t);

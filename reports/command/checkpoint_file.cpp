@@ -1,0 +1,179 @@
+#include "command/checkpoint_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+
+#include "references/checksum.hpp"
+#include "references/whole_file.hpp"
+
+namespace fde {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view begin_of_header = R"({"fdebench checkpoint":)";
+constexpr std::size_t digest_size = 64;
+constexpr std::size_t piece = std::size_t{1} << 20;
+
+[[noreturn]] void reject_file(const fs::path& path, const std::string& reason) {
+  throw std::invalid_argument(fmt::format("{}: {}", path.string(), reason));
+}
+
+// Bytes on their way to a file, in pieces, with their checksum at the end.
+class CheckedBytes {
+ public:
+  explicit CheckedBytes(const fs::path& path) : file_(path) {}
+
+  void add(std::string_view bytes) {
+    if (bytes.size() >= piece) {
+      flush();
+      pass_on(bytes);
+      return;
+    }
+    gathered_ += bytes;
+    if (gathered_.size() >= piece) flush();
+  }
+
+  void finish() {
+    flush();
+    file_.write(sum_.digest());
+    file_.finish();
+  }
+
+  // So many will be in the file.
+  [[nodiscard]] std::uintmax_t count() const { return count_; }
+
+ private:
+  void flush() {
+    pass_on(gathered_);
+    gathered_.clear();
+  }
+  void pass_on(std::string_view bytes) {
+    sum_.add(bytes);
+    file_.write(bytes);
+    count_ += bytes.size();
+  }
+
+  WholeFile file_;
+  std::uintmax_t count_ = digest_size;
+  Sha256 sum_;
+  std::string gathered_;
+};
+
+// Whether the last bytes of a file are the checksum of those before.
+bool is_whole(std::ifstream& stream, std::uintmax_t size) {
+  if (size < digest_size) return false;
+  Sha256 sum;
+  std::string bytes(piece, '\0');
+  for (auto left = size - digest_size; left > 0;) {
+    const auto count = std::min<std::uintmax_t>(left, piece);
+    if (!stream.read(bytes.data(), static_cast<std::streamsize>(count))) return false;
+    sum.add(std::string_view(bytes).substr(0, count));
+    left -= count;
+  }
+  std::string digest(digest_size, '\0');
+  stream.read(digest.data(), digest_size);
+  return stream && digest == sum.digest();
+}
+
+}  // namespace
+
+CheckpointFile::CheckpointFile(fs::path path, std::chrono::duration<double> between, RunFacts facts,
+                               State observers, std::function<void(const std::string&)> say)
+    : path_(std::move(path)),
+      between_(between),
+      facts_(std::move(facts)),
+      observers_(std::move(observers)),
+      say_(std::move(say)) {
+  remove_unfinished(path_);
+  if (fs::exists(path_)) check();
+  const WholeFile trial(path_);
+}
+
+void CheckpointFile::check() const {
+  if (!fs::is_regular_file(path_)) reject_file(path_, "is no file");
+  std::ifstream stream(path_, std::ios::binary);
+  std::string begin(begin_of_header.size(), '\0');
+  if (!stream.read(begin.data(), static_cast<std::streamsize>(begin.size())) || begin != begin_of_header)
+    reject_file(path_, "is no checkpoint, and is not replaced by one");
+  stream.seekg(0);
+  if (!is_whole(stream, fs::file_size(path_)))
+    reject_file(path_, "is damaged: its checksum is of something else");
+  stream.seekg(0);
+  std::string header;
+  std::getline(stream, header);
+  compare(header);
+}
+
+void CheckpointFile::compare(const std::string& header) const {
+  const Json known = Json::parse(header, nullptr, false);
+  const Json run = known.is_object() ? known.value("run", Json::object()) : Json::object();
+  for (const auto& [name, value] : facts_) {
+    const auto theirs = run.value(name, Json());
+    if (theirs == value) continue;
+    reject_file(path_, fmt::format("is of another run: {} = {}, not {}", name,
+                                   theirs.is_string() ? theirs.get<std::string>() : "unknown", value));
+  }
+}
+
+bool CheckpointFile::resume(const State& state) {
+  if (!fs::exists(path_)) return false;
+  std::ifstream stream(path_, std::ios::binary);
+  std::string header;
+  std::getline(stream, header);
+  const auto used = header.size() + 1 + digest_size;
+  ReadingArchive archive(
+      [&](char* bytes, std::size_t count) {
+        if (!stream.read(bytes, static_cast<std::streamsize>(count)))
+          throw std::invalid_argument("cannot be read");
+      },
+      fs::file_size(path_) - used);
+  try {
+    observers_(archive);
+    state(archive);
+    archive.end();
+  } catch (const std::invalid_argument& problem) {
+    reject_file(path_, problem.what());
+  }
+  resumed_ = true;
+  return true;
+}
+
+void CheckpointFile::offer(const State& state) {
+  if (Clock::now() - written_ < between_) return;
+  try {
+    write(state);
+    failed_ = false;
+  } catch (const std::invalid_argument& problem) {
+    if (!failed_) say_(problem.what());
+    failed_ = true;
+  }
+  written_ = Clock::now();
+}
+
+void CheckpointFile::write(const State& state) {
+  const auto start = Clock::now();
+  CheckedBytes bytes(path_);
+  Json run;
+  for (const auto& [name, value] : facts_) run[name] = value;
+  bytes.add(Json{{"fdebench checkpoint", 1}, {"run", run}}.dump() + "\n");
+  WritingArchive archive([&](std::string_view more) { bytes.add(more); });
+  observers_(archive);
+  state(archive);
+  bytes.finish();
+  const std::chrono::duration<double> taken = Clock::now() - start;
+  spent_ = {spent_.count + 1, bytes.count(), spent_.seconds + taken.count()};
+}
+
+void CheckpointFile::remove() const {
+  std::error_code ignored;
+  fs::remove(path_, ignored);
+}
+
+}  // namespace fde

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "checkpoint/checkpoints.hpp"
+
+namespace fde {
+
+// Ends a run.
+struct Interrupted : std::exception {};
+
+// Keeps a state in memory, and ends the run there: at the n-th state that is offered.
+class InterruptedAt final : public Checkpoints {
+ public:
+  explicit InterruptedAt(int n, std::string kept = {}) : left_(n), kept_(std::move(kept)) {}
+
+  bool resume(const State& state) override {
+    if (kept_.empty()) return false;
+    std::size_t next = 0;
+    ReadingArchive archive([&](char* bytes, std::size_t count) { next += kept_.copy(bytes, count, next); },
+                           kept_.size());
+    state(archive);
+    archive.end();
+    return true;
+  }
+
+  void offer(const State& state) override {
+    if (--left_ != 0) return;
+    kept_.clear();
+    WritingArchive archive([&](std::string_view bytes) { kept_ += bytes; });
+    state(archive);
+    throw Interrupted();
+  }
+
+  // "" where the run ended before.
+  [[nodiscard]] const std::string& kept() const { return kept_; }
+
+ private:
+  int left_;
+  std::string kept_;
+};
+
+}  // namespace fde
