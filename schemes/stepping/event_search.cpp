@@ -81,6 +81,11 @@ bool counts(Crossing crossing, const Sample& before) {
 
 }  // namespace
 
+void Occurrence::state(Archive& archive) {
+  archive(event, t);
+  archive.grown(y);
+}
+
 EventSearch::EventSearch(const std::vector<Event>& events, In start) : events_(events) {
   for (const auto& event : events_) values_.push_back(event.value(0.0, start));
 }

@@ -3,14 +3,15 @@
 #include <functional>
 #include <vector>
 
+#include "checkpoint/archive.hpp"
 #include "stepping/events.hpp"
 
 namespace fde {
 
 // Finds the zeros of events on one step after the other, in which the path is known at any time. Each is
 // located between neighbouring numbers, by the method 748 of Alefeld, Potra & Shi (ACM Trans. Math. Softw. 21
-// (1995)). Values at the ends of some pieces of the step
-// show it; two zeros in one piece are found where |value| has a minimum there.
+// (1995)). Values at the ends of some pieces of the step show it; two zeros in one piece are found where
+// |value| has a minimum there.
 class EventSearch {
  public:
   using Path = std::function<Vec(double t)>;

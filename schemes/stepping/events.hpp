@@ -2,10 +2,11 @@
 
 #include <functional>
 
-#include "checkpoint/archive.hpp"
 #include "problem/vectors.hpp"
 
 namespace fde {
+
+class Archive;
 
 // In which direction a function passes through 0.
 enum class Crossing { either, rising, falling };
@@ -24,10 +25,7 @@ struct Occurrence {
   double t;
   Vec y;
 
-  void state(Archive& archive) {
-    archive(event, t);
-    archive.grown(y);
-  }
+  void state(Archive& archive);
 };
 
 }  // namespace fde
