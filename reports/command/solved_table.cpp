@@ -205,20 +205,27 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments) {
   if (arguments.threads) options.threads = parse_count("--threads", *arguments.threads, 1, most_threads);
   const auto grid = grid_of(resolution);
   if (grid) require_affordable(*grid, options.history);
-  const auto asked = times_of(arguments, resolution, scene.problem.end);
+  auto asked = times_of(arguments, resolution, scene.problem.end);
   // Without reactions columns are all there is to keep, and the states that warnings look at.
   const bool by_columns = grid && !scene.reactions;
   KeptColumns kept(scene.outputs, asked);
   if (by_columns) options.observer = [&kept](double t, In y) { kept.observe(t, y); };
-  options.at = by_columns ? std::vector{scene.problem.end} : with_times_beside(scene.reactions, grid, asked);
+  options.at = by_columns ? std::vector{scene.problem.end}
+                          : with_times_beside(scene.reactions, grid, asked, scene.problem.end);
   if (grid) options.at = with_times_looked_at(scene.problem, *grid, options.at);
   if (const auto reason = refusal(scheme, scene.problem, resolution)) {
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
   }
 
   const auto start = std::chrono::steady_clock::now();
-  const Trajectory path = scheme.solve(scene.problem, resolution, options);
+  Trajectory path = scheme.solve(scene.problem, resolution, options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  // Which times a scheme chooses it says at the end: then it is asked for those beside them.
+  if (!grid && asked.empty() && !scene.reactions.rated.empty() && path.ending == Ending::finished) {
+    asked = path.times;
+    options.at = with_times_beside(scene.reactions, grid, asked, scene.problem.end);
+    path = scheme.solve(scene.problem, resolution, options);
+  }
   if (path.ending != Ending::finished)
     throw RunFailure(fmt::format("{}: {}", scheme.id, describe(scene.problem, path)), scheme.id, path);
   SolvedTable table =
