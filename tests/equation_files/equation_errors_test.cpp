@@ -111,10 +111,9 @@ std::string held_at(const std::string& a, const std::string& order) {
               "\"\ninitial = [0]\n");
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Constraints, WrongEquationFile,
-    testing::Values(Wrong{held_at("0.75", "1"), "line 8, column 8",
-                          "is 0.25 at t = 0: must be 0 with these initial values"}));
+INSTANTIATE_TEST_SUITE_P(Constraints, WrongEquationFile,
+                         testing::Values(Wrong{held_at("0.75", "1"), "line 8, column 8",
+                                               "is 0.25 at t = 0: must be 0 with these initial values"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Values, WrongEquationFile,
