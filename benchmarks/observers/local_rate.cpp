@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "observers/least_squares.hpp"
 #include "problem/smoothness.hpp"
@@ -62,7 +65,48 @@ Vec start_weights(const std::vector<double>& times, double t, const std::vector<
   return least_squares(values, rates).col(0).cast<double>();
 }
 
+// Distances from t: t/4, t/16, ...
+constexpr int distances = 11;
+double distance(double t, int k) { return std::ldexp(t, -2 * (k + 1)); }
+
+// Five times, t among them, of which those farthest from it are at this distance.
+std::vector<double> times_within(double t, double end, int k) {
+  const double near = distance(t, k + 1), far = distance(t, k);
+  if (t + far <= end) return {t - far, t - near, t, t + near, t + far};
+  return {t - far, t - near, t - distance(t, k + 2), t - distance(t, k + 3), t};
+}
+
+// How many choices of five there are.
+int choices(double t, double end) { return t + distance(t, 0) <= end ? distances - 1 : distances - 3; }
+
 }  // namespace
+
+std::vector<double> times_around(double t, double end) {
+  std::vector<double> times;
+  for (int k = 0; k < choices(t, end); ++k)
+    std::ranges::copy(times_within(t, end, k), std::back_inserter(times));
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  std::erase(times, t);
+  return times;
+}
+
+Vec rate_at(double t, double end, const std::function<Vec(double)>& values) {
+  Vec best, before;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < choices(t, end); ++k) {
+    const auto times = times_within(t, end, k);
+    const Vec weights = polynomial_weights(times, t);
+    Vec rate = weights[0] * values(times[0]);
+    for (std::size_t m = 1; m < times.size(); ++m)
+      rate += weights[static_cast<Eigen::Index>(m)] * values(times[m]);
+    const double change = k > 0 ? (rate - before).lpNorm<Eigen::Infinity>() : least;
+    if (k == 0 || change < least) best = rate;
+    if (k > 0) least = std::min(least, change);
+    before = std::move(rate);
+  }
+  return best;
+}
 
 LocalRate local_rate(const Grid& grid, int n, const std::vector<double>& powers) {
   LocalRate rate{steps_around(grid, n), {}};

@@ -1,19 +1,24 @@
 #include "observers/reaction_path.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "observers/local_rate.hpp"
 
 namespace fde {
 
 std::vector<double> with_times_beside(const Reactions& reactions, const std::optional<Grid>& grid,
-                                      std::vector<double> times) {
-  if (reactions.rated.empty() || !grid) return times;
+                                      std::vector<double> times, double end) {
+  if (reactions.rated.empty()) return times;
   std::vector<double> beside;
   for (const double t : times) {
     if (t == 0.0) continue;
-    for (const int step : local_rate(*grid, grid->number(t), reactions.powers).steps)
-      beside.push_back(grid->time(step));
+    if (grid) {
+      for (const int step : local_rate(*grid, grid->number(t), reactions.powers).steps)
+        beside.push_back(grid->time(step));
+    } else {
+      std::ranges::copy(times_around(t, end), std::back_inserter(beside));
+    }
   }
   times.insert(times.end(), beside.begin(), beside.end());
   std::ranges::sort(times);
@@ -22,33 +27,29 @@ std::vector<double> with_times_beside(const Reactions& reactions, const std::opt
 }
 
 ReactionPath::ReactionPath(const Scene& scene, const std::optional<Grid>& grid, const Trajectory& path)
-    : scene_(scene),
-      grid_(grid),
-      path_(path),
-      told_(scene.reactions && (scene.reactions.of_columns() || grid)) {}
+    : scene_(scene), grid_(grid), path_(path) {}
 
 std::vector<std::string> ReactionPath::names() const {
-  return told_ ? reaction_names(scene_) : std::vector<std::string>{};
+  return scene_.reactions ? reaction_names(scene_) : std::vector<std::string>{};
 }
 
 Vec ReactionPath::at(Eigen::Index c, In columns) const {
   const double t = path_.time(c);
-  return told_ ? reaction_values(scene_, t, columns, rates(t)) : Vec();
+  return scene_.reactions ? reaction_values(scene_, t, columns, rates(t)) : Vec();
+}
+
+Vec ReactionPath::rated_at(double t) const {
+  const auto column = std::ranges::lower_bound(path_.times, t) - path_.times.begin();
+  return columns_at(scene_.outputs, t, path_.y.col(column))(scene_.reactions.rated);
 }
 
 std::optional<Vec> ReactionPath::rates(double t) const {
-  const auto& rated = scene_.reactions.rated;
-  if (rated.empty() || t == 0.0) return std::nullopt;
+  if (scene_.reactions.rated.empty() || t == 0.0) return std::nullopt;
+  if (!grid_) return rate_at(t, scene_.problem.end, [this](double beside) { return rated_at(beside); });
   const auto [steps, weights] = local_rate(*grid_, grid_->number(t), scene_.reactions.powers);
-  Vec rates = Vec::Zero(std::ssize(rated));
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    const double beside = grid_->time(steps[k]);
-    const auto found = std::ranges::lower_bound(path_.times, beside);
-    const auto column = static_cast<Eigen::Index>(found - path_.times.begin());
-    const Vec columns = columns_at(scene_.outputs, beside, path_.y.col(column));
-    for (std::size_t i = 0; i < rated.size(); ++i)
-      rates[static_cast<Eigen::Index>(i)] += weights[static_cast<Eigen::Index>(k)] * columns[rated[i]];
-  }
+  Vec rates = Vec::Zero(std::ssize(scene_.reactions.rated));
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    rates += weights[static_cast<Eigen::Index>(k)] * rated_at(grid_->time(steps[k]));
   return rates;
 }
 

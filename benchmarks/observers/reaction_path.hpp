@@ -9,19 +9,18 @@
 
 namespace fde {
 
-// These times of a run and those beside them whose columns tell the reactions there, in increasing order.
-// No grid: the times are a scheme's own.
+// These times of a run up to `end` and those beside them whose columns tell the reactions there, in
+// increasing order. No grid: the times are a scheme's own.
 std::vector<double> with_times_beside(const Reactions& reactions, const std::optional<Grid>& grid,
-                                      std::vector<double> times);
+                                      std::vector<double> times, double end);
 
-// The reactions along a path that was solved for at such times. With memory they need the rates of columns,
-// which the path has on a grid only.
+// The reactions along a path that was solved for at such times. With memory they need the rates of columns.
 class ReactionPath {
  public:
   // The scene and the path must live as long.
   ReactionPath(const Scene& scene, const std::optional<Grid>& grid, const Trajectory& path);
 
-  // Those of the scene, or none where the path does not tell them.
+  // Those of the scene.
   [[nodiscard]] std::vector<std::string> names() const;
   // The multipliers and their power in column c of the path, whose columns are given. NaN where a multiplier
   // is unbounded.
@@ -29,11 +28,11 @@ class ReactionPath {
 
  private:
   [[nodiscard]] std::optional<Vec> rates(double t) const;
+  [[nodiscard]] Vec rated_at(double t) const;
 
   const Scene& scene_;
   std::optional<Grid> grid_;
   const Trajectory& path_;
-  bool told_;
 };
 
 }  // namespace fde

@@ -298,7 +298,8 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
   const bool by_columns = grid && !scene.reactions;
   KeptColumns kept(scene.outputs, asked);
   if (by_columns) options.observer = [&kept](double t, In y) { kept.observe(t, y); };
-  options.at = by_columns ? std::vector{scene.problem.end} : with_times_beside(scene.reactions, grid, asked);
+  options.at = by_columns ? std::vector{scene.problem.end}
+                          : with_times_beside(scene.reactions, grid, asked, scene.problem.end);
   if (!grid) options.events = events_of(scene);
   if (grid) options.at = with_times_looked_at(scene.problem, *grid, options.at);
   if (const auto reason = refusal(scheme, scene.problem, resolution)) {
@@ -308,8 +309,15 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
   auto checkpoints = checkpoint_file(scene, scheme, setup, arguments, kept, say);
   if (checkpoints) options.checkpoints = &*checkpoints;
   const auto start = std::chrono::steady_clock::now();
-  const Trajectory path = scheme.solve(scene.problem, resolution, options);
+  Trajectory path = scheme.solve(scene.problem, resolution, options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  // Which times a scheme chooses it says at the end: then it is asked for those beside them.
+  if (!grid && asked.empty() && !scene.reactions.rated.empty() && path.ending == Ending::finished) {
+    asked = path.times;
+    options.at = with_times_beside(scene.reactions, grid, asked, scene.problem.end);
+    options.checkpoints = nullptr;
+    path = scheme.solve(scene.problem, resolution, options);
+  }
   const bool came_through = path.ending == Ending::finished || path.ending == Ending::event;
   if (checkpoints && !came_through && path.ending != Ending::out_of_budget) checkpoints->remove();
   if (!came_through)

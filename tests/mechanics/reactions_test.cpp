@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -17,7 +18,7 @@ namespace {
 
 // Multipliers and power at the end of a run.
 Vec reactions_at_end(const Scene& scene, const Grid& grid, std::string_view scheme = "product_trapezoidal") {
-  const auto times = with_times_beside(scene.reactions, grid, {grid.end});
+  const auto times = with_times_beside(scene.reactions, grid, {grid.end}, grid.end);
   const auto path = find_scheme(scheme)->solve(scene.problem, grid, {.at = times});
   return ReactionPath(scene, grid, path).at(path.y.cols() - 1, columns_of(scene.outputs, path).rightCols(1));
 }
@@ -83,6 +84,30 @@ TEST(Reactions, OfEveryFormulationApproachTheExactOnes) {
     const double fine = error(2048);
     EXPECT_LT(fine, 2e-3) << scene.name;
     EXPECT_LT(fine, std::max(0.7 * error(512), 1e-9)) << scene.name;
+  }
+}
+
+// Runs to an accuracy have no steps beside an output time: rates are those of values around it.
+TEST(Reactions, OfRunsToAnAccuracyAreTheExactOnes) {
+  const std::vector<double> asked{1e-5, 0.01, 1.0, 1.9999, 2.0};
+  for (const auto& [id, values] : forms()) {
+    Scene scene = scene_of(id, values);
+    scene.problem.end = 2.0;
+    for (const auto* scheme : {"spectral_collocation", "radau_exponentials"}) {
+      const Accuracy accuracy{.relative = 1e-8, .absolute = 1e-8};
+      if (refusal(*find_scheme(scheme), scene.problem, accuracy)) continue;
+      const auto times = with_times_beside(scene.reactions, std::nullopt, asked, 2.0);
+      const auto path = find_scheme(scheme)->solve(scene.problem, accuracy, {.at = times});
+      const ReactionPath reactions(scene, std::nullopt, path);
+      const Rows columns = columns_of(scene.outputs, path);
+      for (std::size_t c = 0; c < times.size(); ++c) {
+        if (!std::ranges::count(asked, times[c])) continue;
+        const auto column = static_cast<Eigen::Index>(c);
+        const Vec exact = exact_reactions(scene, times[c]), found = reactions.at(column, columns.col(column));
+        EXPECT_LT((found - exact).cwiseAbs().maxCoeff(), 1e-4 * (1.0 + exact.cwiseAbs().maxCoeff()))
+            << scene.name << ' ' << scheme << ", t = " << times[c];
+      }
+    }
   }
 }
 
@@ -182,6 +207,26 @@ TEST(LocalRate, IsThatOfWhatItIsMadeFor) {
     }
   }
   EXPECT_EQ(local_rate({1.0, 2}, 2, {0.5}).steps, (std::vector{0, 1, 2}));
+}
+
+// Of a start like t^0.4 and of an oscillation, with values that are off by what a run is; up to the end.
+TEST(LocalRate, OfValuesAtAnyTime) {
+  for (const double noise : {0.0, 1e-9}) {
+    const auto value = [&](double x) {
+      return Vec::Constant(1, std::pow(x, 0.4) + std::sin(40.0 * x) + noise * std::sin(1e7 * x)).eval();
+    };
+    for (const double t : {1e-9, 1e-3, 0.7, 4.999, 5.0}) {
+      const double slope = 0.4 * std::pow(t, -0.6) + 40.0 * std::cos(40.0 * t);
+      EXPECT_NEAR(rate_at(t, 5.0, value)[0], slope, (noise == 0.0 ? 1e-7 : 1e-4) * (40.0 + slope)) << t;
+      const auto times = times_around(t, 5.0);
+      EXPECT_TRUE(std::ranges::is_sorted(times));
+      EXPECT_TRUE(times.front() > 0.0 && times.back() <= 5.0);
+      (void)rate_at(t, 5.0, [&](double at) {
+        EXPECT_TRUE(at == t || std::ranges::binary_search(times, at)) << at;
+        return value(at);
+      });
+    }
+  }
 }
 
 }  // namespace

@@ -58,6 +58,19 @@ TEST(Solve, PrintsTheReactionsBehindAllOtherColumns) {
   EXPECT_NEAR(asked[2][9], 0.83659602775236536, 0.02);
 }
 
+// lambda(10) is 0.836596027752 (mpmath).
+TEST(Solve, PrintsTheReactionsOfRunsToAnAccuracy) {
+  for (const std::string times : {"", " --at 10"}) {
+    const auto answer =
+        fdebench("solve fractional_constraint_2d --scheme radau_exponentials --accuracy 1e-7" + times);
+    EXPECT_THAT(answer.out, StartsWith("t,q1,q2,v1,v2,w1,w2,energy,constraint,lambda,power\n"));
+    const auto rows = csv_rows(answer.out);
+    EXPECT_EQ(rows.back()[0], 10.0);
+    EXPECT_NEAR(rows.back()[9], 0.836596027752, 1e-6);
+    EXPECT_EQ(rows.size() > 100U, times.empty());
+  }
+}
+
 TEST(Solve, TellsItsCostAsOneJsonLine) {
   const auto answer =
       fdebench("solve brusselator --scheme product_trapezoidal --steps 512 --until 5 --at 5 --cost");
