@@ -43,7 +43,8 @@ void DecoupledStageMatrix::solve(Vec& b) const {
   pair.imag() = values * to_modes_.col(complex_).imag();
   of_complex_->solve(pair);
   values = real * from_modes_.row(real_).real();
-  values += 2.0 * (pair.real() * from_modes_.row(complex_).real() - pair.imag() * from_modes_.row(complex_).imag());
+  values +=
+      2.0 * (pair.real() * from_modes_.row(complex_).real() - pair.imag() * from_modes_.row(complex_).imag());
 }
 
 std::string_view DecoupledStageMatrix::solver() const {

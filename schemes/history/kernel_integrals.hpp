@@ -54,7 +54,8 @@ class KernelIntegrals {
 
   [[nodiscard]] const ExponentialKernel& kernel() const { return kernel_; }
 
-  // The number of a new function. All are added before their states are made, and these before the first step.
+  // The number of a new function. All are added before their states are made, and these before the first
+  // step.
   Eigen::Index add_function() { return functions_++; }
   void make_states();
 

@@ -8,8 +8,9 @@
 
 namespace fde {
 
-// 1 - factor A for a real A, factorised by the quickest method that serves, as sparse_factors does with real matrices:
-// tridiagonal, fast_sine, lu. Conjugate gradients and Cholesky's factors have no complex counterpart here.
+// 1 - factor A for a real A, factorised by the quickest method that serves, as sparse_factors does with real
+// matrices: tridiagonal, fast_sine, lu. Conjugate gradients and Cholesky's factors have no complex
+// counterpart here.
 class ComplexFactors {
  public:
   ComplexFactors() = default;
@@ -17,7 +18,8 @@ class ComplexFactors {
   ComplexFactors& operator=(const ComplexFactors&) = delete;
   virtual ~ComplexFactors() = default;
 
-  // Of a matrix whose entries are where they were in that for which this was made. False where the method does not serve.
+  // Of a matrix whose entries are where they were in that for which this was made. False where the method
+  // does not serve.
   virtual bool factorise(const SparseMatrix& matrix, std::complex<double> factor) = 0;
 
   // b becomes the solution.

@@ -10,12 +10,15 @@ namespace {
 // Below, factors are made in the time of the iterations of one solve.
 constexpr Eigen::Index fewest_unknowns = 2000;
 
-// Nanoseconds an unknown, as `fde_large solvers` measures them: their ratio counts. An iteration multiplies with sines of the
-// shorter line, and streams a few vectors; factors grow like the square root of the number of unknowns.
+// Nanoseconds an unknown, as `fde_large solvers` measures them: their ratio counts. An iteration multiplies
+// with sines of the shorter line, and streams a few vectors; factors grow like the square root of the number
+// of unknowns.
 double iteration_cost(const FivePoint& matrix) {
   return 8.0 + 0.04 * static_cast<double>(std::min(matrix.n, matrix.m));
 }
-double factor_cost(const FivePoint& matrix) { return 6.0 * std::sqrt(static_cast<double>(matrix.diagonal.size())); }
+double factor_cost(const FivePoint& matrix) {
+  return 6.0 * std::sqrt(static_cast<double>(matrix.diagonal.size()));
+}
 
 // sin(pi i / (n + 1)), i = 1 ... n.
 Vec lowest_mode(Eigen::Index n) {
@@ -46,8 +49,8 @@ FivePoint scaled(FivePoint matrix, const Vec& s) {
   return matrix;
 }
 
-// Whether couplings with the point before and with that after differ much, somewhere on a line: of a diffusivity that is smooth they
-// do not, once scaled.
+// Whether couplings with the point before and with that after differ much, somewhere on a line: of a
+// diffusivity that is smooth they do not, once scaled.
 bool jumps(const FivePoint& matrix) {
   constexpr double much = 0.2;
   const auto differ = [](double one, double other) {
@@ -127,6 +130,8 @@ bool ConjugateGradients::iterate(Vec& b) const {
   return false;
 }
 
-std::string_view ConjugateGradients::name() const { return factorised_ ? cholesky_->name() : "conjugate_gradients"; }
+std::string_view ConjugateGradients::name() const {
+  return factorised_ ? cholesky_->name() : "conjugate_gradients";
+}
 
 }  // namespace fde

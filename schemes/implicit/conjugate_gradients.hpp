@@ -7,20 +7,23 @@
 
 namespace fde {
 
-// Solves with a symmetric five-point matrix whose diagonal outweighs the rest by conjugate gradients, until its factors would
-// have cost less.
+// Solves with a symmetric five-point matrix whose diagonal outweighs the rest by conjugate gradients, until
+// its factors would have cost less.
 //
-// The matrix M is scaled to a diagonal of 1, S M S. As Concus & Golub (SIAM J. Numer. Anal. 10 (1973)) found for variable
-// diffusivities that are smooth, its stencil then hardly varies: FastSine solves with the mean one, whose diagonal is chosen to
-// give the lowest mode of sines its share x^T S M S x. Where the diffusivity jumps, S = 1, and the number of iterations grows like
-// the root of the ratio of its largest to its smallest value. In neither case does it grow with the number of points.
+// The matrix M is scaled to a diagonal of 1, S M S. As Concus & Golub (SIAM J. Numer. Anal. 10 (1973)) found
+// for variable diffusivities that are smooth, its stencil then hardly varies: FastSine solves with the mean
+// one, whose diagonal is chosen to give the lowest mode of sines its share x^T S M S x. Where the diffusivity
+// jumps, S = 1, and the number of iterations grows like the root of the ratio of its largest to its smallest
+// value. In neither case does it grow with the number of points.
 //
-// Iterations end where what the preconditioner makes of the residual, about the error of x, is below rounding:
+// Iterations end where what the preconditioner makes of the residual, about the error of x, is below
+// rounding:
 //   max |(S P^(-1) S) (b - M x)| <= 2^(-53) max |x|.
 //
-// Each iteration is paid for out of what Cholesky's factors would cost. When that is spent on one matrix, its factors are
-// made and take over: with a matrix that serves for one or two solves, as on graded grids, iterations are all there is; with
-// one that serves for a thousand they soon are over, and at no time has the work been more than twice the least.
+// Each iteration is paid for out of what Cholesky's factors would cost. When that is spent on one matrix, its
+// factors are made and take over: with a matrix that serves for one or two solves, as on graded grids,
+// iterations are all there is; with one that serves for a thousand they soon are over, and at no time has the
+// work been more than twice the least.
 class ConjugateGradients final : public SparseFactors {
  public:
   explicit ConjugateGradients(const SparseMatrix& /*matrix*/) {}

@@ -14,8 +14,8 @@ using Panel = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
 // Solves with Toeplitz matrices tridiag(beside, diagonal, beside), a diagonal for each row.
 template <class Scalar>
-void solve_lines(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& diagonal, Scalar beside, Panel<Scalar>& pivots,
-                 Panel<Scalar>& x) {
+void solve_lines(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& diagonal, Scalar beside,
+                 Panel<Scalar>& pivots, Panel<Scalar>& x) {
   pivots.col(0) = diagonal.inverse();
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     if (j > 0) {

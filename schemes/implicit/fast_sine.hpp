@@ -7,9 +7,9 @@
 
 namespace fde {
 
-// Solves with matrices of constant stencils on n x m points: a sine transform along the shorter lines, and across them for each
-// mode k a tridiagonal Toeplitz matrix of diagonal d + 2 a cos(pi k / (n + 1)), by elimination. Its pivots are made as they
-// are needed, so that nothing belongs to a stencil.
+// Solves with matrices of constant stencils on n x m points: a sine transform along the shorter lines, and
+// across them for each mode k a tridiagonal Toeplitz matrix of diagonal d + 2 a cos(pi k / (n + 1)), by
+// elimination. Its pivots are made as they are needed, so that nothing belongs to a stencil.
 class FastSine {
  public:
   FastSine(Eigen::Index n, Eigen::Index m);

@@ -87,8 +87,8 @@ std::optional<FivePoint> five_point(const SparseMatrix& matrix) {
         return std::nullopt;
       }
     }
-    const bool symmetric = before == (j > 0 ? found.along[j - 1] : 0.0) &&
-                           line_before == (j >= n ? found.across[j - n] : 0.0);
+    const bool symmetric =
+        before == (j > 0 ? found.along[j - 1] : 0.0) && line_before == (j >= n ? found.across[j - n] : 0.0);
     if (!symmetric) return std::nullopt;
   }
   return found;

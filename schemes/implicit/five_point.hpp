@@ -8,19 +8,21 @@ namespace fde {
 
 using ComplexVec = Eigen::VectorXcd;
 
-// What a point of a rectangle takes of itself and of its neighbours, all points alike: with 0 beyond the border a sum of
-// Kronecker products of tridiagonal Toeplitz matrices,
+// What a point of a rectangle takes of itself and of its neighbours, all points alike: with 0 beyond the
+// border a sum of Kronecker products of tridiagonal Toeplitz matrices,
 //   diagonal 1 x 1 + along 1 x E + across E x 1,   E of ones beside the diagonal.
 template <class Scalar>
 struct Stencil {
   Scalar diagonal, along, across;
 };
 
-// A symmetric matrix that couples each of n x m points with itself and its neighbours; row i + n j is that of point (i, j).
+// A symmetric matrix that couples each of n x m points with itself and its neighbours; row i + n j is that of
+// point (i, j).
 struct FivePoint {
   Eigen::Index n, m;
   Vec diagonal;
-  Vec along, across;  // with the point that follows on the line, and with that on the next line; 0 where there is none
+  Vec along, across;  // with the point that follows on the line, and with that on the next line; 0 where
+                      // there is none
 
   [[nodiscard]] Stencil<double> mean() const;
   // Where all points are alike, to rounding.

@@ -12,8 +12,10 @@ SparseNewtonMatrix::Pattern::Pattern(const SparseMatrix& matrix)
 
 bool SparseNewtonMatrix::Pattern::is_of(const SparseMatrix& matrix) const {
   return matrix.isCompressed() &&
-         std::equal(outer.begin(), outer.end(), matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.cols() + 1) &&
-         std::equal(inner.begin(), inner.end(), matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
+         std::equal(outer.begin(), outer.end(), matrix.outerIndexPtr(),
+                    matrix.outerIndexPtr() + matrix.cols() + 1) &&
+         std::equal(inner.begin(), inner.end(), matrix.innerIndexPtr(),
+                    matrix.innerIndexPtr() + matrix.nonZeros());
 }
 
 SparseNewtonMatrix::SparseNewtonMatrix(const Problem& problem)

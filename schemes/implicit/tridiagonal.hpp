@@ -21,7 +21,8 @@ class Tridiagonal {
     return true;
   }
 
-  // False where a row has more beside its diagonal than there: otherwise pivots are no smaller than what is left of that.
+  // False where a row has more beside its diagonal than there: otherwise pivots are no smaller than what is
+  // left of that.
   bool factorise(const Rows& matrix) {
     take(matrix);
     if (!(inverse_.array().abs() >= below_.array().abs() + above_.array().abs()).all()) return false;
