@@ -28,11 +28,11 @@ class SineTransform {
   void backward(const Matrix& modes, double* field) const;
 
  private:
-  Eigen::Index n_, half_,
-      even_;  // half: values of a sum, and modes of odd k; even: of a difference, and of even k
+  Eigen::Index n_;
+  Eigen::Index half_, even_;  // so many sums, and modes of odd k; so many differences, and modes of even k
   Eigen::Index odd_rows_, even_rows_;
-  Matrix odd_, even_sines_;  // from values to modes; the other way they are their own transposes
-  Matrix odd_back_, even_back_;
+  Matrix odd_, even_sines_;      // from values to modes
+  Matrix odd_back_, even_back_;  // their transposes, times 2/N
   Vec twice_cosines_;
 };
 

@@ -7,7 +7,8 @@
 namespace fde {
 
 // What may be wrong in each row of a step: the accuracy asked, but at most a hundredth of the largest that
-// the row has been, and at least a little more than the rounding of the terms that it is the sum of.
+// the row has been, and at least a little more than the rounding of the terms that it is the sum of, and than
+// 1e-292.
 class AllowedError {
  public:
   explicit AllowedError(const Accuracy& accuracy) : accuracy_(accuracy) {}

@@ -4,17 +4,15 @@
 // of bare loops.
 //   fde_large             10^3 ... 10^6 unknowns of both
 //   fde_large D N [T]     one row: D = 1 or 2 dimensions, N unknowns, T threads
-//   fde_large solvers     what solves the equations of a step, and what else might
-//   fde_large direct      the sum over the whole past in place of exponentials
+//   fde_large solvers [N] what solves the equations of a step, and what else might, in squares of up to N x N
+//   points fde_large transforms  sine transforms by products and by a fast Fourier transform fde_large direct
+//   the sum over the whole past in place of exponentials
 
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -26,6 +24,7 @@
 #include "history/exponential_memory.hpp"
 #include "implicit/sparse_factors.hpp"
 #include "programs/google/bare_loop.hpp"
+#include "programs/large/solvers.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
@@ -187,43 +186,6 @@ void measure_direct() {
              1e9 * mean / 1e4, steps, 100.0 * mean * steps, 8e-9 * 1e6 * steps);
 }
 
-// The seconds of making a method of Eigen's, and nanoseconds an unknown of solving with it to rounding.
-template <class Method>
-void measure_method(const char* name, int dimensions, const SparseMatrix& step) {
-  Method method;
-  const double once = processor_seconds_of([&] { method.compute(step); });
-  const Vec b = Vec::LinSpaced(step.rows(), -1.0, 1.0).array().sin();
-  Vec x(b.size());
-  constexpr bool iterates = requires { method.iterations(); };
-  if constexpr (iterates) method.setTolerance(1e-14);
-  const int count = iterates ? 1 : count_of_solves(step.rows());
-  const double each = processor_seconds_of([&] {
-    for (int i = 0; i < count; ++i) x = method.solve(b);
-  });
-  long iterations = 1;
-  if constexpr (iterates) iterations = method.iterations();
-  fmt::print("{} | {:.0e} | {} | {:.3f} | {:.0f} | {}\n", dimensions, static_cast<double>(step.rows()), name,
-             once, 1e9 * each / count / static_cast<double>(step.rows()), iterations);
-}
-
-void measure_solvers() {
-  using Whole =
-      Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper, Eigen::IncompleteCholesky<double>>;
-  fmt::print("dimensions | unknowns | method | made [s] | solve | iterations\n");
-  for (const int dimensions : {1, 2}) {
-    for (const Eigen::Index unknowns : {1'000, 10'000, 100'000}) {
-      const Scene scene = scene_of({dimensions, unknowns, 1});
-      const SparseMatrix step = matrix_of_step(scene);
-      const Solving chosen = solving_seconds(scene);
-      fmt::print("{} | {:.0e} | {} | {:.3f} | {:.0f} | 1\n", dimensions, static_cast<double>(step.rows()),
-                 chosen.method, chosen.once, 1e9 * chosen.each / static_cast<double>(step.rows()));
-      if (dimensions == 1) measure_method<Eigen::SimplicialLDLT<SparseMatrix>>("cholesky", dimensions, step);
-      measure_method<Eigen::SparseLU<SparseMatrix>>("lu", dimensions, step);
-      measure_method<Whole>("conjugate gradients, incomplete Cholesky", dimensions, step);
-    }
-  }
-}
-
 // In a process of its own.
 void apart(const auto& work) {
   std::fflush(stdout);
@@ -245,10 +207,14 @@ long number(const char* text) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  const std::string_view what = count == 2 ? arguments[1] : "";
-  if (what == "solvers") measure_solvers();
+  const std::string_view what = count > 1 ? arguments[1] : "";
+  if (what == "solvers") {
+    measure_solvers(count > 2 ? static_cast<int>(number(arguments[2])) : 1000);
+    return 0;
+  }
+  if (what == "transforms") measure_transforms();
   if (what == "direct") measure_direct();
-  if (count == 2) return what == "solvers" || what == "direct" ? 0 : 2;
+  if (count == 2) return what == "transforms" || what == "direct" ? 0 : 2;
   fmt::print(
       "dimensions | unknowns | threads | run [s] | step | history | solve | rest | bare streaming | bare "
       "arithmetic | "
