@@ -35,6 +35,7 @@ std::vector<SceneVariant> sweep_scenes() {
   for (const auto* scene : {"isokinetic", "fractional_constraint_nonlinear"})
     add(scene, {"formulation=stabilised", "formulation=multiplier"});
   add("nonlinear_fractional_oscillator", {"form=integrated", "form=multiplier"});
+  add("fractional_diffusion_2d", {"medium=halves,start=step"});
   return variants;
 }
 

@@ -10,7 +10,7 @@ const faults = {
   "a chart that draws another number": [/no point of/, "error: row[kind.id]", "error: 2 * row[kind.id]"],
   "a chart whose points cannot be seen": [/cannot be seen/, "filled: true, size: 45", "filled: true, size: 0"],
   "a chart that is left out": [/error-against-time$/m, "const chartsOfScenes = [errorAgainstTime, ", "const chartsOfScenes = ["],
-  "a chart that throws": [/unheard/, 'title: "Error against run time; band', 'title: unheard.of + "'],
+  "a chart that throws": [/unheard/, "title: `Error against ${name}; band", "title: unheard.of + `"],
 };
 
 for (const [fault, [complaint, before, after]] of Object.entries(faults)) {

@@ -11,7 +11,7 @@ SceneMaker fractional_diffusion() {
               {"components", 200.0, {.low = 2.0, .high = 1e6}, "points inside (0, 1), whole"},
               "kappa in D^gamma u = kappa (a u_x)_x"),
           .make = [](const Parameters& p) { return diffusion_scene(p, "components", 1); },
-          .shown = {{"D(u, gamma)", "diffusivity*div(a*grad(u))"}}};
+          .shown = {{"D(u, gamma)", "kappa*div(a*grad(u))"}}};
 }
 
 }  // namespace fde

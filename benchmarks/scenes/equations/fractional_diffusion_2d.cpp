@@ -11,7 +11,7 @@ SceneMaker fractional_diffusion_2d() {
               {"n", 8.0, {.low = 2.0, .high = 1000.0}, "n x n points inside the unit square, whole"},
               "kappa in D^gamma u = kappa div(a grad u)"),
           .make = [](const Parameters& p) { return diffusion_scene(p, "n", 2); },
-          .shown = {{"D(u, gamma)", "diffusivity*div(a*grad(u))"}}};
+          .shown = {{"D(u, gamma)", "kappa*div(a*grad(u))"}}};
 }
 
 }  // namespace fde
