@@ -1,17 +1,21 @@
 #include "history/filtered_memory.hpp"
 
+#include "problem/componentwise.hpp"
+
 namespace fde {
 
 namespace {
 
-// phi_L, ..., phi_1, filled up in front with 0.
+// phi_L, ..., phi_2, filled up in front with 0.
 Vec reversed_tail(const std::vector<double>& filter) {
   constexpr Eigen::Index together = 4 * lanes;  // that dot_product takes at a time
-  const auto count = std::ssize(filter) - 1;
+  const auto count = std::max<std::ptrdiff_t>(std::ssize(filter) - 2, 0);
   Vec tail = Vec::Zero((count + together - 1) / together * together);
-  for (Eigen::Index i = 1; i <= count; ++i) tail[tail.size() - i] = filter[static_cast<std::size_t>(i)];
+  for (Eigen::Index i = 1; i <= count; ++i) tail[tail.size() - i] = filter[static_cast<std::size_t>(i) + 1];
   return tail;
 }
+
+double first_coefficient(const std::vector<double>& filter) { return filter.size() > 1 ? filter[1] : 0.0; }
 
 }  // namespace
 
@@ -19,7 +23,8 @@ FilteredMemory::FilteredMemory(const WeightTable& table, Eigen::Index components
                                double tolerance)
     : running_sums_(table.order > 1.0),
       filter_(reversed_tail(table.family->filter(table.order))),
-      window_(Matrix::Zero(2 * filter_.size(), components)),
+      first_(first_coefficient(table.family->filter(table.order))),
+      window_(Matrix::Zero(2 * filter_.size() + 1, components)),
       next_(filter_.size()),
       tail_(Vec::Zero(components)),
       filtered_(components),
@@ -32,7 +37,7 @@ FilteredMemory::FilteredMemory(const WeightTable& table, Eigen::Index components
 }
 
 void FilteredMemory::push(In sample) {
-  filtered_ = sample + tail_;
+  for_each_component(sample.size(), [&](Eigen::Index i) { filtered_[i] = sample[i] + tail_[i]; });
   if (!memory_ || running_sums_) totals_.add(filtered_);
   if (running_sums_) {
     for (Eigen::Index i = 0; i < filtered_.size(); ++i) filtered_[i] = totals_[i];
@@ -43,9 +48,12 @@ void FilteredMemory::push(In sample) {
     window_.topRows(length) = window_.bottomRows(length);
     next_ = length;
   }
-  window_.row(next_++) = sample;
-  for (Eigen::Index i = 0; i < sample.size(); ++i)
-    tail_[i] = dot_product(filter_.data(), window_.col(i).data() + next_ - length, length);
+  for (Eigen::Index i = 0; i < sample.size(); ++i) {
+    double* const newest = window_.col(i).data() + next_;
+    *newest = sample[i];
+    tail_[i] = dot_product(filter_.data(), newest - length, length) + first_ * sample[i];
+  }
+  ++next_;
 }
 
 std::size_t FilteredMemory::bytes() const {

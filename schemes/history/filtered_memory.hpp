@@ -28,8 +28,9 @@ class FilteredMemory {
 
  private:
   bool running_sums_;
-  Vec filter_;           // phi_L, ..., phi_1, to a whole number of vectors
-  Matrix window_;        // the newest samples, one column a component, twice as long as the filter
+  Vec filter_;           // phi_L, ..., phi_2, to a whole number of vectors
+  double first_;         // phi_1, apart: its sample is too new to be read in a vector
+  Matrix window_;        // the newest samples, one column a component, twice as long as the filter and one
   Eigen::Index next_;    // row of the next sample
   Vec tail_, filtered_;  // sum_{i>=1} phi_i x_(n-i); z_n
   RunningSums totals_;   // of z_0, z_1, ...

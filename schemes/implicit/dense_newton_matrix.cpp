@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "implicit/differences.hpp"
+#include "problem/componentwise.hpp"
 
 namespace fde {
 namespace {
@@ -66,7 +67,8 @@ void DenseNewtonMatrix<size>::assemble(const Vec& kappa) {
 template <int size>
 void DenseNewtonMatrix<size>::solve(Vec& b) const {
   Eigen::Map<Eigen::Matrix<double, size, 1>> x(b.data(), b.size());
-  const Eigen::Matrix<double, size, 1> right = x;
+  Eigen::Matrix<double, size, 1> right(b.size());
+  for_each_component(b.size(), [&](Eigen::Index i) { right[i] = b[i]; });
   x = factors_.solve(right);
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "problem/componentwise.hpp"
+
 namespace fde {
 
 void Extrapolation::push(double t, In y) {
@@ -13,18 +15,21 @@ void Extrapolation::push(double t, In y) {
 
 // The points that are known are the first ones, in whatever order.
 void Extrapolation::at(double t, Out value) const {
-  value.setZero();
-  for (int i = 0; i < known_; ++i) {
-    const double own = times_[static_cast<std::size_t>(i)];
+  std::array<double, most> weights{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(known_); ++i) {
     double above = 1.0, below = 1.0;
-    for (int j = 0; j < known_; ++j) {
+    for (std::size_t j = 0; j < static_cast<std::size_t>(known_); ++j) {
       if (j == i) continue;
-      const double other = times_[static_cast<std::size_t>(j)];
-      above *= t - other;
-      below *= own - other;
+      above *= t - times_[j];
+      below *= times_[i] - times_[j];
     }
-    value += above / below * values_.col(i);
+    weights[i] = above / below;
   }
+  for_each_component(value.size(), [&](Eigen::Index component) {
+    double sum = 0.0;
+    for (int i = 0; i < known_; ++i) sum += weights[static_cast<std::size_t>(i)] * values_(component, i);
+    value[component] = sum;
+  });
 }
 
 void Extrapolation::state(Archive& archive) {

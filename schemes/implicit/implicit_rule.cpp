@@ -1,5 +1,6 @@
 #include "implicit/implicit_rule.hpp"
 
+#include "problem/componentwise.hpp"
 #include "weights/step_factors.hpp"
 
 namespace fde {
@@ -54,7 +55,7 @@ ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family) {
           .past =
               [taylor = TaylorPart(problem)](double t, In convolved, In /*previous*/, In kappa, Out past) {
                 taylor.at(t, past);
-                past += kappa.cwiseProduct(convolved);
+                for_each_component(past.size(), [&](Eigen::Index i) { past[i] += kappa[i] * convolved[i]; });
               },
           .sample = [](Run& run, double t, In y, In /*previous*/, Out sample) { sample = run.rhs(t, y); }};
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "problem/componentwise.hpp"
 #include "problem/jacobian.hpp"
 
 namespace fde {
@@ -65,7 +66,7 @@ bool NewtonSolver::iterate_kept(Run& run, const StepEquations& step, Out y) {
   const auto& rows = matrix_->rows();
   near_ = y;
   continue_path(step, near_);
-  increment_ = near_ - y;
+  for_each_component(y.size(), [&](Eigen::Index i) { increment_[i] = near_[i] - y[i]; });
   // As if an increment of this size had led to the guess.
   double last = std::max(most_doubt * relative_size(rows, increment_, near_), stagnation);
   bool anew = wear_.worn(), fresh = anew;  // fresh: made in this step
@@ -74,7 +75,7 @@ bool NewtonSolver::iterate_kept(Run& run, const StepEquations& step, Out y) {
     if (anew && !renew_factors(run, step)) return false;
     take_residual(step, rows, f_, near_, increment_);
     matrix_->solve(increment_);
-    near_ += increment_;
+    for_each_component(y.size(), [&](Eigen::Index i) { near_[i] += increment_[i]; });
     ++*run.cost().newton_iterations;
     const double now = relative_size(rows, increment_, near_);
     const bool rounding = iteration > 1 && stagnates(now, last);
@@ -109,11 +110,13 @@ bool NewtonSolver::leaves_rounding(Run& run, const StepEquations& step, In y) {
 void NewtonSolver::continue_path(const StepEquations& step, Vec& y) {
   path_.at(step.t, f_);
   for (const auto i : matrix_->rows().algebraic) y[i] = f_[i];
-  y = y + matrix_->rows().mass.cwiseProduct(step.past + step.kappa.cwiseProduct(f_) - y);
+  const Vec& mass = matrix_->rows().mass;
+  for_each_component(
+      y.size(), [&](Eigen::Index i) { y[i] += mass[i] * (step.past[i] + step.kappa[i] * f_[i] - y[i]); });
 }
 
 void NewtonSolver::remember(const StepEquations& step, In y) {
-  f_ = (y - step.past).cwiseQuotient(step.kappa);
+  for_each_component(y.size(), [&](Eigen::Index i) { f_[i] = (y[i] - step.past[i]) / step.kappa[i]; });
   for (const auto i : matrix_->rows().algebraic) f_[i] = y[i];
   path_.push(step.t, f_);
 }

@@ -4,7 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "problem/componentwise.hpp"
+
 namespace fde {
+namespace {
+
+// The larger one; no number where either is none.
+double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
+
+}  // namespace
 
 RowScales::RowScales(const Problem& problem)
     : mass(Vec::Ones(problem.size())), scale(problem.size()), weight(Vec::Ones(problem.size())) {
@@ -16,7 +24,8 @@ RowScales::RowScales(const Problem& problem)
 }
 
 void take_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest) {
-  rest = step.past + step.kappa.cwiseProduct(f) - y;
+  for_each_component(rest.size(),
+                     [&](Eigen::Index i) { rest[i] = step.past[i] + step.kappa[i] * f[i] - y[i]; });
   for (const auto i : rows.algebraic) rest[i] = rows.scale[i] * f[i];
 }
 
@@ -34,8 +43,12 @@ double relative_size(const RowScales& rows, In increment, In y) {
   static constexpr double smallest =
       std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
   const auto of = [](double part, double size) { return part / std::max(size, smallest); };
-  const double size = rows.mass.cwiseProduct(y).lpNorm<Eigen::Infinity>();
-  double largest = of(rows.mass.cwiseProduct(increment).lpNorm<Eigen::Infinity>(), size);
+  double size = 0.0, part = 0.0;
+  for_each_component(y.size(), [&](Eigen::Index i) {
+    size = larger(size, rows.mass[i] * std::abs(y[i]));
+    part = larger(part, rows.mass[i] * std::abs(increment[i]));
+  });
+  double largest = of(part, size);
   for (const auto i : rows.algebraic) {
     const double weight = rows.weight[i];
     const double relative = of(weight * std::abs(increment[i]), std::max(size, weight * std::abs(y[i])));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "implicit/implicit_rule.hpp"
+#include "problem/componentwise.hpp"
 #include "start_weights/first_steps.hpp"
 #include "start_weights/start_correction.hpp"
 #include "stepping/rates.hpp"
@@ -76,7 +77,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
       history->convolve(t, 0, convolved);
       correction.add(n, convolved);
       taylor.at(t, past);
-      past += kappa.cwiseProduct(convolved);
+      for_each_component(past.size(), [&](Eigen::Index i) { past[i] += kappa[i] * convolved[i]; });
       if (const Ending ending = newton.solve(run, {t, kappa, past}, y); ending != Ending::finished) {
         run.fail(ending, t);
         break;
