@@ -68,7 +68,10 @@ std::vector<double> stretches(const Problem& problem) {
 class March {
  public:
   March(const Problem& problem, const Accuracy& accuracy, const Options& options, const MakeSteps& make)
-      : problem_(problem), run_(problem, options) {
+      : problem_(problem),
+        accuracy_(accuracy),
+        constrained_(std::ranges::any_of(problem.components, algebraic)),
+        run_(problem, options) {
     const auto ends = stretches(problem);
     const double first = first_length(problem, accuracy, run_);
     shortest_ = std::min(0.1 * first, std::numeric_limits<double>::epsilon() * ends.front());
@@ -132,6 +135,8 @@ class March {
         if (length <= at_switch()) return switch_over();
         error = no_solution;
       }
+      if (time_ == 0.0 && constrained_ && error <= 1.0 && length > short_enough * problem_.end)
+        error = std::max(error, error_within(t));
       const bool unasked = time_ == 0.0 && length <= short_enough * problem_.end && error < no_solution;
       if (control_.judge(unasked ? std::min(error, 1.0) : error, length)) return take_inside(t);
       ++rejected_;
@@ -140,6 +145,23 @@ class March {
       run_.fail(too_short ? failure() : Ending::out_of_budget, t);
       return false;
     }
+  }
+
+  // How far the first step, attempted to t, is within from a step that ends there, in units of what is asked.
+  // A constraint takes from its end what a multiplier that is singular at the start leaves of an error in the
+  // rows that it acts on, and from nowhere else.
+  double error_within(double t) {
+    constexpr double share = 0.3;
+    const Vec within = steps_->between(share * t);
+    if (steps_->attempt(run_, share * t) == no_solution) return no_solution;
+    double error = 0.0;
+    for (Eigen::Index i = 0; i < within.size(); ++i) {
+      if (algebraic(problem_.components[static_cast<std::size_t>(i)])) continue;
+      const double y = steps_->result()[i], off = std::abs(within[i] - y);
+      if (off > 0.0) error = std::max(error, off / (accuracy_.absolute + accuracy_.relative * std::abs(y)));
+    }
+    steps_->attempt(run_, t);
+    return error;
   }
 
   // The last two steps before the end are about as long as each other.
@@ -224,6 +246,8 @@ class March {
   }
 
   const Problem& problem_;
+  const Accuracy accuracy_;
+  const bool constrained_;  // has algebraic rows
   Run run_;
   double shortest_ = 0.0, time_ = 0.0;
   double stretch_ = 0.0;  // where the one ends in which the run is; 0: it has not begun

@@ -125,6 +125,21 @@ TEST_P(AccuracyScheme, KnowsAlgebraicRowsAtAnyTimeAfterTheRun) {
   }
 }
 
+// A multiplier that starts like t^-0.38, which a first step does not see: its constraint takes away at the end of
+// the step what that leaves in the velocities.
+TEST_P(AccuracyScheme, KnowsConstrainedRowsWithinTheFirstStep) {
+  const Scene scene = make_scene(scene_maker("fractional_constraint_2d"),
+                                 {{"alpha", 0.376}, {"formulation", std::string("multiplier")}});
+  if (refusal(*GetParam(), scene.problem, Accuracy{1e-7, 1e-7})) GTEST_SKIP() << "takes no algebraic rows";
+  const std::vector<double> at{1e-8, 1e-6, 6e-6, 1e-5, 1e-4};
+  const auto path = run(scene.problem, 1e-7, {.at = at});
+  ASSERT_EQ(path.times, at);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const Vec columns = columns_at(scene.outputs, at[i], path.y.col(static_cast<Eigen::Index>(i)));
+    EXPECT_LT((columns - scene.reference.at(at[i]).value).lpNorm<Eigen::Infinity>(), 1e-6) << at[i];
+  }
+}
+
 // D^0.5 y = 1 up to t = 1 and -1 behind it: y = (2 sqrt t - 4 sqrt(t - 1)) / sqrt pi.
 TEST_P(AccuracyScheme, StartsAnewWhereTheRightHandSideJumps) {
   const Problem problem{.components = {{0.5, {0.0}}},
