@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -18,16 +20,22 @@ using nlohmann::json;
 // Beside the errors: those that charts show, and those that only their tooltips do, to fewer digits.
 constexpr std::array<std::string_view, 6> drawn{"time_minimum",    "time_median",    "history_bytes",
                                                 "energy_residual", "drift_internal", "drift_independent"};
-constexpr std::array<std::string_view, 7> told{"time_low",
-                                               "time_high",
-                                               "rhs_calls",
-                                               "newton_iterations",
-                                               "rejected_steps",
-                                               "rounding",
+constexpr std::array<std::string_view, 5> told{"rhs_calls", "newton_iterations", "rejected_steps", "rounding",
                                                "reference_bound_maximum"};
 constexpr int few_digits = 3;
 
 json number(const std::optional<double>& value) { return value ? json(in_chart(*value)) : json(); }
+
+// What h times the steps is of all runs; nullopt: not the same.
+std::optional<double> common_end(const std::vector<const MeasuredRun*>& runs) {
+  std::optional<double> end;
+  for (const MeasuredRun* run : runs) {
+    const double of_run = run->h * run->steps;
+    if (!end) end = of_run;
+    if (std::abs(of_run - *end) > 1e-9 * *end) return std::nullopt;
+  }
+  return end;
+}
 
 json few(const std::optional<double>& value) { return value ? json(in_chart(*value, few_digits)) : json(); }
 
@@ -55,7 +63,11 @@ json run_columns(const PageInput& page, const std::vector<const MeasuredRun*>& r
   });
   columns["lines"] = lines;
   add("steps", [](const MeasuredRun& run) { return json(run.steps); });
-  add("h", [](const MeasuredRun& run) { return json(in_chart(run.h)); });
+  if (const auto end = common_end(runs)) {
+    columns["end"] = in_chart(*end, 10);
+  } else {
+    add("h", [](const MeasuredRun& run) { return json(in_chart(run.h)); });
+  }
   add("asked", asked);
   for (const ErrorKind& kind : error_kinds()) {
     const auto name = error_measure(kind);

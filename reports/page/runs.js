@@ -23,11 +23,11 @@ function madeOf({ groups: [{ rows }] }) {
 }
 
 // A row for each run, { line, steps, ... }, without what it does not have.
-function rowsOf({ lines, ...columns }) {
+function rowsOf({ lines, end, ...columns }) {
   const names = Object.keys(columns);
   return columns.steps.map((_, i) => {
     const row = Object.fromEntries(names.filter((name) => columns[name][i] !== null).map((name) => [name, columns[name][i]]));
-    return { ...row, line: lines[row.line] };
+    return { ...row, ...(end !== undefined && { h: end / row.steps }), line: lines[row.line] };
   });
 }
 
@@ -50,7 +50,7 @@ function wordsOf(row, coarser, kind, kinds, { parameter, made }) {
   add("h", row.h, (h) => String(Number(h.toPrecision(3))));
   add("grid", row.grading, (grading) => `graded:${Number(grading.toPrecision(3))}`);
   add("time", row.time_minimum, time);
-  add("median time", row.time_median, (median) => `${time(median)}${row.time_low ? ` (${timeText(row.time_low)} … ${timeText(row.time_high)})` : ""}`);
+  add("median time", row.time_median, time);
   add(`rate from N = ${coarser?.steps}`, rateBetween(coarser, row, kind.id), (rate) => rate.toFixed(2));
   for (const { id, title } of kinds) add(title, row[id], fewDigits);
   add("bound of the reference", row.reference_bound_maximum, fewDigits);

@@ -7,7 +7,7 @@ function shortNameOf(line, taken) {
   const [scheme, ...means] = line.split(", ");
   const [first, ...rest] = scheme.split("_");
   const end = initials(means);
-  const choices = [...(scheme.length <= 4 ? [scheme] : []), ...[1, 2, 3].map((letters) => first.slice(0, letters) + initials(rest)), ...[2, 3, 4, 5, 6, 7, 8, 9].map((number) => initials([first, ...rest]) + number)];
+  const choices = [...(scheme.length <= 4 ? [scheme] : []), initials([first, ...rest]), ...[2, 3].map((letters) => first.slice(0, letters) + initials(rest)), ...[2, 3, 4, 5, 6, 7, 8, 9].map((number) => initials([first, ...rest]) + number)];
   return choices.map((choice) => choice + end).find((name) => !taken.has(name)) ?? line;
 }
 

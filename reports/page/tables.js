@@ -27,9 +27,8 @@ function mapContent(cell, to) {
   const sign = cell.line ? shortNameOfLine(cell.line) : signs[cell.tone] ?? "";
   const detail = cell.tone && cell.detail ? Number(cell.detail).toExponential(0).replace("e+", "e") : cell.detail ?? (sign ? "" : cell.text);
   const parts = [...(sign ? [element("b", {}, sign)] : []), ...(sign && detail ? [" "] : []), ...(detail ? [element("small", {}, ...unbroken(detail))] : [])];
-  const said = [cell.text, cell.detail].filter(Boolean).join(", ");
-  if (to && cell.text) return [element("a", { href: `#${to}`, "aria-label": said }, ...parts)];
-  return cell.tone ? [element("span", { role: "img", "aria-label": said }, ...parts)] : parts;
+  if (to && cell.text) return [element("a", { href: `#${to}`, "aria-label": `${sign} ${detail}: ${cell.text}` }, ...parts)];
+  return cell.tone ? [element("span", { role: "img", "aria-label": [cell.text, cell.detail].filter(Boolean).join(", ") }, ...parts)] : parts;
 }
 
 function cellContent(cell, lines, to) {

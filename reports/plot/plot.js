@@ -44,9 +44,13 @@ function specification() {
       legend: { ...text, labelColor: "#000", symbolSize: 30, rowPadding: 1, columnPadding: 8, labelLimit: 140, offset: 6 } } };
 }
 
+// Without a browser Vega takes letters for much wider than those of Times are, which stretches legends and margins.
+const widthOfText = ({ fontSize = 8 }, text) => 0.5 * fontSize * String(text ?? "").length;
+
 async function svgOf(spec) {
   const load = (name, file) => import(pathToFileURL(`${request.modules}/${name}/build/${file}`));
   const [vega, { compile }] = await Promise.all([load("vega", "vega.module.js"), load("vega-lite", "index.js")]);
+  vega.textMetrics.width = widthOfText;
   return new vega.View(vega.parse(compile(spec).spec), { renderer: "none" }).toSVG();
 }
 

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "analysis/text.hpp"
 #include "page/page_data.hpp"
@@ -11,15 +15,42 @@
 namespace fde {
 namespace {
 
-std::vector<Cell> row(const PageInput& page, const std::vector<std::string>& steps, const MeasuredRun& run) {
-  return {{.text = page.label(run.key), .detail = page.grid(run.key.setup)},
-          {.text = fmt::format("{}", fmt::join(steps, ", "))},
-          {.text = sentence(run.ending)}};
+// Runs that end in one way: lines with the same numbers of steps.
+struct Shared {
+  std::vector<std::string> lines, steps;
+  RunEnding first, last;
+
+  // "not finite at step 13, t = 1.5 ... at step 102, t = 1.6".
+  [[nodiscard]] std::string reason() const {
+    return first == last ? sentence(first) : fmt::format("{} ... {}", sentence(first), last.detail);
+  }
+};
+
+// What is refused is refused for a reason; where the rest ends differs from one number of steps to the next.
+bool alike(const RunEnding& one, const RunEnding& other) {
+  return one.kind == other.kind && (one.kind != Ending::refused || one.detail == other.detail);
+}
+
+std::string steps_or_accuracy(const MeasuredRun& run) {
+  const auto* asked = std::get_if<Accuracy>(&run.key.setup.resolution);
+  return asked != nullptr ? error_text(asked->relative) : count_text(run.steps);
+}
+
+// Neighbouring step counts of a line that end alike.
+std::vector<Shared> endings_of(const PageInput& page, RunSpan line) {
+  std::vector<Shared> found;
+  for (const MeasuredRun& run : line) {
+    if (found.empty() || !alike(found.back().last, run.ending))
+      found.push_back({.lines = {page.label(run.key)}, .steps = {}, .first = run.ending, .last = {}});
+    found.back().last = run.ending;
+    found.back().steps.push_back(steps_or_accuracy(run));
+  }
+  return found;
 }
 
 }  // namespace
 
-// Neighbouring step counts that end for the same reason share a row.
+// Runs that end in the same way with the same numbers of steps share a row.
 Section failures_section(const PageInput& page) {
   Section section{
       .id = "failures",
@@ -27,18 +58,27 @@ Section failures_section(const PageInput& page) {
       .paragraphs = {"Every run that did not come to its end, or whose end says nothing about the solution, "
                      "with the reason."},
       .table = {.caption = "Refused and failed runs with their reasons",
-                .columns = {{"scheme"}, {"N"}, {"reason"}}},
+                .columns = {{"scheme"}, {"N or accuracy"}, {"reason"}}},
       .folded = true};
   for (const RunSpan scene : by_scene(page.runs.failed)) {
-    RowGroup group{.title = name_of_scene(scene.front().key.scene).title};
+    std::vector<Shared> all;
     for (const RunSpan line : by_line(scene)) {
-      std::vector<std::string> steps;
-      for (auto run = line.begin(); run != line.end(); ++run) {
-        steps.push_back(count_text(run->steps));
-        if (std::next(run) != line.end() && std::next(run)->ending == run->ending) continue;
-        group.rows.push_back(row(page, steps, *run));
-        steps.clear();
+      for (Shared& ending : endings_of(page, line)) {
+        const auto same = std::ranges::find_if(all, [&](const Shared& other) {
+          return other.reason() == ending.reason() && other.steps == ending.steps;
+        });
+        if (same == all.end()) {
+          all.push_back(std::move(ending));
+        } else {
+          same->lines.push_back(std::move(ending.lines.front()));
+        }
       }
+    }
+    RowGroup group{.title = name_of_scene(scene.front().key.scene).title};
+    for (const Shared& of : all) {
+      group.rows.push_back({{.text = fmt::format("{}", fmt::join(of.lines, ", "))},
+                            {.text = fmt::format("{}", fmt::join(of.steps, ", "))},
+                            {.text = of.reason()}});
     }
     section.table.groups.push_back(std::move(group));
   }
