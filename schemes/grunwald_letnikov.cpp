@@ -12,7 +12,11 @@ Scheme grunwald_letnikov() {
       .id = "grunwald_letnikov",
       .title = "Implicit Grunwald-Letnikov",
       .source = "Lubich, SIAM J. Math. Anal. 17 (1986): backward Euler convolution quadrature",
-      .needs = {.uniform_grid = true, .implicit = true, .algebraic_rows = true, .two_sided = true, .checkpoints = true},
+      .needs = {.uniform_grid = true,
+                .implicit = true,
+                .algebraic_rows = true,
+                .two_sided = true,
+                .checkpoints = true},
       .expected_rate =
           [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
             return rate(grunwald_letnikov_theory, problem, smoothness, grading, norm);

@@ -7,18 +7,19 @@ namespace fde {
 
 // Each integral of multi_term/integrated_equations.hpp by backward Euler convolution quadrature.
 Scheme multi_term_grunwald_letnikov() {
-  return {.id = "multi_term_grunwald_letnikov",
-          .title = "Direct multi-term Grunwald-Letnikov",
-          .source = "Podlubny, Fractional Differential Equations (1999), section 8.2; Lubich 1986",
-          .needs = {.discretises_equations = true, .uniform_grid = true, .implicit = true, .checkpoints = true},
-          .expected_rate = multi_term_grunwald_letnikov_rate,
-          .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
-            return step_equations_implicitly(problem, grid, options, families::grunwald_letnikov);
-          }),
-          .refuses = refusal_of_equations,
-          .symbol = [](const Problem& problem, double length) {
-            return implicit_multi_term_symbol(problem, families::grunwald_letnikov, length);
-          }};
+  return {
+      .id = "multi_term_grunwald_letnikov",
+      .title = "Direct multi-term Grunwald-Letnikov",
+      .source = "Podlubny, Fractional Differential Equations (1999), section 8.2; Lubich 1986",
+      .needs = {.discretises_equations = true, .uniform_grid = true, .implicit = true, .checkpoints = true},
+      .expected_rate = multi_term_grunwald_letnikov_rate,
+      .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
+        return step_equations_implicitly(problem, grid, options, families::grunwald_letnikov);
+      }),
+      .refuses = refusal_of_equations,
+      .symbol = [](const Problem& problem, double length) {
+        return implicit_multi_term_symbol(problem, families::grunwald_letnikov, length);
+      }};
 }
 
 }  // namespace fde

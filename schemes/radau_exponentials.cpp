@@ -21,7 +21,11 @@ Scheme radau_exponentials() {
           .source =
               "Hairer & Wanner, Solving Ordinary Differential Equations II (1996), section IV.8; memory as "
               "Guglielmi & Hairer, arXiv 2506.04188 (2025)",
-          .needs = {.takes_grid = false, .takes_accuracy = true, .implicit = true, .algebraic_rows = true, .checkpoints = true},
+          .needs = {.takes_grid = false,
+                    .takes_accuracy = true,
+                    .implicit = true,
+                    .algebraic_rows = true,
+                    .checkpoints = true},
           .solve = split_into(links_up_to_one, solve_adaptively)};
 }
 

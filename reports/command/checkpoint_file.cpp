@@ -103,7 +103,8 @@ void CheckpointFile::check() const {
   if (!stream.read(begin.data(), static_cast<std::streamsize>(begin.size())) || begin != begin_of_header)
     reject_file(path_, "is no checkpoint, and is not replaced by one");
   stream.seekg(0);
-  if (!is_whole(stream, fs::file_size(path_))) reject_file(path_, "is damaged: its checksum is of something else");
+  if (!is_whole(stream, fs::file_size(path_)))
+    reject_file(path_, "is damaged: its checksum is of something else");
   stream.seekg(0);
   std::string header;
   std::getline(stream, header);
@@ -117,7 +118,7 @@ void CheckpointFile::compare(const std::string& header) const {
     const auto theirs = run.value(name, Json());
     if (theirs == value) continue;
     reject_file(path_, fmt::format("is of another run: {} = {}, not {}", name,
-                              theirs.is_string() ? theirs.get<std::string>() : "unknown", value));
+                                   theirs.is_string() ? theirs.get<std::string>() : "unknown", value));
   }
 }
 

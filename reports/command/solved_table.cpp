@@ -212,17 +212,17 @@ std::string times_text(const RunArguments& arguments) {
 RunFacts facts_of(const Scene& scene, const Scheme& scheme, const Setup& setup,
                   const RunArguments& arguments) {
   const Session session = this_session();
-  return {
-      {"program", fmt::format("{} {} {} {}", session.version, session.commit, session.compiler, session.flags)},
-      {"instructions", std::string(vector_targets().front())},
-      {"scene", scene.name},
-      {"end", fmt::format("{}", scene.problem.end)},
-      {"scheme", std::string(scheme.id)},
-      {"steps", resolution_text(setup)},
-      {"grid", grid_text(setup.grading)},
-      {"history", std::string(name(setup.history))},
-      {"tolerance", fmt::format("{}", setup.tolerance)},
-      {"times", times_text(arguments)}};
+  return {{"program",
+           fmt::format("{} {} {} {}", session.version, session.commit, session.compiler, session.flags)},
+          {"instructions", std::string(vector_targets().front())},
+          {"scene", scene.name},
+          {"end", fmt::format("{}", scene.problem.end)},
+          {"scheme", std::string(scheme.id)},
+          {"steps", resolution_text(setup)},
+          {"grid", grid_text(setup.grading)},
+          {"history", std::string(name(setup.history))},
+          {"tolerance", fmt::format("{}", setup.tolerance)},
+          {"times", times_text(arguments)}};
 }
 
 std::optional<CheckpointFile> checkpoint_file(const Scene& scene, const Scheme& scheme, const Setup& setup,
@@ -239,10 +239,9 @@ std::optional<CheckpointFile> checkpoint_file(const Scene& scene, const Scheme& 
                              : usual;
   if (const auto reason = refusal_of_checkpoints(scheme, scene.problem))
     reject_text("--checkpoint", *arguments.checkpoint, fmt::format("left out: {} {}", scheme.id, *reason));
-  return std::optional<CheckpointFile>(std::in_place, *arguments.checkpoint,
-                                       std::chrono::duration<double>(between),
-                                       facts_of(scene, scheme, setup, arguments),
-                                       [&kept](Archive& archive) { archive(kept); }, say);
+  return std::optional<CheckpointFile>(
+      std::in_place, *arguments.checkpoint, std::chrono::duration<double>(between),
+      facts_of(scene, scheme, setup, arguments), [&kept](Archive& archive) { archive(kept); }, say);
 }
 
 }  // namespace

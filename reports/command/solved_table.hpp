@@ -27,9 +27,9 @@ struct RunArguments {
 struct SolvedTable {
   std::vector<std::string> names{};
   std::vector<double> times{};
-  Rows values{};          // one row a name, one column a time
-  std::string warning{};  // of all that speaks against them; empty: nothing
-  std::string cost{};     // one JSON object: time, calls, memory, rate
+  Rows values{};                       // one row a name, one column a time
+  std::string warning{};               // of all that speaks against them; empty: nothing
+  std::string cost{};                  // one JSON object: time, calls, memory, rate
   std::filesystem::path checkpoint{};  // of no use once the table is written; empty: there is none
 };
 
@@ -42,8 +42,9 @@ struct RunFailure : NumericalFailure {
   std::optional<double> time;  // of that step
 };
 
-// Solves a scene. A checkpoint that cannot be written is not thrown but said. Throws std::invalid_argument naming the argument, the text and what is allowed, RunFailure,
-// and NumericalFailure where a column is not finite.
+// Solves a scene. A checkpoint that cannot be written is not thrown but said. Throws std::invalid_argument
+// naming the argument, the text and what is allowed, RunFailure, and NumericalFailure where a column is not
+// finite.
 SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
                          const std::function<void(const std::string&)>& say = {});
 

@@ -20,7 +20,9 @@ class Archive;
 // Says what it keeps from step to step:
 //   void state(Archive& archive) { archive(count_, values_, part_); }
 template <class Part>
-concept HasState = requires(Part& part, Archive& archive) { part.state(archive); };
+concept HasState = requires(Part& part, Archive& archive) {
+  part.state(archive);
+};
 
 // A matrix or vector that has its own entries.
 template <class Part>
@@ -96,8 +98,7 @@ class Archive {
   void same_size(Eigen::Index own);
 
   template <class Part>
-    requires(std::is_arithmetic_v<Part> && !std::same_as<Part, bool>)
-  void part(Part& value) {
+  requires(std::is_arithmetic_v<Part> && !std::same_as<Part, bool>) void part(Part& value) {
     transfer(&value, sizeof value);
   }
   void part(bool& value) {

@@ -27,8 +27,8 @@ class Run {
   // The same of a scheme that knows y since the last step: of Options::at, times between are recorded too.
   bool accept(double t, In y, const std::function<Vec(double)>& between);
 
-  // Options::checkpoints, between two steps: whether the run goes on from a state kept there, and one that may
-  // be kept. `state` is that of the scheme; what a Run has is part of it.
+  // Options::checkpoints, between two steps: whether the run goes on from a state kept there, and one that
+  // may be kept. `state` is that of the scheme; what a Run has is part of it.
   bool resume(const State& state);
   void offer(const State& state);
 

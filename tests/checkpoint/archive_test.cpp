@@ -22,7 +22,8 @@ std::string written(const State& state) {
 
 void read(const std::string& bytes, const State& state) {
   std::size_t next = 0;
-  ReadingArchive archive([&](char* to, std::size_t count) { next += bytes.copy(to, count, next); }, bytes.size());
+  ReadingArchive archive([&](char* to, std::size_t count) { next += bytes.copy(to, count, next); },
+                         bytes.size());
   state(archive);
   archive.end();
 }

@@ -70,14 +70,16 @@ TEST_F(CheckpointOfSolve, IsOfOneRunOnly) {
   const auto kept = content();
   const std::vector<std::pair<std::string, std::string>> others{
       {"solve pendulum --scheme l1 --steps 20000 --points 5", "scheme = product_trapezoidal, not l1"},
-      {"solve pendulum --scheme product_trapezoidal --steps 20001 --points 5", "steps = N = 20000, not N = 20001"},
+      {"solve pendulum --scheme product_trapezoidal --steps 20001 --points 5",
+       "steps = N = 20000, not N = 20001"},
       {"solve pendulum:alpha=1.7 --scheme product_trapezoidal --steps 20000 --points 5", "scene = "},
       {"solve relaxation --scheme product_trapezoidal --steps 20000 --points 5", "scene = "},
       {std::string(plain) + " --until 3", "end = 20, not 3"},
       {std::string(plain) + " --grid graded:2", "grid = uniform, not graded:2"},
       {std::string(plain) + " --history direct", "history = auto, not direct"},
       {std::string(plain) + " --tolerance 1e-6", "tolerance = 1e-15, not 1e-06"},
-      {"solve pendulum --scheme product_trapezoidal --steps 20000 --at 20", "times = --points 5, not --at 20"}};
+      {"solve pendulum --scheme product_trapezoidal --steps 20000 --at 20",
+       "times = --points 5, not --at 20"}};
   for (const auto& [command, difference] : others) {
     const auto [code, out, err] = keeping(command);
     EXPECT_EQ(code, 2) << command;

@@ -18,8 +18,8 @@ class InterruptedAt final : public Checkpoints {
   bool resume(const State& state) override {
     if (kept_.empty()) return false;
     std::size_t next = 0;
-    ReadingArchive archive(
-        [&](char* bytes, std::size_t count) { next += kept_.copy(bytes, count, next); }, kept_.size());
+    ReadingArchive archive([&](char* bytes, std::size_t count) { next += kept_.copy(bytes, count, next); },
+                           kept_.size());
     state(archive);
     archive.end();
     return true;

@@ -1,5 +1,7 @@
 // Full disks: one line naming the path, nothing half written, and what was there stays.
 
+#include "support/full_disk.hpp"
+
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -8,7 +10,6 @@
 #include "hostile/unwritable_testing.hpp"
 #include "reference_data/reference_folder.hpp"
 #include "references/cache.hpp"
-#include "support/full_disk.hpp"
 #include "support/testing.hpp"
 #include "sweep/experiment.hpp"
 
