@@ -125,8 +125,8 @@ TEST_P(AccuracyScheme, KnowsAlgebraicRowsAtAnyTimeAfterTheRun) {
   }
 }
 
-// A multiplier that starts like t^-0.38, which a first step does not see: its constraint takes away at the end of
-// the step what that leaves in the velocities.
+// A multiplier that starts like t^-0.38, which a first step does not see: its constraint takes away at the
+// end of the step what that leaves in the velocities.
 TEST_P(AccuracyScheme, KnowsConstrainedRowsWithinTheFirstStep) {
   const Scene scene = make_scene(scene_maker("fractional_constraint_2d"),
                                  {{"alpha", 0.376}, {"formulation", std::string("multiplier")}});
