@@ -8,21 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "command/arguments.hpp"
+#include "command/asked_run.hpp"
 #include "command/command.hpp"
-#include "scenes/scene.hpp"
-#include "stepping/scheme.hpp"
 
 namespace fde {
-
-// What `solve` is told of a run, as texts; --until belongs to the scene.
-struct RunArguments {
-  std::string scheme;
-  std::optional<std::string> steps, accuracy, at, every, points, threads, checkpoint, checkpoint_every;
-  MeansArguments means{.budget = "3600"};
-  bool check = false;
-  bool events = false;  // the events in place of times
-};
 
 // What is printed of a run: at all its times, at those asked for, or at its events.
 struct SolvedTable {

@@ -1,0 +1,147 @@
+#include "command/asked_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <variant>
+
+#include "history/history.hpp"
+#include "scenes/number_text.hpp"
+#include "stepping/optimal_grading.hpp"
+#include "sweep/experiment.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int most_direct_steps = 1 << 21;  // beyond, hours
+constexpr int most_rows = 10'000'000;
+constexpr int most_threads = 1024;
+
+constexpr double rounding = 1e-12;
+
+Setup parse_setup(const RunArguments& arguments) {
+  StepsOrAccuracy resolution;
+  if (arguments.accuracy) {
+    resolution = parse_accuracy(*arguments.accuracy);
+    if (arguments.means.grid != MeansArguments{}.grid)
+      reject_text("--grid", arguments.means.grid, "without --accuracy, whose schemes choose their times");
+  } else {
+    resolution = parse_count("--steps", *arguments.steps, 1, most_steps);
+  }
+  Setup setup = parse_means(arguments.means);
+  setup.resolution = resolution;
+  return setup;
+}
+
+// Throws std::invalid_argument where the run would take hours or print too much.
+void require_affordable(const Grid& grid, HistoryKind history) {
+  if (resolve(history, step_plan(grid)) == HistoryKind::direct && grid.steps > most_direct_steps) {
+    throw std::invalid_argument(
+        fmt::format("--history = direct: takes up to {} steps, its work grows with their square, not {}",
+                    most_direct_steps, grid.steps));
+  }
+}
+
+// The time of the grid that is t to rounding. Throws std::invalid_argument naming the neighbours of a time
+// off the grid.
+double time_at(const Grid& grid, double t) {
+  const int nearest = grid.number(t);
+  if (std::abs(grid.time(nearest) - t) <= rounding * t) return grid.time(nearest);
+  const int below = std::clamp(grid.time(nearest) < t ? nearest : nearest - 1, 0, grid.steps - 1);
+  reject("--at", t,
+         fmt::format("a time of the grid: its neighbours are {:.17g} and {:.17g}", grid.time(below),
+                     grid.time(below + 1)));
+}
+
+std::vector<double> parse_times(const std::string& text, const Resolution& resolution, double end) {
+  const auto* grid = std::get_if<Grid>(&resolution);
+  std::vector<double> times;
+  for (const double t : parse_numbers("--at", text, not_negative)) {
+    if (t > end * (1 + rounding)) reject("--at", t, fmt::format("in [0, {}], the times of the run", end));
+    times.push_back(grid != nullptr ? time_at(*grid, t) : t);
+  }
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+// Every K-th time of the grid and the last, or so many of them from 0 to the end, evenly spread over the
+// steps.
+std::vector<double> spread_times(const RunArguments& arguments, const Grid& grid) {
+  int count = 0;
+  double stride = 0.0;
+  if (arguments.every) {
+    const int fewest = grid.steps / most_rows + 1;
+    const int each = parse_count("--every", *arguments.every, fewest, most_steps);
+    count = 1 + (grid.steps - 1) / each + 1;
+    stride = each;
+  } else {
+    count = parse_count("--points", *arguments.points, 2, most_rows);
+    stride = static_cast<double>(grid.steps) / (count - 1);
+  }
+  std::vector<double> times;
+  for (int i = 0; i < count; ++i)
+    times.push_back(grid.time(std::min(grid.steps, static_cast<int>(std::lround(i * stride)))));
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+// The times to print; none: all.
+std::vector<double> times_of(const RunArguments& arguments, const Resolution& resolution, double end) {
+  if (arguments.at) return parse_times(*arguments.at, resolution, end);
+  const auto* grid = std::get_if<Grid>(&resolution);
+  if (arguments.every || arguments.points) {
+    if (grid == nullptr) throw std::invalid_argument("--every and --points: are only taken with --steps");
+    return spread_times(arguments, *grid);
+  }
+  if (grid != nullptr && grid->steps > most_rows) {
+    throw std::invalid_argument(
+        fmt::format("--at, --every or --points is needed beyond {} steps, not all {} are printed", most_rows,
+                    grid->steps));
+  }
+  return {};
+}
+
+std::optional<Grid> grid_of(const Resolution& resolution) {
+  const auto* grid = std::get_if<Grid>(&resolution);
+  return grid == nullptr ? std::nullopt : std::optional(*grid);
+}
+
+// Throws std::invalid_argument where there are no events to print.
+void require_events(const Scene& scene, const RunArguments& arguments) {
+  if (!arguments.events) return;
+  if (!arguments.accuracy) throw std::invalid_argument("--events: is only taken with --accuracy");
+  if (arguments.at) throw std::invalid_argument("--events: is not taken with --at");
+  if (scene.events.empty())
+    throw std::invalid_argument("--events: the scene has none; those of a file stand under [event.NAME]");
+}
+
+}  // namespace
+
+AskedRun asked_run(const Scene& scene, const RunArguments& arguments) {
+  if (!arguments.steps && !arguments.accuracy) throw std::invalid_argument("--steps is required");
+  const auto& scheme = scheme_named(arguments.scheme);
+  Setup setup = parse_setup(arguments);
+  const bool chosen = asks_optimal_grading(arguments.means);
+  if (chosen) setup.grading = optimal_grading(scheme, scene.problem);
+  const Resolution resolution = resolution_of(setup, scene.problem.end);
+  Options options = setup.options();
+  if (arguments.threads) options.threads = parse_count("--threads", *arguments.threads, 1, most_threads);
+  const auto grid = grid_of(resolution);
+  if (grid) require_affordable(*grid, options.history);
+  require_events(scene, arguments);
+  auto times = times_of(arguments, resolution, scene.problem.end);
+  if (const auto reason = refusal(scheme, scene.problem, resolution))
+    throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
+  return {scheme,
+          setup,
+          resolution,
+          grid,
+          std::move(times),
+          std::move(options),
+          chosen ? grid_text(setup.grading) : ""};
+}
+
+}  // namespace fde

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command/arguments.hpp"
+#include "scenes/scene.hpp"
+#include "stepping/scheme.hpp"
+
+namespace fde {
+
+// What `solve` is told of a run, as texts; --until belongs to the scene.
+struct RunArguments {
+  std::string scheme;
+  std::optional<std::string> steps, accuracy, at, every, points, threads, checkpoint, checkpoint_every;
+  MeansArguments means{.budget = "3600"};
+  bool check = false;
+  bool events = false;  // the events in place of times
+};
+
+// The same, read: one run of a scheme that does not refuse it.
+struct AskedRun {
+  const Scheme& scheme;
+  Setup setup;
+  Resolution resolution;
+  std::optional<Grid> grid;   // over which it steps; empty: it chooses its times
+  std::vector<double> times;  // to print; empty: all
+  Options options;            // but for the times
+  std::string chosen_grid{};  // by graded:auto; empty: it was not asked
+};
+
+// Throws std::invalid_argument naming the argument, the text and what is allowed.
+AskedRun asked_run(const Scene& scene, const RunArguments& arguments);
+
+}  // namespace fde

@@ -1,0 +1,37 @@
+#include "command/cost_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "stepping/rates.hpp"
+
+namespace fde {
+
+std::string cost_text(const Scene& scene, const AskedRun& run, const Cost& cost, double seconds,
+                      const CheckpointFile* checkpoints) {
+  nlohmann::ordered_json shown{{"seconds", seconds}};
+  const auto add = [&shown](const char* key, const auto& count) {
+    if (count) shown[key] = *count;
+  };
+  add("rhs", cost.rhs_calls);
+  add("newton", cost.newton_iterations);
+  if (!run.chosen_grid.empty()) shown["grid"] = run.chosen_grid;
+  if (run.grid && cost.history_bytes)
+    shown["history"] = name(resolve(run.options.history, step_plan(*run.grid)));
+  add("history_bytes", cost.history_bytes);
+  add("states", cost.states);
+  if (!cost.linear_solver.empty()) shown["linear_solver"] = cost.linear_solver;
+  add("start_weights", cost.start_weights);
+  add("rejected_steps", cost.rejected_steps);
+  if (checkpoints != nullptr) {
+    const auto& spent = checkpoints->spent();
+    shown["continued"] = checkpoints->resumed();
+    shown["checkpoints"] = spent.count;
+    shown["checkpoint_bytes"] = spent.bytes;
+    shown["checkpoint_seconds"] = spent.seconds;
+  }
+  if (run.grid)
+    add("expected_rate", theoretical_rate(run.scheme, scene.problem, scene.smoothness, *run.grid, Norm::end));
+  return shown.dump();
+}
+
+}  // namespace fde
