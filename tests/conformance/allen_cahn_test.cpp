@@ -30,7 +30,7 @@ struct Run {
 
 class AllenCahn : public testing::TestWithParam<Run> {
  protected:
-  [[nodiscard]] Scene scene(const char* start, double amplitude = 0.5) const {
+  [[nodiscard]] static Scene scene(const char* start, double amplitude = 0.5) {
     return allen_cahn({{"domain", GetParam().domain},
                        {"gamma", GetParam().gamma},
                        {"n", 6.0},

@@ -30,7 +30,7 @@ Scene diffusion_scene(const Parameters& parameters, const char* points_name, int
     field = std::make_shared<const VaryingField>(points, std::move(start), dimensions, order, diffusivity,
                                                  medium);
   }
-  return scene_of_field(std::move(field), order);
+  return scene_of_field(field, order);
 }
 
 }  // namespace fde

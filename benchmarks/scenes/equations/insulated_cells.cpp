@@ -1,5 +1,8 @@
 #include "scenes/equations/insulated_cells.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace fde {
 
 InsulatedCells::InsulatedCells(FieldShape shape, double coupling)
@@ -31,9 +34,10 @@ SparseMatrix InsulatedCells::matrix() const {
   result.reserve(Eigen::VectorXi::Constant(static_cast<int>(size), 2 * shape_.dimensions + 1));
   for (Eigen::Index place = 0; place < size; ++place) {
     const bool left = place % n > 0, right = place % n + 1 < n, below = place >= n, above = place + n < size;
+    const std::array<bool, 4> sides{left, right, below, above};
     if (below) result.insert(place - n, place) = coupling_;
     if (left) result.insert(place - 1, place) = coupling_;
-    result.insert(place, place) = -coupling_ * (int{left} + int{right} + int{below} + int{above});
+    result.insert(place, place) = -coupling_ * static_cast<double>(std::ranges::count(sides, true));
     if (right) result.insert(place + 1, place) = coupling_;
     if (above) result.insert(place + n, place) = coupling_;
   }

@@ -1,7 +1,5 @@
 #include "scenes/equations/linear_field.hpp"
 
-#include <utility>
-
 namespace fde {
 
 std::vector<Component> field_components(const FieldShape& shape, const Vec& start, double order) {
@@ -16,7 +14,7 @@ std::vector<Component> field_components(const FieldShape& shape, const Vec& star
   return all;
 }
 
-Scene scene_of_field(std::shared_ptr<const LinearField> field, double order) {
+Scene scene_of_field(const std::shared_ptr<const LinearField>& field, double order) {
   Scene scene;
   scene.problem.components = field_components(field->shape(), field->start(), order);
   scene.problem.rhs = [field](double, In u, Out f) { field->apply(u, f); };

@@ -30,6 +30,6 @@ class LinearField {
 std::vector<Component> field_components(const FieldShape& shape, const Vec& start, double order);
 
 // The problem of a field with all that is known about it.
-Scene scene_of_field(std::shared_ptr<const LinearField> field, double order);
+Scene scene_of_field(const std::shared_ptr<const LinearField>& field, double order);
 
 }  // namespace fde

@@ -128,9 +128,10 @@ ReferenceValue VaryingField::at(double t) const {
     }
     bound += std::abs(some.amplitude_of_y) * off;
     const Vec of_x = some.amplitude_of_y * (some.vectors * left);
-    for (Eigen::Index j = 0; j < shape_.size() / n; ++j)
-      field.segment(j * n, n) +=
-          of_x * (some.of_y > 0 ? points_.sine(some.of_y, static_cast<int>(j) + 1) : 1.0);
+    for (Eigen::Index j = 0; j < shape_.size() / n; ++j) {
+      const double of_y = some.of_y > 0 ? points_.sine(some.of_y, static_cast<int>(j) + 1) : 1.0;
+      field.segment(j * n, n) += of_y * of_x;
+    }
   }
   const Vec columns = columns_at(outputs(), t, field);
   return {columns, Vec::Constant(columns.size(), bound)};
