@@ -68,7 +68,7 @@ std::vector<std::pair<Sample, Sample>> changes(const Value& value, const std::ve
     const bool one_side = before.value * now.value > 0.0 && now.value * behind.value > 0.0;
     if (!one_side || !(size(now) < size(before)) || !(size(now) <= size(behind))) continue;
     const Sample there = beyond(value, before, behind);
-    if (!opposite(there, now)) continue;
+    if (!opposite(now, there)) continue;
     found.emplace_back(before, there);
     found.emplace_back(there, behind);
   }
