@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,12 @@ struct InterpolatedRow {
   void state(Archive& archive) { archive(row, powers); }
 };
 using InterpolatedRows = std::vector<InterpolatedRow>;
+
+// Whether a row is such a one, from an error of its integral and what the equations of the step leave of it.
+inline bool known_by_values(double error, double left, double allowed) {
+  constexpr double small_part = 0.1;  // with more of it left the integral is within ten times what is allowed
+  return !(std::abs(error) <= allowed) && !(std::abs(left) > small_part * std::abs(error));
+}
 
 // A rule that steps by any length: each step is attempted, its error is estimated, and it is taken or
 // attempted anew with another length. What is not taken leaves no trace.

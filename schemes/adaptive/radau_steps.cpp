@@ -235,7 +235,7 @@ double RadauSteps::error() {
   for (Eigen::Index r = 0; r < y_.rows(); ++r) {
     const double of_row = std::abs(answered[(stages - 1) * y_.rows() + r]);
     if (rows_[static_cast<std::size_t>(r)] && of_row != 0.0) result = std::max(result, of_row / limit[r]);
-    if (!(std::abs(effect(r, stages - 1)) <= limit[r])) interpolate(r);
+    if (known_by_values(effect(r, stages - 1), of_row, limit[r])) interpolate(r);
   }
   return result;
 }

@@ -148,12 +148,13 @@ double TrapezoidalSteps::error(const Vec& of_f) {
   const Vec unit = kappa_.cwiseProduct((orders_.array() + 1.0).matrix());  // h^g / Gamma(g+1)
   const Vec limit = allowed_.of(y_.cwiseAbs().cwiseMax(before_.cwiseAbs()), past_.cwiseAbs());
   Vec answered = unit.cwiseProduct(of_f);
+  const Vec unanswered = answered;
+  solver_->respond(answered);
   interpolated_.clear();
   for (Eigen::Index i = 0; i < limit.size(); ++i) {
-    if (!(std::abs(answered[i]) <= limit[i]))
+    if (known_by_values(unanswered[i], answered[i], limit[i]))
       interpolated_.push_back({i, {before_[i], y_[i] - before_[i], 0.0, 0.0}});
   }
-  solver_->respond(answered);
   Vec again = answered;
   solver_->respond(again);
   const double once = largest_part(answered, limit);

@@ -99,6 +99,18 @@ TEST_P(AccuracyScheme, KnowsStiffRowsBetweenStepsAsWellAsOnThem) {
   }
 }
 
+// Where equations hardly damp an error of f, its integral says more between long steps than values at their
+// ends do.
+TEST_P(AccuracyScheme, KnowsRowsThatBendBetweenLongSteps) {
+  const Scene scene = scene_of("diethelm", {{"gamma", 0.33}});
+  const std::vector<double> at{0.0625, 0.15, 0.2, 0.25, 0.3125, 0.8};
+  const auto path = run(scene.problem, 6.6e-4, {.at = at});
+  ASSERT_EQ(path.times, at);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), scene.reference.at(at[i]).value[0], 1.3e-2) << at[i];
+  }
+}
+
 // A corrector leaves f one correction ahead of y.
 TEST_P(AccuracyScheme, KnowsTheSolutionAtAnyTimeAfterTheRun) {
   const Scene scene = scene_of("relaxation");
