@@ -25,6 +25,11 @@ constexpr std::size_t piece = std::size_t{1} << 20;
   throw std::invalid_argument(fmt::format("{}: {}", path.string(), reason));
 }
 
+bool is_there(const fs::path& path) {
+  std::error_code none;
+  return fs::exists(path, none);
+}
+
 // Bytes on their way to a file, in pieces, with their checksum at the end.
 class CheckedBytes {
  public:
@@ -91,9 +96,9 @@ CheckpointFile::CheckpointFile(fs::path path, std::chrono::duration<double> betw
       facts_(std::move(facts)),
       observers_(std::move(observers)),
       say_(std::move(say)) {
-  remove_unfinished(path_);
-  if (fs::exists(path_)) check();
   const WholeFile trial(path_);
+  remove_unfinished(path_);
+  if (is_there(path_)) check();
 }
 
 void CheckpointFile::check() const {
@@ -123,7 +128,7 @@ void CheckpointFile::compare(const std::string& header) const {
 }
 
 bool CheckpointFile::resume(const State& state) {
-  if (!fs::exists(path_)) return false;
+  if (!is_there(path_)) return false;
   std::ifstream stream(path_, std::ios::binary);
   std::string header;
   std::getline(stream, header);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <system_error>
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
@@ -45,7 +46,8 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
   });
   const bool fails = arguments.strict && !table.warning.empty();
   if (!fails) print_rows(table, streams.out);
-  if (!table.checkpoint.empty() && streams.out.flush()) std::filesystem::remove(table.checkpoint);
+  std::error_code ignored;
+  if (!table.checkpoint.empty() && streams.out.flush()) std::filesystem::remove(table.checkpoint, ignored);
   if (fails) throw NumericalFailure(table.warning);
   if (!table.warning.empty()) streams.err << fmt::format("fdebench: {}\n", table.warning);
   if (!table.ended.empty()) streams.err << fmt::format("fdebench: {}\n", table.ended);
