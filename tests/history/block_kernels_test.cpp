@@ -204,6 +204,48 @@ TEST_P(BlockKernels, AdvanceKeepsInTheCarryWhatRoundingTook) {
   }
 }
 
+// The input of each column is a sum of three products; what follows is the other kernel.
+TEST_P(BlockKernels, AdvanceIntegralsAddsThePolynomialsOfEachColumn) {
+  constexpr Eigen::Index rows = 5 * lanes, columns = 3;
+  const Matrix decay = random_matrix(rows, 1, 1), phi = random_matrix(rows, 3, 2),
+               polynomials = random_matrix(3, columns, 3), state = random_matrix(rows, columns, 4),
+               carry = 1e-17 * random_matrix(rows, columns, 5);
+  const auto advanced = [&] {
+    Matrix both(rows, 2 * columns);
+    both << state, carry;
+    advance_integrals(rows, columns, decay.data(), reading(phi), reading(polynomials), {both.data(), rows},
+                      {both.data() + columns * rows, rows});
+    return both;
+  };
+  Matrix input = Matrix::Zero(rows, columns), expected(rows, 2 * columns);
+  multiply_add(rows, 3, columns, reading(phi), reading(polynomials), writing(input));
+  expected << state, carry;
+  advance(rows, columns, decay.data(), reading(input), {expected.data(), rows},
+          {expected.data() + columns * rows, rows});
+  EXPECT_EQ(advanced(), expected);
+  expect_the_bits_of_the_widest(advanced);
+}
+
+TEST_P(BlockKernels, ApplyDecayMultipliesAndWeighAddsTwoProducts) {
+  constexpr Eigen::Index rows = 3 * lanes;
+  const Matrix a = random_matrix(rows, 1, 1), b = random_matrix(rows, 1, 2), c = random_matrix(rows, 1, 3);
+  const auto both = [&] {
+    Matrix result(rows, 2);
+    apply_decay(rows, a.data(), b.data(), result.data());
+    weigh(rows, a.data(), b.data(), 0.7, c.data(), result.data() + rows);
+    return result;
+  };
+  const Matrix result = both();
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    Sum decayed;
+    decayed.add(a(i), 1);
+    decayed.add(a(i), b(i));
+    EXPECT_TRUE(decayed.agrees(result(i, 0))) << i;
+    EXPECT_EQ(result(i, 1), a(i) * b(i) + 0.7 * c(i)) << i;
+  }
+  expect_the_bits_of_the_widest(both);
+}
+
 // Each change is off by three units of itself at most, and the changes add up to the state; without a carry
 // the rounding of a million sums is left, a hundred units and more.
 TEST_P(BlockKernels, AdvanceLosesNothingOverAMillionSlowDecays) {
