@@ -29,9 +29,9 @@ Vec state_of(std::string_view name, const std::optional<std::string>& text, In a
 
 // Lines quantity,i,j,k,value. Indices are names of coordinates, of multipliers numbers. Collected first: what
 // is not finite leaves nothing printed.
-class Table {
+class NumberTable {
  public:
-  explicit Table(std::vector<std::string> names) : names_(std::move(names)) {}
+  explicit NumberTable(std::vector<std::string> names) : names_(std::move(names)) {}
 
   // indices: up to three.
   void add_line(std::string_view quantity, const std::vector<std::string>& indices, double value) {
@@ -65,7 +65,7 @@ class Table {
 };
 
 std::string geometry_text(const std::vector<std::string>& names, const Geometry& geometry) {
-  Table table(names);
+  NumberTable table(names);
   table.add("metric", geometry.metric);
   for (std::size_t i = 0; i < geometry.christoffel.size(); ++i) {
     const Matrix& symbols = geometry.christoffel[i];
