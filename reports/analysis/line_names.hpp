@@ -27,7 +27,7 @@ class LineNames {
 
  private:
   std::array<bool, 4> differ_{};
-  bool one_grading_ = false;                        // of a scheme in each scene
+  bool one_grading_ = false;                       // of a scheme in each scene
   std::set<std::string, std::less<>> external_{};  // names of other programs
 };
 

@@ -20,8 +20,9 @@ using nlohmann::json;
 // Beside the errors: those that charts show, and those that only their tooltips do, to fewer digits.
 constexpr std::array<std::string_view, 5> drawn{"time_minimum", "time_median", "energy_residual",
                                                 "drift_internal", "drift_independent"};
-constexpr std::array<std::string_view, 6> told{"rhs_calls",     "newton_iterations", "rejected_steps",
-                                               "history_bytes", "rounding",          "reference_bound_maximum"};
+constexpr std::array<std::string_view, 6> told{"rhs_calls",      "newton_iterations",
+                                               "rejected_steps", "history_bytes",
+                                               "rounding",       "reference_bound_maximum"};
 constexpr int few_digits = 3;
 
 json number(const std::optional<double>& value) { return value ? json(in_chart(*value)) : json(); }
@@ -37,9 +38,7 @@ std::optional<double> common_end(const std::vector<const MeasuredRun*>& runs) {
   return end;
 }
 
-json few(const std::optional<double>& value) {
-  return value ? json(in_chart(*value, few_digits)) : json();
-}
+json few(const std::optional<double>& value) { return value ? json(in_chart(*value, few_digits)) : json(); }
 
 json asked(const MeasuredRun& run) {
   const auto* accuracy = std::get_if<Accuracy>(&run.key.setup.resolution);
@@ -77,8 +76,7 @@ json run_columns(const PageInput& page, const std::vector<const MeasuredRun*>& r
   }
   for (const auto name : drawn)
     add(std::string(name), [&](const MeasuredRun& run) { return number(run[name]); });
-  for (const auto name : told)
-    add(std::string(name), [&](const MeasuredRun& run) { return few(run[name]); });
+  for (const auto name : told) add(std::string(name), [&](const MeasuredRun& run) { return few(run[name]); });
   add("grading", [](const MeasuredRun& run) {
     return run.key.setup.grading == 1.0 ? json() : json(run.key.setup.grading);
   });

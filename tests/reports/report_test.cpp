@@ -146,7 +146,8 @@ TEST(Report, MapsTheCheapestRunAndLeadsToItsScene) {
   EXPECT_EQ(cell["detail"], "256 µs");
   EXPECT_NEAR(cell["strength"].get<double>(), std::log10(1.5), 5e-3);
   const auto said = section(data, "scene-pendulum")["tables"]["error_end"]["groups"][0]["rows"][1];
-  EXPECT_EQ(text_of(said[3]), "1.5 times as quick as adams_pc: a step takes 1.00 µs where one of adams_pc takes 3.00 µs");
+  EXPECT_EQ(text_of(said[3]),
+            "1.5 times as quick as adams_pc: a step takes 1.00 µs where one of adams_pc takes 3.00 µs");
 }
 
 // What is not reached by any run has no colour, and says how near they come.

@@ -69,8 +69,7 @@ struct Basis {
 Basis basis_of(const SceneSettings& settings, bool is_first) {
   const auto scene = known_scene(settings);
   if (!scene) return {};
-  return {.evidence = evidence_of(*scene),
-          .seconds = is_first ? seconds_to_compute(*scene) : std::nullopt};
+  return {.evidence = evidence_of(*scene), .seconds = is_first ? seconds_to_compute(*scene) : std::nullopt};
 }
 
 // Empty: nothing is known of this scene.
@@ -153,15 +152,17 @@ class CostOfReferences {
         time_text(least), time_text(most));
     if (!ratios_.empty()) {
       said += fmt::format(
-          " The quickest scheme over a grid without start weights takes {} times as long to an error of 1e-12, "
+          " The quickest scheme over a grid without start weights takes {} times as long to an error of "
+          "1e-12, "
           "in the median of {} scenes{}.",
           rough_count_text(middle(ratios_)), ratios_.size(),
           forecasts_ > 0 ? fmt::format(", for {} of them by its errors so far", forecasts_) : "");
     }
     if (!choosing_.empty()) {
-      said += fmt::format(" The quickest that takes an accuracy gets there in {}, in the median of the {} "
-                          "where one was measured.",
-                          time_text(middle(choosing_)), choosing_.size());
+      said += fmt::format(
+          " The quickest that takes an accuracy gets there in {}, in the median of the {} "
+          "where one was measured.",
+          time_text(middle(choosing_)), choosing_.size());
     }
     return said;
   }
@@ -180,10 +181,11 @@ Section reference_section(const PageInput& page) {
       .paragraphs =
           {"An error means something only as far as it is above the error of the reference itself: a bound "
            "where the solution is known in closed form or as an inverse Laplace transform, an estimate where "
-           "two methods that share nothing agree. It is set against the smallest error measured on the scene. "
+           "two methods that share nothing agree. It is set against the smallest error measured on the "
+           "scene. "
            "The first of the two methods is a collocation on panels, as spectral_collocation is; for that "
            "scheme the second one vouches alone, exponentials within a Radau IIA method. What is stated "
-           "covers the difference of the two, and no run counts as more accurate."},
+           "covers the difference of the two; where it is more than a tenth of an error, that is marked."},
       .table = {.caption = "The reference's own error against the smallest error measured",
                 .columns = {{"scene"},
                             {"rests on"},

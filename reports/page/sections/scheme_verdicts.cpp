@@ -134,7 +134,8 @@ std::string against(const PageInput& page, const std::string& line) {
                     most->first.empty() ? "" : fmt::format(" ({})", most->first)));
   }
   if (parts.empty() && trials == 0) return "";
-  if (parts.empty()) return trials == 1 ? "Survives its trial." : fmt::format("Survives all {} trials.", trials);
+  if (parts.empty())
+    return trials == 1 ? "Survives its trial." : fmt::format("Survives all {} trials.", trials);
   auto text = fmt::format("{}.", fmt::join(parts, "; "));
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text;
