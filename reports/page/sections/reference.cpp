@@ -185,7 +185,7 @@ Section reference_section(const PageInput& page) {
            "scene. "
            "The first of the two methods is a collocation on panels, as spectral_collocation is; for that "
            "scheme the second one vouches alone, exponentials within a Radau IIA method. What is stated "
-           "covers the difference of the two, and no run counts as more accurate."},
+           "covers the difference of the two; where it is more than a tenth of an error, that is marked."},
       .table = {.caption = "The reference's own error against the smallest error measured",
                 .columns = {{"scene"},
                             {"rests on"},
