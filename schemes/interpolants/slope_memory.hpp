@@ -1,5 +1,6 @@
 #pragma once
 
+#include "checkpoint/archive.hpp"
 #include "stepping/scheme.hpp"
 #include "weights/step_factors.hpp"
 
