@@ -25,7 +25,8 @@ class MemoryStart {
 
   [[nodiscard]] std::size_t bytes() const;
   void state(Archive& archive) {
-    archive(exact_, weighted_, states_, carries_, input_);
+    archive.grown(exact_);
+    archive(weighted_, states_, carries_, input_);
     archive.count(alive_, 0, states_.size());
   }
 

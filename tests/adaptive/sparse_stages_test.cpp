@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "scenes/variant.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -94,7 +95,7 @@ TEST(SparseSteps, DeliverASmallAccuracyOfAStiffProblem) {
 // Far from the step u is below 1e-292 at first, where doubles have no digits left that steps could be judged
 // by.
 TEST(SparseSteps, PassAStartThatJumpsInSpace) {
-  const Scene scene = scene_of("fractional_diffusion", {{"start", 1.0}});
+  const Scene scene = make_scene(parse_variant("fractional_diffusion:start=step"));
   const auto path = find_scheme("radau_exponentials")
                         ->solve(scene.problem, Accuracy{1e-4, 1e-4}, {.at = {1e-6, 1e-3, 1.0}});
   ASSERT_EQ(path.ending, Ending::finished);

@@ -103,7 +103,7 @@ TEST(HostileInput, WhatIsSaidOfFiniteColumnsIsFinite) {
             "fdebench: the exact energy is beyond double at t = 0\n");
   EXPECT_EQ(refused("two_sided_constraint", "b1=1.7e308", "1"),
             "fdebench: the exact constraint is beyond double at t = 1\n");
-  EXPECT_EQ(refused("knife_edge", "theta=1", "1e300"),
+  EXPECT_EQ(refused("rolling_disc", "R=1e30", "1e300"),
             "fdebench: the bound of the exact solution is beyond double at t = 1e+300\n");
 }
 
