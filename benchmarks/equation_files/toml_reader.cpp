@@ -194,7 +194,7 @@ class EquationReader : TomlText {
   }
 
   [[nodiscard]] Crossing crossing_of(const toml::node& node) const {
-    constexpr std::string_view allowed = "\"rising\", \"falling\" or \"either\"";
+    constexpr std::string_view allowed = R"("rising", "falling" or "either")";
     const auto text = node.value_exact<std::string>();
     if (!text) reject_kind(node, "crossing", allowed);
     if (text == "rising") return Crossing::rising;

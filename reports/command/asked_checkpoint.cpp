@@ -47,9 +47,10 @@ std::optional<CheckpointFile> asked_checkpoint(const Scene& scene, const AskedRu
   const double between = arguments.checkpoint_every
                              ? parse_number("--checkpoint-every", *arguments.checkpoint_every, not_negative)
                              : usual;
-  if (const auto reason = refusal_of_checkpoints(run.scheme, scene.problem))
+  if (const auto reason = refusal_of_checkpoints(run.scheme, scene.problem)) {
     reject_text("--checkpoint", *arguments.checkpoint,
                 fmt::format("left out: {} {}", run.scheme.id, *reason));
+  }
   return std::optional<CheckpointFile>(
       std::in_place, *arguments.checkpoint, std::chrono::duration<double>(between),
       facts_of(scene, run, arguments), [&kept](Archive& archive) { archive(kept); }, say);

@@ -11,6 +11,7 @@
 
 #include "command/asked_checkpoint.hpp"
 #include "command/cost_text.hpp"
+#include "measures/ending.hpp"
 #include "observers/kept_columns.hpp"
 #include "observers/reaction_path.hpp"
 #include "trust/warnings.hpp"

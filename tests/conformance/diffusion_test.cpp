@@ -127,9 +127,10 @@ TEST(Diffusion, ConservesWhatDiffuses) {
 // Above order 1 the bound of eigenvectors rests on it.
 TEST(Diffusion, SlopesOfWavesAreLargestAtTheStart) {
   for (double order = 1.05; order <= 2.0; order += 0.05) {
-    for (double z = 0.0; z < 400.0; z = 1.1 * z + 0.05)
+    for (double z = 0.0; z < 400.0; z = 1.1 * z + 0.05) {
       EXPECT_LE(std::abs(mittag_leffler(order, order, -z)), (1.0 + 1e-14) / std::tgamma(order))
           << order << " " << z;
+    }
   }
 }
 

@@ -48,8 +48,8 @@ struct Coefficients {
   double (*reaction)(double, double);
 };
 
-double none(double, double) { return 0.0; }
-double one(double, double) { return 1.0; }
+double none(double /*x*/, double /*y*/) { return 0.0; }
+double one(double /*x*/, double /*y*/) { return 1.0; }
 
 const std::vector<Coefficients>& coefficients() {
   static const std::vector<Coefficients> all{
