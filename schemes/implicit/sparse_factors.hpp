@@ -34,10 +34,12 @@ class SparseFactors {
   virtual void state(Archive& /*archive*/) {}
 };
 
-// The factors of a matrix by the quickest method that serves; nullptr: none does.
-//   tridiagonal  elimination without exchange of rows, of rows whose diagonal outweighs the rest
-//   cholesky     L D L^T in an order of least degree (Eigen::SimplicialLDLT), of symmetric and positive
-//   definite matrices lu           L U with exchange of rows (Eigen::SparseLU)
+// The factors of a matrix by the quickest method that serves, in this order; nullptr: none does.
+//   tridiagonal          elimination without exchange of rows, of rows whose diagonal outweighs the rest
+//   fast_sine            of constant coefficients in a rectangle
+//   conjugate_gradients  of other symmetric matrices of a large rectangle
+//   cholesky             L D L^T in an order of least degree, of symmetric and positive definite matrices
+//   lu                   L U with exchange of rows (Eigen::SparseLU)
 // With a method by that alone.
 std::unique_ptr<SparseFactors> sparse_factors(const SparseMatrix& matrix, std::string_view method = {});
 

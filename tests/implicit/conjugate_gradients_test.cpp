@@ -12,12 +12,12 @@
 namespace fde {
 namespace {
 
-double none(double, double) { return 0.0; }
-double one(double, double) { return 1.0; }
+double none(double /*x*/, double /*y*/) { return 0.0; }
+double one(double /*x*/, double /*y*/) { return 1.0; }
 double smooth(double x, double y) { return 1.0 + 0.9 * std::sin(6.0 * x) * std::cos(5.0 * y); }
 double far_apart(double x, double y) { return std::exp(4.6 * std::sin(3.0 * x + 2.0 * y)); }
 double jump(double x, double y) { return std::hypot(x - 0.5, y - 0.5) < 0.3 ? 10.0 : 1.0; }
-double thin(double, double) { return 0.01; }
+double thin(double /*x*/, double /*y*/) { return 0.01; }
 // 3 u^2 - 1 of Allen and Cahn's equation, for a wave u.
 double reaction(double x, double y) { return 3.0 * std::pow(std::sin(9.0 * x) * std::cos(7.0 * y), 2) - 1.0; }
 

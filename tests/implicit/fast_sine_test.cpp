@@ -104,10 +104,10 @@ TEST(FastSine, SolvesForEigenvectorsByTheirEigenvalues) {
 
 TEST(FastSine, IsToldByTheValuesAlone) {
   const SparseMatrix matrix = step_matrix(9, 6, 0.1);
-  const auto with = [&](Eigen::Index row, Eigen::Index column, double value) {
+  const auto with = [&](Eigen::Index i, Eigen::Index k, double value) {
     SparseMatrix other = matrix;
-    other.coeffRef(row, column) = value;
-    if (row != column) other.coeffRef(column, row) = value;
+    other.coeffRef(i, k) = value;
+    if (i != k) other.coeffRef(k, i) = value;
     other.makeCompressed();
     return std::string(sparse_factors(other)->name());
   };

@@ -4,9 +4,9 @@
 // of bare loops.
 //   fde_large             10^3 ... 10^6 unknowns of both
 //   fde_large D N [T]     one row: D = 1 or 2 dimensions, N unknowns, T threads
-//   fde_large solvers [N] what solves the equations of a step, and what else might, in squares of up to N x N
-//   points fde_large transforms  sine transforms by products and by a fast Fourier transform fde_large direct
-//   the sum over the whole past in place of exponentials
+//   fde_large solvers [N] what solves the equations of a step, in squares of up to N x N points
+//   fde_large transforms  sine transforms by products and by a fast Fourier transform
+//   fde_large direct      the sum over the whole past in place of exponentials
 
 #include <fmt/format.h>
 #include <sys/resource.h>
