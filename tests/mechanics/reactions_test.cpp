@@ -101,7 +101,7 @@ TEST(Reactions, OfRunsToAnAccuracyAreTheExactOnes) {
       const ReactionPath reactions(scene, std::nullopt, path);
       const Rows columns = columns_of(scene.outputs, path);
       for (std::size_t c = 0; c < times.size(); ++c) {
-        if (!std::ranges::count(asked, times[c])) continue;
+        if (std::ranges::find(asked, times[c]) == asked.end()) continue;
         const auto column = static_cast<Eigen::Index>(c);
         const Vec exact = exact_reactions(scene, times[c]), found = reactions.at(column, columns.col(column));
         EXPECT_LT((found - exact).cwiseAbs().maxCoeff(), 1e-4 * (1.0 + exact.cwiseAbs().maxCoeff()))
