@@ -1,6 +1,7 @@
 // fdebench solve --checkpoint: the same command goes on from the file, prints the bits of a whole run, and
 // takes no other file.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -135,7 +136,7 @@ TEST_F(CheckpointOfSolve, NeedsAFolderAndNumbers) {
 TEST_F(CheckpointOfSolve, IsRefusedForSchemesThatKeepNone) {
   for (const auto* scheme : all_schemes()) {
     if (scheme->needs.checkpoints) continue;
-    const auto resolution = scheme->needs.takes_grid ? " --steps 8" : " --accuracy 1e-3";
+    const auto* const resolution = scheme->needs.takes_grid ? " --steps 8" : " --accuracy 1e-3";
     const auto [code, out, err] =
         keeping("solve relaxation --scheme " + std::string(scheme->id) + resolution);
     EXPECT_EQ(code, 2);

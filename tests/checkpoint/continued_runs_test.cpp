@@ -1,6 +1,7 @@
 // A run that is ended between two steps, and continued from its state by another, returns the bits of one
 // that went on.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -33,8 +33,9 @@ TEST(EventsOfAFile, ArePrintedWithTheirTimes) {
 }
 
 TEST(EventsOfAFile, EndASolveInGoodOrder) {
-  for (const std::string scheme : {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal"}) {
-    const auto answer = fdebench(falling + " --scheme " + scheme + " --accuracy 1e-6");
+  for (const auto* scheme : {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal"}) {
+    const auto answer =
+        fdebench({"solve", example("falling.toml"), "--scheme", scheme, "--accuracy", "1e-6"});
     EXPECT_EQ(answer.code, 0);
     EXPECT_THAT(answer.err, StartsWith("fdebench: event ground ended the run at t = "));
     const auto last = csv_rows(answer.out).back();
