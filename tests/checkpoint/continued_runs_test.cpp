@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "checkpoint/interrupted.hpp"
+#include "scenes/variant.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -149,6 +150,19 @@ Problem pushing_neighbours() {
 
 TEST_P(ContinuedRuns, OfSparseEquationsThatChangeTheirMethod) {
   expect_same_bits(pushing_neighbours(), "pushing neighbours");
+}
+
+// Conjugate gradients are paid for out of the price of factors over all solves with one matrix: what is spent
+// is part of the state, and which of both solves.
+TEST(ContinuedRunsOfConjugateGradients, GoOnWithWhatIsSpent) {
+  const Problem problem =
+      make_scene(parse_variant("fractional_diffusion_2d:n=50,medium=wave,contrast=1.5")).problem;
+  const Scheme& rule = *find_scheme("l1");
+  const Grid grid{problem.end, 8};
+  const auto whole = rule.solve(problem, grid, {});
+  EXPECT_EQ(whole.cost.linear_solver, "cholesky");
+  for (const int n : {2, 3, 4, 6})
+    expect_same(interrupted(rule, problem, grid, {}, {n}), whole, fmt::format("state {}", n));
 }
 
 TEST_P(ContinuedRuns, ReturnTheTimesAskedFor) {
