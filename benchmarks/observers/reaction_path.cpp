@@ -34,8 +34,10 @@ std::vector<std::string> ReactionPath::names() const {
 }
 
 Vec ReactionPath::at(Eigen::Index c, In columns) const {
+  // Without reactions the columns may be kept apart from the path, which then has fewer.
+  if (!scene_.reactions) return {};
   const double t = path_.time(c);
-  return scene_.reactions ? reaction_values(scene_, t, columns, rates(t)) : Vec();
+  return reaction_values(scene_, t, columns, rates(t));
 }
 
 Vec ReactionPath::rated_at(double t) const {
