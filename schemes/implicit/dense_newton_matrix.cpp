@@ -48,7 +48,8 @@ template <int size>
 int DenseNewtonMatrix<size>::determinant_sign() {
   const double signs = factors_.matrixLU().diagonal().array().sign().prod();
   if (signs == 0.0 || std::isnan(signs)) return 0;
-  const bool even = factors_.permutationP().determinant() > 0;
+  // g++ 12 warns of Eigen's loop over a single row.
+  const bool even = size == 1 || factors_.permutationP().determinant() > 0;
   return (signs > 0.0) == even ? 1 : -1;
 }
 

@@ -193,9 +193,10 @@ std::optional<std::string> growth_of_its_own(const SolvedRun& run) {
 std::optional<std::string> lost_oscillation(const SolvedRun& run) {
   const Grid& grid = run.grid;
   const auto order = has_modes(run.problem) ? common_order(run.problem) : std::nullopt;
+  if (!order) return std::nullopt;
   const Vec start = stored_at(run.path, 0.0);
   const double left = part_left(run, start);
-  if (!order || !(left < doubtful_part)) return std::nullopt;
+  if (!(left < doubtful_part)) return std::nullopt;
   for (const ComplexValue rate : spectrum(run.problem, 0.0, start)) {
     // What is not in this sector decays like a power of t.
     if (rate == 0.0 || std::abs(std::arg(rate)) >= *order * std::numbers::pi) continue;
