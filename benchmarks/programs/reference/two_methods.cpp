@@ -1,15 +1,24 @@
 // How far the two methods behind the references of nonlinear scenes agree, as CSV; what they cost on standard
-// error.
+// error. `fde_two_methods --random N` draws N scenes and their parameters, prints a line for each whose
+// methods differ by more than the bound that is stated, and for each that has no reference, and is 1 after
+// the former.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <limits>
+#include <random>
+#include <span>
+#include <stdexcept>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "diffusive/march.hpp"
 #include "nonlinear/collocation.hpp"
@@ -24,6 +33,72 @@ constexpr std::array times{1.0, 5.0, 20.0, 50.0};
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<const SceneMaker*> nonlinear_scenes() {
+  std::vector<const SceneMaker*> found;
+  for (const auto& maker : scenes())
+    if (!make_scene(maker).reference.at) found.push_back(&maker);
+  return found;
+}
+
+// Each number within a third of its default, where that is allowed; words and lists as they are.
+ParameterValues drawn_values(const SceneMaker& maker, std::mt19937_64& generator) {
+  std::uniform_real_distribution<double> factor(2.0 / 3.0, 4.0 / 3.0);
+  ParameterValues values;
+  for (const Parameter& parameter : maker.parameters) {
+    const double* number = std::get_if<double>(&parameter.value);
+    if (!number || !parameter.derived.empty()) continue;
+    const ParameterValue drawn = std::round(1e4 * factor(generator) * *number) / 1e4;
+    if (parameter.allows(drawn)) values[parameter.name] = drawn;
+  }
+  return values;
+}
+
+// The largest difference of the two methods over some times, in units of the bound; at most 1 is as stated.
+double difference_in_bounds(const Problem& problem) {
+  std::vector<double> at;
+  for (const double part : {0.001, 0.03, 0.2, 0.5, 0.8, 1.0}) at.push_back(part * problem.end);
+  const Reference reference = reference_solution(problem);
+  const auto second = diffusive_solution(problem, {}, at);
+  double largest = 0.0;
+  for (const double t : at) {
+    const ReferenceValue known = reference.at(t);
+    const auto k = std::ranges::find(second.times, t) - second.times.begin();
+    const Vec difference = (known.value - second.values[static_cast<std::size_t>(k)]).cwiseAbs();
+    const double smallest_bound = std::numeric_limits<double>::min();
+    largest = std::max(largest, difference.cwiseQuotient(known.bound.cwiseMax(smallest_bound)).maxCoeff());
+  }
+  return largest;
+}
+
+// How many of `count` random problems have methods that differ by more than the bound.
+int random_problems(int count) {
+  std::mt19937_64 generator(
+      1);  // NOLINT(bugprone-random-generator-seed,cert-msc51-cpp): the same problems each time
+  const auto makers = nonlinear_scenes();
+  std::uniform_real_distribution<double> end(0.3, 10.0);
+  int without = 0, beyond = 0;
+  for (int i = 0; i < count; ++i) {
+    const SceneMaker& maker = *makers[static_cast<std::size_t>(i) % makers.size()];
+    const auto values = drawn_values(maker, generator);
+    std::string label = maker.id;
+    for (const auto& [name, value] : values) label += fmt::format(" {}={}", name, text_of(value));
+    try {
+      Scene scene = make_scene(maker, values);
+      // What is posed at both ends has a solution of its own for each end.
+      if (!two_sided(scene.problem)) scene.problem.end = end(generator);
+      const double difference = difference_in_bounds(posed_for_reference(scene).problem);
+      if (difference <= 1.0) continue;
+      ++beyond;
+      fmt::print("{} until {:.3g}: {:.3g} times the bound\n", label, scene.problem.end, difference);
+    } catch (const std::exception& error) {
+      ++without;
+      fmt::print("{}: {}\n", label, error.what());
+    }
+  }
+  fmt::print("{} of {} problems beyond the bound, {} without a reference\n", beyond, count, without);
+  return beyond;
 }
 
 void print_rows(const SceneMaker& maker, Scene scene) {
@@ -52,11 +127,13 @@ void print_rows(const SceneMaker& maker, Scene scene) {
 }  // namespace
 }  // namespace fde
 
-int main() try {
+int main(int count, char** words) try {
+  const std::span arguments(words, static_cast<std::size_t>(count));
+  if (arguments.size() == 3 && std::string_view(arguments[1]) == "--random")
+    return fde::random_problems(std::stoi(arguments[2])) > 0 ? 1 : 0;
+  if (arguments.size() != 1) throw std::invalid_argument("usage: fde_two_methods [--random N]");
   fmt::print("scene,t,quantity,collocation,second_method,difference,bound\n");
-  for (const auto& maker : fde::scenes()) {
-    if (auto scene = fde::make_scene(maker); !scene.reference.at) fde::print_rows(maker, std::move(scene));
-  }
+  for (const auto* maker : fde::nonlinear_scenes()) fde::print_rows(*maker, fde::make_scene(*maker));
 } catch (const std::exception& error) {
   fmt::print(stderr, "{}\n", error.what());
   return 3;
