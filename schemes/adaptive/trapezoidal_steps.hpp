@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "adaptive/adaptive_steps.hpp"
 #include "implicit/step_equations.hpp"
@@ -56,6 +57,7 @@ class TrapezoidalSteps final : public AdaptiveSteps {
                    double shortest, std::unique_ptr<TrapezoidalSolver> solver);
 
   double attempt(Run& run, double t) override;
+  [[nodiscard]] double error_of_jump() const override;
   [[nodiscard]] const Vec& result() const override { return y_; }
   Vec between(double t) override;
   Vec continued(double t) override;
@@ -81,7 +83,9 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   [[nodiscard]] Vec defect() const;
   static double largest_part(const Vec& error, const Vec& limit);
   [[nodiscard]] double error(const Vec& of_f);
-  [[nodiscard]] double accumulation(double order) const;
+  [[nodiscard]] Vec left_of(const Vec& answered, const Vec& again) const;
+  [[nodiscard]] Vec effect() const;
+  [[nodiscard]] std::pair<double, double> accumulation(double order) const;
 
   const Problem& problem_;
   TaylorPart taylor_;
@@ -90,11 +94,12 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   std::unique_ptr<History> history_;
   std::unique_ptr<TrapezoidalSolver> solver_;
   Vec orders_;
+  std::vector<Eigen::Index> group_{};  // of each row, the first of its order
   Sample newest_, next_;
   std::optional<Sample> older_{};
   double begun_ = 0.0;             // where f jumped last
   InterpolatedRows interpolated_;  // on the newest attempt
-  Vec before_, y_, kappa_, convolved_, past_;
+  Vec before_, y_, kappa_, convolved_, past_, limit_;
 };
 
 }  // namespace fde
