@@ -7,9 +7,9 @@
 
 #include "adaptive/blow_up.hpp"
 #include "adaptive/dense_path.hpp"
+#include "adaptive/first_length.hpp"
 #include "adaptive/step_control.hpp"
 #include "problem/switches.hpp"
-#include "stepping/allowed_error.hpp"
 
 namespace fde {
 namespace {
@@ -19,55 +19,6 @@ double time_after(double t, double length) {
   const double unit = std::ldexp(1.0, std::ilogb(length) - 12);
   const double next = std::nearbyint((t + length) / unit) * unit;
   return t / unit < 0x1p52 && next > t ? next : t + length;
-}
-
-// Of the end: relative to itself a row that starts from 0 has no digits on a first step, however short. Where
-// the row is as small a part of what it will be, (length / end)^order, they are not asked.
-constexpr double short_enough = 1e-14;
-constexpr double shortest_first = 1e-290;
-
-bool asks_digits(const Component& component, double part_of_end) {
-  return part_of_end > shortest_first && std::pow(part_of_end, component.order) > short_enough;
-}
-
-// Whether a first step of this part of the end is so short that rows from 0 are not asked for all digits.
-bool asks_less(const Problem& problem, In start, double part_of_end) {
-  for (Eigen::Index i = 0; i < start.size(); ++i) {
-    const auto& component = problem.components[static_cast<std::size_t>(i)];
-    if (start[i] == 0.0 && !algebraic(component) && !asks_digits(component, part_of_end)) return true;
-  }
-  return false;
-}
-
-// The length on which a first step by the rectangle rule is as accurate as asked, from 1e-290 of the end on.
-double first_length(const Problem& problem, const Accuracy& accuracy, Run& run) {
-  constexpr double shrink = 0.1;
-  const AllowedError allowed(accuracy);
-  const TaylorPart taylor(problem);
-  const Vec& start = run.start();
-  // Where it is infinite at the start, its values after it say enough.
-  const Vec f = run.rhs(0.0, start).unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
-  Vec y(f.size()), unit(f.size());
-  for (double length = problem.end;; length *= shrink) {
-    if (length <= shortest_first * problem.end) return length;
-    taylor.at(length, y);
-    for (Eigen::Index i = 0; i < unit.size(); ++i) {
-      const double order = problem.components[static_cast<std::size_t>(i)].order;
-      unit[i] = order > 0.0 ? std::pow(length, order) / std::tgamma(order + 1.0) : 0.0;
-    }
-    y += unit.cwiseProduct(f);
-    if (!y.allFinite()) continue;
-    const Vec change = unit.cwiseProduct(run.rhs(length, y) - f).cwiseAbs();
-    const Vec limit = allowed.of(y.cwiseAbs().cwiseMax(start.cwiseAbs()), y.cwiseAbs());
-    const auto passes = [&](Eigen::Index i) {
-      const auto& component = problem.components[static_cast<std::size_t>(i)];
-      return change[i] <= limit[i] ||
-             (start[i] == 0.0 && std::isfinite(change[i]) && !asks_digits(component, length / problem.end));
-    };
-    bool passed = true;
-    for (Eigen::Index i = 0; i < unit.size(); ++i) passed = passed && passes(i);
-    if (passed) return length;
-  }
 }
 
 // Times at which a stretch of smooth right-hand side ends, the last of them the end. A stretch ends on the
@@ -141,7 +92,7 @@ class March {
 
   // Takes one step. False: the run is over.
   bool step_towards(double end) {
-    constexpr double nearly = 0.99;
+    constexpr double nearly = 0.99, within_from = 1e-14;
     for (;;) {
       double t = next_time(end);
       if (const double ahead = time_to_switch(t); ahead < t - time_) {
@@ -154,7 +105,7 @@ class March {
         if (length <= at_switch()) return switch_over();
         error = no_solution;
       }
-      if (time_ == 0.0 && constrained_ && error <= 1.0 && length > short_enough * problem_.end)
+      if (time_ == 0.0 && constrained_ && error <= 1.0 && length > within_from * problem_.end)
         error = std::max(error, error_within(t));
       const bool unasked =
           time_ == 0.0 && error < no_solution && asks_less(problem_, run_.start(), length / problem_.end);

@@ -49,8 +49,8 @@ std::unique_ptr<TrapezoidalSolver> correct_predictions(int corrections);
 // times that where nothing makes them decay, a = (t/h)^g, t since f jumped last, and of orders above 1 up to
 // t end^(g-1) / h^g. What
 // does so shows in the equations of the step: they leave a part r of an error when they answer to it a second
-// time, with one row 1 / (1 - kappa df/dy). The first answer is what decays at once. Over all steps it is
-// the answer times a / (r + a (1 - r)).
+// time, with one row 1 / (1 - kappa df/dy), with more in the mean square of all rows or of those of one
+// order. The first answer is what decays at once. Over all steps it is the answer times a / (r + a (1 - r)).
 class TrapezoidalSteps final : public AdaptiveSteps {
  public:
   TrapezoidalSteps(const Problem& problem, const Accuracy& accuracy, const Options& options, Run& run,
