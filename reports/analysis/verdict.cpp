@@ -33,6 +33,9 @@ Verdict verdict(const MeasuredRun& run) {
     case Ending::not_finite:
     case Ending::not_converged:
     case Ending::outran_growth:
+    case Ending::step_too_small:
+    case Ending::blow_up:
+    case Ending::sliding:
     case Ending::out_of_budget:
     case Ending::accuracy_lost:
     case Ending::passed_singularity:

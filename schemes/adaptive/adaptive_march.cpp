@@ -5,10 +5,11 @@
 #include <limits>
 #include <utility>
 
+#include "adaptive/blow_up.hpp"
 #include "adaptive/dense_path.hpp"
+#include "adaptive/first_length.hpp"
 #include "adaptive/step_control.hpp"
 #include "problem/switches.hpp"
-#include "stepping/allowed_error.hpp"
 
 namespace fde {
 namespace {
@@ -18,40 +19,6 @@ double time_after(double t, double length) {
   const double unit = std::ldexp(1.0, std::ilogb(length) - 12);
   const double next = std::nearbyint((t + length) / unit) * unit;
   return t / unit < 0x1p52 && next > t ? next : t + length;
-}
-
-// Of the end: relative to itself a row that starts from 0 has no digits on a first step, however short. Of
-// one as short as this they are not asked.
-constexpr double short_enough = 1e-14;
-
-// The length on which a first step by the rectangle rule is as accurate as asked, from 1e-290 of the end on.
-double first_length(const Problem& problem, const Accuracy& accuracy, Run& run) {
-  constexpr double shrink = 0.1, shortest = 1e-290;
-  const AllowedError allowed(accuracy);
-  const TaylorPart taylor(problem);
-  const Vec& start = run.start();
-  // Where it is infinite at the start, its values after it say enough.
-  const Vec f = run.rhs(0.0, start).unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
-  Vec y(f.size()), unit(f.size());
-  for (double length = problem.end;; length *= shrink) {
-    if (length <= shortest * problem.end) return length;
-    taylor.at(length, y);
-    for (Eigen::Index i = 0; i < unit.size(); ++i) {
-      const double order = problem.components[static_cast<std::size_t>(i)].order;
-      unit[i] = order > 0.0 ? std::pow(length, order) / std::tgamma(order + 1.0) : 0.0;
-    }
-    y += unit.cwiseProduct(f);
-    if (!y.allFinite()) continue;
-    const Vec change = unit.cwiseProduct(run.rhs(length, y) - f).cwiseAbs();
-    const Vec limit = allowed.of(y.cwiseAbs().cwiseMax(start.cwiseAbs()), y.cwiseAbs());
-    const bool asks_all = length > short_enough * problem.end;
-    const auto passes = [&](Eigen::Index i) {
-      return change[i] <= limit[i] || (!asks_all && start[i] == 0.0 && std::isfinite(change[i]));
-    };
-    bool passed = true;
-    for (Eigen::Index i = 0; i < unit.size(); ++i) passed = passed && passes(i);
-    if (passed) return length;
-  }
 }
 
 // Times at which a stretch of smooth right-hand side ends, the last of them the end. A stretch ends on the
@@ -71,10 +38,12 @@ class March {
       : problem_(problem),
         accuracy_(accuracy),
         constrained_(std::ranges::any_of(problem.components, algebraic)),
-        run_(problem, options) {
+        run_(problem, options),
+        blow_up_(run_.start()) {
     const auto ends = stretches(problem);
     const double first = first_length(problem, accuracy, run_);
-    shortest_ = std::min(0.1 * first, std::numeric_limits<double>::epsilon() * ends.front());
+    constexpr double shorter = 1e-4;  // where rules with corrections ask for less than the rectangle rule
+    shortest_ = std::min(shorter * first, std::numeric_limits<double>::epsilon() * ends.front());
     steps_ = make(run_, shortest_);
     control_ = StepControl(steps_->rate(), std::min(first, ends.front()));
     sides_ = sides(problem, 0.0, run_.start());
@@ -101,7 +70,7 @@ class March {
 
  private:
   void state(Archive& archive) {
-    archive(time_, stretch_, steps_, control_, rejected_, sides_, switched_at_, returns_);
+    archive(time_, stretch_, steps_, control_, rejected_, sides_, switched_at_, returns_, blow_up_);
     if (dense_) archive(*dense_);
   }
 
@@ -116,13 +85,14 @@ class March {
     steps_->coast(run_, t);
     if (!take(t)) return false;
     steps_->begin_anew(run_);
+    blow_up_.begin_anew();
     control_ = StepControl(steps_->rate(), short_step * t);
     return true;
   }
 
   // Takes one step. False: the run is over.
   bool step_towards(double end) {
-    constexpr double nearly = 0.99;
+    constexpr double nearly = 0.99, within_from = 1e-14;
     for (;;) {
       double t = next_time(end);
       if (const double ahead = time_to_switch(t); ahead < t - time_) {
@@ -135,16 +105,28 @@ class March {
         if (length <= at_switch()) return switch_over();
         error = no_solution;
       }
-      if (time_ == 0.0 && constrained_ && error <= 1.0 && length > short_enough * problem_.end)
+      if (time_ == 0.0 && constrained_ && error <= 1.0 && length > within_from * problem_.end)
         error = std::max(error, error_within(t));
-      const bool unasked = time_ == 0.0 && length <= short_enough * problem_.end && error < no_solution;
+      const bool unasked =
+          time_ == 0.0 && error < no_solution && asks_less(problem_, run_.start(), length / problem_.end);
       if (control_.judge(unasked ? std::min(error, 1.0) : error, length)) return take_inside(t);
       ++rejected_;
-      const bool too_short = length <= shortest_step();
-      if (!too_short && !run_.out_of_budget()) continue;
-      run_.fail(too_short ? failure() : Ending::out_of_budget, t);
+      if (length <= shortest_step()) return jump_over(error, t, end);
+      if (!run_.out_of_budget()) continue;
+      run_.fail(Ending::out_of_budget, t);
       return false;
     }
+  }
+
+  // No step is short enough for the error test. Where f jumps, which nobody has said, it counts the error of
+  // the step up to the jump as one that all steps make: there the run leads over it and begins anew.
+  // Otherwise it is over.
+  bool jump_over(double error, double t, double end) {
+    const Ending reason = failure(error, t);
+    if (reason == Ending::step_too_small && time_ > 0.0 && steps_->error_of_jump() <= 1.0)
+      return lead_over(std::min(time_ + 2.0 * shortest_step(), end), reason);
+    run_.fail(reason, t);
+    return false;
   }
 
   // How far the first step, attempted to t, is within from a step that ends there, in units of what is asked.
@@ -201,15 +183,17 @@ class March {
     return change(switched, ahead, t).first - time_;
   }
 
-  // Leads over a switch that is next to the last time taken, and begins anew. A run that is back there again
-  // and again at once slides along the switch: it has no solution beyond.
-  bool switch_over() {
+  // Leads over a switch that is next to the last time taken, and begins anew.
+  bool switch_over() { return lead_over(std::min(time_ + 2.0 * at_switch(), problem_.end), Ending::sliding); }
+
+  // Leads to t, over a jump of f, and begins anew. A run that comes to no step behind it ends; one that is
+  // back there again and again at once slides along it: it has no solution beyond.
+  bool lead_over(double t, Ending if_stuck) {
     constexpr int most_returns = 8;
     constexpr double at_once = 1e-9;  // of the time
-    const double t = std::min(time_ + 2.0 * at_switch(), problem_.end);
     returns_ = time_ - switched_at_ <= at_once * time_ ? returns_ + 1 : 0;
     if (switched_at_ == time_ || returns_ > most_returns) {
-      run_.fail(Ending::not_converged, t);
+      run_.fail(switched_at_ == time_ ? if_stuck : Ending::sliding, t);
       return false;
     }
     sides_ = sides(problem_, t, steps_->continued(t));
@@ -236,19 +220,26 @@ class March {
     if (!accepted && !run_.ended_by_event()) return false;
     steps_->take();
     if (dense_) dense_->add(t, steps_->drives(), steps_->interpolated());
+    blow_up_.pass(t, steps_->result());
     time_ = t;
     return accepted;
   }
 
-  [[nodiscard]] Ending failure() const {
-    const bool inside = problem_.domain.contains(time_, steps_->result());
-    return steps_->result().allFinite() && !inside ? Ending::singular : Ending::not_converged;
+  // Why there is no step to t, however short.
+  Ending failure(double error, double t) {
+    const Vec& y = steps_->result();
+    const bool finite = y.allFinite();
+    if (finite && !problem_.domain.contains(time_, y)) return Ending::singular;
+    if (blow_up_.is_near(time_)) return Ending::blow_up;
+    if (error != no_solution) return Ending::step_too_small;
+    return finite && run_.rhs(t, y).allFinite() ? Ending::not_converged : Ending::not_finite;
   }
 
   const Problem& problem_;
   const Accuracy accuracy_;
   const bool constrained_;  // has algebraic rows
   Run run_;
+  BlowUp blow_up_;
   double shortest_ = 0.0, time_ = 0.0;
   double stretch_ = 0.0;  // where the one ends in which the run is; 0: it has not begun
   std::unique_ptr<AdaptiveSteps> steps_;

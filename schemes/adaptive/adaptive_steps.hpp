@@ -49,6 +49,10 @@ class AdaptiveSteps {
   // Solves the step from the last time taken to t. The result is its error in units of what is allowed.
   virtual double attempt(Run& run, double t) = 0;
 
+  // The error of the last attempt where f jumps on its step, an error that no other step makes; no_solution:
+  // f does not, or the error of an attempt is that of one step anyway.
+  [[nodiscard]] virtual double error_of_jump() const { return no_solution; }
+
   // y at the end of the last attempt, and within its step.
   [[nodiscard]] virtual const Vec& result() const = 0;
   virtual Vec between(double t) = 0;

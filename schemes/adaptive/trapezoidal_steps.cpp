@@ -105,6 +105,8 @@ TrapezoidalSteps::TrapezoidalSteps(const Problem& problem, const Accuracy& accur
       past_(before_) {
   for (Eigen::Index i = 0; i < orders_.size(); ++i)
     orders_[i] = problem.components[static_cast<std::size_t>(i)].order;
+  for (Eigen::Index i = 0; i < orders_.size(); ++i)
+    group_.push_back(std::ranges::find(orders_, orders_[i]) - orders_.begin());
   history_->push(0.0, newest_.f);
 }
 
@@ -144,37 +146,77 @@ Vec TrapezoidalSteps::defect() const {
   return bend * (length * length / 6.0);
 }
 
+// Of an error of f all over the step: h^g / Gamma(g+1).
+Vec TrapezoidalSteps::effect() const { return kappa_.cwiseProduct((orders_.array() + 1.0).matrix()); }
+
+double TrapezoidalSteps::error_of_jump() const {
+  constexpr double jumps = 1e-6;  // of f, on a step of few units in the last place of the time
+  const Vec change = next_.f - newest_.f;
+  const bool is_one =
+      (change.array().abs() > jumps * newest_.f.array().abs().max(next_.f.array().abs())).any();
+  return is_one ? largest_part(effect().cwiseProduct(change), limit_) : no_solution;
+}
+
 double TrapezoidalSteps::error(const Vec& of_f) {
-  const Vec unit = kappa_.cwiseProduct((orders_.array() + 1.0).matrix());  // h^g / Gamma(g+1)
-  const Vec limit = allowed_.of(y_.cwiseAbs().cwiseMax(before_.cwiseAbs()), past_.cwiseAbs());
+  const Vec unit = effect();
+  const Vec largest = y_.cwiseAbs().cwiseMax(before_.cwiseAbs()), terms = past_.cwiseAbs();
+  const Vec limit_of_all = allowed_.of_accuracy(largest, terms);
+  limit_ = allowed_.of(largest, terms);
   Vec answered = unit.cwiseProduct(of_f);
   const Vec unanswered = answered;
   solver_->respond(answered);
   interpolated_.clear();
-  for (Eigen::Index i = 0; i < limit.size(); ++i) {
-    if (known_by_values(unanswered[i], answered[i], limit[i]))
+  for (Eigen::Index i = 0; i < limit_.size(); ++i) {
+    if (known_by_values(unanswered[i], answered[i], limit_[i]))
       interpolated_.push_back({i, {before_[i], y_[i] - before_[i], 0.0, 0.0}});
   }
   Vec again = answered;
   solver_->respond(again);
-  const double once = largest_part(answered, limit);
-  if (once == 0.0) return 0.0;
-  const double left = std::min(largest_part(again, limit) / once, 1.0);  // r
+  const Vec left = left_of(answered, again);  // r
   double result = 0.0;
-  for (Eigen::Index i = 0; i < limit.size(); ++i) {
+  for (Eigen::Index i = 0; i < limit_.size(); ++i) {
     if (answered[i] == 0.0) continue;
-    const double all = accumulation(orders_[i]);  // a
-    result = std::max(result, std::abs(answered[i]) / limit[i] * all / (left + all * (1.0 - left)));
+    // What they add up to now is compared with the row as it is now.
+    const auto sum = [&](double all) {
+      return std::abs(answered[i]) * all / (left[i] + all * (1.0 - left[i]));
+    };
+    const auto [by_now, by_end] = accumulation(orders_[i]);  // a
+    result = std::max({result, sum(by_now) / limit_[i], sum(by_end) / limit_of_all[i]});
   }
   return result;
 }
 
-// What as large errors on all steps since f jumped last add up to at the end, the kernel t^(order-1) falling
-// or not, in units of what one leaves in its own step.
-double TrapezoidalSteps::accumulation(double order) const {
+// The part of an error that the equations of a step leave when they answer to it again, for each row: the
+// larger of that of all rows together and of those of its order, in the mean square.
+Vec TrapezoidalSteps::left_of(const Vec& answered, const Vec& again) const {
+  Vec before = Vec::Zero(limit_.size()), after = before;
+  double all_before = 0.0, all_after = 0.0;
+  const auto square = [&](double error, Eigen::Index i) {
+    return error == 0.0 ? 0.0 : error / limit_[i] * (error / limit_[i]);
+  };
+  for (Eigen::Index i = 0; i < limit_.size(); ++i) {
+    const double one = square(answered[i], i), other = square(again[i], i);
+    all_before += one;
+    all_after += other;
+    before[group_[static_cast<std::size_t>(i)]] += one;
+    after[group_[static_cast<std::size_t>(i)]] += other;
+  }
+  const auto part = [](double now, double whole) {
+    return whole == 0.0 ? 0.0 : std::min(std::sqrt(now / whole), 1.0);
+  };
+  const double all = part(all_after, all_before);
+  Vec left(limit_.size());
+  for (Eigen::Index i = 0; i < left.size(); ++i)
+    left[i] = std::max(all, part(after[group_[static_cast<std::size_t>(i)]], before[group_[i]]));
+  return left;
+}
+
+// What as large errors on all steps since f jumped last add up to now and at the end, the kernel t^(order-1)
+// falling or not, in units of what one leaves in its own step.
+std::pair<double, double> TrapezoidalSteps::accumulation(double order) const {
   const double length = next_.t - newest_.t, steps = (next_.t - begun_) / length;
-  if (order <= 1.0) return std::pow(steps, order);
-  return steps * std::pow(problem_.end / length, order - 1.0);
+  const double by_now = std::pow(steps, order);
+  return {by_now, order <= 1.0 ? by_now : steps * std::pow(problem_.end / length, order - 1.0)};
 }
 
 // f on the line through its last two values.

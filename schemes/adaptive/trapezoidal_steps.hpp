@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "adaptive/adaptive_steps.hpp"
 #include "implicit/step_equations.hpp"
@@ -48,14 +49,15 @@ std::unique_ptr<TrapezoidalSolver> correct_predictions(int corrections);
 // times that where nothing makes them decay, a = (t/h)^g, t since f jumped last, and of orders above 1 up to
 // t end^(g-1) / h^g. What
 // does so shows in the equations of the step: they leave a part r of an error when they answer to it a second
-// time, with one row 1 / (1 - kappa df/dy). The first answer is what decays at once. Over all steps it is
-// the answer times a / (r + a (1 - r)).
+// time, with one row 1 / (1 - kappa df/dy), with more in the mean square of all rows or of those of one
+// order. The first answer is what decays at once. Over all steps it is the answer times a / (r + a (1 - r)).
 class TrapezoidalSteps final : public AdaptiveSteps {
  public:
   TrapezoidalSteps(const Problem& problem, const Accuracy& accuracy, const Options& options, Run& run,
                    double shortest, std::unique_ptr<TrapezoidalSolver> solver);
 
   double attempt(Run& run, double t) override;
+  [[nodiscard]] double error_of_jump() const override;
   [[nodiscard]] const Vec& result() const override { return y_; }
   Vec between(double t) override;
   Vec continued(double t) override;
@@ -81,7 +83,9 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   [[nodiscard]] Vec defect() const;
   static double largest_part(const Vec& error, const Vec& limit);
   [[nodiscard]] double error(const Vec& of_f);
-  [[nodiscard]] double accumulation(double order) const;
+  [[nodiscard]] Vec left_of(const Vec& answered, const Vec& again) const;
+  [[nodiscard]] Vec effect() const;
+  [[nodiscard]] std::pair<double, double> accumulation(double order) const;
 
   const Problem& problem_;
   TaylorPart taylor_;
@@ -90,11 +94,12 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   std::unique_ptr<History> history_;
   std::unique_ptr<TrapezoidalSolver> solver_;
   Vec orders_;
+  std::vector<Eigen::Index> group_{};  // of each row, the first of its order
   Sample newest_, next_;
   std::optional<Sample> older_{};
   double begun_ = 0.0;             // where f jumped last
   InterpolatedRows interpolated_;  // on the newest attempt
-  Vec before_, y_, kappa_, convolved_, past_;
+  Vec before_, y_, kappa_, convolved_, past_, limit_;
 };
 
 }  // namespace fde

@@ -162,7 +162,7 @@ std::unique_ptr<PastBlock> PanelMarch::lead_over_switch(const TimeBlock& block, 
   solver_.follow(task, followed);
   if (sides(problem_, t, followed.rows.transpose() * solution_->rule.at_end) == sides_) return nullptr;
   if (block.from == 0.0 && switched_at_ == block.segment->start) {
-    run_.fail(Ending::not_converged, t);
+    run_.fail(Ending::sliding, t);
     going_ = Going::over;
     return nullptr;
   }

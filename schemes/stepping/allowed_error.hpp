@@ -16,6 +16,9 @@ class AllowedError {
   // largest: the largest |y| of each row on the step; terms: of what it is the sum of.
   [[nodiscard]] Vec of(In largest, In terms) const;
 
+  // The same as if the row had been as large as any.
+  [[nodiscard]] Vec of_accuracy(In largest, In terms) const;
+
   // Takes a step as passed on which rows were at most so large.
   void pass(In largest);
 

@@ -13,13 +13,16 @@ namespace fde {
 
 using Rows = Matrix;  // one row a component, one column a time
 
-// How a run ended. A scheme says the first seven; who compares the run with its reference says the others.
+// How a run ended. A scheme says the first ten; who compares the run with its reference says the others.
 enum class Ending {
   finished,
   not_finite,
-  not_converged,  // Newton's method
-  outran_growth,  // a mode of the problem grows so fast that a step leads through infinity
-  singular,       // left the domain of its problem
+  not_converged,   // Newton's method
+  outran_growth,   // a mode of the problem grows so fast that a step leads through infinity
+  step_too_small,  // the error test failed down to the smallest step
+  blow_up,         // the solution grows without bound as time nears a finite one
+  sliding,         // the state stays on a switch of the right-hand side: no solution leads away from it
+  singular,        // left the domain of its problem
   out_of_budget,
   event,               // one of Options::events has ended it, as was asked
   accuracy_lost,       // finished, but see accuracy_lost()

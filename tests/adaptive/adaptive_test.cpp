@@ -169,9 +169,110 @@ TEST(AdaptiveEnd, IsWhereARunSlidesAlongASwitch) {
                         .switches = {[](double, In y) { return y[0] - 1.0; }}};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
     const auto path = find_scheme(scheme)->solve(problem, Accuracy{1e-4, 1e-4}, {.budget = 20.0});
-    EXPECT_EQ(path.ending, Ending::not_converged) << scheme;
+    EXPECT_EQ(path.ending, Ending::sliding) << scheme;
     EXPECT_NEAR(path.reached, M_PI / 4.0, 1e-3) << scheme;
   }
+}
+
+// D^g y = y^2 from 1: of order 1 it is 1 / (1 - t), of order 0.8 it grows like (t_b - t)^-0.8, t_b = 0.629.
+TEST(AdaptiveEnd, IsNamedWhereTheSolutionBlowsUp) {
+  const auto expect = [](const char* scheme, double order, double time) {
+    const Problem problem{
+        .components = {{order, {1.0}}}, .rhs = [](double, In y, Out f) { f = y.cwiseAbs2(); }, .end = 2.0};
+    const auto path = find_scheme(scheme)->solve(problem, Accuracy{0.1, 0.1}, {.at = {0.5}});
+    EXPECT_EQ(path.ending, Ending::blow_up) << scheme << ' ' << order;
+    EXPECT_NEAR(path.failed_at.value(), time, 1e-2) << scheme << ' ' << order;
+  };
+  expect("radau_exponentials", 1.0, 1.0);
+  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"})
+    expect(scheme, 0.8, 0.6288);
+}
+
+// y' = 300 y from 1 is 1e130 at t = 1.
+TEST(AdaptiveEnd, IsNoneWhereTheSolutionGrowsExponentially) {
+  const Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f = 300.0 * y; }};
+  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
+    const auto path = find_scheme(scheme)->solve(problem, Accuracy{1e-2, 1e-2}, {});
+    EXPECT_EQ(path.ending, Ending::finished) << scheme;
+  }
+}
+
+// y' = 1 / (1 - t) from 0 is -log(1 - t): steps become as short as the rounding of t where it is 36.
+TEST(AdaptiveEnd, IsThatNoStepIsShortEnoughWhereTheRightHandSideIsNotIntegrable) {
+  const Problem problem{
+      .components = {{1.0, {0.0}}}, .rhs = [](double t, In, Out f) { f[0] = 1.0 / (1.0 - t); }, .end = 2.0};
+  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
+    const auto path = find_scheme(scheme)->solve(problem, Accuracy{0.3, 0.3}, {.at = {0.5}});
+    EXPECT_EQ(path.ending, Ending::step_too_small) << scheme;
+    EXPECT_NEAR(path.reached, 1.0, 1e-12) << scheme;
+  }
+}
+
+// D^0.5 y = 1 up to t = 1 and -1 behind it, which the problem does not say: y = (2 sqrt t - 4 sqrt(t - 1)) /
+// sqrt pi.
+TEST(AdaptiveJumps, AreFoundWhereNobodySaysThem) {
+  const Problem problem{.components = {{0.5, {0.0}}},
+                        .rhs = [](double t, In, Out f) { f[0] = t <= 1.0 ? 1.0 : -1.0; },
+                        .end = 3.0};
+  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
+    const auto path = find_scheme(scheme)->solve(problem, Accuracy{1e-5, 1e-5}, {.at = {0.5, 1.25, 3.0}});
+    ASSERT_EQ(path.ending, Ending::finished) << scheme;
+    for (std::size_t i = 0; i < path.times.size(); ++i) {
+      const double t = path.times[i];
+      const double exact = (2.0 * std::sqrt(t) - 4.0 * std::sqrt(std::max(0.0, t - 1.0))) / std::sqrt(M_PI);
+      EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), exact, 1e-5) << scheme << " at " << t;
+    }
+  }
+}
+
+// D^0.9 y = sign(sin 3t) - y jumps at every multiple of pi/3. Both rules know y as well without being told.
+TEST(AdaptiveJumps, AreFoundOneAfterTheOther) {
+  Problem problem{.components = {{0.9, {0.0}}},
+                  .rhs = [](double t, In y, Out f) { f[0] = (std::sin(3.0 * t) > 0.0 ? 1.0 : -1.0) - y[0]; },
+                  .end = 5.0};
+  Problem told = problem;
+  for (double jump = M_PI / 3.0; jump < 5.0; jump += M_PI / 3.0) told.jumps.push_back(jump);
+  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
+    const auto y = [&](const Problem& one) {
+      const auto path = find_scheme(scheme)->solve(one, Accuracy{1e-5, 1e-5}, {.at = {2.0, 5.0}});
+      EXPECT_EQ(path.ending, Ending::finished) << scheme;
+      return path.y;
+    };
+    EXPECT_LT((y(problem) - y(told)).cwiseAbs().maxCoeff(), 2e-5) << scheme;
+  }
+}
+
+// Of a row of order 0.05 from 0 a first step leaves what is asked where it is shorter than 1e-14 of the end
+// by far: t^0.05 is 0.2 there.
+TEST(AdaptiveStart, IsAsShortAsRowsOfLowOrderAsk) {
+  const Scene pendulum = scene_of("pendulum", {{"alpha", 1.95}});
+  const Scene system = scene_of(
+      "linear_system",
+      {{"gamma1", 0.04521}, {"gamma2", 0.962}, {"x0", 0.0}, {"y0", 0.0}, {"c1", -1.742}, {"c2", 0.7194}});
+  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
+    for (const Scene* scene : {&pendulum, &system}) {
+      const auto path = find_scheme(scheme)->solve(scene->problem, Accuracy{1e-4, 1e-4}, {.budget = 20.0});
+      ASSERT_EQ(path.ending, Ending::finished) << scheme << ' ' << path.reached;
+      EXPECT_LT(largest_error(*scene, path), 1e-3) << scheme;
+    }
+  }
+}
+
+// Rows of orders 0.71 and 1.6: the first forgets errors, the second keeps them.
+TEST(AdaptiveTrapezoidal, AddsUpErrorsOfEachOrderByItself) {
+  const Scene scene = scene_of("linear_system", {{"gamma1", 0.7089},
+                                                 {"gamma2", 1.616},
+                                                 {"a11", -4.393},
+                                                 {"a12", 0.2863},
+                                                 {"a21", -0.5975},
+                                                 {"a22", -2.997},
+                                                 {"x0", -0.08613},
+                                                 {"y0", 1.451},
+                                                 {"dy0", 0.6468},
+                                                 {"c1", -1.348},
+                                                 {"c2", -1.827}});
+  const auto path = find_scheme("adaptive_trapezoidal")->solve(scene.problem, Accuracy{1e-8, 1e-8}, {});
+  EXPECT_LT(largest_error(scene, path), 3e-8);
 }
 
 TEST(StepControl, TakesStepsWithAnErrorOfAtMostWhatIsAllowed) {
