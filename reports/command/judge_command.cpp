@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -40,6 +41,9 @@ void end_with(const WrittenPath& path, const std::string& file, SceneVariant& va
   scene.problem.end = last;
 }
 
+// So long another process may hold the results file: each `judge` holds it only to append.
+constexpr std::chrono::seconds longest_wait{60};
+
 // Its row without a number: nothing is known of its setup.
 Record row_of(const SceneVariant& scene, const std::string& name, const WrittenPath& path) {
   const auto steps = static_cast<int>(path.times.size());
@@ -69,12 +73,11 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const Scenes
   const auto path = read_path(arguments.file, scene);
   if (!arguments.seconds && path.seconds) seconds = {*path.seconds};
   end_with(path, arguments.file, variant, scene);
-  std::optional<ResultsFile> file;
-  if (arguments.out) file.emplace(*arguments.out, known);
-
   const Record row = row_of(variant, name, path);
   const auto judgement = judge_path(scene, path);
   auto rows = rows_of_examination(row, judgement);
+  std::optional<ResultsFile> file;
+  if (arguments.out) file.emplace(*arguments.out, known, longest_wait);
   if (file) file->append(rows);
   if (!seconds.empty() && is_compared(judgement.ending.kind)) {
     const auto times = rows_of_times(row, seconds);
