@@ -19,9 +19,12 @@ namespace {
 
 constexpr std::size_t most_rows = 12;
 
-// Numbers in long double as doubles, and whether their shortest decimals are those numbers.
+// Numbers in long double as doubles, and whether their shortest decimals, for which the doubles stand, are
+// those numbers. With `times` each is moved by so many times what its decimal lacks.
 class Decimals {
  public:
+  explicit Decimals(double times = 0.0) : times_(times) {}
+
   double take(long double value) {
     constexpr long double few_ulps = 8.0L * std::numeric_limits<long double>::epsilon();
     const auto nearest = static_cast<double>(value);
@@ -29,11 +32,12 @@ class Decimals {
     long double named = 0.0L;
     std::from_chars(text.data(), text.data() + text.size(), named);
     all_ = all_ && std::abs(named - value) <= few_ulps * std::abs(value);
-    return nearest;
+    return times_ == 0.0 ? nearest : static_cast<double>(value + times_ * (value - named));
   }
   [[nodiscard]] bool all() const { return all_; }
 
  private:
+  double times_;
   bool all_ = true;
 };
 
@@ -116,6 +120,21 @@ std::optional<Reference> system_motion(const EquationSystem& system, const Probl
   return linear_reference(rows);
 }
 
+// With the bound of a reference that knows its numbers as decimals only: `moved` has each of them moved by so
+// many times what it lacks, and so is off by as many times what the reference is off by, to first order.
+Reference with_lacking_digits(Reference decimal, const Reference& moved, double times) {
+  constexpr double second_order = 1.01;
+  decimal.at = [at = decimal.at, moved = moved.at, times](double t) {
+    ReferenceValue known = at(t);
+    const ReferenceValue other = moved(t);
+    known.bound +=
+        second_order / times * ((other.value - known.value).cwiseAbs() + other.bound + known.bound);
+    return known;
+  };
+  decimal.digits = {};
+  return decimal;
+}
+
 }  // namespace
 
 std::optional<Reference> linear_motion(const EquationSystem& system, const Problem& problem,
@@ -127,13 +146,18 @@ std::optional<Reference> linear_motion(const EquationSystem& system, const Probl
     orders.push_back(column.order);
     rows.push_back(static_cast<std::size_t>(column.row));
   }
-  Decimals decimals;
-  const bool single = system.unknowns.size() == 1 && system.unknowns.front().chain;
+  const auto motion = [&](Decimals& decimals) {
+    const bool single = system.unknowns.size() == 1 && system.unknowns.front().chain;
+    return single ? equation_motion(system, orders, all, decimals)
+                  : system_motion(system, problem, rows, all, decimals);
+  };
+  constexpr double times = 1 << 20;
+  Decimals decimals, moved_decimals(times);
   try {
-    auto motion = single ? equation_motion(system, orders, all, decimals)
-                         : system_motion(system, problem, rows, all, decimals);
-    if (motion && !decimals.all()) motion->digits = {};
-    return motion;
+    auto known = motion(decimals);
+    if (!known || decimals.all()) return known;
+    const auto moved = motion(moved_decimals);
+    return moved ? std::optional(with_lacking_digits(std::move(*known), *moved, times)) : std::nullopt;
   } catch (const std::invalid_argument&) {  // as where algebraic rows do not determine every unknown
     return std::nullopt;
   }

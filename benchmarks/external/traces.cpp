@@ -1,14 +1,20 @@
 #include "external/traces.hpp"
 
+#include <fcntl.h>
 #include <poll.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <climits>
 #include <csignal>
 #include <cstddef>
+#include <new>
+#include <system_error>
 
 namespace fde {
 namespace {
@@ -26,42 +32,107 @@ struct Group {
   std::atomic<State> state = State::free;
   std::atomic<pid_t> group = 0;
 };
+struct Places {
+  std::array<File, most> files;
+  std::array<Group, most> groups;
+};
 std::atomic<bool> is_ending = false;
 std::atomic<int> noting = 0;
-std::array<File, most> files;
-std::array<Group, most> groups;
+std::atomic<Places*> known = nullptr;  // once something was noted
 static_assert(std::atomic<State>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
-template <typename Places>
-std::size_t claimed(Places& places) {
-  for (std::size_t i = 0; i < places.size(); ++i) {
+void remove_all(const Places& places) {
+  for (const Group& of : places.groups) {
+    if (of.state == State::noted) kill(-of.group, SIGKILL);
+  }
+  for (const File& of : places.files) {
+    if (of.state == State::noted) unlink(of.path.data());
+  }
+}
+
+// A process that removes what is noted in memory that both share when this one has ended, in whatever way: no
+// handler hears SIGKILL. It reads a pipe whose other end only this process has. Where it cannot be started
+// there is none. It calls only what may be called between fork and exec.
+class Watcher {
+ public:
+  explicit Watcher(const Places& places) {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return;
+    sigset_t all{}, before{};
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    child_ = fork();
+    if (child_ == 0) watch(static_cast<unsigned>(ends[0]), places);
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    close(ends[0]);
+    end_ = ends[1];
+  }
+  Watcher(const Watcher&) = delete;
+  Watcher& operator=(const Watcher&) = delete;
+  ~Watcher() {
+    if (end_ >= 0) close(end_);
+    if (child_ > 0) waitpid(child_, nullptr, 0);
+  }
+
+ private:
+  [[noreturn]] static void watch(unsigned pipe, const Places& places) {
+    setsid();
+    if (pipe > 0) close_range(0, pipe - 1, 0);
+    close_range(pipe + 1, ~0U, 0);
+    char nothing = 0;
+    while (read(static_cast<int>(pipe), &nothing, 1) < 0 && errno == EINTR) {
+    }
+    remove_all(places);
+    _exit(0);
+  }
+
+  pid_t child_ = -1;
+  int end_ = -1;
+};
+
+Places& places() {
+  static Places& shared = []() -> Places& {
+    void* memory = mmap(nullptr, sizeof(Places), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "shared memory");
+    known = new (memory) Places;
+    return *known;
+  }();
+  static const Watcher watcher(shared);
+  return shared;
+}
+
+template <typename Of>
+std::size_t claimed(Of& of) {
+  for (std::size_t i = 0; i < of.size(); ++i) {
     State expected = State::free;
-    if (places[i].state.compare_exchange_strong(expected, State::claimed)) return i;
+    if (of[i].state.compare_exchange_strong(expected, State::claimed)) return i;
   }
   return none;
 }
 
 }  // namespace
 
-FileTrace::FileTrace(const std::string& path) : place_(path.size() < PATH_MAX ? claimed(files) : none) {
+FileTrace::FileTrace(const std::string& path)
+    : place_(path.size() < PATH_MAX ? claimed(places().files) : none) {
   if (place_ == none) return;
-  auto& file = files[place_];
+  auto& file = places().files[place_];
   *std::ranges::copy(path, file.path.begin()).out = '\0';
   file.state = State::noted;
 }
 
 FileTrace::~FileTrace() {
-  if (place_ != none) files[place_].state = State::free;
+  if (place_ != none) places().files[place_].state = State::free;
 }
 
-GroupTrace::GroupTrace(pid_t group) : place_(claimed(groups)) {
+GroupTrace::GroupTrace(pid_t group) : place_(claimed(places().groups)) {
   if (place_ == none) return;
-  groups[place_].group = group;
-  groups[place_].state = State::noted;
+  auto& noted = places().groups[place_];
+  noted.group = group;
+  noted.state = State::noted;
 }
 
 GroupTrace::~GroupTrace() {
-  if (place_ != none) groups[place_].state = State::free;
+  if (place_ != none) places().groups[place_].state = State::free;
 }
 
 NotingTraces::NotingTraces() {
@@ -81,12 +152,7 @@ void remove_traces() {
   constexpr int millisecond = 1;
   is_ending = true;
   while (noting > 0) poll(nullptr, 0, millisecond);
-  for (const Group& of : groups) {
-    if (of.state == State::noted) kill(-of.group, SIGKILL);
-  }
-  for (const File& of : files) {
-    if (of.state == State::noted) unlink(of.path.data());
-  }
+  if (const Places* all = known) remove_all(*all);
 }
 
 void wait_if_ending() {

@@ -9,7 +9,7 @@
 namespace fde {
 
 // What must not outlive this process: a file is removed and a process group killed, at the latest where a
-// signal ends the process. Beyond some hundreds at a time they are no longer noted.
+// signal ends the process, SIGKILL as well. Beyond some hundreds at a time they are no longer noted.
 class FileTrace {
  public:
   explicit FileTrace(const std::string& path);

@@ -82,7 +82,7 @@ Merged merge_results(const std::vector<fs::path>& files, const fs::path& out, co
     std::set<std::string> written;
     for (const auto& place : places) copy_rows(place, places.size() == 1, written, file, merged);
   }
-  file.finish();
+  file.finish_new();
   return merged;
 }
 

@@ -8,11 +8,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -26,6 +28,18 @@ namespace {
 
 std::invalid_argument cannot_be_written(const std::filesystem::path& file, const char* reason) {
   return std::invalid_argument(fmt::format("{}: cannot be written: {}", file.string(), reason));
+}
+
+// Whether the file is locked for this process within `wait`. Whoever waits asks again and again: flock itself
+// knows no longest time.
+bool is_locked_within(std::chrono::seconds wait, int descriptor) {
+  constexpr std::chrono::milliseconds between{5};
+  const auto last = std::chrono::steady_clock::now() + wait;
+  while (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    if (std::chrono::steady_clock::now() >= last) return false;
+    std::this_thread::sleep_for(between);
+  }
+  return true;
 }
 
 // The runs of the builds that are this one, and the bytes up to the end of the last complete write.
@@ -83,13 +97,13 @@ RecordedByKey read_recorded(const std::filesystem::path& file, const Scenes& kno
   return std::filesystem::exists(file) ? recorded_in(file, this_session(), known).runs : RecordedByKey();
 }
 
-ResultsFile::ResultsFile(std::filesystem::path file, const Scenes& known) : path_(std::move(file)) {
+ResultsFile::ResultsFile(std::filesystem::path file, const Scenes& known, std::chrono::seconds wait)
+    : path_(std::move(file)) {
   require_file(path_);
   descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (descriptor_ < 0) throw cannot_be_written(path_, std::strerror(errno));
   try {
-    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
-      throw cannot_be_written(path_, "another run is writing to it");
+    if (!is_locked_within(wait, descriptor_)) throw cannot_be_written(path_, "another run is writing to it");
     auto found = recorded_in(path_, session_, known);
     recorded_ = std::move(found.runs);
     if (ftruncate(descriptor_, static_cast<off_t>(found.valid)) != 0)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -26,8 +27,9 @@ class ResultsFile {
  public:
   // Opens or creates the file for this process alone, drops incomplete last rows and starts a session.
   // Throws std::invalid_argument naming the file when it cannot be written, holds something else or is open
-  // in another run.
-  explicit ResultsFile(std::filesystem::path file, const Scenes& known = scenes());
+  // in another run for longer than `wait`.
+  explicit ResultsFile(std::filesystem::path file, const Scenes& known = scenes(),
+                       std::chrono::seconds wait = {});
   ResultsFile(const ResultsFile&) = delete;
   ResultsFile& operator=(const ResultsFile&) = delete;
   ~ResultsFile();

@@ -124,14 +124,21 @@ std::optional<double> seconds_in(std::string_view line) {
   return parse_number("seconds", trimmed(line.substr(begin.size())), positive);
 }
 
+// What a message says of a text ends at a NUL.
+void require_text(const std::string& line) {
+  if (line.find('\0') != std::string::npos) throw std::invalid_argument("has a NUL byte, which no CSV has");
+}
+
 WrittenPath read_lines(LineReader& line, const Scene& scene) {
   bool has_header = line.next();
   const auto seconds = seconds_in(line.text());
   if (seconds) has_header = line.next();
   if (!has_header) throw std::invalid_argument("there is no header");
+  require_text(line.text());
   PathReader reader(line.text(), scene);
   bool is_over = false;  // only empty lines may follow
   while (line.next()) {
+    require_text(line.text());
     const bool is_empty = trimmed(line.text()).empty();
     if (is_over && !is_empty) throw std::invalid_argument("a row behind an empty line");
     is_over = is_empty;

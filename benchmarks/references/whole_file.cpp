@@ -1,5 +1,6 @@
 #include "references/whole_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -7,6 +8,7 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdio>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -39,10 +41,27 @@ std::optional<pid_t> writer_of(const std::string& unfinished, const std::string&
   throw std::invalid_argument(fmt::format("{}: cannot be written: {}", path.string(), reason.message()));
 }
 
+// Removes what processes that were killed while they wrote this file have left beside it.
+void remove_unfinished(const fs::path& path) {
+  const auto folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const auto writer = writer_of(entry.path().filename().string(), path.filename().string());
+    const bool is_gone = writer && kill(*writer, 0) != 0 && errno == ESRCH;
+    if (is_gone) fs::remove(entry.path(), ignored);
+  }
+}
+
+// The stream's name, after the place has been tidied.
+fs::path unfinished_beside(const fs::path& path) {
+  remove_unfinished(path);
+  return unfinished_name(path);
+}
+
 }  // namespace
 
 WholeFile::WholeFile(fs::path path)
-    : path_(std::move(path)), unfinished_(unfinished_name(path_)), stream_(unfinished_, std::ios::binary) {
+    : path_(std::move(path)), unfinished_(unfinished_beside(path_)), stream_(unfinished_, std::ios::binary) {
   check();
 }
 
@@ -64,14 +83,13 @@ void WholeFile::finish() {
   if (problem) reject(path_, problem);
 }
 
-void remove_unfinished(const fs::path& path) {
-  const auto folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    const auto writer = writer_of(entry.path().filename().string(), path.filename().string());
-    const bool is_gone = writer && kill(*writer, 0) != 0 && errno == ESRCH;
-    if (is_gone) fs::remove(entry.path(), ignored);
-  }
+// Some file systems know no renaming on a condition, but all of them links, which replace nothing.
+void WholeFile::finish_new() {
+  stream_.close();
+  check();
+  if (renameat2(AT_FDCWD, unfinished_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0) return;
+  if ((errno == EINVAL || errno == ENOSYS) && link(unfinished_.c_str(), path_.c_str()) == 0) return;
+  reject(path_, {errno, std::generic_category()});
 }
 
 void WholeFile::check() const {

@@ -7,8 +7,9 @@
 namespace fde {
 
 // A file that appears whole, in place of one that is there, or not at all: it is written under another name,
-// of this process and object alone, and renamed at the end. Throws std::invalid_argument naming the path and
-// why it cannot be written.
+// of this process and object alone, and renamed at the end. What processes that were killed while they wrote
+// the same file have left beside it is removed first. Throws std::invalid_argument naming the path and why it
+// cannot be written.
 class WholeFile {
  public:
   explicit WholeFile(std::filesystem::path path);
@@ -18,6 +19,7 @@ class WholeFile {
 
   void write(std::string_view text);
   void finish();
+  void finish_new();  // throws as well where the path exists by now: of several at once one succeeds
 
  private:
   void check() const;
@@ -25,8 +27,5 @@ class WholeFile {
   std::filesystem::path path_, unfinished_;
   std::ofstream stream_;
 };
-
-// Removes what processes that were killed while they wrote this file have left beside it.
-void remove_unfinished(const std::filesystem::path& path);
 
 }  // namespace fde

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -53,6 +55,12 @@ Attempt Examiner::examine(const Way& way, const StepsOrAccuracy& resolution, int
   if (path.ending != Ending::finished) return attempt;
   attempt.values = counted(columns_of(scene_.outputs, path));
   at_end ? judge_end(attempt) : judge_all(path.times, attempt);
+  constexpr double nearly = 1e-9;
+  if (attempt.trivial < nearly && is_constant()) attempt.trivial = std::numeric_limits<double>::infinity();
+  if (!at_end && !way.chooses_steps())
+    attempt.error =
+        std::max(attempt.error,
+                 hidden_motion({.end = scene_.problem.end, .steps = attempt.steps, .grading = way.grading}));
   attempt.within = attempt.error + reference_bound() <= question_.accuracy && attempt.error < attempt.trivial;
   return attempt;
 }
@@ -92,6 +100,60 @@ void Examiner::judge_all(const std::vector<double>& times, Attempt& attempt) {
   attempt.trivial = trivial_error(Norm::maximum, times, reference, by);
   attempt.column = question_.columns[static_cast<std::size_t>(row)];
   attempt.time = times[static_cast<std::size_t>(column)];
+}
+
+bool Examiner::is_constant() {
+  if (is_constant_) return *is_constant_;
+  constexpr int steps = 64;
+  constexpr double rounding = 1e-15;
+  const auto times = watched_times(scene_.problem, steps);
+  const Rows values = finite_reference(times), unknown = counted(reference_.bounds(times));
+  const Rows first = values.col(0).replicate(1, values.cols());
+  const Rows least = unknown + unknown.col(0).replicate(1, unknown.cols()) + rounding * first.cwiseAbs();
+  return is_constant_.emplace(((values - first).cwiseAbs().array() <= least.array()).all());
+}
+
+// At times that no grid has: evenly spread, and in powers towards the start and each jump.
+const Examiner::Motion& Examiner::motion() {
+  if (motion_) return *motion_;
+  constexpr int evenly = 64;
+  auto times = watched_times(scene_.problem, evenly);
+  const Rows values = finite_reference(times);
+  const Rows by = divisors(question_.kind.scale, times, values);
+  Rows moved = Rows::Zero(values.rows(), values.cols());
+  for (Eigen::Index c = 1; c < values.cols(); ++c) {
+    moved.col(c) =
+        moved.col(c - 1) +
+        (values.col(c) - values.col(c - 1)).cwiseAbs().cwiseQuotient(by.col(c).cwiseMax(by.col(c - 1)));
+  }
+  return motion_.emplace(Motion{std::move(times), std::move(moved)});
+}
+
+// Half of the motion of a column within one step, where that is more than half of all its motion; 0 where
+// there is no such step. A maximum over the steps of a grid does not see it.
+double Examiner::hidden_motion(const Grid& grid) {
+  const auto& [times, moved] = motion();
+  double hidden = 0.0;
+  for (Eigen::Index i = 0; i < moved.rows(); ++i) {
+    const auto row = moved.row(i);
+    const auto until = [&](double t) {
+      const auto next = std::ranges::upper_bound(times, t);
+      if (next == times.end()) return row[row.size() - 1];
+      const auto c = static_cast<Eigen::Index>(next - times.begin());
+      const double part = (t - *(next - 1)) / (*next - *(next - 1));
+      return row[c - 1] + part * (row[c] - row[c - 1]);
+    };
+    // Only the step in which the column comes to the half of its way can have more than half of it.
+    const double whole = row[row.size() - 1];
+    Eigen::Index half = 1;
+    while (half < row.size() - 1 && row[half] < 0.5 * whole) ++half;
+    const double t = times[static_cast<std::size_t>(half)];
+    const double n = grid.steps * std::pow(t / grid.end, 1.0 / grid.grading);
+    const int last = std::clamp(static_cast<int>(std::ceil(n)), 1, grid.steps);
+    const double within = until(grid.time(last)) - until(grid.time(last - 1));
+    if (within > 0.5 * whole) hidden = std::max(hidden, 0.5 * within);
+  }
+  return hidden;
 }
 
 void Examiner::judge_end(Attempt& attempt) {

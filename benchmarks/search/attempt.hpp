@@ -26,7 +26,7 @@ struct Attempt {
   int steps = 0;                                           // of the grid, or those taken
   std::optional<double> asked{};                           // accuracy, of a scheme that chooses its steps
   double error = std::numeric_limits<double>::infinity();  // infinite: it did not come to its end
-  double trivial = 0.0;                                    // that y = 0 or y = y(0) has
+  double trivial = 0.0;     // that y = 0 or y = y(0) has; infinity where the solution is constant
   Eigen::Index column = 0;  // of the scene, the one with the largest error, at this time
   double time = 0.0;
   double signed_error = 0.0;  // at the end, of the column that counts, where it is one
@@ -61,6 +61,9 @@ class Examiner {
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const Question& question() const { return question_; }
 
+  // Whether the solution is y(0) at all times, as far as that is known: then y = y(0) is right, not trivial.
+  bool is_constant();
+
   // What is not known of the reference at the end, on the scale asked for. An error is taken to be more by
   // this.
   double reference_bound() { return at_end().bound; }
@@ -69,6 +72,7 @@ class Examiner {
   Rows finite_reference(const std::vector<double>& times);
   void judge_all(const std::vector<double>& times, Attempt& attempt);
   void judge_end(Attempt& attempt);
+  double hidden_motion(const Grid& grid);
   [[nodiscard]] Rows counted(const Rows& columns) const;
   [[nodiscard]] std::vector<double> compared_times(const Way& way, const StepsOrAccuracy& resolution,
                                                    int watched) const;
@@ -84,6 +88,14 @@ class Examiner {
   };
   const AtEnd& at_end();
   std::optional<AtEnd> at_end_{};
+  std::optional<bool> is_constant_{};
+  // How far each column has moved up to a time, on the scale asked for.
+  struct Motion {
+    std::vector<double> times;
+    Rows moved;
+  };
+  const Motion& motion();
+  std::optional<Motion> motion_{};
 };
 
 }  // namespace fde

@@ -49,16 +49,17 @@ void compare_errors(const CommonRun& run, std::vector<MovedError>& all) {
   if (worst) all.push_back(*worst);
 }
 
-void compare_times(const CommonRun& run, std::vector<TimeRatio>& all) {
+void compare_times(const CommonRun& run, Comparison& of) {
   const auto before = time_of(*run.before), now = time_of(*run.now);
+  if (before && !now) ++of.timed_before;
   if (!before || !now || before->low <= 0.0 || now->low <= 0.0) return;
   if (run.before->wall_clock != run.now->wall_clock) return;
-  all.push_back({.run = run,
-                 .before = *before,
-                 .now = *now,
-                 .ratio = now->median / before->median,
-                 .low = now->low / before->high,
-                 .high = now->high / before->low});
+  of.times.push_back({.run = run,
+                      .before = *before,
+                      .now = *now,
+                      .ratio = now->median / before->median,
+                      .low = now->low / before->high,
+                      .high = now->high / before->low});
 }
 
 void compare_endings(const CommonRun& run, std::vector<ChangedEnding>& all) {
@@ -97,6 +98,10 @@ bool Comparison::is_worse() const {
   return std::ranges::any_of(errors, &MovedError::grew) || std::ranges::any_of(endings, &ChangedEnding::fell);
 }
 
+std::ptrdiff_t Comparison::slower_than(double factor) const {
+  return std::ranges::count_if(times, [&](const TimeRatio& time) { return time.low > factor; });
+}
+
 Comparison compare(const Runs& before, const Runs& now) {
   const auto of_before = by_key(before), of_now = by_key(now);
   Comparison comparison;
@@ -106,7 +111,7 @@ Comparison compare(const Runs& before, const Runs& now) {
     const CommonRun common{.before = run, .now = found->second};
     ++comparison.common;
     compare_errors(common, comparison.errors);
-    compare_times(common, comparison.times);
+    compare_times(common, comparison);
     compare_endings(common, comparison.endings);
   }
   comparison.only_before = of_before.size() - comparison.common;

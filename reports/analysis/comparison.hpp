@@ -51,12 +51,20 @@ struct ChangedEnding {
 // What two sets of results say of the runs that both have, the worst first.
 struct Comparison {
   std::size_t common = 0, only_before = 0, only_now = 0;  // runs
+  std::size_t timed_before = 0;                           // runs of both that only the first has timed
   std::vector<TimeRatio> times{};                         // of all runs that both have timed
   std::vector<MovedError> errors{};
   std::vector<ChangedEnding> endings{};
 
   // Whether an error grew or a verdict fell.
   [[nodiscard]] bool is_worse() const;
+
+  // How many runs take more than this many times as long, by the least ratio that the spreads of their
+  // repeats leave open.
+  [[nodiscard]] std::ptrdiff_t slower_than(double factor) const;
+
+  // Whether the second has all runs and times of the first.
+  [[nodiscard]] bool has_all() const { return only_before == 0 && timed_before == 0; }
 };
 
 // Runs are the same where scene, scheme and setup are. The comparison points into them. Errors are all

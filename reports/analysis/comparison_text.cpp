@@ -80,7 +80,7 @@ std::string sum_of_times(const std::vector<TimeRatio>& times) {
 }  // namespace
 
 std::string comparison_text(const Comparison& comparison, const LineNames& names) {
-  const auto& [common, only_before, only_now, times, errors, endings] = comparison;
+  const auto& [common, only_before, only_now, timed_before, times, errors, endings] = comparison;
   std::vector<TimeRatio> beyond_noise;
   std::ranges::copy_if(times, std::back_inserter(beyond_noise),
                        [](const TimeRatio& time) { return time.slower() || time.faster(); });
@@ -93,6 +93,8 @@ std::string comparison_text(const Comparison& comparison, const LineNames& names
          table("times that moved, with the spread of their repeats", beyond_noise, names, time_change_text) +
          fmt::format("{} runs in both, {} only in the first, {} only in the second\n", common, only_before,
                      only_now) +
+         (timed_before == 0 ? ""
+                            : fmt::format("{} runs in both are timed in the first only\n", timed_before)) +
          fmt::format("verdicts: {} fell, {} changed otherwise\n", fell, std::ssize(endings) - fell) +
          fmt::format("errors: {} grew, {} fell\n", grew, std::ssize(errors) - grew) +
          fmt::format("times: {} slower, {} faster, {} within the spread of their repeats\n", slower, faster,

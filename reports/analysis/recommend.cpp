@@ -136,7 +136,9 @@ Recommendation recommend(const std::vector<SearchedWay>& searched, const SceneSe
   Recommendation made{
       .scene = scene, .kind = question.kind, .accuracy = question.accuracy, .estimate = estimate};
   for (const SearchedWay& of : searched) {
-    if (of.found == Found::within) made.options.push_back(option_of(of));
+    if (of.found != Found::within) continue;
+    made.options.push_back(option_of(of));
+    made.constant = std::isinf(of.best.trivial);
   }
   made.options.empty() ? tell_shortfall(searched, columns, made) : tell_others(searched, made);
   return made;

@@ -21,6 +21,7 @@ struct Recommendation {
   std::vector<Option> options{};       // within the accuracy, the quickest first
   std::vector<Option> expected{};      // of other schemes, by their errors so far: slower, and not made
   std::vector<std::string> others{};   // a line for each other scheme: what became of it
+  bool constant = false;               // the solution is its initial value at all times
   std::optional<Estimate> estimate{};  // by which all errors are estimated; empty: they are known
 };
 

@@ -52,6 +52,7 @@ std::string json_of(const Recommendation& made) {
     json["estimate"] = json_of(*made.estimate);
   }
   if (first.once_seconds > 0.0) json["once_seconds"] = first.once_seconds;
+  if (made.constant) json["constant"] = true;
   if (first.wall_clock) json["wall_clock"] = true;
   if (first.predicted_error) json["predicted_error"] = *first.predicted_error;
   if (!made.columns.empty()) json["columns"] = made.columns;

@@ -88,13 +88,23 @@ std::vector<double> spread_times(const RunArguments& arguments, const Grid& grid
   return times;
 }
 
+// So many times, evenly spread from 0 to the end.
+std::vector<double> spread_times(int count, double end) {
+  std::vector<double> times;
+  for (int i = 0; i < count; ++i) times.push_back(i == count - 1 ? end : end * i / (count - 1));
+  return times;
+}
+
 // The times to print; none: all.
 std::vector<double> times_of(const RunArguments& arguments, const Resolution& resolution, double end) {
   if (arguments.at) return parse_times(*arguments.at, resolution, end);
   const auto* grid = std::get_if<Grid>(&resolution);
   if (arguments.every || arguments.points) {
-    if (grid == nullptr) throw std::invalid_argument("--every and --points: are only taken with --steps");
-    return spread_times(arguments, *grid);
+    if (grid != nullptr) return spread_times(arguments, *grid);
+    if (arguments.every)
+      reject_text("--every", *arguments.every,
+                  "with --steps; with --accuracy --points K prints K equal times");
+    return spread_times(parse_count("--points", *arguments.points, 2, most_rows), end);
   }
   if (grid != nullptr && grid->steps > most_rows) {
     throw std::invalid_argument(
@@ -113,7 +123,8 @@ std::optional<Grid> grid_of(const Resolution& resolution) {
 void require_events(const Scene& scene, const RunArguments& arguments) {
   if (!arguments.events) return;
   if (!arguments.accuracy) throw std::invalid_argument("--events: is only taken with --accuracy");
-  if (arguments.at) throw std::invalid_argument("--events: is not taken with --at");
+  if (arguments.at || arguments.points)
+    throw std::invalid_argument("--events: is not taken with --at and --points");
   if (scene.events.empty())
     throw std::invalid_argument("--events: the scene has none; those of a file stand under [event.NAME]");
 }

@@ -97,7 +97,6 @@ CheckpointFile::CheckpointFile(fs::path path, std::chrono::duration<double> betw
       observers_(std::move(observers)),
       say_(std::move(say)) {
   const WholeFile trial(path_);
-  remove_unfinished(path_);
   if (is_there(path_)) check();
 }
 

@@ -1,16 +1,22 @@
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
+#include "external/temporary_file.hpp"
 #include "measures/measures.hpp"
 #include "records/possible.hpp"
 #include "records/results_file.hpp"
@@ -40,6 +46,36 @@ void end_with(const WrittenPath& path, const std::string& file, SceneVariant& va
   scene.problem.end = last;
 }
 
+constexpr std::uintmax_t most_bytes_of_pipe = std::uintmax_t{1} << 30;
+
+// What comes through a pipe as a file, which can be read as any other; none where it is one.
+std::unique_ptr<const TemporaryFile> file_of_pipe(const std::string& name) {
+  const std::filesystem::path path = name == "-" ? "/dev/stdin" : name;
+  std::error_code ignored;
+  if (!std::filesystem::is_fifo(path, ignored)) return nullptr;
+  std::ifstream stream(path, std::ios::binary);
+  auto file = std::make_unique<const TemporaryFile>(".csv");
+  std::string piece(std::size_t{1} << 16, '\0');
+  for (std::uintmax_t bytes = 0; stream;) {
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    const auto count = static_cast<std::size_t>(stream.gcount());
+    bytes += count;
+    if (bytes > most_bytes_of_pipe)
+      throw std::invalid_argument(fmt::format("{}: is longer than {} bytes", name, most_bytes_of_pipe));
+    file->write(std::string_view(piece).substr(0, count));
+  }
+  return file;
+}
+
+WrittenPath path_in(const std::string& file, const Scene& scene) {
+  const auto piped = file_of_pipe(file);
+  if (piped) return read_path(piped->path(), scene, file == "-" ? "standard input" : file);
+  return file == "-" ? read_path("/dev/stdin", scene, "standard input") : read_path(file, scene);
+}
+
+// So long another process may hold the results file: each `judge` holds it only to append.
+constexpr std::chrono::seconds longest_wait{60};
+
 // Its row without a number: nothing is known of its setup.
 Record row_of(const SceneVariant& scene, const std::string& name, const WrittenPath& path) {
   const auto steps = static_cast<int>(path.times.size());
@@ -66,15 +102,14 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const Scenes
   if (arguments.name || arguments.out) require_external_name("--name", name);
   std::vector<double> seconds;
   if (arguments.seconds) seconds = parse_numbers("--seconds", *arguments.seconds, positive);
-  const auto path = read_path(arguments.file, scene);
+  const auto path = path_in(arguments.file, scene);
   if (!arguments.seconds && path.seconds) seconds = {*path.seconds};
   end_with(path, arguments.file, variant, scene);
-  std::optional<ResultsFile> file;
-  if (arguments.out) file.emplace(*arguments.out, known);
-
   const Record row = row_of(variant, name, path);
   const auto judgement = judge_path(scene, path);
   auto rows = rows_of_examination(row, judgement);
+  std::optional<ResultsFile> file;
+  if (arguments.out) file.emplace(*arguments.out, known, longest_wait);
   if (file) file->append(rows);
   if (!seconds.empty() && is_compared(judgement.ending.kind)) {
     const auto times = rows_of_times(row, seconds);
@@ -90,7 +125,8 @@ void add_judge_command(CommandLine& program, const Streams& streams, const Scene
   auto arguments = std::make_shared<JudgeArguments>();
   Subcommand command(program, "judge", "Judge a trajectory that another program wrote");
   add_scene(command, arguments->scene);
-  command.required("file", arguments->file, "CSV with the header t,COLUMN,... of the scene");
+  command.required("file", arguments->file,
+                   "CSV with the header t,COLUMN,... of the scene; - is standard input");
   command.option("--seconds", arguments->seconds, "time of the other program, or those of repeats S1,S2,...");
   command.option("--name", arguments->name, "what to call it; default the name of the file");
   command.option("--out", arguments->out, "results file that it is added to");

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@
 #include "external/temporary_file.hpp"
 #include "page/assets.hpp"
 #include "references/whole_file.hpp"
+#include "scenes/number_text.hpp"
 #include "scenes/printable.hpp"
 
 namespace fde {
@@ -99,6 +101,22 @@ nlohmann::json data_of(const PlotArguments& arguments, const Kind& kind, const S
   return {};
 }
 
+// Throws std::invalid_argument where a scheme that is to be drawn is none of those that there are to draw.
+void require_schemes(const std::vector<std::string>& asked, const std::set<std::string>& there) {
+  for (const auto& name : asked) {
+    if (!there.contains(name)) reject_text("--scheme", name, fmt::format("of {}", fmt::join(there, ", ")));
+  }
+}
+
+// Of lines of the page, such as "l1, graded:2", and of the schemes of this build, external ones included.
+std::set<std::string> schemes_in(const nlohmann::json& data) {
+  std::set<std::string> names;
+  for (const std::string line : data["lines"]) names.insert(line.substr(0, line.find(',')));
+  if (names.empty())
+    for (const Scheme& scheme : schemes()) names.emplace(scheme.id);
+  return names;
+}
+
 std::vector<std::string> columns_in(const PlotArguments& arguments, const Kind& kind) {
   auto names = arguments.columns ? split_names(*arguments.columns) : std::vector<std::string>();
   if (kind.name == "phase" && !names.empty() && names.size() != 2)
@@ -106,10 +124,12 @@ std::vector<std::string> columns_in(const PlotArguments& arguments, const Kind& 
   return names;
 }
 
+// The first line that is not empty.
 std::string first_line_of(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::string line;
-  std::getline(stream, line);
+  while (std::getline(stream, line) && line.find_first_not_of(" \t\r") == std::string::npos) {
+  }
   return line;
 }
 
@@ -120,8 +140,10 @@ void draw(const std::string& program, const std::string& command, const std::fil
   const auto end = run_command(command, argument.string(), said.descriptor(), complained.descriptor(),
                                {most_seconds, most_bytes});
   if (end.how == CommandEnd::How::exited && end.code == 0) return;
-  throw std::invalid_argument(
-      fmt::format("{}: cannot be drawn by {}: {}", out, program, first_line_of(complained.path())));
+  const auto complaint = first_line_of(complained.path());
+  throw std::invalid_argument(fmt::format(
+      "{}: cannot be drawn by {}: {}", out, program,
+      complaint.empty() ? fmt::format("it ended with code {} and no word", end.code) : complaint));
 }
 
 void print_on_paper(const std::filesystem::path& svg, const std::string& out) {
@@ -139,6 +161,7 @@ void plot(const PlotArguments& arguments, const Streams& streams, const Scenes& 
   check(arguments, kind);
   const auto columns = columns_in(arguments, kind);
   const auto data = data_of(arguments, kind, known);
+  require_schemes(arguments.schemes, schemes_in(data));
   const bool several = data["sections"].front().contains("family");
   if (several && kind.family.empty())
     throw std::invalid_argument(fmt::format("--kind = {}: one value of each parameter", kind.name));

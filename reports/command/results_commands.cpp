@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 #include "command/command.hpp"
 #include "command/command_line.hpp"
 #include "records/merge.hpp"
+#include "scenes/number_text.hpp"
 
 namespace fde {
 namespace {
@@ -33,8 +35,31 @@ std::set<std::string> machines_of(const std::vector<Session>& sessions) {
   return machines;
 }
 
-void compare_files(const std::string& first, const std::string& second, const Streams& streams,
-                   const Scenes& known) {
+struct CompareArguments {
+  std::string first, second;
+  std::optional<std::string> max_slowdown;
+  bool require_all = false;
+};
+
+// What is worse in the second, as it is asked for.
+std::vector<std::string> complaints(const Comparison& comparison, const std::optional<double>& max_slowdown,
+                                    bool require_all) {
+  std::vector<std::string> all;
+  if (comparison.is_worse()) all.emplace_back("an error grew or a verdict fell");
+  const auto slower = max_slowdown ? comparison.slower_than(*max_slowdown) : 0;
+  if (slower > 0) all.push_back(fmt::format("{} times grew by more than {}", slower, *max_slowdown));
+  if (require_all && !comparison.has_all()) {
+    all.push_back(fmt::format("{} runs and {} times of the first are missing", comparison.only_before,
+                              comparison.timed_before));
+  }
+  return all;
+}
+
+void compare_files(const CompareArguments& arguments, const Streams& streams, const Scenes& known) {
+  const auto& [first, second, slowdown, require_all] = arguments;
+  constexpr Range factors{.low = 1.0};
+  std::optional<double> most;
+  if (slowdown) most = parse_number("--max-slowdown", *slowdown, factors);
   const auto [sessions_before, before] = read_runs(first, known);
   const auto [sessions_now, now] = read_runs(second, known);
   const Comparison comparison = compare(before, now);
@@ -46,7 +71,8 @@ void compare_files(const std::string& first, const std::string& second, const St
   if (machines_of(sessions_before) != machines_of(sessions_now))
     streams.out << "times are of different machines: they say nothing of the programs\n";
   streams.out << comparison_text(comparison, LineNames(now));
-  if (comparison.is_worse()) throw WorseResults(second + ": an error grew or a verdict fell");
+  const auto worse = complaints(comparison, most, require_all);
+  if (!worse.empty()) throw WorseResults(fmt::format("{}: {}", second, fmt::join(worse, "; ")));
 }
 
 void merge_files(const std::vector<std::string>& files, const std::string& out, const Streams& streams,
@@ -60,11 +86,15 @@ void merge_files(const std::vector<std::string>& files, const std::string& out, 
 }  // namespace
 
 void add_results_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
-  auto first = std::make_shared<std::string>(), second = std::make_shared<std::string>();
+  auto compared = std::make_shared<CompareArguments>();
   Subcommand compare_command(program, "compare", "What is worse or better in the second results file");
-  compare_command.required("first", *first, "results file, before");
-  compare_command.required("second", *second, "results file, now");
-  compare_command.callback([=, &known] { compare_files(*first, *second, streams, known); });
+  compare_command.required("first", compared->first, "results file, before");
+  compare_command.required("second", compared->second, "results file, now");
+  compare_command.option("--max-slowdown", compared->max_slowdown,
+                         "how many times as long a run may take; beyond it the exit code is 1");
+  compare_command.flag("--require-all", compared->require_all,
+                       "exit code 1 where runs or times of the first are not in the second");
+  compare_command.callback([=, &known] { compare_files(*compared, streams, known); });
 
   auto files = std::make_shared<std::vector<std::string>>();
   auto out = std::make_shared<std::string>();

@@ -109,6 +109,13 @@ TEST(LinearEquationFile, HasNoDigitsOfCoefficientsThatAreNoDecimals) {
   EXPECT_NEAR(scene.reference.at(1.0).value[0], std::exp(1.0 / 9.0) * std::erfc(1.0 / 3.0), 1e-15);
 }
 
+// E_0.5(-15/13) by 40 digits: the nearest double of 5/13 alone moves it by half of what its rounding does.
+TEST(LinearEquationFile, HasABoundForTheDigitsThatItsNumbersLack) {
+  const auto [value, bound] = scene_of_text(relaxation_file("-x*5/13")).reference.at(9.0);
+  EXPECT_LE(std::abs(value[0] - 0.388935931039400981214484822939L), bound[0]);
+  EXPECT_LT(bound[0], 1e-16);
+}
+
 TEST(NonlinearEquationFile, DeclaresNoReference) {
   EXPECT_FALSE(scene_of_text(relaxation_file("-x^2")).reference.at);
   EXPECT_FALSE(scene_of_text(relaxation_file("-x + cos(t)")).reference.at);

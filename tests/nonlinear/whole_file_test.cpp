@@ -53,6 +53,26 @@ TEST(WholeFile, OfTheSameNameTwiceIsOneOfBoth) {
   EXPECT_EQ(content(folder.path() / "page"), "other");
 }
 
+TEST(WholeFile, ThatMustBeNewIsTheFirstThatIsFinished) {
+  const TemporaryFolder folder;
+  WholeFile one(folder.path() / "page"), other(folder.path() / "page");
+  one.write("one");
+  other.write("other");
+  one.finish_new();
+  EXPECT_THROW(other.finish_new(), std::invalid_argument);
+  EXPECT_EQ(content(folder.path() / "page"), "one");
+}
+
+// No process has the largest number that a process can have here.
+TEST(WholeFile, RemovesWhatAKilledWriterHasLeft) {
+  const TemporaryFolder folder;
+  folder.write("page.2147483647.0.tmp", "half a ");
+  folder.write("page.not.tmp", "another's");
+  WholeFile(folder.path() / "page").finish();
+  EXPECT_EQ(files_in(folder.path()), 2);
+  EXPECT_EQ(content(folder.path() / "page.not.tmp"), "another's");
+}
+
 TEST(WholeFile, NamesThePathThatCannotBeWritten) {
   const TemporaryFolder folder;
   const auto missing = folder.path() / "missing" / "page";

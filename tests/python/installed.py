@@ -37,6 +37,7 @@ def package(cpack, build, work):
     run("dpkg-deb", "--extract", made, work / "root")
     check_package(work / "root/usr/lib/python3/dist-packages")
     assert "pendulum" in run(work / "root/usr/bin/fdebench", "scenes")
+    assert (work / "root/usr/share/doc/fdebench/LICENSE").is_file()
     assert (work / "root/usr/lib/cmake/fdebench/fdebench-config.cmake").is_file()
 
 

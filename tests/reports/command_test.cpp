@@ -112,6 +112,8 @@ TEST(Solve, PrintsEachKthTimeAndTheLast) {
   EXPECT_EQ(fdebench(solve + "--every 100").out, fdebench(solve + "--at 0,20").out);
   EXPECT_EQ(fdebench(solve + "--points 3").out, fdebench(solve + "--at 0,10,20").out);
   EXPECT_EQ(fdebench(solve + "--points 1000").out, fdebench(solve).out);
+  const std::string to_accuracy = "solve relaxation --scheme spectral_collocation --accuracy 1e-6 --until 2 ";
+  EXPECT_EQ(fdebench(to_accuracy + "--points 5").out, fdebench(to_accuracy + "--at 0,0.5,1,1.5,2").out);
 }
 
 TEST(Solve, SaysWhatSolvesSparseEquations) {
@@ -178,6 +180,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "modes = 3: must be at most n = 2"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --points 1", "--points = 1: must be"},
         Mistake{"solve pendulum --scheme l1 --steps 8 --points 4 --every 2", "excludes"},
+        Mistake{"solve pendulum --scheme spectral_collocation --accuracy 1e-6 --every 2",
+                "--every = 2: must be with --steps; with --accuracy --points K prints K equal times"},
         Mistake{"solve relaxation --scheme l1 --steps 100000000 --every 10",
                 "--every = 10: must be a whole number from 11"},
         Mistake{"solve pendulum --scheme adams --steps 8",

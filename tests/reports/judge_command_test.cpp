@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -72,6 +74,25 @@ TEST_F(Judging, TakesTheFilesThatOtherProgramsWrite) {
                           "\"t\",\"y\"\n0,0\n1,1.5", " t , y \n 0.0e+00 , 0 \n+1 ,\t1.5 \n\n\n"}) {
     EXPECT_EQ(judge(csv).out, plain) << csv;
   }
+}
+
+// What is said of a NUL would end there.
+TEST_F(Judging, NamesANul) {
+  const std::string csv{"t,y\n0,0\n1,\0", 12};
+  EXPECT_EQ(refusal(csv + "5\n"), ": line 3: has a NUL byte, which no CSV has\n");
+}
+
+// A pipe holds so few bytes before anybody reads.
+TEST_F(Judging, ReadsFromAPipe) {
+  const std::string csv = "# t,y\n0,0\n1,1.5\n";
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  ASSERT_EQ(write(ends[1], csv.data(), csv.size()), std::ssize(csv));
+  close(ends[1]);
+  const auto answer = fdebench({"judge", "power:p=2", fmt::format("/dev/fd/{}", ends[0])});
+  close(ends[0]);
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  EXPECT_EQ(answer.out, judge(csv).out);
 }
 
 // A first line says how long the other program took, where the command does not.

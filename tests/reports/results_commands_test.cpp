@@ -101,6 +101,27 @@ TEST_F(Comparisons, EndWithOneWhereAnErrorGrew) {
   EXPECT_EQ(compare({{.error = 1e-3}}, {{.error = 1.009e-3}}).code, 0) << "within a hundredth";
 }
 
+// Ten times as long is more than twice as long, and no more than ten times; a run that is not there took
+// none.
+TEST_F(Comparisons, EndWithOneWhereMoreIsAskedOfTimesAndRuns) {
+  const auto before = write("before", {{}, {.steps = 128}});
+  const auto slow = write("slow", {{.least = 10.0, .median = 11.0}, {.steps = 128}}),
+             half = write("half", {{}}), untimed = write("untimed", {{}, {.steps = 128, .least = {}}});
+  EXPECT_EQ(fdebench({"compare", before, slow}).code, 0);
+  EXPECT_EQ(fdebench({"compare", before, slow, "--max-slowdown", "2"}).err,
+            "fdebench: " + slow + ": 1 times grew by more than 2\n");
+  EXPECT_EQ(fdebench({"compare", before, slow, "--max-slowdown", "10"}).code, 0);
+  EXPECT_EQ(fdebench({"compare", before, half}).code, 0);
+  for (const auto& [file, missing] :
+       {std::pair{half, "1 runs and 0 times"}, {untimed, "0 runs and 1 times"}}) {
+    const auto answer = fdebench({"compare", before, file, "--require-all"});
+    EXPECT_EQ(answer.code, 1);
+    EXPECT_EQ(answer.err, fmt::format("fdebench: {}: {} of the first are missing\n", file, missing));
+  }
+  EXPECT_EQ(fdebench({"compare", before, before, "--require-all", "--max-slowdown", "1"}).code, 0);
+  EXPECT_EQ(fdebench({"compare", before, before, "--max-slowdown", "0.5"}).code, 2);
+}
+
 // Errors of 1e-15 where rounding moves them by 1e-15 have not grown before they are above 5e-15.
 TEST_F(Comparisons, TakeRoundingForNoChange) {
   const Made before{.error = 1e-15, .relative = 1e-12, .rounding = 1e-15};

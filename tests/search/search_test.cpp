@@ -112,6 +112,28 @@ TEST(Search, ComparesRunsByWhatTheyCostOnceStartWeightsAreMade) {
   EXPECT_GT(rule->ladder.size(), 1U);
 }
 
+// At rest every scheme is right, and y = y(0) is no trivial answer.
+TEST(Search, TakesAConstantSolutionForOne) {
+  const auto found =
+      found_for(scene_of("relaxation", {{"y0", 0.0}}), {"", {Norm::maximum, Scale::mixed}, 1e-4});
+  EXPECT_EQ(found.front().found, Found::within);
+  EXPECT_EQ(found.front().best.error, 0.0);
+  EXPECT_TRUE(std::isinf(found.front().best.trivial));
+  const auto moving = found_for(scene_of("relaxation"), {"", {Norm::maximum, Scale::mixed}, 1e-4});
+  EXPECT_TRUE(std::isfinite(moving.front().best.trivial));
+}
+
+// E_{1/2}(-1e6 t^{1/2}) falls from 1 to 1e-6 within a millionth of the interval: the times 0 and 1 do not
+// tell.
+TEST(Search, SeesMotionBetweenTheTimesOfAGrid) {
+  const Scene scene = scene_of("relaxation", {{"lambda", -1e6}});
+  for (const auto& [norm, within] : {std::pair{Norm::end, true}, {Norm::maximum, false}}) {
+    Examiner examiner(scene, question_of(scene, {"", {norm, Scale::mixed}, 1e-3}));
+    for (const int steps : {1, 64})
+      EXPECT_EQ(examiner.examine({find_scheme("l1")}, steps, 8192, 60.0).within, within) << steps;
+  }
+}
+
 TEST(Search, GivesOneAlgorithmAllItsNames) {
   const Scene scene = scene_of("relaxation");
   const auto found = found_for(scene, {"", {Norm::end, Scale::mixed}, 1e-2});

@@ -4,12 +4,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 
 #include "records/record_text.hpp"
 #include "records/results_file.hpp"
@@ -173,6 +176,16 @@ TEST_F(ResultsFiles, OfSomethingElseAreRefusedAndLeftAlone) {
 TEST_F(ResultsFiles, BelongToOneRunAtATime) {
   const ResultsFile first(file_);
   EXPECT_EQ(message(file_), file_.string() + ": cannot be written: another run is writing to it");
+}
+
+// The second waits until the first is closed.
+TEST_F(ResultsFiles, AreWaitedFor) {
+  std::optional<ResultsFile> first(std::in_place, file_);
+  std::jthread closes([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    first.reset();
+  });
+  EXPECT_NO_THROW(ResultsFile(file_, scenes(), std::chrono::seconds(20)));
 }
 
 TEST_F(ResultsFiles, WithImpossibleStepsAreRefused) {
