@@ -4,12 +4,17 @@
 
 namespace fde {
 
-Vec AllowedError::of(In largest, In terms) const {
+Vec AllowedError::of(In least, In largest, In terms) const {
   constexpr double above_rounding = 50.0 * std::numeric_limits<double>::epsilon(), of_row = 0.01;
-  const Eigen::ArrayXd asked = accuracy_.absolute + accuracy_.relative * largest.array();
+  constexpr double counts = 1e-3, growth = 16.0;  // of the relative error; of a row on a step
+  const bool by_least = accuracy_.absolute > counts * accuracy_.relative;
+  const Eigen::ArrayXd size = by_least ? least.array() : largest.array();
+  const Eigen::ArrayXd asked = accuracy_.absolute + accuracy_.relative * size;
   // Below, doubles lose their digits one by one, and Newton's method does not converge to part of them.
   constexpr double smallest = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
-  const Eigen::ArrayXd noise = (above_rounding * terms.array().max(largest.array())).max(smallest);
+  Eigen::ArrayXd rounded = largest.array();
+  if (by_least) rounded = rounded.min(growth / accuracy_.relative * asked);
+  const Eigen::ArrayXd noise = (above_rounding * rounded.max(terms.array())).max(smallest);
   if (largest_.size() == 0) return asked.max(noise);
   return asked.min(of_row * largest.array().max(largest_.array())).max(noise);
 }
