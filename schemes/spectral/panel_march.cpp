@@ -111,11 +111,12 @@ std::unique_ptr<PastBlock> PanelMarch::attempt(const TimeBlock& block, const Mat
     return panel;
   }
   const Matrix coefficients = solution_->rule.to_coefficients * solved.drives;
-  const Vec effects = effects_of(block, task, solved, coefficients);
+  const Vec allowed = solver_.allowed(task, solved.rows);
+  const Vec effects = effects_of(block, task, solved, coefficients, allowed);
   // More than the places can see grow.
   const bool outrun = solver_.grows(run_, task, solved.rows, static_cast<double>(effects.size()));
   const double doubt =
-      outrun ? infinity : std::max(effects.tail(2).sum() / part, break_before(block, task, solved));
+      outrun ? infinity : std::max(effects.tail(2).sum() / part, break_before(block, task, solved, allowed));
   if (!(doubt <= 1.0) && !left_by_rounding(block, doubt)) {
     shorten(block, doubt);
     return nullptr;
@@ -156,8 +157,8 @@ bool PanelMarch::reaches_switch(const TimeBlock& panel, const PanelTask& task, c
 // anew. nullptr: the block is longer, or ends on the same side. A run that is back there at once, or time
 // after time next to at once, slides along the switch, and has no solution beyond.
 std::unique_ptr<PastBlock> PanelMarch::lead_over_switch(const TimeBlock& block, const PanelTask& task) {
-  constexpr double located = 1e-13, at_once = 1e-7;  // of the time
-  constexpr int most_returns = 16;
+  constexpr double located = 1e-13, at_once = 1e-5;  // of the time
+  constexpr int most_returns = 32;
   const double t = block.time(1.0);
   if (problem_.switches.empty() || block.length() > located * t) return nullptr;
   PanelValues followed{guess_on(task), {}};
@@ -201,9 +202,8 @@ Matrix PanelMarch::guess_on(const PanelTask& task) {
 // most of all rows: as an error of the drive all over the panel. Where f makes a row decay quickly it is a
 // small part of its drive, and the coefficients of the row itself say what is wrong.
 Vec PanelMarch::effects_of(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
-                           const Matrix& of_drives) {
+                           const Matrix& of_drives, const Vec& allowed) {
   const auto& driven = solution_->driven;
-  const Vec allowed = solver_.allowed(task, solved.rows);
   Matrix effects(of_drives.rows(), driven.row_count());
   for (Eigen::Index i = 0; i < allowed.size(); ++i) {
     const auto drive = driven.rows[static_cast<std::size_t>(i)].drive;
@@ -235,12 +235,12 @@ double PanelMarch::remembered_unit(const TimeBlock& panel, Eigen::Index row) con
 // drives are continuous, so this is another root of the equations, or f jumps before the first place and
 // up to there the drive is wrong. Where f makes rows decay quickly, these count.
 // How algebraic rows begin is not known.
-double PanelMarch::break_before(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved) {
+double PanelMarch::break_before(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
+                                const Vec& allowed) {
   constexpr double least_share = 1e-3;
   if (last_drives_.size() == 0) return 0.0;
   const auto& rule = solution_->rule;
   const Vec change = (solved.drives.transpose() * rule.at_start - last_drives_).cwiseAbs();
-  const Vec allowed = solver_.allowed(task, solved.rows);
   Vec worth = Vec::Zero(allowed.size());
   for (Eigen::Index i = 0; i < allowed.size(); ++i) {
     const auto& row = solution_->driven.rows[static_cast<std::size_t>(i)];

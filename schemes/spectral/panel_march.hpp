@@ -36,9 +36,10 @@ class PanelMarch {
   [[nodiscard]] PanelTask task_on(const TimeBlock& panel, const Matrix& smooth, const Sources& near);
   [[nodiscard]] Matrix guess_on(const PanelTask& task);
   [[nodiscard]] Vec effects_of(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
-                               const Matrix& of_drives);
+                               const Matrix& of_drives, const Vec& allowed);
   [[nodiscard]] double remembered_unit(const TimeBlock& panel, Eigen::Index row) const;
-  [[nodiscard]] double break_before(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved);
+  [[nodiscard]] double break_before(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
+                                    const Vec& allowed);
   static double needed_share(const Vec& effects);
   struct Attempt {
     double from, width, doubt;
