@@ -111,10 +111,12 @@ std::unique_ptr<PastBlock> PanelMarch::attempt(const TimeBlock& block, const Mat
     return panel;
   }
   const Matrix coefficients = solution_->rule.to_coefficients * solved.drives;
-  const Vec effects = effects_of(block, task, solved, coefficients);
+  const Vec allowed = solver_.allowed(task, solved.rows);
+  const Vec effects = effects_of(block, task, solved, coefficients, allowed);
   // More than the places can see grow.
   const bool outrun = solver_.grows(run_, task, solved.rows, static_cast<double>(effects.size()));
-  const double doubt = outrun || breaks_off(block, task, solved) ? infinity : effects.tail(2).sum() / part;
+  const double doubt =
+      outrun ? infinity : std::max(effects.tail(2).sum() / part, break_before(block, task, solved, allowed));
   if (!(doubt <= 1.0) && !left_by_rounding(block, doubt)) {
     shorten(block, doubt);
     return nullptr;
@@ -152,16 +154,18 @@ bool PanelMarch::reaches_switch(const TimeBlock& panel, const PanelTask& task, c
 }
 
 // Over a block as short as a switch is located, on which drives go on as they were; behind it all begins
-// anew. nullptr: the block is longer, or ends on the same side. A run that is back there at once slides along
-// the switch, and has no solution beyond.
+// anew. nullptr: the block is longer, or ends on the same side. A run that is back there at once, or time
+// after time next to at once, slides along the switch, and has no solution beyond.
 std::unique_ptr<PastBlock> PanelMarch::lead_over_switch(const TimeBlock& block, const PanelTask& task) {
-  constexpr double located = 1e-13;  // of the time
+  constexpr double located = 1e-13, at_once = 1e-5;  // of the time
+  constexpr int most_returns = 32;
   const double t = block.time(1.0);
   if (problem_.switches.empty() || block.length() > located * t) return nullptr;
   PanelValues followed{guess_on(task), {}};
   solver_.follow(task, followed);
   if (sides(problem_, t, followed.rows.transpose() * solution_->rule.at_end) == sides_) return nullptr;
-  if (block.from == 0.0 && switched_at_ == block.segment->start) {
+  returns_ = t - switched_at_ <= at_once * t ? returns_ + 1 : 0;
+  if ((block.from == 0.0 && switched_at_ == block.segment->start) || returns_ > most_returns) {
     run_.fail(Ending::sliding, t);
     going_ = Going::over;
     return nullptr;
@@ -198,13 +202,13 @@ Matrix PanelMarch::guess_on(const PanelTask& task) {
 // most of all rows: as an error of the drive all over the panel. Where f makes a row decay quickly it is a
 // small part of its drive, and the coefficients of the row itself say what is wrong.
 Vec PanelMarch::effects_of(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
-                           const Matrix& of_drives) {
+                           const Matrix& of_drives, const Vec& allowed) {
   const auto& driven = solution_->driven;
-  const Vec allowed = solver_.allowed(task, solved.rows);
   Matrix effects(of_drives.rows(), driven.row_count());
   for (Eigen::Index i = 0; i < allowed.size(); ++i) {
     const auto drive = driven.rows[static_cast<std::size_t>(i)].drive;
-    effects.col(i) = solver_.unit_of(task, i) / allowed[i] * of_drives.col(drive).cwiseAbs();
+    const double unit = std::max(solver_.unit_of(task, i), remembered_unit(panel, i));
+    effects.col(i) = unit / allowed[i] * of_drives.col(drive).cwiseAbs();
   }
   const bool follows = panel.from > 0.0;  // and is past the transient that a start is
   const double in_doubt = effects.rowwise().maxCoeff().tail(2).sum();
@@ -216,23 +220,41 @@ Vec PanelMarch::effects_of(const TimeBlock& panel, const PanelTask& task, const 
   return effects.rowwise().maxCoeff();
 }
 
-// Whether this is another root of the equations than that of the panel before, which then begins elsewhere:
-// drives are continuous. How algebraic rows begin is not known.
-bool PanelMarch::breaks_off(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved) const {
-  constexpr double clear = 1000.0, half = 0.5;
-  if (last_drives_.size() == 0 || linear(problem_)) return false;
-  const Vec change = (solved.drives.transpose() * solution_->rule.at_start - last_drives_).cwiseAbs();
-  const Vec sizes =
-      solved.drives.cwiseAbs().colwise().maxCoeff().transpose().cwiseMax(last_drives_.cwiseAbs());
-  const Vec allowed = solver_.allowed(task, solved.rows);
+// An error of the drive on the first panel is remembered as one of the velocity by a row of an order above 1,
+// which moves it by more until the end than on the panel. Its mean is less than the last coefficients by as
+// many times as there are points.
+double PanelMarch::remembered_unit(const TimeBlock& panel, Eigen::Index row) const {
+  const double order = solution_->driven.rows[static_cast<std::size_t>(row)].order;
+  if (panel.from > 0.0 || order <= 1.0) return 0.0;
+  const double until_end = problem_.end - panel.segment->start;
+  return panel.length() * std::pow(until_end, order - 1.0) /
+         (std::tgamma(order) * static_cast<double>(solution_->rule.size()));
+}
+
+// What it is worth, in units of what is allowed, that the panel does not begin as the one before it ended:
+// drives are continuous, so this is another root of the equations, or f jumps before the first place and
+// up to there the drive is wrong. Where f makes rows decay quickly, these count.
+// How algebraic rows begin is not known.
+double PanelMarch::break_before(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
+                                const Vec& allowed) {
+  constexpr double least_share = 1e-3;
+  if (last_drives_.size() == 0) return 0.0;
+  const auto& rule = solution_->rule;
+  const Vec change = (solved.drives.transpose() * rule.at_start - last_drives_).cwiseAbs();
+  Vec worth = Vec::Zero(allowed.size());
   for (Eigen::Index i = 0; i < allowed.size(); ++i) {
     const auto& row = solution_->driven.rows[static_cast<std::size_t>(i)];
-    const auto drive = row.drive;
     if (panel.from == 0.0 && row.algebraic()) continue;
-    if (change[drive] > half * sizes[drive] && solver_.unit_of(task, i) * change[drive] > clear * allowed[i])
-      return true;
+    const double share = row.algebraic()
+                             ? least_share
+                             : std::max(std::pow((1.0 + rule.places[0]) / 2.0, row.order), least_share);
+    worth[i] = share * solver_.unit_of(task, i) * change[row.drive] / allowed[i];
   }
-  return false;
+  if (panel.from > 0.0 && worth.maxCoeff() > 1.0 && !solver_.grows(run_, task, solved.rows, 1.0)) {
+    const Vec moved = (solved.rows.transpose() * rule.at_start - solver_.held()).cwiseAbs();
+    worth = worth.cwiseMin((moved.array() / allowed.array()).matrix());
+  }
+  return worth.maxCoeff();
 }
 
 // The share of the coefficients that are needed.

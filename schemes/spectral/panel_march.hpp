@@ -36,9 +36,10 @@ class PanelMarch {
   [[nodiscard]] PanelTask task_on(const TimeBlock& panel, const Matrix& smooth, const Sources& near);
   [[nodiscard]] Matrix guess_on(const PanelTask& task);
   [[nodiscard]] Vec effects_of(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
-                               const Matrix& of_drives);
-  [[nodiscard]] bool breaks_off(const TimeBlock& panel, const PanelTask& task,
-                                const PanelValues& solved) const;
+                               const Matrix& of_drives, const Vec& allowed);
+  [[nodiscard]] double remembered_unit(const TimeBlock& panel, Eigen::Index row) const;
+  [[nodiscard]] double break_before(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
+                                    const Vec& allowed);
   static double needed_share(const Vec& effects);
   struct Attempt {
     double from, width, doubt;
@@ -59,6 +60,7 @@ class PanelMarch {
   Going going_ = Going::on;    // otherwise blocks that are begun end where they are
   std::vector<bool> sides_{};  // on which the run is of each switch
   double switched_at_ = -1.0;  // last
+  int returns_ = 0;            // to a switch at once, one after the other
   Vec last_drives_;            // at the end of the panel before; empty: not known
 };
 

@@ -21,6 +21,7 @@ PanelSolver::PanelSolver(const Problem& problem, const DrivenRows& driven, const
       driven_(driven),
       kernels_(kernels),
       allowed_(accuracy),
+      is_linear_(linear(problem) && problem.switches.empty()),
       mass_(Vec::Ones(driven.drive_count())),
       held_(taylor_part(problem, 0.0)),
       felt_(Matrix::Zero(driven.drive_count(), driven.row_count())),
@@ -52,7 +53,9 @@ Vec PanelSolver::with_unfelt(const PanelTask& task, Vec limits) const {
 }
 
 Vec PanelSolver::allowed(const PanelTask& task, const Matrix& rows) const {
-  return with_unfelt(task, allowed_.of(rows.cwiseAbs().colwise().maxCoeff().transpose(), task.size));
+  const Matrix sizes = rows.cwiseAbs();
+  return with_unfelt(task, allowed_.of(sizes.colwise().minCoeff().transpose(),
+                                       sizes.colwise().maxCoeff().transpose(), task.size));
 }
 
 void PanelSolver::pass(const PanelValues& solved) {
@@ -80,7 +83,6 @@ void PanelSolver::follow(const PanelTask& task, PanelValues& values) {
 bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
   auto& [drives, rows] = values;
   follow(task, values);
-  const bool is_linear = linear(problem_);
   bool anew = true;
   int sweeps = 0;
   double last = 0.0;
@@ -101,7 +103,7 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
     const double now =
         (moved_.cwiseAbs().colwise().maxCoeff().transpose().array() / limit.array()).maxCoeff();
     const double contraction = last > 0.0 ? now / last : 1.0;
-    if (is_linear ? !cancels(limit) || iteration > 1 : now * std::min(contraction, 1.0) <= 1.0) return true;
+    if (is_linear_ ? !cancels(limit) || iteration > 1 : now * std::min(contraction, 1.0) <= 1.0) return true;
     if (now <= 1.0 && contraction > 0.5) return true;  // as far as rounding lets it
     if (iteration > 2 && contraction > 2.0) return false;
     anew = contraction > 0.05;
@@ -156,7 +158,7 @@ bool PanelSolver::grows(Run& run, const PanelTask& task, const Matrix& rows, dou
   y_ = rows.row(middle);
   differentiate(run, task.times[middle], task.size);
   if (!jacobian_.allFinite() || grows_faster(jacobian_, orders, rate)) return true;
-  if (linear(problem_)) calm_rate_ = rate;
+  if (is_linear_) calm_rate_ = rate;
   return false;
 }
 
@@ -182,8 +184,7 @@ void PanelSolver::feel() {
 }
 
 bool PanelSolver::linearise(Run& run, const PanelTask& task, const Matrix& rows) {
-  const bool is_linear = linear(problem_);
-  if (is_linear && factored_units_.size() == task.units.size() && factored_units_ == task.units) return true;
+  if (is_linear_ && factored_units_.size() == task.units.size() && factored_units_ == task.units) return true;
   const Eigen::Index places = rows.rows(), drives = driven_.drive_count();
   matrix_.setZero(places * drives, places * drives);
   felt_.setZero();
@@ -210,7 +211,7 @@ bool PanelSolver::linearise(Run& run, const PanelTask& task, const Matrix& rows)
   }
   if (!matrix_.allFinite()) return false;
   factors_.compute(matrix_);
-  if (is_linear) factored_units_ = task.units;
+  if (is_linear_) factored_units_ = task.units;
   return true;
 }
 

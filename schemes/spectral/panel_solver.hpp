@@ -56,6 +56,9 @@ class PanelSolver {
   // may be wrong there: at an early time t a multiplier is known up to 1/t of that only.
   [[nodiscard]] Vec allowed(const PanelTask& task, const Matrix& rows) const;
 
+  // The rows at the end of the last panel passed.
+  [[nodiscard]] const Vec& held() const { return held_; }
+
   // Takes a panel as solved.
   void pass(const PanelValues& solved);
 
@@ -74,9 +77,10 @@ class PanelSolver {
   const DrivenRows& driven_;
   const PanelKernels& kernels_;
   AllowedError allowed_;
-  Vec mass_;     // 1, and 0 of an algebraic drive
-  Vec held_;     // the rows at the end of the last panel passed
-  Matrix felt_;  // the largest slopes of the drives of the panel by algebraic rows
+  bool is_linear_;  // all over the time, without a switch
+  Vec mass_;        // 1, and 0 of an algebraic drive
+  Vec held_;        // the rows at the end of the last panel passed
+  Matrix felt_;     // the largest slopes of the drives of the panel by algebraic rows
   Eigen::PartialPivLU<Matrix> factors_;
   Vec factored_units_;                                          // of a linear problem
   double calm_rate_ = std::numeric_limits<double>::infinity();  // of a linear problem: no mode grows faster

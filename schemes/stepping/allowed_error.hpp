@@ -14,7 +14,12 @@ class AllowedError {
   explicit AllowedError(const Accuracy& accuracy) : accuracy_(accuracy) {}
 
   // largest: the largest |y| of each row on the step; terms: of what it is the sum of.
-  [[nodiscard]] Vec of(In largest, In terms) const;
+  [[nodiscard]] Vec of(In largest, In terms) const { return of(largest, largest, terms); }
+
+  // The same all over a step on which |y| is at least `least`: where next to no absolute error is asked,
+  // relative to the largest, otherwise to the least, and rounding of a row that grows far beyond both is not
+  // what has to be left to it.
+  [[nodiscard]] Vec of(In least, In largest, In terms) const;
 
   // The same as if the row had been as large as any.
   [[nodiscard]] Vec of_accuracy(In largest, In terms) const;

@@ -126,6 +126,44 @@ TEST(SpectralSwitch, IsLocatedToRounding) {
   }
 }
 
+// D^0.8 y = sign(sin 50 t) - y, with no word of the jumps at k pi/50: each moves y by 2 (1 - E(-(t -
+// t_k)^0.8)).
+TEST(SpectralJump, IsSeenWhereItIsNotTold) {
+  const Problem problem{
+      .components = {{0.8, {0.0}}},
+      .rhs = [](double t, In y, Out f) { f[0] = std::copysign(1.0, std::sin(50.0 * t)) - y[0]; },
+      .derivatives = DenseLinearPart{-Matrix::Identity(1, 1)},
+      .end = 4.0};
+  const double accuracy = 1e-6;
+  const auto path = run(problem, accuracy, {.at = {1.0, 2.0, 3.0, 4.0}});
+  ASSERT_EQ(path.times.size(), 4U);
+  const auto response = [](double t) { return 1.0 - mittag_leffler(0.8, 1.0, -std::pow(t, 0.8)); };
+  for (std::size_t i = 0; i < path.times.size(); ++i) {
+    const double t = path.times[i];
+    double exact = response(t);
+    for (int k = 1; k * std::numbers::pi / 50.0 < t; ++k)
+      exact += (k % 2 == 0 ? 2.0 : -2.0) * response(t - k * std::numbers::pi / 50.0);
+    EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), exact, 10.0 * accuracy) << t;
+  }
+}
+
+// D^g y = 1, and -2 where y > 1/2: y slides along 1/2, and no solution goes on from there. It is said where,
+// also where the right-hand side calls itself linear.
+TEST(SpectralSwitch, EndsWhereTheSolutionSlides) {
+  for (const double order : {0.2, 0.9, 1.0}) {
+    for (const double accuracy : {1e-3, 1e-7}) {
+      const Problem problem{.components = {{order, {0.0}}},
+                            .rhs = [](double, In y, Out f) { f[0] = y[0] > 0.5 ? -2.0 : 1.0; },
+                            .derivatives = DenseLinearPart{Matrix::Zero(1, 1)},
+                            .end = 2.0,
+                            .switches = {[](double, In y) { return y[0] - 0.5; }}};
+      const auto path = run(problem, accuracy);
+      EXPECT_EQ(path.ending, Ending::not_converged) << order << ' ' << accuracy;
+      EXPECT_NEAR(path.failed_at.value_or(0.0), std::pow(0.5 * std::tgamma(1.0 + order), 1.0 / order), 1e-3);
+    }
+  }
+}
+
 // D^g y = lambda and y = t: lambda = t^(1-g) / Gamma(2-g), Abel's equation.
 TEST(SpectralAlgebraic, RowsSolveAbelsEquation) {
   for (const double order : {0.2, 0.5, 0.9, 1.0}) {
@@ -210,6 +248,25 @@ TEST(SpectralDense, IsTheSolutionAtAnyTime) {
   for (const double t : {1e-30, 1e-12, 1e-4, 0.013, 0.5, 0.77, 1.0}) {
     EXPECT_NEAR(path.dense(t)[0], mittag_leffler(0.5, 1.0, -std::sqrt(t)), 1e-11) << t;
   }
+}
+
+// t^p is by far smaller at first than at the end of the panels that would do for the end alone; and a load
+// t^(2-nu) of an order next to 2 is a velocity that stays.
+TEST(SpectralAccuracy, HoldsWhereASolutionIsSmallAndWhereAnErrorIsRemembered) {
+  const auto check = [](const std::string& name, const ParameterValues& values, double end, double accuracy) {
+    Scene scene = scene_of(name, values);
+    scene.problem.end = end;
+    const auto reference = reference_of(scene);
+    for (const double t : {0.1, 0.3, 0.5, 1.0, 2.0, 3.0}) {
+      const auto path = run(scene.problem, accuracy, {.at = {t}});
+      ASSERT_EQ(path.times.size(), 1U);
+      const double exact = reference.at(t).value[0];
+      EXPECT_NEAR(path.y(0, 0), exact, 10.0 * accuracy * (1.0 + std::abs(exact))) << name << ' ' << t;
+    }
+  };
+  check("power", {{"gamma", 0.5}, {"p", 12.0}}, 4.0, 1e-10);
+  check("fractional_oscillator", {{"nu", 1.937}, {"c2", 1.0}}, 3.0, 1e-11);
+  check("fractional_oscillator", {{"nu", 1.937}, {"c2", 1.0}}, 3.0, 1e-13);
 }
 
 TEST(SpectralOrders, UncoupledRowsAreSolvedAsAlone) {
