@@ -20,6 +20,7 @@ END(style)
 
 BEGIN(charts)
   TEXT(page/runs.js)
+  TEXT(page/scheme_marks.js)
   TEXT(page/charts.js)
   TEXT(page/section_charts.js)
   TEXT(page/region_charts.js)

@@ -1,19 +1,5 @@
 // Charts as Vega-Lite specifications over the points that the report computed.
 
-const isDark = matchMedia("(prefers-color-scheme: dark)").matches;
-
-// Okabe and Ito's colours, told apart by most colour-blind readers; yellow is left out, it is too faint on white. Their black
-// is the colour of the text.
-const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", isDark ? "#c4c8ce" : "#333333", "#8c564b"];
-const shapes = ["circle", "square", "triangle-up", "diamond", "cross", "triangle-down", "triangle-right", "triangle-left"];
-
-const colourOf = (lines, line) => colours[lines.indexOf(line) % colours.length];
-// Lines beyond the last colour have the first colours again, with other shapes.
-const shapeOf = (lines, line) => {
-  const place = lines.indexOf(line);
-  return shapes[(place + Math.floor(place / colours.length)) % shapes.length];
-};
-
 const labels = {
   number: "replace(format(datum.value, '.0e'), '+', '')",
   time: "format(datum.value, '~s') + 's'",

@@ -13,13 +13,17 @@ globalThis.document = {};
 globalThis.getComputedStyle = () => ({ getPropertyValue: (name) => inks[name] });
 vm.runInThisContext(request.charts);
 
-// A column of a paper of two is 3.4 inches wide, its captions have 8 points.
-const paper = { width: 190, height: 150, pointSize: 14, lineWidth: 1 };
+// A column of a paper of two is 3.4 inches wide, its captions have 8 points. A figure is measured in CSS pixels, 96 to an inch of 72 points.
+const paper = { width: 3.4 * 96, letters: (8 * 96) / 72, frame: 270, height: 200, panel: 130, pointSize: 22, lineWidth: 1.25 };
 const font = { font: "Nimbus Roman, Times New Roman, Times, serif" };
+
+// As many columns of a legend as have room for its widest entry.
+const legendColumns = ({ scale }) => Math.max(1, Math.min(3, Math.floor(paper.width / (Math.max(...scale.domain.map((line) => widthOfText({}, line))) + 24))));
 const sized = (of) => (Array.isArray(of) ? of.map(sized)
   : of === null || typeof of !== "object" ? of
-  : Object.fromEntries(Object.entries(of).map(([key, value]) => [key, key === "columns" && value?.expr ? 2
+  : Object.fromEntries(Object.entries(of).map(([key, value]) => [key, key === "legend" && value?.columns?.expr ? { ...value, columns: legendColumns(of), labelLimit: 0 }
     : key === "size" && typeof value === "number" ? paper.pointSize
+    : key === "fontSize" ? paper.letters
     : key === "strokeWidth" && typeof value === "number" && of.interpolate === undefined ? Math.min(value, paper.lineWidth)
     : key === "tooltip" ? null : sized(value)])));
 
@@ -34,29 +38,51 @@ function specification() {
   const { params, ...spec } = sized(found.spec);
   const layers = spec.layer?.map(({ params: _, ...layer }) => layer);
   const plain = JSON.parse(JSON.stringify({ ...spec, ...(layers && { layer: layers }) }, (key, value) => (key === "opacity" && value?.condition ? undefined : value)));
-  const text = { labelFontSize: 8, titleFontSize: 8, titleFontWeight: "normal", labelColor: "#000", titleColor: "#000", tickSize: 3, ...{ labelFont: font.font, titleFont: font.font } };
+  const text = { labelFontSize: paper.letters, titleFontSize: paper.letters, titleFontWeight: "normal", labelColor: "#000", titleColor: "#000", tickSize: 3, ...{ labelFont: font.font, titleFont: font.font } };
   // What has a width of its own keeps its shape.
-  const size = typeof plain.width === "number" ? { width: paper.width, height: (paper.width * plain.height) / plain.width } : { width: paper.width, height: paper.height };
-  const sizes = plain.vconcat ? { vconcat: plain.vconcat.map((panel) => ({ ...panel, width: paper.width, height: 100 })) } : size;
+  const size = { width: paper.frame, height: typeof plain.width === "number" ? (paper.frame * plain.height) / plain.width : paper.height };
+  const sizes = plain.vconcat ? { vconcat: plain.vconcat.map((panel) => ({ ...panel, width: paper.frame, height: paper.panel })) } : size;
   const { width: _w, height: _h, ...rest } = plain;
-  return { ...rest, ...sizes, autosize: { type: "pad" }, background: "white", padding: 2,
+  const figure = { ...rest, ...sizes, autosize: { type: "pad" }, background: "white", padding: 2,
     config: { ...plain.config, font: font.font, axis: { ...plain.config.axis, ...text },
-      legend: { ...text, labelColor: "#000", symbolSize: 30, rowPadding: 1, columnPadding: 8, labelLimit: 140, offset: 6 } } };
+      legend: { ...text, labelColor: "#000", symbolSize: 40, rowPadding: 1, columnPadding: 8, offset: 6 } } };
+  return { spec: figure, keepsShape: typeof plain.width === "number" };
 }
 
 // Without a browser Vega takes letters for much wider than those of Times are, which stretches legends and margins.
-const widthOfText = ({ fontSize = 8 }, text) => 0.5 * fontSize * String(text ?? "").length;
+const emsOf = (letter) => (/[ijlt.,:;'|/ I]/.test(letter) ? 0.28 : /[frsJ-]/.test(letter) ? 0.36 : /[mwM]/.test(letter) ? 0.78 : /[A-Z]/.test(letter) ? 0.68 : 0.5);
+const widthOfText = ({ fontSize = paper.letters }, text) => fontSize * [...String(text ?? "")].reduce((sum, letter) => sum + emsOf(letter), 0);
 
-async function svgOf(spec) {
+async function drawing() {
   const load = (name, file) => import(pathToFileURL(`${request.modules}/${name}/build/${file}`));
   const [vega, { compile }] = await Promise.all([load("vega", "vega.module.js"), load("vega-lite", "index.js")]);
   vega.textMetrics.width = widthOfText;
-  return new vega.View(vega.parse(compile(spec).spec), { renderer: "none" }).toSVG();
+  return (spec) => new vega.View(vega.parse(compile(spec).spec), { renderer: "none" }).toSVG();
+}
+
+const widthOf = (svg) => Number(/width="([\d.]+)"/.exec(svg)[1]);
+
+// The frame wider or narrower, what has a shape of its own higher or lower too.
+const resized = (spec, width, keepsShape) => (spec.vconcat ? { ...spec, vconcat: spec.vconcat.map((panel) => ({ ...panel, width })) }
+  : { ...spec, width, height: keepsShape ? (spec.height * width) / spec.width : spec.height });
+
+// The specification whose frame, axes and legend together are as wide as a column, and its drawing. Ticks may change with the width.
+async function fitted({ spec, keepsShape }) {
+  const draw = await drawing();
+  let svg = await draw(spec), fits = spec;
+  for (let turn = 0; turn < 4 && Math.abs(widthOf(svg) - paper.width) > 0.5; ++turn) {
+    const width = (fits.vconcat?.[0] ?? fits).width + paper.width - widthOf(svg);
+    fits = resized(fits, Math.max(width, paper.width / 3), keepsShape);
+    svg = await draw(fits);
+  }
+  // The last fraction of a pixel is white.
+  return { spec: fits, svg: svg.replace(/ width="[\d.]+"/, ` width="${paper.width.toFixed(1)}"`).replace(/ viewBox="0 0 [\d.]+ /, ` viewBox="0 0 ${paper.width.toFixed(1)} `) };
 }
 
 async function write() {
-  const spec = specification();
-  writeFileSync(request.out, request.out.endsWith(".svg") ? await svgOf(spec) : `${JSON.stringify(spec, null, 1)}\n`);
+  const figure = specification();
+  const drawn = request.out.endsWith(".svg") ? (await fitted(figure)).svg : `${JSON.stringify(figure.spec, null, 1)}\n`;
+  writeFileSync(request.out, drawn);
 }
 
 write().catch((error) => {

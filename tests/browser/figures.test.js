@@ -4,7 +4,7 @@ import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
-import { PAGE, RESULTS } from "./browser.js";
+import { PAGE, RESULTS, withPage } from "./browser.js";
 import { drawn, finished, runsOf } from "./records.js";
 
 const { PROGRAM } = process.env;
@@ -17,6 +17,15 @@ const draw = (out, scene, kind, ...more) => {
 };
 const specOf = (...words) => JSON.parse(draw("spec.vl.json", ...words));
 
+// 3.4 inches of 96 pixels; letters of 8 points are 32/3 pixels high.
+function checkPaper(svg, name) {
+  assert.equal(Number(/width="([\d.]+)"/.exec(svg)[1]), 326.4, `${name}: width`);
+  for (const [, size] of svg.matchAll(/font-size="([\d.]+)px"/g)) assert.ok(Math.abs(size - 32 / 3) < 1e-6, `${name}: letters of ${size} pixels`);
+  // What is drawn fills the column: the frame ends within it, at most a few pixels before its edge.
+  const frames = [...svg.matchAll(/class="background"[^>]* d="M[\d.-]+,[\d.-]+h([\d.]+)/g)].map(([, width]) => Number(width));
+  assert.ok(Math.max(...frames) > 180 && Math.max(...frames) < 326.4, `${name}: a frame of ${frames}`);
+}
+
 test("a figure has a mark for each record", () => {
   for (const [kind, chart] of [["work-precision", "error-against-time"], ["memory", "error-against-memory"], ["rate", "error-against-step"], ["accuracy", "delivered-against-asked"], ["energy", "energy-against-step"]]) {
     const out = figure(`${kind}.svg`);
@@ -25,8 +34,42 @@ test("a figure has a mark for each record", () => {
     const marks = [...svg.matchAll(/class="mark-symbol role-mark[^"]*".*?<\/g>/gs)].map(([group]) => group.match(/<path/g)?.length ?? 0);
     assert.equal(marks.reduce((a, b) => a + b, 0), drawn[chart](ofPendulum, "error_maximum_mixed").length, kind);
     assert.match(svg, /font-family="Nimbus Roman/);
-    assert.ok(Number(/width="([\d.]+)"/.exec(svg)[1]) <= 326, `${kind} is wider than a column`);  // 3.4 inches of 96 pixels
+    checkPaper(svg, kind);
   }
+});
+
+test("every kind of figure is as wide as a column, its letters have 8 points", () => {
+  for (const [scene, kind, ...more] of [["pendulum", "solution"], ["pendulum", "phase"], ["loxodrome", "motion"], ["rolling_disc", "motion"], ["relaxation", "stability"],
+    ["relaxation", "solution", "--set", "lambda=-3:-1:1"], ["pendulum", "work-precision", "--results", RESULTS, "--scheme", "l1"]]) {
+    checkPaper(draw("paper.svg", scene, kind, ...more).toString(), `${scene} ${kind}`);
+  }
+});
+
+// The colour and the shape of each scheme in a figure.
+function marksIn(spec) {
+  const found = {};
+  const look = (of) => {
+    if (of === null || typeof of !== "object") return;
+    for (const [channel, { field, scale }] of Object.entries(of).filter(([key, value]) => ["color", "shape"].includes(key) && value?.field === "line" && value.scale)) {
+      assert.equal(field, "line");
+      scale.domain.forEach((line, i) => { (found[line] ??= {})[channel] = scale.range[i]; });
+    }
+    Object.values(of).forEach(look);
+  };
+  look(spec);
+  return found;
+}
+
+test("a scheme has its colour and its mark in every figure and on the page", async () => {
+  const figures = [["pendulum", "work-precision", "--results", RESULTS], ["relaxation", "rate", "--results", RESULTS], ["pendulum", "rate", "--results", RESULTS, "--scheme", "bdf4", "--scheme", "l1"],
+    ["relaxation:gamma=0.8", "work-precision", "--results", RESULTS], ["relaxation", "stability", "--scheme", "bdf4", "--scheme", "adams_pc", "--scheme", "l1"]].map((words) => marksIn(specOf(...words)));
+  await withPage({}, async (page) => {
+    for (const marks of figures) {
+      assert.ok(Object.keys(marks).length >= 2);
+      for (const [line, { color, shape }] of Object.entries(marks))
+        assert.deepEqual({ color, shape }, await page.evaluate((of) => ({ color: colourOf(data.lines, of), shape: shapeOf(data.lines, of) }), line), line);
+    }
+  });
 });
 
 test("a figure's specification is Vega-Lite with its numbers", () => {
@@ -39,7 +82,7 @@ test("a figure as PDF has one page of a column's width and its letters in it", (
   const pdf = draw("solution.pdf", "pendulum", "solution").toString("latin1");
   assert.match(pdf, /^%PDF-/);
   const [width] = /\/MediaBox \[ 0 0 ([\d.]+) /.exec(pdf).slice(1).map(Number);
-  assert.ok(width > 120 && width < 260, `${width} points wide`);
+  assert.ok(Math.abs(width - 3.4 * 72) < 0.1, `${width} points wide`);
   assert.match(pdf, /\/FontFile/);
 });
 

@@ -1,8 +1,11 @@
 // Colours of lines and verdicts as readers with colour blindness see them, and the second channel that tells lines apart.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { test } from "node:test";
 import { RESULTS, withPage } from "./browser.js";
 import { finished, runsOf } from "./records.js";
+
+const { PROGRAM } = process.env;
 
 const linear = (byte) => (byte / 255 <= 0.04045 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4);
 const colourOf = (hex) => [1, 3, 5].map((place) => linear(parseInt(hex.slice(place, place + 2), 16)));
@@ -40,6 +43,21 @@ for (const dark of [false, true]) {
       }
     }));
 }
+
+test("every scheme has a mark of its own, whatever else is drawn, and another one on another grid", () =>
+  withPage({}, async (page) => {
+    const ids = JSON.parse(execFileSync(PROGRAM, ["schemes", "--json"], { encoding: "utf8" })).map(({ id }) => id);
+    const marksOf = (lines, of) => page.evaluate(([all, some]) => some.map((line) => `${colourOf(all, line)} ${shapeOf(all, line)}`), [lines, of]);
+    assert.deepEqual(await page.evaluate((all) => all.filter((id) => !schemesMarked.includes(id)), ids), [], "schemes without a place in scheme_marks.js");
+    const alone = (await Promise.all(ids.map((id) => marksOf([id], [id])))).flat();
+    const others = ids.flatMap((id) => [`${id}, graded`, id, `${id}, direct`]).slice(0, 60);
+    assert.equal(new Set(alone).size, ids.length);
+    assert.deepEqual(await marksOf([...ids].reverse(), ids), alone);
+    assert.deepEqual(await marksOf(["mine", "yours, graded", ...others, ...ids], ids), alone);
+    const graded = (await marksOf(others, others)).map((mark, i) => [others[i], mark]);
+    assert.equal(new Set(graded.map(([, mark]) => mark)).size, others.length);
+    assert.equal(graded[0][1].split(" ")[0], alone[0].split(" ")[0]);
+  }));
 
 test("no two lines have colour and shape in common, and short names are their own", () =>
   withPage({}, async (page) => {
