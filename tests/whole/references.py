@@ -1,0 +1,86 @@
+"""What `exact` says, beside two schemes that share no code with it, and beside itself to many digits."""
+
+from dataclasses import replace
+from decimal import Decimal
+from random import Random
+
+from case import Case
+from drawn_numbers import spread, typed
+from drawn_scenes import Lists
+from drawn_solves import drawn_problem
+from errors import end_of
+from program import Fault, Program
+from properties import must_hold
+from table import Table, check_finite, check_times
+
+STEPS = (256, 512, 1024, 2048)
+PAIR = ("product_trapezoidal", "l1")
+
+
+def drawn_reference(random: Random, lists: Lists) -> Case:
+    case = Case("exact_is_what_schemes_tend_to", **drawn_problem(random, lists, files=0.75, wild=0, events=False))
+    return replace(case, chosen={**case.chosen, "until": typed(end_of(case, lists) * spread(random, 0.05, 1), 3)})
+
+
+def limit(program: Program, case: Case, scheme: str) -> dict[str, tuple[float, float]] | None:
+    """Each column's end and how far it may be off: from the last differences, while these fall."""
+    ends = []
+    for steps in STEPS:
+        ended = program.run("solve", *case.problem(), "--scheme", scheme, "--steps", str(steps), "--at", case.chosen["until"], "--budget", "4")
+        if not ended.done:
+            return None
+        ends.append(Table.read(ended.out))
+    found = {}
+    for name in ends[-1].unknowns:
+        a, b, c, d = (table.column(name)[-1] for table in ends)
+        if abs(d - c) > 0.8 * abs(c - b) + 1e-12 * abs(d) or abs(c - b) > 0.9 * abs(b - a) + 1e-12 * abs(d):
+            continue
+        found[name] = (d, 5 * abs(d - c) + 1e-11 * abs(d))
+    return found
+
+
+@must_hold(drawn_reference, 5)
+def exact_is_what_schemes_tend_to(program: Program, case: Case, lists: Lists) -> None:
+    """Where two schemes agree within their own estimates, `exact` is there too."""
+    known = program.run("exact", *case.problem(), "--at", case.chosen["until"], "--bounds", "--budget", "15")
+    if not known.done:
+        return
+    exact = Table.read(known.out)
+    check_finite(exact)
+    first = limit(program, case, PAIR[0])
+    second = limit(program, case, PAIR[1]) if first else None
+    for name in set(first or ()) & set(second or ()) & set(exact.names):
+        (a, off_a), (b, off_b) = first[name], second[name]
+        value, bound = exact.column(name)[-1], exact.column("bound")[-1]
+        apart = 4 * (off_a + off_b) + bound + 1e-7 * (1 + abs(a))
+        if abs(a - b) <= off_a + off_b and abs(value - a) > apart and abs(value - b) > apart:
+            raise Fault("false", f"exact says {name} = {value!r}, bound {bound:g}; {PAIR[0]} {a!r}, {PAIR[1]} {b!r}, these within {off_a + off_b:.1g}")
+
+
+def drawn_digits(random: Random, lists: Lists) -> Case:
+    case = Case("digits_are_within_the_bound", **drawn_problem(random, lists, files=0.2, wild=0.4))
+    times = [typed(end_of(case, lists) * spread(random, 1e-3, 1), 3) for _ in range(random.randint(1, 4))]
+    return replace(case, options={"--at": ",".join(times), "--budget": "10"})
+
+
+@must_hold(drawn_digits, 2.5)
+def digits_are_within_the_bound(program: Program, case: Case, lists: Lists) -> None:
+    """The doubles of `exact` are within their bounds of what it says with 40 digits; rows are sorted, each time once."""
+    short = program.run("exact", *case.problem(), *case.given(), "--bounds")
+    if not short.done:
+        return
+    doubles = Table.read(short.out)
+    check_finite(doubles)
+    check_times(doubles)
+    if doubles.times != sorted({float(t) for t in case.options["--at"].split(",")}):
+        raise Fault("times", f"rows are of {doubles.times}, asked {case.options['--at']}")
+    long = program.run("exact", *case.problem(), *case.given(), "--digits", "40")
+    if not long.done:
+        return
+    digits = Table.read(long.out)
+    for name in digits.unknowns:
+        bounds = doubles.column(f"bound_{name}") if f"bound_{name}" in doubles.names else doubles.column("bound")
+        k, j = doubles.names.index(name), digits.names.index(name)
+        for row, other, bound in zip(doubles.rows, digits.rows, bounds):
+            if abs(Decimal(row[k]) - Decimal(other[j])) > Decimal(bound) + Decimal(other[digits.names.index("bound")]):
+                raise Fault("bound", f"{name} at t = {row[0]} is {row[k]}, bound {bound:g}, with digits {other[j]}")
