@@ -7,7 +7,7 @@ from drawn_files import drawn_file
 from drawn_numbers import spread, typed
 from drawn_scenes import Lists, drawn_scene
 
-BUDGET = "4"
+BUDGET = "2"
 
 
 def drawn_problem(random: Random, lists: Lists, files: float = 0.4, wild: float = 0.3, events: bool = True) -> dict:
@@ -19,7 +19,7 @@ def drawn_problem(random: Random, lists: Lists, files: float = 0.4, wild: float 
 
 def steps(random: Random) -> str:
     """1 to 100,000, most of them few."""
-    return str(random.choice([random.randint(1, 12), int(spread(random, 10, 1000)), int(spread(random, 10, 1000)), int(spread(random, 1000, 100_000))]))
+    return str(random.choice([random.randint(1, 12), int(spread(random, 10, 1000)), int(spread(random, 1000, 100_000)), random.randint(1000, 100_000)]))
 
 
 def accuracy(random: Random, smallest: float) -> str:

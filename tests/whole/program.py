@@ -13,9 +13,9 @@ SANITIZERS = ("AddressSanitizer", "LeakSanitizer", "ThreadSanitizer", "runtime e
 class Fault(Exception):
     """Something that must hold does not. `kind` stays the same while a case is shrunk."""
 
-    def __init__(self, kind: str, text: str) -> None:
+    def __init__(self, kind: str, text: str, arguments: tuple[str, ...] = ()) -> None:
         super().__init__(text)
-        self.kind = kind
+        self.kind, self.arguments = kind, arguments
 
 
 @dataclass(frozen=True)
@@ -81,5 +81,5 @@ class Program:
             raise Fault("time", f"does not end within {10 * limit + 60:g} s") from None
         outcome = Outcome(arguments, ended.returncode, ended.stdout.decode(errors="replace"), ended.stderr.decode(errors="replace"))
         if fault := ending_fault(outcome, limit):
-            raise Fault(*fault)
+            raise Fault(*fault, arguments)
         return outcome

@@ -30,9 +30,9 @@ def drawn_run(random: Random, lists: Lists) -> Case:
 @must_hold(drawn_run, 1.5)
 def judge_agrees_with_run(program: Program, case: Case, lists: Lists) -> None:
     """The errors that judge finds in what solve prints are those that run records."""
-    ran = program.run("run", "--scene", case.problem()[0], *case.problem()[1:], "--scheme", case.scheme, *case.given(), "--repeat", "1", "--budget", "4",
+    ran = program.run("run", "--scene", case.problem()[0], *case.problem()[1:], "--scheme", case.scheme, *case.given(), "--repeat", "1", "--budget", "2",
                       "--out", "run.jsonl", seconds=90)
-    solved = program.run("solve", *case.problem(), "--scheme", case.scheme, *case.given(), "--budget", "4")
+    solved = program.run("solve", *case.problem(), "--scheme", case.scheme, *case.given(), "--budget", "2")
     if not (ran.done and solved.done):
         return
     (program.folder / "own.csv").write_text(solved.out)
@@ -60,7 +60,7 @@ def drawn_sweep(random: Random, lists: Lists) -> Case:
 @must_hold(drawn_sweep, 0.6)
 def shards_are_the_whole(program: Program, case: Case, lists: Lists) -> None:
     """Shards that are merged have the rows of the whole, but for times; a file beside itself has neither grown nor fallen."""
-    words = (*case.words, *case.given(), "--repeat", "1", "--budget", "4")
+    words = (*case.words, *case.given(), "--repeat", "1", "--budget", "2")
     whole = program.run("run", *words, "--out", "whole.jsonl", seconds=120)
     if not whole.done:
         return
@@ -75,6 +75,8 @@ def shards_are_the_whole(program: Program, case: Case, lists: Lists) -> None:
         kept = [row for row in records(program, name) if row.get("unit") != "s" and not str(row.get("quantity", "")).startswith(MEASURED)]
         return {json.dumps({k: v for k, v in row.items() if k != "session"}, sort_keys=True) for row in kept}
 
+    if any('"out_of_budget"' in (program.folder / name).read_text() for name in ("whole.jsonl", "merged.jsonl")):
+        return
     if facts("whole.jsonl") != facts("merged.jsonl"):
         other = sorted(facts("whole.jsonl") ^ facts("merged.jsonl"))[0]
         raise Fault("rows", f"the shards and the whole differ in {other[:300]}")

@@ -58,6 +58,7 @@ class Search:
         self.numbers = itertools.count()
         self.lock = threading.Lock()
         self.tried: Counter[str] = Counter()
+        self.spent: Counter[str] = Counter()
         self.executions = 0
         self.features: set[tuple[str, str]] = set()
         self.pairs: set[tuple[tuple[str, str], tuple[str, str]]] = set()
@@ -69,7 +70,8 @@ class Search:
         chosen = [one for one in PROPERTIES.values() if not self.options.only or one.name in self.options.only]
         return random.choices(chosen, [one.weight for one in chosen])[0].draw(random, self.lists)
 
-    def note(self, case: Case) -> None:
+    def note(self, case: Case, seconds: float) -> None:
+        self.spent[case.holds] += seconds
         features = sorted(case.features())
         self.tried[case.holds] += 1
         self.features.update(features)
@@ -80,9 +82,10 @@ class Search:
         while time.monotonic() < self.end:
             number = next(self.numbers)
             case = self.drawn(number)
+            begin = time.monotonic()
             fault = fault_of(program, case, self.lists)
             with self.lock:
-                self.note(case)
+                self.note(case, time.monotonic() - begin)
                 key = (case.holds, fault.kind, case.scheme) if fault else None
                 known = key is None or key in self.found
                 if key and not known:
@@ -100,7 +103,7 @@ class Search:
         case = shrunk(case, fails, self.options.shrink * self.options.slow)
         last = fault_of(program, case, self.lists) or fault
         with self.lock:
-            print(f"\nFOUND {case.holds} ({last.kind}; case {number} of seed {self.options.seed}): {last}\n{shell(case, program.last)}", flush=True)
+            print(f"\nFOUND {case.holds} ({last.kind}; case {number} of seed {self.options.seed}): {last}\n{shell(case, last.arguments or program.last)}", flush=True)
             if self.options.keep:
                 self.options.keep.mkdir(parents=True, exist_ok=True)
                 name = hashlib.sha256(case.json().encode()).hexdigest()[:8]
@@ -123,7 +126,7 @@ def search(options: argparse.Namespace) -> bool:
         print(f"\nseed {options.seed}: {sum(state.tried.values())} cases, {state.executions} executions, "
               f"{len(state.pairs)} of {possible} pairs of {len(state.features)} features, {len(state.found)} findings")
         if options.coverage:
-            print(*(f"  {count:6} {holds}" for holds, count in state.tried.most_common()), sep="\n")
+            print(*(f"  {count:6} {holds}, {state.spent[holds]:.0f} s" for holds, count in state.tried.most_common()), sep="\n")
             missing = Counter((a[0], b[0]) for a, b in set(pairs_of(state.features)) - state.pairs)
             print(*(f"  {count:6} pairs not met of {a} and {b}" for (a, b), count in missing.most_common(12)), sep="\n")
         return bool(state.found)
@@ -140,7 +143,7 @@ def replay(options: argparse.Namespace) -> bool:
             case = Case.read(path)
             if fault := fault_of(program, case, lists):
                 failed += 1
-                print(f"\nFOUND {path.name}: {fault}\n{shell(case, program.last)}", flush=True)
+                print(f"\nFOUND {path.name}: {fault}\n{shell(case, fault.arguments or program.last)}", flush=True)
     print(f"{len(cases)} kept cases, {failed} do not hold")
     return failed > 0
 
