@@ -1,9 +1,13 @@
 """Random equation files."""
 
+import re
+from pathlib import Path
 from random import Random
 
 from drawn_formulas import frequency, number, right_side, signed
 from drawn_numbers import spread, typed
+
+EXAMPLES = Path(__file__).parents[2] / "docs/examples"
 
 
 def order(random: Random) -> float:
@@ -46,10 +50,21 @@ def made(random: Random) -> tuple[str, ...]:
             "[exact]", f'x = "{exact}"')
 
 
+def example(random: Random, events: bool) -> tuple[str, ...]:
+    """One of docs/examples, with other parameters and another end; without what names may not meet."""
+    lines = random.choice(sorted(EXAMPLES.glob("*.toml"))).read_text().splitlines()
+    if not events and (first := [k for k, line in enumerate(lines) if line.startswith("[event")]):
+        lines = lines[: first[0]]
+    lines = [line.split("   #")[0].rstrip() for line in lines if line and not line.startswith("#")]
+    scaled = re.compile(r"(\w+) = (\d+\.?\d*)$")
+    return tuple(f"{m[1]} = {typed(float(m[2]) * spread(random, 0.3, 6 if m[1] == 'end' else 2), 3)}"
+                 if (m := scaled.match(line)) and random.random() < 0.6 and m[1] != "order" else line for line in lines)
+
+
 def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str, ...]:
     """Lines of a file: one to three unknowns, with what a file may have beside them."""
-    if random.random() < 0.1:
-        return made(random)
+    if (chance := random.random()) < 0.2 and not rows:
+        return made(random) if chance < 0.1 else example(random, events)
     names = ["x", "y", "z"][:rows or random.choice([1, 1, 1, 2, 2, 3])]
     parameters = ["a", "rate"][:random.choice([0, 0, 1, 2])]
     lines = [f"end = {typed(spread(random, 0.3, 12), 3)}"]

@@ -36,7 +36,7 @@ def drawn_scene(random: Random, lists: Lists, wild: float = 0.3, having: str = "
         if random.random() < some:
             chosen[parameter["name"]] = drawn(random, parameter["name"], parameter["default"], parameter["allowed"], is_wild)
     if random.random() < 0.3:
-        chosen["until"] = typed(scene["end"] * spread(random, 0.01, 4), 3)
+        chosen["until"] = typed(scene["end"] * spread(random, 0.01, 8), 3)
     if name in LARGE:
         chosen["components" if name == "fractional_diffusion" else "n"] = str(random.randint(2, 12))
     return name, chosen

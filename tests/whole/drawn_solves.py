@@ -10,10 +10,10 @@ from drawn_scenes import Lists, drawn_scene
 BUDGET = "2"
 
 
-def drawn_problem(random: Random, lists: Lists, files: float = 0.4, wild: float = 0.3, events: bool = True) -> dict:
+def drawn_problem(random: Random, lists: Lists, files: float = 0.4, wild: float = 0.3, events: bool = True, having: str = "") -> dict:
     if random.random() < files:
         return {"file": drawn_file(random, events=events)}
-    scene, chosen = drawn_scene(random, lists, wild)
+    scene, chosen = drawn_scene(random, lists, wild, having)
     return {"scene": scene, "chosen": chosen}
 
 

@@ -9,34 +9,15 @@ from drawn_numbers import spread, typed
 from drawn_scenes import Lists
 from drawn_solves import drawn_problem
 from errors import decimals, end_of, perturbed
+from limits import PAIR, limit
 from program import Fault, Program
 from properties import must_hold
 from table import Table, check_finite, check_times
-
-STEPS = (256, 512, 1024, 2048)
-PAIR = ("product_trapezoidal", "l1")
 
 
 def drawn_reference(random: Random, lists: Lists) -> Case:
     case = Case("exact_is_what_schemes_tend_to", **drawn_problem(random, lists, files=0.75, wild=0, events=False))
     return replace(case, chosen={**case.chosen, "until": typed(end_of(case, lists) * spread(random, 0.05, 1), 3)})
-
-
-def limit(program: Program, case: Case, scheme: str) -> dict[str, tuple[float, float]] | None:
-    """Each column's end and how far it may be off: from the last differences, while these fall."""
-    ends = []
-    for steps in STEPS:
-        ended = program.run("solve", *case.problem(), "--scheme", scheme, "--steps", str(steps), "--at", case.chosen["until"], "--budget", "2")
-        if not ended.done:
-            return None
-        ends.append(Table.read(ended.out))
-    found = {}
-    for name in ends[-1].unknowns:
-        a, b, c, d = (table.column(name)[-1] for table in ends)
-        if abs(d - c) > 0.8 * abs(c - b) + 1e-12 * abs(d) or abs(c - b) > 0.9 * abs(b - a) + 1e-12 * abs(d):
-            continue
-        found[name] = (d, 5 * abs(d - c) + 1e-11 * abs(d))
-    return found
 
 
 @must_hold(drawn_reference, 5)
@@ -47,8 +28,8 @@ def exact_is_what_schemes_tend_to(program: Program, case: Case, lists: Lists) ->
         return
     exact = Table.read(known.out)
     check_finite(exact)
-    first = limit(program, case, PAIR[0])
-    second = limit(program, case, PAIR[1]) if first else None
+    first = limit(program, case, PAIR[0], case.chosen["until"])
+    second = limit(program, case, PAIR[1], case.chosen["until"]) if first else None
     for name in set(first or ()) & set(second or ()) & set(exact.names):
         (a, off_a), (b, off_b) = first[name], second[name]
         value, bound = exact.column(name)[-1], exact.column("bound")[-1]
@@ -64,7 +45,7 @@ def settled(program: Program, case: Case, name: str, value: float, apart: float)
     for size in (1e-6, -1e-6):
         moved = perturbed(case, size)
         moved.write(program.folder)
-        ended = limit(program, moved, PAIR[0])
+        ended = limit(program, moved, PAIR[0], case.chosen["until"])
         case.write(program.folder)
         if ended is None or name not in ended or abs(ended[name][0] - value) > 0.1 * apart:
             return False

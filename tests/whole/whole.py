@@ -161,7 +161,7 @@ def main() -> int:
     parser.add_argument("--only", action="append", choices=sorted(PROPERTIES))
     parser.add_argument("--coverage", action="store_true")
     parser.add_argument("--replay", action="store_true")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     if options.seed == "date":
         options.seed = datetime.date.today().isoformat()
     return int(replay(options) if options.replay else search(options))
