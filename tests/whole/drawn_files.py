@@ -1,0 +1,82 @@
+"""Random equation files."""
+
+import re
+from pathlib import Path
+from random import Random
+
+from drawn_formulas import frequency, number, right_side, signed
+from drawn_numbers import spread, typed
+
+EXAMPLES = Path(__file__).parents[2] / "docs/examples"
+
+
+def order(random: Random) -> float:
+    """In (0, 2], often next to 0, 1 or 2, or one of these."""
+    near = random.choice([0, 1, 1, 2]) + random.choice([-1, 1]) * random.choice([1e-3, 0.01, 0.05, 0.1])
+    return random.choice([round(random.uniform(0.1, 2), 2), random.choice([0.5, 1, 1.5, 2, 0.8]), near if 0 < near <= 2 else 0.5])
+
+
+def unknown(random: Random, name: str, names: list[str], parameters: list[str], several: bool) -> list[str]:
+    leading, lines, nodes = order(random), [f"[unknown.{name}]"], []
+    terms = [[number(random) if several else "1", typed(leading)]]
+    if several:
+        lower = {typed(random.uniform(0.05, leading * 0.95), 2) for _ in range(random.randint(1, 2))}
+        terms += [[number(random), q] for q in sorted(lower, reverse=True)]
+        nodes = [f"D({name}, {q})" for q in lower]
+    lines.append(f"terms = [{', '.join(f'[{c}, {q}]' for c, q in terms)}]" if several or random.random() < 0.3 else f"order = {typed(leading)}")
+    lines.append(f'rhs = "{right_side(random, name, names + nodes, parameters)}"')
+    lines.append(f"initial = [{', '.join(random.choice(['0', '1', signed(random)]) for _ in range(2 if leading > 1 else 1))}]")
+    return lines
+
+
+def event(random: Random, name: str) -> list[str]:
+    zero = random.choice([f"{name} - {number(random)}", f"sin({frequency(random)}*t)", f"{name}*cos({frequency(random)}*t)"])
+    lines = [f"[event.{random.choice('abc')}]", f'zero = "{zero}"']
+    if random.random() < 0.3:
+        lines.append(f'crossing = "{random.choice(["rising", "falling"])}"')
+    if random.random() < 0.2:
+        lines.append("ends = true")
+    return lines
+
+
+def made(random: Random) -> tuple[str, ...]:
+    """A file with an exact solution c + b t^p, whose derivative of order q is known."""
+    q, p = round(random.uniform(0.2, 0.98), 2), number(random)
+    p = typed(float(p) + q, 3)
+    b, c, rate = number(random), signed(random), number(random)
+    exact = f"{c} + {b}*t^{p}"
+    return (f"end = {typed(spread(random, 0.3, 3), 3)}", "[unknown.x]", f"order = {q}",
+            f'rhs = "{b}*gamma(1 + {p})/gamma(1 + {p} - {q})*t^({p} - {q}) - {rate}*(x - ({exact}))"', f"initial = [{c}]",
+            "[exact]", f'x = "{exact}"')
+
+
+def example(random: Random, events: bool) -> tuple[str, ...]:
+    """One of docs/examples, with other parameters and another end; without what names may not meet."""
+    lines = random.choice(sorted(EXAMPLES.glob("*.toml"))).read_text().splitlines()
+    if not events and (first := [k for k, line in enumerate(lines) if line.startswith("[event")]):
+        lines = lines[: first[0]]
+    lines = [line.split("   #")[0].rstrip() for line in lines if line and not line.startswith("#")]
+    scaled = re.compile(r"(\w+) = (\d+\.?\d*)$")
+    return tuple(f"{m[1]} = {typed(float(m[2]) * spread(random, 0.3, 6 if m[1] == 'end' else 2), 3)}"
+                 if (m := scaled.match(line)) and random.random() < 0.6 and m[1] != "order" else line for line in lines)
+
+
+def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str, ...]:
+    """Lines of a file: one to three unknowns, with what a file may have beside them."""
+    if (chance := random.random()) < 0.2 and not rows:
+        return made(random) if chance < 0.1 else example(random, events)
+    names = ["x", "y", "z"][:rows or random.choice([1, 1, 1, 2, 2, 3])]
+    parameters = ["a", "rate"][:random.choice([0, 0, 1, 2])]
+    lines = [f"end = {typed(spread(random, 0.3, 12), 3)}"]
+    if parameters:
+        lines += ["[parameters]", *(f"{name} = {number(random)}" for name in parameters)]
+    several = random.random() < 0.25
+    for name in names:
+        lines += unknown(random, name, names, parameters, several)
+    if len(names) > 1 and random.random() < 0.2:
+        lines += ["[unknown.w]", "order = 0", f'rhs = "{typed(random.uniform(0.5, 2), 2)}*w - {random.choice(names)} - {random.choice(["0", "t", "sin(t)"])}"', "initial = [0]"]
+    if random.random() < 0.15:
+        lines += ["[[jump]]", f"at = {number(random)}"]
+    if events and random.random() < 0.15:
+        lines += event(random, names[0])
+    return tuple(lines)

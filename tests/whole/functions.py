@@ -1,0 +1,88 @@
+"""mittag-leffler, stability, geometry and the lists."""
+
+import json
+import math
+from decimal import Decimal, getcontext
+from random import Random
+
+from case import Case
+from drawn_numbers import spread, typed
+from drawn_scenes import Lists, drawn_scene
+from program import Fault, Program
+from properties import must_hold
+from table import Table
+
+getcontext().prec = 60
+
+
+def drawn_function(random: Random, lists: Lists) -> Case:
+    alpha, beta = typed(random.choice([random.uniform(0.05, 2), random.uniform(0.05, 5), 1, 2, 0.5]), 3), typed(random.choice([1, 2, random.uniform(-3, 6)]), 3)
+    z = typed(random.choice([-1, 1]) * spread(random, 1e-6, 200), 4)
+    if random.random() < 0.4:
+        z += f",{typed(random.uniform(-20, 20), 3)}"
+    return Case("mittag_leffler_is_within_its_bound", words=(alpha, beta, z), options=random.choice([{}, {}, {"--derivative": "1"}, {"--gamma": "1.5"}]))
+
+
+@must_hold(drawn_function)
+def mittag_leffler_is_within_its_bound(program: Program, case: Case, lists: Lists) -> None:
+    """The double is within its bound of 30 digits; E_{a,b}(z) = z E_{a,a+b}(z) + 1/Gamma(b) within the bounds of both."""
+    alpha, beta, z = case.words
+    ended = program.run("mittag-leffler", *case.words, *case.given(), "--budget", "10")
+    if not ended.done:
+        return
+    re, im, bound = map(Decimal, ended.out.split())
+    long = program.run("mittag-leffler", *case.words, *case.given(), "--digits", "30", "--budget", "20")
+    if long.done:
+        more = list(map(Decimal, long.out.split()))
+        if max(abs(re - more[0]), abs(im - more[1])) > bound + more[2]:
+            raise Fault("bound", f"{ended.out.strip()}, with 30 digits {long.out.strip()}")
+    next_one = program.run("mittag-leffler", alpha, str(Decimal(alpha) + Decimal(beta)), z, "--digits", "30", "--budget", "20")
+    if case.options or not (long.done and next_one.done) or (float(beta) <= 0 and float(beta) == int(float(beta))):
+        return
+    parts = [Decimal(p) for p in z.split(",")] + [Decimal(0)]
+    a, b, off = map(Decimal, next_one.out.split())
+    right = parts[0] * a - parts[1] * b + Decimal(1 / math.gamma(float(beta)))
+    size = abs(parts[0] * a) + abs(parts[1] * b) + 1
+    if abs(right - more[0]) > Decimal("1e-13") * size + off * (abs(parts[0]) + abs(parts[1])) + more[2]:
+        raise Fault("recurrence", f"E = {long.out.strip()}, z E_(a,a+b) + 1/Gamma(b) = {right}")
+
+
+def drawn_stability(random: Random, lists: Lists) -> Case:
+    some = random.sample(list(lists.schemes), random.randint(1, 3))
+    return Case("stability_is_a_table", words=tuple(w for s in some for w in ("--scheme", s)), options={"--gamma": typed(random.uniform(0.05, 1.99), 3)})
+
+
+@must_hold(drawn_stability, 0.3)
+def stability_is_a_table(program: Program, case: Case, lists: Lists) -> None:
+    ended = program.run("stability", *case.given(), *case.words, seconds=60)
+    if ended.done and len(Table.read(ended.out).rows) == 0:
+        raise Fault("rows", "no scheme has a row")
+
+
+def drawn_geometry(random: Random, lists: Lists) -> Case:
+    scene, chosen = drawn_scene(random, lists, 0.2, having="constraint")
+    return Case("metrics_are_symmetric", scene=scene, chosen=chosen)
+
+
+@must_hold(drawn_geometry, 0.4)
+def metrics_are_symmetric(program: Program, case: Case, lists: Lists) -> None:
+    ended = program.run("geometry", *case.problem())
+    if not ended.done:
+        return
+    rows = Table.read(ended.out).rows
+    metric = {(row[1], row[2]): float(row[4]) for row in rows if row[0] == "metric"}
+    if any(metric.get((j, i)) != value for (i, j), value in metric.items()):
+        raise Fault("metric", f"{metric}")
+    if any(not math.isfinite(float(row[4])) for row in rows):
+        raise Fault("finite", next(",".join(row) for row in rows if not math.isfinite(float(row[4]))))
+
+
+def drawn_name(random: Random, lists: Lists) -> Case:
+    return Case("lists_are_told", scene=random.choice(list(lists.scenes)), scheme=random.choice(list(lists.schemes)))
+
+
+@must_hold(drawn_name, 0.1)
+def lists_are_told(program: Program, case: Case, lists: Lists) -> None:
+    for words in (("scenes", case.scene), ("schemes", case.scheme), ("scenes", "--parameters"), ("schemes", "--needs"), ("scenes",), ("schemes",)):
+        if not program.run(*words).done:
+            raise Fault("list", " ".join(words))

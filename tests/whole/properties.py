@@ -1,0 +1,28 @@
+"""The properties by name: each draws its cases, and says what has to hold of one by raising a Fault."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from random import Random
+
+from case import Case
+from drawn_scenes import Lists
+from program import Program
+
+
+@dataclass(frozen=True)
+class Property:
+    name: str
+    weight: float
+    draw: Callable[[Random, Lists], Case]
+    check: Callable[[Program, Case, Lists], None]
+
+
+PROPERTIES: dict[str, Property] = {}
+
+
+def must_hold(draw: Callable[[Random, Lists], Case], weight: float = 1.0):
+    """Registers a function as a property under its name."""
+    def register(check: Callable[[Program, Case, Lists], None]):
+        PROPERTIES[check.__name__] = Property(check.__name__, weight, draw, check)
+        return check
+    return register

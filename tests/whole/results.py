@@ -1,0 +1,122 @@
+"""Results files: what run, judge, merge, compare, choose, report and plot say of each other."""
+
+import json
+from dataclasses import replace
+from random import Random
+
+from case import Case
+from drawn_numbers import spread, typed
+from drawn_scenes import Lists, drawn_scene
+from drawn_solves import accuracy, drawn_problem
+from program import Fault, Program
+from properties import must_hold
+
+MEASURED = ("seconds", "rounding")
+
+
+def records(program: Program, name: str) -> list[dict]:
+    lines = [json.loads(line) for line in (program.folder / name).read_text().splitlines()]
+    return [line for line in lines if "quantity" in line or "ending" in line]
+
+
+def drawn_run(random: Random, lists: Lists) -> Case:
+    scheme = random.choice([name for name, one in lists.schemes.items() if one["takes_grid"]])
+    options = {"--steps": str(random.choice([random.randint(1, 60), random.randint(60, 3000)]))}
+    if random.random() < 0.3:
+        options["--grid"] = random.choice(["graded:2", "graded:auto"])
+    return Case("judge_agrees_with_run", scheme=scheme, options=options, **drawn_problem(random, lists, files=0.3, wild=0.1))
+
+
+@must_hold(drawn_run, 1.5)
+def judge_agrees_with_run(program: Program, case: Case, lists: Lists) -> None:
+    """The errors that judge finds in what solve prints are those that run records."""
+    ran = program.run("run", "--scene", case.problem()[0], *case.problem()[1:], "--scheme", case.scheme, *case.given(), "--repeat", "1", "--budget", "2",
+                      "--out", "run.jsonl", seconds=90)
+    solved = program.run("solve", *case.problem(), "--scheme", case.scheme, *case.given(), "--budget", "2")
+    if not (ran.done and solved.done):
+        return
+    (program.folder / "own.csv").write_text(solved.out)
+    judged = program.run("judge", *case.problem(), "own.csv", seconds=90)
+    if not judged.done:
+        raise Fault("judge", f"judge refuses what solve printed: {judged.err.strip()}")
+    ours = {row["quantity"]: row["value"] for row in records(program, "run.jsonl") if str(row["quantity"]).startswith("error_")}
+    for line in judged.out.splitlines():
+        name, value = line.split()[:2]
+        if name in ours and abs(float(value) - ours[name]) > 1e-9 * abs(ours[name]) + 1e-15:
+            raise Fault("differs", f"judge says {line}, run {ours[name]}")
+
+
+def drawn_sweep(random: Random, lists: Lists) -> Case:
+    scenes = []
+    for _ in range(random.randint(2, 4)):
+        case = Case("", *drawn_scene(random, lists, 0.1)[:1])
+        scenes.append(case.scene)
+    words = [word for scene in dict.fromkeys(scenes) for word in ("--scene", scene)]
+    schemes = random.sample(list(lists.schemes), 2)
+    return Case("shards_are_the_whole", words=tuple(words + [w for s in schemes for w in ("--scheme", s)]),
+                options={"--steps": f"{random.randint(4, 30)},{random.randint(31, 90)}"} | ({"--accuracy": "1e-3"} if random.random() < 0.5 else {}))
+
+
+@must_hold(drawn_sweep, 0.6)
+def shards_are_the_whole(program: Program, case: Case, lists: Lists) -> None:
+    """Shards that are merged have the rows of the whole, but for times; a file beside itself has neither grown nor fallen."""
+    words = (*case.words, *case.given(), "--repeat", "1", "--budget", "2")
+    whole = program.run("run", *words, "--out", "whole.jsonl", seconds=120)
+    if not whole.done:
+        return
+    for k in ("1", "2"):
+        if not program.run("run", *words, "--shard", f"{k}/2", "--out", f"shard{k}.jsonl", seconds=120).done:
+            raise Fault("shard", f"shard {k}/2 fails where the whole does not")
+    present = [name for name in ("shard1.jsonl", "shard2.jsonl") if (program.folder / name).exists()]
+    if not program.run("merge", *present, "--out", "merged.jsonl").done:
+        raise Fault("merge", "the shards cannot be merged")
+
+    def facts(name: str) -> set[str]:
+        kept = [row for row in records(program, name) if row.get("unit") != "s" and not str(row.get("quantity", "")).startswith(MEASURED)]
+        return {json.dumps({k: v for k, v in row.items() if k != "session"}, sort_keys=True) for row in kept}
+
+    if any('"out_of_budget"' in (program.folder / name).read_text() for name in ("whole.jsonl", "merged.jsonl")):
+        return
+    if facts("whole.jsonl") != facts("merged.jsonl"):
+        other = sorted(facts("whole.jsonl") ^ facts("merged.jsonl"))[0]
+        raise Fault("rows", f"the shards and the whole differ in {other[:300]}")
+    compared = program.run("compare", "whole.jsonl", "whole.jsonl")
+    if not compared.done or "0 grew, 0 fell" not in compared.out:
+        raise Fault("compare", f"a file beside itself: exit code {compared.code}, {compared.out[-300:]!r}")
+
+
+def drawn_choice(random: Random, lists: Lists) -> Case:
+    return Case("what_is_chosen_is_within_the_error", options={"--error": accuracy(random, 1e-8)} | random.choice([{}, {"--norm": "end"}]),
+                **drawn_problem(random, lists, files=0.5, wild=0.1))
+
+
+@must_hold(drawn_choice, 0.8)
+def what_is_chosen_is_within_the_error(program: Program, case: Case, lists: Lists) -> None:
+    """The command that choose names has an error as judge measures it that is no larger than asked for."""
+    chosen = program.run("choose", *case.problem(), *case.given(), "--max-time", "2", "--json", seconds=120)
+    if not chosen.done:
+        return
+    answer = json.loads(chosen.out)
+    if answer.get("estimated") or answer["grid"] is None:
+        return
+    ended = program.run("solve", *case.problem(), "--scheme", answer["scheme"], "--steps", str(answer["steps"]), "--grid", answer["grid"])
+    if not ended.done:
+        raise Fault("fails", f"what was chosen ends: {ended.err.strip()}")
+    (program.folder / "own.csv").write_text(ended.out)
+    judged = program.run("judge", *case.problem(), "own.csv", seconds=90)
+    name = "error_end_mixed" if "--norm" in case.options else "error_maximum_mixed"
+    values = [float(line.split()[1]) for line in judged.out.splitlines() if line.startswith(name + " ")]
+    if values and values[0] > 1.01 * float(case.options["--error"]):
+        raise Fault("error", f"{answer['scheme']} with N = {answer['steps']} has {name} {values[0]:.3g}")
+
+
+def drawn_figure(random: Random, lists: Lists) -> Case:
+    scene, chosen = drawn_scene(random, lists, 0.1)
+    return Case("figures_are_json", scene=scene, chosen=chosen, options={"--kind": random.choice(["solution", "phase", "motion", "stability"])})
+
+
+@must_hold(drawn_figure, 0.3)
+def figures_are_json(program: Program, case: Case, lists: Lists) -> None:
+    ended = program.run("plot", *case.problem(), *case.given(), "--out", "figure.vl.json", seconds=120)
+    if ended.done and "NaN" in json.dumps(json.loads((program.folder / "figure.vl.json").read_text())):
+        raise Fault("nan", "a figure has a NaN")
