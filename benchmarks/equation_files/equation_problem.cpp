@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -53,18 +52,19 @@ bool jumps(Expression value, const Expressions& all) {
   return false;
 }
 
-// What stands in the signs and steps of the rows, where unknowns have a part in it.
+// What unknowns have a part in among the arguments of the signs and steps of the rows.
 std::vector<Expression> switches_of(const EquationSystem& system, const Expressions& all) {
-  const auto used = all.parts(system.rows);
-  std::set<Expression> found;
-  for (std::size_t e = 0; e < used.size(); ++e) {
-    const auto& part = all[static_cast<Expression>(e)];
-    const bool is_switched = part.operation == Operation::sign || part.operation == Operation::step;
-    if (!used[e] || !is_switched) continue;
-    const auto variables = all.variables_in(part.of.front());
-    if (variables.upper_bound(0) != variables.end()) found.insert(part.of.front());
-  }
-  return {found.begin(), found.end()};
+  std::vector<Expression> found;
+  for (const auto argument : all.arguments(system.rows, {Operation::sign, Operation::step}))
+    if (all.depends_on_unknowns(argument)) found.push_back(argument);
+  return found;
+}
+
+// Whether a row has a corner or a jump in the unknowns, whose derivative may be constant everywhere else.
+bool piecewise(const EquationSystem& system, const Expressions& all) {
+  const auto arguments = all.arguments(
+      system.rows, {Operation::abs, Operation::sign, Operation::step, Operation::min, Operation::max});
+  return std::ranges::any_of(arguments, [&](Expression e) { return all.depends_on_unknowns(e); });
 }
 
 // Whether it is a number, as it is written or as all its derivatives are 0: (y + 1)^2 - y^2 has a constant
@@ -129,7 +129,8 @@ Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
   for (const auto value : switches_of(system, all))
     problem.switches.emplace_back(Program(all, {value}, size));
   const auto entries = derivatives_of(system, formulas);
-  if (auto matrix = matrix_of(entries, size, all)) {
+  auto matrix = piecewise(system, all) ? std::nullopt : matrix_of(entries, size, all);
+  if (matrix) {
     problem.derivatives = DenseLinearPart{std::move(*matrix)};
   } else {
     problem.derivatives = jacobian_of(entries, size, all);

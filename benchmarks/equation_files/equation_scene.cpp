@@ -1,5 +1,8 @@
 #include "equation_files/equation_scene.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,6 +15,7 @@
 #include "equation_files/linear_motion.hpp"
 #include "equation_files/program.hpp"
 #include "equation_files/start_powers.hpp"
+#include "equation_files/time_jumps.hpp"
 #include "scenes/equation_file_name.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/printable.hpp"
@@ -60,15 +64,36 @@ SceneEvent event_of(const EventText& text, const std::vector<SystemColumn>& colu
   return {text.name, Program(formulas.all(), {value}, std::ssize(columns)), text.crossing, text.ends};
 }
 
+// An exact column that starts elsewhere than its unknown belongs to another problem. One that is no number at
+// t = 0 says nothing.
+void require_exact_start(const EquationText& text, const std::vector<SystemColumn>& columns,
+                         const Scene& scene) {
+  constexpr double rounding = 1e-9;
+  const auto [value, bound] = scene.reference.at(0.0);
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const auto& initial = scene.problem.components[static_cast<std::size_t>(columns[c].row)].initial;
+    const double at_start = value[static_cast<Eigen::Index>(c)];
+    if (initial.empty() || !std::isfinite(at_start)) continue;
+    if (std::abs(at_start - initial.front()) <= rounding * (1.0 + std::abs(initial.front()))) continue;
+    reject_at(text.file, text.exact.front().place,
+              fmt::format("exact: {} is {:.6g} at t = 0: must be {:.6g}, its initial value", columns[c].name,
+                          at_start, initial.front()));
+  }
+}
+
 Scene scene_of(const EquationText& text, const Parameters& parameters) {
   FileFormulas formulas(text, parameters, Numbers::folded);
   const auto system = read_system(formulas);
   const auto columns = columns_of(system);
   Scene scene{.problem = problem_of(system, formulas),
               .smoothness = start_powers(system, formulas.all()),
-              .outputs = outputs_of(columns)};
+              .outputs = outputs_of(columns),
+              .of_file = true};
+  scene.jumps_until = time_jumps(system, formulas.all());
+  set_end(scene, system.end);
   if (!text.exact.empty()) {
     scene.reference = exact_columns(text, parameters, columns);
+    require_exact_start(text, columns, scene);
   } else if (auto motion = linear_motion(system, scene.problem, formulas.all())) {
     scene.reference = std::move(*motion);
   }

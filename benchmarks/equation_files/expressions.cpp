@@ -183,6 +183,24 @@ std::set<int> Expressions::variables_in(Expression of) const {
   return found;
 }
 
+bool Expressions::depends_on_unknowns(Expression of) const {
+  const auto variables = variables_in(of);
+  return variables.upper_bound(0) != variables.end();
+}
+
+std::vector<Expression> Expressions::arguments(const std::vector<Expression>& in,
+                                               const std::set<Operation>& operations) const {
+  const auto used = parts(in);
+  std::set<Expression> found;
+  for (std::size_t e = 0; e < used.size(); ++e) {
+    const auto& part = (*this)[static_cast<Expression>(e)];
+    if (!used[e] || !operations.contains(part.operation)) continue;
+    for (const auto argument : part.of)
+      if (argument != none) found.insert(argument);
+  }
+  return {found.begin(), found.end()};
+}
+
 std::optional<long double> Expressions::value(Expression of) const {
   if ((*this)[of].operation == Operation::number) return (*this)[of].value;
   const auto used = parts(of);

@@ -93,6 +93,11 @@ class Expressions {
   [[nodiscard]] const Entry& operator[](Expression e) const { return entries_[static_cast<std::size_t>(e)]; }
   [[nodiscard]] bool depends_on(Expression of, int variable) const;
   [[nodiscard]] std::set<int> variables_in(Expression of) const;
+  // Whether a variable other than t, variable 0, is in it.
+  [[nodiscard]] bool depends_on_unknowns(Expression of) const;
+  // What these operations are applied to in the expressions, each once, in order.
+  [[nodiscard]] std::vector<Expression> arguments(const std::vector<Expression>& in,
+                                                  const std::set<Operation>& operations) const;
   // The number that it is, if it is made of numbers alone.
   [[nodiscard]] std::optional<long double> value(Expression of) const;
   // For each expression up to the last of these whether one of these is made of it.

@@ -31,7 +31,8 @@ class FormulaReader {
   class Deeper {
    public:
     explicit Deeper(FormulaReader& reader) : reader_(reader) {
-      if (++reader_.depth_ > deepest_formula) {
+      // The formula itself is one.
+      if (++reader_.depth_ > deepest_formula + 1) {
         fault(fmt::format("brackets, signs and powers stand more than {} deep", deepest_formula),
               reader_.token_.place);
       }
@@ -86,6 +87,7 @@ class FormulaReader {
     auto value = signed_power();
     while (true) {
       if (take("*")) {
+        if (token_.text == "*") fault("'**': must be '^' for a power", token_.place);
         value = made(Operation::multiply, value, signed_power());
       } else if (take("/")) {
         value = made(Operation::divide, value, signed_power());
@@ -104,7 +106,6 @@ class FormulaReader {
   }
 
   Expression single() {
-    const Deeper deeper(*this);
     if (take("(")) {
       const auto inner = sum();
       require(")");
@@ -139,6 +140,7 @@ class FormulaReader {
   }
 
   [[noreturn]] void unknown_name(const FormulaToken& token) const {
+    if (token.text == "e") fault("e: no such name here; e^x is exp(x)", token.place);
     auto known = names_.known;
     known.emplace_back("pi");
     auto nearby = known;
@@ -168,6 +170,9 @@ class FormulaReader {
     if (token_.text != "(") expected("'(', as in D(x, 0.5)");
     advance();
     const FormulaToken unknown = token_;
+    if (unknown.text == "D") {
+      fault("D of D: must be of an unknown; D(D(x, 1), a) from its start is D(x, 1 + a)", unknown.place);
+    }
     if (!is_letter(unknown.text.empty() ? ' ' : unknown.text.front())) expected("an unknown");
     advance();
     if (!take(",")) expected("',', as in D(x, 0.5)");
@@ -203,10 +208,10 @@ bool is_name(std::string_view text) {
          std::ranges::all_of(text, is_in_name);
 }
 
-bool is_taken(std::string_view name) {
-  constexpr std::array<std::string_view, 3> others{"t", "D", "pi"};
-  return std::ranges::find(others, name) != others.end() ||
-         std::ranges::find(known_functions(), name, &KnownFunction::name) != known_functions().end();
+bool is_symbol(std::string_view name) { return name == "t" || name == "D" || name == "pi"; }
+
+bool is_function(std::string_view name) {
+  return std::ranges::find(known_functions(), name, &KnownFunction::name) != known_functions().end();
 }
 
 }  // namespace fde

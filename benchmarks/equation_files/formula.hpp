@@ -33,8 +33,12 @@ inline constexpr int deepest_formula = 200;  // brackets, signs and powers withi
 // functions. Throws FormulaFault.
 Expression read_formula(std::string_view text, const FormulaNames& names, Expressions& into);
 
-// Letters, digits and _, a letter first; and no name of a function, nor t, D or pi.
+// Letters, digits and _, a letter first.
 bool is_name(std::string_view text);
-bool is_taken(std::string_view name);
+// Whether it is t, D or pi.
+bool is_symbol(std::string_view name);
+// Whether it names a function. A parameter may have such a name, and is meant where no bracket follows: gamma
+// beside gamma(x).
+bool is_function(std::string_view name);
 
 }  // namespace fde

@@ -60,7 +60,7 @@ class EquationReader : TomlText {
       reject(entry.place, fmt::format("{} {}: must be letters, digits and _, at most 64, a letter first",
                                       kind, entry.name));
     }
-    if (is_taken(entry.name)) {
+    if (is_symbol(entry.name) || (kind != "parameter" && is_function(entry.name))) {
       reject(entry.place,
              fmt::format("{} {}: must be another name, formulas know this one", kind, entry.name));
     }

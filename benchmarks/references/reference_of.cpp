@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "references/cache.hpp"
+#include "references/tried_reference.hpp"
 
 namespace fde {
 namespace {
@@ -29,11 +30,21 @@ PosedProblem posed_for_reference(const Scene& scene) {
   return posed;
 }
 
-Reference reference_of(const Scene& scene) {
+namespace {
+
+Reference found_reference(const Scene& scene) {
   if (scene.reference.at) return scene.reference;
   const auto [problem, outputs] = posed_for_reference(scene);
   if (scene.name.empty()) return through(outputs, computed_reference(problem));
   return through(outputs, cached_reference(scene.name, problem, ReferenceCache(cache_folder())));
+}
+
+}  // namespace
+
+Reference reference_of(const Scene& scene) {
+  Reference reference = found_reference(scene);
+  if (scene.of_file) require_agreement(scene, reference);
+  return reference;
 }
 
 std::string_view evidence_of(const Scene& scene) {

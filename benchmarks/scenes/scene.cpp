@@ -20,6 +20,11 @@ double Constraint::drift(double t, In columns) const {
   return f.lpNorm<Eigen::Infinity>();
 }
 
+void set_end(Scene& scene, double end) {
+  scene.problem.end = end;
+  if (scene.jumps_until) scene.problem.jumps = scene.jumps_until(end);
+}
+
 Vec columns_at(const Outputs& outputs, double t, In y) {
   if (!outputs.of) return y;
   Vec columns(static_cast<Eigen::Index>(outputs.names.size()));

@@ -111,10 +111,14 @@ struct PosedProblem {
 struct Scene {
   std::string name{};  // its id and all parameters, under which its reference is kept; empty: it is not
   Problem problem{};
+  // The times in (0, end) at which the right-hand side jumps, where they are found for an end; empty: those
+  // of the problem are all.
+  std::function<std::vector<double>(double end)> jumps_until{};
   std::string refusal{};  // why its equations have no problem in this form, where they have none
   Smoothness smoothness{};
   Outputs outputs{};
   Reference reference{};  // of the columns
+  bool of_file = false;   // stated by a user: what is known about it is compared with two schemes
   std::optional<PosedProblem>
       reference_problem{};  // the same equations for a reference; empty: the problem itself
   Energy energy{};
@@ -152,6 +156,9 @@ struct SceneMaker {
   std::vector<WrittenEquation> equations{};  // empty: it says none
   std::vector<ShownEquation> shown{};        // where the former cannot say them
 };
+
+// Gives the problem this end, and the jumps up to it.
+void set_end(Scene& scene, double end);
 
 // The columns of components at a time, or of a path.
 Vec columns_at(const Outputs& outputs, double t, In y);

@@ -111,7 +111,7 @@ Scene make_scene(const SceneVariant& variant) {
     reject("until", *variant.until,
            fmt::format("{}: scene {} is posed at both ends", end, variant.maker->id));
   }
-  scene.problem.end = *variant.until;
+  set_end(scene, *variant.until);
   return scene;
 }
 

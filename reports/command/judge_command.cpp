@@ -43,7 +43,7 @@ void end_with(const WrittenPath& path, const std::string& file, SceneVariant& va
                                             file, last, variant.maker->id, end));
   }
   variant.until = last;
-  scene.problem.end = last;
+  set_end(scene, last);
 }
 
 constexpr std::uintmax_t most_bytes_of_pipe = std::uintmax_t{1} << 30;

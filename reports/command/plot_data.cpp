@@ -26,7 +26,7 @@ json page_of(json section) {
 
 json solution(const SceneVariant& of) {
   Scene scene = make_known_scene(*of.maker, of.values);
-  if (of.until) scene.problem.end = *of.until;
+  if (of.until) set_end(scene, *of.until);
   try {
     return solution_of(scene);
   } catch (const std::runtime_error& none) {

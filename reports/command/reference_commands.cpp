@@ -10,6 +10,7 @@
 #include "command/command.hpp"
 #include "command/reference_work.hpp"
 #include "references/reference_of.hpp"
+#include "references/tried_reference.hpp"
 #include "references/written_bound.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/printable.hpp"
@@ -122,9 +123,10 @@ void exact(const ExactArguments& arguments, const Streams& streams, const Scenes
   if (two_ends && last > scene.problem.end)
     reject("--at", last, fmt::format("in [0, {}], the time of the scene", scene.problem.end));
   const auto digits = parse_digits(arguments, scene, variant.maker->id);
-  if (!digits && !two_ends && last > 0.0) scene.problem.end = last;
+  if (!digits && !two_ends && last > 0.0) set_end(scene, last);
   ReferenceWork work(streams, budget, "the reference");
   try {
+    if (digits && scene.of_file) require_agreement(scene, scene.reference);
     streams.out << (digits ? rows_in_digits(scene, times, *digits, arguments.bounds, work)
                            : rows_in_double(scene, times, arguments.bounds, work));
   } catch (const WorkEnded&) {

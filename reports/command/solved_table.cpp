@@ -99,6 +99,21 @@ std::string warning_line(const Scene& scene, const AskedRun& run, const Trajecto
   return texts.empty() ? "" : fmt::format("warning: {}", fmt::join(texts, "; "));
 }
 
+// One line of the events whose functions are a number at no time of a run that looks for them; empty: none
+// is.
+std::string warning_of_events(const Scene& scene, const Trajectory& path) {
+  std::vector<std::string> names;
+  const Rows columns = columns_of(scene.outputs, path);
+  for (const auto& event : scene.events) {
+    bool is_number = columns.cols() == 0;
+    for (Eigen::Index c = 0; c < columns.cols() && !is_number; ++c)
+      is_number = !std::isnan(event.value(path.time(c), columns.col(c)));
+    if (!is_number)
+      names.push_back(fmt::format("event {} is not a number at any time of the run", event.name));
+  }
+  return names.empty() ? "" : fmt::format("warning: {}", fmt::join(names, "; "));
+}
+
 // Without reactions columns are all there is to keep, and the states that warnings look at.
 bool keeps_columns(const Scene& scene, const AskedRun& run) { return run.grid && !scene.reactions; }
 
@@ -150,7 +165,7 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
                       : by_columns     ? table_of(scene, run, path, kept.times(), kept.columns())
                                    : table_of(scene, run, path, path.times, columns_of(scene.outputs, path));
   if (checkpoints) table.checkpoint = *arguments.checkpoint;
-  if (run.grid) table.warning = warning_line(scene, run, path, arguments.check);
+  table.warning = run.grid ? warning_line(scene, run, path, arguments.check) : warning_of_events(scene, path);
   table.ended = ended_by(scene, path);
   table.cost = cost_text(scene, run, path.cost, elapsed.count(), checkpoints ? &*checkpoints : nullptr);
   return table;

@@ -132,7 +132,7 @@ std::optional<Scene> known_scene(const SceneSettings& settings) {
   if (maker == nullptr) return std::nullopt;
   try {
     Scene scene = make_known_scene(*maker, settings.values);
-    if (settings.until) scene.problem.end = *settings.until;
+    if (settings.until) set_end(scene, *settings.until);
     return scene;
   } catch (const std::invalid_argument&) {
     return std::nullopt;

@@ -44,6 +44,9 @@ std::string unknown(const std::string& order, const std::string& rhs, const std:
   return with("[unknown.x]\n" + order + "\nrhs = " + rhs + "\ninitial = " + initial + "\n");
 }
 
+// x within so many brackets.
+std::string brackets(std::size_t depth) { return std::string(depth, '(') + "x" + std::string(depth, ')'); }
+
 // [a.a. ... .a], each a table in the one before.
 std::string deep_table() {
   std::string text = "[";
@@ -143,6 +146,12 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Wrong{unknown("order = 0.5", "\"-x +\"", "[1]"), "line 4, column 12", "the formula ends"},
         Wrong{unknown("order = 0.5", "'-x + yy'", "[1]"), "line 4, column 13", "yy: no such name here"},
+        Wrong{unknown("order = 0.5", "'-x**2'", "[1]"), "line 4, column 11", "'**': must be '^' for a power"},
+        Wrong{unknown("order = 0.5", "'-x*e^t'", "[1]"), "line 4, column 11", "e^x is exp(x)"},
+        Wrong{unknown("order = 0.5", "'D(D(x, 1), 0.5)'", "[1]"), "line 4, column 10",
+              "D of D: must be of an unknown"},
+        Wrong{unknown("order = 0.5", "'" + brackets(201) + "'", "[1]"), "line 4, column 208",
+              "brackets, signs and powers stand more than 200 deep"},
         Wrong{unknown("order = 0.5", "\"\\u002dx + yy\"", "[1]"), "line 4, column 7",
               "byte 6 of the text: yy: no such name here"},
         Wrong{unknown("order = 0.5", "\"D(x, 0.3)\"", "[1]"), "line 4, column 8",
@@ -152,11 +161,27 @@ INSTANTIATE_TEST_SUITE_P(
               "D: its order must be a formula of the parameters"},
         Wrong{unknown("order = 0.5", "\"gamma(x)\"", "[1]"), "line 4, column 8",
               "gamma: its argument must be without unknowns"},
+        Wrong{with(x + "[exact]\nx = \"5 + 0*t\"\n"), "line 7, column 1",
+              "exact: x is 5 at t = 0: must be 1, its initial value"},
         Wrong{with(x + "[exact]\nz = \"t\"\n"), "line 7, column 1", "exact z: no such column; there are x"},
         Wrong{with(x + "[exact]\nx = \"x\"\n"), "line 7, column 6",
               "x: no such name here, did you mean 't'?; there are t, pi and functions"},
         Wrong{with(x + "[energy]\nvalue = \"t*x\"\n"), "line 7, column 10", "t: no such name here"},
         Wrong{with(x + "[constraint]\nf = [\"x - \"]\n"), "line 7, column 11", "the formula ends"}));
+
+TEST(Formulas, HaveTwoHundredBracketsAtMost) {
+  EXPECT_EQ(scene_of_text(relaxation_file("-" + brackets(199))).problem.size(), 1);
+  EXPECT_EQ(scene_of_text(relaxation_file(brackets(200))).problem.size(), 1);
+}
+
+// gamma is a number where no bracket follows.
+TEST(Parameters, MayBearTheNameOfAFunction) {
+  const Scene scene =
+      scene_of_text("[parameters]\ngamma = 0.25\n" + relaxation_file("-gamma*x/gamma(2 + gamma)", "1"));
+  Vec f(1);
+  scene.problem.rhs(0.0, Vec::Constant(1, 3.0), f);
+  EXPECT_DOUBLE_EQ(f[0], -0.75 / std::tgamma(2.25));
+}
 
 TEST(WrongEquationFile, IsNotPrintedAsAWhole) {
   expect_message([] { scene_of_text(relaxation_file(std::string(19'000, 'q'))); }, " ...");

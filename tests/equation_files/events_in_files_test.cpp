@@ -51,6 +51,16 @@ TEST(EventsOfAFile, EndASolveBeforeTimesThatAreAskedFor) {
   EXPECT_EQ(csv_rows(answer.out)[1][0], 1.0);
 }
 
+// The logarithm of a negative number.
+TEST(EventsOfAFile, ThatAreNeverANumberAreSaid) {
+  const TemporaryFolder folder;
+  folder.write("never.toml", relaxation_file("-x") + "[event.never]\nzero = \"log(-1 - x^2)\"\n");
+  const auto answer = fdebench({"solve", folder.path() / "never.toml", "--scheme", "spectral_collocation",
+                                "--accuracy", "1e-6", "--events"});
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_THAT(answer.err, HasSubstr("warning: event never is not a number at any time of the run"));
+}
+
 TEST(EventsOfAFile, AreNotLocatedOverAGridWhichIsSaid) {
   const auto answer = fdebench(falling + " --scheme l1 --steps 64");
   EXPECT_EQ(answer.code, 0);

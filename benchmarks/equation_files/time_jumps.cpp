@@ -1,0 +1,82 @@
+#include "equation_files/time_jumps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "equation_files/program.hpp"
+
+namespace fde {
+namespace {
+
+// Where changes of sign are looked for, from 0 to the end.
+std::vector<double> places(double end) {
+  constexpr int equal = 8192, halved = 64;
+  std::vector<double> times;
+  for (int i = 0; i <= equal; ++i) times.push_back(end * i / equal);
+  for (int i = 1; i <= halved; ++i) times.push_back(std::ldexp(end, -i));
+  std::ranges::sort(times);
+  return times;
+}
+
+class SignOfTime {
+ public:
+  explicit SignOfTime(Program program) : program_(std::move(program)) {}
+
+  // -1, 0 or 1; of no number NaN.
+  double operator()(double t) const {
+    const double value = program_(t, Vec());
+    return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : value;
+  }
+
+ private:
+  Program program_;
+};
+
+// The first double after `from` at which the sign is another one, which that at `to` is.
+double located(const SignOfTime& sign, double from, double to) {
+  const double before = sign(from);
+  while (true) {
+    const double middle = from + (to - from) / 2.0;
+    if (middle <= from || middle >= to) return to;
+    (sign(middle) == before ? from : to) = middle;
+  }
+}
+
+void add_changes(const SignOfTime& sign, double end, std::vector<double>& found) {
+  const auto times = places(end);
+  double before = sign(times.front());
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double now = sign(times[i]);
+    // False for NaN on either side: what has no value there does not change its sign.
+    const bool changes = now < before || now > before;
+    if (changes) found.push_back(located(sign, times[i - 1], times[i]));
+    before = now;
+  }
+}
+
+// A zero at a place that is looked at is found from both sides.
+bool same_time(double a, double b) {
+  constexpr double few = 4.0 * std::numeric_limits<double>::epsilon();
+  return b - a <= few * b;
+}
+
+}  // namespace
+
+std::function<std::vector<double>(double end)> time_jumps(const EquationSystem& system,
+                                                          const Expressions& all) {
+  std::vector<SignOfTime> signs;
+  for (const auto argument : all.arguments(system.rows, {Operation::sign, Operation::step}))
+    if (!all.depends_on_unknowns(argument)) signs.emplace_back(Program(all, {argument}, 0));
+  return [signs = std::move(signs), declared = system.jumps](double end) {
+    auto jumps = declared;
+    for (const auto& sign : signs) add_changes(sign, end, jumps);
+    std::ranges::sort(jumps);
+    jumps.erase(std::unique(jumps.begin(), jumps.end(), same_time), jumps.end());
+    std::erase_if(jumps, [&](double t) { return t <= 0.0; });
+    return jumps;
+  };
+}
+
+}  // namespace fde
