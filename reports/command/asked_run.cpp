@@ -129,6 +129,22 @@ void require_events(const Scene& scene, const RunArguments& arguments) {
     throw std::invalid_argument("--events: the scene has none; those of a file stand under [event.NAME]");
 }
 
+// Throws std::invalid_argument where the states at the times to print are too many, or would have to be kept
+// elsewhere too.
+void require_field(const Scene& scene, const RunArguments& arguments, const std::vector<double>& times,
+                   const std::optional<Grid>& grid) {
+  if (!arguments.field) return;
+  constexpr double most_values = 2e8;
+  if (arguments.checkpoint) reject_text("--field", *arguments.field, "without --checkpoint");
+  if (arguments.events) reject_text("--field", *arguments.field, "without --events");
+  const double rows = times.empty() && grid ? grid->steps + 1.0 : static_cast<double>(times.size());
+  const double values = rows * static_cast<double>(scene.problem.size());
+  if (values <= most_values) return;
+  reject_text("--field", *arguments.field,
+              fmt::format("of at most {:g} values, not {:g}: --at, --every and --points choose times",
+                          most_values, values));
+}
+
 }  // namespace
 
 AskedRun asked_run(const Scene& scene, const RunArguments& arguments) {
@@ -144,6 +160,7 @@ AskedRun asked_run(const Scene& scene, const RunArguments& arguments) {
   if (grid) require_affordable(*grid, options.history);
   require_events(scene, arguments);
   auto times = times_of(arguments, resolution, scene.problem.end);
+  require_field(scene, arguments, times, grid);
   if (const auto reason = refusal(scheme, scene.problem, resolution))
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
   return {scheme,
@@ -152,6 +169,7 @@ AskedRun asked_run(const Scene& scene, const RunArguments& arguments) {
           grid,
           std::move(times),
           std::move(options),
+          arguments.field.has_value(),
           chosen ? grid_text(setup.grading) : ""};
 }
 

@@ -13,7 +13,7 @@ namespace fde {
 // What `solve` is told of a run, as texts; --until belongs to the scene.
 struct RunArguments {
   std::string scheme;
-  std::optional<std::string> steps, accuracy, at, every, points, threads, checkpoint, checkpoint_every;
+  std::optional<std::string> steps, accuracy, at, every, points, threads, checkpoint, checkpoint_every, field;
   MeansArguments means{.budget = "3600"};
   bool check = false;
   bool events = false;  // the events in place of times
@@ -27,6 +27,7 @@ struct AskedRun {
   std::optional<Grid> grid;   // over which it steps; empty: it chooses its times
   std::vector<double> times;  // to print; empty: all
   Options options;            // but for the times
+  bool keeps_states = false;  // at the times to print, for the field
   std::string chosen_grid{};  // by graded:auto; empty: it was not asked
 };
 

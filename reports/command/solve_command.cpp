@@ -10,6 +10,7 @@
 #include "command/arguments.hpp"
 #include "command/command.hpp"
 #include "command/solved_table.hpp"
+#include "references/whole_file.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/printable.hpp"
 
@@ -35,6 +36,20 @@ void print_rows(const SolvedTable& table, std::ostream& out) {
   }
 }
 
+// One row a time: t and all unknowns of the problem.
+void write_field(const SolvedTable& table, const std::string& name) {
+  WholeFile file(name);
+  std::string line = "t";
+  for (Eigen::Index i = 1; i <= table.field.rows(); ++i) line += fmt::format(",u{}", i);
+  for (Eigen::Index c = 0; c < table.field.cols(); ++c) {
+    file.write(line + '\n');
+    line = fmt::format("{:.17g},{:.17g}", table.times[static_cast<std::size_t>(c)],
+                       fmt::join(Vec(table.field.col(c)), ","));
+  }
+  file.write(line + '\n');
+  file.finish();
+}
+
 void solve(const SolveArguments& arguments, const Streams& streams, const Scenes& known) {
   auto variant = read_variant(arguments.scene, known);
   if (arguments.until && variant.until)
@@ -45,6 +60,7 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
     streams.err << fmt::format("fdebench: {}\n", problem) << std::flush;
   });
   const bool fails = arguments.strict && !table.warning.empty();
+  if (!fails && arguments.run.field) write_field(table, *arguments.run.field);
   if (!fails) print_rows(table, streams.out);
   std::error_code ignored;
   if (!table.checkpoint.empty() && streams.out.flush()) std::filesystem::remove(table.checkpoint, ignored);
@@ -74,6 +90,7 @@ void add_solve_command(CommandLine& program, const Streams& streams, const Scene
   Subcommand::exclude(every, at);
   Subcommand::exclude(points, at);
   Subcommand::exclude(points, every);
+  command.option("--field", arguments->run.field, "a CSV of all unknowns at the times that are printed");
   add_options(command, arguments->run.means);
   command.option("--threads", arguments->run.threads,
                  "among which the past of many unknowns is shared, default 1; the same bits for any number");

@@ -115,7 +115,20 @@ std::string warning_of_events(const Scene& scene, const Trajectory& path) {
 }
 
 // Without reactions columns are all there is to keep, and the states that warnings look at.
-bool keeps_columns(const Scene& scene, const AskedRun& run) { return run.grid && !scene.reactions; }
+bool keeps_columns(const Scene& scene, const AskedRun& run) {
+  return run.grid && !scene.reactions && !run.keeps_states;
+}
+
+// The states of a path at some of its times.
+Rows states_at(const Trajectory& path, const std::vector<double>& times) {
+  Rows states(path.y.rows(), std::ssize(times));
+  Eigen::Index next = 0;
+  for (Eigen::Index c = 0; c < path.y.cols() && next < states.cols(); ++c) {
+    if (path.times[static_cast<std::size_t>(c)] == times[static_cast<std::size_t>(next)])
+      states.col(next++) = path.y.col(c);
+  }
+  return states.leftCols(next);
+}
 
 // The times at which states are returned.
 std::vector<double> times_to_return(const Scene& scene, const AskedRun& run) {
@@ -164,6 +177,7 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
   SolvedTable table = arguments.events ? table_of_events(scene, run.scheme, path)
                       : by_columns     ? table_of(scene, run, path, kept.times(), kept.columns())
                                    : table_of(scene, run, path, path.times, columns_of(scene.outputs, path));
+  if (run.keeps_states) table.field = states_at(path, table.times);
   if (checkpoints) table.checkpoint = *arguments.checkpoint;
   table.warning = run.grid ? warning_line(scene, run, path, arguments.check) : warning_of_events(scene, path);
   table.ended = ended_by(scene, path);

@@ -20,6 +20,7 @@ struct SolvedTable {
   std::optional<std::vector<std::string>> events{};  // at these times, where events are printed
   std::string ended{};    // by which event and when the run ended before its end; empty: it did not
   Rows values{};          // one row a name, one column a time
+  Rows field{};           // the unknowns, one column a time, where they are asked for
   std::string warning{};  // of all that speaks against them; empty: nothing
   std::string cost{};     // one JSON object: time, calls, memory, rate
   std::filesystem::path checkpoint{};  // of no use once the table is written; empty: there is none

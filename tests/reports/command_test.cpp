@@ -105,6 +105,21 @@ TEST(Values, ThatAreEmptyAreNotTheDefault) {
   EXPECT_EQ(err, "fdebench: argument 8 is empty\n");
 }
 
+// The unknown of a relaxation is its column.
+TEST(Solve, WritesTheFieldAtTheTimesThatItPrints) {
+  const TemporaryFolder folder;
+  const auto file = (folder.path() / "field.csv").string();
+  for (const std::string means : {"--scheme l1 --steps 8", "--scheme radau_exponentials --accuracy 1e-6"}) {
+    const auto solve = "solve relaxation --points 3 " + means;
+    auto printed = fdebench(solve).out;
+    EXPECT_EQ(fdebench(solve + " --field " + file).out, printed);
+    std::ifstream stream(file);
+    const std::string field(std::istreambuf_iterator<char>(stream), {});
+    EXPECT_EQ(field, printed.replace(0, 3, "t,u1"));
+  }
+  EXPECT_EQ(fdebench("solve relaxation --scheme l1 --steps 8 --field f --checkpoint c").code, 2);
+}
+
 TEST(Solve, PrintsEachKthTimeAndTheLast) {
   const std::string solve = "solve pendulum --scheme l1 --steps 10 ";
   EXPECT_EQ(fdebench(solve + "--every 4").out, fdebench(solve + "--at 0,8,16,20").out);
