@@ -31,11 +31,11 @@ def drawn_scene(random: Random, lists: Lists, wild: float = 0.3, having: str = "
     names = [name for name, scene in lists.scenes.items() if having in scene["has"] or not having]
     name = random.choice(names)
     scene, chosen = lists.scenes[name], {}
-    is_wild, some = random.random() < wild, random.choice([0.0, 0.3, 0.7, 1.0])
+    is_wild, some = random.random() < wild, random.choice([0.0, 0.4, 0.8, 1.0, 1.0])
     for parameter in scene["parameters"]:
         if random.random() < some:
             chosen[parameter["name"]] = drawn(random, parameter["name"], parameter["default"], parameter["allowed"], is_wild)
-    if random.random() < 0.3:
+    if random.random() < 0.5:
         chosen["until"] = typed(scene["end"] * spread(random, 0.01, 8), 3)
     if name in LARGE:
         chosen["components" if name == "fractional_diffusion" else "n"] = str(random.randint(2, 12))

@@ -33,7 +33,7 @@ def drawn_accuracy(random: Random, lists: Lists) -> Case:
     scheme = random.choice([*takers, "spectral_collocation"])
     smallest = {"spectral_collocation": 1e-13, "adaptive_pc": 1e-9}.get(scheme, 1e-10)
     case = Case("accuracy_is_delivered", scheme=scheme, options={"--accuracy": accuracy(random, smallest), "--budget": "3"},
-                **drawn_problem(random, lists, files=0.45, wild=0.2, events=False, having=random.choice(["", "exact", "exact"])))
+                **drawn_problem(random, lists, files=0.35, wild=0.2, events=False, having=random.choice(["", "exact", "linear", "linear", "linear"])))
     fractions = sorted({1.0, *(spread(random, 0.02, 1) for _ in range(random.randint(1, 5)))})
     times = ",".join(typed(end_of(case, lists) * f, 3) for f in fractions[:-1])
     return replace(case, options={**case.options, "--at": times + ("," if times else "") + repr(end_of(case, lists))})

@@ -70,6 +70,8 @@ class Program:
     def run(self, *arguments: str, seconds: float = 30.0) -> Outcome:
         """`seconds` of processor time are allowed, times the factor for slow builds."""
         limit = seconds * self.slow
+        budgets = [k + 1 for k, word in enumerate(arguments) if word == "--budget"]
+        arguments = tuple(f"{float(word) * self.slow:g}" if k in budgets else word for k, word in enumerate(arguments))
         self.last = arguments
         with self.lock:
             self.executions += 1
