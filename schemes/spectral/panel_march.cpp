@@ -250,11 +250,11 @@ double PanelMarch::break_before(const TimeBlock& panel, const PanelTask& task, c
                              : std::max(std::pow((1.0 + rule.places[0]) / 2.0, row.order), least_share);
     worth[i] = share * solver_.unit_of(task, i) * change[row.drive] / allowed[i];
   }
-  if (panel.from > 0.0 && worth.maxCoeff() > 1.0 && !solver_.grows(run_, task, solved.rows, 1.0)) {
-    const Vec moved = (solved.rows.transpose() * rule.at_start - solver_.held()).cwiseAbs();
-    worth = worth.cwiseMin((moved.array() / allowed.array()).matrix());
-  }
-  return worth.maxCoeff();
+  const double most = worth.maxCoeff();
+  if (panel.from == 0.0 || most <= 1.0) return most;
+  const Vec moved = (solved.rows.transpose() * rule.at_start - solver_.held()).cwiseAbs();
+  const double of_rows = worth.cwiseMin((moved.array() / allowed.array()).matrix()).maxCoeff();
+  return of_rows > 1.0 || solver_.grows(run_, task, solved.rows, 1.0) ? most : of_rows;
 }
 
 // The share of the coefficients that are needed.

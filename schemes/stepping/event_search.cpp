@@ -15,20 +15,78 @@ struct Sample {
 };
 using Value = std::function<double(double t)>;
 
-// The times from `start` to `end` at which a step is looked at. Those next to the ends show whether |value|
-// falls or rises there.
+// The times from `start` to `end` at which a step is looked at first. Those next to the ends show whether
+// |value| falls or rises there; the others are not equally spaced, for what oscillates with their distance
+// would look smooth.
 std::vector<double> looked_at(double start, double end, int pieces) {
-  constexpr double next_to = 1e-3;  // of the step
+  constexpr double next_to = 1e-3;                            // of the step
+  constexpr double aside = 0.3, golden = 0.6180339887498949;  // of a piece; its multiples are spread evenly
   std::vector<double> times{start};
   const auto add = [&](double share) {
     const double t = start + share * (end - start);
     if (t > times.back() && t < end) times.push_back(t);
   };
   add(next_to);
-  for (int piece = 1; piece < pieces; ++piece) add(static_cast<double>(piece) / pieces);
+  for (int piece = 1; piece < pieces; ++piece) {
+    const double multiple = golden * piece;
+    add((piece + aside * (multiple - std::floor(multiple) - 0.5)) / pieces);
+  }
   add(1.0 - next_to);
   times.push_back(end);
   return times;
+}
+
+// How far a sample is from the parabola through three others.
+double off_parabola(const Sample& sample, const Sample& a, const Sample& b, const Sample& c) {
+  const auto part = [&](const Sample& of, const Sample& one, const Sample& other) {
+    return of.value * ((sample.t - one.t) / (of.t - one.t)) * ((sample.t - other.t) / (of.t - other.t));
+  };
+  return std::abs(part(a, b, c) + part(b, a, c) + part(c, a, b) - sample.value);
+}
+
+// Adds samples where those that there are do not show how the value goes between them: where one is off the
+// parabola through its neighbours by more than a part of what they differ by, and by so much that the value
+// may pass through 0 unseen. The pieces between these are then halved; all pieces where these are many, for
+// others may look smooth by chance. Noise, which no sample resolves, comes to an end by the number of
+// samples.
+void resolve(const Value& value, std::vector<Sample>& samples, std::size_t& left) {
+  constexpr double smooth = 0.1, may_hide = 0.25;
+  constexpr int most_halvings = 24;
+  constexpr std::size_t many = 4;  // one piece of so many
+  constexpr std::size_t most_samples = 20000;
+  for (int round = 0; round < most_halvings && samples.size() < std::min(most_samples, left); ++round) {
+    std::vector<bool> halve(samples.size(), false);
+    for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
+      const std::size_t first = k >= 2 ? k - 2 : 0,
+                        last = first + 3 < samples.size() ? first + 3 : samples.size() - 1;
+      if (last - first < 3) break;
+      std::vector<Sample> others;
+      for (std::size_t j = first; j <= last; ++j) {
+        if (j != k) others.push_back(samples[j]);
+      }
+      const auto [low, high] =
+          std::minmax({others[0].value, others[1].value, others[2].value, samples[k].value});
+      const double nearest = std::min(
+          {std::abs(samples[k - 1].value), std::abs(samples[k].value), std::abs(samples[k + 1].value)});
+      const double off = off_parabola(samples[k], others[0], others[1], others[2]);
+      if (off > smooth * (high - low) && off > may_hide * nearest)
+        std::fill(halve.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+                  halve.begin() + static_cast<std::ptrdiff_t>(last) + 1, true);
+    }
+    if (static_cast<std::size_t>(std::ranges::count(halve, true)) * many > halve.size())
+      std::fill(halve.begin() + 1, halve.end(), true);
+    std::vector<Sample> more;
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      if (halve[k]) {
+        const double t = samples[k - 1].t + (samples[k].t - samples[k - 1].t) / 2.0;
+        if (t > samples[k - 1].t && t < samples[k].t) more.push_back({t, value(t)});
+      }
+      more.push_back(samples[k]);
+    }
+    if (more.size() == samples.size()) return;
+    left -= std::min(left, more.size() - samples.size());
+    samples = std::move(more);
+  }
 }
 
 // The zero between two times at which the value has different signs: of the neighbouring numbers between
@@ -100,6 +158,7 @@ std::vector<Occurrence> EventSearch::step(double t, In y, const Path& path, int 
     std::vector<Sample> samples{{time_, values_[e]}};
     for (std::size_t k = 1; k < times.size(); ++k)
       samples.push_back({times[k], events_[e].value(times[k], states[k])});
+    resolve(value, samples, left_);
     for (const auto& [before, behind] : changes(value, samples)) {
       if (counts(events_[e].crossing, before)) found.push_back({e, zero_between(value, before, behind), {}});
     }

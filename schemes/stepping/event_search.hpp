@@ -10,8 +10,8 @@ namespace fde {
 
 // Finds the zeros of events on one step after the other, in which the path is known at any time. Each is
 // located between neighbouring numbers, by the method 748 of Alefeld, Potra & Shi (ACM Trans. Math. Softw. 21
-// (1995)). Values at the ends of some pieces of the step show it; two zeros in one piece are found where
-// |value| has a minimum there.
+// (1995)). Values at the ends of some pieces of the step show it, which are halved until they show how the
+// function goes; two zeros in one piece are found where |value| has a minimum there.
 class EventSearch {
  public:
   using Path = std::function<Vec(double t)>;
@@ -29,6 +29,8 @@ class EventSearch {
   const std::vector<Event>& events_;
   double time_ = 0.0;
   std::vector<double> values_;  // of each event, the last that was not 0
+  std::size_t left_ =
+      1'000'000;  // samples that resolve what oscillates within steps; noise would take any number
 };
 
 }  // namespace fde

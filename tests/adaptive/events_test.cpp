@@ -73,6 +73,27 @@ TEST_P(Events, OfOneStepComeInTheOrderOfTime) {
   }
 }
 
+// sin(w t) has floor(10 w / pi) zeros up to 10, however long the steps are that the solution needs.
+TEST_P(Events, AreAllFoundWhereAFunctionOscillatesWithinSteps) {
+  for (const double rate : {20.0, 300.0}) {
+    const Event wave{.value = [rate](double t, In) { return std::sin(rate * t); }};
+    const auto path = run(half_integral(10.0), 1e-5, {.events = {wave}});
+    ASSERT_EQ(path.events.size(), static_cast<std::size_t>(10.0 * rate / M_PI)) << rate;
+    for (std::size_t k = 0; k < path.events.size(); ++k)
+      EXPECT_NEAR(path.events[k].t, static_cast<double>(k + 1) * M_PI / rate, 1e-13);
+  }
+}
+
+// Rounding about 0 ends the search for more; a function that jumps has one zero at its jump.
+TEST_P(Events, AreFoundWhereAFunctionJumps) {
+  const Event jumps{.value = [](double t, In) { return t < 0.123456 ? -1.0 : 1.0; }};
+  const Event noise{.value = [](double t, In y) { return (y[0] + 1.0) - y[0] - 1.0 + 0.0 * t; }};
+  const auto path = run(half_integral(), 1e-5, {.events = {jumps}});
+  ASSERT_EQ(path.events.size(), 1U);
+  EXPECT_NEAR(path.events[0].t, 0.123456, ulps);
+  EXPECT_EQ(run(half_integral(), 1e-3, {.events = {noise}}).ending, Ending::finished);
+}
+
 // cos t, of order 2: rising where the sine is negative.
 TEST_P(Events, CountInTheirDirection) {
   const Problem problem{.components = {{2.0, {1.0, 0.0}}},
