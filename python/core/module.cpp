@@ -77,7 +77,8 @@ py::tuple facts(const Named& named) {
   return py::make_tuple(id, scene.outputs.names, orders, scene.problem.end);
 }
 
-// Names, times, values with a row for each time, a warning, and the cost as JSON.
+// Names, times, values with a row for each time, a warning, the cost as JSON, and the names of events or
+// None.
 py::tuple solve(const Named& named, const RunArguments& arguments) {
   const SolvedTable table = released([&] {
     const Scenes all = named_scenes();
@@ -86,7 +87,7 @@ py::tuple solve(const Named& named, const RunArguments& arguments) {
   });
   const py::array_t<double> times(std::ssize(table.times), table.times.data());
   const py::array_t<double> values({table.values.cols(), table.values.rows()}, table.values.data());
-  return py::make_tuple(table.names, times, values, table.warning, table.cost);
+  return py::make_tuple(table.names, times, values, table.warning, table.cost, table.events);
 }
 
 // E_{alpha,beta}(z) of arrays of one length, and bounds of the errors.
@@ -149,10 +150,11 @@ void translate(
 }
 
 RunArguments run_arguments(const std::string& scheme, const std::map<std::string, std::string>& texts,
-                           bool check) {
+                           bool check, bool events) {
   RunArguments arguments;
   arguments.scheme = scheme;
   arguments.check = check;
+  arguments.events = events;
   const auto take = [&](const char* name, auto& into) {
     if (const auto found = texts.find(name); found != texts.end()) into = found->second;
   };
@@ -185,11 +187,11 @@ PYBIND11_MODULE(_core, module) {
   module.def("facts", [](const std::string& name, const std::vector<std::string>& settings) {
     return facts({name, settings, nullptr});
   });
-  module.def("solve",
-             [](const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
-                const std::string& scheme, const std::map<std::string, std::string>& texts, bool check) {
-               return solve({name, settings, problem}, run_arguments(scheme, texts, check));
-             });
+  module.def("solve", [](const std::string& name, const std::vector<std::string>& settings,
+                         const Scene* problem, const std::string& scheme,
+                         const std::map<std::string, std::string>& texts, bool check, bool events) {
+    return solve({name, settings, problem}, run_arguments(scheme, texts, check, events));
+  });
   module.def("mittag_leffler", mittag_leffler_of);
   module.def("mittag_leffler_in_digits", mittag_leffler_in_digits);
 }

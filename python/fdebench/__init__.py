@@ -9,10 +9,13 @@
 scenes() and schemes() list what there is; Problem is an equation of one's own.
 """
 
+from . import _core
 from ._exact import Digits, Exact, exact, mittag_leffler, mittag_leffler_digits
 from ._failure import DoubtfulResult, NumericalFailure
 from ._scene import Problem, Scene, Scheme, scene_facts, scenes, schemes
 from ._solve import Solution, choose, solve
+
+__version__ = _core.command(["--version"], None).split()[-1]
 
 __all__ = [
     "Digits",
@@ -23,6 +26,7 @@ __all__ = [
     "Scene",
     "Scheme",
     "Solution",
+    "__version__",
     "choose",
     "exact",
     "mittag_leffler",

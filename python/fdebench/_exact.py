@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import os
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
@@ -11,7 +12,7 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._scene import Problem, Scene, _command
+from ._scene import Problem, Scene, _command, _reals, _text
 
 
 class Exact(Mapping[str, NDArray]):
@@ -36,20 +37,20 @@ class Exact(Mapping[str, NDArray]):
         return f"Exact({', '.join(self)} at {len(self.times)} times)"
 
 
-def exact(scene: str | Scene | Problem, times: ArrayLike, *, digits: int | None = None) -> Exact:
+def exact(scene: str | os.PathLike[str] | Scene | Problem, times: ArrayLike, *, digits: int | None = None) -> Exact:
     """What is known of a scene at these times, whatever solves it.
 
     Linear scenes have formulas with proved bounds, to any number of digits; for others, and for a problem of one's own, two methods
     that share nothing are compared, and the bound is an estimate. Raises NumericalFailure where there is nothing to be known,
     ValueError for times before 0 or beyond a problem.
     """
-    asked = numpy.atleast_1d(numpy.asarray(times, dtype=float))
+    asked = numpy.atleast_1d(_reals("times", times))
     if asked.ndim != 1 or asked.size == 0:
         raise ValueError(f"times: must be a list of numbers, not of shape {asked.shape}")
     distinct, places = numpy.unique(asked, return_inverse=True)
     options = ["--bounds", "--at", ",".join(map(repr, distinct.tolist()))]
     if digits is not None:
-        options += ["--digits", str(digits)]
+        options += ["--digits", _text("digits", digits)]
     rows = csv.reader(io.StringIO(_command("exact", scene, options)))
     names = next(rows)
     texts = numpy.array(list(rows), dtype=object)[places]
@@ -73,7 +74,9 @@ def mittag_leffler(
     array([1.        , 0.42758358])
     """
     points = numpy.asarray(z)
-    a, b, x = numpy.broadcast_arrays(numpy.asarray(alpha, dtype=float), numpy.asarray(beta, dtype=float), points)
+    if points.dtype.kind not in "iufc":
+        raise TypeError(f"z = {z!r}: must be numbers")
+    a, b, x = numpy.broadcast_arrays(_reals("alpha", alpha), _reals("beta", beta), points)
     value, bound = _core.mittag_leffler(a.ravel(), b.ravel(), x.astype(complex).ravel())
     value = (value if numpy.iscomplexobj(points) else value.real).reshape(x.shape)[()]
     return (value, bound.reshape(x.shape)[()]) if bounds else value

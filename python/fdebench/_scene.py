@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import numbers
+import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Union
@@ -17,13 +18,34 @@ from . import _core
 Value = Union[float, str, Sequence[float]]
 
 
-def _text(value: Value) -> str:
+def _real(name: str, value: Any) -> float:
+    """A real number, of Python, of NumPy or in an array of one; complex numbers, None and others are a TypeError."""
+    array = numpy.asarray(value)
+    if array.size != 1 or array.dtype.kind not in "iuf" and not isinstance(value, numbers.Real):
+        raise TypeError(f"{name} = {value!r}: must be a real number")
+    try:
+        return float(value)
+    except OverflowError:
+        raise ValueError(f"{name} = {value}: must be a number in the range of double") from None
+
+
+def _reals(name: str, values: Any) -> NDArray[numpy.float64]:
+    """Real numbers, as an array of any shape."""
+    array = numpy.asarray(values)
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{name} = {values!r}: must be real numbers")
+    return array.astype(float)
+
+
+def _text(name: str, value: Value) -> str:
     """As the command takes it: numbers in the fewest digits that tell them from all others, lists with commas."""
-    if isinstance(value, str):
-        return value
+    if isinstance(value, (str, os.PathLike)):
+        return os.fspath(value)
+    if isinstance(value, numpy.ndarray) and value.ndim == 0:
+        value = value.item()
     if isinstance(value, (Sequence, numpy.ndarray)):
-        return ",".join(map(_text, value))
-    return str(int(value)) if isinstance(value, numbers.Integral) else repr(float(value))
+        return ",".join(_text(name, one) for one in value)
+    return str(int(value)) if isinstance(value, numbers.Integral) else repr(_real(name, value))
 
 
 class _Posed:
@@ -61,9 +83,11 @@ class Scene(_Posed):
     in a mapping, or in the text: ``Scene("relaxation:lambda=-2")``. Raises ValueError naming what is wrong and what is allowed.
     """
 
-    def __init__(self, name: str, parameters: Mapping[str, Value] | None = None, /, **more: Value):
-        self._name = name
-        self._settings = [f"{key}={_text(value)}" for key, value in {**(parameters or {}), **more}.items()]
+    def __init__(self, name: str | os.PathLike[str], parameters: Mapping[str, Value] | None = None, /, **more: Value):
+        if not isinstance(name, (str, os.PathLike)):
+            raise TypeError(f"scene = {name!r}: must be the name of a scene or a file")
+        self._name = os.fspath(name)
+        self._settings = [f"{key}={_text(key, value)}" for key, value in {**(parameters or {}), **more}.items()]
         self._id, self._columns, self._orders, self._end = _core.facts(self._name, self._settings)
 
     @property
@@ -131,13 +155,13 @@ class Problem(_Posed):
 
 
 def _order(order: float) -> float:
-    if not 0.0 <= order <= 2.0:
+    if not 0.0 <= _real("orders", order) <= 2.0:
         raise ValueError(f"orders = {order}: must be a number in [0, 2]")
     return float(order)
 
 
 def _initial(row: int, order: float, given: float | Sequence[float]) -> list[float]:
-    values = [float(value) for value in numpy.atleast_1d(numpy.asarray(given, dtype=float))]
+    values = _reals(f"initial[{row}]", given).ravel().tolist()
     wanted = max(1, math.ceil(order))
     if len(values) != wanted or not all(map(math.isfinite, values)):
         raise ValueError(f"initial[{row}] = {given}: must be {wanted} finite number{'s' * (wanted > 1)} for order {order}")
@@ -145,7 +169,7 @@ def _initial(row: int, order: float, given: float | Sequence[float]) -> list[flo
 
 
 def _positive(name: str, value: float) -> float:
-    if not (value > 0.0 and math.isfinite(value)):
+    if not (_real(name, value) > 0.0 and math.isfinite(value)):
         raise ValueError(f"{name} = {value}: must be a number above 0")
     return float(value)
 
@@ -180,11 +204,11 @@ def schemes() -> list[Scheme]:
     return [Scheme(facts.pop("id"), facts.pop("title"), facts.pop("source"), facts) for facts in known]
 
 
-def _known(scene: str | Scene | Problem) -> Scene | Problem:
-    return Scene(scene) if isinstance(scene, str) else scene
+def _known(scene: str | os.PathLike[str] | Scene | Problem) -> Scene | Problem:
+    return scene if isinstance(scene, (Scene, Problem)) else Scene(scene)
 
 
-def _command(command: str, scene: str | Scene | Problem, options: Sequence[str]) -> str:
+def _command(command: str, scene: str | os.PathLike[str] | Scene | Problem, options: Sequence[str]) -> str:
     """What a command prints of a scene or a problem."""
     known = _known(scene)
     if isinstance(known, Problem):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
@@ -12,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._failure import DoubtfulResult
-from ._scene import Problem, Scene, _command, _known, _text
+from ._scene import Problem, Scene, _command, _known, _real, _reals, _text
 
 
 class Solution(Mapping[str, NDArray[numpy.float64]]):
@@ -20,10 +21,13 @@ class Solution(Mapping[str, NDArray[numpy.float64]]):
 
     ``values`` has a row for each time and a column for each name. ``cost`` has what the solve used: seconds, calls of the
     right-hand side, memory, the rate that theory expects. ``warning`` says what speaks against the numbers, "" if nothing does.
+    ``events``: the name of the event at each time, where events were asked for; otherwise None.
     """
 
-    def __init__(self, names: list[str], times: NDArray[numpy.float64], values: NDArray[numpy.float64], warning: str, cost: str):
+    def __init__(self, names: list[str], times: NDArray[numpy.float64], values: NDArray[numpy.float64], warning: str, cost: str,
+                 events: list[str] | None = None):
         self.names, self.times, self.values, self.warning = names, times, values, warning
+        self.events = events
         self.cost: dict[str, Any] = json.loads(cost)
 
     def __getitem__(self, name: str) -> NDArray[numpy.float64]:
@@ -42,7 +46,7 @@ class Solution(Mapping[str, NDArray[numpy.float64]]):
 
 
 def solve(
-    scene: str | Scene | Problem,
+    scene: str | os.PathLike[str] | Scene | Problem,
     scheme: str,
     steps: int | None = None,
     *,
@@ -55,6 +59,7 @@ def solve(
     tolerance: float | None = None,
     budget: float = 3600.0,
     check: bool = False,
+    events: bool = False,
 ) -> Solution:
     """Solve a scene or a problem with a scheme in so many steps.
 
@@ -62,7 +67,8 @@ def solve(
     the grid times to return, or ``every`` K-th, or so many ``points`` from 0 to the end; default all. ``accuracy`` in place of
     steps: for schemes that choose their own. ``history``: "auto", "direct" or "exponentials". ``tolerance``: relative, of
     Newton's method and of the weights of the past. ``budget``: seconds after which the solve ends. ``check``: also solve with half
-    the steps, and warn where that gives another result.
+    the steps, and warn where that gives another result. ``events``: return the events of an equation file in place of times, with
+    ``accuracy``; ``solution.events`` has their names.
 
     Other threads run meanwhile, and Ctrl-C ends it. Raises ValueError for what cannot be solved, NumericalFailure for a
     solve that did not come to its end; warns with DoubtfulResult.
@@ -71,20 +77,22 @@ def solve(
     is_own = isinstance(known, Problem)
     given = {"steps": steps, "grid": grid, "every": every, "points": points, "accuracy": accuracy, "history": history}
     given |= {"tolerance": tolerance, "budget": budget}
-    texts = {name: _text(value) for name, value in given.items() if value is not None}
+    if not isinstance(scheme, str):
+        raise TypeError(f"scheme = {scheme!r}: must be the id of a scheme")
+    texts = {name: _text(name, value) for name, value in given.items() if value is not None}
     if at is not None:
-        texts["at"] = ",".join(map(repr, numpy.atleast_1d(numpy.asarray(at, dtype=float)).tolist()))
+        texts["at"] = ",".join(map(repr, numpy.atleast_1d(_reals("at", at)).tolist()))
     if (at is not None) + (every is not None) + (points is not None) > 1:
         raise ValueError("at, every and points: one of them at most")
     of = ("", [], known._core) if is_own else (known._name, known._settings, None)
-    solution = Solution(*_core.solve(*of, scheme, texts, check))
+    solution = Solution(*_core.solve(*of, scheme, texts, bool(check), bool(events)))
     if solution.warning:
         warnings.warn(solution.warning.removeprefix("warning: "), DoubtfulResult, stacklevel=2)
     return solution
 
 
 def choose(
-    scene: str | Scene | Problem,
+    scene: str | os.PathLike[str] | Scene | Problem,
     error: float,
     *,
     norm: str = "maximum",
@@ -100,11 +108,11 @@ def choose(
     run is within the accuracy. Solve what was found with ``solve(..., steps, grid=grid)``, or with ``accuracy=asked`` where
     ``asked`` is not None: a scheme that chooses its own steps.
     """
-    options = ["--error", _text(error), "--norm", norm, "--scale", scale, "--json"]
+    options = ["--error", repr(_real("error", error)), "--norm", norm, "--scale", scale, "--json"]
     if columns is not None:
         options += ["--columns", ",".join(columns)]
     if seconds is not None:
-        options += ["--max-time", _text(seconds)]
+        options += ["--max-time", _text("seconds", seconds)]
     found = json.loads(_command("choose", scene, options))
     if isinstance(scene, Problem):
         found["command"] = None

@@ -88,19 +88,23 @@ const Option* runner_up(const Recommendation& made) {
   return made.expected.empty() ? nullptr : &made.expected.front();
 }
 
-std::string command_of(const SceneSettings& scene, const Option& option) {
+std::string options_of(const Option& option) {
   if (option.external) return "";
   const auto* accuracy = std::get_if<Accuracy>(&option.setup.resolution);
-  const auto resolution = accuracy != nullptr ? fmt::format("--accuracy {}", accuracy->relative)
-                                              : fmt::format("--steps {}", option.steps);
-  std::string command =
-      fmt::format("fdebench solve {} --scheme {} {}", label_of(scene), option.schemes.front(), resolution);
-  if (option.setup.grading != 1.0) command += fmt::format(" --grid {}", grid_text(option.setup.grading));
+  auto options = accuracy != nullptr ? fmt::format("--accuracy {}", accuracy->relative)
+                                     : fmt::format("--steps {}", option.steps);
+  if (option.setup.grading != 1.0) options += fmt::format(" --grid {}", grid_text(option.setup.grading));
   if (option.setup.history != HistoryKind::automatic)
-    command += fmt::format(" --history {}", name(option.setup.history));
+    options += fmt::format(" --history {}", name(option.setup.history));
   if (option.setup.tolerance != Setup().tolerance)
-    command += fmt::format(" --tolerance {}", option.setup.tolerance);
-  return command;
+    options += fmt::format(" --tolerance {}", option.setup.tolerance);
+  return options;
+}
+
+std::string command_of(const SceneSettings& scene, const Option& option) {
+  if (option.external) return "";
+  return fmt::format("fdebench solve {} --scheme {} {}", label_of(scene), option.schemes.front(),
+                     options_of(option));
 }
 
 std::string estimate_text(const Estimate& estimate) {

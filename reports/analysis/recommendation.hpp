@@ -43,6 +43,10 @@ std::vector<std::string> within_noise(const Recommendation& made);
 // The first option of another scheme than the first, or the first that is expected; nullptr: there is none.
 const Option* runner_up(const Recommendation& made);
 
+// The options of `fdebench solve` that, behind the scheme's, make the run again; empty for one of another
+// program.
+std::string options_of(const Option& option);
+
 // The command that makes the run again; empty for one of another program.
 std::string command_of(const SceneSettings& scene, const Option& option);
 

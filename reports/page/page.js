@@ -36,17 +36,25 @@ function showScene(section, page, place) {
   drawCharts(section, charts, page, {}, place.lastChild);
 }
 
+// The options of a recommended run as the whole command.
+const withCommands = (table, { name }) => ({ ...table, groups: table.groups.map((group) => ({ ...group, rows: group.rows.map((row) => row.map((cell) =>
+  (cell.command ? { ...cell, command: `fdebench solve ${name} --scheme ${schemeOf(row[1].line)} ${cell.command}` } : cell))) })) });
+
 // What of a section depends on the kind of error: its conclusion, its table and its charts.
 function showKind(section, page, kind, place) {
   const shown = [];
   if (section.conclusions?.[kind.id]) shown.push(element("p", { class: "conclusion" }, ...unbroken(section.conclusions[kind.id])));
   const table = section.tables?.[kind.id] ?? section.table;
-  if (table) shown.push(tableFrame(viewed(table, viewNow(), page.sections), page.lines), ...(table.map ? keyOf(table) : []));
+  if (table) {
+    const now = withCommands(viewed(table, viewNow(), page.sections), section);
+    const frame = tableFrame(now, page.lines);
+    shown.push(table.map ? element("div", { class: "mapped" }, frame, ...keyOf(now)) : frame);
+  }
   if (section.verdicts) {
-    const rows = viewed(section.verdicts[kind.id], viewNow(), page.sections).groups.flatMap((group) => group.rows.map((row) => row.map(cellOf)));
+    const rows = verdictsViewed(section, kind, viewNow(), page.sections);
     const [winners, others] = [true, false].map((wins) => rows.filter(([, { text }]) => text.startsWith("Cheapest in") === wins));
-    shown.push(element("div", {}, element("h3", {}, "Each scheme: where it wins, where not to use it"), linesSaid(winners, page.lines, "winners")));
-    if (others.length > 0) shown.push(element("div", { class: "wide" }, element("h3", {}, "Schemes that are cheapest nowhere"), linesSaid(others, page.lines, "others")));
+    shown.push(element("h3", {}, "Each scheme: where it wins, where not to use it"), linesSaid(winners, page.lines, "winners"));
+    if (others.length > 0) shown.push(element("h3", {}, "Schemes that are cheapest nowhere"), linesSaid(others, page.lines, "others"));
   }
   const { solution, ...measured } = section;
   const charts = chartsOfSection(measured, page.lines, kind, page.kinds, (line, session) => wantsLine(viewNow(), line) && wantsSession(viewNow(), session));
@@ -128,7 +136,8 @@ window.addEventListener("beforeprint", () => {
 // Whatever is drawn is drawn anew for another view; scenes that it does not want are hidden.
 function show() {
   const view = viewNow();
-  for (const { section, whole } of frames) whole.hidden = !wantsScene(view, section);
+  const isEmpty = ({ runs, tables, table }) => !runs && (tables ?? table) && viewed(tables?.[chosenKind(data.kinds).id] ?? table, view, data.sections).groups.length === 0;
+  for (const { section, whole } of frames) whole.hidden = !wantsScene(view, section) || (section.id !== "answer" && isEmpty(section));
   frames.filter(({ drawn, section }) => drawn && (section.tables || section.table || section.runs || section.regions)).forEach(draw);
 }
 

@@ -1,8 +1,11 @@
 #include "page/table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace fde {
 namespace {
@@ -25,6 +28,8 @@ json to_json(const Cell& cell) {
   if (!cell.to.empty()) shown["to"] = cell.to;
   if (!cell.tone.empty()) shown["tone"] = cell.tone;
   if (cell.strength > 0.0) shown["strength"] = std::round(1e2 * cell.strength) / 1e2;
+  if (cell.next > 0.0) shown["next"] = std::stod(fmt::format("{:.2g}", cell.next));
+  if (!cell.command.empty()) shown["command"] = cell.command;
   if (cell.session > 0) shown["session"] = cell.session;
   if (shown.empty()) return cell.text;
   if (cell.text != cell.line) shown["text"] = cell.text;

@@ -17,6 +17,8 @@ struct Cell {
   std::string to{};         // of a row's heading: the id of the section it leads to, in a map all cells
   std::string tone{};       // a verdict, whose colour it wears in a map
   double strength = 0.0;    // of the colour in a map, of its line or its verdict, 0 to 1
+  double next = 0.0;        // of a map's winner: the time of the second line to its own; 0: there is none
+  std::string command{};    // options of `fdebench solve` that make its run again
   std::size_t session = 0;  // whose run it is of, from 1 on; 0: of none, or there is one only
 };
 

@@ -31,11 +31,28 @@ function mapContent(cell, to) {
   return cell.tone ? [element("span", { role: "img", "aria-label": [cell.text, cell.detail].filter(Boolean).join(", ") }, ...parts)] : parts;
 }
 
+// A command line, and a button that copies it.
+function commandLine(text) {
+  const [code, button] = [element("code", {}, text), element("button", { type: "button", "aria-label": `Copy: ${text}` }, "Copy")];
+  button.addEventListener("click", async () => {
+    try {
+      await navigator.clipboard.writeText(text);
+    } catch { // no clipboard for pages of files
+      getSelection().selectAllChildren(code);
+      document.execCommand("copy");
+    }
+    button.textContent = "Copied";
+    setTimeout(() => { button.textContent = "Copy"; }, 1500);
+  });
+  return element("span", { class: "command" }, code, button);
+}
+
 function cellContent(cell, lines, to) {
   const text = cell.marked ? [element("mark", {}, cell.text)] : breakable(cell.text);
   const parts = to && cell.text ? [element("a", { href: `#${to}` }, ...text)] : text;
   if (cell.line) parts.unshift(swatch(lines, cell.line));
   if (cell.detail) parts.push(element("small", {}, ...unbroken(cell.detail)));
+  if (cell.command) parts.push(commandLine(cell.command));
   return parts;
 }
 
@@ -112,16 +129,17 @@ function tableFrame(table, lines) {
 }
 
 
-// The short names of a map's columns.
-function keyOf({ columns }) {
-  const named = columns.filter(({ text }) => shortNameOfLine(text) !== text);
+// The short names in a map, in full.
+function keyOf({ columns, groups }) {
+  const inCells = groups.flatMap(({ rows }) => rows.flatMap((row) => row.map((cell) => cell.line ?? "")));
+  const named = [...new Set([...columns.map(({ text }) => text), ...inCells])].filter((text) => shortNameOfLine(text) !== text).map((text) => ({ text }));
   return named.length === 0 ? [] : [element("p", { class: "key" }, ...named.flatMap(({ text }, i) => [...(i ? [", "] : []), element("b", {}, shortNameOfLine(text)), ` ${text}`]))];
 }
 
 // What is said of each line, its short name before it: a key to the map beside it.
 function linesSaid(rows, lines, id) {
-  return element("dl", { class: "said", id }, ...rows.flatMap(([{ line }, ...said]) => [
+  return element("dl", { class: "said", id }, ...rows.map(([{ line }, ...said]) => element("div", {},
     element("dt", {}, element("b", { style: `--paint:${colourOf(lines, line)}` }, shortNameOfLine(line)), ...breakable(line)),
     ...said.filter(({ text }) => text).map(({ text }) => element("dd", {}, ...unbroken(text))),
-  ]));
+  )));
 }

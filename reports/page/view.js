@@ -73,14 +73,48 @@ const wantsSession = ({ machine }, session) => !machine || session === undefined
 const accuracyName = /^≤ 1e-\d+$/;
 const wantsAccuracy = ({ accuracy }, text) => !accuracy || !accuracyName.test(text) || text === `≤ ${accuracy}`;
 
+// A heading may be one scheme or several, of which one is wanted.
+const isScheme = (text) => schemesMarked.includes(text) || schemeBoxes().some(({ value }) => value === text);
+const wantsHeading = (view, { text, line }) => (line ? wantsLine(view, line)
+  : !text.split(", ").every(isScheme) || text.split(", ").some((scheme) => wantsLine(view, scheme)));
+
+// A map has columns of accuracies or of lines; a row that leads to no section is a trial's and has its scene for a heading.
+const wantsColumn = (view, table, i) => (table.map && i > 0 && !accuracyName.test(table.columns[i].text) ? wantsLine(view, table.columns[i].text)
+  : wantsAccuracy(view, table.columns[i].text));
+const wantsTrial = (view, table, title, { to, text }) => !table.map || Boolean(to) || wantsScene(view, { runs: true, title, name: text });
+
 // A table as this view shows it. sections: all of the page.
 function viewed(table, view, sections) {
-  const kept = table.columns.map((column, i) => i).filter((i) => wantsAccuracy(view, table.columns[i].text));
+  const kept = table.columns.map((column, i) => i).filter((i) => wantsColumn(view, table, i));
   const unwanted = new Set(sections.filter((section) => !wantsScene(view, section)).flatMap(({ id, title }) => [id, title]));
-  const wantsRow = ([heading]) => wantsAccuracy(view, heading.text) && !unwanted.has(heading.to) && (!heading.line || wantsLine(view, heading.line));
+  const wantsRow = ([heading], title) => wantsAccuracy(view, heading.text) && !unwanted.has(heading.to) && !unwanted.has(heading.text) &&
+    wantsHeading(view, heading) && wantsTrial(view, table, title, heading);
   const groups = table.groups.filter(({ title }) => !unwanted.has(title)).map(({ title, rows }) => ({
-    title, rows: rows.map((row) => row.map(cellOf)).filter(wantsRow)
+    title, rows: rows.map((row) => row.map(cellOf)).filter((row) => wantsRow(row, title))
       .map((row) => kept.map((i) => ({ ...row[i], faint: Boolean(table.map && row[i].line && !(wantsLine(view, row[i].line) && wantsSession(view, row[i].session))) }))),
   }));
   return { ...table, columns: kept.map((i) => table.columns[i]), groups: groups.filter(({ rows }) => rows.length > 0) };
+}
+
+// Where each line is cheapest among the cells that the view shows, as { line: sentence }.
+function winsIn({ groups }) {
+  const cells = groups.flatMap(({ rows }) => rows.flatMap(([{ to }, ...row]) => row.filter(({ line }) => line).map((cell) => ({ ...cell, scene: to.replace("scene-", "").split(":")[0] }))));
+  const sentence = (won) => {
+    const count = (scene) => won.filter((cell) => cell.scene === scene).length;
+    const scenes = [...new Set(won.map(({ scene }) => scene))].sort((a, b) => count(b) - count(a));
+    const next = won.map((cell) => cell.next).filter(Boolean).sort((a, b) => a - b), middle = next[Math.floor(next.length / 2)];
+    const margin = middle === undefined ? "" : middle < 1.05 ? " The next is as quick, in the median." : ` The next takes ${middle} times as long, in the median.`;
+    return `Cheapest in ${won.length} of ${cells.length} cells: ${scenes.slice(0, 3).join(", ")}${scenes.length > 3 ? ` and ${scenes.length - 3} more` : ""}.${margin}`;
+  };
+  const lines = [...new Set(cells.filter(({ faint }) => !faint).map(({ line }) => line))];
+  return Object.fromEntries(lines.map((line) => [line, sentence(cells.filter((cell) => cell.line === line))]));
+}
+
+// What is said of each line, of the cells that the view shows: where it wins, and elsewhere what speaks against it.
+function verdictsViewed(section, kind, view, sections) {
+  const rows = viewed(section.verdicts[kind.id], view, sections).groups.flatMap((group) => group.rows);
+  if (!view.scene.trim() && !view.accuracy && !view.machine) return rows;
+  const wins = winsIn(viewed(section.tables[kind.id], view, sections));
+  const said = rows.map(([line, , ...rest]) => [line, { text: wins[line.line] ?? "Wins none of these cells." }, ...rest]);
+  return said.sort(([a], [b]) => Number(b.line in wins) - Number(a.line in wins));
 }

@@ -3,6 +3,7 @@
 import csv
 import io
 import math
+import pathlib
 import subprocess
 import warnings
 
@@ -156,3 +157,69 @@ def test_a_right_hand_side_returns_as_many_numbers_as_there_are_unknowns():
     problem = fdebench.Problem([0.5, 0.5], [1.0, 1.0], lambda t, y: [0.0], 1.0)
     with pytest.raises(ValueError, match=r"rhs: returned an array of shape \(1\), must be \(2\)"):
         fdebench.solve(problem, "l1", 8)
+
+
+FALLING = pathlib.Path(__file__).parents[2] / "docs/examples/falling.toml"
+
+
+def test_events_are_those_of_the_command_and_a_path_names_a_file():
+    """Until the sphere meets the ground; without memory it would at sqrt(2), half way at 1."""
+    solution = fdebench.solve(FALLING, "spectral_collocation", accuracy=1e-8, events=True)
+    printed = subprocess.run(
+        [FDEBENCH, "solve", str(FALLING), "--scheme", "spectral_collocation", "--accuracy", "1e-8", "--events"],
+        capture_output=True, text=True, check=True,
+    )
+    names, *rows = csv.reader(io.StringIO(printed.stdout))
+    assert names == ["event", "t", *solution.names]
+    assert solution.events == [row[0] for row in rows] == ["halfway", "ground"]
+    assert numpy.array_equal(numpy.column_stack([solution.times, solution.values]), numpy.array(rows)[:, 1:].astype(float))
+    fallen = fdebench.solve(fdebench.Scene(FALLING, basset=0), "spectral_collocation", accuracy=1e-8, events=True)
+    assert fallen.times == pytest.approx([1, math.sqrt(2)], abs=1e-6)
+    assert fdebench.solve(FALLING, "l1", 16).events is None
+    with pytest.raises(ValueError, match="^events: "):
+        fdebench.solve(FALLING, "l1", 16, events=True)
+
+
+def test_the_version_is_that_of_the_command():
+    printed = subprocess.run([FDEBENCH, "--version"], capture_output=True, text=True, check=True).stdout
+    assert printed.split()[-1] == fdebench.__version__
+
+
+def test_numbers_without_dimensions_are_numbers():
+    assert fdebench.Scene("relaxation", gamma=numpy.array(0.25)).label == "relaxation:gamma=0.25"
+    assert len(fdebench.solve("relaxation", "l1", numpy.array(8), at=numpy.float64(1)).times) == 1
+    problem = fdebench.Problem(numpy.array([0.5]), numpy.array([1.0]), lambda t, y: -y, numpy.array(1.0))
+    assert len(fdebench.solve(problem, "l1", 8).times) == 9
+
+
+@pytest.mark.parametrize(
+    "wrong, message",
+    [
+        (lambda: fdebench.solve(None, "l1", 8), "^scene = None: must be the name"),
+        (lambda: fdebench.solve("relaxation", None, 8), "^scheme = None: must be the id"),
+        (lambda: fdebench.solve("relaxation", "l1", 8j), "^steps = 8j: must be a real number"),
+        (lambda: fdebench.solve("relaxation", "l1", 8, at=[1j]), "^at = .*1j.*: must be real numbers"),
+        (lambda: fdebench.solve("relaxation", "l1", 8, at=[None]), r"^at = \[None\]: must be real numbers"),
+        (lambda: fdebench.Scene("relaxation", gamma=None), "^gamma = None: must be a real number"),
+        (lambda: fdebench.Scene("relaxation", gamma=0.5 + 0j), r"^gamma = \(0.5\+0j\): must be a real number"),
+        (lambda: fdebench.exact("relaxation", None), "^times = None: must be real numbers"),
+        (lambda: fdebench.exact("relaxation", 1j), "^times = 1j: must be real numbers"),
+        (lambda: fdebench.choose("relaxation", error=None), "^error = None: must be a real number"),
+        (lambda: fdebench.mittag_leffler(1j, 1, 1), "^alpha = 1j: must be real numbers"),
+        (lambda: fdebench.mittag_leffler(0.5, 1, None), "^z = None: must be numbers"),
+        (lambda: fdebench.Problem([None], [1.0], lambda t, y: y, 1.0), "^orders = None: must be a real number"),
+        (lambda: fdebench.Problem([0.5], [None], lambda t, y: y, 1.0), r"^initial\[0\] = None: must be real numbers"),
+        (lambda: fdebench.Problem([0.5], [1j], lambda t, y: y, 1.0), r"^initial\[0\] = 1j: must be real numbers"),
+        (lambda: fdebench.Problem([0.5], [1.0], lambda t, y: y, None), "^end = None: must be a real number"),
+        (lambda: fdebench.solve("relaxation", "l1", 8, step=3), "step"),
+    ],
+)
+def test_what_is_no_number_is_a_type_error_that_names_the_argument(wrong, message):
+    with pytest.raises(TypeError, match=message):
+        wrong()
+
+
+def test_integers_beyond_their_range_are_value_errors():
+    for wrong, name in ((lambda: fdebench.solve("relaxation", "l1", 10**400), "steps"), (lambda: fdebench.choose("relaxation", error=10**400), "error")):
+        with pytest.raises(ValueError, match=f"^{name} = "):
+            wrong()

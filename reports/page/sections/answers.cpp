@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "analysis/recommendation.hpp"
 #include "analysis/text.hpp"
 #include "page/accuracies.hpp"
 #include "page/page_data.hpp"
@@ -108,6 +109,7 @@ Cell map_cell(const PageInput& page, const SceneLines& lines, const ErrorKind& k
           .detail = time_text(first.time.median),
           .line = page.label(first),
           .strength = strength(page, ranked),
+          .next = ranked.size() > 1 ? ranked[1].time.median / first.time.median : 0.0,
           .session = page.sessions.size() > 1 ? first.session + 1 : 0};
 }
 
@@ -120,7 +122,7 @@ std::vector<Cell> answer_row(const PageInput& page, const SceneSettings& scene, 
     const std::string label = page.label(first);
     return {heading,
             {.text = label, .detail = names_note(first), .line = label},
-            {.text = run_note(page, first)},
+            {.text = run_note(page, first), .command = options_of(first)},
             {.text = margin_text(page, scene, ranked, kind)}};
   }
   const auto missed = lines.shortfall(kind, accuracy, forecasts);
