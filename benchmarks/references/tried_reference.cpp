@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "stepping/scheme.hpp"
@@ -22,7 +25,7 @@ std::optional<Rows> coarse_run(std::string_view id, const Scene& scene, const st
   const Scheme& scheme = *find_scheme(id);
   const Accuracy asked{tolerance, tolerance * size};
   if (refusal(scheme, scene.problem, asked)) return std::nullopt;
-  const Trajectory path = scheme.solve(scene.problem, asked, {.at = times, .budget = seconds});
+  const Trajectory path = scheme.solve(scene.problem, asked, {.budget = seconds, .at = times});
   if (path.ending != Ending::finished || path.times != times) return std::nullopt;
   return columns_of(scene.outputs, path);
 }
