@@ -10,11 +10,11 @@
 namespace fde {
 namespace {
 
-// Where changes of sign are looked for, from 0 to the end.
+// Where changes of sign are looked for, up to the end. At 0 itself, where sin(t) is 0, there is none.
 std::vector<double> places(double end) {
   constexpr int equal = 8192, halved = 64;
   std::vector<double> times;
-  for (int i = 0; i <= equal; ++i) times.push_back(end * i / equal);
+  for (int i = 1; i <= equal; ++i) times.push_back(end * i / equal);
   for (int i = 1; i <= halved; ++i) times.push_back(std::ldexp(end, -i));
   std::ranges::sort(times);
   return times;

@@ -59,6 +59,7 @@ TEST(JumpsInTime, AreThoseUpToTheEnd) {
   EXPECT_THAT(jumps_of("step(t - 3) - x", 2.0), ElementsAre());
   EXPECT_THAT(jumps_of("step(t - 3) - x", 4.0), ElementsAre(3.0));
   EXPECT_THAT(jumps_of("step(t - 3e-9) - x", 1.0), ElementsAre(3e-9));
+  EXPECT_THAT(jumps_of("sign(t) + step(sin(t)) - x", 1.0), ElementsAre());
 }
 
 TEST(JumpsInTime, ThatAFileDeclaresAreTheSame) {
