@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{unknown("order = 0.5", "'-x*e^t'", "[1]"), "line 4, column 11", "e^x is exp(x)"},
         Wrong{unknown("order = 0.5", "'D(D(x, 1), 0.5)'", "[1]"), "line 4, column 10",
               "D of D: must be of an unknown"},
-        Wrong{unknown("order = 0.5", "'" + brackets(201) + "'", "[1]"), "line 4, column 208",
+        Wrong{unknown("order = 0.5", "'" + brackets(201) + "'", "[1]"), "line 4, column 209",
               "brackets, signs and powers stand more than 200 deep"},
         Wrong{unknown("order = 0.5", "\"\\u002dx + yy\"", "[1]"), "line 4, column 7",
               "byte 6 of the text: yy: no such name here"},
@@ -177,7 +177,7 @@ TEST(Formulas, HaveTwoHundredBracketsAtMost) {
 // gamma is a number where no bracket follows.
 TEST(Parameters, MayBearTheNameOfAFunction) {
   const Scene scene =
-      scene_of_text("[parameters]\ngamma = 0.25\n" + relaxation_file("-gamma*x/gamma(2 + gamma)", "1"));
+      scene_of_text(relaxation_file("-gamma*x/gamma(2 + gamma)", "1") + "[parameters]\ngamma = 0.25\n");
   Vec f(1);
   scene.problem.rhs(0.0, Vec::Constant(1, 3.0), f);
   EXPECT_DOUBLE_EQ(f[0], -0.75 / std::tgamma(2.25));
