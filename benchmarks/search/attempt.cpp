@@ -57,10 +57,10 @@ Attempt Examiner::examine(const Way& way, const StepsOrAccuracy& resolution, int
   at_end ? judge_end(attempt) : judge_all(path.times, attempt);
   constexpr double nearly = 1e-9;
   if (attempt.trivial < nearly && is_constant()) attempt.trivial = std::numeric_limits<double>::infinity();
-  if (!at_end && !way.chooses_steps())
-    attempt.error =
-        std::max(attempt.error,
-                 hidden_motion({.end = scene_.problem.end, .steps = attempt.steps, .grading = way.grading}));
+  if (!at_end && !way.chooses_steps()) {
+    const Grid grid{.end = scene_.problem.end, .steps = attempt.steps, .grading = way.grading};
+    attempt.error = std::max(attempt.error, hidden_motion(grid));
+  }
   attempt.within = attempt.error + reference_bound() <= question_.accuracy && attempt.error < attempt.trivial;
   return attempt;
 }
@@ -134,7 +134,8 @@ const Examiner::Motion& Examiner::motion() {
 // smallest order, has the part h^g of its motion within a first step h (of an interval 1), which is no
 // transient: most is half of what is left, too, and nine tenths at most.
 double Examiner::hidden_motion(const Grid& grid) {
-  const auto& [times, moved] = motion();
+  const auto& times = motion().times;
+  const auto& moved = motion().moved;
   double hidden = 0.0, order = 1.0;
   for (const auto& component : scene_.problem.components) {
     if (component.order > 0.0) order = std::min(order, component.order);

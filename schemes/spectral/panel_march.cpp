@@ -113,10 +113,9 @@ std::unique_ptr<PastBlock> PanelMarch::attempt(const TimeBlock& block, const Mat
   const Matrix coefficients = solution_->rule.to_coefficients * solved.drives;
   const Vec allowed = solver_.allowed(task, solved.rows);
   const Vec effects = effects_of(block, task, solved, coefficients, allowed);
+  double doubt = std::max(effects.tail(2).sum() / part, break_before(block, task, solved, allowed));
   // More than the places can see grow.
-  const bool outrun = solver_.grows(run_, task, solved.rows, static_cast<double>(effects.size()));
-  const double doubt =
-      outrun ? infinity : std::max(effects.tail(2).sum() / part, break_before(block, task, solved, allowed));
+  if (solver_.grows(run_, task, solved.rows, static_cast<double>(effects.size()))) doubt = infinity;
   if (!(doubt <= 1.0) && !left_by_rounding(block, doubt)) {
     shorten(block, doubt);
     return nullptr;

@@ -69,9 +69,10 @@ void resolve(const Value& value, std::vector<Sample>& samples, std::size_t& left
       const double nearest = std::min(
           {std::abs(samples[k - 1].value), std::abs(samples[k].value), std::abs(samples[k + 1].value)});
       const double off = off_parabola(samples[k], others[0], others[1], others[2]);
-      if (off > smooth * (high - low) && off > may_hide * nearest)
+      if (off > smooth * (high - low) && off > may_hide * nearest) {
         std::fill(halve.begin() + static_cast<std::ptrdiff_t>(first) + 1,
                   halve.begin() + static_cast<std::ptrdiff_t>(last) + 1, true);
+      }
     }
     if (static_cast<std::size_t>(std::ranges::count(halve, true)) * many > halve.size())
       std::fill(halve.begin() + 1, halve.end(), true);
