@@ -183,16 +183,21 @@ double TrapezoidalSteps::error(const Vec& of_f) {
     const auto [by_now, by_end] = accumulation(orders_[i]);  // a
     result = std::max({result, sum(by_now) / limit_[i], sum(by_end) / limit_of_all[i]});
   }
+  if (!answered.allFinite() || !left.allFinite()) return no_solution;
   return result;
 }
 
 // The part of an error that the equations of a step leave when they answer to it again, for each row: the
 // larger of that of all rows together and of those of its order, in the mean square.
 Vec TrapezoidalSteps::left_of(const Vec& answered, const Vec& again) const {
+  // Squares of parts of the largest error do not overflow.
+  const double largest = largest_part(answered, limit_);
+  if (largest == 0.0 || !std::isfinite(largest) || answered == again) return Vec::Ones(limit_.size());
   Vec before = Vec::Zero(limit_.size()), after = before;
   double all_before = 0.0, all_after = 0.0;
   const auto square = [&](double error, Eigen::Index i) {
-    return error == 0.0 ? 0.0 : error / limit_[i] * (error / limit_[i]);
+    const double part = error / limit_[i] / largest;
+    return part * part;
   };
   for (Eigen::Index i = 0; i < limit_.size(); ++i) {
     const double one = square(answered[i], i), other = square(again[i], i);

@@ -258,6 +258,16 @@ TEST(AdaptiveStart, IsAsShortAsRowsOfLowOrderAsk) {
   }
 }
 
+// Diffusion of a step: rows far from it are 1e-300, of which squared errors overflow. A result is bounded by
+// the start, or is none.
+TEST(AdaptiveTrapezoidal, ReturnsNoGrownResultOfDiffusion) {
+  const Scene scene = scene_of("fractional_diffusion", {{"start", "step"}});
+  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
+    const auto path = find_scheme(scheme)->solve(scene.problem, Accuracy{2e-3, 2e-3}, {.budget = 2.0});
+    EXPECT_LE(path.y.cwiseAbs().maxCoeff(), 1.1) << scheme;
+  }
+}
+
 // Rows of orders 0.71 and 1.6: the first forgets errors, the second keeps them.
 TEST(AdaptiveTrapezoidal, AddsUpErrorsOfEachOrderByItself) {
   const Scene scene = scene_of("linear_system", {{"gamma1", 0.7089},
