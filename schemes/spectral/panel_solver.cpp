@@ -90,9 +90,11 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
     if (!evaluate(run, task, rows)) return false;
     right_ -= drives * mass_.asDiagonal();
     if (anew && !linearise(run, task, rows)) {
-      // A derivative may be infinite where the rows are those of the start: the drives move away from there.
+      // A derivative may be infinite where the rows are those of the start: the drives move away from there,
+      // or have their values already, where the rows do not differ from the start by more than rounding.
       if (++sweeps > most_sweeps || mass_.minCoeff() == 0.0) return false;
       move(task, right_, drives, rows);
+      if (rows.allFinite() && part_moved(left_over(task, rows)) <= 1.0) return true;
       continue;
     }
     const Matrix increment = factors_.solve(right_.reshaped()).reshaped(drives.rows(), drives.cols());
@@ -100,8 +102,7 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
     move(task, increment, drives, rows);
     if (!rows.allFinite()) return false;
     const Vec limit = left_over(task, rows);
-    const double now =
-        (moved_.cwiseAbs().colwise().maxCoeff().transpose().array() / limit.array()).maxCoeff();
+    const double now = part_moved(limit);
     const double contraction = last > 0.0 ? now / last : 1.0;
     if (is_linear_ ? !cancels(limit) || iteration > 1 : now * std::min(contraction, 1.0) <= 1.0) return true;
     if (now <= 1.0 && contraction > 0.5) return true;  // as far as rounding lets it
@@ -110,6 +111,11 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
     last = now;
   }
   return false;
+}
+
+// The largest change of a row by the last increment, in units of its limit.
+double PanelSolver::part_moved(const Vec& limit) const {
+  return (moved_.cwiseAbs().colwise().maxCoeff().transpose().array() / limit.array()).maxCoeff();
 }
 
 // Whether the last increment, added up, may have lost more digits than it should.

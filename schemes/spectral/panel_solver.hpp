@@ -71,6 +71,7 @@ class PanelSolver {
   bool evaluate(Run& run, const PanelTask& task, const Matrix& rows);
   bool linearise(Run& run, const PanelTask& task, const Matrix& rows);
   void move(const PanelTask& task, const Matrix& increment, Matrix& drives, Matrix& rows);
+  [[nodiscard]] double part_moved(const Vec& limit) const;
   [[nodiscard]] bool cancels(const Vec& limit) const;
 
   const Problem& problem_;

@@ -49,6 +49,20 @@ TEST_P(MultiOrderConvergence, IsThatOfAtLeastHalfTheSteps) {
 
 INSTANTIATE_TEST_SUITE_P(OfEveryScheme, MultiOrderConvergence, testing::ValuesIn(row_schemes()), id_of_param);
 
+// Next to the start y3 - 0.3 = t^1.8 is rounding, and the derivative of its sixth root infinite.
+TEST(MultiOrder, IsSolvedToTheAccuracyAsked) {
+  const Scene scene = scene_of_example("multi_order.toml");
+  const auto* scheme = find_scheme("spectral_collocation");
+  for (const double accuracy : {1e-6, 3e-10, 1e-11}) {
+    const auto path = scheme->solve(scene.problem, Accuracy{accuracy, accuracy}, {.at = {0.1, 1.0}});
+    ASSERT_EQ(path.ending, Ending::finished) << accuracy;
+    for (Eigen::Index c = 0; c < path.y.cols(); ++c) {
+      const Vec exact = scene.reference.at(path.time(c)).value, error = (path.y.col(c) - exact).cwiseAbs();
+      EXPECT_LE((error.array() / (1.0 + exact.array())).maxCoeff(), 10.0 * accuracy) << path.time(c);
+    }
+  }
+}
+
 TEST(MultiOrder, HasNoStartPowers) {
   EXPECT_TRUE(scene_of_example("multi_order.toml").smoothness.powers.empty());
 }
