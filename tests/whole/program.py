@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import threading
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,9 +31,15 @@ class Outcome:
         return self.code == 0
 
 
-def ending_fault(outcome: Outcome, seconds: float) -> tuple[str, str] | None:
+def reasons(err: str, elapsed: float) -> list[str]:
+    """The lines on standard error without those of progress, of which there is one a minute off a terminal."""
+    lines = err.splitlines()
+    return lines if elapsed < 55.0 else [line for line in lines if line.startswith(("fdebench: ", '{"'))]
+
+
+def ending_fault(outcome: Outcome, seconds: float, elapsed: float) -> tuple[str, str] | None:
     """What is wrong with how a command ended: docs/command.md, "Exit codes"."""
-    lines = outcome.err.splitlines()
+    lines = reasons(outcome.err, elapsed)
     if any(word in outcome.err for word in SANITIZERS):
         return "sanitizer", next(line for line in lines if any(word in line for word in SANITIZERS))
     if outcome.code in (-24, 152, 137, -9):
@@ -76,12 +83,13 @@ class Program:
         with self.lock:
             self.executions += 1
         command = ["sh", "-c", f'ulimit -t {int(limit) + 1}; exec "$0" "$@"', str(self.binary), *arguments]
+        begin = time.monotonic()
         try:
             ended = subprocess.run(command, capture_output=True, cwd=self.folder, env=self.environment,
                                    timeout=10 * limit + 60, stdin=subprocess.DEVNULL)
         except subprocess.TimeoutExpired:
             raise Fault("time", f"does not end within {10 * limit + 60:g} s") from None
         outcome = Outcome(arguments, ended.returncode, ended.stdout.decode(errors="replace"), ended.stderr.decode(errors="replace"))
-        if fault := ending_fault(outcome, limit):
+        if fault := ending_fault(outcome, limit, time.monotonic() - begin):
             raise Fault(*fault, arguments)
         return outcome
