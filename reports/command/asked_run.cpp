@@ -101,9 +101,10 @@ std::vector<double> times_of(const RunArguments& arguments, const Resolution& re
   const auto* grid = std::get_if<Grid>(&resolution);
   if (arguments.every || arguments.points) {
     if (grid != nullptr) return spread_times(arguments, *grid);
-    if (arguments.every)
+    if (arguments.every) {
       reject_text("--every", *arguments.every,
                   "with --steps; with --accuracy --points K prints K equal times");
+    }
     return spread_times(parse_count("--points", *arguments.points, 2, most_rows), end);
   }
   if (grid != nullptr && grid->steps > most_rows) {

@@ -2,6 +2,7 @@
 
 #include "command/command.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -112,7 +113,7 @@ TEST(Solve, WritesTheFieldAtTheTimesThatItPrints) {
   for (const std::string means : {"--scheme l1 --steps 8", "--scheme radau_exponentials --accuracy 1e-6"}) {
     const auto solve = "solve relaxation --points 3 " + means;
     auto printed = fdebench(solve).out;
-    EXPECT_EQ(fdebench(solve + " --field " + file).out, printed);
+    EXPECT_EQ(fdebench(fmt::format("{} --field {}", solve, file)).out, printed);
     std::ifstream stream(file);
     const std::string field(std::istreambuf_iterator<char>(stream), {});
     EXPECT_EQ(field, printed.replace(0, 3, "t,u1"));

@@ -78,7 +78,7 @@ TEST_F(Judging, TakesTheFilesThatOtherProgramsWrite) {
 
 // What is said of a NUL would end there.
 TEST_F(Judging, NamesANul) {
-  const std::string csv{"t,y\n0,0\n1,\0", 12};
+  const std::string csv{"t,y\n0,0\n1,\0", 11};
   EXPECT_EQ(refusal(csv + "5\n"), ": line 3: has a NUL byte, which no CSV has\n");
 }
 

@@ -35,20 +35,24 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+// Those with initial values alone: what is posed at both ends has two methods of its own.
 std::vector<const SceneMaker*> nonlinear_scenes() {
   std::vector<const SceneMaker*> found;
-  for (const auto& maker : scenes())
-    if (!make_scene(maker).reference.at) found.push_back(&maker);
+  for (const auto& maker : scenes()) {
+    const Scene scene = make_scene(maker);
+    if (!scene.reference.at && !two_sided(scene.problem)) found.push_back(&maker);
+  }
   return found;
 }
 
-// Each number within a third of its default, where that is allowed; words and lists as they are.
+// Each number within a third of its default, where that is allowed; whole numbers, words and lists as they
+// are.
 ParameterValues drawn_values(const SceneMaker& maker, std::mt19937_64& generator) {
   std::uniform_real_distribution<double> factor(2.0 / 3.0, 4.0 / 3.0);
   ParameterValues values;
   for (const Parameter& parameter : maker.parameters) {
     const double* number = std::get_if<double>(&parameter.value);
-    if (!number || !parameter.derived.empty()) continue;
+    if (number == nullptr || !parameter.derived.empty() || *number == std::rint(*number)) continue;
     const ParameterValue drawn = std::round(1e4 * factor(generator) * *number) / 1e4;
     if (parameter.allows(drawn)) values[parameter.name] = drawn;
   }
@@ -86,8 +90,7 @@ int random_problems(int count) {
     for (const auto& [name, value] : values) label += fmt::format(" {}={}", name, text_of(value));
     try {
       Scene scene = make_scene(maker, values);
-      // What is posed at both ends has a solution of its own for each end.
-      if (!two_sided(scene.problem)) scene.problem.end = end(generator);
+      scene.problem.end = end(generator);
       const double difference = difference_in_bounds(posed_for_reference(scene).problem);
       if (difference <= 1.0) continue;
       ++beyond;
