@@ -55,21 +55,21 @@ def drawn_variant(random: Random, lists: Lists) -> Case:
     if "--steps" in options:
         options["--steps"] = str(min(int(options["--steps"]), 20_000))
         options |= random.choice([{}, {}, {"--grid": "graded:2"}, {"--history": "exponentials"}, {"--history": "direct"}])
-    variant = random.choice(["--every", "--points", "--at", "--threads", "--checkpoint", "--budget", "--cost", "--check"])
+    variant = random.choice(["--every", "--points", "--at", "--threads", "--checkpoint", "--budget", "--cost", "--check", "--field"])
     return Case("another_output_has_the_same_bits", scheme=scheme, options=options, words=(variant, str(random.randint(1, 30))),
                 **drawn_problem(random, lists, wild=0.1))
 
 
 @must_hold(drawn_variant, 3)
 def another_output_has_the_same_bits(program: Program, case: Case, lists: Lists) -> None:
-    """--every, --points, --at, --threads, --checkpoint and what only says more change no bit of a row."""
+    """--every, --points, --at, --threads, --checkpoint, --field and what only says more change no bit of a row."""
     variant, count = case.words[0], int(case.words[1])
     ended = solve(program, case)
     if not ended.done:
         return
     whole = check_rows(case, ended)
     rows = {row[0]: row for row in whole.rows}
-    value = {"--every": str(count), "--points": str(count + 1), "--threads": "2", "--checkpoint": "state", "--budget": "60",
+    value = {"--every": str(count), "--points": str(count + 1), "--threads": "2", "--checkpoint": "state", "--budget": "60", "--field": "field.csv",
              "--at": ",".join(row[0] for row in whole.rows[:: max(1, len(whole.rows) // count)])}.get(variant, "")
     again = replace(case, options={**case.options, variant: value} | ({"--checkpoint-every": "0"} if variant == "--checkpoint" else {}))
     other = solve(program, again)
@@ -81,8 +81,10 @@ def another_output_has_the_same_bits(program: Program, case: Case, lists: Lists)
     shared = [row for row in table.rows if row[0] in rows]
     if len(shared) != len(table.rows) and (variant != "--points" or "--steps" in case.options):
         raise Fault("times", f"with {variant} {value[:40]} there are times that are not there without it")
-    if variant in ("--threads", "--checkpoint", "--budget", "--cost", "--check") and len(table.rows) != len(whole.rows):
+    if variant in ("--threads", "--checkpoint", "--budget", "--cost", "--check", "--field") and len(table.rows) != len(whole.rows):
         raise Fault("rows", f"with {variant} {len(table.rows)} rows, without it {len(whole.rows)}")
+    if variant == "--field" and [row[0] for row in Table.read((program.folder / value).read_text()).rows] != [row[0] for row in table.rows]:
+        raise Fault("field", "the field is not at the times that are printed")
     for row in shared:
         if row != rows[row[0]]:
             raise Fault("bits", f"with {variant} {value[:40]} {','.join(row)}, without it {','.join(rows[row[0]])}")
