@@ -40,11 +40,13 @@ std::vector<std::string> printed_names(const Scene& scene) {
 }
 
 Vec printed_values(const Scene& scene, double t, In columns) {
+  // Of a vector of their own: where columns of a matrix begin in memory decides in which order Eigen sums them.
+  const Vec own = columns;
   Vec values(std::ssize(printed_names(scene)));
-  values.head(columns.size()) = columns;
-  Eigen::Index next = columns.size();
-  if (scene.energy) values[next++] = scene.energy.value(columns);
-  if (scene.constraint) values[next++] = scene.constraint.drift(t, columns);
+  values.head(own.size()) = own;
+  Eigen::Index next = own.size();
+  if (scene.energy) values[next++] = scene.energy.value(own);
+  if (scene.constraint) values[next++] = scene.constraint.drift(t, own);
   return values;
 }
 
