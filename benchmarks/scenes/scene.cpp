@@ -40,7 +40,8 @@ std::vector<std::string> printed_names(const Scene& scene) {
 }
 
 Vec printed_values(const Scene& scene, double t, In columns) {
-  // Of a vector of their own: where columns of a matrix begin in memory decides in which order Eigen sums them.
+  // Of a vector of their own: where columns of a matrix begin in memory decides in which order Eigen sums
+  // them.
   const Vec own = columns;
   Vec values(std::ssize(printed_names(scene)));
   values.head(own.size()) = own;
