@@ -41,17 +41,6 @@ std::vector<Entry> derivatives_of(const EquationSystem& system, FileFormulas& fo
   return entries;
 }
 
-// Whether it has jumps, where its derivative is not all that there is to it.
-bool jumps(Expression value, const Expressions& all) {
-  const auto used = all.parts(value);
-  for (Expression e = 0; e <= value; ++e) {
-    const auto operation = all[e].operation;
-    if (used[static_cast<std::size_t>(e)] && (operation == Operation::sign || operation == Operation::step))
-      return true;
-  }
-  return false;
-}
-
 // What unknowns have a part in among the arguments of the signs and steps of the rows.
 std::vector<Expression> switches_of(const EquationSystem& system, const Expressions& all) {
   std::vector<Expression> found;
@@ -73,7 +62,9 @@ std::optional<double> constant_of(Expression value, Eigen::Index size, Expressio
   constexpr Eigen::Index few = 12;
   if (const auto known = all.value(value)) return static_cast<double>(*known);
   const auto zero = all.number(0);
-  if (size > few || jumps(value, all)) return std::nullopt;
+  // Where it jumps its derivative is not all that there is to it.
+  const bool jumps = !all.arguments({value}, {Operation::sign, Operation::step}).empty();
+  if (size > few || jumps) return std::nullopt;
   for (int variable = 0; variable <= size; ++variable) {
     const auto slope = all.derivative(value, variable);
     if (slope != zero && all.value(slope) != 0.0L) return std::nullopt;
@@ -122,7 +113,7 @@ void require_start_on_constraints(const EquationSystem& system, const Problem& p
 Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
   const auto size = system.size();
   auto& all = formulas.all();
-  Problem problem{.components = system.components, .end = system.end, .jumps = system.jumps};
+  Problem problem{.components = system.components, .end = system.end};
   problem.rhs = [program = Program(all, system.rows, size)](double t, In y, Out f) {
     program.evaluate(t, y, {f.data(), static_cast<std::size_t>(f.size())});
   };

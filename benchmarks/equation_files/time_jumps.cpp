@@ -74,7 +74,6 @@ std::function<std::vector<double>(double end)> time_jumps(const EquationSystem& 
     for (const auto& sign : signs) add_changes(sign, end, jumps);
     std::ranges::sort(jumps);
     jumps.erase(std::unique(jumps.begin(), jumps.end(), same_time), jumps.end());
-    std::erase_if(jumps, [&](double t) { return t <= 0.0; });
     return jumps;
   };
 }

@@ -21,17 +21,6 @@ Reference through(const Outputs& outputs, Reference components) {
           .evidence = evidence};
 }
 
-}  // namespace
-
-PosedProblem posed_for_reference(const Scene& scene) {
-  if (!scene.reference_problem) return {scene.problem, scene.outputs};
-  PosedProblem posed = *scene.reference_problem;
-  posed.problem.end = scene.problem.end;
-  return posed;
-}
-
-namespace {
-
 Reference found_reference(const Scene& scene) {
   if (scene.reference.at) return scene.reference;
   const auto [problem, outputs] = posed_for_reference(scene);
@@ -40,6 +29,13 @@ Reference found_reference(const Scene& scene) {
 }
 
 }  // namespace
+
+PosedProblem posed_for_reference(const Scene& scene) {
+  if (!scene.reference_problem) return {scene.problem, scene.outputs};
+  PosedProblem posed = *scene.reference_problem;
+  posed.problem.end = scene.problem.end;
+  return posed;
+}
 
 Reference reference_of(const Scene& scene) {
   Reference reference = found_reference(scene);

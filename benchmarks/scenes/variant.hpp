@@ -56,7 +56,7 @@ SceneVariant parse_variant(const std::string& text, const std::vector<std::strin
 std::vector<SceneVariant> parse_variants(const std::string& text, const std::vector<std::string>& settings,
                                          const Scenes& among = scenes());
 
-// Ends of time intervals: their products with a number of steps are doubles.
-inline constexpr Range any_end{.low = 0.0, .high = 1e290, .open_low = true};
+// Ends of time intervals: their products with a number of steps, and the inverses of these, are doubles.
+inline constexpr Range any_end{.low = 1e-290, .high = 1e290};
 
 }  // namespace fde

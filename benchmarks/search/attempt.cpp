@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -13,6 +12,18 @@
 #include "observers/watched_steps.hpp"
 
 namespace fde {
+namespace {
+
+// Of the rows that are no algebraic ones, at most 1.
+double smallest_order(const Problem& problem) {
+  double order = 1.0;
+  for (const auto& component : problem.components)
+    if (!algebraic(component)) order = std::min(order, component.order);
+  return order;
+}
+
+}  // namespace
+
 StepsOrAccuracy resolution_of(const Attempt& attempt) {
   if (attempt.asked) return Accuracy{*attempt.asked, *attempt.asked};
   return attempt.steps;
@@ -59,7 +70,7 @@ Attempt Examiner::examine(const Way& way, const StepsOrAccuracy& resolution, int
   if (attempt.trivial < nearly && is_constant()) attempt.trivial = std::numeric_limits<double>::infinity();
   if (!at_end && !way.chooses_steps()) {
     const Grid grid{.end = scene_.problem.end, .steps = attempt.steps, .grading = way.grading};
-    attempt.error = std::max(attempt.error, hidden_motion(grid));
+    attempt.error = std::max(attempt.error, variation().hidden_by(grid, smallest_order(scene_.problem)));
   }
   attempt.within = attempt.error + reference_bound() <= question_.accuracy && attempt.error < attempt.trivial;
   return attempt;
@@ -113,55 +124,13 @@ bool Examiner::is_constant() {
   return is_constant_.emplace(((values - first).cwiseAbs().array() <= least.array()).all());
 }
 
-// At times that no grid has: evenly spread, and in powers towards the start and each jump.
-const Examiner::Motion& Examiner::motion() {
-  if (motion_) return *motion_;
+const TotalVariation& Examiner::variation() {
+  if (variation_) return *variation_;
   constexpr int evenly = 64;
   auto times = watched_times(scene_.problem, evenly);
   const Rows values = finite_reference(times);
   const Rows by = divisors(question_.kind.scale, times, values);
-  Rows moved = Rows::Zero(values.rows(), values.cols());
-  for (Eigen::Index c = 1; c < values.cols(); ++c) {
-    moved.col(c) =
-        moved.col(c - 1) +
-        (values.col(c) - values.col(c - 1)).cwiseAbs().cwiseQuotient(by.col(c).cwiseMax(by.col(c - 1)));
-  }
-  return motion_.emplace(Motion{std::move(times), std::move(moved)});
-}
-
-// Half of the motion of a column within one step, where that is most of all its motion; 0 where there is no
-// such step. A maximum over the steps of a grid does not see it. A solution that moves as t^g, g being the
-// smallest order, has the part h^g of its motion within a first step h (of an interval 1), which is no
-// transient: most is half of what is left, too, and nine tenths at most.
-double Examiner::hidden_motion(const Grid& grid) {
-  const auto& times = motion().times;
-  const auto& moved = motion().moved;
-  double hidden = 0.0, order = 1.0;
-  for (const auto& component : scene_.problem.components) {
-    if (component.order > 0.0) order = std::min(order, component.order);
-  }
-  for (Eigen::Index i = 0; i < moved.rows(); ++i) {
-    const auto row = moved.row(i);
-    const auto until = [&](double t) {
-      const auto next = std::ranges::upper_bound(times, t);
-      if (next == times.end()) return row[row.size() - 1];
-      const auto c = static_cast<Eigen::Index>(next - times.begin());
-      const double part = (t - *(next - 1)) / (*next - *(next - 1));
-      return row[c - 1] + part * (row[c] - row[c - 1]);
-    };
-    // Only the step in which the column comes to the half of its way can have more than half of it.
-    const double whole = row[row.size() - 1];
-    Eigen::Index half = 1;
-    while (half < row.size() - 1 && row[half] < 0.5 * whole) ++half;
-    const double t = times[static_cast<std::size_t>(half)];
-    const double n = grid.steps * std::pow(t / grid.end, 1.0 / grid.grading);
-    const int last = std::clamp(static_cast<int>(std::ceil(n)), 1, grid.steps);
-    const double within = until(grid.time(last)) - until(grid.time(last - 1));
-    constexpr double most = 0.9;
-    const double part_of_power = std::pow((grid.time(last) - grid.time(last - 1)) / grid.end, order);
-    if (within > std::min(most, 0.5 * (1.0 + part_of_power)) * whole) hidden = std::max(hidden, 0.5 * within);
-  }
-  return hidden;
+  return variation_.emplace(std::move(times), values, by);
 }
 
 void Examiner::judge_end(Attempt& attempt) {

@@ -8,6 +8,7 @@
 #include "records/setup.hpp"
 #include "references/watched_reference.hpp"
 #include "search/question.hpp"
+#include "search/total_variation.hpp"
 #include "stepping/scheme.hpp"
 
 namespace fde {
@@ -72,7 +73,6 @@ class Examiner {
   Rows finite_reference(const std::vector<double>& times);
   void judge_all(const std::vector<double>& times, Attempt& attempt);
   void judge_end(Attempt& attempt);
-  double hidden_motion(const Grid& grid);
   [[nodiscard]] Rows counted(const Rows& columns) const;
   [[nodiscard]] std::vector<double> compared_times(const Way& way, const StepsOrAccuracy& resolution,
                                                    int watched) const;
@@ -89,13 +89,9 @@ class Examiner {
   const AtEnd& at_end();
   std::optional<AtEnd> at_end_{};
   std::optional<bool> is_constant_{};
-  // How far each column has moved up to a time, on the scale asked for.
-  struct Motion {
-    std::vector<double> times;
-    Rows moved;
-  };
-  const Motion& motion();
-  std::optional<Motion> motion_{};
+  // On the scale asked for, at times that no grid has.
+  const TotalVariation& variation();
+  std::optional<TotalVariation> variation_{};
 };
 
 }  // namespace fde

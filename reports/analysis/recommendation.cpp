@@ -134,9 +134,9 @@ std::string text_of(const Recommendation& made) {
   text += fmt::format("{}: {}\n", name_of(first), run_text(first, error_word(made)));
   if (first.predicted_error)
     text += fmt::format("predicted {} {}\n", error_word(made), error_text(*first.predicted_error));
-  if (made.constant) text += "the solution is constant: any scheme that keeps its initial value will do\n";
   if (made.estimate) text += estimate_text(*made.estimate) + "\n";
-  text += comparison(made);
+  text += made.constant ? "the solution is constant: any scheme that keeps its initial value will do\n"
+                        : comparison(made);
   for (const auto& other : made.others) text += other + "\n";
   return first.external ? text : text + fmt::format("again: {}\n", command_of(made.scene, first));
 }

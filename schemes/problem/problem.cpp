@@ -30,7 +30,9 @@ void evaluate(const SparseLinearPart& told, double /*t*/, In /*y*/, OutMatrix ja
 
 }  // namespace
 
-bool linear(const Problem& problem) { return tells<DenseLinearPart, SparseLinearPart>(problem); }
+bool linear(const Problem& problem) {
+  return problem.switches.empty() && tells<DenseLinearPart, SparseLinearPart>(problem);
+}
 
 bool sparse(const Problem& problem) { return tells<SparseJacobian, SparseLinearPart>(problem); }
 

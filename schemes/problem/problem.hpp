@@ -60,7 +60,8 @@ struct Problem {
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };
 
-// What kind of derivatives the problem tells: those of a linear right-hand side; as a sparse matrix; any.
+// What kind of derivatives the problem has: those of a right-hand side that is linear at all times and has no
+// switch; a sparse matrix; any.
 bool linear(const Problem& problem);
 bool sparse(const Problem& problem);
 bool has_jacobian(const Problem& problem);

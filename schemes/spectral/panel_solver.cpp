@@ -21,7 +21,6 @@ PanelSolver::PanelSolver(const Problem& problem, const DrivenRows& driven, const
       driven_(driven),
       kernels_(kernels),
       allowed_(accuracy),
-      is_linear_(linear(problem) && problem.switches.empty()),
       mass_(Vec::Ones(driven.drive_count())),
       held_(taylor_part(problem, 0.0)),
       felt_(Matrix::Zero(driven.drive_count(), driven.row_count())),
@@ -104,7 +103,8 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
     const Vec limit = left_over(task, rows);
     const double now = part_moved(limit);
     const double contraction = last > 0.0 ? now / last : 1.0;
-    if (is_linear_ ? !cancels(limit) || iteration > 1 : now * std::min(contraction, 1.0) <= 1.0) return true;
+    if (linear(problem_) ? !cancels(limit) || iteration > 1 : now * std::min(contraction, 1.0) <= 1.0)
+      return true;
     if (now <= 1.0 && contraction > 0.5) return true;  // as far as rounding lets it
     if (iteration > 2 && contraction > 2.0) return false;
     anew = contraction > 0.05;
@@ -164,7 +164,7 @@ bool PanelSolver::grows(Run& run, const PanelTask& task, const Matrix& rows, dou
   y_ = rows.row(middle);
   differentiate(run, task.times[middle], task.size);
   if (!jacobian_.allFinite() || grows_faster(jacobian_, orders, rate)) return true;
-  if (is_linear_) calm_rate_ = rate;
+  if (linear(problem_)) calm_rate_ = rate;
   return false;
 }
 
@@ -190,7 +190,8 @@ void PanelSolver::feel() {
 }
 
 bool PanelSolver::linearise(Run& run, const PanelTask& task, const Matrix& rows) {
-  if (is_linear_ && factored_units_.size() == task.units.size() && factored_units_ == task.units) return true;
+  if (linear(problem_) && factored_units_.size() == task.units.size() && factored_units_ == task.units)
+    return true;
   const Eigen::Index places = rows.rows(), drives = driven_.drive_count();
   matrix_.setZero(places * drives, places * drives);
   felt_.setZero();
@@ -217,7 +218,7 @@ bool PanelSolver::linearise(Run& run, const PanelTask& task, const Matrix& rows)
   }
   if (!matrix_.allFinite()) return false;
   factors_.compute(matrix_);
-  if (is_linear_) factored_units_ = task.units;
+  if (linear(problem_)) factored_units_ = task.units;
   return true;
 }
 

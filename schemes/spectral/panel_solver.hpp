@@ -78,10 +78,9 @@ class PanelSolver {
   const DrivenRows& driven_;
   const PanelKernels& kernels_;
   AllowedError allowed_;
-  bool is_linear_;  // all over the time, without a switch
-  Vec mass_;        // 1, and 0 of an algebraic drive
-  Vec held_;        // the rows at the end of the last panel passed
-  Matrix felt_;     // the largest slopes of the drives of the panel by algebraic rows
+  Vec mass_;     // 1, and 0 of an algebraic drive
+  Vec held_;     // the rows at the end of the last panel passed
+  Matrix felt_;  // the largest slopes of the drives of the panel by algebraic rows
   Eigen::PartialPivLU<Matrix> factors_;
   Vec factored_units_;                                          // of a linear problem
   double calm_rate_ = std::numeric_limits<double>::infinity();  // of a linear problem: no mode grows faster

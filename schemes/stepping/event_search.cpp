@@ -44,48 +44,54 @@ double off_parabola(const Sample& sample, const Sample& a, const Sample& b, cons
   return std::abs(part(a, b, c) + part(b, a, c) + part(c, a, b) - sample.value);
 }
 
-// Adds samples where those that there are do not show how the value goes between them: where one is off the
-// parabola through its neighbours by more than a part of what they differ by, and by so much that the value
-// may pass through 0 unseen. The pieces between these are then halved; all pieces where these are many, for
-// others may look smooth by chance. Noise, which no sample resolves, comes to an end by the number of
-// samples.
-void resolve(const Value& value, std::vector<Sample>& samples, std::size_t& left) {
+// For each sample whether the piece before it is to be halved: where a sample is off the parabola through its
+// neighbours by more than a part of what they differ by, and by so much that the value may pass through 0
+// unseen, those between these; all where they are many, for others may look smooth by chance.
+std::vector<bool> unresolved(const std::vector<Sample>& samples) {
   constexpr double smooth = 0.1, may_hide = 0.25;
-  constexpr int most_halvings = 24;
   constexpr std::size_t many = 4;  // one piece of so many
-  constexpr std::size_t most_samples = 20000;
+  std::vector<bool> halve(samples.size(), false);
+  if (samples.size() < 4) return halve;
+  for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
+    const std::size_t first = std::min(k < 2 ? 0 : k - 2, samples.size() - 4), last = first + 3;
+    std::vector<Sample> others(samples.begin() + static_cast<std::ptrdiff_t>(first),
+                               samples.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    const auto [low, high] = std::ranges::minmax(others, {}, &Sample::value);
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k - first));
+    const double off = off_parabola(samples[k], others[0], others[1], others[2]);
+    const double nearest = std::min(
+        {std::abs(samples[k - 1].value), std::abs(samples[k].value), std::abs(samples[k + 1].value)});
+    // False where a value is not a number.
+    if (!(off > smooth * (high.value - low.value) && off > may_hide * nearest)) continue;
+    for (std::size_t piece = first + 1; piece <= last; ++piece) halve[piece] = true;
+  }
+  if (static_cast<std::size_t>(std::ranges::count(halve, true)) * many > halve.size())
+    std::fill(halve.begin() + 1, halve.end(), true);
+  return halve;
+}
+
+std::vector<Sample> halved(const Value& value, const std::vector<Sample>& samples,
+                           const std::vector<bool>& halve) {
+  std::vector<Sample> more;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (halve[k]) {
+      const double t = samples[k - 1].t + (samples[k].t - samples[k - 1].t) / 2.0;
+      if (t > samples[k - 1].t && t < samples[k].t) more.push_back({t, value(t)});
+    }
+    more.push_back(samples[k]);
+  }
+  return more;
+}
+
+// Adds samples until they show how the value goes between them. Noise, which no sample resolves, comes to an
+// end by the number of samples, of a step and of the run.
+void resolve(const Value& value, std::vector<Sample>& samples, std::uint64_t& left) {
+  constexpr int most_halvings = 24;
+  constexpr std::uint64_t most_samples = 20000;
   for (int round = 0; round < most_halvings && samples.size() < std::min(most_samples, left); ++round) {
-    std::vector<bool> halve(samples.size(), false);
-    for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
-      const std::size_t first = k >= 2 ? k - 2 : 0,
-                        last = first + 3 < samples.size() ? first + 3 : samples.size() - 1;
-      if (last - first < 3) break;
-      std::vector<Sample> others;
-      for (std::size_t j = first; j <= last; ++j) {
-        if (j != k) others.push_back(samples[j]);
-      }
-      const auto [low, high] =
-          std::minmax({others[0].value, others[1].value, others[2].value, samples[k].value});
-      const double nearest = std::min(
-          {std::abs(samples[k - 1].value), std::abs(samples[k].value), std::abs(samples[k + 1].value)});
-      const double off = off_parabola(samples[k], others[0], others[1], others[2]);
-      if (off > smooth * (high - low) && off > may_hide * nearest) {
-        std::fill(halve.begin() + static_cast<std::ptrdiff_t>(first) + 1,
-                  halve.begin() + static_cast<std::ptrdiff_t>(last) + 1, true);
-      }
-    }
-    if (static_cast<std::size_t>(std::ranges::count(halve, true)) * many > halve.size())
-      std::fill(halve.begin() + 1, halve.end(), true);
-    std::vector<Sample> more;
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      if (halve[k]) {
-        const double t = samples[k - 1].t + (samples[k].t - samples[k - 1].t) / 2.0;
-        if (t > samples[k - 1].t && t < samples[k].t) more.push_back({t, value(t)});
-      }
-      more.push_back(samples[k]);
-    }
+    auto more = halved(value, samples, unresolved(samples));
     if (more.size() == samples.size()) return;
-    left -= std::min(left, more.size() - samples.size());
+    left -= std::min<std::uint64_t>(left, more.size() - samples.size());
     samples = std::move(more);
   }
 }

@@ -23,14 +23,14 @@ class EventSearch {
   // that ends the run is the last. The step is looked at in so many pieces.
   std::vector<Occurrence> step(double t, In y, const Path& path, int pieces);
 
-  void state(Archive& archive) { archive(time_, values_); }
+  void state(Archive& archive) { archive(time_, values_, left_); }
 
  private:
   const std::vector<Event>& events_;
   double time_ = 0.0;
   std::vector<double> values_;  // of each event, the last that was not 0
-  std::size_t left_ =
-      1'000'000;  // samples that resolve what oscillates within steps; noise would take any number
+  // Samples left to resolve what oscillates within steps; noise would take any number.
+  std::uint64_t left_ = 1'000'000;
 };
 
 }  // namespace fde

@@ -13,7 +13,8 @@ namespace fde {
 
 using Rows = Matrix;  // one row a component, one column a time
 
-// How a run ended. A scheme says the first ten; who compares the run with its reference says the others.
+// How a run ended. A scheme returns one of the first ten; the others follow from a comparison with the
+// reference.
 enum class Ending {
   finished,
   not_finite,

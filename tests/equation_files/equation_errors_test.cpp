@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Constraints, WrongEquationFile,
 INSTANTIATE_TEST_SUITE_P(
     Values, WrongEquationFile,
     testing::Values(
-        Wrong{"end = 0\n" + x, "line 1, column 7", "end = 0: must be a number in (0, 1e+290]"},
+        Wrong{"end = 0\n" + x, "line 1, column 7", "end = 0: must be a number in [1e-290, 1e+290]"},
         Wrong{"end = \"2*q\"\n" + x, "line 1, column 10", "q: no such name here"},
         Wrong{"end = \"t\"\n" + x, "line 1, column 8", "t: no such name here"},
         Wrong{"end = inf\n" + x, "line 1, column 7", "end = inf: must be a finite number"},

@@ -43,21 +43,24 @@ TEST(WholeFile, LeavesNothingWhereItIsNotFinished) {
   EXPECT_EQ(files_in(folder.path()), 0);
 }
 
-TEST(WholeFile, OfTheSameNameTwiceIsOneOfBoth) {
-  const TemporaryFolder folder;
-  WholeFile one(folder.path() / "page"), other(folder.path() / "page");
-  one.write("one");
-  other.write("other");
+// Two files of one name at a time.
+class WholeFiles : public testing::Test {
+ protected:
+  WholeFiles() {
+    one.write("one");
+    other.write("other");
+  }
+  TemporaryFolder folder;
+  WholeFile one{folder.path() / "page"}, other{folder.path() / "page"};
+};
+
+TEST_F(WholeFiles, OfOneNameAreTheLastThatIsFinished) {
   one.finish();
   other.finish();
   EXPECT_EQ(content(folder.path() / "page"), "other");
 }
 
-TEST(WholeFile, ThatMustBeNewIsTheFirstThatIsFinished) {
-  const TemporaryFolder folder;
-  WholeFile one(folder.path() / "page"), other(folder.path() / "page");
-  one.write("one");
-  other.write("other");
+TEST_F(WholeFiles, ThatMustBeNewAreTheFirstThatIsFinished) {
   one.finish_new();
   EXPECT_THROW(other.finish_new(), std::invalid_argument);
   EXPECT_EQ(content(folder.path() / "page"), "one");

@@ -91,11 +91,11 @@ class Search:
                 if key and not known:
                     self.found[key] = case
             if fault and not known:
-                self.tell(program, case, fault, number)
+                self.report(program, case, fault, number)
         with self.lock:
             self.executions += program.executions
 
-    def tell(self, program: Program, case: Case, fault: Fault, number: int) -> None:
+    def report(self, program: Program, case: Case, fault: Fault, number: int) -> None:
         def fails(other: Case) -> bool:
             same = fault_of(program, other, self.lists)
             return same is not None and same.kind == fault.kind

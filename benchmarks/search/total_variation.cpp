@@ -1,0 +1,50 @@
+#include "search/total_variation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fde {
+
+TotalVariation::TotalVariation(std::vector<double> times, const Rows& values, const Rows& divisors)
+    : times_(std::move(times)), variation_(Rows::Zero(values.rows(), values.cols())) {
+  for (Eigen::Index c = 1; c < values.cols(); ++c) {
+    variation_.col(c) =
+        variation_.col(c - 1) + (values.col(c) - values.col(c - 1))
+                                    .cwiseAbs()
+                                    .cwiseQuotient(divisors.col(c).cwiseMax(divisors.col(c - 1)));
+  }
+}
+
+double TotalVariation::hidden_by(const Grid& grid, double smallest_order) const {
+  constexpr double nine_tenths = 0.9;
+  double hidden = 0.0;
+  for (Eigen::Index column = 0; column < variation_.rows(); ++column) {
+    // Only the step in which the column is half way can have more than half of its variation.
+    const double place = grid.steps * std::pow(half_way(column) / grid.end, 1.0 / grid.grading);
+    const int step = std::clamp(static_cast<int>(std::ceil(place)), 1, grid.steps);
+    const double from = grid.time(step - 1), to = grid.time(step);
+    const double within = up_to(to, column) - up_to(from, column);
+    const double most = std::min(nine_tenths, 0.5 * (1.0 + std::pow((to - from) / grid.end, smallest_order)));
+    if (within > most * variation_(column, variation_.cols() - 1)) hidden = std::max(hidden, 0.5 * within);
+  }
+  return hidden;
+}
+
+// By a line between the times that are known.
+double TotalVariation::up_to(double t, Eigen::Index column) const {
+  const auto next = std::ranges::upper_bound(times_, t);
+  if (next == times_.end()) return variation_(column, variation_.cols() - 1);
+  const auto c = next - times_.begin();
+  const double part = (t - *(next - 1)) / (*next - *(next - 1));
+  return std::lerp(variation_(column, c - 1), variation_(column, c), part);
+}
+
+// The first time at which the column has half of its variation behind it.
+double TotalVariation::half_way(Eigen::Index column) const {
+  const auto row = variation_.row(column);
+  const auto found = std::ranges::lower_bound(row, 0.5 * row[row.size() - 1]);
+  return times_[static_cast<std::size_t>(std::max<Eigen::Index>(1, found - row.begin()))];
+}
+
+}  // namespace fde
