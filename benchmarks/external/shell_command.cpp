@@ -28,13 +28,30 @@ void require(int error, const char* what) {
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
 }
 
+// A pipe whose ends no started process has but those that are duplicated into it.
+class Pipe {
+ public:
+  Pipe() { require(pipe2(ends_.data(), O_CLOEXEC) == 0 ? 0 : errno, "pipe"); }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() {
+    for (const int end : ends_) close(end);
+  }
+
+  [[nodiscard]] int reading() const { return ends_[0]; }
+  [[nodiscard]] int writing() const { return ends_[1]; }
+
+ private:
+  std::array<int, 2> ends_{};
+};
+
 // In a process group of its own, with nothing to read, and no signal blocked.
 class SpawnSettings {
  public:
   SpawnSettings(int out, int err) {
     require(posix_spawn_file_actions_init(&files_), "sh");
     require(posix_spawnattr_init(&attributes_), "sh");
-    require(posix_spawn_file_actions_addopen(&files_, STDIN_FILENO, "/dev/null", O_RDONLY, 0), "sh");
+    require(posix_spawn_file_actions_adddup2(&files_, release_.reading(), STDIN_FILENO), "sh");
     require(posix_spawn_file_actions_adddup2(&files_, out, STDOUT_FILENO), "sh");
     require(posix_spawn_file_actions_adddup2(&files_, err, STDERR_FILENO), "sh");
     sigset_t nothing{};
@@ -50,8 +67,9 @@ class SpawnSettings {
     posix_spawnattr_destroy(&attributes_);
   }
 
+  // The shell waits for release() before it starts the command, and ends where this process ends before that.
   [[nodiscard]] pid_t start(std::string command, std::string argument) const {
-    command += " \"$@\"";
+    command = "read -r _ || exit; exec </dev/null; " + command + " \"$@\"";
     std::string shell = "sh", option = "-c", name = "sh";
     const std::array<char*, 6> words{shell.data(), option.data(),   command.data(),
                                      name.data(),  argument.data(), nullptr};
@@ -60,7 +78,10 @@ class SpawnSettings {
     return child;
   }
 
+  void release() const { require(write(release_.writing(), "\n", 1) == 1 ? 0 : errno, "sh"); }
+
  private:
+  Pipe release_{};
   posix_spawn_file_actions_t files_{};
   posix_spawnattr_t attributes_{};
 };
@@ -82,6 +103,7 @@ class Child {
       const NotingTraces noting;
       child_ = settings.start(command, argument);
       trace_.emplace(child_);
+      settings.release();
     }
     descriptor_ = opened(child_);
     if (descriptor_ >= 0) return;

@@ -51,7 +51,7 @@ void remove_all(const Places& places) {
 }
 
 // A process that removes what is noted in memory that both share when this one has ended, in whatever way: no
-// handler hears SIGKILL. It reads a pipe whose other end only this process has. Where it cannot be started
+// handler receives SIGKILL. It reads a pipe whose other end only this process has. Where it cannot be started
 // there is none. It calls only what may be called between fork and exec.
 class Watcher {
  public:
