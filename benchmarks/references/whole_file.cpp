@@ -12,7 +12,6 @@
 #include <optional>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
 
 namespace fde {
 namespace {
@@ -52,20 +51,33 @@ void remove_unfinished(const fs::path& path) {
   }
 }
 
-// The stream's name, after the place has been tidied.
-fs::path unfinished_beside(const fs::path& path) {
+// The target where the path is a symbolic link to something.
+fs::path followed(const fs::path& path) {
+  std::error_code missing;
+  if (!fs::is_symlink(path, missing)) return path;
+  const auto target = fs::canonical(path, missing);
+  return missing ? path : target;
+}
+
+// The name to write under, after the place has been tidied.
+fs::path unfinished_of(const fs::path& path) {
+  std::error_code ignored;
+  const auto there = fs::status(path, ignored);
+  if (fs::is_directory(there)) reject(path, std::make_error_code(std::errc::is_a_directory));
+  if (fs::exists(there) && !fs::is_regular_file(there)) return path;
   remove_unfinished(path);
   return unfinished_name(path);
 }
 
 }  // namespace
 
-WholeFile::WholeFile(fs::path path)
-    : path_(std::move(path)), unfinished_(unfinished_beside(path_)), stream_(unfinished_, std::ios::binary) {
+WholeFile::WholeFile(const fs::path& path)
+    : path_(followed(path)), unfinished_(unfinished_of(path_)), stream_(unfinished_, std::ios::binary) {
   check();
 }
 
 WholeFile::~WholeFile() {
+  if (in_place()) return;
   std::error_code ignored;
   fs::remove(unfinished_, ignored);
 }
@@ -78,8 +90,11 @@ void WholeFile::write(std::string_view text) {
 void WholeFile::finish() {
   stream_.close();
   check();
-  std::error_code problem;
-  fs::rename(unfinished_, path_, problem);
+  if (in_place()) return;
+  std::error_code missing, problem;
+  if (const auto old = fs::status(path_, missing); fs::exists(old))
+    fs::permissions(unfinished_, old.permissions(), problem);
+  if (!problem) fs::rename(unfinished_, path_, problem);
   if (problem) reject(path_, problem);
 }
 

@@ -96,8 +96,8 @@ CheckpointFile::CheckpointFile(fs::path path, std::chrono::duration<double> betw
       facts_(std::move(facts)),
       observers_(std::move(observers)),
       say_(std::move(say)) {
-  const WholeFile trial(path_);
   if (is_there(path_)) check();
+  const WholeFile trial(path_);
 }
 
 void CheckpointFile::check() const {

@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -82,9 +84,37 @@ TEST(WholeFile, NamesThePathThatCannotBeWritten) {
   EXPECT_THAT([&] { WholeFile{missing}; },
               testing::ThrowsMessage<std::invalid_argument>(
                   missing.string() + ": cannot be written: No such file or directory"));
-  fs::create_directories(folder.path() / "page");
-  WholeFile file(folder.path() / "page");
-  EXPECT_THROW(file.finish(), std::invalid_argument) << "a folder is not replaced";
+  EXPECT_THROW(WholeFile{folder.path()}, std::invalid_argument) << "a folder is not replaced";
+}
+
+TEST(WholeFile, ReplacesTheTargetOfALinkAndTakesItsPermissions) {
+  const TemporaryFolder folder;
+  const auto target = folder.path() / "target", link = folder.path() / "link";
+  folder.write("target", "old");
+  const auto mine = fs::perms::owner_read | fs::perms::owner_write;
+  fs::permissions(target, mine);
+  fs::create_symlink(target, link);
+  WholeFile file(link);
+  file.write("new");
+  file.finish();
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(content(target), "new");
+  EXPECT_EQ(fs::status(target).permissions(), mine);
+}
+
+// Its reader is there before the writer: opening a pipe waits for the other end.
+TEST(WholeFile, IsWrittenIntoAPipe) {
+  const TemporaryFolder folder;
+  const auto pipe = folder.path() / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR), 0);
+  auto read = std::async(std::launch::async, [&] { return content(pipe); });
+  {
+    WholeFile file(pipe);
+    file.write("text");
+    file.finish();
+  }
+  EXPECT_EQ(read.get(), "text");
+  EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
 }  // namespace
