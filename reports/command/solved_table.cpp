@@ -6,8 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "command/asked_checkpoint.hpp"
 #include "command/cost_text.hpp"
@@ -85,6 +89,10 @@ std::string ended_by(const Scene& scene, const Trajectory& path) {
                      path.reached);
 }
 
+std::string as_warning(const std::vector<std::string>& texts) {
+  return texts.empty() ? "" : fmt::format("warning: {}", fmt::join(texts, "; "));
+}
+
 // One line of all that speaks against the numbers of a run over a grid; empty: nothing.
 std::string warning_line(const Scene& scene, const AskedRun& run, const Trajectory& path, bool check) {
   std::vector<std::string> texts;
@@ -96,22 +104,26 @@ std::string warning_line(const Scene& scene, const AskedRun& run, const Trajecto
   const SolvedRun solved{run.scheme,  scene.problem, *run.grid,
                          run.options, path,          columns_of_components(scene)};
   for (const Warning& warning : warnings(solved, check)) texts.push_back(warning.text);
-  return texts.empty() ? "" : fmt::format("warning: {}", fmt::join(texts, "; "));
+  return as_warning(texts);
 }
 
-// One line of the events whose functions are a number at no time of a run that looks for them; empty: none
-// is.
-std::string warning_of_events(const Scene& scene, const Trajectory& path) {
-  std::vector<std::string> names;
+// The same of a run that has chosen its steps: an accuracy that no double has, and the events whose functions
+// are a number at no time.
+std::string warning_line(const Scene& scene, const Accuracy& accuracy, const Trajectory& path) {
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  std::vector<std::string> texts;
+  if (accuracy.relative < rounding)
+    texts.push_back(
+        fmt::format("an accuracy of {:.3g} is asked, and a double has {:.2g}", accuracy.relative, rounding));
   const Rows columns = columns_of(scene.outputs, path);
   for (const auto& event : scene.events) {
     bool is_number = columns.cols() == 0;
     for (Eigen::Index c = 0; c < columns.cols() && !is_number; ++c)
       is_number = !std::isnan(event.value(path.time(c), columns.col(c)));
     if (!is_number)
-      names.push_back(fmt::format("event {} is not a number at any time of the run", event.name));
+      texts.push_back(fmt::format("event {} is not a number at any time of the run", event.name));
   }
-  return names.empty() ? "" : fmt::format("warning: {}", fmt::join(names, "; "));
+  return as_warning(texts);
 }
 
 // Without reactions columns are all there is to keep, and the states that warnings look at.
@@ -179,7 +191,8 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
                                    : table_of(scene, run, path, path.times, columns_of(scene.outputs, path));
   if (run.keeps_states) table.field = states_at(path, table.times);
   if (checkpoints) table.checkpoint = *arguments.checkpoint;
-  table.warning = run.grid ? warning_line(scene, run, path, arguments.check) : warning_of_events(scene, path);
+  table.warning = run.grid ? warning_line(scene, run, path, arguments.check)
+                           : warning_line(scene, std::get<Accuracy>(run.resolution), path);
   table.ended = ended_by(scene, path);
   table.cost = cost_text(scene, run, path.cost, elapsed.count(), checkpoints ? &*checkpoints : nullptr);
   return table;

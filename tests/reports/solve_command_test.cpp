@@ -134,5 +134,14 @@ TEST(Solve, PrintsTheSameWithAnyNumberOfThreads) {
   EXPECT_EQ(fdebench(solve + "1").out, fdebench(solve + "4").out);
 }
 
+TEST(Solve, WarnsOfAnAccuracyThatNoDoubleHas) {
+  const std::string command = "solve relaxation --scheme spectral_collocation --at 1 --accuracy ";
+  EXPECT_EQ(fdebench(command + "1e-15").err, "");
+  const auto answer = fdebench(command + "1e-20");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_EQ(answer.err, "fdebench: warning: an accuracy of 1e-20 is asked, and a double has 2.2e-16\n");
+  EXPECT_EQ(fdebench(command + "1e-20 --strict").code, 3);
+}
+
 }  // namespace
 }  // namespace fde
