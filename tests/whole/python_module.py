@@ -1,8 +1,10 @@
 """The Python module says what the command says, where it is built."""
 
+import re
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 from random import Random
 
 from case import Case
@@ -27,10 +29,18 @@ def drawn_call(random: Random, lists: Lists) -> Case:
     return replace(case, chosen={k: v for k, v in case.chosen.items() if "," not in v})
 
 
+def sanitizers_of(module: Path) -> dict[str, str]:
+    """The environment in which Python, which is compiled without the sanitizers of a module, loads it."""
+    libraries = subprocess.run(["ldd", module], capture_output=True, text=True, check=True).stdout
+    sanitizers = re.findall(r"=> (\S*lib[at]san\S*)", libraries)
+    return {"LD_PRELOAD": " ".join(sanitizers), "ASAN_OPTIONS": "detect_leaks=0"} if sanitizers else {}
+
+
 @must_hold(drawn_call, 0.3)
 def python_agrees(program: Program, case: Case, lists: Lists) -> None:
-    module = program.binary.parent / "python"
-    if not any(module.glob("fdebench/*.so")) and not any(module.glob("fdebench*.so")):
+    folder = program.binary.parent / "python"
+    modules = list(folder.glob("fdebench/*.so"))
+    if not modules:
         return
     ended = program.run("solve", *case.problem(), "--scheme", case.scheme, *case.given(), "--points", "5")
     if not ended.done:
@@ -38,7 +48,7 @@ def python_agrees(program: Program, case: Case, lists: Lists) -> None:
     table = Table.read(ended.out)
     run = subprocess.run([sys.executable, "-c", SCRIPT, case.problem()[0], case.scheme, case.options["--steps"],
                           ",".join(row[0] for row in table.rows), *table.unknowns], capture_output=True, text=True,
-                         cwd=program.folder, env={**program.environment, "PYTHONPATH": str(module)}, timeout=120 * program.slow)
+                         cwd=program.folder, env={**program.environment, **sanitizers_of(modules[0]), "PYTHONPATH": str(folder)}, timeout=120 * program.slow)
     if "ModuleNotFoundError" in run.stderr:  # this Python is not the one that the module is compiled for
         return
     if run.returncode != 0:
