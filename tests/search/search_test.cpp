@@ -21,7 +21,7 @@ namespace {
 using testing::ElementsAre;
 
 std::vector<SearchedWay> found_for(const Scene& scene, const Asked& asked) {
-  return search(scene, question_of(scene, asked), 10.0, [](const std::string&, double) {});
+  return search(scene, question_of(scene, asked), 100.0, [](const std::string&, double) {});
 }
 
 class SearchFor : public testing::TestWithParam<Asked> {};
