@@ -49,23 +49,23 @@ TEST(WholeFile, LeavesNothingWhereItIsNotFinished) {
 class WholeFiles : public testing::Test {
  protected:
   WholeFiles() {
-    one.write("one");
-    other.write("other");
+    one_.write("one");
+    other_.write("other");
   }
-  TemporaryFolder folder;
-  WholeFile one{folder.path() / "page"}, other{folder.path() / "page"};
+  TemporaryFolder folder_;
+  WholeFile one_{folder_.path() / "page"}, other_{folder_.path() / "page"};
 };
 
 TEST_F(WholeFiles, OfOneNameAreTheLastThatIsFinished) {
-  one.finish();
-  other.finish();
-  EXPECT_EQ(content(folder.path() / "page"), "other");
+  one_.finish();
+  other_.finish();
+  EXPECT_EQ(content(folder_.path() / "page"), "other");
 }
 
 TEST_F(WholeFiles, ThatMustBeNewAreTheFirstThatIsFinished) {
-  one.finish_new();
-  EXPECT_THROW(other.finish_new(), std::invalid_argument);
-  EXPECT_EQ(content(folder.path() / "page"), "one");
+  one_.finish_new();
+  EXPECT_THROW(other_.finish_new(), std::invalid_argument);
+  EXPECT_EQ(content(folder_.path() / "page"), "one");
 }
 
 // No process has the largest number that a process can have here.
