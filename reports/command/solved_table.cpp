@@ -112,9 +112,10 @@ std::string warning_line(const Scene& scene, const AskedRun& run, const Trajecto
 std::string warning_line(const Scene& scene, const Accuracy& accuracy, const Trajectory& path) {
   constexpr double rounding = std::numeric_limits<double>::epsilon();
   std::vector<std::string> texts;
-  if (accuracy.relative < rounding)
+  if (accuracy.relative < rounding) {
     texts.push_back(
         fmt::format("an accuracy of {:.3g} is asked, and a double has {:.2g}", accuracy.relative, rounding));
+  }
   const Rows columns = columns_of(scene.outputs, path);
   for (const auto& event : scene.events) {
     bool is_number = columns.cols() == 0;
