@@ -113,9 +113,11 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
   return false;
 }
 
-// The largest change of a row by the last increment, in units of its limit.
+// The largest change of a row by the last increment, in units of its limit: 0 of a row that rests at 0, whose
+// limit is 0.
 double PanelSolver::part_moved(const Vec& limit) const {
-  return (moved_.cwiseAbs().colwise().maxCoeff().transpose().array() / limit.array()).maxCoeff();
+  const auto moved = moved_.cwiseAbs().colwise().maxCoeff().transpose().array();
+  return (moved > 0.0).select(moved / limit.array(), 0.0).maxCoeff();
 }
 
 // Whether the last increment, added up, may have lost more digits than it should.

@@ -288,6 +288,15 @@ TEST(SpectralOrders, ConstantsAreExact) {
 }
 
 // y' = y^2 from 1 is 1 / (1 - t).
+// Without gravity the blade turns where it is: rows that are 0 have no error that counts.
+TEST(SpectralOrders, NonlinearRowsRestAtZero) {
+  const auto path = run(scene_of("knife_edge", {{"g", 0.0}}).problem, 1e-6);
+  ASSERT_EQ(path.ending, Ending::finished);
+  const Vec end = path.y.rightCols<1>();
+  EXPECT_EQ(end.head<2>(), Vec::Zero(2));
+  EXPECT_NEAR(end[2], 10.0, 1e-6);
+}
+
 TEST(SpectralEnd, IsBeforeABlowUp) {
   for (const double order : {0.5, 1.0}) {
     const Problem problem{
