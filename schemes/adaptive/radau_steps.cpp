@@ -72,8 +72,7 @@ Square integral_weights(double order) {
 
 RadauSteps::RadauSteps(const Problem& problem, const Accuracy& accuracy, const Options& options, Run& run,
                        double shortest)
-    : problem_(problem),
-      taylor_(problem),
+    : taylor_(problem),
       allowed_(accuracy),
       matrix_(make_stage_matrix(problem)),
       weights_(static_cast<std::size_t>(problem.size())),

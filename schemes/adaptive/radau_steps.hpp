@@ -64,7 +64,6 @@ class RadauSteps final : public AdaptiveSteps {
   void interpolate(Eigen::Index row);
   [[nodiscard]] Vec limits() const;
 
-  const Problem& problem_;
   TaylorPart taylor_;
   AllowedError allowed_;
   std::vector<Kernel> kernels_;
