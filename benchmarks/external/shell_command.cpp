@@ -28,7 +28,7 @@ void require(int error, const char* what) {
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
 }
 
-// A pipe whose ends no started process has but those that are duplicated into it.
+// A pipe. A process that is started inherits an end only where it is duplicated into it.
 class Pipe {
  public:
   Pipe() { require(pipe2(ends_.data(), O_CLOEXEC) == 0 ? 0 : errno, "pipe"); }

@@ -116,7 +116,7 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
 // The largest change of a row by the last increment, in units of its limit: 0 of a row that rests at 0, whose
 // limit is 0.
 double PanelSolver::part_moved(const Vec& limit) const {
-  const auto moved = moved_.cwiseAbs().colwise().maxCoeff().transpose().array();
+  const Eigen::ArrayXd moved = moved_.cwiseAbs().colwise().maxCoeff().transpose();
   return (moved > 0.0).select(moved / limit.array(), 0.0).maxCoeff();
 }
 
