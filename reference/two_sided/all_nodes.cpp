@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
+#include "problem/other_starts.hpp"
 #include "progress/work.hpp"
 
 namespace fde {
@@ -33,8 +36,16 @@ double advance(const NodalEquations& equations, NodalValues& values) {
   throw std::runtime_error("two-sided reference: Newton's method finds no way down");
 }
 
-NodalValues solved(const NodalEquations& equations) {
+NodalValues start_of(const NodalEquations& equations, const NodalBasis& basis,
+                     const std::function<Vec(BothShares t)>& start) {
   NodalValues values = equations.start();
+  if (!start) return values;
+  for (std::size_t m = 0; m < basis.nodes.size(); ++m)
+    values.y.row(static_cast<Eigen::Index>(m)) = start(basis.nodes[m]).transpose();
+  return values;
+}
+
+NodalValues solved(const NodalEquations& equations, NodalValues values) {
   double before = std::numeric_limits<double>::infinity();
   for (std::size_t iteration = 0; iteration < most_iterations; ++iteration) {
     report_work(iteration);
@@ -47,7 +58,33 @@ NodalValues solved(const NodalEquations& equations) {
 
 }  // namespace
 
-NodalSolution::NodalSolution(const Problem& problem, const NodalBasis& basis)
-    : equations_(problem, basis), values_(solved(equations_)), f_(equations_.rhs(values_.y)) {}
+NodalSolution::NodalSolution(const Problem& problem, const NodalBasis& basis,
+                             const std::function<Vec(BothShares t)>& start)
+    : equations_(problem, basis),
+      values_(solved(equations_, start_of(equations_, basis, start))),
+      f_(equations_.rhs(values_.y)) {}
+
+NodalSolution smallest_solution(const Problem& problem, const NodalBasis& basis) {
+  constexpr int starts = 64, times = 64;
+  std::optional<NodalSolution> smallest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& start : other_starts(problem, starts)) {
+    try {
+      NodalSolution found(problem, basis, [&](BothShares t) { return start.at(problem.end * t.from_start); });
+      double size = 0.0;
+      for (int n = 0; n <= times; ++n) {
+        const double share = static_cast<double>(n) / times;
+        size += found.at({share, 1.0 - share}).squaredNorm();
+      }
+      if (!(size < least)) continue;
+      least = size;
+      smallest.emplace(std::move(found));
+    } catch (const std::runtime_error&) {
+      continue;  // this start leads to no solution
+    }
+  }
+  if (!smallest) throw std::runtime_error("two-sided reference: no start of Newton's method converges");
+  return std::move(*smallest);
+}
 
 }  // namespace fde

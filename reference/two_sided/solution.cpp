@@ -15,6 +15,7 @@ namespace fde {
 namespace {
 
 constexpr int points = 14, coarse_points = 12;
+constexpr int few_points = 6, few_panels = 6;
 constexpr double sinc_step = 0.08;
 constexpr double roundings = 64 * 0x1p-53;
 
@@ -57,6 +58,19 @@ std::vector<Vec> spread(const std::vector<Vec>& differences) {
   return result;
 }
 
+// From the Taylor part, or from the smallest of the solutions that other starts lead to on few nodes.
+NodalSolution solution_on(const Problem& problem, const NodalBasis& basis, const ClusteredTime& time) {
+  try {
+    return {problem, basis};
+  } catch (const std::runtime_error&) {
+    if (linear(problem)) throw;
+    const PanelBasis few(few_points, PanelPoints::legendre);
+    const NodalBasis of_few = clustered_panels(few, count_of(few_panels, time), time);
+    const NodalSolution rough = smallest_solution(problem, of_few);
+    return {problem, basis, [&](BothShares t) { return rough.at(t); }};
+  }
+}
+
 }  // namespace
 
 PanelTable two_sided_table(const Problem& problem) {
@@ -66,7 +80,9 @@ PanelTable two_sided_table(const Problem& problem) {
   const NodalBasis of_first = clustered_panels(fine, panels, time),
                    of_other = clustered_panels(coarse, count_of(8, time), time),
                    of_second = sinc_nodes(sinc_step);
-  const NodalSolution first(problem, of_first), other(problem, of_other), second(problem, of_second);
+  const NodalSolution first = solution_on(problem, of_first, time);
+  const auto found = [&](BothShares t) { return first.at(t); };
+  const NodalSolution other(problem, of_other, found), second(problem, of_second, found);
   PanelTable table;
   std::vector<Vec> differences;
   const Vec size = first.at_nodes().cwiseAbs().colwise().maxCoeff().transpose();

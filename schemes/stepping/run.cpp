@@ -119,6 +119,11 @@ void Run::fail(Ending ending, double t) {
   path_.failed_at = t;
 }
 
+void Run::fail_at_once(Ending ending, double residual) {
+  path_.ending = ending;
+  path_.residual = residual;
+}
+
 bool Run::out_of_budget() const {
   report_work(static_cast<std::size_t>(path_.steps));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin_;

@@ -55,6 +55,7 @@ struct Trajectory {
   Ending ending = Ending::finished;      // how the run ended
   double reached = 0.0;                  // the last time with a result, asked for or not
   std::optional<double> failed_at{};     // the time of the step that has no result, where one failed
+  std::optional<double> residual{};      // of all times at once, where Newton's method left it
   std::int64_t steps = 0;                // with a result; 0 where nothing was stepped
   Cost cost{};
 

@@ -1,83 +1,60 @@
 #include "two_sided/all_at_once.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
+#include <utility>
 
-#include "two_sided/linearisation.hpp"
+#include "problem/other_starts.hpp"
+#include "two_sided/all_times_newton.hpp"
+#include "two_sided/by_lines.hpp"
 
 namespace fde {
 namespace {
 
-constexpr int most_iterations = 50, most_halvings = 12;
-constexpr double stagnation = 1e-10;
+constexpr int search_steps = 64, starts = 64;
+constexpr double search_tolerance = 1e-8;
 
-double largest(const Rows& y) { return y.cwiseAbs().maxCoeff(); }
+// The same solution, up to what a search leaves of one.
+bool alike(const Guess& a, const Guess& b) {
+  return (a.y - b.y).norm() <= 1e3 * search_tolerance * (a.y.norm() + b.y.norm());
+}
 
-class Newton {
- public:
-  Newton(const AllTimes& equations, Run& run, double tolerance)
-      : equations_(equations),
-        run_(run),
-        tolerance_(tolerance),
-        linearisation_(equations),
-        guess_(equations.start()),
-        residual_(equations.residual(run, guess_)) {}
+// The mean of |y|^2 over time.
+double size(const Grid& grid, const Rows& y) {
+  double sum = 0.0;
+  for (int n = 1; n <= grid.steps; ++n)
+    sum += grid.step(n) / 2 * (y.col(n - 1).squaredNorm() + y.col(n).squaredNorm());
+  return sum / grid.end;
+}
 
-  // The solution; nullopt where Newton's method does not find it.
-  std::optional<Rows> solve() {
-    if (!std::isfinite(residual_.norm())) return std::nullopt;
-    double last = std::numeric_limits<double>::infinity();
-    for (int iteration = 0; iteration < most_iterations && !run_.out_of_budget(); ++iteration) {
-      linearisation_.update(run_, guess_, residual_);
-      const Guess increment = linearisation_.increment(residual_);
-      ++*run_.cost().newton_iterations;
-      const double now = largest(increment.y);
-      if (!std::isfinite(now)) return std::nullopt;
-      const bool whole = advance(increment);
-      const double size = largest(guess_.y);
-      if (whole && (now <= tolerance_ * size || (now >= last / 2 && now <= stagnation * size)))
-        return std::move(guess_.y);
-      if (stuck_) return std::nullopt;
-      last = now;
-    }
-    return std::nullopt;
+// The solutions on a grid of few steps to which Newton's method comes from other starts, the smallest first.
+std::vector<Guess> coarse_solutions(const AllTimes& equations, Run& run) {
+  Increments increments(equations, Increments::First::two_grid);
+  std::vector<Guess> found;
+  for (const auto& other : other_starts(equations.problem(), starts)) {
+    if (run.out_of_budget()) break;
+    Guess start = equations.start();
+    for (int n = 0; n <= equations.grid().steps; ++n) start.y.col(n) = other.at(equations.grid().time(n));
+    NewtonEnd end = newton(equations, increments, run, search_tolerance, std::move(start));
+    const auto known = [&](const Guess& solution) { return alike(solution, end.guess); };
+    if (end.converged && std::ranges::none_of(found, known)) found.push_back(std::move(end.guess));
   }
+  std::ranges::sort(found, {}, [&](const Guess& solution) { return size(equations.grid(), solution.y); });
+  return found;
+}
 
-  [[nodiscard]] std::size_t bytes() const {
-    const auto values = 8 * residual_.rows.size();  // guesses, residuals and increments
-    return equations_.left().bytes() + equations_.right().bytes() + linearisation_.bytes() +
-           sizeof(double) * static_cast<std::size_t>(values);
+// From the smallest of those solutions that leads to one on the whole grid; where there is none, what was
+// come to before.
+NewtonEnd from_other_starts(const AllTimes& equations, Run& run, double tolerance, NewtonEnd before) {
+  const AllTimes coarse = equations.with_steps(search_steps);
+  Increments increments(equations, Increments::First::two_grid);
+  for (auto& solution : coarse_solutions(coarse, run)) {
+    solution.y = by_lines(coarse.grid(), solution.y, equations.grid());
+    NewtonEnd end = newton(equations, increments, run, tolerance, std::move(solution));
+    if (end.converged) return end;
   }
-
- private:
-  // Takes the largest of the increment, its half, ... that brings the residual down. True: all of it.
-  bool advance(const Guess& increment) {
-    const double before = residual_.norm();
-    // Smaller increments are rounding, and so is what they do to the residual.
-    const bool small = largest(increment.y) <= stagnation * largest(guess_.y);
-    double part = 1.0;
-    for (int halving = 0; halving <= most_halvings; ++halving, part /= 2) {
-      Guess trial{.y = guess_.y + part * increment.y, .unknown = guess_.unknown + part * increment.unknown};
-      Residual residual = equations_.residual(run_, trial);
-      const double after = residual.norm();
-      if (!(after < before || (small && std::isfinite(after)))) continue;
-      guess_ = std::move(trial);
-      residual_ = std::move(residual);
-      return halving == 0;
-    }
-    stuck_ = true;
-    return false;
-  }
-
-  const AllTimes& equations_;
-  Run& run_;
-  double tolerance_;
-  Linearisation linearisation_;
-  Guess guess_;
-  Residual residual_;
-  bool stuck_ = false;
-};
+  return before;
+}
 
 }  // namespace
 
@@ -85,17 +62,21 @@ Trajectory solve_all_at_once(const Problem& problem, const Grid& grid, const Opt
                              const WeightFamily& family) {
   Run run(problem, options, grid.steps);
   const AllTimes equations(problem, grid, options, family);
-  Newton newton(equations, run, options.tolerance);
-  const auto y = newton.solve();
-  run.cost().history_bytes = newton.bytes();
-  if (!y) {
+  Increments increments(equations);
+  NewtonEnd end = newton(equations, increments, run, options.tolerance, equations.start());
+  if (!end.converged && two_sided(problem) && !linear(problem))
+    end = from_other_starts(equations, run, options.tolerance, std::move(end));
+  const auto values = 8 * end.guess.y.size();  // guesses, residuals and increments
+  run.cost().history_bytes = equations.left().bytes() + equations.right().bytes() + increments.bytes() +
+                             sizeof(double) * static_cast<std::size_t>(values);
+  if (!end.converged) {
     // The guess at the start stands for a result, as in every run that fails at its first step.
     if (two_sided(problem)) run.accept(0.0, run.start());
-    run.fail(run.out_of_budget() ? Ending::out_of_budget : Ending::not_converged, grid.time(1));
+    run.fail_at_once(run.out_of_budget() ? Ending::out_of_budget : Ending::not_converged, end.residual);
     return run.finish();
   }
   for (int n = two_sided(problem) ? 0 : 1; n <= grid.steps; ++n) {
-    if (!run.accept(grid.time(n), y->col(n))) break;
+    if (!run.accept(grid.time(n), end.guess.y.col(n))) break;
   }
   return run.finish();
 }

@@ -11,10 +11,16 @@ double Residual::norm() const {
 AllTimes::AllTimes(const Problem& problem, const Grid& grid, const Options& options,
                    const WeightFamily& family)
     : problem_(problem),
+      options_(options),
+      family_(family),
       grid_(grid),
       left_(problem, Side::left, family, grid, options),
       right_(problem, Side::right, family, grid, options),
       unknown_(problem) {}
+
+AllTimes AllTimes::with_steps(int steps) const {
+  return {problem_, {grid_.end, steps, grid_.grading}, options_, family_};
+}
 
 Guess AllTimes::start() const {
   Guess guess{.y = Rows(problem_.size(), grid_.steps + 1), .unknown = Vec::Zero(unknown_.count())};

@@ -22,10 +22,13 @@ struct Residual {
 };
 
 // All equations of a two-sided problem under one integral rule: one for each component at each time, and the
-// conditions.
+// conditions. Problem, options and family must live as long.
 class AllTimes {
  public:
   AllTimes(const Problem& problem, const Grid& grid, const Options& options, const WeightFamily& family);
+
+  // The same equations on a grid of so many steps.
+  [[nodiscard]] AllTimes with_steps(int steps) const;
 
   // The Taylor parts, 0 for unknown initial values.
   [[nodiscard]] Guess start() const;
@@ -42,6 +45,8 @@ class AllTimes {
 
  private:
   const Problem& problem_;
+  const Options& options_;
+  const WeightFamily& family_;
   Grid grid_;
   SideRule left_, right_;
   UnknownInitialValues unknown_;

@@ -69,4 +69,9 @@ Vec gmres(const std::function<Vec(const Vec&)>& apply, const Vec& b, double tole
   return solver.solve(b);
 }
 
+Eigen::Index most_vectors(Eigen::Index length) {
+  constexpr Eigen::Index most_values = 1 << 25;
+  return std::min(length, std::clamp<Eigen::Index>(most_values / length, 20, 200));
+}
+
 }  // namespace fde

@@ -11,4 +11,10 @@ namespace fde {
 // after so many applications, at most; keeps a vector for each.
 Vec gmres(const std::function<Vec(const Vec&)>& apply, const Vec& b, double tolerance, Eigen::Index most);
 
+// How many vectors of this length may be kept for one solution: a quarter of a gigabyte, but 20 to 200.
+Eigen::Index most_vectors(Eigen::Index length);
+
+// What Newton's linear equations of all times at once are solved to.
+constexpr double linear_tolerance = 1e-10;
+
 }  // namespace fde

@@ -1,24 +1,10 @@
 #include "two_sided/linearisation.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "implicit/differences.hpp"
-#include "two_sided/gmres.hpp"
 
 namespace fde {
-namespace {
-
-constexpr double linear_tolerance = 1e-10;
-
-// Vectors that GMRES may keep: as many as hold a quarter of a gigabyte, within bounds.
-Eigen::Index most_applications(Eigen::Index length) {
-  constexpr Eigen::Index most_values = 1 << 25;
-  return std::clamp<Eigen::Index>(most_values / length, 20, 200);
-}
-
-}  // namespace
-
 void Linearisation::update(Run& run, const Guess& guess, const Residual& residual) {
   const auto& problem = equations_.problem();
   const auto size = problem.size();
@@ -56,30 +42,15 @@ void Linearisation::differentiate_conditions(const Guess& guess, const Vec& cond
   differences(from_end, everywhere, end, conditions, sizes, by_end_);
 }
 
-Guess Linearisation::increment(const Residual& residual) const {
-  Rows y = Rows::Zero(residual.rows.rows(), residual.rows.cols());
-  Vec unknown = Vec::Zero(equations_.unknown());
-  forward_backward_sweep(residual.rows, y);
-  const Vec b = unknowns(y, -residual.conditions - conditions(y));
-  if (b.size() > 0) {
-    const Vec z =
-        gmres([this](const Vec& x) { return applied(x); }, b, linear_tolerance, most_applications(b.size()));
-    unknown = z.tail(unknown.size()) / scale();
-    Rows given = residual.rows;
-    equations_.add_unknown(unknown, given);
-    y = right_part(z);
-    forward_backward_sweep(given, y);
-  }
-  return {.y = std::move(y), .unknown = std::move(unknown)};
-}
-
-Vec Linearisation::applied(const Vec& z) const {
-  Rows y = right_part(z), given = Rows::Zero(y.rows(), y.cols());
-  equations_.add_unknown(z.tail(equations_.unknown()) / scale(), given);
-  forward_backward_sweep(given, y);
-  Vec result = unknowns(y, conditions(y));
-  result.head(open_values()) = z.head(open_values()) - result.head(open_values());
-  return result;
+Linearisation::Sides Linearisation::applied(const Guess& x) const {
+  Rows f(x.y.rows(), x.y.cols());
+  for (Eigen::Index n = 0; n < f.cols(); ++n) f.col(n).noalias() = -jacobian(n) * x.y.col(n);
+  Rows added = Rows::Zero(f.rows(), f.cols());
+  equations_.add_unknown(x.unknown, added);
+  Rows rows = x.y - added;
+  equations_.left().integrate(f, rows);
+  equations_.right().integrate(f, rows);
+  return {std::move(rows), conditions(x.y)};
 }
 
 void Linearisation::forward_backward_sweep(const Rows& given, Rows& y) const {
@@ -87,40 +58,26 @@ void Linearisation::forward_backward_sweep(const Rows& given, Rows& y) const {
   equations_.right().solve(given, jacobians_, right_inverses_, y);
 }
 
+Rows Linearisation::local_solution(const Rows& given) const {
+  Rows y(given.rows(), given.cols());
+  equations_.left().solve_locally(given, left_inverses_, y);
+  equations_.right().solve_locally(given, right_inverses_, y);
+  return y;
+}
+
 Vec Linearisation::conditions(const Rows& y) const {
   if (equations_.unknown() == 0) return {};
   return by_start_ * y.col(0) + by_end_ * y.rightCols<1>();
 }
 
-// A number that is the same at all times weighs as much as a row of them.
-double Linearisation::scale() const { return std::sqrt(equations_.grid().steps + 1.0); }
-
-Eigen::Index Linearisation::open_values() const {
-  if (equations_.left().empty()) return 0;
-  return static_cast<Eigen::Index>(equations_.right().rows().size()) * (equations_.grid().steps + 1);
-}
-
-Vec Linearisation::unknowns(const Rows& y, In conditions) const {
-  Vec z(open_values() + conditions.size());
-  if (open_values() > 0) z.head(open_values()) = y(equations_.right().rows(), Eigen::all).reshaped();
-  z.tail(conditions.size()) = scale() * conditions;
-  return z;
-}
-
-Rows Linearisation::right_part(const Vec& z) const {
-  Rows y = Rows::Zero(equations_.problem().size(), equations_.grid().steps + 1);
-  if (open_values() > 0) {
-    const auto& rows = equations_.right().rows();
-    y(rows, Eigen::all) = z.head(open_values()).reshaped(static_cast<Eigen::Index>(rows.size()), y.cols());
-  }
-  return y;
+Eigen::Map<const Matrix> Linearisation::jacobian(Eigen::Index n) const {
+  const auto size = equations_.problem().size();
+  return {jacobians_.col(std::min(n, jacobians_.cols() - 1)).data(), size, size};
 }
 
 std::size_t Linearisation::bytes() const {
-  const auto length = open_values() + equations_.unknown();
-  const auto vectors = length > 0 ? length * std::min(most_applications(length), length) : 0;
-  return sizeof(double) * static_cast<std::size_t>(jacobians_.size() + left_inverses_.size() +
-                                                   right_inverses_.size() + vectors);
+  return sizeof(double) *
+         static_cast<std::size_t>(jacobians_.size() + left_inverses_.size() + right_inverses_.size());
 }
 
 }  // namespace fde

@@ -6,11 +6,8 @@ namespace fde {
 
 // Newton's linear equations of all times at once. With J_n = df/dy at t_n, K the rules of both sides, B what
 // the unknown initial values p add and C the derivative of the conditions by y(0) and y(end):
-//   x - K J x - B p = r,    C x = c.
-// Given the right rows, the left ones are found by stepping from 0 on; given these, the right ones by
-// stepping back from the end. So the equations become some for the right rows and p alone, without the
-// stiffness of either side: z - (there and back)(z) = (there and back)(r). They are solved by GMRES, each
-// application O(N).
+//   x - K J x - B p = r,    C x = c,
+// without the x in algebraic rows.
 class Linearisation {
  public:
   explicit Linearisation(const AllTimes& equations) : equations_(equations) {}
@@ -18,26 +15,29 @@ class Linearisation {
   // Takes the Jacobians at a guess, where the residual is known.
   void update(Run& run, const Guess& guess, const Residual& residual);
 
-  // The Newton increment x, p for this residual; values that are not finite where there is none.
-  [[nodiscard]] Guess increment(const Residual& residual) const;
+  // The left-hand sides for x and p.
+  struct Sides {
+    Rows rows;
+    Vec conditions;
+  };
+  [[nodiscard]] Sides applied(const Guess& x) const;
 
-  // Of Jacobians and of the vectors of GMRES.
+  // Replaces y by the solution of y = given + K J y side after side: first the left rows with the right ones
+  // as they come in, then the right ones.
+  void forward_backward_sweep(const Rows& given, Rows& y) const;
+  // The solution y where each time hears of itself alone, and each side of its own rows.
+  [[nodiscard]] Rows local_solution(const Rows& given) const;
+  [[nodiscard]] Vec conditions(const Rows& y) const;  // C y
+  [[nodiscard]] const Matrix& conditions_by_start() const { return by_start_; }
+  [[nodiscard]] const Matrix& conditions_by_end() const { return by_end_; }
+  // df/dy at the n-th time.
+  [[nodiscard]] Eigen::Map<const Matrix> jacobian(Eigen::Index n) const;
+
+  [[nodiscard]] const AllTimes& equations() const { return equations_; }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
   void differentiate_conditions(const Guess& guess, const Vec& conditions);
-  [[nodiscard]] Vec conditions(const Rows& y) const;  // C y
-  // Replaces y by the solution of y = given + K J y side after side: first the left rows with the right ones
-  // as they come in, then the right ones.
-  void forward_backward_sweep(const Rows& given, Rows& y) const;
-
-  // The unknowns z of GMRES: the right rows, where there are left ones to need them, and the unknown initial
-  // values.
-  [[nodiscard]] Vec unknowns(const Rows& y, In conditions) const;
-  [[nodiscard]] Rows right_part(const Vec& z) const;
-  [[nodiscard]] Vec applied(const Vec& z) const;
-  [[nodiscard]] Eigen::Index open_values() const;
-  [[nodiscard]] double scale() const;
 
   const AllTimes& equations_;
   Matrix jacobians_;  // one column a time, or one for all

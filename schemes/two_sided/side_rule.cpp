@@ -85,6 +85,13 @@ void SideRule::solve(const Rows& given, const Matrix& jacobians, const Matrix& i
   });
 }
 
+void SideRule::solve_locally(const Rows& given, const Matrix& inverses, Rows& y) const {
+  for (Eigen::Index m = 0; m <= steps_; ++m) {
+    const auto n = place(m);
+    y.col(n)(rows_) = square(inverses, m, rows_.size()) * given.col(n)(rows_);
+  }
+}
+
 Matrix SideRule::inverses(const Matrix& jacobians) const {
   const auto size = kappa_.rows();
   Matrix result(size * size, jacobians.cols() == 1 ? kappa_.cols() : steps_ + 1);

@@ -37,6 +37,9 @@ class SideRule {
   // likewise, from inverses().
   void solve(const Rows& given, const Matrix& jacobians, const Matrix& inverses, Rows& y) const;
 
+  // The same where each time hears of itself alone.
+  void solve_locally(const Rows& given, const Matrix& inverses, Rows& y) const;
+
   // (mass - kappa J)^-1, J restricted to the rows of this side, one column an own time: two where steps and
   // Jacobians are all equal, the first for the start.
   [[nodiscard]] Matrix inverses(const Matrix& jacobians) const;

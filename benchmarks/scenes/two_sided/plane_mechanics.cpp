@@ -9,7 +9,7 @@ GivenPowers::GivenPowers(double alpha)
       remembered(power_lattice({1.0 - alpha}, {1.0, 1.0 - alpha}, 3.0 - alpha)) {}
 
 std::vector<Parameter> given_parameters() {
-  return {{"T", 1.0, {.low = 0.0, .high = 1e3, .open_low = true}, "the end"},
+  return {{"T", 1.0, {.low = 0.0, .high = 50.0, .open_low = true}, "the end"},
           {"g1", 0.0, any_number, "constant force on q1"},
           {"g2", 0.0, any_number, "constant force on q2"},
           {"x1", 1.0, any_number, "q1(0)"},

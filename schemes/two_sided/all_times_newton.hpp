@@ -1,0 +1,18 @@
+#pragma once
+
+#include "two_sided/increments.hpp"
+
+namespace fde {
+
+// What Newton's method came to.
+struct NewtonEnd {
+  Guess guess;
+  double residual;  // its norm
+  bool converged;
+};
+
+// Newton's method with step halving for all times at once, from a start. It has converged where the last
+// increment is below tolerance * |y|, or has stopped to shrink below 1e-10 * |y|.
+NewtonEnd newton(const AllTimes& equations, Increments& increments, Run& run, double tolerance, Guess start);
+
+}  // namespace fde

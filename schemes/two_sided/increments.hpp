@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+
+#include "two_sided/condensed.hpp"
+#include "two_sided/two_grid.hpp"
+
+namespace fde {
+
+// Newton's increments for all times at once: by Condensed as long as its increments solve the equations, from
+// then on by TwoGrid.
+class Increments {
+ public:
+  enum class First { condensed, two_grid };
+  explicit Increments(const AllTimes& equations, First first = First::condensed);
+
+  // The increment at a guess, where the residual is known; values that are not finite where there is none.
+  Guess at(Run& run, const Guess& guess, const Residual& residual);
+
+  // Of Jacobians, of the vectors of GMRES and of the factors of the coarse grid.
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  // |r - what the left-hand sides are| / |r|.
+  [[nodiscard]] double missed(const Guess& increment, const Residual& residual) const;
+
+  const AllTimes& equations_;
+  Linearisation linearisation_;
+  Condensed condensed_;
+  int coarse_steps_;
+  std::unique_ptr<TwoGrid> two_grid_;  // nullptr: Condensed does
+};
+
+}  // namespace fde

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/LU>
+
+#include "two_sided/linearisation.hpp"
+
+namespace fde {
+
+// All of Newton's linear equations on a grid of few steps, as one matrix. The matrices of the rules are made
+// once; each factorisation takes the Jacobians of a linearisation on that grid.
+class DenseLinearisation {
+ public:
+  explicit DenseLinearisation(const AllTimes& equations);
+
+  void factorise(const Linearisation& linearisation);
+  // x and p for these right-hand sides.
+  [[nodiscard]] Guess solution(const Linearisation::Sides& right) const;
+
+ private:
+  [[nodiscard]] Eigen::Index size() const { return rows_ * times_; }
+
+  Eigen::Index rows_, times_;
+  std::vector<Matrix> weights_;  // of f at all times in each row
+  Matrix mass_;                  // one row a component, one column a time: 1, in algebraic rows 0
+  Matrix of_unknown_;            // -B
+  Eigen::PartialPivLU<Matrix> factors_{};
+};
+
+// Newton's linear equations of all times at once by GMRES with a preconditioner of two grids (K. E. Atkinson,
+// The Numerical Solution of Integral Equations of the Second Kind, 1997, section 6.3): first the local
+// solution, then what it leaves, solved on a grid of 64 to 256 steps by elimination and joined by lines.
+// Unlike Condensed it does not mind solutions that grow.
+class TwoGrid {
+ public:
+  TwoGrid(const AllTimes& equations, int coarse_steps);
+
+  // Linearises the equations of the coarse grid at this guess.
+  void update(Run& run, const Guess& guess);
+  [[nodiscard]] Guess solution(const Linearisation& fine, const Residual& residual) const;
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  [[nodiscard]] Guess preconditioned(const Linearisation& fine, const Linearisation::Sides& right) const;
+
+  const AllTimes& equations_;
+  AllTimes coarse_equations_;
+  Linearisation coarse_;
+  DenseLinearisation dense_;
+};
+
+}  // namespace fde
