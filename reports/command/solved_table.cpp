@@ -18,6 +18,7 @@
 #include "measures/ending.hpp"
 #include "observers/kept_columns.hpp"
 #include "observers/reaction_path.hpp"
+#include "trust/missed_accuracy.hpp"
 #include "trust/warnings.hpp"
 
 namespace fde {
@@ -107,26 +108,6 @@ std::string warning_line(const Scene& scene, const AskedRun& run, const Trajecto
   return as_warning(texts);
 }
 
-// The same of a run that has chosen its steps: an accuracy that no double has, and the events whose functions
-// are a number at no time.
-std::string warning_line(const Scene& scene, const Accuracy& accuracy, const Trajectory& path) {
-  constexpr double rounding = std::numeric_limits<double>::epsilon();
-  std::vector<std::string> texts;
-  if (accuracy.relative < rounding) {
-    texts.push_back(
-        fmt::format("an accuracy of {:.3g} is asked, and a double has {:.2g}", accuracy.relative, rounding));
-  }
-  const Rows columns = columns_of(scene.outputs, path);
-  for (const auto& event : scene.events) {
-    bool is_number = columns.cols() == 0;
-    for (Eigen::Index c = 0; c < columns.cols() && !is_number; ++c)
-      is_number = !std::isnan(event.value(path.time(c), columns.col(c)));
-    if (!is_number)
-      texts.push_back(fmt::format("event {} is not a number at any time of the run", event.name));
-  }
-  return as_warning(texts);
-}
-
 // Without reactions columns are all there is to keep, and the states that warnings look at.
 bool keeps_columns(const Scene& scene, const AskedRun& run) {
   return run.grid && !scene.reactions && !run.keeps_states;
@@ -149,6 +130,72 @@ std::vector<double> times_to_return(const Scene& scene, const AskedRun& run) {
   auto times = keeps_columns(scene, run) ? std::vector{end}
                                          : with_times_beside(scene.reactions, run.grid, run.times, end);
   return run.grid ? with_times_looked_at(scene.problem, *run.grid, times) : times;
+}
+
+// Some of the columns, spread evenly over them, the last one among them.
+std::vector<Eigen::Index> spread_columns(Eigen::Index count) {
+  constexpr Eigen::Index most = 32;
+  std::vector<Eigen::Index> columns;
+  for (Eigen::Index k = 1; k <= std::min(count, most); ++k)
+    columns.push_back(k * count / std::min(count, most) - 1);
+  return columns;
+}
+
+// Of a run that has chosen its steps and took so many seconds: what runs to other accuracies say against what
+// is printed. Each may take four times as long.
+std::optional<std::string> accuracy_warning(const Scene& scene, const AskedRun& run, const SolvedTable& table,
+                                            const Trajectory& path, double seconds, bool check) {
+  constexpr double most_times = 4.0, least_seconds = 0.05;
+  if (table.times.empty()) return std::nullopt;
+  const auto columns = spread_columns(std::ssize(table.times));
+  AskedRun other = run;
+  other.times.clear();
+  for (const auto c : columns) other.times.push_back(table.times[static_cast<std::size_t>(c)]);
+  other.options.events.clear();
+  other.options.checkpoints = nullptr;
+  other.options.budget = std::max(most_times * seconds, least_seconds);
+  other.options.at = times_to_return(scene, other);
+  Problem problem = scene.problem;
+  if (path.ending == Ending::event) problem.end = other.options.at.back();
+  const auto values = [&](const Accuracy& asked) -> std::optional<Rows> {
+    const auto solved = run.scheme.solve(problem, asked, other.options);
+    if (solved.ending != Ending::finished) return std::nullopt;
+    try {
+      return table_of(scene, other, solved, solved.times, columns_of(scene.outputs, solved)).values;
+    } catch (const NumericalFailure&) {
+      return std::nullopt;
+    }
+  };
+  const auto accuracy = std::get<Accuracy>(run.resolution);
+  const auto missed = missed_accuracy(accuracy, table.values(Eigen::all, columns), values, check);
+  if (!missed) return std::nullopt;
+  return fmt::format("{} at t = {:.6g} is off by about {:.2g} times the accuracy that is asked",
+                     table.names[static_cast<std::size_t>(missed->row)],
+                     other.times[static_cast<std::size_t>(missed->column)], missed->times);
+}
+
+// The same of a run that has chosen its steps: an accuracy that no double has, one that is not delivered, and
+// the events whose functions are a number at no time.
+std::string warning_line(const Scene& scene, const AskedRun& run, const SolvedTable& table,
+                         const Trajectory& path, double seconds, bool check) {
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  const auto accuracy = std::get<Accuracy>(run.resolution);
+  std::vector<std::string> texts;
+  if (accuracy.relative < rounding) {
+    texts.push_back(
+        fmt::format("an accuracy of {:.3g} is asked, and a double has {:.2g}", accuracy.relative, rounding));
+  } else if (const auto missed = accuracy_warning(scene, run, table, path, seconds, check)) {
+    texts.push_back(*missed);
+  }
+  const Rows columns = columns_of(scene.outputs, path);
+  for (const auto& event : scene.events) {
+    bool is_number = columns.cols() == 0;
+    for (Eigen::Index c = 0; c < columns.cols() && !is_number; ++c)
+      is_number = !std::isnan(event.value(path.time(c), columns.col(c)));
+    if (!is_number)
+      texts.push_back(fmt::format("event {} is not a number at any time of the run", event.name));
+  }
+  return as_warning(texts);
 }
 
 // Which times a scheme chooses it says at the end: then it is asked for those beside them, which reactions
@@ -193,7 +240,7 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
   if (run.keeps_states) table.field = states_at(path, table.times);
   if (checkpoints) table.checkpoint = *arguments.checkpoint;
   table.warning = run.grid ? warning_line(scene, run, path, arguments.check)
-                           : warning_line(scene, std::get<Accuracy>(run.resolution), path);
+                           : warning_line(scene, run, table, path, elapsed.count(), arguments.check);
   table.ended = ended_by(scene, path);
   table.cost = cost_text(scene, run, path.cost, elapsed.count(), checkpoints ? &*checkpoints : nullptr);
   return table;
