@@ -170,13 +170,19 @@ Vec RadauSteps::limits() const {
 
 bool RadauSteps::solve(Run& run) {
   double last = no_solution;
+  bool renewed = true;  // the matrix, in each iteration
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
     if (!evaluate(run)) return false;
-    if (iteration == 1)
-      matrix_->factorise(run, time_ + length_, y_.col(stages - 1), f_.col(stages - 1), weights_);
-    Vec increment = residual();
+    if (renewed) matrix_->factorise(run, time_ + length_, y_.col(stages - 1), f_.col(stages - 1), weights_);
+    const Vec rest = residual();
+    Vec increment = rest;
     matrix_->solve(increment);
-    if (!increment.allFinite()) return false;
+    if (!increment.allFinite()) {
+      if (!renewed) return false;
+      y_ += rest.reshaped(y_.rows(), stages);
+      continue;
+    }
+    if (iteration == 1) renewed = false;
     y_ += increment.reshaped(y_.rows(), stages);
     ++*run.cost().newton_iterations;
     const Vec limit = limits();

@@ -284,8 +284,14 @@ void PanelMarch::shorten(const TimeBlock& block, double doubt) {
   const double shortest = first ? 0x1p-900 : 0x1p-48 * block.from;
   const bool too_short = width_ <= shortest;
   if (!too_short && !run_.out_of_budget()) return;
+  if (first && solver_.take_unsettled()) {  // the segment begins again
+    switched_at_ = block.segment->start;
+    going_ = Going::switched;
+    return;
+  }
   going_ = Going::over;
-  const auto reason = solver_.left_domain() ? Ending::singular : Ending::not_converged;
+  const auto unsolved = std::isfinite(doubt) ? Ending::step_too_small : Ending::not_converged;
+  const auto reason = solver_.left_domain() ? Ending::singular : unsolved;
   run_.fail(too_short ? reason : Ending::out_of_budget, block.time(1.0));
 }
 

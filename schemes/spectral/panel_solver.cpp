@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "implicit/differences.hpp"
 #include "spectral/growing_modes.hpp"
@@ -90,10 +91,13 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
     right_ -= drives * mass_.asDiagonal();
     if (anew && !linearise(run, task, rows)) {
       // A derivative may be infinite where the rows are those of the start: the drives move away from there,
-      // or have their values already, where the rows do not differ from the start by more than rounding.
+      // or have their values already, where the rows do not differ from the start by more than rounding. What
+      // is more than that may still move others by far more.
       if (++sweeps > most_sweeps || mass_.minCoeff() == 0.0) return false;
       move(task, right_, drives, rows);
-      if (rows.allFinite() && part_moved(left_over(task, rows)) <= 1.0) return true;
+      if (!rows.allFinite() || part_moved(left_over(task, rows)) > 1.0) continue;
+      if (takes_unsettled_ || part_moved(rounding * task.size) <= 1.0) return true;
+      has_unsettled_ = true;
       continue;
     }
     const Matrix increment = factors_.solve(right_.reshaped()).reshaped(drives.rows(), drives.cols());
@@ -112,6 +116,8 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
   }
   return false;
 }
+
+bool PanelSolver::take_unsettled() { return has_unsettled_ && !std::exchange(takes_unsettled_, true); }
 
 // The largest change of a row by the last increment, in units of its limit: 0 of a row that rests at 0, whose
 // limit is 0.

@@ -33,6 +33,11 @@ class PanelSolver {
   // leads out of the domain.
   bool solve(Run& run, const PanelTask& task, PanelValues& values);
 
+  // Where a derivative is infinite: takes, from now on, panels on which a sweep moves no row by more than may
+  // be left, though what that moves others by is not known. False: there were none, or they are taken
+  // already.
+  bool take_unsettled();
+
   // The rows that drives make.
   void follow(const PanelTask& task, PanelValues& values);
 
@@ -74,6 +79,7 @@ class PanelSolver {
   [[nodiscard]] double part_moved(const Vec& limit) const;
   [[nodiscard]] bool cancels(const Vec& limit) const;
 
+  bool has_unsettled_ = false, takes_unsettled_ = false;
   const Problem& problem_;
   const DrivenRows& driven_;
   const PanelKernels& kernels_;
