@@ -142,8 +142,9 @@ Vec TrapezoidalSteps::defect() const {
   const Vec change = next_.f - newest_.f;
   if (!older_) return change / 2.0;
   const double length = next_.t - newest_.t, length_before = newest_.t - older_->t;
-  const Vec bend = (change / length - (newest_.f - older_->f) / length_before) / (length + length_before);
-  return bend * (length * length / 6.0);
+  // h^2 f[t_(n-2), t_(n-1), t_n] / 6, without the square of a length, which may be 1e-290.
+  const Vec bend = change - length / length_before * (newest_.f - older_->f);
+  return bend * (length / (length + length_before) / 6.0);
 }
 
 // Of an error of f all over the step: h^g / Gamma(g+1).

@@ -208,6 +208,17 @@ TEST(AdaptiveEnd, IsThatNoStepIsShortEnoughWhereTheRightHandSideIsNotIntegrable)
   }
 }
 
+// Rows of order 0.02 begin with steps of 1e-220, the square of which is no double; the heat equation of this
+// order is all but at its end at once.
+TEST(AdaptiveStart, MayBeShorterThanTheRootOfTheSmallestDouble) {
+  const Scene scene = scene_of("fractional_diffusion", {{"gamma", 0.02}});
+  for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"}) {
+    const auto path = find_scheme(scheme)->solve(scene.problem, Accuracy{3e-6, 3e-6}, {.at = {0.5, 1.0}});
+    ASSERT_EQ(path.ending, Ending::finished) << scheme;
+    EXPECT_LT(largest_error(scene, path), 3e-5) << scheme;
+  }
+}
+
 // D^0.5 y = 1 up to t = 1 and -1 behind it, which the problem does not say: y = (2 sqrt t - 4 sqrt(t - 1)) /
 // sqrt pi.
 TEST(AdaptiveJumps, AreFoundWhereNobodySaysThem) {
