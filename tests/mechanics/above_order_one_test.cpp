@@ -94,12 +94,28 @@ TEST(AboveOrderOne, OtherConstantsAreRefusedWhereTheStartFixesIt) {
   const auto refused = [](const ParameterValues& values, const std::string& reason) {
     expect_message([&] { scene_of("fractional_constraint_2d", values); }, reason);
   };
-  refused({{"alpha", 0.5}, {"C0", 1.0}}, "C0 = 1: must be a1*v1+a2*v2 = 0 for alpha up to 1");
-  refused({{"alpha", 1.0}, {"C0", 1.0}}, "C0 = 1: must be a1*v1+a2*v2 = 0 for alpha up to 1");
+  refused({{"alpha", 0.5}, {"C0", 1.0}}, "C0 = 1: must be a1*v1+a2*v2 = 0 for alpha below 1");
+  refused({{"alpha", 1.0}, {"C0", 0.0}}, "C0 = 0: must be (a1+b1)*v1+(a2+b2)*v2 = 0.26 for alpha = 1");
   refused(
       {{"alpha", 1.5}, {"b1", 0.6}, {"b2", -0.3}, {"C0", 1.0}, {"formulation", std::string("multiplier")}},
       "C0 = 1: must be a1*v1+a2*v2 = 0 for a.b = 0");
   EXPECT_NO_THROW(scene_of("fractional_constraint_2d", {{"C0", 0.0}}));
+}
+
+// w = v, so that (a + b).v is kept, and the velocity begins as it is given.
+TEST(AtOrderOne, TheConstraintIsThatOfTheVelocityAlone) {
+  for (const auto* formulation : {"integrated", "acceleration", "stabilised", "multiplier"}) {
+    const Scene scene =
+        scene_of("fractional_constraint_2d", {{"alpha", 1.0}, {"formulation", std::string(formulation)}});
+    const Vec start = scene.reference.at(0.0).value;
+    EXPECT_NEAR((start - Vec{{1.0, 0.0, 0.4, -0.2, 0.4, -0.2}}).norm(), 0.0, 1e-15) << formulation;
+    const auto path = solve("product_trapezoidal", scene.problem, 1024);
+    const Rows columns = columns_of(scene.outputs, path);
+    EXPECT_NEAR((columns.col(0).head(6) - start.head(6)).norm(), 0.0, 1e-15) << formulation;
+    for (Eigen::Index c = 0; c < columns.cols(); ++c)
+      EXPECT_NEAR(1.5 * columns(2, c) + 1.7 * columns(3, c), 0.26, 1e-13) << formulation;
+    EXPECT_LT((columns.rightCols(1) - scene.reference.at(10.0).value).norm(), 1e-3) << formulation;
+  }
 }
 
 }  // namespace

@@ -127,14 +127,23 @@ TEST(FractionalConstraint1D, SchemesApproachTheConstraintThatIsZero) {
   }
 }
 
-TEST(FractionalConstraint1D, AlphaToOneFromBelow) {
+// From below w(0) = 0, and q' goes over from q1 to a q1 / (a + b) within a time that tends to 0; at order 1 w
+// = q' from the start on.
+TEST(FractionalConstraint1D, AlphaToOneFromBelowIsAnotherMotionThanAtOne) {
   const Values at_one{{"alpha", 1.0}, {"a", 0.8}, {"b", 0.6}, {"q1", 0.7}};
   Values below = at_one;
   below["alpha"] = 1.0 - 0x1p-53;
   for (const double t : {0.5, 8.0}) {
-    EXPECT_NEAR(at(line(at_one), t), 1.0 + 0.8 * 0.7 * t / 1.4, 2e-15);
-    EXPECT_NEAR(at(line(below), t), at(line(at_one), t), 2e-15);
+    EXPECT_NEAR(at(line(at_one), t), 1.0 + 0.7 * t, 2e-15);
+    EXPECT_NEAR(at(line(below), t), 1.0 + 0.8 * 0.7 * t / 1.4, 2e-15);
   }
+}
+
+// b q'' + a q' = C0 has q''(0) = (C0 - a q1) / b.
+TEST(FractionalConstraint1D, AtOrderTwoTheMultiplierStartsAtAValue) {
+  const Scene scene = line({{"alpha", 2.0}, {"C0", 0.1}});
+  EXPECT_EQ(scene.reactions.first, Vec{{-0.8}});
+  EXPECT_NEAR(scene.reactions.exact.at(0.0).value[0], -0.8, 1e-15);
 }
 
 TEST(FractionalConstraint1D, WithoutMemoryIsUniformMotion) {
@@ -153,7 +162,12 @@ TEST(FractionalConstraint1D, RefusesWhatIsNoMotion) {
   expect_message([] { line({{"alpha", 2.5}, {"b", 0.0}}); }, "b = 0: must be other than 0 for alpha above 2");
   expect_message([] { line({{"alpha", 1.5}, {"a", 0.0}, {"b", 0.0}}); }, "a = 0: must be other than 0");
   expect_message([] { line({{"alpha", 3.0}}); }, "alpha");
-  expect_message([] { line({{"C0", 0.0}}); }, "C0 = 0: must be a*q1 = 0.5 for alpha up to 1");
+  expect_message([] { line({{"C0", 0.0}}); }, "C0 = 0: must be a*q1 = 0.5 for alpha below 1");
+  expect_message(
+      [] {
+        line({{"alpha", 1.0}, {"C0", 0.5}});
+      },
+      "C0 = 0.5: must be (a+b)*q1 = 0.75 for alpha = 1");
   expect_message(
       [] {
         line({{"alpha", 1.5}, {"b", 0.0}, {"C0", 0.0}});

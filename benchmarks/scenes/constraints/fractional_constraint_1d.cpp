@@ -86,6 +86,7 @@ Reactions reactions_of(const Line& line, const Smoothness& smoothness) {
   reactions.powers = smoothness.powers[1];
   reactions.multipliers = [a](double, In, In rates, Out lambda) { lambda[0] = rates[0] / a; };
   if (line.alpha < 1.0 && line.q1 == 0.0) reactions.first = Vec::Zero(1);
+  if (line.alpha == 2.0) reactions.first = Vec::Constant(1, (line.constant() - a * line.q1) / (line.b * a));
   if (line.alpha > 2.0) reactions.first = Vec::Constant(1, line.q2 / a);
   return reactions;
 }
@@ -97,7 +98,9 @@ void require_posed(const Line& line) {
   if (alpha > 2.0 && b == 0.0) reject("b", 0.0, "other than 0 for alpha above 2");
   if (a == 0.0 && b == 0.0) reject("a", 0.0, "other than 0 for b = 0");
   if (line.starts_smoothly()) return;
-  if (alpha <= 1.0) reject("C0", *given, fmt::format("a*q1 = {} for alpha up to 1", a * q1));
+  if (alpha == 1.0)
+    reject("C0", *given, fmt::format("(a+b)*q1 = {} for alpha = 1", line.constant_at_start()));
+  if (alpha < 1.0) reject("C0", *given, fmt::format("a*q1 = {} for alpha below 1", a * q1));
   if (b == 0.0) reject("C0", *given, fmt::format("a*q1 = {} for b = 0", a * q1));
 }
 
@@ -107,7 +110,8 @@ void require_posed(const Line& line) {
 //   alpha < 1        q0 + q1 t E_{1-alpha,2}(-w t^(1-alpha)),  C0 = a q1,
 //   1 < alpha <= 2   q0 + q1 t + (C0 - a q1)/b t^alpha E_{nu,alpha+1}(-t^nu/w),
 //   alpha > 2        the same + q2 t^2 E_{nu,3}(-t^nu/w).
-// alpha = 1 is the limit from below, (a + b) q' = a q1. For w < 0 solutions grow.
+// At alpha = 1 it is (a + b) q' = C0 = (a + b) q1. For alpha -> 1 from below q' leaves q1 for a q1 / (a + b)
+// within a time that tends to 0. For w < 0 solutions grow.
 SceneMaker fractional_constraint_1d() {
   return {.id = "fractional_constraint_1d",
           .title = "Point on a line with a fractional constraint",
@@ -122,7 +126,7 @@ SceneMaker fractional_constraint_1d() {
                          {"q1", 0.5, any_number, "q'(0)"},
                          {"q2", 0.3, any_number, "q''(0), which alpha above 2 needs"},
                          derived_number("C0", "a*q1", any_number,
-                                        "what a q' + b D^alpha q is; free for alpha above 1")},
+                                        "what a q' + b D^alpha q is; (a+b)*q1 at alpha = 1, free above")},
           .make = [](const Parameters& p) -> Scene {
             const Line line{p["alpha"], p["a"], p["b"], p["q0"], p["q1"], p["q2"], p.given("C0")};
             require_posed(line);

@@ -32,7 +32,7 @@ constexpr std::size_t multiplier_component = 6;
 
 // The form with a multiplier in rows whose orders and coefficients are the parameters themselves, so that
 // they are taken at their word to any number of digits: p = q as a row of order alpha gives D^alpha p = w,
-// and e' = 0 with e(0) = v(0) gives C0 = a.e where it is not given.
+// and e' = 0 with e(0) = v(0) gives C0 = a.e where it is not given, at order 1 (a + b).e.
 LinearSystem system_of(const Parameters& parameters) {
   enum : Eigen::Index { q = 0, v = 2, w = 4, lambda = multiplier_component, p = 7, e = 9, size = 11 };
   const auto pair = [&](std::string_view first, std::string_view second) {
@@ -57,7 +57,7 @@ LinearSystem system_of(const Parameters& parameters) {
     system.matrix(w + at, q + at) = -1.0;
     system.matrix(lambda, v + at) = a[i];
     system.matrix(lambda, w + at) = b[i];
-    if (!given) system.matrix(lambda, e + at) = -a[i];
+    if (!given) system.matrix(lambda, e + at) = parameters["alpha"] == 1.0 ? -a[i] - b[i] : -a[i];
     system.orders[w + i] = 0.0;
     system.orders[p + i] = parameters["alpha"];
     system.initial[q + i] = {place[i]};
@@ -71,19 +71,24 @@ LinearSystem system_of(const Parameters& parameters) {
   return system;
 }
 
-// C0, or what it is at the start. Up to order 1 w(0) = 0, so that a.v(0) is all that C0 can be; above, w(0)
-// takes up the rest along a, unless the constraint does not see it there.
+// C0, or what the constraint is at the start: a.v(0) below order 1, where w(0) = 0, and (a + b).v(0) at order
+// 1, where w = v; it can be nothing else. Above, w(0) takes up the rest along a, unless the constraint does
+// not see it there.
 double constant_of(const Parameters& p) {
-  const double at_start = p["a1"] * p["v1"] + p["a2"] * p["v2"];
   const auto given = p.given("C0");
-  if (!given) return at_start;
-  const auto product = [&](const char* x, const char* y) {
-    return Rational(exact_decimal(p[x]) * exact_decimal(p[y]));
+  const bool first_order = p["alpha"] == 1.0;
+  const auto at_start = [&](const auto& number) {
+    auto sum = number("a1") * number("v1") + number("a2") * number("v2");
+    if (first_order) sum += number("b1") * number("v1") + number("b2") * number("v2");
+    return sum;
   };
-  if (exact_decimal(*given) == product("a1", "v1") + product("a2", "v2")) return at_start;
-  if (p["alpha"] <= 1.0) reject("C0", *given, fmt::format("a1*v1+a2*v2 = {} for alpha up to 1", at_start));
-  if (product("a1", "b1") + product("a2", "b2") == 0)
-    reject("C0", *given, fmt::format("a1*v1+a2*v2 = {} for a.b = 0", at_start));
+  const double known = at_start([&](const char* name) { return p[name]; });
+  const auto exact = [&](const char* name) { return exact_decimal(p[name]); };
+  if (!given || exact_decimal(*given) == Rational(at_start(exact))) return known;
+  if (first_order) reject("C0", *given, fmt::format("(a1+b1)*v1+(a2+b2)*v2 = {} for alpha = 1", known));
+  if (p["alpha"] < 1.0) reject("C0", *given, fmt::format("a1*v1+a2*v2 = {} for alpha below 1", known));
+  if (Rational(exact("a1") * exact("b1") + exact("a2") * exact("b2")) == 0)
+    reject("C0", *given, fmt::format("a1*v1+a2*v2 = {} for a.b = 0", known));
   return *given;
 }
 
@@ -103,7 +108,7 @@ SceneMaker fractional_constraint_2d() {
       {"q2", 0.0, any_number, "q2(0)"},
       {"v1", 0.4, any_number, "q1'(0)"},
       {"v2", -0.2, any_number, "q2'(0)"},
-      derived_number("C0", "a1*v1+a2*v2", any_number, "what a.v + b.w is; free for 1 < alpha < 2")};
+      derived_number("C0", "a1*v1+a2*v2", any_number, "what a.v + b.w is; (a+b).v at alpha = 1, free above")};
   return {
       .id = "fractional_constraint_2d",
       .title = "Oscillator in the plane with a linear fractional constraint",

@@ -115,11 +115,15 @@ struct Nothing {
 }  // namespace
 
 Rational FractionalLine::exact_constant() const {
-  return given ? exact_decimal(*given) : Rational(exact_decimal(a) * exact_decimal(q1));
+  if (given) return exact_decimal(*given);
+  const Rational of_memory = alpha == 1.0 ? exact_decimal(b) : Rational(0);
+  return (exact_decimal(a) + of_memory) * exact_decimal(q1);
 }
 
 bool FractionalLine::starts_smoothly() const {
-  return !given || exact_constant() == exact_decimal(a) * exact_decimal(q1);
+  FractionalLine at_start = *this;
+  at_start.given.reset();
+  return exact_constant() == at_start.exact_constant();
 }
 
 bool FractionalLine::uniform() const {

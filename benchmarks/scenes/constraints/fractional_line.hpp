@@ -11,11 +11,13 @@ namespace fde {
 // product of them is rounded.
 struct FractionalLine {
   double alpha, a, b, q0, q1, q2;
-  std::optional<double> given;  // C0, where it is not a q1
+  std::optional<double> given;  // C0, where it is not what the constraint is at the start
 
-  [[nodiscard]] double constant() const { return given.value_or(a * q1); }
+  // a q'(0) where D^alpha q(0) = 0. At order 1 that is q'(0): (a + b) q'(0).
+  [[nodiscard]] double constant_at_start() const { return (alpha == 1.0 ? a + b : a) * q1; }
+  [[nodiscard]] double constant() const { return given.value_or(constant_at_start()); }
   [[nodiscard]] Rational exact_constant() const;
-  // Whether C0 is a q1: D^alpha q(0) = 0.
+  // Whether C0 is what the constraint is at the start.
   [[nodiscard]] bool starts_smoothly() const;
   // Whether C0 determines q' without D^alpha q: q = q0 + q1 t.
   [[nodiscard]] bool uniform() const;
