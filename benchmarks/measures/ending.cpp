@@ -56,11 +56,12 @@ RunEnding ending_of(const Problem& problem, const Trajectory& path) {
   if (path.ending == Ending::singular) detail.push_back(problem.domain.edge);
   if (path.ending == Ending::event) detail.push_back(fmt::format("at t = {:.17g}", path.reached));
   if (path.failed_at) detail.push_back(at_step(path.steps + 1, *path.failed_at));
-  if (path.residual)
+  if (path.residual) {
     detail.push_back(
         fmt::format("for all times at once, from any of its starts: a residual of {:.2g} is left; "
                     "try another number of steps, another end or other coefficients",
                     *path.residual));
+  }
   return {path.ending, fmt::format("{}", fmt::join(detail, " "))};
 }
 

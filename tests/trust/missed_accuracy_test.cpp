@@ -2,6 +2,7 @@
 
 #include "trust/missed_accuracy.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ struct Runs {
   Rows exact = Rows{{1.0, -3.0}, {0.0, 1e3}};
   std::vector<double> asked{};
 
-  Rows values(const Accuracy& accuracy) const {
+  [[nodiscard]] Rows values(const Accuracy& accuracy) const {
     Rows result = exact;
     result(1, 0) += times * accuracy.absolute;
     return result;
