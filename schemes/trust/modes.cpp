@@ -147,6 +147,24 @@ double part_left(const SolvedRun& run, const Vec& start) {
   return left;
 }
 
+// The modes e^(st) of the linear part at the start, where all orders are equal.
+Spectrum oscillations(const SolvedRun& run) {
+  const auto order = has_modes(run.problem) ? common_order(run.problem) : std::nullopt;
+  Spectrum modes;
+  if (!order) return modes;
+  for (const ComplexValue rate : spectrum(run.problem, 0.0, stored_at(run.path, 0.0))) {
+    // What is not in this sector decays like a power of t.
+    if (rate != 0.0 && std::abs(std::arg(rate)) < *order * std::numbers::pi)
+      modes.push_back(std::pow(rate, 1.0 / *order));
+  }
+  return modes;
+}
+
+// Backward Euler's method damps a mode until the end by the exponential of half of this.
+double damping(const Grid& grid, ComplexValue mode) {
+  return mode.imag() * mode.imag() * step_at(grid, grid.end) * grid.end;
+}
+
 }  // namespace
 
 std::optional<std::string> unstable_modes(const SolvedRun& run) {
@@ -190,25 +208,22 @@ std::optional<std::string> growth_of_its_own(const SolvedRun& run) {
                      reached);
 }
 
+bool may_damp_oscillation(const SolvedRun& run) {
+  constexpr double slightly = 0.2;
+  return std::ranges::any_of(oscillations(run), [&](const ComplexValue mode) {
+    return mode.real() * run.grid.end > std::log(doubtful_part) && damping(run.grid, mode) > slightly;
+  });
+}
+
 std::optional<std::string> lost_oscillation(const SolvedRun& run) {
-  const Grid& grid = run.grid;
-  const auto order = has_modes(run.problem) ? common_order(run.problem) : std::nullopt;
-  if (!order) return std::nullopt;
-  const Vec start = stored_at(run.path, 0.0);
-  const double left = part_left(run, start);
+  const double left = part_left(run, stored_at(run.path, 0.0));
   if (!(left < doubtful_part)) return std::nullopt;
-  for (const ComplexValue rate : spectrum(run.problem, 0.0, start)) {
-    // What is not in this sector decays like a power of t.
-    if (rate == 0.0 || std::abs(std::arg(rate)) >= *order * std::numbers::pi) continue;
-    const ComplexValue mode = std::pow(rate, 1.0 / *order);
-    const double length = step_at(grid, grid.end), frequency = std::abs(mode.imag());
-    // Backward Euler damps the mode by the exponential of half of this.
-    const double damping = frequency * frequency * length * grid.end;
-    if (left < doubtful_part * std::exp(mode.real() * grid.end) && damping > 1.0) {
-      return fmt::format(
-          "the run decays faster than an oscillation of the equation, of period {:.3g}: a step is {:.3g}",
-          2.0 * std::numbers::pi / frequency, length);
-    }
+  const Grid& grid = run.grid;
+  for (const ComplexValue mode : oscillations(run)) {
+    if (left >= doubtful_part * std::exp(mode.real() * grid.end) || damping(grid, mode) <= 1.0) continue;
+    return fmt::format(
+        "the run decays faster than an oscillation of the equation, of period {:.3g}: a step is {:.3g}",
+        2.0 * std::numbers::pi / std::abs(mode.imag()), step_at(grid, grid.end));
   }
   return std::nullopt;
 }

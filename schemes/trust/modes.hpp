@@ -19,6 +19,10 @@ std::optional<std::string> unstable_modes(const SolvedRun& run);
 // initial values and its load make: |Taylor part| + t^g / Gamma(g+1) |f(., y(0))|.
 std::optional<std::string> growth_of_its_own(const SolvedRun& run);
 
+// Whether the equation has an oscillation, at t = 0, of which a tenth is left at the end or more, and which
+// backward Euler's method with these steps damps by a tenth or more.
+bool may_damp_oscillation(const SolvedRun& run);
+
 // Whether the equation has an oscillation, at t = 0, that leaves ten times more of the initial values than is
 // left of the run, with steps with which backward Euler's method damps it.
 std::optional<std::string> lost_oscillation(const SolvedRun& run);

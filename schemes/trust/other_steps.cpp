@@ -11,9 +11,8 @@
 namespace fde {
 namespace {
 
-// Steps times components: of finer runs that take a fraction of a millisecond, of coarser ones, and of the
-// longest run in doubt for which a finer one is solved all the same.
-constexpr Eigen::Index finer_work = 8192, coarser_work = 2048, longest_settled = 32768;
+// Steps times components: of finer runs that take a fraction of a millisecond, and of coarser ones.
+constexpr Eigen::Index finer_work = 8192, coarser_work = 2048;
 constexpr Eigen::Index fewest_times = 4, most_times = 16;
 
 // How many times as many steps a finer run takes in so much work.
@@ -58,16 +57,6 @@ Difference difference(const Trajectory& path, const Trajectory& other, const std
   return worst;
 }
 
-// A first step may be too short, and only then: what it would have shown is unknown.
-Trajectory solve_other(const SolvedRun& run, const Grid& grid, const std::vector<double>& times) {
-  if (refusal(run.scheme, run.problem, grid)) return {.ending = Ending::refused};
-  Options options = run.options;
-  options.at = grid_times_at(grid, times);
-  options.observer = {};
-  options.checkpoints = nullptr;
-  return run.scheme.solve(run.problem, grid, options);
-}
-
 std::string numbers(const Difference& worst, const SolvedRun& run, int steps) {
   return fmt::format("{} at t = {:.6g} is {:.3g} with {} step{} and {:.3g} with {}",
                      run.name(worst.component), worst.t, worst.value, run.grid.steps,
@@ -82,7 +71,7 @@ ComparedSteps of_difference(const Difference& worst, bool doubtful, const Solved
 ComparedSteps compare_with_finer(const SolvedRun& run, Eigen::Index times_as_many) {
   const Grid grid = with_steps(run.grid, static_cast<int>(times_as_many) * run.grid.steps);
   const auto times = late_times(run.grid);
-  const auto finer = solve_other(run, grid, times);
+  const auto finer = solve_again(run, run.scheme, grid, times);
   if (finer.ending == Ending::finished) {
     const auto worst = difference(run.path, finer, times, late_sizes(run));
     return of_difference(worst, worst.part > doubtful_part, run, grid.steps);
@@ -116,13 +105,13 @@ std::optional<Estimate> estimate_from_coarser(const SolvedRun& run, int steps) {
   constexpr double comparable = 10.0;
   const Grid finer = with_steps(run.grid, steps), coarser = with_steps(run.grid, steps / 2);
   const auto times = late_times(coarser);
-  const auto one = solve_other(run, finer, times);
+  const auto one = solve_again(run, run.scheme, finer, times);
   if (one.ending != Ending::finished) return std::nullopt;
   const Vec sizes = late_sizes(run);
   const auto worst = difference(run.path, one, times, sizes);
   if (worst.part == 0.0) return Estimate{0.0, {}};
   if (!(worst.part < comparable)) return std::nullopt;
-  const auto other = solve_other(run, coarser, times);
+  const auto other = solve_again(run, run.scheme, coarser, times);
   const double between =
       other.ending == Ending::finished ? difference(one, other, times, sizes).part : 0.0;  // the lowest rate
   const double ratio = static_cast<double>(run.grid.steps) / steps;
@@ -130,6 +119,17 @@ std::optional<Estimate> estimate_from_coarser(const SolvedRun& run, int steps) {
 }
 
 }  // namespace
+
+// A first step may be too short, and only then: what it would have shown is unknown.
+Trajectory solve_again(const SolvedRun& run, const Scheme& scheme, const Grid& grid,
+                       const std::vector<double>& times) {
+  if (refusal(scheme, run.problem, grid)) return {.ending = Ending::refused};
+  Options options = run.options;
+  options.at = grid_times_at(grid, times);
+  options.observer = {};
+  options.checkpoints = nullptr;
+  return scheme.solve(run.problem, grid, options);
+}
 
 std::string SolvedRun::name(Eigen::Index component) const {
   const auto index = static_cast<std::size_t>(component);
@@ -172,7 +172,7 @@ ComparedSteps compare_with_half_the_steps(const SolvedRun& run) {
   const int steps = run.grid.steps / 2;
   if (steps == 0) return {};
   const auto times = late_times(with_steps(run.grid, steps));
-  const auto half = solve_other(run, with_steps(run.grid, steps), times);
+  const auto half = solve_again(run, run.scheme, with_steps(run.grid, steps), times);
   if (half.ending == Ending::refused || half.ending == Ending::out_of_budget) return {};
   if (half.ending != Ending::finished) {
     return {.agreement = Agreement::differs,

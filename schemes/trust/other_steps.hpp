@@ -43,6 +43,14 @@ ComparedSteps compare_with_other_steps(const SolvedRun& run);
 // With half the steps; differs where the difference itself is above doubtful_part.
 ComparedSteps compare_with_half_the_steps(const SolvedRun& run);
 
+// Steps times components of the longest run for which another one as long or longer is solved to settle a
+// doubt.
+inline constexpr Eigen::Index longest_settled = 32768;
+
+// The same problem by a scheme on a grid, stored at these times, or at those of the grid beside them.
+Trajectory solve_again(const SolvedRun& run, const Scheme& scheme, const Grid& grid,
+                       const std::vector<double>& times);
+
 // Of each component the largest |y_i| in the last quarter of the steps; at least what rounding leaves of the
 // component's and of all components' largest at the times looked at.
 Vec late_sizes(const SolvedRun& run);

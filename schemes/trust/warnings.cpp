@@ -7,6 +7,7 @@
 #include <iterator>
 #include <optional>
 
+#include "trust/damped_oscillation.hpp"
 #include "trust/modes.hpp"
 #include "trust/stored_path.hpp"
 
@@ -61,6 +62,7 @@ std::vector<Warning> warnings(const SolvedRun& run, bool check) {
   }
   if (compared.agreement == Agreement::agrees) {
     add(Doubt::oscillation, lost_oscillation(run));
+    add(Doubt::oscillation, damped_oscillation(run));
     return found;
   }
   add(Doubt::stability, unstable_modes(run));

@@ -128,6 +128,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadRun{"relaxation:lambda=3", "grunwald_letnikov", 16, "1", "y", 16205.988853999586, "16 step"},
         BadRun{"relaxation_pair:gamma=1,re=0,im=1000", "l1", 8192, "5", "x", 0.15466840618074712,
                "decays faster than an oscillation"},
+        BadRun{"fractional_constraint_2d:formulation=multiplier,alpha=.842,a1=-1.787,a2=-1.06,b1=-.412,b2=-1."
+               "475,"
+               "q1=.223,q2=1.946,v1=1.88,v2=-.195,g=-1.856,k1=14.258,k2=11.992,until=30",
+               "grunwald_letnikov", 512, "30", "v2", -3.3531870782339608,
+               "with product_trapezoidal on the same grid"},
         BadRun{"relaxation_pair:gamma=1,re=0,im=50", "product_trapezoidal", 64, "5", "x", 0.24098830528525864,
                "up and down from step to step"},
         BadRun{"relaxation_pair:gamma=1,re=0,im=50", "adams_pc", 64, "5", "x", 0.24098830528525864,
