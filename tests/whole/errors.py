@@ -129,7 +129,8 @@ def ends_there(case: Case) -> bool:
     jumps = case.scene == "bagley_torvik" or "[[jump]]" in text or "step(" in text or "sign(" in text
     slides = re.search(r"(step|sign)\([^()]*(x|y|z|w|D\()", text) is not None
     gap = least_gap(case)
-    return gap < 0.006 or slides or (case.scheme != "spectral_collocation" and jumps and gap < 0.17) or (case.scheme == "adaptive_pc" and gap < 0.17)
+    least = {"radau_exponentials": 0.03, "adaptive_pc": 0.17}.get(case.scheme, 0.006)
+    return gap < least or slides or (case.scheme != "spectral_collocation" and jumps and gap < 0.17)
 
 
 def gives_up(program: Program, case: Case, lists: Lists, exact: Table, ended: Outcome) -> bool:
