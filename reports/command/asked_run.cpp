@@ -146,6 +146,14 @@ void require_field(const Scene& scene, const RunArguments& arguments, const std:
                           most_values, values));
 }
 
+// Throws std::invalid_argument where there is one solution, or its rows would not be told from others.
+void require_several(const Scene& scene, const RunArguments& arguments) {
+  if (!arguments.all) return;
+  if (!two_sided(scene.problem)) throw std::invalid_argument("--all: is only taken of problems at both ends");
+  if (arguments.field) reject_text("--field", *arguments.field, "without --all");
+  if (arguments.check) throw std::invalid_argument("--all: is not taken with --check");
+}
+
 }  // namespace
 
 AskedRun asked_run(const Scene& scene, const RunArguments& arguments) {
@@ -156,10 +164,12 @@ AskedRun asked_run(const Scene& scene, const RunArguments& arguments) {
   if (chosen) setup.grading = optimal_grading(scheme, scene.problem);
   const Resolution resolution = resolution_of(setup, scene.problem.end);
   Options options = setup.options();
+  options.all_solutions = arguments.all;
   if (arguments.threads) options.threads = parse_count("--threads", *arguments.threads, 1, most_threads);
   const auto grid = grid_of(resolution);
   if (grid) require_affordable(*grid, options.history);
   require_events(scene, arguments);
+  require_several(scene, arguments);
   auto times = times_of(arguments, resolution, scene.problem.end);
   require_field(scene, arguments, times, grid);
   if (const auto reason = refusal(scheme, scene.problem, resolution))

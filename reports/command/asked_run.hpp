@@ -17,6 +17,7 @@ struct RunArguments {
   MeansArguments means{.budget = "3600"};
   bool check = false;
   bool events = false;  // the events in place of times
+  bool all = false;     // all solutions of a problem at both ends that a search finds
 };
 
 // The same, read: one run of a scheme that does not refuse it.

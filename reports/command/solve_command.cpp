@@ -25,10 +25,11 @@ struct SolveArguments {
 };
 
 void print_rows(const SolvedTable& table, std::ostream& out) {
-  const bool of_events = table.events.has_value();
-  out << fmt::format("{}t,{}\n", of_events ? "event," : "", csv_names(table.names));
+  out << fmt::format("{}{}t,{}\n", table.events ? "event," : "", table.solutions ? "solution," : "",
+                     csv_names(table.names));
   for (std::size_t c = 0; c < table.times.size(); ++c) {
-    if (of_events) out << (*table.events)[c] << ',';
+    if (table.events) out << (*table.events)[c] << ',';
+    if (table.solutions) out << (*table.solutions)[c] << ',';
     out << fmt::format("{:.17g}", table.times[c]);
     for (const double value : table.values.col(static_cast<Eigen::Index>(c)))
       out << fmt::format(",{:.17g}", value);
@@ -87,6 +88,8 @@ void add_solve_command(CommandLine& program, const Streams& streams, const Scene
   auto* points = command.option("--points", arguments->run.points, "print K grid times from 0 to the end");
   command.flag("--events", arguments->run.events,
                "print the events of the scene in place of times, with --accuracy");
+  command.flag("--all", arguments->run.all,
+               "of a problem at both ends: all solutions that a search from other starts finds");
   Subcommand::exclude(every, at);
   Subcommand::exclude(points, at);
   Subcommand::exclude(points, every);

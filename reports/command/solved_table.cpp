@@ -70,6 +70,21 @@ std::vector<std::string> columns_of_components(const Scene& scene) {
   return names;
 }
 
+// Appends the rows of other solutions, and numbers all.
+void add_others(SolvedTable& table, const Scene& scene, const AskedRun& run,
+                const std::vector<Trajectory>& others) {
+  table.solutions.emplace(table.times.size(), 1);
+  for (const auto& path : others) {
+    if (path.ending != Ending::finished) continue;
+    const SolvedTable other = table_of(scene, run, path, path.times, columns_of(scene.outputs, path));
+    table.solutions->insert(table.solutions->end(), other.times.size(), table.solutions->back() + 1);
+    table.times.insert(table.times.end(), other.times.begin(), other.times.end());
+    const Matrix before = std::move(table.values);
+    table.values.resize(before.rows(), before.cols() + other.values.cols());
+    table.values << before, other.values;
+  }
+}
+
 // The events in place of the times of the path.
 SolvedTable table_of_events(const Scene& scene, const Scheme& scheme, const Trajectory& path) {
   SolvedTable table{.names = printed_names(scene), .events = std::vector<std::string>()};
@@ -110,7 +125,7 @@ std::string warning_line(const Scene& scene, const AskedRun& run, const Trajecto
 
 // Without reactions columns are all there is to keep, and the states that warnings look at.
 bool keeps_columns(const Scene& scene, const AskedRun& run) {
-  return run.grid && !scene.reactions && !run.keeps_states;
+  return run.grid && !scene.reactions && !run.keeps_states && !run.options.all_solutions;
 }
 
 // The states of a path at some of its times.
@@ -239,8 +254,12 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
                                    : table_of(scene, run, path, path.times, columns_of(scene.outputs, path));
   if (run.keeps_states) table.field = states_at(path, table.times);
   if (checkpoints) table.checkpoint = *arguments.checkpoint;
-  table.warning = run.grid ? warning_line(scene, run, path, arguments.check)
-                           : warning_line(scene, run, table, path, elapsed.count(), arguments.check);
+  if (arguments.all) {  // with other steps the solutions are others, or in another order: nothing is compared
+    add_others(table, scene, run, path.others);
+  } else {
+    table.warning = run.grid ? warning_line(scene, run, path, arguments.check)
+                             : warning_line(scene, run, table, path, elapsed.count(), arguments.check);
+  }
   table.ended = ended_by(scene, path);
   table.cost = cost_text(scene, run, path.cost, elapsed.count(), checkpoints ? &*checkpoints : nullptr);
   return table;

@@ -13,11 +13,12 @@
 
 namespace fde {
 
-// What is printed of a run: at all its times, at those asked for, or at its events.
+// What is printed of a run: at all its times, at those asked for, or at its events; or of several solutions.
 struct SolvedTable {
   std::vector<std::string> names{};
   std::vector<double> times{};
   std::optional<std::vector<std::string>> events{};  // at these times, where events are printed
+  std::optional<std::vector<int>> solutions{};       // of each row, from 1, where all are printed
   std::string ended{};    // by which event and when the run ended before its end; empty: it did not
   Rows values{};          // one row a name, one column a time
   Rows field{};           // the unknowns, one column a time, where they are asked for

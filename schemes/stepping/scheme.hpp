@@ -28,6 +28,7 @@ struct Options {
   double budget = std::numeric_limits<double>::infinity();  // seconds: a run that takes longer ends there
   int threads = 1;  // among which a step of many unknowns may be shared; the result has the same bits for any
   std::vector<double> at{};     // times to return, increasing, each up to rounding; empty: all
+  bool all_solutions = false;   // of a problem at both ends: see Trajectory::others
   std::vector<Event> events{};  // located by schemes that choose their steps; others refuse to run with them
   std::function<void(double t, In y)> observer{};  // hears every step from t = 0 on, returned or not
   // Where the run keeps its state and goes on from it, where Needs::checkpoints is; nullptr: nowhere. What an

@@ -58,6 +58,7 @@ struct Trajectory {
   std::optional<double> residual{};      // of all times at once, where Newton's method left it
   std::int64_t steps = 0;                // with a result; 0 where nothing was stepped
   Cost cost{};
+  std::vector<Trajectory> others{};  // further solutions, where Options::all_solutions asks for them
 
   // Of this column of y.
   [[nodiscard]] double time(Eigen::Index column) const { return times[static_cast<std::size_t>(column)]; }

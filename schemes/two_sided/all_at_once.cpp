@@ -27,33 +27,39 @@ double size(const Grid& grid, const Rows& y) {
   return sum / grid.end;
 }
 
-// The solutions on a grid of few steps to which Newton's method comes from other starts, the smallest first.
+// The solutions on a grid of few steps to which Newton's method comes from the Taylor parts and from other
+// starts, the smallest first.
 std::vector<Guess> coarse_solutions(const AllTimes& equations, Run& run) {
   Increments increments(equations, Increments::First::two_grid);
   std::vector<Guess> found;
+  const auto add_from = [&](Guess start) {
+    NewtonEnd end = newton(equations, increments, run, search_tolerance, std::move(start));
+    const auto known = [&](const Guess& solution) { return alike(solution, end.guess); };
+    if (end.converged && std::ranges::none_of(found, known)) found.push_back(std::move(end.guess));
+  };
+  add_from(equations.start());
   for (const auto& other : other_starts(equations.problem(), starts)) {
     if (run.out_of_budget()) break;
     Guess start = equations.start();
     for (int n = 0; n <= equations.grid().steps; ++n) start.y.col(n) = other.at(equations.grid().time(n));
-    NewtonEnd end = newton(equations, increments, run, search_tolerance, std::move(start));
-    const auto known = [&](const Guess& solution) { return alike(solution, end.guess); };
-    if (end.converged && std::ranges::none_of(found, known)) found.push_back(std::move(end.guess));
+    add_from(std::move(start));
   }
   std::ranges::sort(found, {}, [&](const Guess& solution) { return size(equations.grid(), solution.y); });
   return found;
 }
 
-// From the smallest of those solutions that leads to one on the whole grid; where there is none, what was
-// come to before.
-NewtonEnd from_other_starts(const AllTimes& equations, Run& run, double tolerance, NewtonEnd before) {
+// Those of them that lead to one on the whole grid, or the first of these.
+std::vector<NewtonEnd> solutions(const AllTimes& equations, Increments& increments, Run& run,
+                                 const Options& options) {
   const AllTimes coarse = equations.with_steps(search_steps);
-  Increments increments(equations, Increments::First::two_grid);
+  std::vector<NewtonEnd> found;
   for (auto& solution : coarse_solutions(coarse, run)) {
     solution.y = by_lines(coarse.grid(), solution.y, equations.grid());
-    NewtonEnd end = newton(equations, increments, run, tolerance, std::move(solution));
-    if (end.converged) return end;
+    NewtonEnd end = newton(equations, increments, run, options.tolerance, std::move(solution));
+    if (end.converged) found.push_back(std::move(end));
+    if (!found.empty() && !options.all_solutions) break;
   }
-  return before;
+  return found;
 }
 
 }  // namespace
@@ -63,9 +69,12 @@ Trajectory solve_all_at_once(const Problem& problem, const Grid& grid, const Opt
   Run run(problem, options, grid.steps);
   const AllTimes equations(problem, grid, options, family);
   Increments increments(equations);
+  const bool all = options.all_solutions && two_sided(problem);
   NewtonEnd end = newton(equations, increments, run, options.tolerance, equations.start());
-  if (!end.converged && two_sided(problem) && !linear(problem))
-    end = from_other_starts(equations, run, options.tolerance, std::move(end));
+  std::vector<NewtonEnd> found;
+  if (all || (!end.converged && two_sided(problem) && !linear(problem)))
+    found = solutions(equations, increments, run, options);
+  if (!found.empty()) end = std::move(found.front());
   const auto values = 8 * end.guess.y.size();  // guesses, residuals and increments
   run.cost().history_bytes = equations.left().bytes() + equations.right().bytes() + increments.bytes() +
                              sizeof(double) * static_cast<std::size_t>(values);
@@ -78,7 +87,15 @@ Trajectory solve_all_at_once(const Problem& problem, const Grid& grid, const Opt
   for (int n = two_sided(problem) ? 0 : 1; n <= grid.steps; ++n) {
     if (!run.accept(grid.time(n), end.guess.y.col(n))) break;
   }
-  return run.finish();
+  Trajectory path = run.finish();
+  Options unheard = options;
+  unheard.observer = {};
+  for (std::size_t k = 1; k < found.size(); ++k) {
+    Run other(problem, unheard, grid.steps);
+    for (int n = 0; n <= grid.steps && other.accept(grid.time(n), found[k].guess.y.col(n)); ++n) continue;
+    path.others.push_back(other.finish());
+  }
+  return path;
 }
 
 }  // namespace fde

@@ -10,7 +10,8 @@ namespace fde {
 // The first start is the Taylor parts, with 0 for unknown initial values. A nonlinear problem for which it
 // does not converge is solved on 64 steps from each of other_starts(); the smallest solution there, in the
 // mean square over time and components, that leads to one on the whole grid is the result. A problem may have
-// others.
+// others: with Options::all_solutions the search is made in any case, and the next ones are
+// Trajectory::others.
 //
 // The last increment is below tolerance * |y|, or has stopped to shrink below 1e-10 * |y|. Otherwise the
 // ending is not_converged, with Trajectory::residual. Stored are a few values a component and time, the

@@ -54,6 +54,7 @@ def drawn_options(random: Random, lists: Lists, scheme: str) -> dict[str, str]:
         maybe("--checkpoint-every", 0.5, random.choice(["0", "1", "300"]))
     for flag in ("--check", "--strict", "--cost"):
         maybe(flag, 0.1)
+    maybe("--all", 0.05)
     maybe("--events", 0.1 if not over_grid else 0.02)
     return chosen
 

@@ -20,8 +20,17 @@ def check_rows(case: Case, ended: Outcome) -> Table:
     """The rows that were asked for, finite, in order."""
     table = Table.read(ended.out)
     check_finite(table)
-    if "--events" in case.options or ("ends = true" in case.file and "--accuracy" in case.options):
+    if "--all" in case.options:
+        for number in dict.fromkeys(table.column("solution")):
+            check_table(case, Table(table.names, [row for row, of in zip(table.rows, table.column("solution")) if of == number]))
         return table
+    check_table(case, table)
+    return table
+
+
+def check_table(case: Case, table: Table) -> None:
+    if "--events" in case.options or ("ends = true" in case.file and "--accuracy" in case.options):
+        return
     check_times(table)
     full = int(case.options.get("--steps", "0"))
     if full and not {"--every", "--points", "--at"} & case.options.keys() and len(table.rows) != full + 1:
@@ -30,7 +39,6 @@ def check_rows(case: Case, ended: Outcome) -> Table:
         raise Fault("rows", f"{len(table.rows)} rows of {full} steps, each {case.options['--every']}-th and the last")
     if table.times[0] != 0:
         raise Fault("times", f"the first row is of t = {table.times[0]}")
-    return table
 
 
 def blames_newton(case: Case, lists: Lists, line: str) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from program import Fault
 
-DERIVED = re.compile(r"t|event|energy|constraint|lambda\d*|power|bound.*")
+DERIVED = re.compile(r"t|event|solution|energy|constraint|lambda\d*|power|bound.*")
 
 
 @dataclass(frozen=True)
