@@ -119,8 +119,8 @@ void Run::fail(Ending ending, double t) {
   path_.failed_at = t;
 }
 
-void Run::fail_at_once(Ending ending, double residual) {
-  path_.ending = ending;
+void Run::fail_at_once(double residual) {
+  path_.ending = Ending::not_converged;
   path_.residual = residual;
 }
 

@@ -41,8 +41,8 @@ class Run {
 
   // Ends the run where the step to t has no result.
   void fail(Ending ending, double t);
-  // The same of a scheme that solves for all times at once, of whose equations this residual is left.
-  void fail_at_once(Ending ending, double residual);
+  // The same where Newton's method for all times at once has left this residual.
+  void fail_at_once(double residual);
 
   // Whether the run has taken longer than it may; looks at the clock, and who listens to work hears of it.
   [[nodiscard]] bool out_of_budget() const;

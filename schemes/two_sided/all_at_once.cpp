@@ -81,7 +81,11 @@ Trajectory solve_all_at_once(const Problem& problem, const Grid& grid, const Opt
   if (!end.converged) {
     // The guess at the start stands for a result, as in every run that fails at its first step.
     if (two_sided(problem)) run.accept(0.0, run.start());
-    run.fail_at_once(run.out_of_budget() ? Ending::out_of_budget : Ending::not_converged, end.residual);
+    if (run.out_of_budget()) {
+      run.fail(Ending::out_of_budget, grid.time(1));
+    } else {
+      run.fail_at_once(end.residual);
+    }
     return run.finish();
   }
   for (int n = two_sided(problem) ? 0 : 1; n <= grid.steps; ++n) {
