@@ -6,15 +6,15 @@
 
 namespace fde {
 
-// ", did you mean 'x'?" with the candidate of least edit distance to the name.
+// ", did you mean 'x'?" with the candidate at the least edit distance from `name`; empty without candidates.
 std::string nearest(std::string_view name, const std::vector<std::string_view>& candidates);
 
-// Throws std::invalid_argument: "KIND ID: no such KIND, did you mean 'X'?; there are ...", where there are
-// many the nearest ones only.
+// Throws std::invalid_argument: "KIND ID: no such KIND, did you mean 'X'?; there are ...". More than ten ids
+// are not all listed: only the three nearest.
 [[noreturn]] void no_such(std::string_view kind, std::string_view id,
                           const std::vector<std::string_view>& ids);
 
-// The entry of this id. Throws std::invalid_argument naming the kind, the id and the ids that there are.
+// The entry with this id. Throws std::invalid_argument naming the kind, the id and the existing ids.
 template <typename Entries>
 const auto& entry_named(const Entries& entries, std::string_view kind, std::string_view id) {
   std::vector<std::string_view> ids;

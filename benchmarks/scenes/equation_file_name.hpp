@@ -6,10 +6,10 @@
 
 namespace fde {
 
-// How the name of a file of equations ends.
+// Extension of an equation file.
 inline constexpr std::string_view equation_file_ending = ".toml";
 
-// FILE.toml of "FILE.toml" or "FILE.toml:NAME=VALUE,..."; nullopt: the text names no file of equations.
+// "FILE.toml" from "FILE.toml" or "FILE.toml:NAME=VALUE,..."; nullopt: the text names no equation file.
 inline std::optional<std::string> equation_file_in(const std::string& text) {
   const auto end = text.find(std::string(equation_file_ending) + ':');
   if (end != std::string::npos) return text.substr(0, end + equation_file_ending.size());

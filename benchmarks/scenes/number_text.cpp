@@ -14,7 +14,8 @@
 namespace fde {
 namespace {
 
-// None where the text is no number to its end, or one beyond the type: then the error says so.
+// Parses the whole text; nullopt if it is not a number or is out of the range of the type (`error` says
+// which).
 template <typename Number>
 std::optional<Number> read(std::string_view text, std::errc* error = nullptr) {
   if (text.starts_with('+')) text.remove_prefix(1);
@@ -30,7 +31,8 @@ bool out_of_range(std::string_view text) {
   return !read<double>(text, &error) && error == std::errc::result_out_of_range;
 }
 
-// Whether a decimal number beyond double is less than 1 in size: the power of ten of its first digit.
+// Whether a decimal number out of the range of double underflows: the power of ten of its first digit
+// decides.
 bool is_small(std::string_view text) {
   const auto e = std::min(text.find_first_of("eE"), text.size());
   const auto mantissa = text.substr(0, e);
@@ -110,7 +112,7 @@ struct ExactDecimal {
   int place = 0;
 };
 
-// Of 15 digits at most; none where the text has more, or is no decimal.
+// At most 15 digits; nullopt if the text has more or is not a decimal.
 std::optional<ExactDecimal> exact_decimal(std::string_view text) {
   constexpr std::size_t most_digits = 15;
   if (!is_decimal(text)) return std::nullopt;
@@ -132,7 +134,7 @@ std::optional<ExactDecimal> exact_decimal(std::string_view text) {
   return ExactDecimal{*units, place};
 }
 
-// In units of 10^place; none where that takes too many.
+// x in units of 10^place; nullopt if the count of units is too large.
 std::optional<std::int64_t> in_units(const ExactDecimal& x, int place) {
   constexpr std::int64_t most = 1'000'000'000'000'000;
   std::int64_t units = x.units;

@@ -12,7 +12,7 @@
 namespace fde {
 namespace {
 
-// In brackets a list that stands where none may.
+// A list is shown in brackets if the parameter is not a list.
 std::string shown(const ParameterValue& value, const Parameter& parameter) {
   const bool list = std::holds_alternative<std::vector<double>>(value);
   return list && value.index() != parameter.value.index() ? fmt::format("[{}]", text_of(value))

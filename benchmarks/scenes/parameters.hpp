@@ -12,41 +12,41 @@
 
 namespace fde {
 
-// A number, the word of a choice, or a list of numbers.
+// A number, a choice, or a list of numbers.
 using ParameterValue = std::variant<double, std::string, std::vector<double>>;
-using ParameterValues = std::map<std::string, ParameterValue>;  // by the names of the parameters
+using ParameterValues = std::map<std::string, ParameterValue>;  // keyed by parameter name
 
-// "0.5", "multiplier", "0.5,1.5": numbers in the fewest digits that tell them from all others.
+// "0.5", "multiplier", "0.5,1.5": numbers with the fewest digits that read back to the same double.
 std::string text_of(const ParameterValue& value);
 
-// What a scene is made from, by its name: a number in a range, one of some words, or any number of numbers in
-// a range.
+// A parameter of a scene: a number in a range, one of a list of words, or a list of numbers in a range.
 struct Parameter {
   std::string name;
   ParameterValue value;  // the default
-  Range range;           // of a number, of each in a list
+  Range range;           // of a number, or of each number of a list
   std::string meaning;
-  std::vector<std::string> choices{};  // of a word
-  std::string derived{};               // what a number follows from where this stands for it; empty: nothing
+  std::vector<std::string> choices{};  // allowed words
+  std::string derived{};               // formula that gives a number by default; empty: none
 
   [[nodiscard]] bool allows(const ParameterValue& given) const;
   // "a number in (0, 2]", "one of a, b", "a finite number, or a*q1"
   [[nodiscard]] std::string allowed() const;
-  // A word of the choices, any number, or what it is derived from, or a list of any numbers; an empty text is
-  // the empty list. Throws std::invalid_argument naming the parameter, the text and what is allowed.
+  // Parses a value: one of the choices, any number, the formula `derived`, or a list of numbers (empty text:
+  // empty list). A number is not compared with the range. Throws std::invalid_argument naming the parameter,
+  // the text and what is allowed.
   [[nodiscard]] ParameterValue read(std::string_view text) const;
 };
 
 // A parameter with one of these words; the first is the default.
 Parameter choice(std::string name, std::vector<std::string> choices, std::string meaning);
 
-// A number that by default follows from other parameters in the way this formula says.
+// A number whose default is given by this formula in other parameters.
 Parameter derived_number(std::string name, std::string formula, Range range, std::string meaning);
 
-// A parameter that is a list of numbers, each in the range.
+// A list of numbers, each in the range.
 Parameter list_of_numbers(std::string name, std::vector<double> numbers, Range range, std::string meaning);
 
-// The parameter of this name. Throws std::invalid_argument where there is none.
+// The parameter with this name. Throws std::invalid_argument if the scene has no such parameter.
 const Parameter& parameter_named(std::string_view name, std::string_view scene,
                                  const std::vector<Parameter>& parameters);
 
@@ -57,16 +57,16 @@ class Parameters {
   // what is allowed, when a name is unknown or a value is not allowed.
   Parameters(std::string_view scene, const std::vector<Parameter>& parameters, const ParameterValues& values);
 
-  // Each throws std::out_of_range where there is no parameter of this name, and std::bad_variant_access where
-  // it is of the other kind.
+  // Each throws std::out_of_range for an unknown name and std::bad_variant_access for a parameter of another
+  // type.
   double operator[](std::string_view name) const;                                 // a number
-  [[nodiscard]] const std::string& choice(std::string_view name) const;           // the word of a choice
+  [[nodiscard]] const std::string& choice(std::string_view name) const;           // the word chosen
   [[nodiscard]] const std::vector<double>& numbers(std::string_view name) const;  // a list
 
-  // A number that may be derived: nothing where it is. Throws std::out_of_range where there is none.
+  // A number that may be derived; nullopt if it is. Throws std::out_of_range for an unknown name.
   [[nodiscard]] std::optional<double> given(std::string_view name) const;
 
-  [[nodiscard]] std::string text() const;  // "a=1 b=0.5 c=word", in the order of the alphabet
+  [[nodiscard]] std::string text() const;  // "a=1 b=0.5 c=word", sorted by name
 
  private:
   ParameterValues values_;

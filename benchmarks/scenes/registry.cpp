@@ -10,7 +10,7 @@ namespace fde {
 #include "scenes/list.def"
 #undef FDE_SCENE
 
-// Those that the finder has made.
+// Cache of the scenes made by the finder.
 struct Scenes::Found {
   std::mutex mutex;
   std::deque<SceneMaker> makers;

@@ -11,26 +11,26 @@
 
 namespace fde {
 
-// The scenes that there are, in order: those of scenes/list.def, then what is added at run time. A value: who
-// adds scenes hands it to those that shall find them, and no one else sees them. Entries stay where they are
-// as long as it lives, also when more are added.
+// A list of scenes: those of scenes/list.def in order, then the scenes added at run time. Scenes are passed
+// by value or reference, not registered globally. References to entries remain valid while the object lives,
+// also after add().
 class Scenes {
  public:
-  // Makes a scene of a name that is no id of the list, such as that of a file; nothing: of none of its names.
+  // Makes a scene from a name that is not in the list, such as a file name; nullopt if the name is unknown.
   using Finder = std::function<std::optional<SceneMaker>(std::string_view name)>;
 
-  Scenes();                                     // those of the list
-  Scenes(const Scenes& others, Finder finder);  // and those that the finder makes when they are named
+  Scenes();                                     // the scenes of scenes/list.def
+  Scenes(const Scenes& others, Finder finder);  // and those that `finder` makes on request
 
-  // Throws std::invalid_argument where there is one of this id, or the id is empty or holds the ':' behind
-  // which a label has its settings.
+  // Throws std::invalid_argument if a scene has this id, or if the id is empty or contains ':', which
+  // separates an id from its settings.
   const SceneMaker& add(SceneMaker maker);
 
-  // The scene with this id, or the one that the finder makes of it, once. Throws std::invalid_argument naming
-  // the scenes that there are, and what the finder throws.
+  // The scene with this id, or the scene that the finder makes from it (cached). Throws std::invalid_argument
+  // naming the existing scenes, and whatever the finder throws.
   [[nodiscard]] const SceneMaker& named(std::string_view id) const;
 
-  // Those that the finder makes are not among these.
+  // Scenes made by the finder are not in the range.
   [[nodiscard]] auto begin() const { return makers_.begin(); }
   [[nodiscard]] auto end() const { return makers_.end(); }
   [[nodiscard]] std::size_t size() const { return makers_.size(); }
@@ -43,7 +43,7 @@ class Scenes {
   std::shared_ptr<Found> found_;
 };
 
-// Those of the list alone.
+// The scenes of scenes/list.def.
 const Scenes& scenes();
 
 // The scene with this id, or nullptr.

@@ -40,8 +40,7 @@ std::vector<std::string> printed_names(const Scene& scene) {
 }
 
 Vec printed_values(const Scene& scene, double t, In columns) {
-  // Of a vector of their own: where columns of a matrix begin in memory decides in which order Eigen sums
-  // them.
+  // A copy, because the alignment of a matrix column changes the order in which Eigen sums.
   const Vec own = columns;
   Vec values(std::ssize(printed_names(scene)));
   values.head(own.size()) = own;
@@ -100,7 +99,7 @@ Rows columns_of(const Outputs& outputs, const Trajectory& path) {
   return columns;
 }
 
-// The difference quotient of a column that is a component is exactly 1.
+// For a column that is a component the difference quotient is exactly 1.
 Vec bound_of_columns(const Outputs& outputs, double t, const ReferenceValue& reference, In columns) {
   Vec bound = Vec::Zero(columns.size()), shifted = reference.value;
   for (Eigen::Index i = 0; i < shifted.size(); ++i) {

@@ -14,24 +14,24 @@
 
 namespace fde {
 
-// The columns that a scene shows of the components that its problem solves for. All that is said of a scene
-// beyond its problem, and all that is measured, is said of columns.
+// The columns (output variables) of a scene, computed from the components of its problem. Energy,
+// constraints, references and measures are functions of the columns.
 struct Outputs {
   std::vector<std::string> names{};
   std::function<void(double t, In y, Out columns)> of{};  // empty: the components in order
 };
 
-// Components as columns: components[c] is the one under names[c].
+// Outputs that are components: column names[c] is component components[c].
 Outputs picked(std::vector<std::string> names, std::vector<Eigen::Index> components);
 
-// E(columns) and, where the columns tell it, its exact rate of change along a solution,
-//   dE/dt = power(t, columns) + sum_k shares_k(t, columns) d columns[rated[k]]/dt,
-// whose second part is that of a reaction with memory.
+// E(columns) and, if it can be computed from the columns, its exact rate of change along a solution,
+//   dE/dt = power(t, columns) + sum_k shares_k(t, columns) d columns[rated[k]]/dt.
+// The second term is the power of a reaction with memory.
 struct Energy {
   std::function<double(In columns)> value{};
   std::function<double(double t, In columns)> power{};
   std::vector<Eigen::Index> rated{};
-  std::function<void(double t, In columns, Out shares)> shares{};  // empty: none is rated
+  std::function<void(double t, In columns, Out shares)> shares{};  // empty: no such term
   explicit operator bool() const { return static_cast<bool>(value); }
 };
 
@@ -45,8 +45,8 @@ struct Constraint {
   [[nodiscard]] double drift(double t, In columns) const;
 };
 
-// A column that is the derivative of order in (0, 1) or (1, 2) of what another column is the first derivative
-// of, and the powers of t with which the latter leaves its value at 0.
+// Column `derivative` is the Caputo derivative of this order, in (0, 1) or (1, 2), of the antiderivative of
+// column `velocity`. `powers`: the exponents p of the terms t^p with which the velocity starts at t = 0.
 struct Memory {
   Eigen::Index derivative, velocity;
   double order;
@@ -56,35 +56,35 @@ struct Memory {
 // The multipliers lambda of the constraints, and the power v.(df/dv)^T lambda that their reactions exchange.
 struct Reactions {
   std::vector<std::string> names{};  // of the multipliers
-  // lambda(t, columns, rates), rates the d/dt of the columns `rated`; these leave their values at 0 with
-  // powers of t, and rates need not be finite there.
+  // lambda(t, columns, rates), where rates is d/dt of the columns `rated`. At t = 0 these columns start with
+  // terms t^p, p in `powers`, and rates need not be finite there.
   std::vector<Eigen::Index> rated{};
   std::vector<double> powers{};
   std::function<void(double t, In columns, In rates, Out lambda)> multipliers{};
   std::function<double(double t, In columns, In lambda)> power{};
-  std::optional<Vec> first{};  // lambda(0) where columns are rated; empty: it is unbounded
-  Reference exact{};           // of lambda, where it is exactly known beside the columns
+  std::optional<Vec> first{};  // lambda(0) if `rated` is not empty; nullopt: unbounded
+  Reference exact{};           // of lambda, if it has an exact reference of its own
   explicit operator bool() const { return static_cast<bool>(multipliers); }
-  // Whether the columns of a time tell lambda.
+  // Whether lambda is a function of t and the columns at that time.
   [[nodiscard]] bool of_columns() const { return multipliers && rated.empty(); }
-  // Whether lambda is known as exactly as the columns are.
+  // Whether lambda is known as exactly as the columns.
   [[nodiscard]] bool known() const { return of_columns() || static_cast<bool>(exact.at); }
 };
 
-// The geometry of a mechanical system with T = 1/2 g_ij v^i v^j at a place q and a velocity v (Niminet &
-// Blanuta 2009 without the factor 1/2 of their 2.6 and 2.8). n coordinates: tables have n rows and columns.
+// The geometry of a mechanical system with T = 1/2 g_ij v^i v^j at a position q and a velocity v (Niminet &
+// Blanuta 2009 without the factor 1/2 of their 2.6 and 2.8). With n coordinates, tables are n x n.
 struct Geometry {
   Matrix metric;                    // g_ij(q)
   std::vector<Matrix> christoffel;  // christoffel[i](j, k) = Gamma^i_jk(q)
   Matrix connection;                // N^i_j = Gamma^i_jk v^k
-  Vec semispray;                    // 2 G^i of the system without its constraints: v' = -2 G
-  // With the multipliers that keep constraints without memory: lambda, 2 G*^i and N*^i_j = dG*^i/dv^j.
-  // Empty where w' is in the reaction, which is no function of a state.
+  Vec semispray;                    // 2 G^i of the unconstrained system: v' = -2 G
+  // For constraints without memory: lambda, 2 G*^i and N*^i_j = dG*^i/dv^j. Empty if the reaction contains
+  // w', which is not a function of the state.
   Vec multipliers, constrained_semispray;
   Matrix constrained_connection;
 };
 
-// The names of the coordinates, the state at t = 0, and the geometry at any.
+// The names of the coordinates, the state at t = 0, and the geometry at any state (q, v).
 struct StateGeometry {
   std::vector<std::string> coordinates{};
   Vec place{}, velocity{};
@@ -92,16 +92,16 @@ struct StateGeometry {
   explicit operator bool() const { return static_cast<bool>(at); }
 };
 
-// A function of the columns whose zeros along the path tell something, as where a body falls to the ground.
-// The solution does not depend on it: a reference goes on behind one at which a run ends.
+// A function of the columns whose zeros along the trajectory are located, for instance an impact on the
+// ground. The solution does not depend on it: a reference continues past an event that ends a solve.
 struct SceneEvent {
   std::string name{};
   std::function<double(double t, In columns)> value{};
   Crossing crossing = Crossing::either;
-  bool ends = false;  // a solve, as Event::ends says
+  bool ends = false;  // whether a zero ends the solve, as Event::ends
 };
 
-// A problem and the columns it gives.
+// A problem and its output columns.
 struct PosedProblem {
   Problem problem{};
   Outputs outputs{};
@@ -109,28 +109,27 @@ struct PosedProblem {
 
 // A problem with what is known about it. What is absent is not computed, stored or shown.
 struct Scene {
-  std::string name{};  // its id and all parameters, under which its reference is kept; empty: it is not
+  std::string name{};  // id and all parameters: key of the cached reference; empty: not cached
   Problem problem{};
-  // The times in (0, end) at which the right-hand side jumps, where they are found for an end; empty: those
-  // of the problem are all.
+  // The times in (0, end) at which the right-hand side jumps, if they are computed for a given end; empty:
+  // the jumps of the problem are complete.
   std::function<std::vector<double>(double end)> jumps_until{};
-  std::string refusal{};  // why its equations have no problem in this form, where they have none
+  std::string refusal{};  // reason why the equations cannot be posed in this form; empty: they can
   Smoothness smoothness{};
   Outputs outputs{};
   Reference reference{};  // of the columns
-  bool of_file = false;   // stated by a user: what is known about it is compared with two schemes
-  std::optional<PosedProblem>
-      reference_problem{};  // the same equations for a reference; empty: the problem itself
+  bool of_file = false;   // read from an equation file: its reference is the difference of two schemes
+  std::optional<PosedProblem> reference_problem{};  // another formulation for the reference; empty: `problem`
   Energy energy{};
   Constraint constraint{};
-  std::vector<Memory> memories{};  // the columns that the drift evaluates independently
+  std::vector<Memory> memories{};  // columns that the drift measure recomputes independently
   Reactions reactions{};
   StateGeometry geometry{};
   std::vector<SceneEvent> events{};
-  Outputs motion{};  // of the columns: two or three coordinates of the point whose path shows the motion
+  Outputs motion{};  // function of the columns: two or three coordinates of the point whose path is drawn
 };
 
-// An equation as a file writes it, or for readers: the sum of coefficient D^order unknown = rhs, formulas.
+// An equation as text, from a file or for display: sum of coefficient D^order unknown = rhs, as formulas.
 struct WrittenEquation {
   struct Term {
     std::string coefficient, order;
@@ -141,8 +140,8 @@ struct WrittenEquation {
   std::vector<std::string> initial;
 };
 
-// An equation that is there to be read: two formulas, in which D(x, a) and J(x, a) are the derivative and the
-// integral of order a, D_right and J_right those from the end, sum(k, x) is a sum over k.
+// An equation for display only: two formulas, in which D(x, a) and J(x, a) are the left derivative and
+// integral of order a, D_right and J_right the right ones, and sum(k, x) is a sum over k.
 struct ShownEquation {
   std::string left, right;
 };
@@ -152,34 +151,34 @@ struct SceneMaker {
   std::string id, title, source;
   std::vector<Parameter> parameters;
   std::function<Scene(const Parameters&)> make;
-  std::string checksum{};  // of what a file says that it was read from; empty: it is of the code
-  std::vector<WrittenEquation> equations{};  // empty: it says none
-  std::vector<ShownEquation> shown{};        // where the former cannot say them
+  std::string checksum{};  // checksum of the contents of an equation file; empty: the scene is compiled in
+  std::vector<WrittenEquation> equations{};  // empty: no equations as text
+  std::vector<ShownEquation> shown{};        // used if `equations` cannot express them
 };
 
-// Gives the problem this end, and the jumps up to it.
+// Sets the end of the problem and recomputes its jumps up to it.
 void set_end(Scene& scene, double end);
 
-// The columns of components at a time, or of a path.
+// The columns from the components at one time, or along a trajectory (one row a column, one column a time).
 Vec columns_at(const Outputs& outputs, double t, In y);
 Rows columns_of(const Outputs& outputs, const Trajectory& path);
 
-// To first order: the sum over the components of |d columns / dy_i| bound_i.
+// First-order error bound of the columns: the sum over the components of |d columns / dy_i| bound_i.
 Vec bound_of_columns(const Outputs& outputs, double t, const ReferenceValue& reference, In columns);
 
 // The columns, then `energy` and `constraint` (the drift) where the scene has them.
 std::vector<std::string> printed_names(const Scene& scene);
 Vec printed_values(const Scene& scene, double t, In columns);
 
-// The events of a scene as those of its problem, in the same order. The scene must live as long.
+// The events of a scene as events of its problem, in the same order. `scene` must outlive the result.
 std::vector<Event> events_of(const Scene& scene);
 
-// The multipliers and `power`, that of the reactions.
+// The names of the multipliers, then `power`, the power of the reactions.
 std::vector<std::string> reaction_names(const Scene& scene);
-// Rates: of the columns that are rated; nothing: lambda is what it is at the start. NaN where it is
-// unbounded.
+// The multipliers and their power. `rates`: d/dt of the columns `rated`; nullopt: the values at t = 0, NaN
+// where lambda is unbounded.
 Vec reaction_values(const Scene& scene, double t, In columns, const std::optional<Vec>& rates);
-// The same of multipliers that are known, and of those that are exactly known at any time.
+// Given multipliers with their power; and the exact multipliers at any time with theirs.
 Vec with_power(const Scene& scene, double t, In columns, const Vec& lambda);
 Vec exact_reactions(const Scene& scene, double t, In columns);
 

@@ -8,20 +8,21 @@
 
 namespace fde {
 
-// What names a scene in results: its id and what was replaced in it. This build need not know it.
+// Identifies a scene in results: its id and the replaced parameters. This build need not have a scene of this
+// id.
 struct SceneSettings {
   std::string id{};
   ParameterValues values{};
   std::optional<double> until{};  // the end of the time interval
-  std::string checksum{};         // of what its file says, the id being the path; empty: it is of the code
+  std::string checksum{};         // of the contents of the equation file at path `id`; empty: compiled in
 
   auto operator<=>(const SceneSettings&) const = default;
 };
 
-// For people: "pendulum", "pendulum:alpha=1.9,until=100"; the part behind the colon.
+// For display: "pendulum", "pendulum:alpha=1.9,until=100"; settings_text is the part after the colon.
 std::string label_of(const SceneSettings& scene);
 std::string settings_text(const SceneSettings& scene);
-// Eight digits that tell files of one name apart; empty where the scene is of none.
+// The first eight digits of the checksum, which distinguish files of the same name; empty without a file.
 std::string short_checksum(const SceneSettings& scene);
 
 }  // namespace fde

@@ -12,7 +12,7 @@
 namespace fde {
 namespace {
 
-// "b=1,2,c=3" into "b=1,2" and "c=3": what has no '=' belongs to the list before it.
+// "b=1,2,c=3" into "b=1,2" and "c=3": a part without '=' continues the preceding list.
 std::vector<std::string> split_settings(std::string_view text) {
   std::vector<std::string> settings;
   for (const auto& part : split_list(text)) {
@@ -25,13 +25,13 @@ std::vector<std::string> split_settings(std::string_view text) {
   return settings;
 }
 
-// "pendulum" of "pendulum:alpha=1.9", and all settings.
+// "pendulum" from "pendulum:alpha=1.9", and all settings.
 struct Named {
   std::string id;
   std::vector<std::string> settings;
 };
 
-// Where the settings of a label begin: at its first colon, of a file's at the first one behind its name.
+// Position of the ':' before the settings: the first colon, for a file the first one after its name.
 std::size_t colon_of(const std::string& text) {
   const auto file = equation_file_in(text);
   return text.find(':', file ? file->size() : 0);
@@ -45,7 +45,7 @@ Named split_variant(const std::string& text, const std::vector<std::string>& set
   return named;
 }
 
-// "gamma=0.1:0.9:0.1" into "gamma=0.1", ..., "gamma=0.9"; what has no range is left as it is.
+// "gamma=0.1:0.9:0.1" into "gamma=0.1", ..., "gamma=0.9"; a setting without a range is returned unchanged.
 std::vector<std::string> values_of(const std::string& setting) {
   const auto equals = setting.find('=');
   if (equals == std::string::npos || setting.find(':', equals) == std::string::npos) return {setting};
@@ -57,7 +57,7 @@ std::vector<std::string> values_of(const std::string& setting) {
   return all;
 }
 
-// NAME=VALUE, of the end or of a parameter, whose values `read` reads. Scene: SceneVariant or SceneSettings.
+// NAME=VALUE: the end, or a parameter whose value `read` parses. Scene: SceneVariant or SceneSettings.
 template <class Scene, class Read>
 void add_setting(const std::string& setting, Scene& scene, const Read& read) {
   const auto equals = setting.find('=');

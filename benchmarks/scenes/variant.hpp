@@ -12,7 +12,7 @@ namespace fde {
 // A scene with some parameters, or its end, replaced. In results and on the command line:
 // "pendulum:alpha=1.9,beta=0.1,until=100", "multi_term:alpha=1.2,1.6,c=0".
 struct SceneVariant {
-  const SceneMaker* maker;  // of a registry that lives as long
+  const SceneMaker* maker;  // not owned: its `Scenes` must outlive this object
   ParameterValues values{};
   std::optional<double> until{};  // the end of the time interval
 
@@ -20,43 +20,43 @@ struct SceneVariant {
   [[nodiscard]] std::string label() const { return label_of(key()); }
 };
 
-// The scene made from its defaults with some values replaced. Throws std::invalid_argument where it has no
-// problem to solve.
+// The scene made from its defaults with some values replaced. Throws std::invalid_argument if its problem
+// cannot be posed (Scene::refusal).
 Scene make_scene(const SceneMaker& maker, const ParameterValues& values = {});
 
-// The same for what is known about it, which does not depend on the form of its problem, nor on whether that
-// form can be solved.
+// The same without the check of Scene::refusal: for what is known about a scene independently of the form of
+// its problem.
 Scene make_known_scene(const SceneMaker& maker, const ParameterValues& values = {});
 
-// make_scene, up to the end that the variant gives. Throws std::invalid_argument where the scene is posed at
-// both ends and has another.
+// make_scene with the end of the variant. Throws std::invalid_argument if the scene is two-sided and the end
+// differs from its own.
 Scene make_scene(const SceneVariant& variant);
 
-// "pendulum" or "pendulum:alpha=1.9,beta=0.1", "pendulum:beta=0.1,until=100" with another end; further
+// Parses "pendulum" or "pendulum:alpha=1.9,beta=0.1,until=100", where `until` replaces the end, and further
 // settings NAME=VALUE, each name once. Throws std::invalid_argument naming what is wrong and what is allowed.
 SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,
                           const Scenes& among = scenes());
 
-// The same of a scene that need not be known, as that of a file that is not at hand: its values are numbers.
-// No checksum.
+// The same for a scene that need not exist, such as a file that is absent: its values must be numbers, and
+// the checksum is empty.
 SceneSettings read_settings(const std::string& text, const std::vector<std::string>& settings);
 
-// A scene for each value of a range NAME=FIRST:LAST:STEP among the settings, which may be decreasing; for
-// each choice of values where there are several ranges, the last of which runs fastest. Values are decimals:
-// 0.1:0.9:0.1 has 0.3. Throws as read_variant does, and where a range has no value or there are more than
-// most_variants.
+// Like read_variant, but a setting may be a range NAME=FIRST:LAST:STEP, increasing or decreasing: one scene
+// for each value, or for each combination of values of several ranges, the last range varying fastest. Values
+// are exact decimals: 0.1:0.9:0.1 contains 0.3. Throws as read_variant does, and if a range is empty or there
+// are more than most_variants scenes.
 inline constexpr std::size_t most_variants = 1000;
 std::vector<SceneVariant> read_variants(const std::string& text, const std::vector<std::string>& settings,
                                         const Scenes& among = scenes());
 
-// The same, with a problem to solve.
+// The same, and throw std::invalid_argument if make_scene does.
 SceneVariant parse_variant(const std::string& text, const Scenes& among = scenes());
 SceneVariant parse_variant(const std::string& text, const std::vector<std::string>& settings,
                            const Scenes& among = scenes());
 std::vector<SceneVariant> parse_variants(const std::string& text, const std::vector<std::string>& settings,
                                          const Scenes& among = scenes());
 
-// Ends of time intervals: their products with a number of steps, and the inverses of these, are doubles.
+// Ends of time intervals: end times a number of steps and the inverse of that do not overflow or underflow.
 inline constexpr Range any_end{.low = 1e-290, .high = 1e290};
 
 }  // namespace fde

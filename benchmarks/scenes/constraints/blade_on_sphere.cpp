@@ -6,9 +6,9 @@ namespace {
 
 using namespace mechanics;
 
-// A blade of mass 1 and moment of inertia I on the unit sphere: theta from the pole, phi, and its heading
-// psi, the angle from the meridian. It turns about the normal at the rate psi' + phi' cos theta, and must not
-// slide sideways. u = gravity cos theta. The coordinates end at the poles.
+// A blade of mass 1 and moment of inertia I on the unit sphere: theta is the distance from the pole, phi the
+// longitude, psi the heading, measured from the meridian. It turns about the normal at the rate psi' + phi'
+// cos theta and must not slide sideways. u = gravity cos theta. The coordinates are singular at the poles.
 struct BladeOnSphere {
   static constexpr int coordinates = 3, constraints = 1;
   double inertia, gravity;
@@ -38,9 +38,9 @@ struct BladeOnSphere {
 
 }  // namespace
 
-// Three coordinates, a metric with curvature and with an entry off the diagonal, and a constraint that no
-// function of the place has as its differential. Energy and the rate of turning are kept; without gravity the
-// speed too, and the blade draws a circle whose geodesic curvature is their quotient.
+// Three coordinates, a curved metric with an off-diagonal entry, and a nonholonomic constraint. The energy
+// and the rate of turning are conserved; without gravity also the speed, and the blade traces a circle whose
+// geodesic curvature is rate of turning / speed.
 SceneMaker blade_on_sphere() {
   const std::vector<Parameter> parameters{
       {"theta0",

@@ -5,10 +5,10 @@
 
 #include "mechanics/system.hpp"
 
-// Mechanical systems with constraints of whole order, f(t, q, v) = 0: those of the scenes.
+// Mechanical systems of the scenes with constraints of integer order, f(t, q, v) = 0.
 namespace fde::mechanics {
 
-// A free particle of mass 1 that must not leave the planes dz = y dx: f = z' - y x'.
+// A free particle of mass 1 constrained to the planes dz = y dx: f = z' - y x'.
 struct Particle {
   static constexpr int coordinates = 3, constraints = 1;
 
@@ -18,7 +18,7 @@ struct Particle {
   }
 };
 
-// Mass and moment of inertia 1; pull = g sin theta along x.
+// A blade (knife edge) with mass and moment of inertia 1; pull = g sin theta along x.
 struct Blade {
   static constexpr int coordinates = 3, constraints = 1;
   double pull;
@@ -34,8 +34,7 @@ struct Blade {
   }
 };
 
-// A vertical disc: contact point x, y, heading phi, angle of rolling psi; pull: a uniform acceleration along
-// x.
+// A vertical disc: contact point x, y, heading phi, rolling angle psi; pull: a uniform acceleration along x.
 struct Disc {
   static constexpr int coordinates = 4, constraints = 2;
   double radius, mass, spin_inertia, turn_inertia, pull;
@@ -55,8 +54,8 @@ struct Disc {
   }
 };
 
-// A point of mass 1 on the unit sphere that must keep its course: phi' sin theta = k theta'. theta is the
-// distance from the pole. The coordinates end at the poles: not a number beyond, which ends a run.
+// A point of mass 1 on the unit sphere with a constant course: phi' sin theta = k theta'. theta is the
+// distance from the pole. The coordinates are singular at the poles: NaN outside (0, pi), which ends a run.
 struct SphereWithCourse {
   static constexpr int coordinates = 2, constraints = 1;
   double k;
@@ -78,7 +77,7 @@ struct SphereWithCourse {
   }
 };
 
-// Three masses 1 in a row between walls, springs of potential k s^2/2 + c s^4/4 between neighbours.
+// Three unit masses in a row between walls, with springs of potential k s^2/2 + c s^4/4 between neighbours.
 struct SpringChain {
   static constexpr int coordinates = 3;
   double k, c;
@@ -96,7 +95,7 @@ struct SpringChain {
   }
 };
 
-// With a thermostat that keeps the kinetic energy: f = 1/2 |v|^2 - K.
+// A Gaussian thermostat keeps the kinetic energy constant: f = 1/2 |v|^2 - K.
 struct ThermostattedChain : SpringChain {
   static constexpr int constraints = 1;
   double kinetic;
@@ -108,8 +107,8 @@ struct ThermostattedChain : SpringChain {
   }
 };
 
-// With friction F_i = -gamma_i v_i, whose power P = -sum gamma_i v_i^2 must be the temperature T times the
-// rate Omega = sum dF_i/dv_i at which it changes the phase volume: f = (T Omega - P)/2.
+// With friction F_i = -gamma_i v_i. Its power P = -sum gamma_i v_i^2 must equal the temperature T times the
+// rate of change of phase volume Omega = sum dF_i/dv_i: f = (T Omega - P)/2.
 struct CanonicalChain : SpringChain {
   static constexpr int constraints = 1;
   Vector<double, 3> friction;

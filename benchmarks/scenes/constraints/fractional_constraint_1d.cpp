@@ -10,7 +10,7 @@ namespace {
 
 using Line = FractionalLine;
 
-// The equation as a chain: the higher of the two derivatives leads.
+// The equation as a chain, with the higher of the two derivatives as the leading term.
 Chain chain_of(const Line& line) {
   const double alpha = line.alpha, a = line.a, b = line.b, q0 = line.q0;
   if (b == 0.0) return {{a, 1.0}, {}, {q0}};
@@ -20,7 +20,7 @@ Chain chain_of(const Line& line) {
   return {{b, alpha}, {{a, 1.0}}, {q0, line.q1, line.q2}};
 }
 
-// q, v and w: what is no component of the chain follows from the constraint.
+// Columns q, v and w; those that are not components of the chain follow from the constraint.
 Outputs columns_of(const Line& line) {
   const auto& [alpha, a, b, q0, q1, q2, given] = line;
   const double constant = line.constant();
@@ -48,7 +48,7 @@ Problem problem_of(const Line& line) {
                        10.0);
 }
 
-// Above order 2 nobody looks at q''.
+// Above order 2, q'' is a component but not a column: it is not measured.
 Smoothness starts_of(const Problem& problem) {
   Vec load(problem.size());
   problem.rhs(0.0, Vec::Zero(problem.size()), load);
@@ -65,13 +65,13 @@ Constraint constraint_of(const Line& line) {
           }};
 }
 
-// v leaves its start with the powers of the row that it is, or that drives it.
+// v starts with the powers of component 1: v itself, or w, from which v follows.
 std::vector<Memory> memories_of(const Line& line, const Smoothness& smoothness) {
   if (line.b == 0.0 || line.alpha == 1.0 || line.alpha >= 2.0) return {};
   return {{2, 1, line.alpha, smoothness.powers[1]}};
 }
 
-// q'' = a lambda.
+// The multiplier is lambda = q''/a.
 Reactions reactions_of(const Line& line, const Smoothness& smoothness) {
   const double a = line.a;
   if (a == 0.0) return {};
@@ -110,8 +110,8 @@ void require_posed(const Line& line) {
 //   alpha < 1        q0 + q1 t E_{1-alpha,2}(-w t^(1-alpha)),  C0 = a q1,
 //   1 < alpha <= 2   q0 + q1 t + (C0 - a q1)/b t^alpha E_{nu,alpha+1}(-t^nu/w),
 //   alpha > 2        the same + q2 t^2 E_{nu,3}(-t^nu/w).
-// At alpha = 1 it is (a + b) q' = C0 = (a + b) q1. For alpha -> 1 from below q' leaves q1 for a q1 / (a + b)
-// within a time that tends to 0. For w < 0 solutions grow.
+// At alpha = 1 it is (a + b) q' = C0 = (a + b) q1. As alpha -> 1 from below, q' changes from q1 to a q1 / (a
+// + b) within a time that tends to 0. For w < 0 solutions grow.
 SceneMaker fractional_constraint_1d() {
   return {.id = "fractional_constraint_1d",
           .title = "Point on a line with a fractional constraint",

@@ -11,7 +11,7 @@ namespace {
 
 using namespace mechanics;
 
-// u = (k1 q1^2 + k2 q2^2)/2 + g q2; f = a.v + b.w - C0, which the motion keeps.
+// u = (k1 q1^2 + k2 q2^2)/2 + g q2; constraint f = a.v + b.w - C0 = 0.
 struct LinearConstraint {
   static constexpr int coordinates = 2, constraints = 1;
   static constexpr bool constant = true, linear = true;
@@ -30,9 +30,9 @@ struct LinearConstraint {
 
 constexpr std::size_t multiplier_component = 6;
 
-// The form with a multiplier in rows whose orders and coefficients are the parameters themselves, so that
-// they are taken at their word to any number of digits: p = q as a row of order alpha gives D^alpha p = w,
-// and e' = 0 with e(0) = v(0) gives C0 = a.e where it is not given, at order 1 (a + b).e.
+// The multiplier formulation as a linear system whose orders and coefficients are exactly the parameters, so
+// that the reference can use any number of digits: p = q as a row of order alpha gives D^alpha p = w, and e'
+// = 0 with e(0) = v(0) gives C0 = a.e if C0 is not given, or (a + b).e at order 1.
 LinearSystem system_of(const Parameters& parameters) {
   enum : Eigen::Index { q = 0, v = 2, w = 4, lambda = multiplier_component, p = 7, e = 9, size = 11 };
   const auto pair = [&](std::string_view first, std::string_view second) {
@@ -71,9 +71,8 @@ LinearSystem system_of(const Parameters& parameters) {
   return system;
 }
 
-// C0, or what the constraint is at the start: a.v(0) below order 1, where w(0) = 0, and (a + b).v(0) at order
-// 1, where w = v; it can be nothing else. Above, w(0) takes up the rest along a, unless the constraint does
-// not see it there.
+// C0, or the value of a.v + b.w at t = 0: a.v(0) below order 1, where w(0) = 0, and (a + b).v(0) at order 1,
+// where w = v; no other C0 is consistent. Above order 1, w(0) along a supplies the rest, unless a.b = 0.
 double constant_of(const Parameters& p) {
   const auto given = p.given("C0");
   const bool first_order = p["alpha"] == 1.0;

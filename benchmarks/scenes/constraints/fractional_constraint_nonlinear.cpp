@@ -5,9 +5,9 @@ namespace {
 
 using namespace mechanics;
 
-// Two unit masses between two walls, three equal springs: u = k (q1^2 + (q2 - q1)^2 + q2^2)/2, and
-// f = |v|^2/2 + coupling v.w - K. With d = v + coupling w = df/dv the constraint says |d|^2 = 2K + coupling^2
-// |w|^2: d never vanishes, and the multiplier is always determined.
+// Two unit masses between two walls, three equal springs: u = k (q1^2 + (q2 - q1)^2 + q2^2)/2, and f =
+// |v|^2/2 + coupling v.w - K. With d = v + coupling w = df/dv the constraint is
+// d|^2 = 2K + coupling^2 |w|^2: d never vanishes, so the multiplier is always determined.
 struct RememberingChain {
   static constexpr int coordinates = 2, constraints = 1;
   double order, coupling, k, kinetic;
@@ -27,7 +27,7 @@ struct RememberingChain {
 
 }  // namespace
 
-// K = |v(0)|^2/2, as w(0) = 0: a Gaussian thermostat with memory.
+// K = |v(0)|^2/2, because w(0) = 0: a Gaussian thermostat with memory.
 SceneMaker fractional_constraint_nonlinear() {
   const std::vector<Parameter> parameters{{"alpha", 0.4, order_below_one, "order of the constraint"},
                                           {"coupling", 0.3, any_number, "weight of v.D^alpha q"},

@@ -8,8 +8,9 @@ namespace {
 
 using namespace mechanics;
 
-// A blade on an inclined plane, x down the slope: u = -g sin(theta) x, and what slips across the blade,
-// n = (sin phi, -cos phi), is n.v + b n.D^alpha (x, y) = 0. Mass and moment of inertia are 1.
+// A blade on an inclined plane, x down the slope: u = -g sin(theta) x. With n = (sin phi, -cos phi), the
+// direction across the blade, the constraint is n.v + b n.D^alpha (x, y) = 0. Mass and moment of inertia are
+// 1.
 struct BladeOnPlane {
   static constexpr int coordinates = 3, constraints = 1;
   double order, b, pull;
@@ -27,8 +28,8 @@ struct BladeOnPlane {
   }
 };
 
-// A point on the unit sphere, theta from the top: u = g cos(theta), and sin(theta) phi' - k theta' and b
-// times the same of D^alpha are 0 together.
+// A point on the unit sphere, theta from the top: u = g cos(theta). The constraint is sin(theta) phi' - k
+// theta' + b (sin(theta) D^alpha phi - k D^alpha theta) = 0.
 struct BladeOnSphere {
   static constexpr int coordinates = 2, constraints = 1;
   double order, b, k, gravity;
@@ -69,9 +70,9 @@ Setting<BladeOnSphere> on_sphere(const Parameters& p) {
 
 }  // namespace
 
-// The constraint a(q).v + b a(q).D^alpha q = 0 on a plane and on a sphere. alpha = 1 is 1 + b times the one
-// without memory: the knife edge and, with g = 0, the loxodrome. The start is on the constraint, so no term
-// is singular.
+// The constraint a(q).v + b a(q).D^alpha q = 0 on a plane and on a sphere. For alpha = 1 it is 1 + b times
+// the constraint without memory: the scenes knife_edge and, with g = 0, loxodrome. The initial state
+// satisfies the constraint, so no term is singular.
 SceneMaker fractional_knife_edge() {
   constexpr Range between_the_poles{
       .low = 0.0, .high = std::numbers::pi, .open_low = true, .open_high = true};

@@ -21,7 +21,7 @@ struct ExactLine {
   Rational alpha, a, b, q0, q1, q2, constant;
 };
 
-// Up to order 1, over a s + b s^alpha:
+// Laplace transforms for alpha up to 1, numerators over a s + b s^alpha:
 //   Q: q0 (a + b s^(alpha-1)) + C0/s,   V: C0,   W: C0 s^(alpha-1),   V': -q1 b s^alpha.
 LinearTransform denominator_up_to_one(const ExactLine& line) {
   LinearTransform transform;
@@ -49,7 +49,7 @@ LinearTransform multiplier_up_to_one(const ExactLine& line) {
   return transform;
 }
 
-// Above order 1, nu = alpha - 1, over a + b s^nu:
+// Laplace transforms for alpha above 1, nu = alpha - 1, numerators over a + b s^nu:
 //   Q: q0 (a + b s^nu)/s + b q1 s^(nu-2) + C0/s^2 + b q2 s^(nu-3),
 //   V: b q1 s^(nu-1) + C0/s + b q2 s^(nu-2),   W: (C0 - a q1) s^(nu-1) - a q2 s^(nu-2),
 //   V': C0 - a q1 + b q2 s^(nu-1).
@@ -89,7 +89,7 @@ LinearTransform multiplier_above_one(const ExactLine& line) {
   return transform;
 }
 
-// q0 + q1 t, and D^alpha q = 0 where that is a column.
+// q0 + q1 t; D^alpha q = 0 if it is a column.
 struct UniformMotion {
   double q0, q1;
   bool has_memory;

@@ -6,7 +6,7 @@ namespace fde {
 
 using namespace mechanics;
 
-// Not affine in the velocity: there is no integrated form.
+// The constraint is not affine in the velocity, so there is no integrated formulation.
 SceneMaker isokinetic() {
   return {.id = "isokinetic",
           .title = "Chain of oscillators with constant kinetic energy",

@@ -10,9 +10,9 @@ namespace {
 
 using namespace mechanics;
 
-// phi = omega t; along the blade the speed is (a/omega) sin phi, with a = g sin theta. Hence
+// phi = omega t; the speed along the blade is (a/omega) sin phi, with a = g sin theta. Hence
 //   x = (a / 2 omega^2) sin^2 phi,   y = (a / 2 omega^2)(phi - 1/2 sin 2 phi),
-// written so that omega -> 0 is the fall along x.
+// in a form that is regular as omega -> 0, the fall along x.
 struct Slide {
   double g, theta, omega;
 

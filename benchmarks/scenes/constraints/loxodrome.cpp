@@ -32,7 +32,7 @@ struct Loxodrome {
           fmt::format("the motion ends in the pole at t = {:.6g}", time_to_pole(theta0, k, speed)));
     }
     const Real phi = course * log1p(Real(sin(delta) / (cos(Real(theta / 2)) * sin(Real(start / 2)))));
-    // d ln tan(theta/2) = d theta / sin theta: what a rounding of theta is worth at either end.
+    // d ln tan(theta/2) = d theta / sin theta: the effect of rounding theta at either end.
     const Real ends = theta / sin(theta) + start / sin(start), turn = abs(course) * rate / sin(theta);
     return {{theta, theta},
             {phi, Real(4 * abs(phi) + abs(course) * ends)},
@@ -43,7 +43,8 @@ struct Loxodrome {
 
 }  // namespace
 
-// Niminet & Blanuta's setting: a Riemannian metric with Christoffel symbols, a constraint linear in velocity.
+// Niminet & Blanuta's case: a Riemannian metric with Christoffel symbols and a constraint linear in the
+// velocity.
 SceneMaker loxodrome() {
   const std::vector<Parameter> parameters{
       {"theta0",
@@ -58,7 +59,7 @@ SceneMaker loxodrome() {
           .parameters = with_formulations(parameters, all_formulations()),
           .make = [](const Parameters& p) -> Scene {
             const double theta0 = p["theta0"], k = p["k"], rate = p["speed"] / std::hypot(1.0, k);
-            // Not up to the pole, around which the curve winds without end.
+            // The end is before the pole, around which the curve winds infinitely often.
             const Setting<SphereWithCourse> setting{
                 .system = {k},
                 .start = {{theta0, 0.0}, {rate, k * rate / std::sin(theta0)}},

@@ -9,10 +9,10 @@ namespace {
 
 using namespace mechanics;
 
-// With r = sqrt(1 + y^2), c = r x' is kept: x' = c/r, z' = y c/r, and y = y0 + b t. The integrals of these,
+// With r = sqrt(1 + y^2), c = r x' is conserved: x' = c/r, z' = y c/r, and y = y0 + b t. The integrals
 //   x = (c/b)(arsinh y - arsinh y0) = (2c/b) artanh(b t / (r + r0)),
-//   z = (c/b)(r - r0) = c t (y + y0) / (r + r0),
-// are regular at b = 0. For b t beyond r + r0 the difference is the better conditioned form.
+//   z = (c/b)(r - r0) = c t (y + y0) / (r + r0)
+// are regular at b = 0. For |b t| > (r + r0)/2 the difference of arsinh is better conditioned.
 struct ParticleMotion {
   double y0, dx0, dy0;
 
@@ -27,7 +27,7 @@ struct ParticleMotion {
         near ? Real(2 * c * t / sum * artanh_quotient(share)) : Real(c / b * (asinh(y) - asinh(start)));
     const Real x_size =
         near ? Real(3 * abs(x)) : Real(abs(c / b) * (2 + abs(Real(asinh(y))) + abs(Real(asinh(start)))));
-    // d(1/r)/dy = -y/r^3 and d(y/r)/dy = 1/r^3: what a rounding of y is worth.
+    // d(1/r)/dy = -y/r^3 and d(y/r)/dy = 1/r^3: the effect of rounding y.
     const Real along = abs(c) / r * (3 + parts * abs(y) / (r * r));
     const Real upwards = abs(c) / r * (3 * abs(y) + parts / (r * r));
     return {{x, Real(x_size + abs(c) * t / sum * parts / sum)},
@@ -52,7 +52,7 @@ Setting<Particle> particle_setting(const Parameters& p) {
           .coordinates = {"x", "y", "z"}};
 }
 
-// Its reaction does no work, and its projected motion is not a geodesic of the planes.
+// The reaction does no work, and the projected motion is not a geodesic of the planes.
 SceneMaker nonholonomic_particle() {
   return {.id = "nonholonomic_particle",
           .title = "Free particle with the constraint z' = y x'",

@@ -38,7 +38,7 @@ Scene reduced(const Parameters& p) {
           .outputs = picked({"x", "dx"}, {0, 1})};
 }
 
-// The system itself, seen as x and x'.
+// The full system, with the columns x and x'.
 Scene pair_of_points(const Parameters& p, Formulation formulation) {
   const double x = p["x0"], y = p["y0"], dx = p["dx0"], dy = p["dy0"];
   const Setting<PairOfPoints> setting{
@@ -62,9 +62,9 @@ Scene pair_of_points(const Parameters& p, Formulation formulation) {
 
 }  // namespace
 
-// Three ways to one motion: equation (66), and the system (59), (60) that it comes from. Its y'' = -K(x)/2
-// moves x through the constraint, x' + (g/2) D^alpha x + (g/4) J^(2-alpha) K = x'(0): D^(2-alpha) of this is
-// (66).
+// Three formulations of one motion: equation (66), and two of the system (59), (60) from which it is derived.
+// There, y'' = -K(x)/2 acts on x through the constraint x' + (g/2) D^alpha x + (g/4) J^(2-alpha) K = x'(0):
+// D^(2-alpha) of this is (66).
 SceneMaker nonlinear_fractional_oscillator() {
   return {.id = "nonlinear_fractional_oscillator",
           .title = "Nonlinear oscillator made by a fractional constraint",

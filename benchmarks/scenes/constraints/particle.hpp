@@ -5,8 +5,7 @@
 
 namespace fde {
 
-// The parameters of a Particle, y0, dx0, dy0, the motion they start, x(0) = z(0) = 0 and z'(0) = y0 dx0, and
-// the setting.
+// The parameters y0, dx0, dy0 of a Particle, and its setting with x(0) = z(0) = 0 and z'(0) = y0 dx0.
 std::vector<Parameter> particle_parameters();
 mechanics::Setting<mechanics::Particle> particle_setting(const Parameters& p);
 

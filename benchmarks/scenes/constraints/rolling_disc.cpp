@@ -8,8 +8,8 @@ namespace {
 
 using namespace mechanics;
 
-// phi = omega t, and R psi'' = a cos phi with a = pull / (1 + I / (m R^2)): the speed R psi' = s + a
-// sin(phi)/omega along the heading draws a circle, and the path of a blade on a slope on top of it.
+// phi = omega t, and R psi'' = a cos phi with a = pull / (1 + I / (m R^2)). The speed along the heading is R
+// psi' = s + a sin(phi)/omega: the path is a circle plus the path of a blade on a slope.
 struct Roll {
   double radius, mass, spin_inertia, pull, turn, spin;
 
@@ -39,7 +39,7 @@ struct Roll {
 
 }  // namespace
 
-// Without pull it rolls in circles of radius R psi'(0) / phi'(0), whatever its mass and inertia.
+// Without pull the disc rolls in circles of radius R psi'(0) / phi'(0), for any mass and inertia.
 SceneMaker rolling_disc() {
   const std::vector<Parameter> parameters{{"R", 0.5, positive, "radius"},
                                           {"m", 1.0, positive, "mass"},

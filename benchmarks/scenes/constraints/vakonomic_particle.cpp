@@ -3,8 +3,8 @@
 
 namespace fde {
 
-// The conditional extremum under z' = y x'. With mu(0) = 0 it starts along the motion of
-// nonholonomic_particle and leaves it, unless x'(0) = 0 or y'(0) = 0.
+// The conditional extremum under z' = y x'. With mu(0) = 0 it starts like the motion of nonholonomic_particle
+// and departs from it, unless x'(0) = 0 or y'(0) = 0.
 SceneMaker vakonomic_particle() {
   auto parameters = particle_parameters();
   parameters.push_back({"mu0", 0.0, any_number, "multiplier at t = 0"});

@@ -7,7 +7,7 @@
 namespace fde {
 
 // Nonlinear, with D^g y twice differentiable although y starts like t^g: y = t^8 - 3 t^(4+g/2) + 9/4 t^g. The
-// absolute values continue the published problem, 0 <= t <= 1, beyond the zero of 3/2 t^(g/2) - t^4.
+// absolute values extend the published problem, 0 <= t <= 1, beyond the zero of 3/2 t^(g/2) - t^4.
 SceneMaker diethelm() {
   return {.id = "diethelm",
           .title = "Nonlinear test of Diethelm, Ford & Freed",

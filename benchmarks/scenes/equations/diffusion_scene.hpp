@@ -4,7 +4,8 @@
 
 namespace fde {
 
-// What the scenes of diffusion share: all parameters, of points an axis counted by this one, and the scene.
+// The parameters and the scene shared by the diffusion scenes in one and two dimensions. `points` is the
+// parameter, named `points_name`, that gives the number of points of an axis.
 std::vector<Parameter> diffusion_parameters(Parameter points, const char* diffusivity);
 Scene diffusion_scene(const Parameters& parameters, const char* points_name, int dimensions);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int longest_shown = 2000, shown_of_a_line = 9, shown_of_a_side = 3;
 
-// The names of the points that are shown, and their components.
+// The points that are columns: names and components.
 struct Places {
   std::vector<std::string> names{};
   std::vector<Eigen::Index> components{};
@@ -65,7 +65,7 @@ Outputs field_outputs(const FieldShape& shape, double intervals, bool with_maxim
                                                                                    Out columns) {
     const Eigen::Index points = std::ssize(components);
     columns.head(points) = u(components);
-    columns[points] = root_of_cell * u.stableNorm();  // where its square would overflow, too
+    columns[points] = root_of_cell * u.stableNorm();  // stableNorm: u^2 may overflow
     if (with_maximum) columns[points + 1] = u.lpNorm<Eigen::Infinity>();
   };
   return {.names = std::move(names), .of = of};

@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// Points of a line, or of a square where component i + points j is at (x_i, x_j), i and j counted from 0.
+// Points of a line, or of a square, where component i + points j is at (x_i, x_j), i and j counted from 0.
 struct FieldShape {
   int points;  // of an axis
   int dimensions;
@@ -14,15 +14,16 @@ struct FieldShape {
   [[nodiscard]] Eigen::Index size() const;
 };
 
-// Whether a field has columns for all of its points: a line of at most 2000.
+// Whether all points of a field are columns: a line of at most 2000 points.
 bool all_shown(const FieldShape& shape);
 
-// The points of an axis that are shown, counted from 1: all, nine of a longer line, three of each side.
+// The points of an axis that are columns, counted from 1: all, nine of a longer line, or three of each side
+// of a square.
 std::vector<int> shown_points(const FieldShape& shape);
 
-// The columns of a field: u at the points that are shown, u{i} or u{i}_{j}. Where these are not all, l2, the
-// root of sum u^2 / intervals^dimensions, 1 / intervals the distance of points; and max, the largest |u| of
-// all points, where that is asked for.
+// The columns of a field: u at shown_points(), named u{i} or u{i}_{j}. If these are not all points, also l2 =
+// sqrt(sum u^2 / intervals^dimensions), where 1 / intervals is the distance of points; and, with
+// with_maximum, max, the largest |u| of all points.
 Outputs field_outputs(const FieldShape& shape, double intervals, bool with_maximum);
 
 }  // namespace fde

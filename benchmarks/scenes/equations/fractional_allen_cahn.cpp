@@ -18,7 +18,7 @@ FieldShape shape_of(const Parameters& p) {
   return {points_of(p, "n").points, square ? 2 : 1};
 }
 
-// On an axis: of a square the product of two.
+// The initial values along one axis; in a square, the product of two.
 Vec start_of(const std::string& start, const Vec& x) {
   if (start == "even") return Vec::Ones(x.size());
   if (start == "step") return x.unaryExpr([](double at) { return at < 0.5 ? 1.0 : -1.0; });
@@ -43,8 +43,8 @@ Problem allen_cahn(const InsulatedCells& cells, std::vector<Component> component
 
 }  // namespace
 
-// Its states of rest are u = 1 and u = -1, which fronts as wide as epsilon divide. Up to order 1 |u| stays
-// below 1, and the free energy below what it was.
+// u = 1 and u = -1 are stationary states, separated by fronts of width epsilon. Up to order 1, |u| stays
+// below 1, and the free energy below its initial value.
 SceneMaker fractional_allen_cahn() {
   return {
       .id = "fractional_allen_cahn",

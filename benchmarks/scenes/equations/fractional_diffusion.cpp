@@ -2,7 +2,7 @@
 
 namespace fde {
 
-// Stiff: the eigenvalues reach from pi^2 to 4 (components + 1)^2, times the diffusivity.
+// Stiff: the eigenvalues range from pi^2 to 4 (components + 1)^2, times the diffusivity.
 SceneMaker fractional_diffusion() {
   return {.id = "fractional_diffusion",
           .title = "Fractional diffusion, semi-discretised",

@@ -2,7 +2,7 @@
 
 namespace fde {
 
-// Stiff: the eigenvalues reach from 2 pi^2 to 8 (n + 1)^2, times the diffusivity.
+// Stiff: the eigenvalues range from 2 pi^2 to 8 (n + 1)^2, times the diffusivity.
 SceneMaker fractional_diffusion_2d() {
   return {.id = "fractional_diffusion_2d",
           .title = "Fractional diffusion in a square, semi-discretised",

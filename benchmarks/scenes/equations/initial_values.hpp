@@ -7,8 +7,8 @@
 
 namespace fde {
 
-// The initial values of a component, by the names of its parameters: y(0), and y'(0) where its order is above
-// 1. Throws std::invalid_argument naming the slope where the order is not and the slope is not 0.
+// The initial values of a component from its parameters, given by name: y(0), and y'(0) if its order is above
+// 1. Throws std::invalid_argument naming the slope if the order is at most 1 and the slope is not 0.
 std::vector<double> initial_values(const Parameters& p, std::string_view order, std::string_view value,
                                    std::string_view slope);
 

@@ -15,7 +15,7 @@ Vec InsulatedCells::middles() const {
 
 void InsulatedCells::differences(In u, Out f) const {
   const Eigen::Index n = shape_.points, lines = shape_.size() / n;
-  // What flows from each of `count` cells to the one that is `apart` further on.
+  // Adds the flux between each of `count` cells and the cell `apart` indices further on.
   const auto exchange = [&](Eigen::Index first, Eigen::Index count, Eigen::Index apart) {
     const auto here = u.segment(first, count), there = u.segment(first + apart, count);
     f.segment(first, count) += coupling_ * (there - here);

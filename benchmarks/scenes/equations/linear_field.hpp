@@ -6,8 +6,8 @@
 
 namespace fde {
 
-// D^order u = A u at the points of a field, A symmetric and sparse, u at t = 0 a product of what it is on
-// each axis, without velocity.
+// D^order u = A u at the points of a field, with A symmetric and sparse. u(0) is a product of functions of
+// one axis each, and u'(0) = 0.
 class LinearField {
  public:
   LinearField() = default;
@@ -16,20 +16,20 @@ class LinearField {
   virtual ~LinearField() = default;
 
   [[nodiscard]] virtual FieldShape shape() const = 0;
-  [[nodiscard]] virtual const Vec& start() const = 0;  // on an axis
-  // A, as a matrix and of a field.
+  [[nodiscard]] virtual const Vec& start() const = 0;  // u(0) along an axis
+  // A as a matrix, and f = A u.
   [[nodiscard]] virtual SparseMatrix matrix() const = 0;
   virtual void apply(In u, Out f) const = 0;
   [[nodiscard]] virtual Outputs outputs() const = 0;
-  // Whether the solution is known in time, and the columns of that. at may be called by several threads.
+  // Whether an exact solution in time is available; at(t) gives its columns. at must be thread-safe.
   [[nodiscard]] virtual bool known() const = 0;
   [[nodiscard]] virtual ReferenceValue at(double t) const = 0;
 };
 
-// The components of a field of this order that is start(x), or start(x) start(y), at t = 0.
+// The components of a field of this order with u(0) = start(x), or start(x) start(y) in a square.
 std::vector<Component> field_components(const FieldShape& shape, const Vec& start, double order);
 
-// The problem of a field with all that is known about it.
+// The scene of a field: problem, columns, smoothness and, if known, the reference.
 Scene scene_of_field(const std::shared_ptr<const LinearField>& field, double order);
 
 }  // namespace fde

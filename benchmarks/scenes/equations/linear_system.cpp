@@ -5,8 +5,8 @@
 #include "scenes/scene.hpp"
 
 namespace fde {
-// D^g1 x = a11 x + a12 y + c1, D^g2 y = a21 x + a22 y + c2, each with an order of its own. Complex, defective
-// and very stiff spectra are a matter of the coefficients.
+// D^g1 x = a11 x + a12 y + c1, D^g2 y = a21 x + a22 y + c2, each with its own order. The coefficients can be
+// chosen for complex, defective or very stiff spectra.
 SceneMaker linear_system() {
   return {
       .id = "linear_system",

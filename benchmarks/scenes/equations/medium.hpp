@@ -4,10 +4,10 @@
 
 namespace fde {
 
-// What a field diffuses through: a(x) in D^gamma u = kappa div(a grad u), which varies with x alone.
+// The coefficient a(x) of diffusion in D^gamma u = kappa div(a grad u); it depends on x only.
 class Medium {
  public:
-  // By the parameters of medium_parameters().
+  // From the parameters of medium_parameters().
   explicit Medium(const Parameters& parameters);
 
   [[nodiscard]] bool even() const { return kind_ == "even"; }  // a = 1
@@ -18,7 +18,7 @@ class Medium {
   double contrast_;
 };
 
-// What both scenes of diffusion ask about it: `medium` and `contrast`.
+// The parameters `medium` and `contrast` of the diffusion scenes.
 std::vector<Parameter> medium_parameters();
 
 }  // namespace fde

@@ -7,8 +7,8 @@
 
 namespace fde {
 
-// Rounding moves z = rate t^g by some units, and E_g(-z) by as many of z E_g'(-z) = z E_{g,g}(-z) / g; what
-// is of second order in that is below the factor 2.
+// Rounding perturbs z = rate t^g by a few units, and E_g(-z) by as many units of z E_g'(-z) = z E_{g,g}(-z) /
+// g; the factor 2 covers the second-order terms.
 Decay decay(double order, double rate, double t) {
   const double z = rate * std::pow(t, order), of_time = t > 0.0 ? std::abs(std::log(t)) : 0.0;
   const auto left = mittag_leffler(order, 1.0, std::complex<double>(-z));

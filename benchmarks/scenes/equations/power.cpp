@@ -6,8 +6,7 @@
 #include "scenes/scene.hpp"
 
 namespace fde {
-// D^g y = Gamma(p+1)/Gamma(p+1-g) t^(p-g) + t^p - y with y = t^p: the smoothness of the solution is dialled
-// by p.
+// Manufactured solution y = t^p of D^g y = Gamma(p+1)/Gamma(p+1-g) t^(p-g) + t^p - y: p sets the smoothness.
 SceneMaker power() {
   return {.id = "power",
           .title = "A power of time",

@@ -10,9 +10,9 @@
 namespace fde {
 namespace {
 
-constexpr Eigen::Index most_sines = 8'000'000;  // kept for the maximum: 64 MB
+constexpr Eigen::Index most_sines = 8'000'000;  // stored for the maximum: 64 MB
 
-// Of each mode at some points, a column a mode.
+// The values of each mode at the given points, one column a mode.
 Matrix sines_at(const SinePoints& points, const std::vector<int>& places, Eigen::Index modes) {
   Matrix sines(std::ssize(places), modes);
   for (Eigen::Index k = 0; k < modes; ++k) {
@@ -30,23 +30,24 @@ std::vector<int> all_places(const SinePoints& points) {
 
 }  // namespace
 
-// The terms of the solution at one time, added up at the points that are shown.
+// Accumulates the terms of the solution at one time, at the points that are columns.
 class SineField::Sum {
  public:
   explicit Sum(Eigen::Index shown) : at_points_(shown) {}
 
-  // An amplitude times the part that is left of it, of so many modes whose values at the points add up to
-  // these.
+  // Adds the term of `count` modes with the same decay: their amplitude at t = 0, the decay factor, and the
+  // sum of their values at the points.
   template <class Values>
   void add(double amplitude, const Decay& part, double count, const Values& values) {
     const double term = amplitude * part.value;
     for (Eigen::Index i = 0; i < values.size(); ++i) at_points_.add(i, term * values[i]);
     squares_.add(0, count * term * term);
-    // Amplitude and sines are good to a few units.
+    // Amplitude and sines have a relative error of a few units of rounding.
     bound_ += count * std::abs(amplitude) * (part.bound + 32.0 * rounding_unit * std::abs(part.value));
   }
 
-  // Norms are below the largest value: one bound serves all columns. square_of_mode is that of a mode's norm.
+  // Norms are below the largest value: one bound holds for all columns. square_of_mode: the squared l2 norm
+  // of a mode.
   [[nodiscard]] ReferenceValue result(const std::optional<double>& square_of_mode,
                                       const std::optional<double>& maximum) const {
     std::vector<double> columns;
@@ -115,7 +116,7 @@ ReferenceValue SineField::at(double t) const {
   const Eigen::Index modes = start_.amplitudes.size(), shown = sines_.rows();
   const auto rate = [&](Eigen::Index k) { return diffusivity_ * points_.rate(static_cast<int>(k) + 1); };
   Sum sum(line ? shown : shown * shown);
-  Matrix left = Matrix::Zero(modes, line ? 1 : modes);  // of the amplitudes
+  Matrix left = Matrix::Zero(modes, line ? 1 : modes);  // the amplitudes at t
   for (Eigen::Index k = 0; k < modes; ++k) {
     const double of_x = start_.amplitudes[k];
     if (of_x == 0.0) continue;
@@ -125,7 +126,7 @@ ReferenceValue SineField::at(double t) const {
       left(k, 0) = of_x * part.value;
       continue;
     }
-    // Modes k, l and l, k decay alike.
+    // Modes (k, l) and (l, k) decay alike.
     for (Eigen::Index l = 0; l <= k; ++l) {
       const double amplitude = of_x * start_.amplitudes[l];
       if (amplitude == 0.0) continue;

@@ -9,7 +9,7 @@
 namespace fde {
 namespace {
 
-// sin(pi m / n), its argument reduced in whole numbers to [0, pi/2].
+// sin(pi m / n), with the argument reduced exactly, in integers, to [0, pi/2].
 double sine_of_part(long m, long n) {
   const long turned = m % (2 * n), rest = turned % n, angle = std::min(rest, n - rest);
   const double sine = std::sin(std::numbers::pi * static_cast<double>(angle) / static_cast<double>(n));
@@ -34,8 +34,8 @@ SineStart smooth_start(const SinePoints& points, int modes) {
   return start;
 }
 
-// The amplitudes are 2 dx sum_(j <= m) sin(j a) with a = k pi dx, and the sum is sin(m a/2) sin((m+1) a/2) /
-// sin(a/2).
+// The amplitudes are 2 dx sum_(j <= m) sin(j a) with a = k pi dx, m points below 1/2; the sum is sin(m a/2)
+// sin((m+1) a/2) / sin(a/2).
 SineStart step_start(const SinePoints& points) {
   const int below = points.points / 2;
   const long halves = 2 * (points.points + 1L);

@@ -13,7 +13,7 @@ namespace {
 using LongVec = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-constexpr double most_work = 500.0 * 500.0 * 500.0;  // points^3, times the modes in y
+constexpr double most_work = 500.0 * 500.0 * 500.0;  // limit of points^3 times the modes in y
 
 }  // namespace
 
@@ -70,8 +70,8 @@ bool VaryingField::known() const {
   return std::pow(points_.points, 3) * static_cast<double>(modes_of_y) <= most_work;
 }
 
-// In extended precision: of rates that reach from 10 to 10^6 the smallest are wanted to a double's last
-// digits.
+// Computed in extended precision, because the smallest rates need full double accuracy, and the rates range
+// from 10 to 10^6.
 VaryingField::Modes VaryingField::modes_of(int of_y) const {
   const Eigen::Index n = points_.points;
   LongVec diagonal = middle_.cast<long double>();
@@ -110,8 +110,8 @@ const std::vector<VaryingField::Modes>& VaryingField::modes() const {
   return modes_;
 }
 
-// E(A) v_k - E(-rate_k) v_k is below |r_k| times the steepest slope of E over the eigenvalues, as A is
-// symmetric. Points and norms are below the norm of the vector: one bound serves all columns.
+// A is symmetric, so |E(A) v_k - E(-rate_k) v_k| is at most |r_k| times the steepest slope of E over the
+// eigenvalues. Values at points and norms are below the norm of the vector: one bound holds for all columns.
 ReferenceValue VaryingField::at(double t) const {
   const Eigen::Index n = points_.points;
   Vec field = Vec::Zero(shape_.size());

@@ -19,8 +19,8 @@ Problem loaded_problem(const Chain& chain, double stiffness, double load, double
 }  // namespace
 
 // A y'' + B D^alpha y + C y = load for t < load_until, then 0: a plate in a viscous fluid. At t = load_until
-// the load has its mean value, so that grids with this time keep their rate; on others the jump falls inside
-// a step and costs it.
+// the load has its mean value, so that a grid with this time keeps its rate; otherwise the jump is inside a
+// step and lowers the rate.
 SceneMaker bagley_torvik() {
   return {.id = "bagley_torvik",
           .title = "Bagley-Torvik plate",

@@ -8,7 +8,7 @@
 namespace fde {
 namespace {
 
-// beta, 1, alpha.
+// In the order beta, 1, alpha.
 std::vector<Term> damping_terms(const Parameters& p, const DampingWeights& weights) {
   const double tau = p["tau"], alpha = p["alpha"], beta = p["beta"];
   return {{weights.nu * std::pow(tau, beta), beta},
@@ -18,7 +18,7 @@ std::vector<Term> damping_terms(const Parameters& p, const DampingWeights& weigh
 
 constexpr double leading_order = 2.0;
 
-// u'' with what a term of its order adds.
+// u'' plus the damping term of order 2, if any.
 Term leading_term(const std::vector<Term>& terms) {
   Term leading{1.0, leading_order};
   for (const auto& term : terms) {

@@ -8,9 +8,9 @@
 namespace fde {
 namespace {
 
-// A mass on a spring that swings: length L r, r = 1 + xi. With D the damping of each unknown
+// A swinging mass on a spring: length L r, r = 1 + xi. With D the damping terms of each unknown,
 //   phi'' + D(phi) / r^2 = turn,   xi'' + D(xi) = pull.
-// Where D(phi) has a term m phi'' of order 2, the first equation is taken times (1 + m) r^2 / (r^2 + m):
+// If D(phi) has a term m phi'' of order 2, the first equation is multiplied by (1 + m) r^2 / (r^2 + m):
 //   (1 + m) phi'' + (1 + m) / (r^2 + m) (the other terms of D(phi)) = (1 + m) r^2 / (r^2 + m) turn.
 struct Spring {
   enum : Eigen::Index { phi, dphi, xi, dxi };
@@ -19,7 +19,7 @@ struct Spring {
   double inertia;             // m
 
   static double length(const State& s) { return 1.0 + s[xi]; }
-  // r^2 / (r^2 + m), exactly 1 without m.
+  // r^2 / (r^2 + m), exactly 1 if m = 0.
   [[nodiscard]] double share(const State& s) const {
     const double square = length(s) * length(s);
     return square / (square + inertia);
@@ -32,7 +32,7 @@ struct Spring {
   [[nodiscard]] double turn(const State& s) const {
     return -(gravity * std::sin(s[phi]) + 2.0 * s[dphi] * s[dxi]) / length(s);
   }
-  // Derivatives of turning_force - damping_factor * damping.
+  // The gradient of turning_force - damping_factor * damping with respect to the state.
   [[nodiscard]] State turn_gradient(const State& s, double damping) const {
     const double r = length(s), part = share(s);
     const State by_turn{-gravity * std::cos(s[phi]) / r, -2.0 * s[dxi] / r,
@@ -49,7 +49,7 @@ struct Spring {
     return {-gravity * std::sin(s[phi]), 2.0 * length(s) * s[dphi], s[dphi] * s[dphi] - stiffness, 0.0};
   }
 
-  // Per m L^2, eq. 6.4 with K/m for the printed K/(m L^2).
+  // Energy per m L^2, eq. 6.4 with K/m in place of the printed K/(m L^2).
   [[nodiscard]] double energy(const State& s) const {
     const double r = length(s);
     return 0.5 * (r * r * s[dphi] * s[dphi] + s[dxi] * s[dxi]) - gravity * r * std::cos(s[phi]) +

@@ -45,9 +45,10 @@ struct LoadedOscillator {
   }
 };
 
-// g: the residues of Q e^(st) at the zeros w e^(+-i pi/nu) of s^nu + w2, w^nu = w2. Each load k gives
-//   (2/nu) (its factor) w^-k e^(w t cos(pi/nu)) cos(w t sin(pi/nu) - k pi/nu),
-// which are Tarasov & Zaslavsky's g_(nu,k) of (53) for the initial values, k = 0 and 1.
+// The residues of Q e^(st) at the zeros w e^(+-i pi/nu) of s^nu + w2, w^nu = w2: the term k = 0, 1, 2 of the
+// load is
+//   (2/nu) (its factor) w^-k e^(w t cos(pi/nu)) cos(w t sin(pi/nu) - k pi/nu).
+// For the initial values, k = 0 and 1, these are Tarasov & Zaslavsky's g_(nu,k) of (53).
 struct Oscillation {
   LoadedOscillator of;
 
@@ -70,7 +71,7 @@ struct Oscillation {
   }
 };
 
-// q, f = q - g, g.
+// Columns q, f = q - g, g.
 Reference with_parts(const LoadedOscillator& of) {
   const auto motion = of.motion(), oscillation = closed_form(Oscillation{of});
   return {.at = [motion, oscillation](double t) -> ReferenceValue {
@@ -92,10 +93,10 @@ Outputs parts(const LoadedOscillator& of) {
 }  // namespace
 
 // The load of Tarasov & Zaslavsky's (49), nu = alpha - 1, is q''(0) t^(3-alpha)/Gamma(4-alpha) + w2 (q(0) +
-// q'(0) t): the printed one has q(0) where q''(0) belongs. Without a load q is q(0) E_nu(-w2 t^nu) + q'(0) t
-// E_{nu,2}(-w2 t^nu), (51) to (53) with nu for alpha; the convolution with the load in (50) and (54) lacks a
-// factor 1/w2 there. q is the sum of g, which oscillates and decays exponentially, and f, which decays like a
-// power of t.
+// q'(0) t): the printed equation has q(0) in place of q''(0). Without a load, q = q(0) E_nu(-w2 t^nu) + q'(0)
+// t E_{nu,2}(-w2 t^nu), which is (51) to (53) with nu in place of alpha; the convolution with the load in the
+// printed (50) and (54) lacks a factor 1/w2. q is the sum of g, which oscillates and decays exponentially,
+// and f, which decays like a power of t.
 SceneMaker fractional_oscillator() {
   return {.id = "fractional_oscillator",
           .title = "Fractional oscillator",

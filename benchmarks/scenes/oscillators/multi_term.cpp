@@ -9,7 +9,7 @@
 namespace fde {
 namespace {
 
-// The force f(u) with its derivative and its potential.
+// The force f(u), its derivative and its potential.
 struct Force {
   std::function<double(double u)> value, slope, potential;
 };
@@ -33,13 +33,14 @@ std::function<double(double t)> load_named(const std::string& name, double size,
   return [size = name == "none" ? 0.0 : size](double) { return size; };
 }
 
-// A term and the column that shows its derivative.
+// A term and the name of the column of its derivative.
 struct NamedTerm {
   Term term;
   std::string column;
 };
 
-// coefficient_k D^order_k u, the columns prefix1, prefix2, ...; those with coefficient 0 are left out.
+// Appends the terms coefficient_k D^order_k u with columns prefix1_u, prefix2_u, ...; terms with coefficient
+// 0 are left out.
 void add_terms(const Parameters& p, const char* orders, const char* coefficients, const std::string& prefix,
                std::vector<NamedTerm>& terms) {
   const auto &of_orders = p.numbers(orders), &of_terms = p.numbers(coefficients);
@@ -52,7 +53,7 @@ void add_terms(const Parameters& p, const char* orders, const char* coefficients
   }
 }
 
-// All terms below the leading one, with u and u' among the columns.
+// All terms below the leading one; u and, above order 1, u' always have a column.
 std::vector<NamedTerm> terms_of(const Parameters& p) {
   std::vector<NamedTerm> terms{{{0.0, 0.0}, "u"}};
   add_terms(p, "beta", "d", "Dbeta", terms);
@@ -65,7 +66,7 @@ std::vector<NamedTerm> terms_of(const Parameters& p) {
   return terms;
 }
 
-// Of the order 2: a u'^2/2 + the potential of the force, whose rate is u' (g - the damping).
+// For the leading order 2: a u'^2/2 + the potential of the force; its rate is u' (g - damping terms).
 Energy energy_of(const std::vector<NamedTerm>& terms, double a, const Force& force,
                  const std::function<double(double t)>& load) {
   Vec weights(std::ssize(terms));
@@ -122,9 +123,9 @@ Scene scene_of(const Parameters& p) {
 
 }  // namespace
 
-// a D^order u + sum_k b_k D^alpha_k u + c u' + sum_l d_l D^beta_l u + f(u) = g(t), any number of terms, as
-// the chain (2.1). Wang's equation (1.4) is `order` = n/m with orders k/m below it, Diethelm's (1.6) any
-// `order`.
+// a D^order u + sum_k b_k D^alpha_k u + c u' + sum_l d_l D^beta_l u + f(u) = g(t), with any number of terms,
+// as the chain (2.1). Equation (1.4), after Wang, is `order` = n/m with orders k/m below it; (1.6), after
+// Diethelm, has any `order`.
 SceneMaker multi_term() {
   return {
       .id = "multi_term",

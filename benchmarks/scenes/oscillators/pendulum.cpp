@@ -8,7 +8,7 @@
 namespace fde {
 
 // phi'' + mu tau^alpha D^alpha phi + lambda tau phi' + nu tau^beta D^beta phi = -g/L sin phi, energy per m
-// L^2. Without damping in closed form, by Jacobi's elliptic functions.
+// L^2. Without damping the reference is a closed form with Jacobi elliptic functions.
 SceneMaker pendulum() {
   return {.id = "pendulum",
           .title = "Pendulum with fractional damping",

@@ -7,18 +7,19 @@
 namespace fde {
 namespace {
 
-// D^alpha of this is the singular part (2 alpha - 1) Gamma(alpha) (1 - t)^(alpha-1) of p, and its value at
-// t = 1 is 1:
+// D^alpha of this function is (2 alpha - 1) Gamma(alpha) (1 - t)^(alpha-1), the singular part of p, and its
+// value at t = 1 is 1:
 //   (2 alpha - 1) int_0^t ((t - s)(1 - s))^(alpha-1) ds
 //     = t^alpha - (1 - alpha) (1 - t)^(2 alpha - 1) B_t(alpha, 2 - 2 alpha),
-// B_t the incomplete beta function, by the substitution x = (t - s) / (1 - s) and one integration by parts.
+// where B_t is the incomplete beta function, by the substitution x = (t - s) / (1 - s) and integration by
+// parts.
 double singular_part(double alpha, double t) {
   if (alpha == 1.0) return t;
   const double beta = t > 0.0 ? boost::math::beta(alpha, 2.0 - 2.0 * alpha, t) : 0.0;
   return std::pow(t, alpha) - (1.0 - alpha) * std::pow(1.0 - t, 2.0 * alpha - 1.0) * beta;
 }
 
-// Of what reference/extremum.hpp knows the first component: D^alpha y is infinite at t = 1.
+// The first component of extremum_reference; the second, D^alpha y, is infinite at t = 1.
 Reference extremum(double alpha) {
   const Reference both = extremum_reference(alpha);
   return {[both](double t) -> ReferenceValue {
@@ -28,7 +29,7 @@ Reference extremum(double alpha) {
           [both](double t, int digits) { return std::vector{both.digits(t, digits).front()}; }};
 }
 
-// y starts like t^alpha and ends like (1 - t)^(2 alpha - 1); both sides integrate that.
+// y starts like t^alpha and ends like (1 - t)^(2 alpha - 1); both rows have y in their right-hand sides.
 Smoothness smoothness(double alpha, double k) {
   if (k == 0.0) return {{{}, {}, {}}};
   const double last = alpha + 2.0;
@@ -37,11 +38,11 @@ Smoothness smoothness(double alpha, double k) {
            {}}};
 }
 
-// All of y as the solution of Abel's equation J^(1-alpha) y = P, where the integral P = int_0^t p has no
-// singularity. With C = (2 alpha - 1) Gamma(alpha) and Pi the integral of the regular part pi of p
+// Poses y itself, as the solution of Abel's equation J^(1-alpha) y = P, where P = int_0^t p is not singular.
+// With C = (2 alpha - 1) Gamma(alpha) and Pi the integral of the regular part pi of p
 //   D^(1-alpha) P = y,  0 = P - c C (1 - (1 - t)^alpha)/alpha - Pi,  Pi' = pi,  tD_1^alpha pi = -k y,
-// and y(1) = 1. The row of y is algebraic and constrains P. c takes over what the last step misses of y,
-// which ends like (1 - t)^(2 alpha - 1).
+// and y(1) = 1. The row of y is algebraic and constrains P. The unknown c absorbs the error of y in the last
+// step, where y is like (1 - t)^(2 alpha - 1).
 void pose_whole(Scene& scene, double alpha, double k) {
   enum : Eigen::Index { integral, y, regular, pi, c };
   const double factor = (2.0 * alpha - 1.0) * std::tgamma(alpha) / alpha;
@@ -66,13 +67,14 @@ void pose_whole(Scene& scene, double alpha, double k) {
 
 }  // namespace
 
-// Least of 1/2 int_0^1 (D^alpha y)^2 + k y^2 dt. With p = D^alpha y the first variation is
+// Minimum of 1/2 int_0^1 (D^alpha y)^2 + k y^2 dt. With p = D^alpha y the first variation is
 //   int_0^1 p D^alpha e + k y e dt = int_0^1 e (tD_1^alpha p + k y) dt,
-// the right derivative Riemann-Liouville's, for all e with e(0) = e(1) = 0. So p = -k J_-^alpha y + c times
-// (1 - t)^(alpha-1), which that derivative does not see and which is infinite at t = 1. With K the singular
-// part of y, what is left is regular, and there Riemann's derivative is Caputo's:
+// with the right Riemann-Liouville derivative, for all e with e(0) = e(1) = 0. So p = -k J_-^alpha y + c (2
+// alpha - 1) Gamma(alpha) (1 - t)^(alpha-1): the last term is in the kernel of that derivative and infinite
+// at t = 1. With c K the part of y that it causes, the remainder eta is regular, and for it the
+// Riemann-Liouville derivative equals the Caputo derivative:
 //   y = c K + eta,  D^alpha eta = pi,  tD_1^alpha pi = -k y,  c' = 0,  c + eta(1) = 1.
-// Without a spring eta = pi = 0 and c = 1: a scheme has nothing to approximate but that, to rounding.
+// Without a spring eta = pi = 0 and c = 1, which schemes reproduce to rounding.
 SceneMaker fractional_extremum() {
   return {
       .id = "fractional_extremum",

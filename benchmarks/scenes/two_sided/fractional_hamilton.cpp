@@ -16,7 +16,7 @@ struct Coefficients {
     return {S(1.0 + kappa * q_and_w[0] + epsilon * q_and_w[2]), S(1.0)};
   }
 
-  // What A.v changes by with q1, q2, w.
+  // The gradient of A.v with respect to q1, q2, w.
   template <class S>
   [[nodiscard]] mechanics::Vector<S, 3> slope(const mechanics::Vector<S, 3>& q_and_w,
                                               const mechanics::Vector<S, 2>& v) const {
@@ -25,8 +25,8 @@ struct Coefficients {
   }
 };
 
-// The made motion, a sum of powers throughout: q1' = 15/16 t^2 (2-t)^2 starts and ends so slowly that w and r
-// have two derivatives, q2' = -A1 q1' keeps f = 0, mu = 1/2 + t/4 is chosen, p = q' + mu A.
+// The manufactured solution, a sum of powers: q1' = 15/16 t^2 (2-t)^2 vanishes at both ends to an order that
+// gives w and r two derivatives, q2' = -A1 q1' satisfies f = 0, mu = 1/2 + t/4 is chosen, p = q' + mu A.
 struct MadeMotion {
   MadeMotion(const Coefficients& coefficients, double alpha) {
     const auto one = SumOfPowers::polynomial({1.0});
@@ -43,13 +43,13 @@ struct MadeMotion {
     r_slope = -1.0 * r.derivative(1.0);
   }
 
-  // What has to be added to pi' for this motion, besides grad u.
+  // The forcing term of pi' for this solution, in addition to grad u.
   [[nodiscard]] Plane force(double t) const {
     return {push[0].at(t) + r_slope.at(end_of_motion - t), push[1].at(t)};
   }
 
   std::array<SumOfPowers, 2> q, v, p, push;
-  SumOfPowers w, r, r_slope;  // the latter two in powers of end - t
+  SumOfPowers w, r, r_slope;  // the latter two as functions of end - t
   SumOfPowers mu = SumOfPowers::polynomial({0.5, 0.25});
 };
 
@@ -60,7 +60,7 @@ struct Hamilton {
   Coefficients coefficients;
   Plane stiffness;
   double end = end_of_motion;
-  std::function<Plane(double t)> force{};  // besides -grad u
+  std::function<Plane(double t)> force{};  // in addition to -grad u
 
   template <class S>
   struct State {
@@ -111,7 +111,7 @@ struct Hamilton {
 
 const std::vector<std::string> columns{"q1", "q2", "v1", "v2", "w1", "r1", "p1", "p2", "mu"};
 
-// Of pi the values at the end, or none where they are unknown.
+// `last`: the values of pi1 and pi2 at the end, or none if unknown.
 std::vector<Component> components(double alpha, const Plane& start,
                                   const std::array<std::vector<double>, 2>& last) {
   const double memory = 1.0 - alpha;
@@ -120,7 +120,7 @@ std::vector<Component> components(double alpha, const Plane& start,
       {1.0, last[0], Side::right}, {1.0, last[1], Side::right}};
 }
 
-// A force is added to p' so that the motion is the made one; q' has none, so f = 0.
+// The manufactured problem: a force is added to p', and none to q', so f = 0.
 Scene made(Hamilton system, double alpha) {
   const MadeMotion m(system.coefficients, alpha);
   system.force = [=, k = system.stiffness](double t) -> Plane {
@@ -132,7 +132,7 @@ Scene made(Hamilton system, double alpha) {
       {{m.q[0]}, {m.q[1]}, {m.v[0]}, {m.v[1]}, {m.w}, {m.r, Side::right}, {m.p[0]}, {m.p[1]}, {m.mu}},
       end_of_motion);
   scene.memories = {{4, 2, alpha}};
-  // Right rows by their own time. What is left of p at the end is smooth; with r, pi has its powers too.
+  // Powers of right rows are in end - t. At the end p is smooth; pi = p + r also has the powers of r.
   auto first = m.r.powers();
   first.push_back(1.0);
   std::ranges::sort(first);
@@ -140,8 +140,8 @@ Scene made(Hamilton system, double alpha) {
   return scene;
 }
 
-// What the given loads and ends lead to: p(T), or q1(T) and p2(T) with p1(T) unknown. q2(T) is no end to give
-// beside q1(T): the constraint nearly fixes it.
+// The problem with given loads and end values: p(T), or q1(T) and p2(T) with p1(T) unknown. q2(T) is not
+// offered beside q1(T), because the constraint nearly determines it.
 Scene given(Hamilton system, double alpha, const Parameters& p) {
   const GivenLoads loads(p);
   const Plane last(p["end1"], p["end2"]);
@@ -161,11 +161,11 @@ Scene given(Hamilton system, double alpha, const Parameters& p) {
 
 }  // namespace
 
-// Extremum of int 1/2 q'^2 - u + mu f dt with q(0) and, in place of q(T), p(T) given. Its equations are
+// Extremum of int 1/2 q'^2 - u + mu f dt with q(0) and, in place of q(T), p(T) given. The equations are
 //   q' = p - mu A,  mu = A.p / A^2,
 //   p_k' = -u_k + mu q'.dA/dq_k + tD_T^alpha g_k,  g_k = mu q'.dA/dw_k,
-// the right derivative Riemann-Liouville's, -d/dt of r_k = J_-^(1-alpha) g_k. So pi = p + r has a regular
-// right-hand side, and r is a right row: tD_T^(1-alpha) r_k = g_k, r_k(T) = 0.
+// where tD_T^alpha is the right Riemann-Liouville derivative, -d/dt of r_k = J_-^(1-alpha) g_k. So pi = p + r
+// has a regular right-hand side, and r is a right row: tD_T^(1-alpha) r_k = g_k, r_k(T) = 0.
 SceneMaker fractional_hamilton() {
   return {
       .id = "fractional_hamilton",

@@ -21,7 +21,7 @@ struct ConstrainedExtremum {
     mechanics::Vector<S, 2> v;
     S mu;
   };
-  // p = pi - b rho + c ell = v + mu a, and f = 0 gives mu.
+  // p = pi - b rho + c ell = v + mu a, and mu follows from f = 0.
   template <class S>
   [[nodiscard]] State<S> state(double t, const mechanics::Vector<S, size>& y) const {
     mechanics::Vector<S, 2> v;
@@ -54,7 +54,8 @@ struct ConstrainedExtremum {
     for (Eigen::Index i = 0; i < size; ++i) result.row(i) = mechanics::derivatives<size>(f[i]).transpose();
   }
 
-  // The last: what the extremum's momentum across a has beyond that of the motion.
+  // The last column: the component across a of c ell - b rho, by which the momentum differs from that of the
+  // motion.
   void columns(double t, In y, Out result) const {
     const auto [v, mu] = state<double>(t, y);
     result << y.head<2>(), v, y.segment<4>(w), mu, across(a).dot(c) * y[ell] - across(a).dot(b) * y[rho];
@@ -101,12 +102,12 @@ Scene scene_of(ConstrainedExtremum system, const Parameters& p) {
 
 }  // namespace
 
-// Extremum of int 1/2 v^2 - u + g.q + mu f dt. What is adjoint to a left Caputo derivative is the right one
-// of Riemann and Liouville, -d/dt J_-^(1-alpha), and the other way round, so with p = v + mu a
+// Extremum of int 1/2 v^2 - u + g.q + mu f dt. The adjoint of a left Caputo derivative is the right
+// Riemann-Liouville derivative, -d/dt J_-^(1-alpha), and vice versa. So with p = v + mu a
 //   p' = -grad u + g - b rho' + c ell',
-// and pi = p + b rho - c ell has an ordinary row. The motion under the same constraint has neither mu' nor
-// rho nor ell: across a it differs by (e.c) ell - (e.b) rho, the column defect, which is 0 where b and c are
-// along a, and that is Proposition 2.
+// and pi = p + b rho - c ell has an equation of order 1. The motion under the same constraint has no terms in
+// mu', rho or ell. Across a the two differ by (e.c) ell - (e.b) rho, the column defect, which is 0 if b and c
+// are parallel to a: this is Proposition 2.
 SceneMaker fractional_vakonomic() {
   const std::vector<Parameter> parameters =
       joined({weight_parameters(),

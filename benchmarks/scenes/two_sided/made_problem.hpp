@@ -7,24 +7,25 @@
 
 namespace fde {
 
-// One row of a problem that is made from its solution 1 + i/4 + s^power, s the time of the row: t, or what is
-// left of it.
+// One row of a problem with the manufactured solution y_i = 1 + i/4 + s^power, with s = t in a left row and s
+// = end - t in a right row.
 struct MadeRow {
   double order, power;
   Side side;
 };
 
+// A manufactured problem with its exact solution y(t) and smoothness.
 struct Made {
   Problem problem;
   std::function<Vec(double)> exact;
   Smoothness smoothness;
 };
 
-// D^g s^p = Gamma(p+1)/Gamma(p+1-g) s^(p-g), on both sides; each row is coupled to the two after it by
-// N_i(y) = sin(y_(i+1)) y_(i+2) / 2 - y_i, and f_i = D^g s^p + N_i(y) - N_i(solution).
+// The problem D^g y_i = f_i with f_i = D^g s^p + N_i(y) - N_i(exact), D^g s^p = Gamma(p+1)/Gamma(p+1-g)
+// s^(p-g) on both sides; each row is coupled to the next two by N_i(y) = sin(y_(i+1)) y_(i+2) / 2 - y_i.
 Made made_problem(const std::vector<MadeRow>& rows, double end);
 
-// Six rows, three a side, with orders below, at and above 1; smooth.
+// Six rows, three of each side, with orders below, at and above 1 and smooth solutions.
 Made smooth_two_sided();
 
 }  // namespace fde

@@ -10,30 +10,30 @@ namespace fde {
 
 using Plane = Eigen::Vector2d;
 
-// The values of two sums of powers: a point, a velocity, ...
+// The values of two sums of powers at t, as a point or a velocity.
 inline Plane plane_at(const std::array<SumOfPowers, 2>& sums, double t) {
   return {sums[0].at(t), sums[1].at(t)};
 }
 
-// The unit vector across a.
+// The unit vector e perpendicular to a.
 inline Plane across(const Plane& a) { return Plane(-a[1], a[0]) / a.norm(); }
 
-constexpr double end_of_motion = 2.0;  // of made ones
+constexpr double end_of_motion = 2.0;  // of manufactured solutions
 
-// The powers with which a motion that nothing makes smoother starts, in rows of order 1 and of order 1 -
-// alpha.
+// The powers with which a solution without further regularity starts, in rows of order 1 (`regular`) and of
+// order 1 - alpha (`remembered`).
 struct GivenPowers {
   explicit GivenPowers(double alpha);
 
   std::vector<double> regular, remembered;
 };
 
-// One list after the other.
+// The concatenation of lists of parameters.
 std::vector<Parameter> joined(const std::vector<std::vector<Parameter>>& groups);
 
-// T, a constant force and q(0) of a problem whose motion is not made.
+// T, a constant force and q(0) of a problem that is not manufactured.
 std::vector<Parameter> given_parameters();
-// Whether the motion is made or what such parameters lead to.
+// The parameter `motion`: whether the solution is manufactured or follows from given loads and end values.
 Parameter motion_choice();
 bool motion_is_given(const Parameters& p);
 struct GivenLoads {
@@ -43,16 +43,15 @@ struct GivenLoads {
   Plane force, start;  // start: q(0)
 };
 
-// The order and the weights of a constraint a.v + b.w + c.r = F(t), stiffnesses.
+// The order and the weights of a constraint a.v + b.w + c.r = F(t), and the stiffnesses.
 std::vector<Parameter> weight_parameters();
 
-// F(t) of a constraint a.v + b.w + c.r = F(t).
+// The parameters of F(t) in a constraint a.v + b.w + c.r = F(t), and F itself.
 std::vector<Parameter> drive_parameters();
 std::function<double(double t)> given_drive(const Parameters& p);
 
-// The scene of a mechanical system with one constraint, but for what is known of its motion. A system says
-// its end, rhs(t, y, f), jacobian(y, result), columns(t, y, result), energy(columns) and constraint(t,
-// columns).
+// The scene of a mechanical system with one constraint, without smoothness and reference. A System has end,
+// rhs(t, y, f), jacobian(y, result), columns(t, y, result), energy(columns) and constraint(t, columns).
 template <class System>
 Scene two_sided_scene(const System& system, const std::vector<Component>& components,
                       const std::vector<std::string>& names) {

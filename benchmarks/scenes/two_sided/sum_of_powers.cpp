@@ -54,7 +54,7 @@ SumOfPowers SumOfPowers::derivative(double order) const {
   std::vector<Term> terms;
   for (const auto& [coefficient, power] : terms_) {
     if (power < order && whole(power)) continue;
-    // Of order 1 the factor has no rounding: what cancels later cancels to 0.
+    // For order 1 the factor is exact, so that terms cancel exactly.
     const double factor = order == 1.0 ? power : boost::math::tgamma_ratio(power + 1.0, power + 1.0 - order);
     terms.push_back({coefficient * factor, power - order});
   }

@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// A sum of coefficient * t^power, t >= 0 and powers of any size >= 0: what made solutions consist of.
+// A sum of coefficient * t^power, t >= 0 and powers >= 0, the form of the manufactured solutions.
 class SumOfPowers {
  public:
   struct Term {
@@ -14,21 +14,21 @@ class SumOfPowers {
   };
 
   SumOfPowers() = default;
-  explicit SumOfPowers(std::vector<Term> terms);  // terms of equal power become one
+  explicit SumOfPowers(std::vector<Term> terms);  // terms with equal powers are merged
 
-  // Coefficients of t^0, t^1, ...
+  // From the coefficients of t^0, t^1, ...
   static SumOfPowers polynomial(const std::vector<double>& coefficients);
 
   [[nodiscard]] double at(double t) const;
-  // Of the rounding of at(t): coefficients may be off by a few units in the last place.
+  // A bound of the rounding error of at(t), with coefficients accurate to a few units in the last place.
   [[nodiscard]] double bound(double t) const;
-  // In increasing order, without 0: how the sum starts.
+  // The powers in increasing order, without 0.
   [[nodiscard]] std::vector<double> powers() const;
 
-  // Caputo derivative from 0 for order > 0, fractional integral for order < 0:
-  // D^g t^p = Gamma(p+1)/Gamma(p+1-g) t^(p-g), and 0 where p < g is a whole number.
+  // The Caputo derivative from 0 for order > 0, the fractional integral for order < 0: D^g t^p =
+  // Gamma(p+1)/Gamma(p+1-g) t^(p-g), and 0 for an integer p < g.
   [[nodiscard]] SumOfPowers derivative(double order) const;
-  // The same sum of s = end - t, for whole powers.
+  // The same function as a sum of powers of s = end - t; requires integer powers.
   [[nodiscard]] SumOfPowers reversed(double end) const;
 
   friend SumOfPowers operator+(const SumOfPowers& a, const SumOfPowers& b);
@@ -39,13 +39,13 @@ class SumOfPowers {
   std::vector<Term> terms_;
 };
 
-// A column of a made solution: a sum of powers of t, or of the time that is left.
+// A column of a manufactured solution: a sum of powers of t (left) or of end - t (right).
 struct MadeColumn {
   SumOfPowers sum;
   Side side = Side::left;
 };
 
-// The columns at times in [0, end]. Throws std::invalid_argument for others.
+// The columns as a reference at times in [0, end]. It throws std::invalid_argument at other times.
 Reference made_solution(const std::vector<MadeColumn>& columns, double end);
 
 }  // namespace fde

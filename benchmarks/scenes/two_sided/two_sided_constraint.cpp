@@ -6,8 +6,8 @@
 namespace fde {
 namespace {
 
-// The made motion: q, q', q'', and w and r, its left and right derivatives of order alpha.
-// q1 = 1 + 3 t^2 - t^3 and q2 = t^2 (2 - t)^2: both velocities are 0 at both ends.
+// The manufactured solution: q, q', q'', and w and r, its left and right derivatives of order alpha. With q1
+// = 1 + 3 t^2 - t^3 and q2 = t^2 (2 - t)^2 both velocities are 0 at both ends.
 struct MadeMotion {
   explicit MadeMotion(double alpha)
       : q{SumOfPowers::polynomial({1.0, 0.0, 3.0, -1.0}),
@@ -24,15 +24,15 @@ struct MadeMotion {
 };
 
 // u = (k1 q1^2 + k2 q2^2)/2 + k3 q1^4/4; f = a.v + b.w + c.r - F(t) with w = D^alpha q and r = tD_T^alpha q.
-// Components q1, q2, z, w1, w2, r1, r2, where z = e.v with e across a: the reaction along a is not in z' =
-// e.v', and f = 0 gives the rest of v.
+// Components q1, q2, z, w1, w2, r1, r2, where z = e.v with e perpendicular to a: z' = e.v' does not contain
+// the reaction, which is along a, and f = 0 determines the component of v along a.
 struct TwoSidedConstraint {
   enum : Eigen::Index { q = 0, z = 2, w = 3, r = 5, size = 7 };
   Plane a, b, c;
   double k1, k2, k3;
   double end = end_of_motion;
   std::function<double(double t)> drive{};  // F
-  std::function<Plane(double t)> force{};   // besides -grad u
+  std::function<Plane(double t)> force{};   // in addition to -grad u
 
   [[nodiscard]] Plane slope(const Plane& x) const { return {k1 * x[0] + k3 * x[0] * x[0] * x[0], k2 * x[1]}; }
   [[nodiscard]] double energy(In columns) const {
@@ -91,7 +91,7 @@ std::vector<Component> components(double alpha, const Plane& start, const std::v
 
 std::vector<Memory> memories(double alpha) { return {{4, 2, alpha}, {5, 3, alpha}}; }
 
-// F and a force are made so that q is what it is.
+// F and a force are chosen so that the motion is the solution.
 Scene made(TwoSidedConstraint system, double alpha) {
   const MadeMotion motion(alpha);
   system.drive = [=, a = system.a, b = system.b, c = system.c](double t) {
@@ -115,14 +115,14 @@ Scene made(TwoSidedConstraint system, double alpha) {
   return scene;
 }
 
-// What the velocity along a leaves from 0 on is driven by w, which starts like t^(1-alpha). Right rows do the
-// same from the end.
+// The velocity along a starts with the powers of w, which starts like t^(1-alpha). Right rows do the same at
+// the end.
 Smoothness smoothness_of_given(double alpha) {
   const auto [regular, remembered] = GivenPowers(alpha);
   return {{regular, regular, regular, remembered, remembered, remembered, remembered}};
 }
 
-// The motion between q(0) and the velocity across a at 0, or the place across a at the end.
+// The problem with q(0) given and, across a, either the velocity at 0 or the position at the end.
 Scene given(TwoSidedConstraint system, double alpha, const Parameters& p) {
   const GivenLoads loads(p);
   const bool place = p.choice("ends") == "place";
@@ -143,8 +143,8 @@ Scene given(TwoSidedConstraint system, double alpha, const Parameters& p) {
 
 }  // namespace
 
-// A mass in the plane on springs. The right derivative looks ahead: r = -J_-^(1-alpha) q' is known at all
-// times or at none.
+// A mass in the plane on springs. r = -J_-^(1-alpha) q' depends on q' at later times, so the problem is
+// two-sided.
 SceneMaker two_sided_constraint() {
   return {.id = "two_sided_constraint",
           .title = "Oscillator in the plane with left and right derivatives in its constraint",
