@@ -4,7 +4,7 @@
 
 namespace fde::mechanics {
 
-// x with dx = 1 in one direction.
+// x as a variable: its derivative is 1 in the given direction and 0 in the others.
 template <int directions, class Scalar>
 Dual<Scalar, directions> variable(const Scalar& x, int direction = 0) {
   Dual<Scalar, directions> result(x);
@@ -12,10 +12,11 @@ Dual<Scalar, directions> variable(const Scalar& x, int direction = 0) {
   return result;
 }
 
-// The dual numbers of a vector's entries.
+// A vector of dual numbers, of the size of the vector type Of.
 template <int directions, class Of>
 using DualVector = Vector<Dual<typename Of::Scalar, directions>, Of::RowsAtCompileTime>;
 
+// x as constants: all derivatives are 0.
 template <int directions, class Of>
 DualVector<directions, Of> constants(const Of& x) {
   DualVector<directions, Of> result;
@@ -23,7 +24,7 @@ DualVector<directions, Of> constants(const Of& x) {
   return result;
 }
 
-// x with d x_i = 1 in direction first + i.
+// x as variables: d x_i = 1 in direction first + i.
 template <int directions, class Of>
 DualVector<directions, Of> variables(const Of& x, int first = 0) {
   DualVector<directions, Of> result;
@@ -31,7 +32,8 @@ DualVector<directions, Of> variables(const Of& x, int first = 0) {
   return result;
 }
 
-// x that moves with the given velocity in one direction: what depends on it has its rate of change there.
+// x with the derivative `velocity` in the given direction, so that functions of it carry their rate of change
+// along the velocity.
 template <int directions, class Of>
 DualVector<directions, Of> moving(const Of& x, const Of& velocity, int direction = 0) {
   auto result = constants<directions>(x);
@@ -47,7 +49,7 @@ Vector<Scalar, size> derivatives(const Dual<Scalar, directions>& x, int first = 
   return result;
 }
 
-// Every entry 0, and all its derivatives.
+// A table of zeros with zero derivatives.
 template <class S, int rows, int columns = 1>
 Table<S, rows, columns> zeros() {
   Table<S, rows, columns> result;
@@ -57,7 +59,7 @@ Table<S, rows, columns> zeros() {
   return result;
 }
 
-// x in numbers of the type S.
+// x converted to the scalar type S.
 template <class S, int n>
 Vector<S, n> lifted(const Eigen::Matrix<double, n, 1>& x) {
   Vector<S, n> result;

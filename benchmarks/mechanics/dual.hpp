@@ -7,9 +7,9 @@
 
 namespace fde::mechanics {
 
-// A number with its derivatives in some directions: forward automatic differentiation. Scalar may be such a
-// number itself, which gives second derivatives. A plain type: expressions of Eigen's AutoDiffScalar, nested,
-// take the compiler several times as long.
+// A number with its derivatives in `count` directions: forward automatic differentiation. With a Dual as
+// Scalar it has second derivatives. A plain type: nested expressions of Eigen's AutoDiffScalar take several
+// times as long to compile.
 template <class Scalar, int count>
 class Dual {
   template <class Other>
@@ -20,7 +20,7 @@ class Dual {
   static constexpr int directions = count;
 
   Dual() = default;
-  // Constants: their derivatives are 0.
+  // A constant: all derivatives are 0.
   Dual(double value) : value_(value) { derivatives_.fill(Scalar(0.0)); }
   Dual(const Scalar& value) requires(!std::same_as<Scalar, double>) : value_(value) {
     derivatives_.fill(Scalar(0.0));
@@ -30,7 +30,7 @@ class Dual {
   [[nodiscard]] const Scalar& derivative(int direction) const { return derivatives_[at(direction)]; }
   void set_derivative(int direction, const Scalar& value) { derivatives_[at(direction)] = value; }
 
-  // What every derivative is multiplied with where a function of x has this value and this slope.
+  // f(x) by the chain rule, for a function with value f and derivative `slope` at x.
   [[nodiscard]] Dual mapped(const Scalar& value, const Scalar& slope) const {
     Dual result;
     result.value_ = value;
@@ -133,7 +133,7 @@ class Dual {
     return *this = *this / y;
   }
 
-  // Of the values.
+  // Compares the values only.
   friend std::partial_ordering operator<=>(const Dual& x, double bound) { return x.value_ <=> bound; }
 
   friend Dual sin(const Dual& x) {

@@ -13,15 +13,16 @@ namespace fde::mechanics {
 template <class Entry, int rows, int columns>
 class DualMatrix;
 
-// Matrices of doubles are Eigen's. Those of dual numbers are plain: nested numbers have a dozen types in a
-// scene, and for each of them the compiler would make all of Eigen's expressions.
+// A matrix: Eigen's for double, DualMatrix for dual numbers. A scene nests a dozen dual types, and
+// instantiating Eigen's expressions for each of them is slow to compile.
 template <class S, int rows, int columns>
 using Table = std::conditional_t<std::is_same_v<S, double>, Eigen::Matrix<S, rows, columns>,
                                  DualMatrix<S, rows, columns>>;
 template <class S, int n>
 using Vector = Table<S, n, 1>;
 
-// A small matrix of dual numbers, with the functions of Eigen's that mechanics needs, under their names.
+// A small matrix of dual numbers with those functions of Eigen's matrices, under the same names, that
+// mechanics needs.
 template <class Entry, int rows, int columns>
 class DualMatrix {
  public:
@@ -98,7 +99,7 @@ class DualMatrix {
     }
   }
 
-  // With entry(i, j) in row i and column j.
+  // The matrix of entry(i, j).
   template <class Function>
   static DualMatrix filled(Function entry) {
     DualMatrix result;
@@ -111,7 +112,7 @@ class DualMatrix {
  private:
   using Part = Table<typename Entry::Value, rows, columns>;
 
-  // What `of` takes from each entry.
+  // The matrix of of(entry).
   template <class Function>
   [[nodiscard]] Part part(Function of) const {
     Part result;

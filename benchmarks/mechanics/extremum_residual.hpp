@@ -4,18 +4,18 @@
 
 namespace fde::mechanics {
 
-// A point of a motion.
+// The state and acceleration of a motion at one time.
 template <int n>
 struct Instant {
   double t;
   Vector<double, n> q, v, acceleration;
 };
 
-// By how much a motion of the constrained system fails to be a conditional extremum, a covector:
+// The residual of a motion of the constrained system in the equations of a conditional extremum, a covector:
 //   P^T mu (df/dq - d/dt df/dv),
-// what Tarasov & Zaslavsky (72) multiply with the variations delta q = P x, (df/dv) delta q = 0. d/dt is
-// along q' = v, v' = acceleration; mu' drops out. It is 0 for every mu where f = d/dt phi(t, q); raised with
-// the metric it is the acceleration of the extremum beyond that of the motion at the same q, v, mu.
+// the factor of the variations delta q = P x, (df/dv) delta q = 0, in Tarasov & Zaslavsky (72). d/dt is along
+// q' = v, v' = acceleration; mu' cancels. It is 0 for every mu if f = d/dt phi(t, q). With the index raised
+// by the metric, it is the acceleration of the extremum minus that of the motion at the same q, v, mu.
 template <class System>
 Vector<double, System::coordinates> extremum_residual(const System& system,
                                                       const Instant<System::coordinates>& at,

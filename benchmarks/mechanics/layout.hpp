@@ -5,25 +5,25 @@
 
 namespace fde::mechanics {
 
-// Rows of a state that belong together: `size` of them from the row `first` on.
+// A block of `size` consecutive rows of a state, starting at row `first`.
 struct Group {
   int first = 0, size = 0;
 
   [[nodiscard]] constexpr bool contains(int row) const { return first <= row && row < first + size; }
-  // The i-th of them.
+  // The index of its i-th row.
   [[nodiscard]] constexpr std::size_t operator[](int i) const {
     return static_cast<std::size_t>(first) + static_cast<std::size_t>(i);
   }
 };
 
-// Which rows of a formulation's state are what; groups that it does not have are empty.
+// The blocks of rows of a formulation's state; absent blocks are empty.
 struct Layout {
   Group q{};       // coordinates
   Group v{};       // velocities
-  Group z{};       // P v, the part of v that the constraints leave free
-  Group chi{};     // b.v, the part that they determine above order 1
+  Group z{};       // P v, the part of v not determined by the constraints
+  Group chi{};     // b.v, the part that they determine for order > 1
   Group s{};       // D^order v
-  Group w{};       // D^order q; above order 1 of the formulation integrated P D^order q
+  Group w{};       // D^order q; for order > 1 in the integrated formulation, P D^order q
   Group p{};       // momenta
   Group lambda{};  // multipliers
 
@@ -32,7 +32,7 @@ struct Layout {
     for (const Group& group : groups()) sum += group.size;
     return sum;
   }
-  // Whether every row is in one group and no other.
+  // Whether every row is in exactly one group.
   [[nodiscard]] constexpr bool is_partition() const {
     for (int row = 0; row < size(); ++row) {
       int found = 0;

@@ -16,18 +16,18 @@ struct Motion {
   Vector<double, n> q, v;
 };
 
-// What a formulation's state says: coordinates, velocities, D^order q.
+// The output columns of a formulation: coordinates, velocities, D^order q.
 template <int n>
 struct Columns {
   Vector<double, n> q, v, w;
 };
 
-// A sum of terms that have this size together, or 0 where it is what rounding leaves of 0.
+// `sum`, or 0 if |sum| is within rounding of `size`, the sum of the absolute values of its terms.
 inline double unless_rounding(double sum, double size) {
   return std::abs(sum) <= 4.0 * std::numeric_limits<double>::epsilon() * size ? 0.0 : sum;
 }
 
-// Vectors under one another.
+// The concatenation of vectors.
 template <class S, class... Parts>
 auto joined(const Parts&... parts) {
   Vector<S, (int{Parts::RowsAtCompileTime} + ...)> result;
@@ -46,7 +46,8 @@ void add_rows(std::vector<Component>& components, double order, const Initial& i
   add_rows(components, rest...);
 }
 
-// Components in groups: an order and the initial values of all that have it, and so on.
+// Components in blocks: arguments are pairs of an order and the initial values of all components of that
+// order.
 template <class... Groups>
 std::vector<Component> rows(const Groups&... groups) {
   std::vector<Component> components;

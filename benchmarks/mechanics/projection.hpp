@@ -4,8 +4,8 @@
 
 namespace fde::mechanics {
 
-// Constraints that are affine in the velocity, f = a(t, q) v + beta(t, q, w): the velocities that they leave
-// free, and the one that they fix.
+// For constraints that are affine in the velocity, f = a(t, q) v + beta(t, q, w): the projection onto
+// velocities with a v = 0, and the velocity that satisfies f = 0.
 template <class S, class System>
 class Projection {
   static constexpr int n = System::coordinates;
@@ -16,7 +16,7 @@ class Projection {
 
   // P x, with a P = 0 and P G^-1 reaction^T = 0.
   [[nodiscard]] Vector<S, n> of(const Vector<S, n>& x) const { return reaction_.projected(x); }
-  // The velocity with f = 0 and the free part P z.
+  // The velocity with f = 0 and P v = P z.
   [[nodiscard]] Vector<S, n> velocity(const Vector<S, n>& z) const {
     return of(z) + reaction_.answer(rates_.value);
   }
@@ -28,7 +28,7 @@ class Projection {
   Reaction<S, System> reaction_;
 };
 
-// P' v along a motion with velocity v: what turns with the constraint.
+// P' v along a motion with velocity v, the contribution of the changing constraint directions.
 template <class S, class System>
 Vector<S, System::coordinates> projection_rate(const System& system, const S& t,
                                                const Vector<S, System::coordinates>& q,

@@ -4,15 +4,15 @@
 
 namespace fde::mechanics {
 
-// The first derivatives of the constraints at (t, q, v, w).
+// The constraints and their first derivatives at (t, q, v, w).
 template <class S, class System>
 struct ConstraintRates {
   static constexpr int n = System::coordinates, r = System::constraints;
   Vector<S, r> value;  // f
-  // df/dv: the reaction is its transpose times lambda (Chetaev; Tarasov & Zaslavsky 32).
+  // df/dv: the reaction force is its transpose times lambda (Chetaev; Tarasov & Zaslavsky 32).
   Table<S, r, n> reaction;
-  Table<S, r, n> slope;   // what v' is multiplied with in df/dt: df/dv; at order 1, where w = v, also df/dw
-  Table<S, r, n> memory;  // df/dw; at order 1 zero
+  Table<S, r, n> slope;   // factor of v' in df/dt: df/dv; at order 1, where w = v, df/dv + df/dw
+  Table<S, r, n> memory;  // df/dw; zero at order 1
   Vector<S, r> flow;      // df/dt + (df/dq) v
 };
 
@@ -53,9 +53,9 @@ ConstraintRates<S, System> constraint_rates(const System& system, const S& t,
   return result;
 }
 
-// How the reaction answers: for a defect x of df/dt = slope v' + x the acceleration
+// The reaction of the constraints. For df/dt = slope v' + x, the acceleration
 //   -G^-1 reaction^T (slope G^-1 reaction^T)^-1 x                                  (Tarasov & Zaslavsky 36)
-// takes it away.
+// compensates the defect x.
 template <class S, class System>
 class Reaction {
   static constexpr int n = System::coordinates, r = System::constraints;
@@ -70,7 +70,7 @@ class Reaction {
   [[nodiscard]] Vector<S, n> answer(const Vector<S, r>& defect) const {
     return directions_ * multiplier(defect);
   }
-  // x without what the constraints do not allow: slope (projected x) = 0.
+  // The projection of x with slope (projected x) = 0.
   [[nodiscard]] Vector<S, n> projected(const Vector<S, n>& x) const {
     const Vector<S, r> component = slope_ * x;
     return x + answer(component);
@@ -82,7 +82,7 @@ class Reaction {
   Table<S, r, r> inverse_;
 };
 
-// The multiplier that keeps df/dt = 0 where w' has no part in it.
+// The multiplier with df/dt = 0, for constraints without a term in w'.
 template <class S, class System>
 Vector<S, System::constraints> enforcing_multiplier(const System& system, const S& t,
                                                     const Vector<S, System::coordinates>& q,

@@ -4,8 +4,8 @@
 
 #include "mechanics/reaction.hpp"
 
-// Niminet & Blanuta 2009 with T = 1/2 g_ij y^i y^j, without the factor 1/2 of their (2.6) and (2.8). Systems
-// do not depend on time, forces not on the velocity, constraints are a_sigma(x) y = 0; y = x'.
+// Niminet & Blanuta 2009 with T = 1/2 g_ij y^i y^j, without the factor 1/2 of their (2.6) and (2.8). Here y =
+// x', systems are autonomous, forces do not depend on the velocity, and constraints are a_sigma(x) y = 0.
 namespace fde::mechanics {
 
 // Christoffel symbols of the metric, symbols[i](j, k) = Gamma^i_jk(x):
@@ -45,7 +45,7 @@ Table<double, System::coordinates, System::coordinates> riemannian_connection(
   return connection;
 }
 
-// Multipliers that keep the constraint: quadratic in y where no force acts.
+// The multipliers with df/dt = 0; quadratic in y without a force.
 struct EnforcingMultipliers {
   template <class S, class System>
   [[nodiscard]] Vector<S, System::constraints> of(const System& system,
@@ -55,7 +55,7 @@ struct EnforcingMultipliers {
   }
 };
 
-// Multipliers given as functions of the place: lambda(x) for every scalar.
+// Multipliers given as functions of position, lambda(x), for every scalar type.
 template <class Function>
 struct GivenMultipliers {
   Function lambda;
@@ -71,8 +71,8 @@ template <class Function>
 GivenMultipliers(Function) -> GivenMultipliers<Function>;
 
 // The coefficients 2 G*^i(x, y) = Gamma^i_jk y^j y^k - (F^i + lambda^sigma a_sigma^i) of the canonical
-// semispray y d/dx - 2 G* d/dy. Its integral curves y' = -2 G* are the evolution curves (theorem 2.3). F is
-// the force with that of the potential.
+// semispray y d/dx - 2 G* d/dy. Its integral curves y' = -2 G* are the evolution curves (theorem 2.3). F
+// includes the force of the potential.
 template <class S, class System, class Multipliers>
 Vector<S, System::coordinates> semispray(const System& system, const Multipliers& multipliers,
                                          const Vector<S, System::coordinates>& x,

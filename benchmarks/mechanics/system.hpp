@@ -11,13 +11,13 @@ namespace fde::mechanics {
 //   template <class S> Vector<S, constraints> constraint(t, q, v) const;      or, with memory,
 //   template <class S> Vector<S, constraints> constraint(t, q, v, w) const;   w = D^order q, and
 //   double order;                                                             in (0, 2)
-// and as far as it has them
+// and, optionally,
 //   template <class S> S potential(q) const;                                  u
 //   template <class S> Table<S, n, n> metric(q) const;                        G, else the identity;
 //                                                                             or Diagonal<S, n>
 //   template <class S> Vector<S, n> force(t, q, v) const;                     F, covariant
-// for every scalar S that automatic differentiation needs: t is an S, q, v and w are Vector<S, n>. What is
-// absent costs nothing. The Lagrangian is 1/2 v'G v - u, the constraints are f(t, q, v, w) = 0.
+// for every scalar S that automatic differentiation needs: t is an S, q, v and w are Vector<S, n>. Absent
+// functions cost nothing. The Lagrangian is 1/2 v'G v - u, the constraints are f(t, q, v, w) = 0.
 
 template <class System>
 concept HasPotential = requires(const System& s, const Vector<double, System::coordinates>& q) {
@@ -36,13 +36,13 @@ concept HasMemory = requires(const System& s, const Vector<double, System::coord
   s.template constraint<double>(0.0, q, q, q);
 };
 
-// A system whose equations are all linear in q, v, w says so: static constexpr bool linear = true.
+// A system whose equations are all linear in q, v, w declares static constexpr bool linear = true.
 template <class System>
 concept Linear = requires {
   requires std::remove_cvref_t<System>::linear;
 };
 
-// f(t, q, v, w); w is passed over where the constraint has none.
+// f(t, q, v, w); w is ignored if the constraint does not depend on it.
 template <class S, class System>
 Vector<S, System::constraints> constraint_value(const System& system, const S& t,
                                                 const Vector<S, System::coordinates>& q,
@@ -66,7 +66,8 @@ auto raised(const System& system, const Vector<S, System::coordinates>& q, const
   }
 }
 
-// The terms of d/dt (G v) - 1/2 grad (v'G v) besides G v': Christoffel symbols of the first kind times v v,
+// The terms of d/dt (G v) - 1/2 grad (v'G v) other than G v': Christoffel symbols of the first kind times v
+// v,
 //   c_i = sum_jk (dG_ij/dq_k - 1/2 dG_jk/dq_i) v_j v_k = sum_k (dp_i/dq_k - 1/2 dp_k/dq_i) v_k
 // with the momenta p = G v at fixed v.
 template <class S, HasMetric System>

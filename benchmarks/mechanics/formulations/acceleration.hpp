@@ -6,12 +6,12 @@
 #include "mechanics/reaction.hpp"
 #include "problem/linear_smoothness.hpp"
 
-// The formulations acceleration and stabilised: v' = free acceleration + reaction to df/dt + kappa f = 0;
-// kappa = 0 is the form as printed.
+// The formulations acceleration and stabilised: v' = free acceleration + the reaction that gives df/dt +
+// kappa f = 0; kappa = 0 is the printed form.
 namespace fde::mechanics {
 
-// Constraints without memory, f(t, q, v) = 0, or f(t, q, v, w) = 0 at order 1, where w = v: q' = v and v'.
-// The reaction is along df/dv alone, not along df/dw.
+// Constraints without memory, f(t, q, v) = 0, or f(t, q, v, w) = 0 at order 1, where w = v: equations for q'
+// = v and v'. The reaction is along df/dv only, not along df/dw.
 template <class System>
 struct WholeAcceleration {
   static constexpr int n = System::coordinates;
@@ -38,8 +38,9 @@ struct WholeAcceleration {
   }
 };
 
-// The part of v' that w' = D^alpha v + t^-alpha / Gamma(1-alpha) v(0) (Tarasov & Zaslavsky 23) makes
-// unbounded at 0: direction t^-alpha / Gamma(1-alpha), taken at t = 0. What is rounding of (df/dw) v(0) is 0.
+// The direction of the unbounded part of v' at t = 0, which is direction t^-alpha / Gamma(1-alpha); it is due
+// to w' = D^alpha v + t^-alpha / Gamma(1-alpha) v(0) (Tarasov & Zaslavsky 23). (df/dw) v(0) within rounding
+// of 0 counts as 0.
 template <class System>
 Vector<double, System::coordinates> singular_direction(const System& system,
                                                        const Motion<System::coordinates>& start) {
@@ -52,9 +53,10 @@ Vector<double, System::coordinates> singular_direction(const System& system,
 }
 
 // 0 < alpha < 1: q' = v, D^alpha v = s, D^(1-alpha) s = v' as above, D^(1-alpha) w = v; equations 37 and 42
-// as printed for kappa = 0. With c = singular_direction s has the part c t^(1-2 alpha) / Gamma(2-2 alpha),
-// which is kept out of the state. What is left of s starts like t^(2-3 alpha), but its row is driven by v'
-// without c t^-alpha / Gamma(1-alpha), which starts like t^(1-2 alpha): the form is posed for alpha < 1/2.
+// as printed for kappa = 0. With c = singular_direction, s has the term c t^(1-2 alpha) / Gamma(2-2 alpha),
+// which is subtracted from the state. The remainder of s starts like t^(2-3 alpha); the right-hand side of
+// its row, v' without c t^-alpha / Gamma(1-alpha), starts like t^(1-2 alpha). So the form is well posed for
+// alpha < 1/2 only.
 template <class System>
 struct AccelerationBelowOne {
   static constexpr int n = System::coordinates;

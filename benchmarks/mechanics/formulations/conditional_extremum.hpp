@@ -5,7 +5,7 @@
 namespace fde::mechanics {
 
 // The conditional extremum of the action int (L + mu f) dt, for constraints f = a(t, q) v + beta(t, q):
-// Tarasov & Zaslavsky (67). It is not the motion of the constrained system, whose equations have no
+// Tarasov & Zaslavsky (67). It differs from the motion of the constrained system, whose equations contain no
 // derivative of the multiplier. With the momenta p = G v + a^T mu
 //   q' = v = G^-1 (p - a^T mu),   p' = d/dq (1/2 v'G v - u + mu f) at fixed v and mu,
 // and f = 0 gives mu = (a G^-1 a^T)^-1 (a G^-1 p + beta). The state is q, p.
@@ -63,7 +63,7 @@ struct ConditionalExtremum {
   }
 };
 
-// The scene of the extremum, in place of the motion; mu: its multipliers at t = 0.
+// The scene of the conditional extremum of a setting; mu: the multipliers at t = 0.
 template <class System>
 Scene extremum_scene(const Setting<System>& of, const Vector<double, System::constraints>& mu) {
   Scene scene;

@@ -6,11 +6,11 @@
 
 namespace fde::mechanics {
 
-// The formulation integrated, of constraints that are affine in the velocity, f = a(t, q) v + beta(t, q, w)
+// The integrated formulation, for constraints that are affine in the velocity, f = a(t, q) v + beta(t, q, w)
 // (Tarasov & Zaslavsky 38), with alpha up to 1:
 //   q' = v = P z - a^# beta,  z' = P (free acceleration) + P' v,  and the row of w, w(0) = 0,
-// with the projector P = I - a^# a, a^# = G^-1 reaction^T (a G^-1 reaction^T)^-1. z starts as P v. For
-// constant a and f = a.v + b.w - C0 this is q' = z - A w, z' = -P grad u with A = a b^T/|a|^2, and no term is
+// with the projector P = I - a^# a, a^# = G^-1 reaction^T (a G^-1 reaction^T)^-1. z(0) = P v(0). For constant
+// a and f = a.v + b.w - C0 this is q' = z - A w, z' = -P grad u with A = a b^T/|a|^2, and no term is
 // singular.
 template <class System, MemoryRows memory>
 struct Integrated {
@@ -46,7 +46,7 @@ struct Integrated {
   }
 
  private:
-  // w, which a constraint of whole order does not have beside v.
+  // w, or 0 if the constraint does not depend on it beside v.
   template <class S>
   static Vector<S, n> remembered(const Vector<S, states>& y) {
     if constexpr (memory == MemoryRows::none) {

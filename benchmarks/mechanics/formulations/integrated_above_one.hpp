@@ -3,13 +3,13 @@
 #include "mechanics/motion.hpp"
 #include "mechanics/projection.hpp"
 
-// The formulation integrated, of constraints f = a.v + b.w + c with constant a, b, c and w = D^alpha q, 1 <
-// alpha < 2: w = D^(alpha-1) v, and D^(2-alpha) w = v' but for the part t^(alpha-2)/Gamma(alpha-1) w(0) of
-// v'. P w(0) = 0. The highest derivative of the acceleration form would be D^(1+alpha) q, inside the
-// reaction: there is no such form.
+// The integrated formulation for constraints f = a.v + b.w + c with constant a, b, c and w = D^alpha q, 1 <
+// alpha < 2: w = D^(alpha-1) v, and D^(2-alpha) w is v' without its part t^(alpha-2)/Gamma(alpha-1) w(0). P
+// w(0) = 0. The acceleration form would have the highest derivative D^(1+alpha) q inside the reaction; it is
+// not offered.
 namespace fde::mechanics {
 
-// a, b and what they make of each other, for one constraint.
+// The vectors a, b and constants of one constraint a.v + b.w + c = 0.
 template <class System>
 class ConstantConstraint {
   static constexpr int n = System::coordinates;
@@ -29,7 +29,7 @@ class ConstantConstraint {
   [[nodiscard]] const Vector<double, n>& memory() const { return memory_; }        // b
   [[nodiscard]] double constant() const { return constant_; }                      // c
   [[nodiscard]] double alignment() const { return alignment_; }                    // b.a^#
-  // The w(0) along a^# with f = 0, for b.a^# != 0: 0 where C0 = -c is a.v(0).
+  // The w(0) along a^# with f = 0; 0 if C0 = -c equals a.v(0). Requires b.a^# != 0.
   [[nodiscard]] Vector<double, n> first_memory(const Vector<double, n>& velocity) const {
     const double size = size_of(slope_, velocity) + std::abs(constant_);
     const double missing = -unless_rounding(slope_.dot(velocity) + constant_, size);
@@ -49,7 +49,7 @@ class ConstantConstraint {
 // With z = P v, chi = b.v and W = P w:
 //   q' = v = z + a^# (a.v),  a.v = (chi - b.z) / (b.a^#),
 //   z' = P (free acceleration),  D^(2-alpha) W = P (free acceleration),  D^(alpha-1) chi = b.w = -c - a.v.
-// Needs b.a^# != 0: otherwise the constraint fixes no derivative of order alpha of what it moves.
+// Requires b.a^# != 0: otherwise the constraint contains no derivative of order alpha along a^#.
 template <class System>
 struct IntegratedAboveOne {
   static constexpr int n = System::coordinates;

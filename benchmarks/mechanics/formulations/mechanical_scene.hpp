@@ -21,7 +21,8 @@ Constraint constraint_of(const System& system) {
           }};
 }
 
-// The columns w with the powers of the rows q, the same in all formulations.
+// The memories of the columns w, with powers derived from those of the rows q, which are the same in all
+// formulations.
 template <class System>
 std::vector<Memory> memories_of(const System& system, const std::vector<std::vector<double>>& powers,
                                 Group q) {
@@ -32,8 +33,8 @@ std::vector<Memory> memories_of(const System& system, const std::vector<std::vec
   return memories;
 }
 
-// The scene of a setting, but for what is exactly known. Columns: coordinates, velocities and, with memory,
-// w = D^order q.
+// The scene of a setting, without an exact reference. Columns: coordinates, velocities and, with memory, w =
+// D^order q.
 template <class System>
 Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   Scene scene;
@@ -63,7 +64,8 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   return scene;
 }
 
-// For a scene on a sphere, whose first column is the distance from a pole: its coordinates end at both.
+// Restricts a scene on a sphere, whose first column is the distance from a pole, to the domain between the
+// poles.
 inline void end_at_the_poles(Scene& scene) {
   const auto domain = [](const Outputs& outputs) -> Domain {
     return {"a pole, theta = 0 or pi", [outputs](double t, In y) {
@@ -76,7 +78,8 @@ inline void end_at_the_poles(Scene& scene) {
     scene.reference_problem->problem.domain = domain(scene.reference_problem->outputs);
 }
 
-// Of such a scene, whose second column is the longitude: its place on the unit sphere.
+// The position on the unit sphere, for a scene whose columns start with theta (distance from a pole) and phi
+// (longitude).
 inline Outputs path_on_sphere() {
   return {{"x", "y", "z"}, [](double /*t*/, In columns, Out place) {
             const double theta = columns[0], phi = columns[1];

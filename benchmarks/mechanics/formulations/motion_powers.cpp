@@ -6,7 +6,7 @@
 namespace fde::mechanics {
 namespace {
 
-constexpr double last = 3.0;  // later powers change no rate
+constexpr double last = 3.0;  // higher powers do not change the rate
 
 std::vector<double> shifted(std::vector<double> powers, double by) {
   for (double& power : powers) power += by;
@@ -23,7 +23,7 @@ std::vector<double> with_zero(std::vector<double> powers) {
   return powers;
 }
 
-// The powers of the rows of each group.
+// Assigns the powers of each group to its rows.
 Smoothness starting(const Layout& layout, const std::vector<std::pair<Group, std::vector<double>>>& groups) {
   Smoothness smoothness;
   smoothness.powers.resize(static_cast<std::size_t>(layout.size()));
@@ -45,7 +45,7 @@ MotionPowers powers_below_one(double order, bool moving, ReactionStart reaction)
                                       : shifted(all, 1.0)};
 }
 
-// a.v - a.v(0) is driven by z and by itself: A = (b.z - b.v)/(b.a^#), b.v - b.v(0) = -J^(order-1) A.
+// a.v - a.v(0) depends on z and on itself: A = (b.z - b.v)/(b.a^#), b.v - b.v(0) = -J^(order-1) A.
 MotionPowers powers_above_one(double order, bool moving) {
   const auto leaving = power_lattice({1.0}, {1.0, order - 1.0}, last);
   const auto all = with_zero(leaving);

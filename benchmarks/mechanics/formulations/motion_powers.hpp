@@ -5,27 +5,27 @@
 
 namespace fde::mechanics {
 
-// The powers of t with which a motion under a constraint with memory starts, all coordinates alike: those
-// of a nonlinear system, whose own series is not known.
+// The powers of t with which the motion of a nonlinear system under a constraint with memory starts, the same
+// for all coordinates. They are all that may occur: the series itself is not computed.
 struct MotionPowers {
-  std::vector<double> velocity;   // 0 among them where v(0) is not 0
+  std::vector<double> velocity;   // includes 0 if v(0) is not 0
   std::vector<double> free_part;  // of z = P v, without 0
 };
 
 // How the reaction starts below order 1. singular: df/dw v(0) is not 0, and the reaction starts like
-// t^-order; turning: its direction df/dv moves with w, which starts like t^(1-order).
+// t^-order; turning: its direction df/dv depends on w, which starts like t^(1-order).
 enum class ReactionStart { regular, singular, singular_and_turning };
 
-// 0 < order < 1. What the constraint fixes of v is driven by w = D^order q: it leaves v(0) like t^(1-order)
-// where the reaction is singular, otherwise like t. z' is made of what v and q are made of; a reaction that
-// turns adds t^-order t^(1-order).
+// 0 < order < 1. The part of v that the constraint determines depends on w = D^order q: v - v(0) starts like
+// t^(1-order) if the reaction is singular, otherwise like t. z' has the powers of v and q; a turning reaction
+// adds t^-order t^(1-order).
 MotionPowers powers_below_one(double order, bool moving, ReactionStart reaction);
 
-// 1 < order < 2, constant constraint: D^(order-1) (b.v) = -c - a.v is 0 at the start, so that v leaves v(0)
-// like t and goes on in steps of order - 1.
+// 1 < order < 2, constant constraint: D^(order-1) (b.v) = -c - a.v is 0 at the start, so v - v(0) starts like
+// t, and further powers follow in steps of 1 and order - 1.
 MotionPowers powers_above_one(double order, bool moving);
 
-// How the rows of the formulations start below order 1. Of s = D^order v the state has no part
+// The smoothness of the rows of the formulations below order 1. In the state, s = D^order v lacks its part
 // t^(1 - 2 order).
 Smoothness integrated_start(const MotionPowers& powers, double order, const Layout& layout);
 Smoothness acceleration_start(const MotionPowers& powers, double order, const Layout& layout, bool singular);

@@ -8,8 +8,8 @@
 
 namespace fde::mechanics {
 
-// lambda(0), a first guess. Where lambda is unbounded at 0 it starts from 0, which costs nothing but itself:
-// the constraint fixes what it does to v.
+// A guess of lambda(0). If lambda is unbounded at 0, the guess is 0; only the value of lambda at t = 0 is
+// wrong then, because the constraint determines the effect of lambda on v.
 template <MemoryRows memory, class System>
 Vector<double, System::constraints> first_multiplier(const System& system,
                                                      const Motion<System::coordinates>& start) {
@@ -28,9 +28,9 @@ Vector<double, System::constraints> first_multiplier(const System& system,
   return enforcing_multiplier<double>(system, 0.0, start.q, start.v, rates);
 }
 
-// The formulation multiplier: q' = v, v' = free acceleration + G^-1 (df/dv)^T lambda, 0 = f, and the rows of
-// w. Above order 1 these are in place of v', and the row D^(2-alpha) w = v' has not the part
-// t^(alpha-2)/Gamma(alpha-1) w(0) of v', which is along the reaction: its multiplier is lambda less that
+// The multiplier formulation: q' = v, v' = free acceleration + G^-1 (df/dv)^T lambda, 0 = f, and the rows of
+// w. For order > 1 the rows of w replace that of v'. The row D^(2-alpha) w = v' lacks the part
+// t^(alpha-2)/Gamma(alpha-1) w(0) of v', which is along the reaction: its multiplier is lambda without that
 // part.
 template <class System, MemoryRows memory>
 struct Multiplier {
@@ -38,7 +38,8 @@ struct Multiplier {
   static constexpr int m = memory == MemoryRows::none ? 0 : n;
   static constexpr Layout layout{.q = {0, n}, .v = {n, n}, .w = {2 * n, m}, .lambda = {2 * n + m, r}};
   static constexpr int states = layout.size();
-  static constexpr Group memory_rows = memory == MemoryRows::none ? layout.v : layout.w;  // w = v without
+  static constexpr Group memory_rows =
+      memory == MemoryRows::none ? layout.v : layout.w;  // without memory w = v
   System system;
   Motion<n> start;
 

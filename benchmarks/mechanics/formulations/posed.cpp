@@ -11,7 +11,7 @@ void hide(Smoothness& smoothness, Group rows) {
   for (int i = 0; i < rows.size; ++i) smoothness.hidden.push_back(rows.first + i);
 }
 
-// Far out the constants of the right-hand side do not count.
+// Evaluated at a large y, where the constants of the right-hand side are negligible.
 Matrix linear_part_of(const Problem& problem) {
   constexpr double far = 0x1p100;
   const Eigen::Index size = problem.size();
@@ -32,7 +32,7 @@ Smoothness linear_start(const Problem& problem, std::vector<PowerLoad> loads) {
   problem.rhs(0.0, Vec::Zero(problem.size()), constants);
   loads.push_back({0.0, constants});
   Matrix part = std::get<DenseLinearPart>(problem.derivatives)
-                    .matrix;  // without entries that are what rounding leaves of 0
+                    .matrix;  // entries within rounding of 0 are removed below
   for (auto column : part.colwise()) {
     const double rounding = 1e-14 * column.cwiseAbs().maxCoeff();
     column = (column.array().abs() < rounding).select(0.0, column).eval();

@@ -13,55 +13,55 @@
 
 namespace fde::mechanics {
 
-// A problem, which of its rows are what, its columns q, v and, with memory, w, and how its solution starts.
+// A mechanical problem with its layout, its columns q, v and, with memory, w, and its smoothness.
 struct PosedMechanics {
   Problem problem{};
   Layout layout{};
   std::function<void(double t, In y, Out columns)> columns{};
   Smoothness smoothness{};
-  std::string refusal{};  // why this form is not well posed; the rest is empty then
+  std::string refusal{};  // reason why this form is not well posed; the rest is empty then
 };
 
-// Rows that nobody looks at.
+// Marks rows as not measured (Smoothness::hidden).
 void hide(Smoothness& smoothness, Group rows);
 
-// The matrix A of a right-hand side A y + b(t).
+// The matrix A of a linear right-hand side A y + b(t).
 Matrix linear_part_of(const Problem& problem);
 
-// Powers of t with which the solutions start: of a linear problem those of its series, with what b(t) has
-// beside constants; of another one all that may occur.
+// The powers of t with which the solution starts: for a linear problem those of its series, where `loads` are
+// the non-constant terms of b(t); for a nonlinear problem all that may occur.
 Smoothness linear_start(const Problem& problem, std::vector<PowerLoad> loads);
 Smoothness nonlinear_start(const std::vector<Component>& components);
 
-// The form with multipliers has the rows of another one and integrates no more than these; the multipliers
-// are behind all.
+// The multiplier form with the smoothness of another form, whose rows it has; the rows of the multipliers
+// follow and have no powers.
 PosedMechanics with_multipliers(PosedMechanics form, const Smoothness& other);
 
-// The same above order 1, where v itself is integrated: with the powers of its free part z and of chi = b.v.
+// The same for order > 1, where v is a component: it has the powers of its free part z and of chi = b.v.
 PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechanics& integrated);
 
-// Of the derivative of what starts with these powers, the constant apart.
+// The powers of the derivative of a function that starts with these powers, without the constant.
 std::vector<double> powers_of_derivative(const std::vector<double>& powers);
 
-// The powers with which D^order q leaves its value at 0, from those of the rows q.
+// The powers, without the constant, with which D^order q starts, from those of the rows q.
 std::vector<double> powers_of_memory(const std::vector<std::vector<double>>& powers, Group q, double order);
 
-// Columns q1, v1, w1 of a coordinate q1; x, dx, Dalpha_x of x.
+// Column names: for coordinate q1 q1, v1, w1; for x x, dx, Dalpha_x.
 std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory);
 
-// Not posed, with the reason and the formulations that fit: a term unbounded at t = 0; a derivative above 1 +
-// alpha; a constraint that fixes no derivative of order alpha.
+// A refusal with its reason and the formulations that are well posed: for a term unbounded at t = 0; for a
+// derivative of order above 1 + alpha; for a constraint without a derivative of order alpha along a^#.
 PosedMechanics refused_as_singular(Formulation formulation, double order);
 PosedMechanics refused_above_one(Formulation formulation, double order);
 PosedMechanics refused_as_unaligned(double order);
 
-// A form whose right-hand side has powers of t beside constants.
+// A form whose right-hand side contains non-constant powers of t.
 template <class Form>
 concept Loaded = requires(const Form& form) {
   form.loads();
 };
 
-// df/dy of a form: its right-hand side in dual numbers, some columns at a time.
+// df/dy of a form by automatic differentiation, four columns at a time.
 template <class Form>
 void differentiate(const Form& form, double t, const Vector<double, Form::states>& y, OutMatrix jacobian) {
   constexpr int states = Form::states, columns = 4;

@@ -7,18 +7,18 @@
 #include "mechanics/formulations/setting.hpp"
 #include "scenes/scene.hpp"
 
-// What the reactions of the constraints are, told by columns alone and so the same in every formulation:
-// lambda by Tarasov & Zaslavsky (36), with w' as the rate of the columns w.
+// The reactions of the constraints as functions of the columns, the same for every formulation: lambda by
+// Tarasov & Zaslavsky (36), with w' as the rate of the columns w.
 namespace fde::mechanics {
 
-// Which columns of a scene are what: q, v and, with memory, w = D^order q, which otherwise is v.
+// The positions of q, v and, with memory, w = D^order q among the columns of a scene; without memory w is v.
 template <class System>
 constexpr Layout column_layout() {
   constexpr int n = System::coordinates;
   return {.q = {0, n}, .v = {n, n}, .w = {HasMemory<System> ? 2 * n : n, n}};
 }
 
-// Whether w is a column of its own: not without memory, and not at order 1.
+// Whether w is a column of its own: only with memory and an order other than 1.
 template <class System>
 bool remembers([[maybe_unused]] const System& system) {
   if constexpr (HasMemory<System>) {
@@ -28,7 +28,7 @@ bool remembers([[maybe_unused]] const System& system) {
   }
 }
 
-// A time with its columns: the constraints there, and how their reactions answer.
+// The constraints and their reaction at one time, from the columns.
 template <class System>
 struct ReactionAt {
   static constexpr int n = System::coordinates, r = System::constraints;
@@ -44,7 +44,7 @@ struct ReactionAt {
         rates(constraint_rates<double>(system, t, q, v, Point(part<at.w>(columns)))),
         reaction(system, q, rates) {}
 
-  // The part of lambda without w', and what w' adds to it.
+  // lambda without the contribution of w', and that contribution.
   [[nodiscard]] Vector<double, r> regular(const System& system, double t) const {
     return reaction.multiplier(rates.slope * free_acceleration<double>(system, t, q, v) + rates.flow);
   }
@@ -56,7 +56,7 @@ struct ReactionAt {
   }
 };
 
-// lambda(0), or nothing where it is unbounded.
+// lambda(0), or nullopt if it is unbounded.
 template <class System>
 std::optional<Vec> multiplier_at_start(const System& system, const Motion<System::coordinates>& start) {
   if constexpr (ConstantCoefficients<System>) {
@@ -77,7 +77,7 @@ inline std::vector<std::string> multiplier_names(int count) {
   return names;
 }
 
-// Powers: those with which the columns w start, where the system remembers.
+// `powers`: those with which the columns w start; used if remembers(system).
 template <class System>
 Reactions reactions_of(const System& system, const Motion<System::coordinates>& start,
                        std::vector<double> powers) {
@@ -116,7 +116,7 @@ double energy_at([[maybe_unused]] const System& system, const Vector<double, Sys
   return value;
 }
 
-// E = 1/2 v'G v + u. Its rate is the power of forces and reactions; with memory the reaction has a part in
+// E = 1/2 v'G v + u. Its rate is the power of forces and reactions; with memory the reaction has a term in
 // w'.
 template <class System>
 Energy energy_of(const System& system) {

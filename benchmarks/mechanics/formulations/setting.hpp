@@ -13,21 +13,21 @@
 
 namespace fde::mechanics {
 
-// What a scene says of its mechanics. System::constant: f = a.v + b.w + c with constant a, b, c.
+// The mechanics of a scene. System::constant: f = a.v + b.w + c with constant a, b, c.
 template <class System>
 struct Setting {
   System system;
   Motion<System::coordinates> start;
   std::vector<std::string> coordinates;  // their names
   double end = 10.0;
-  Formulation reference = Formulation::integrated;  // the form that a reference is computed of
+  Formulation reference = Formulation::integrated;  // the formulation used for a reference
 };
 
 template <class System>
 concept ConstantCoefficients = HasMemory<System> && System::constant;
 
-// How the reaction starts below order 1. With it v leaves v(0) along the singular direction, and w leaves 0
-// along v(0): what matters is whether the reaction leaves its directions then, not how long it is.
+// How the reaction starts below order 1. At first v - v(0) is along the singular direction, and w is along
+// v(0); the result depends on whether the direction of the reaction changes, not on the size of the change.
 template <class System>
 ReactionStart reaction_start(const System& system, const Motion<System::coordinates>& start) {
   constexpr double rounding = 1e-12;
@@ -46,8 +46,9 @@ ReactionStart reaction_start(const System& system, const Motion<System::coordina
   return ReactionStart::singular;
 }
 
-// The motion after what the constraint does to it at once. At order 1, where w = v, it may: below, w(0) = 0,
-// and as the order tends to 1 w becomes v ever faster, which ends in a jump of v along the reaction.
+// The initial state after an immediate jump of v along the reaction. At order 1, where w = v, an initial v
+// with f != 0 must jump. It is the limit from below: for order < 1, w(0) = 0, and as the order tends to 1, w
+// approaches v ever faster.
 template <class System>
 Motion<System::coordinates> after_jump(const System& system, Motion<System::coordinates> start) {
   if constexpr (HasMemory<System>) {
@@ -116,7 +117,7 @@ PosedMechanics posed_above_one(const Setting<System>& of, const Asked& asked) {
   return multiplied ? with_multipliers_above_one(with_rows(), form) : form;
 }
 
-// The equations of the setting in one form, or why that form is not well posed.
+// The equations of the setting in one formulation, or the reason why it is not well posed.
 template <class System>
 PosedMechanics posed(const Setting<System>& of, const Asked& asked) {
   if constexpr (HasMemory<System>) {
@@ -128,7 +129,7 @@ PosedMechanics posed(const Setting<System>& of, const Asked& asked) {
   return posed_at_one(of, asked);
 }
 
-// Whether the form of the reference is well posed.
+// Whether the formulation of the reference is well posed.
 template <class System>
 bool has_reference_form([[maybe_unused]] const Setting<System>& of) {
   if constexpr (ConstantCoefficients<System>) {

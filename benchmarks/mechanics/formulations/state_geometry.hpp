@@ -9,7 +9,7 @@
 
 namespace fde::mechanics {
 
-// The geometry of a system at q, v. Forces and constraints are taken at t = 0.
+// The geometry of a system at q, v. Forces and constraints are evaluated at t = 0.
 template <class System>
 Geometry geometry_at(const System& system, const Vector<double, System::coordinates>& q,
                      const Vector<double, System::coordinates>& v) {
