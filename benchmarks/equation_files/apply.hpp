@@ -9,12 +9,12 @@
 
 namespace fde {
 
-// Those that the standard library has not for every Real.
+// Functions without an implementation in the standard library for every Real.
 template <class Real>
 struct SpecialFunctions {
   static Real pi() { return std::numbers::pi_v<Real>; }
   static Real gamma(const Real& x) { return std::tgamma(x); }
-  // In double. NaN outside of what it is known for.
+  // Evaluated in double; NaN outside the ranges of the arguments.
   static Real mittag_leffler(const Real& alpha, const Real& beta, const Real& z) {
     constexpr double largest_order = 5.0, largest_parameter = 1e4;
     const bool known = alpha > 0 && alpha <= largest_order && std::abs(beta) <= largest_parameter &&
@@ -24,7 +24,7 @@ struct SpecialFunctions {
   }
 };
 
-// The operation on its arguments; not of numbers and variables.
+// The value of an operation on its arguments; number and variable are not operations.
 template <class Real>
 Real apply(Operation operation, const Real& a, const Real& b, const Real& c) {
   using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::log,

@@ -7,8 +7,8 @@
 namespace fde {
 namespace {
 
-// Behind the string that begins here with one quote or three; at the end of the line where one quote has no
-// other.
+// Index after the string that begins at `begin`, in one quote or three; the end of the line if a single quote
+// is not closed.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const bool is_long = text.substr(begin, 3) == std::string(3, quote);

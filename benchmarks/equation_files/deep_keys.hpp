@@ -7,8 +7,8 @@
 
 namespace fde {
 
-// Where a key of TOML, such as a.b.c, has more parts than this, outside strings and comments. Each part is a
-// table in another, and a reader that goes down them by recursion would not come back.
+// The position of a TOML key, such as a.b.c, with more than most_key_parts parts, outside strings and
+// comments; nullopt if there is none. Parts are nested tables: a recursive parser would exhaust the stack.
 inline constexpr int most_key_parts = 16;
 std::optional<TextPlace> deep_key(std::string_view toml);
 

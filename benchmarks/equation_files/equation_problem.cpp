@@ -18,7 +18,7 @@ struct Entry {
   Expression value;
 };
 
-// df_i/dy_j where it is not 0, row by row.
+// The nonzero entries of df_i/dy_j, row by row.
 std::vector<Entry> derivatives_of(const EquationSystem& system, FileFormulas& formulas) {
   std::vector<Entry> entries;
   auto& all = formulas.all();
@@ -41,7 +41,7 @@ std::vector<Entry> derivatives_of(const EquationSystem& system, FileFormulas& fo
   return entries;
 }
 
-// What unknowns have a part in among the arguments of the signs and steps of the rows.
+// The arguments of sign and step in the rows that depend on unknowns.
 std::vector<Expression> switches_of(const EquationSystem& system, const Expressions& all) {
   std::vector<Expression> found;
   for (const auto argument : all.arguments(system.rows, {Operation::sign, Operation::step}))
@@ -49,20 +49,20 @@ std::vector<Expression> switches_of(const EquationSystem& system, const Expressi
   return found;
 }
 
-// Whether a row has a corner or a jump in the unknowns, whose derivative may be constant everywhere else.
+// Whether a row has a kink or a jump in the unknowns; its derivative may be constant elsewhere.
 bool piecewise(const EquationSystem& system, const Expressions& all) {
   const auto arguments = all.arguments(
       system.rows, {Operation::abs, Operation::sign, Operation::step, Operation::min, Operation::max});
   return std::ranges::any_of(arguments, [&](Expression e) { return all.depends_on_unknowns(e); });
 }
 
-// Whether it is a number, as it is written or as all its derivatives are 0: (y + 1)^2 - y^2 has a constant
-// derivative.
+// The value of an expression if it is constant, either as written or because its derivatives vanish: (y +
+// 1)^2 - y^2 has a constant derivative.
 std::optional<double> constant_of(Expression value, Eigen::Index size, Expressions& all) {
   constexpr Eigen::Index few = 12;
   if (const auto known = all.value(value)) return static_cast<double>(*known);
   const auto zero = all.number(0);
-  // Where it jumps its derivative is not all that there is to it.
+  // sign and step have derivative 0 but are not constant
   const bool jumps = !all.arguments({value}, {Operation::sign, Operation::step}).empty();
   if (size > few || jumps) return std::nullopt;
   for (int variable = 0; variable <= size; ++variable) {
@@ -95,7 +95,7 @@ DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, 
   }};
 }
 
-// A constraint that is not met at t = 0 would be met by a jump of what it constrains.
+// A violated constraint would require a jump of the unknowns at t = 0.
 void require_start_on_constraints(const EquationSystem& system, const Problem& problem,
                                   const FileFormulas& formulas) {
   const auto row = row_off_at_start(problem);

@@ -23,7 +23,7 @@
 namespace fde {
 namespace {
 
-// The columns are the components where all of these are unknowns.
+// The components themselves if they are the columns.
 Outputs outputs_of(const std::vector<SystemColumn>& columns) {
   std::vector<std::string> names;
   std::vector<Eigen::Index> rows;
@@ -64,8 +64,8 @@ SceneEvent event_of(const EventText& text, const std::vector<SystemColumn>& colu
   return {text.name, Program(formulas.all(), {value}, std::ssize(columns)), text.crossing, text.ends};
 }
 
-// An exact column that starts elsewhere than its unknown belongs to another problem. One that is no number at
-// t = 0 says nothing.
+// Rejects an exact column whose value at t = 0 differs from the initial value. A value that is not finite at
+// t = 0 is not checked.
 void require_exact_start(const EquationText& text, const std::vector<SystemColumn>& columns,
                          const Scene& scene) {
   constexpr double rounding = 1e-9;

@@ -5,11 +5,11 @@
 
 namespace fde {
 
-// The scene of an equation file; its id is the file's name.
+// The scene of an equation file; its id is the file name.
 SceneMaker equation_scene(EquationText text);
 
-// These scenes, and those of equation files, each by the name of its file, which ends in .toml. A name throws
-// std::invalid_argument where its file cannot be read or is no equation file.
+// These scenes plus those of equation files, found by a file name that ends in .toml. For such a name,
+// Scenes::named throws std::invalid_argument if the file cannot be read or is not an equation file.
 Scenes with_equation_files(const Scenes& scenes);
 
 }  // namespace fde

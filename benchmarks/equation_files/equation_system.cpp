@@ -30,7 +30,7 @@ std::vector<double> initial_values(const UnknownText& unknown, double order, Fil
   return values;
 }
 
-// The chain of an unknown, whose row it begins with; none where the row is algebraic.
+// The unknown with its chain, starting at row `first`; without a chain if the row is algebraic.
 EquationSystem::Unknown unknown_of(const UnknownText& text, Eigen::Index first, FileFormulas& formulas) {
   std::vector<Term> terms;
   const TermText* leading = nullptr;
@@ -67,7 +67,7 @@ std::vector<double> jumps_of(FileFormulas& formulas) {
   return jumps;
 }
 
-// The variable that is the row of a node of an unknown's chain.
+// Maps D^order of an unknown to the variable of that node of its chain.
 FormulaVariables variables_of(const EquationSystem& system, Expressions& all) {
   const auto row = [&](std::size_t of, double order) {
     const auto& unknown = system.unknowns[of];
@@ -80,7 +80,7 @@ FormulaVariables variables_of(const EquationSystem& system, Expressions& all) {
   return {.time = true, .unknown = row};
 }
 
-// f_i = y_{i+1}, the last of a chain (rhs - sum_k c_k D^(a_k) u) / c.
+// f_i = y_{i+1}; in the last row of a chain (rhs - sum_k c_k D^(a_k) u) / c.
 void add_rows(const EquationSystem::Unknown& unknown, Expressions& all, std::vector<Expression>& rows) {
   if (!unknown.chain) {
     rows.push_back(*unknown.rhs);

@@ -10,14 +10,14 @@
 
 namespace fde {
 
-// The equations of a file with values of its parameters: the rows of a problem, their right-hand sides as
-// expressions of t, variable 0, and y_i, variable i + 1.
+// The equations of a file for given values of its parameters: the rows of a problem, with right-hand sides as
+// expressions of t (variable 0) and y_i (variable i + 1).
 struct EquationSystem {
   struct Unknown {
     std::string name;
-    Eigen::Index first;               // row
-    std::optional<Chain> chain;       // empty: an algebraic row
-    std::optional<Expression> rhs{};  // of the file
+    Eigen::Index first;               // first row
+    std::optional<Chain> chain;       // nullopt: an algebraic row
+    std::optional<Expression> rhs{};  // as in the file
     [[nodiscard]] Eigen::Index size() const { return chain ? chain->size() : 1; }
   };
   std::vector<Unknown> unknowns{};
@@ -29,23 +29,23 @@ struct EquationSystem {
   [[nodiscard]] Eigen::Index size() const { return std::ssize(components); }
 };
 
-// Throws std::invalid_argument naming file, line and column of what is no equation of this kind.
+// Throws std::invalid_argument naming file, line and column if an equation is not of this kind.
 EquationSystem read_system(FileFormulas& formulas);
 
-// The unknowns in the order of the file, then the other nodes of their chains as D(x,0.5).
+// The columns: the unknowns in the order of the file, then the other nodes of their chains, named D(x,0.5).
 struct SystemColumn {
   std::string name;
   std::size_t unknown;
   double order;      // as a derivative of the unknown
-  Eigen::Index row;  // of the problem
+  Eigen::Index row;  // row of the problem
 };
 std::vector<SystemColumn> columns_of(const EquationSystem& system);
 
-// Formulas of the columns: column c is variable c + 1.
+// Variables for formulas in the columns: column c is variable c + 1; `time`: whether t is allowed.
 FormulaVariables variables_of(const std::vector<SystemColumn>& columns, Expressions& all, bool time);
 
-// The problem: f, its derivatives and its multi-term equations. Throws as read_system does where a
-// derivative is not known.
+// The problem: f, its derivatives and its multi-term equations. Throws as read_system does if a derivative is
+// not available or an algebraic row does not hold at t = 0.
 Problem problem_of(const EquationSystem& system, FileFormulas& formulas);
 
 }  // namespace fde

@@ -17,7 +17,7 @@ void reject_at(const std::string& file, const TextPlace& place, std::string_view
   constexpr std::size_t longest = 600;
   std::size_t shown = std::min(what.size(), longest);
   while (shown < what.size() && shown > 0 && (static_cast<unsigned char>(what[shown]) & 0xc0U) == 0x80U)
-    --shown;  // not in the middle of a letter
+    --shown;  // do not split a UTF-8 character
   std::string line(what.substr(0, shown));
   if (shown < what.size()) line += " ...";
   for (char& c : line)

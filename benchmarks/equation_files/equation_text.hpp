@@ -10,28 +10,28 @@
 
 namespace fde {
 
-// Where something stands in a file: its line and column, from 1.
+// A position in a file: line and column, from 1.
 struct TextPlace {
   int line = 1, column = 1;
 };
 
-// A formula of an equation file as it is written there, or a number as its shortest decimal.
+// A formula as written in an equation file, or a number as its shortest decimal.
 struct FormulaText {
   std::string text{};
-  TextPlace place{};         // of its first byte, or of the string
-  bool bytes_count = false;  // whether the columns of its bytes are counted on from there
+  TextPlace place{};         // of its first byte, or of the enclosing string
+  bool bytes_count = false;  // whether byte b of the text is at column place.column + b
 };
 
 struct TermText {
   FormulaText coefficient, order;
 };
 
-// The equation of an unknown: the sum of its terms = rhs.
+// The equation of an unknown: sum of the terms = rhs.
 struct UnknownText {
   std::string name{};
   TextPlace place{};
   std::vector<TermText> terms{};
-  bool may_be_algebraic = false;  // its term is written as `order`, of which 0 stands for 0 = rhs
+  bool may_be_algebraic = false;  // given by the key `order`, for which 0 means 0 = rhs
   FormulaText rhs{};
   std::vector<FormulaText> initial{};
 };
@@ -52,7 +52,7 @@ struct ParameterText {
   double value = 0.0;
 };
 
-// [event.NAME]: its zeros along the path are located.
+// [event.NAME]: a function whose zeros along the trajectory are located.
 struct EventText {
   std::string name{};
   FormulaText zero{};
@@ -60,31 +60,31 @@ struct EventText {
   bool ends = false;
 };
 
-// What an equation file says, its formulas unread: docs/equation_files.md.
+// The contents of an equation file with unparsed formulas: docs/equation_files.md.
 struct EquationText {
   std::string file{};
   std::string title{};
   FormulaText end{};
-  std::vector<ParameterText> parameters{};  // these and the unknowns in their order in the file
+  std::vector<ParameterText> parameters{};  // parameters and unknowns are in file order
   std::vector<UnknownText> unknowns{};
   std::vector<NamedFormula> exact{};
   std::optional<EnergyText> energy{};
   std::vector<FormulaText> constraints{};
   std::vector<FormulaText> jumps{};
   std::vector<EventText> events{};
-  std::string checksum{};  // SHA-256 of all this but the title
+  std::string checksum{};  // SHA-256 of all fields except the title
 };
 
 inline constexpr std::size_t largest_equation_file = std::size_t{1} << 20;
 inline constexpr std::size_t most_unknowns = 100;
 
-// Each throws std::invalid_argument naming file, line and column, what stands there and what is allowed.
+// Each throws std::invalid_argument naming file, line and column, the text there and what is allowed.
 EquationText read_equation_text(const std::filesystem::path& file);
 EquationText parse_equation_text(const std::string& file, std::string_view text);
 
 // "FILE: line L, column C: what"
 [[noreturn]] void reject_at(const std::string& file, const TextPlace& place, std::string_view what);
-// The same of a place in a formula.
+// The same for a byte of a formula.
 [[noreturn]] void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte,
                             std::string_view what);
 

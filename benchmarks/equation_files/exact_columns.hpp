@@ -5,10 +5,10 @@
 
 namespace fde {
 
-// The columns as [exact] gives them, with a bound of what rounding does. A derivative of an unknown that is
-// not given follows from the unknown where its order is whole, or where the unknown is a sum of powers of t.
-// Throws std::invalid_argument naming file, line and column of what is no formula of t, and the column that
-// is not given.
+// The columns given in [exact], with a bound of the rounding errors. A derivative of an unknown that is not
+// given is derived from the unknown if its order is 1 or if the unknown is a sum of powers of t. Throws
+// std::invalid_argument naming file, line and column of a formula that is not one of t, and of a column that
+// is missing.
 Reference exact_columns(const EquationText& text, const Parameters& parameters,
                         const std::vector<SystemColumn>& columns);
 

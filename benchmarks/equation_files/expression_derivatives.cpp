@@ -5,7 +5,7 @@
 namespace fde {
 namespace {
 
-// f'(a) of the functions of one argument that have a derivative, f being f(a).
+// f'(a) for a differentiable function of one argument, with f = f(a); nullopt otherwise.
 std::optional<Expression> slope(Expressions& all, Operation operation, Expression a, Expression f) {
   const auto make = [&](Operation how, Expression x, Expression y = Expressions::none) {
     return all.make(how, x, y);
@@ -52,7 +52,7 @@ std::optional<Expression> slope(Expressions& all, Operation operation, Expressio
 
 }  // namespace
 
-// By the chain rule; the derivatives are those of what the entry is made of.
+// Chain rule; `derivatives` are those of the parts of the entry.
 Expression Expressions::derivative_of(const Entry& entry, const std::vector<Expression>& derivatives) {
   const auto [a, b, c] = entry.of;
   const auto of = [&](Expression e) {

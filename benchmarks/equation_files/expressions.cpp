@@ -14,7 +14,7 @@
 namespace fde {
 namespace {
 
-constexpr int largest_whole_power = 64;  // by multiplication
+constexpr int largest_whole_power = 64;  // evaluated by multiplication
 
 constexpr std::array functions{KnownFunction{"sin", Operation::sin, 1},
                                KnownFunction{"cos", Operation::cos, 1},
@@ -56,7 +56,8 @@ Expression Expressions::number(const std::string& decimal) {
   double nearest = 0.0;
   std::from_chars(decimal.data(), end, value);
   std::from_chars(decimal.data(), end, nearest);
-  if (static_cast<double>(value) != nearest) value = nearest;  // rounded twice it would be its neighbour
+  if (static_cast<double>(value) != nearest)
+    value = nearest;  // avoids double rounding, which could give a neighbour of the nearest double
   const std::pair key{value, numbers_ == Numbers::written ? decimal : ""};
   const auto found = known_numbers_.find(key);
   if (found != known_numbers_.end()) return found->second;
@@ -89,7 +90,7 @@ bool Expressions::is(Expression e, int whole) const {
          (*this)[e].value == static_cast<long double>(whole);
 }
 
-// By repeated squares.
+// By repeated squaring.
 Expression Expressions::whole_power(Expression base, int exponent) {
   if (exponent < 0) return make(Operation::divide, number(1), whole_power(base, -exponent));
   if (exponent == 0) return number(1);
@@ -99,7 +100,7 @@ Expression Expressions::whole_power(Expression base, int exponent) {
   return exponent % 2 == 0 ? square : make(Operation::multiply, square, base);
 }
 
-// What an operation is without 0 and 1.
+// The simplified form of an operation with 0 or 1, a double negation or an integer power; nullopt: none.
 std::optional<Expression> Expressions::simplified(Operation operation, Expression a, Expression b) {
   switch (operation) {
     case Operation::add:

@@ -45,7 +45,7 @@ enum class Operation : unsigned char {
   mittag_leffler
 };
 
-// What a formula may call: sin(x), atan2(y, x), mittag_leffler(alpha, beta, z).
+// A function that a formula may call: sin(x), atan2(y, x), mittag_leffler(alpha, beta, z).
 struct KnownFunction {
   std::string_view name;
   Operation operation;
@@ -53,16 +53,16 @@ struct KnownFunction {
 };
 std::span<const KnownFunction> known_functions();
 
-// One of the Expressions. What an expression is made of stands before it.
+// Index into Expressions. The parts of an expression have smaller indices.
 using Expression = int;
 
-// How numbers are kept: as values, operations on which are carried out in long double, or as the decimals
-// that were written, for evaluation to any number of digits.
+// How numbers are stored: as long double values, with constant folding, or as the decimals that were written,
+// for evaluation to any number of digits.
 enum class Numbers { folded, written };
 
-// Expressions of numbers and variables. What is made twice is one expression, so that a program evaluates it
-// once, and all that is made of a formula is a few times its length. Sums with 0 and products with 0 and 1
-// are not made.
+// Expressions of numbers and variables. Equal expressions are stored once, so that a program evaluates them
+// once and their number is a small multiple of the length of the formula. Sums with 0 and products with 0 and
+// 1 are simplified.
 class Expressions {
  public:
   explicit Expressions(Numbers numbers) : numbers_(numbers) {}
@@ -71,36 +71,36 @@ class Expressions {
     Operation operation;
     std::array<Expression, 3> of{none, none, none};
     long double value = 0.0L;  // of a number
-    std::string text{};        // of a number that is kept as it was written
+    std::string text{};        // of a number stored as written
     int variable = 0;
   };
   static constexpr Expression none = -1;
 
-  // A decimal. It must be one.
+  // Precondition: the text is a decimal.
   Expression number(const std::string& decimal);
   Expression number(int whole);
   Expression pi();
   Expression variable(int index);
-  // Throws std::invalid_argument where there are more than most_expressions.
+  // Throws std::invalid_argument if there are more than most_expressions expressions.
   Expression make(Operation operation, Expression a, Expression b = none, Expression c = none);
 
-  // d/dx, x the variable; of abs and step, which have none at 0, 0 there. Throws std::invalid_argument where
-  // x is in the argument of gamma, or in one of the first two of mittag_leffler.
+  // d/dx for x the variable; 0 for abs and step at their kink or jump. Throws std::invalid_argument if x
+  // occurs in the argument of gamma or in one of the first two arguments of mittag_leffler.
   Expression derivative(Expression of, int variable);
-  // With the variables from `first` on replaced by 0.
+  // The expression with the variables from index `first` on replaced by 0.
   Expression without_variables(Expression of, int first);
 
   [[nodiscard]] const Entry& operator[](Expression e) const { return entries_[static_cast<std::size_t>(e)]; }
   [[nodiscard]] bool depends_on(Expression of, int variable) const;
   [[nodiscard]] std::set<int> variables_in(Expression of) const;
-  // Whether a variable other than t, variable 0, is in it.
+  // Whether it depends on a variable other than t, variable 0.
   [[nodiscard]] bool depends_on_unknowns(Expression of) const;
-  // What these operations are applied to in the expressions, each once, in order.
+  // The arguments of these operations in the expressions, each once, in increasing order.
   [[nodiscard]] std::vector<Expression> arguments(const std::vector<Expression>& in,
                                                   const std::set<Operation>& operations) const;
-  // The number that it is, if it is made of numbers alone.
+  // The value, if the expression contains no variable.
   [[nodiscard]] std::optional<long double> value(Expression of) const;
-  // For each expression up to the last of these whether one of these is made of it.
+  // Element e, up to the largest index of `of`: whether expression e is part of one of these.
   [[nodiscard]] std::vector<bool> parts(const std::vector<Expression>& of) const;
   [[nodiscard]] std::vector<bool> parts(Expression of) const;
 

@@ -9,23 +9,24 @@
 
 namespace fde {
 
-// What stands for the unknowns in a formula of a file.
+// The variables of a formula of a file.
 struct FormulaVariables {
-  bool time = true;  // whether t may stand there
-  // The variable that is D^order of an unknown, order 0 being itself; throws std::invalid_argument where none
-  // is. Empty: no unknown may stand there.
+  bool time = true;  // whether t is allowed
+  // The variable of D^order of an unknown, order 0 being the unknown itself; throws std::invalid_argument if
+  // there is none. Empty: unknowns are not allowed.
   std::function<Expression(std::size_t unknown, double order)> unknown{};
 };
 
-// Reads the formulas of a file with values of its parameters. Each function throws std::invalid_argument
-// naming file, line and column, what is there and what is allowed. What is given must live as long.
+// Parses the formulas of a file for given values of its parameters. Each function throws
+// std::invalid_argument naming file, line and column, the text there and what is allowed. `text` and
+// `parameters` must outlive this object.
 class FileFormulas {
  public:
   FileFormulas(const EquationText& text, const Parameters& parameters, Numbers numbers)
       : text_(text), parameters_(parameters), all_(numbers) {}
 
   Expression read(const FormulaText& formula, const FormulaVariables& variables);
-  // A formula of the parameters alone.
+  // The value of a formula that contains parameters only.
   double constant(const FormulaText& formula, std::string_view name, const Range& allowed);
 
   [[nodiscard]] Expressions& all() { return all_; }

@@ -27,11 +27,11 @@ class FormulaReader {
   }
 
  private:
-  // Counts how deep formulas stand within each other, as long as it lives.
+  // Counts the nesting depth of a formula during its lifetime.
   class Deeper {
    public:
     explicit Deeper(FormulaReader& reader) : reader_(reader) {
-      // The formula itself is one.
+      // The whole formula counts as one level.
       if (++reader_.depth_ > deepest_formula + 1) {
         fault(fmt::format("brackets, signs and powers stand more than {} deep", deepest_formula),
               reader_.token_.place);
@@ -130,7 +130,8 @@ class FormulaReader {
   Expression named(const FormulaToken& token) {
     if (token.text == "D") return derivative(token);
     const auto function = std::ranges::find(known_functions(), token.text, &KnownFunction::name);
-    const bool named_alike = token_.text != "(" && names_.of && names_.of(token.text);  // as gamma, an order
+    const bool named_alike =
+        token_.text != "(" && names_.of && names_.of(token.text);  // e.g. gamma as an order
     if (function != known_functions().end() && !named_alike) return call(*function);
     if (token.text == "pi") return into_.pi();
     if (names_.of) {

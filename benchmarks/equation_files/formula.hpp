@@ -11,34 +11,34 @@
 
 namespace fde {
 
-// What a formula may name beside functions and pi.
+// The names in a formula, other than functions and pi.
 struct FormulaNames {
   std::function<std::optional<Expression>(std::string_view name)> of{};
-  // D(x, order): the derivative of an unknown; empty: none may stand there. Throws std::invalid_argument with
-  // the reason where there is none of that order.
+  // D(x, order), a derivative of an unknown; empty: derivatives are not allowed. Throws std::invalid_argument
+  // with the reason if there is no derivative of that order.
   std::function<Expression(std::string_view unknown, Expression order)> derivative{};
-  std::vector<std::string_view> known{};  // those that `of` takes, for messages
+  std::vector<std::string_view> known{};  // the names that `of` accepts, for messages
 };
 
-// What is wrong with a formula, and where: a number of bytes from its beginning.
+// An error in a formula and its position, in bytes from the beginning.
 struct FormulaFault : std::invalid_argument {
   FormulaFault(const std::string& what, std::size_t at) : std::invalid_argument(what), place(at) {}
   std::size_t place;
 };
 
 inline constexpr std::size_t longest_formula = 20'000;
-inline constexpr int deepest_formula = 200;  // brackets, signs and powers within each other
+inline constexpr int deepest_formula = 200;  // nesting of brackets, signs and powers
 
-// Reads sums, products, quotients, powers (x^y^z = x^(y^z), -x^2 = -(x^2)), brackets, decimals, names and
+// Parses sums, products, quotients, powers (x^y^z = x^(y^z), -x^2 = -(x^2)), brackets, decimals, names and
 // functions. Throws FormulaFault.
 Expression read_formula(std::string_view text, const FormulaNames& names, Expressions& into);
 
-// Letters, digits and _, a letter first.
+// A letter followed by letters, digits and _.
 bool is_name(std::string_view text);
 // Whether it is t, D or pi.
 bool is_symbol(std::string_view name);
-// Whether it names a function. A parameter may have such a name, and is meant where no bracket follows: gamma
-// beside gamma(x).
+// Whether it is the name of a function. A parameter may have the same name; without a following bracket the
+// name means the parameter: gamma and gamma(x).
 bool is_function(std::string_view name);
 
 }  // namespace fde

@@ -12,7 +12,7 @@ std::size_t behind_digits(std::string_view text, std::size_t place) {
   return place;
 }
 
-// Behind a decimal that begins here: digits, a point and digits, an exponent.
+// Index after a decimal that begins at `place`: digits, a point and digits, an exponent.
 std::size_t behind_decimal(std::string_view text, std::size_t place) {
   place = behind_digits(text, place);
   if (at(text, place) == '.') place = behind_digits(text, place + 1);
@@ -29,7 +29,7 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 bool is_in_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
 FormulaToken next_token(std::string_view text, std::size_t from) {
-  constexpr unsigned kind = 0xc0, continues = 0x80;  // of a byte that goes on a letter in UTF-8
+  constexpr unsigned kind = 0xc0, continues = 0x80;  // continuation bytes of UTF-8
   while (from < text.size() && is_blank(text[from])) ++from;
   std::size_t end = from;
   if (is_digit(at(text, from)) || (at(text, from) == '.' && is_digit(at(text, from + 1)))) {

@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t most_rows = 12;
 
-// Numbers in long double as doubles, and whether their shortest decimals, for which the doubles stand, are
-// those numbers. With `times` each is moved by so many times what its decimal lacks.
+// Converts long double numbers to doubles and records whether each equals the shortest decimal of its double.
+// With a nonzero `times`, each number is perturbed by `times` the difference to its decimal.
 class Decimals {
  public:
   explicit Decimals(double times = 0.0) : times_(times) {}
@@ -56,7 +56,7 @@ std::optional<std::vector<Load>> loads_of(Expression rhs, Expressions& all, Deci
   return loads;
 }
 
-// One unknown: its terms, and what its right-hand side has of them.
+// A single unknown: its terms, and its coefficients in the right-hand side.
 std::optional<Reference> equation_motion(const EquationSystem& system, const std::vector<double>& orders,
                                          Expressions& all, Decimals& decimals) {
   const auto& unknown = system.unknowns.front();
@@ -76,7 +76,8 @@ std::optional<Reference> equation_motion(const EquationSystem& system, const std
   return linear_reference(equation, orders);
 }
 
-// The decimal that a component's order is, the difference of two nodes of a chain being rounded.
+// The order of a component, a difference of two nodes of a chain, without rounding; nullopt if it is not a
+// decimal of at most 15 digits.
 std::optional<double> decimal_order(double lower, double upper) {
   constexpr int digits = 15;
   constexpr double places = 1e15;
@@ -112,7 +113,7 @@ std::optional<Reference> system_motion(const EquationSystem& system, const Probl
       const auto slope = all.derivative(system.rows[i], static_cast<int>(j) + 1);
       const auto value = all.value(all.without_variables(slope, 0));
       if (!value) return std::nullopt;
-      const bool own = i == j && algebraic(component);  // 0 = f is posed as x = x + f
+      const bool own = i == j && algebraic(component);  // 0 = f is written as x = x + f
       rows.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
           decimals.take(*value + (own ? 1.0L : 0.0L));
     }
@@ -120,8 +121,9 @@ std::optional<Reference> system_motion(const EquationSystem& system, const Probl
   return linear_reference(rows);
 }
 
-// With the bound of a reference that knows its numbers as decimals only: `moved` has each of them moved by so
-// many times what it lacks, and so is off by as many times what the reference is off by, to first order.
+// Adds to the bound the effect of replacing numbers by decimals. In `moved` each number is perturbed by
+// `times` its difference to the decimal, so the error of `moved` is `times` that of the reference, to first
+// order.
 Reference with_lacking_digits(Reference decimal, const Reference& moved, double times) {
   constexpr double second_order = 1.01;
   decimal.at = [at = decimal.at, moved = moved.at, times](double t) {
@@ -158,7 +160,7 @@ std::optional<Reference> linear_motion(const EquationSystem& system, const Probl
     if (!known || decimals.all()) return known;
     const auto moved = motion(moved_decimals);
     return moved ? std::optional(with_lacking_digits(std::move(*known), *moved, times)) : std::nullopt;
-  } catch (const std::invalid_argument&) {  // as where algebraic rows do not determine every unknown
+  } catch (const std::invalid_argument&) {  // e.g. if the algebraic rows do not determine every unknown
     return std::nullopt;
   }
 }

@@ -7,10 +7,10 @@
 
 namespace fde {
 
-// The exact solution in the columns of equations that are linear in the unknowns with constant coefficients
-// and loads c t^p, or c that is switched at a time: an inverse Laplace transform. Nothing where they are not,
-// or have more than 12 rows. Its digits are those of the decimals that name its numbers; there are none where
-// a number of the equations, such as 1/3, is no decimal of a double.
+// The exact solution in the columns if the equations are linear in the unknowns with constant coefficients
+// and loads c t^p, or c switched on at a time: an inverse Laplace transform. nullopt otherwise, or for more
+// than 12 rows. Numbers are read as their shortest decimals. If a number of the equations is not such a
+// decimal, for instance 1/3, the reference has no `digits`, and the effect is included in its bound.
 std::optional<Reference> linear_motion(const EquationSystem& system, const Problem& problem,
                                        Expressions& all);
 

@@ -8,7 +8,7 @@
 
 namespace fde {
 
-// Places: inputs, numbers, then a line each.
+// Slots: inputs, numbers, then one per line.
 Program::Program(const Expressions& all, const std::vector<Expression>& results, Eigen::Index size)
     : inputs_(static_cast<int>(size) + 1) {
   if (results.empty()) return;

@@ -8,29 +8,29 @@
 
 namespace fde {
 
-// Expressions of t, variable 0, and the y_i, variables i + 1, to be evaluated together in double: each part
-// once, in the order of the formulas. May be called by several threads.
+// Compiled expressions of t (variable 0) and y_i (variable i + 1), evaluated together in double. Each common
+// part is evaluated once. Thread-safe.
 class Program {
  public:
   Program() = default;
   Program(const Expressions& all, const std::vector<Expression>& results, Eigen::Index size);
 
-  // The values of the expressions, in their order.
+  // The values of the expressions, in the order of the constructor.
   void evaluate(double t, In y, std::span<double> results) const;
-  // That of the first.
+  // The value of the first expression.
   [[nodiscard]] double operator()(double t, In y) const;
 
  private:
-  // A line of the program: its result stands behind those before it.
+  // One operation; line i writes the slot after those of inputs, numbers and the previous lines.
   struct Line {
     Operation operation;
-    int a, b, c;  // places of the arguments
+    int a, b, c;  // slots of the arguments
   };
 
   int inputs_ = 0;  // t and y
   std::vector<double> numbers_{};
   std::vector<Line> lines_{};
-  std::vector<int> results_{};  // their places
+  std::vector<int> results_{};  // slots of the results
 };
 
 }  // namespace fde

@@ -23,8 +23,9 @@ struct SpecialFunctions<BigReal> {
 
 namespace {
 
-// E_(a,b)(z) and what its own error is in roundings of Real. In microseconds where a and b are doubles, z
-// being rounded to one; other orders, such as 0.7, are decimals, not their nearest doubles.
+// E_(a,b)(z), with its own error in units of rounding of Real. If a and b are doubles, the evaluation in
+// double takes microseconds, with z rounded to double; other orders, such as 0.7, are evaluated as decimals,
+// not as their nearest doubles.
 Rounded<long double> mittag_leffler_of(long double alpha, long double beta, long double z) {
   constexpr long double unit = closed_form_units * std::numeric_limits<long double>::epsilon();
   constexpr long double double_unit = std::numeric_limits<double>::epsilon();
@@ -52,7 +53,7 @@ Rounded<BigReal> mittag_leffler_of(const BigReal& alpha, const BigReal& beta, co
   return {value, BigReal(abs(value))};
 }
 
-// The value of an operation and its size (closed_form.hpp): what its arguments hand on, by its derivatives.
+// The value of an operation and its size (closed_form.hpp): the sizes of the arguments times the derivatives.
 template <class Real>
 Rounded<Real> rounded_apply(Operation operation, const Rounded<Real>& a, const Rounded<Real>& b,
                             const Rounded<Real>& c) {
@@ -119,14 +120,14 @@ Rounded<Real> rounded_apply(Operation operation, const Rounded<Real>& a, const R
     case Operation::step:
     case Operation::pi:
       break;
-    default:  // of slope 1 at most
+    default:  // slope at most 1
       size += a.size;
       break;
   }
   return {f, size};
 }
 
-// The expressions of t at a time.
+// The values of expressions of t at a time.
 template <class Real>
 std::vector<Rounded<Real>> values_at(const Expressions& all, const std::vector<Expression>& of,
                                      const Real& time) {

@@ -8,8 +8,8 @@
 
 namespace fde {
 
-// The values of expressions of t at a time, whose numbers are kept as they were written, with the size of
-// what each was put together from (closed_form.hpp): by the derivatives of its operations.
+// The values at a time of expressions of t whose numbers are stored as written, with the size of the summands
+// of each value (Rounded, closed_form.hpp), propagated by the derivatives of the operations.
 std::vector<Rounded<long double>> rounded_values(const Expressions& all, const std::vector<Expression>& of,
                                                  const long double& time);
 std::vector<Rounded<BigReal>> rounded_values(const Expressions& all, const std::vector<Expression>& of,

@@ -14,10 +14,10 @@ namespace {
 
 using Unknown = EquationSystem::Unknown;
 
-constexpr double range = 2.0;        // beyond the order, of powers that count
-constexpr double most_powers = 1e5;  // that are looked at
+constexpr double range = 2.0;        // powers up to the order plus this count
+constexpr double most_powers = 1e5;  // limit of the work
 
-// All expressions up to the last one at t = 0 and the initial values.
+// The values of expressions 0 ... last at t = 0 and the initial values.
 std::vector<double> values_at_start(const EquationSystem& system, const Expressions& all, Expression last) {
   Vec start(system.size());
   for (Eigen::Index i = 0; i < start.size(); ++i)
@@ -29,7 +29,7 @@ std::vector<double> values_at_start(const EquationSystem& system, const Expressi
   return values;
 }
 
-// The p of t^p, where p is not whole.
+// The exponent p of an expression t^p or sqrt(t); integer powers are not stored as such.
 std::optional<double> power_of_time(const Expressions& all, const Expressions::Entry& entry) {
   const bool of_time = entry.of[0] != Expressions::none &&
                        all[entry.of[0]].operation == Operation::variable && all[entry.of[0]].variable == 0;
@@ -41,7 +41,7 @@ std::optional<double> power_of_time(const Expressions& all, const Expressions::E
   return power > 0.0 ? std::optional(power) : std::nullopt;
 }
 
-// Whether an operation is smooth at arguments a, b.
+// Whether an operation is smooth at the arguments a, b.
 bool is_smooth(Operation operation, double a, double b) {
   switch (operation) {
     case Operation::divide:
@@ -66,7 +66,7 @@ bool is_smooth(Operation operation, double a, double b) {
   }
 }
 
-// The powers of t in a right-hand side beside whole ones; nothing: it is not smooth otherwise.
+// The non-integer powers of t in a right-hand side; nullopt if it is otherwise not smooth.
 std::optional<std::set<double>> powers_in(const Expressions& all, Expression rhs,
                                           const std::vector<double>& values) {
   std::set<double> powers;
@@ -86,7 +86,7 @@ std::optional<std::set<double>> powers_in(const Expressions& all, Expression rhs
   return powers;
 }
 
-// Of each unknown the variables in its equation, its own terms among them.
+// For each unknown, the variables in its equation, including its own terms.
 std::vector<std::set<int>> variables_of(const EquationSystem& system, const Expressions& all) {
   std::vector<std::set<int>> variables;
   for (const auto& unknown : system.unknowns) {
@@ -96,7 +96,7 @@ std::vector<std::set<int>> variables_of(const EquationSystem& system, const Expr
   return variables;
 }
 
-// The unknowns whose rows an equation depends on, and those that these depend on.
+// For each unknown, the unknowns that its equation depends on, directly or through others.
 std::vector<std::set<std::size_t>> dependences(const std::vector<Unknown>& unknowns,
                                                const std::vector<std::set<int>>& variables) {
   std::vector<std::set<std::size_t>> on(unknowns.size());
@@ -114,7 +114,8 @@ std::vector<std::set<std::size_t>> dependences(const std::vector<Unknown>& unkno
   return on;
 }
 
-// By what the powers of those that depend on an unknown grow: with its powers p, those of D^a of it.
+// The increments of powers due to an unknown: for each derivative D^a of it that occurs, a power p of the
+// right-hand side gives p + order - a.
 std::set<double> increments_of(const Unknown& unknown, const std::set<double>& derivatives) {
   std::set<double> increments;
   const auto& chain = *unknown.chain;
@@ -128,7 +129,7 @@ std::set<double> increments_of(const Unknown& unknown, const std::set<double>& d
   return increments;
 }
 
-// The increments that each unknown brings; nothing where a right-hand side is not smooth at the start.
+// The increments of each unknown; nullopt if a right-hand side is not smooth at the start.
 std::optional<std::vector<std::set<double>>> all_increments(const EquationSystem& system,
                                                             const Expressions& all,
                                                             const std::vector<std::set<int>>& variables) {
@@ -152,7 +153,7 @@ std::optional<std::vector<std::set<double>>> all_increments(const EquationSystem
   return increments;
 }
 
-// Of the rows of a chain, of whose unknown these are the powers.
+// Appends the powers of the rows of a chain, from the powers of its unknown.
 void add_powers(const Chain& chain, std::vector<double> powers, Smoothness& smoothness) {
   for (std::size_t k = 1; k < chain.initial().size(); ++k)
     if (chain.initial()[k] != 0.0) powers.push_back(static_cast<double>(k));

@@ -5,10 +5,10 @@
 
 namespace fde {
 
-// The powers of t with which the solution starts, by the orders alone: a right-hand side that is smooth where
-// the solution starts answers to t^p with sums of such p, and D^order u = t^q leads to t^(q + order) in u.
-// Nothing is said of a system with an algebraic row, of one whose right-hand sides are not smooth there but
-// for powers of t, and of orders so close to each other that there are more than 1e5 powers.
+// The powers of t with which the solution starts, derived from the orders: a right-hand side that is smooth
+// at the initial values maps powers p to sums of such p, and D^order u = t^q gives t^(q + order) in u. Empty
+// for a system with an algebraic row, for right-hand sides that are not smooth there apart from powers of t,
+// and for orders that lead to more than 1e5 powers.
 Smoothness start_powers(const EquationSystem& system, const Expressions& all);
 
 }  // namespace fde

@@ -10,7 +10,7 @@
 namespace fde {
 namespace {
 
-// Where changes of sign are looked for, up to the end. At 0 itself, where sin(t) is 0, there is none.
+// The times at which the sign is compared, up to the end. 0 is left out, where for example sin(t) is 0.
 std::vector<double> places(double end) {
   constexpr int equal = 8192, halved = 64;
   std::vector<double> times;
@@ -24,7 +24,7 @@ class SignOfTime {
  public:
   explicit SignOfTime(Program program) : program_(std::move(program)) {}
 
-  // -1, 0 or 1; of no number NaN.
+  // -1, 0 or 1; NaN if the value is NaN.
   double operator()(double t) const {
     const double value = program_(t, Vec());
     return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : value;
@@ -34,7 +34,7 @@ class SignOfTime {
   Program program_;
 };
 
-// The first double after `from` at which the sign is another one, which that at `to` is.
+// The first double after `from` at which the sign differs from that at `from`; the sign at `to` must differ.
 double located(const SignOfTime& sign, double from, double to) {
   const double before = sign(from);
   while (true) {
@@ -49,14 +49,14 @@ void add_changes(const SignOfTime& sign, double end, std::vector<double>& found)
   double before = sign(times.front());
   for (std::size_t i = 1; i < times.size(); ++i) {
     const double now = sign(times[i]);
-    // False for NaN on either side: what has no value there does not change its sign.
+    // False if either side is NaN.
     const bool changes = now < before || now > before;
     if (changes) found.push_back(located(sign, times[i - 1], times[i]));
     before = now;
   }
 }
 
-// A zero at a place that is looked at is found from both sides.
+// A zero exactly at one of the times is found in both adjacent steps.
 bool same_time(double a, double b) {
   constexpr double few = 4.0 * std::numeric_limits<double>::epsilon();
   return b - a <= few * b;

@@ -14,7 +14,7 @@ using Terms = std::optional<std::vector<TimeTerm>>;
 
 constexpr std::size_t most_terms = 100;
 
-// Of what an expression is made of the terms, of itself: by the rules of sums, products and powers.
+// Computes the terms of an expression from those of its arguments, by rules for sums, products and powers.
 class TimeTerms {
  public:
   explicit TimeTerms(Expressions& all) : all_(all) {}
@@ -80,7 +80,7 @@ class TimeTerms {
     return one(made(Operation::power, coefficient, exponent), made(Operation::multiply, power, exponent));
   }
 
-  // step(a0 + a1 t): 1 behind the zero of its argument, or before it.
+  // step(a0 + a1 t): 1 after the zero of its argument if a1 > 0, before it if a1 < 0.
   Terms step(const Terms& a) {
     if (!a) return std::nullopt;
     auto constant_part = all_.number(0), slope = all_.number(0);

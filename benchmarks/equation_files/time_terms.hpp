@@ -7,19 +7,19 @@
 
 namespace fde {
 
-// c t^p; with `from` c for t > from, where p is 0. All are expressions without variables.
+// c t^p; with `from`: c for t > from, 0 before, and p = 0. All are expressions without variables.
 struct TimeTerm {
   Expression coefficient, power;
   std::optional<Expression> from{};
 };
 
-// An expression of t alone, t >= 0, as a sum of such terms; nothing where it is not written as one, or has
-// more than a hundred.
+// An expression of t, t >= 0, as a sum of such terms; nullopt if it is not of this form or has more than 100
+// terms.
 std::optional<std::vector<TimeTerm>> time_terms(Expression of, Expressions& all);
 
 // The Caputo derivative from 0 of the sum of c t^p,
-//   D^order t^p = Gamma(p+1) / Gamma(p+1-order) t^(p-order), 0 of whole p < ceil(order).
-// Nothing where a term is switched, or starts with a power for which there is none.
+//   D^order t^p = Gamma(p+1) / Gamma(p+1-order) t^(p-order), 0 of integer p < ceil(order).
+// nullopt if a term has `from`, or if the derivative of a power does not exist.
 std::optional<Expression> caputo_derivative(const std::vector<TimeTerm>& terms, double order,
                                             Expressions& all);
 

@@ -54,7 +54,7 @@ class EquationReader : TomlText {
     return title;
   }
 
-  // A name that formulas may use.
+  // A name that can be used in formulas.
   void require_name(const TomlEntry& entry, std::string_view kind) const {
     if (!is_name(entry.name)) {
       reject(entry.place, fmt::format("{} {}: must be letters, digits and _, at most 64, a letter first",
@@ -204,7 +204,8 @@ class EquationReader : TomlText {
   }
 };
 
-// Keys in the order of the alphabet and values in one form, then the unknowns, whose order counts.
+// SHA-256 of the table with sorted keys and normalised values, followed by the names of the unknowns in
+// order.
 std::string checksum_of(toml::table all, const EquationText& text) {
   all.erase("title");
   std::ostringstream meaning;

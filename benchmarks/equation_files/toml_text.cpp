@@ -108,8 +108,8 @@ std::string_view TomlText::line(int number) const {
   return text_.substr(begin, text_.find('\n', begin) - begin);
 }
 
-// Of a string on one line without escapes, its quote being there and no letter before it that takes several
-// bytes.
+// Whether the string is written verbatim: on one line, without escapes, after its quote and after ASCII
+// characters only.
 bool TomlText::stands_as_it_is(const std::string& text, const TextPlace& place) const {
   const auto of_line = line(place.line);
   const auto begin = static_cast<std::size_t>(place.column);

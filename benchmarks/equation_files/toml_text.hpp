@@ -10,7 +10,7 @@
 
 namespace fde {
 
-// An entry of a table, and where its key stands.
+// An entry of a table and the position of its key.
 struct TomlEntry {
   std::string name;
   TextPlace place;
@@ -20,9 +20,9 @@ struct TomlEntry {
 TextPlace place_of(const toml::source_region& region);
 TextPlace place_of(const toml::node& node);
 
-// What TOML a file has, said with the places in its text. What is not of the kind asked for throws
-// std::invalid_argument naming file, line and column, what is there and what is allowed. File and text must
-// live as long.
+// The contents of a TOML file with positions in its text. A value of another kind than requested throws
+// std::invalid_argument naming file, line and column, the value and what is allowed. `file` and `text` must
+// outlive this object.
 class TomlText {
  public:
   TomlText(const std::string& file, std::string_view text);
@@ -40,10 +40,10 @@ class TomlText {
   [[nodiscard]] std::vector<TomlEntry> entries(const toml::node& node, std::string_view name) const;
   void require_keys(const toml::table& of, std::string_view name,
                     const std::vector<std::string_view>& allowed) const;
-  // The value of a key; place: of the table.
+  // The value of a key; `place`: position of the table, for the message.
   [[nodiscard]] const toml::node& required(const toml::table& of, const TextPlace& place,
                                            std::string_view name, std::string_view key) const;
-  // A number or a string.
+  // A formula from a number or a string.
   [[nodiscard]] FormulaText formula(const toml::node& node, std::string_view name) const;
 
  private:
@@ -52,7 +52,7 @@ class TomlText {
 
   const std::string& file_;
   std::string_view text_;
-  std::vector<std::size_t> lines_{0};  // where they begin
+  std::vector<std::size_t> lines_{0};  // offsets of the lines
 };
 
 }  // namespace fde

@@ -11,7 +11,7 @@ namespace fde::mechanics {
 // Four formulations of the same equations. They differ in the treatment of the constraint: see
 // docs/mechanics.md.
 enum class Formulation {
-  integrated,  // velocities from projected ones and the constraint: no singular term, no drift by integration
+  integrated,    // velocities from projected ones and the constraint: no singular term, no own drift
   acceleration,  // the constraint differentiated and solved for the multiplier (Tarasov & Zaslavsky 37)
   stabilised,    // the same with df/dt + kappa f = 0 (Baumgarte 1972)
   multiplier,    // the constraint as an algebraic row, the multiplier as an unknown
