@@ -15,7 +15,7 @@ Drift drift_of(const DriftCourse& course) { return {course.largest(), course.gro
 }  // namespace
 
 void DriftCourse::observe(double t, double drift) {
-  if (!(drift <= largest_) && !std::isnan(largest_)) largest_ = drift;  // also when it is no number
+  if (!(drift <= largest_) && !std::isnan(largest_)) largest_ = drift;  // also if it is NaN
   if (t < next_) return;
   course_.push_back({t, largest_});
   while (next_ <= t) next_ *= std::exp2(1.0 / 16.0);
@@ -38,7 +38,7 @@ DriftObserver::DriftObserver(const Scene& scene, const std::optional<Grid>& grid
 
 void DriftObserver::observe(double t, In columns) {
   internal_.observe(t, scene_.constraint.drift(t, columns));
-  if (grid_ && t != grid_->time(seen_)) grid_.reset();  // the scheme has times of its own
+  if (grid_ && t != grid_->time(seen_)) grid_.reset();  // the step sizes are not those of the grid
   if (!grid_) return;
   const int n = seen_++;
   for (std::size_t m = 0; m < scene_.memories.size(); ++m)

@@ -7,7 +7,7 @@ namespace fde {
 
 namespace {
 
-// The parabola with these values at three times.
+// The parabola through three points (time, value).
 class Parabola {
  public:
   Parabola(const std::array<double, 3>& times, const std::array<double, 3>& values)
@@ -50,7 +50,7 @@ void EnergyObserver::observe(double t, In columns) {
   if (seen_++ == 0) start_ = last_[2].energy;
   if (seen_ < 3) return;
 
-  // In units of the time between the three, of which squares may be beyond double.
+  // In units of the time between the three steps, whose square may overflow.
   const double unit = last_[2].t - last_[0].t;
   const auto place = [&](const Point& at) { return (at.t - last_[0].t) / unit; };
   const auto parabola = [&](const auto& of) {
@@ -73,7 +73,7 @@ void EnergyObserver::observe(double t, In columns) {
 
 void EnergyObserver::compare(const Point& at) {
   const double off = std::abs(at.energy - start_ - work_[0]);
-  if (!(off <= largest_)) largest_ = off;  // also when it is no number
+  if (!(off <= largest_)) largest_ = off;  // also if it is NaN
 }
 
 std::optional<double> EnergyObserver::residual() const {

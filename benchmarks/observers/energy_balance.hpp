@@ -8,18 +8,20 @@
 
 namespace fde {
 
-// max_n |E(t_n) - E(0) - int_0^(t_n) power dt - sum_k int_0^(t_n) shares_k dx_k|, x_k the columns that are
-// rated, step after step: nothing of the path is kept. The integrals are those of the parabolas through the
-// last three steps, of third order, which is more than any scheme here has. For shares that are affine in x
-// the second one is exact at any step: so the singular start of a reaction costs nothing.
+// max_n |E(t_n) - E(0) - int_0^(t_n) power dt - sum_k int_0^(t_n) shares_k dx_k|, with x_k the columns
+// `rated` of the Energy, accumulated step by step without storing the path. The integrals are those of the
+// parabola through the last three steps, of third order, which is higher than the rate of any scheme here. If
+// the shares are affine in x the second integral is exact at any step size, also at the singular start of a
+// reaction.
 class EnergyObserver {
  public:
+  // `energy` must outlive this object.
   explicit EnergyObserver(const Energy& energy) : energy_(energy) {}
 
-  // Takes the steps 0, 1, 2, ... in order.
+  // Called after steps 0, 1, 2, ... in order.
   void observe(double t, In columns);
 
-  // Nothing before three steps. Not finite where an energy was not.
+  // nullopt before three steps. Not finite if an energy was not.
   [[nodiscard]] std::optional<double> residual() const;
 
  private:

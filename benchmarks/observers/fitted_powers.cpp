@@ -14,7 +14,7 @@ FittedPowers::FittedPowers(std::vector<double> powers) : powers_(std::move(power
   if (powers_.size() > most) powers_.resize(most);
   const auto count = static_cast<Eigen::Index>(powers_.size());
   if (count == 0) return;
-  LongMatrix values(2 * count, count);  // columns of largest entry 1
+  LongMatrix values(2 * count, count);  // columns scaled to largest entry 1
   LongVec largest(count);
   for (Eigen::Index p = 0; p < count; ++p) {
     const auto power = static_cast<long double>(powers_[static_cast<std::size_t>(p)]);

@@ -6,19 +6,20 @@
 
 namespace fde {
 
-// The powers t^p with which values on a uniform grid leave the value at 0, fitted to the first few of them:
-// least squares, twice as many values as powers, so that what the values are off by is not blown up. Time is
-// counted in steps.
+// Fits the start of values on a uniform grid, value(0) + sum_p c_p t^p, to the first few of them by least
+// squares, with twice as many values as powers so that errors of the values are not amplified. Time is in
+// units of the step size.
 class FittedPowers {
  public:
   static constexpr std::size_t most = 5;
 
-  // Takes the smallest of these powers, each once, whole ones too: they are there to be told apart.
+  // Uses the smallest `most` of the distinct powers. Integer powers should be included, to separate them from
+  // the others.
   explicit FittedPowers(std::vector<double> powers);
 
   [[nodiscard]] const std::vector<double>& powers() const { return powers_; }
 
-  // One for each power, from the values at the steps from 0 on; at least 2 most + 1 of them.
+  // c_p, one for each power, from the values at steps 0, 1, ...; at least 2 most + 1 values.
   [[nodiscard]] Vec coefficients(const Vec& values) const;
 
  private:

@@ -14,10 +14,10 @@ namespace fde {
 namespace {
 
 constexpr int nodes_a_step = 10;  // full double precision one step away from the singularity
-// Further steps add to the error what a smooth v would: their cubics are off by less than (step)^(p-4).
+// On later steps the error is that for a smooth v: the cubics are accurate to (step)^(p-4).
 constexpr int corrected_steps = 1024;
 
-// (power of x, r): the cubic on [0, 1] that is 1 at x = r - 1 and 0 at the others of -1, 0, 1, 2.
+// (power of x, r): the cubic on [0, 1] that is 1 at x = r - 1 and 0 at the other three of -1, 0, 1, 2.
 const Eigen::Matrix4d& cubics() {
   static const Eigen::Matrix4d coefficients = (Eigen::Matrix4d() << 0.0, 6.0, 0.0, 0.0,  //
                                                -2.0, -3.0, 6.0, -1.0,                    //
@@ -42,7 +42,7 @@ Matrix cubics_at(const LongVec& nodes, bool derivative) {
   return cubics().transpose() * powers;
 }
 
-// The value that the cubic through the next four has one step before them.
+// Extrapolates the cubic through the next four values by one step backwards.
 double beyond(double one, double two, double three, double four) {
   return 4.0 * (one + three) - 6.0 * two - four;
 }
@@ -89,7 +89,7 @@ void IndependentMemory::make_rule() {
   const auto jacobi = gauss_jacobi(nodes_a_step, exponent_);
   weights_.col(0) = cubics_at(jacobi.nodes, of_derivative_) * jacobi.weights.cast<double>();
 
-  // The value l = n - lag lies at r - 1 in the step that begins lag + r - 1 back.
+  // The value with index l = n - lag is node r - 1 of the step that begins lag + r - 1 steps back.
   reversed_ = Vec::Zero(steps + 1);
   for (int lag = 0; lag <= steps; ++lag) {
     for (int r = 0; r < 4; ++r) {
@@ -100,7 +100,7 @@ void IndependentMemory::make_rule() {
   ahead_ = weights_(3, 0);
 }
 
-// At the steps -1, 0, ..., count + 1; beyond the grid as `at` takes them.
+// t^power at steps -1, 0, ..., count + 1; outside the grid extrapolated as in `at`.
 Vec IndependentMemory::power_at_steps(double power, int count) const {
   Vec v(count + 3);
   for (int l = 0; l <= count + 1; ++l) v[l + 1] = std::pow(l, power);
@@ -137,7 +137,7 @@ void IndependentMemory::make_starts() {
   }
 }
 
-// int_0^(t_n) (t_n - s)^(b-1) (s^p - its cubics) ds, where the steps count as 1.
+// int_0^(t_n) (t_n - s)^(b-1) (s^p - its cubics) ds, in units of the step size.
 double IndependentMemory::start_error(const Start& start, int n) const {
   double exact = 0.0;
   if (n == 1) {
@@ -158,7 +158,7 @@ double IndependentMemory::at(int n, const Vec& velocities) const {
   const int steps = grid_.steps;
   double sum = reversed_.segment(steps - n + 2, n - 1).dot(v.segment(2, n - 1));
   sum += ahead_ * (n < steps ? v[n + 1] : beyond(v[steps], v[steps - 1], v[steps - 2], v[steps - 3]));
-  for (int l = -1; l <= 1; ++l) {  // these lie in no step before 0
+  for (int l = -1; l <= 1; ++l) {  // values that belong to no step before 0
     const double value = l < 0 ? beyond(v[0], v[1], v[2], v[3]) : v[l];
     for (int r = 0; r <= l + 1; ++r) {
       const int back = n - l + r - 1;

@@ -8,33 +8,33 @@
 
 namespace fde {
 
-// D^order q from values of v = q' on a uniform grid, without any scheme: product integration of order 4
-// (5 - order above order 1); of schemes with that rate or a higher one it shows its own error. With b =
-// ceil(order) - order it is J^b v for order < 1 and J^b v' for 1 < order < 2. On each step v is the cubic
-// through the four values around it (the last four at an end of the grid), which is integrated exactly
-// against the kernel. Where v starts with powers t^p that no cubic follows, coefficients c_p are fitted to
-// the first values (FittedPowers) and c_p (exact - cubic) is added: start weights in the manner of Lubich
-// 1986, computed from the difference of the two and not as a difference of sums.
+// D^order q from the values of v = q' on a uniform grid, independent of any scheme: product integration of
+// order 4 (5 - order above order 1). For a scheme with at least that rate, the result shows the error of this
+// rule instead. With b = ceil(order) - order it is J^b v for order < 1 and J^b v' for 1 < order < 2. On each
+// step v is the cubic through the four values around it (the last four at an end of the grid), integrated
+// exactly against the kernel. If v starts with powers t^p that are not cubic, coefficients c_p are fitted to
+// the first values (FittedPowers) and c_p (exact - cubic) is added: starting weights as in Lubich 1986,
+// computed from the difference itself, not as a difference of sums.
 class IndependentMemory {
  public:
-  // Fewer steps have no cubic at each end and no start.
+  // The minimum for cubics at both ends and the start correction.
   static constexpr int fewest_steps = 16;
 
-  // Powers: those with which v leaves v(0), not 0. Throws std::invalid_argument for an order that is whole or
-  // outside (0, 2), for a graded grid and for fewer steps.
+  // `powers`: the exponents, without 0, with which v - v(0) starts. Throws std::invalid_argument for an
+  // integer order or one outside (0, 2), for a graded grid and for too few steps.
   IndependentMemory(const Grid& grid, double order, const std::vector<double>& powers);
 
-  // D^order q(t_n), 1 <= n <= steps, from the velocities at all steps from 0 on.
+  // D^order q(t_n), 1 <= n <= steps, from the velocities at steps 0, 1, ...
   [[nodiscard]] double at(int n, const Vec& velocities) const;
 
  private:
-  // What is added where a start goes with t^power, in units of the step.
+  // The correction for a term t^power, in units of the step size.
   struct Start {
     double power;
-    Eigen::Index row;        // of its coefficient
-    Eigen::Vector4d values;  // of the first step's cubic
-    Matrix far;              // (k, j): t^power less its cubic at the k-th Gauss node of step j + 1
-    Vec near;  // the same integrated against the kernel that is singular at the end of step j + 1
+    Eigen::Index row;        // row of its coefficient
+    Eigen::Vector4d values;  // at the nodes of the cubic of the first step
+    Matrix far;              // (k, j): t^power minus its cubic at the k-th Gauss node of step j + 1
+    Vec near;  // the same integrated against the kernel with its singularity at the end of step j + 1
     Vec first_nodes{}, first_weights{};  // exact on the first step for t^power times polynomials
   };
   void make_rule();
@@ -43,14 +43,15 @@ class IndependentMemory {
   [[nodiscard]] double start_error(const Start& start, int n) const;
 
   Grid grid_;
-  double exponent_;     // b - 1, of the kernel
+  double exponent_;     // b - 1, exponent of the kernel
   bool of_derivative_;  // order above 1
   double scale_;        // h^b / Gamma(b), over h for the derivative
   FittedPowers fit_;
-  Matrix kernel_;  // (k, lag - 1): kernel times Gauss weight at the k-th Gauss node of the step that far back
-  Matrix weights_;  // (r, lag - 1): of the value r - 1 steps after the begin of that step
-  Vec reversed_;    // weights of whole values, the lag 0 last
-  double ahead_{};  // of the value after the last
+  Matrix
+      kernel_;  // (k, lag - 1): kernel times Gauss weight at the k-th Gauss node of the step `lag` steps back
+  Matrix weights_;  // (r, lag - 1): weight of the value r - 1 steps after the start of that step
+  Vec reversed_;    // total weight of each value, lag 0 last
+  double ahead_{};  // weight of the value after the last
   std::vector<Start> starts_{};
 };
 

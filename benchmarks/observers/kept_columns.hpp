@@ -7,17 +7,18 @@
 
 namespace fde {
 
-// The columns of a run at some of its times, taken while it steps: the states, of which there may be a
-// million, need not be kept. Times are increasing and those of the steps up to rounding; none: all steps.
+// The columns of a run at some of its times, collected during the solve, so that the states, up to a million,
+// need not be stored. The requested times increase and are times of steps up to rounding; an empty list means
+// all steps.
 class KeptColumns {
  public:
-  // The run computes y / unit.
+  // For a run that computes y / unit. `outputs` must outlive this object.
   KeptColumns(const Outputs& outputs, std::vector<double> times, double unit = 1.0);
 
-  // Hears every step.
+  // Called after every step.
   void observe(double t, In y);
 
-  // What it has kept, of a run that is ended and continued.
+  // Saves or restores the collected columns, for a run that is interrupted and resumed.
   void state(Archive& archive);
 
   [[nodiscard]] const std::vector<double>& times() const { return times_; }
@@ -30,7 +31,7 @@ class KeptColumns {
   const Outputs& outputs_;
   std::vector<double> asked_, times_;
   double unit_;
-  std::size_t next_ = 0;  // of those asked for
+  std::size_t next_ = 0;  // index of the next requested time
   Rows columns_;
 };
 

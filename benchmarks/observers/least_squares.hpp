@@ -4,8 +4,8 @@
 
 namespace fde {
 
-// The x with the least |A x - b|, one column for each b. A has full rank, and at least as many rows as
-// columns.
+// Minimises |A x - b|, one column of x for each column b. Precondition: A has full rank and at least as many
+// rows as columns.
 LongMatrix least_squares(const LongMatrix& a, const LongMatrix& b);
 
 }  // namespace fde

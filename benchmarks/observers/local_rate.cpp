@@ -14,7 +14,8 @@ namespace fde {
 namespace {
 
 constexpr int most_steps = 5;
-constexpr int first_steps = 16;  // beyond, a polynomial of degree 4 follows t^p to 1e-6 of its rate
+constexpr int first_steps =
+    16;  // later, a polynomial of degree 4 has a relative error of 1e-6 in the derivative of t^p
 
 std::vector<int> steps_around(const Grid& grid, int n) {
   const int count = std::min(most_steps, grid.steps + 1);
@@ -23,7 +24,7 @@ std::vector<int> steps_around(const Grid& grid, int n) {
   return steps;
 }
 
-// The derivatives at t of Lagrange's polynomials.
+// The derivatives at t of the Lagrange polynomials; t is one of the times.
 Vec polynomial_weights(const std::vector<double>& times, double t) {
   const auto size = std::ssize(times);
   Vec weights = Vec::Zero(size);
@@ -42,7 +43,7 @@ Vec polynomial_weights(const std::vector<double>& times, double t) {
   return weights;
 }
 
-// The smallest powers, each once, with 0, as many as there are values; whole ones where they do not suffice.
+// The `count` smallest distinct powers, including 0; filled up with integers.
 std::vector<double> basis_of(std::vector<double> powers, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) powers.push_back(static_cast<double>(k));
   std::ranges::sort(powers);
@@ -69,14 +70,14 @@ Vec start_weights(const std::vector<double>& times, double t, const std::vector<
 constexpr int distances = 11;
 double distance(double t, int k) { return std::ldexp(t, -2 * (k + 1)); }
 
-// Five times, t among them, of which those farthest from it are at this distance.
+// Five times, including t; the farthest are at the k-th distance.
 std::vector<double> times_within(double t, double end, int k) {
   const double near = distance(t, k + 1), far = distance(t, k);
   if (t + far <= end) return {t - far, t - near, t, t + near, t + far};
   return {t - far, t - near, t - distance(t, k + 2), t - distance(t, k + 3), t};
 }
 
-// How many choices of five there are.
+// The number of candidate sets of five times.
 int choices(double t, double end) { return t + distance(t, 0) <= end ? distances - 1 : distances - 3; }
 
 }  // namespace

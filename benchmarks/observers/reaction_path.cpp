@@ -34,7 +34,7 @@ std::vector<std::string> ReactionPath::names() const {
 }
 
 Vec ReactionPath::at(Eigen::Index c, In columns) const {
-  // Without reactions the columns may be kept apart from the path, which then has fewer.
+  // Without reactions the columns may be stored separately, and the path then has fewer times.
   if (!scene_.reactions) return {};
   const double t = path_.time(c);
   return reaction_values(scene_, t, columns, rates(t));

@@ -9,21 +9,22 @@
 
 namespace fde {
 
-// These times of a run up to `end` and those beside them whose columns tell the reactions there, in
-// increasing order. No grid: the times are a scheme's own.
+// The given times of a run up to `end`, and the times beside them that are needed to compute the reactions
+// there, increasing. `grid` is nullopt for an adaptive step size.
 std::vector<double> with_times_beside(const Reactions& reactions, const std::optional<Grid>& grid,
                                       std::vector<double> times, double end);
 
-// The reactions along a path that was solved for at such times. With memory they need the rates of columns.
+// The reactions along a path that contains the times of with_times_beside. With memory they need derivatives
+// of columns.
 class ReactionPath {
  public:
-  // The scene and the path must live as long.
+  // `scene` and `path` must outlive this object.
   ReactionPath(const Scene& scene, const std::optional<Grid>& grid, const Trajectory& path);
 
-  // Those of the scene.
+  // The reaction names of the scene.
   [[nodiscard]] std::vector<std::string> names() const;
-  // The multipliers and their power in column c of the path, whose columns are given. NaN where a multiplier
-  // is unbounded.
+  // The multipliers and their power at column c of the path, whose scene columns are given. NaN if a
+  // multiplier is unbounded.
   [[nodiscard]] Vec at(Eigen::Index c, In columns) const;
 
  private:

@@ -17,14 +17,14 @@ double smallest_order(const Problem& problem) {
   return smallest;
 }
 
-// How near to a jump a time can be told: as it is rounded, y ~ s^order is off by s^(order-1) times that,
-// which is rounding from here on.
+// The relative distance from a jump below which times are not resolved: a rounding error d of the time
+// changes y ~ s^order by s^(order-1) d, which is rounding error from here on.
 double least_after_jump(double order) {
   constexpr double digits = 3.0, always = 1e-12;
   return order < 1.0 ? std::max(always, std::pow(10.0, -digits / (1.0 - order))) : always;
 }
 
-// Four to a power of ten between start and end, down to `least` from the start.
+// Four times a decade between start and end, down to `least` from the start.
 void watch_towards(double start, double end, double least, std::vector<double>& times) {
   constexpr double ratio = 0.5623413251903491;  // 10^(-1/4)
   for (double since = ratio * (end - start); since >= least; since *= ratio) times.push_back(start + since);
