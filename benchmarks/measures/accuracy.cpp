@@ -7,7 +7,7 @@
 namespace fde {
 namespace {
 
-// The first column from which on all are true; nullopt: these are less than a tenth.
+// The first column from which on all entries are true; nullopt if these are less than a tenth of the columns.
 std::optional<Eigen::Index> true_to_the_end(const Eigen::Array<bool, 1, Eigen::Dynamic>& seen) {
   Eigen::Index first = seen.size();
   while (first > 0 && seen[first - 1]) --first;

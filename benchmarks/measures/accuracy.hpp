@@ -6,28 +6,27 @@
 
 namespace fde {
 
-// What is left of a result beside the reference. Both have one row a column of the scene and one column a
-// time of a path; |.| is the largest over the columns of the scene. Times are given as their place among the
-// columns. "Up to the end" is over the last tenth of the times at least: where only a shorter stretch is
-// concerned, a value may just be passing through 0.
+// Checks of a result against the reference. Arguments have one row a column of the scene and one column a
+// time; |.| is the maximum over the rows. Results are column indices. "Up to the end" requires at least the
+// last tenth of the times, because a value may pass through 0 on a shorter interval.
 
-// The first time at which the reference is infinite: no scheme can follow it there. nullopt: there is none.
+// The first time at which the reference is not finite; nullopt: none. No scheme can follow it there.
 std::optional<Eigen::Index> first_overflow(const Rows& reference);
 
-// The first time from which on the error |values - reference| is not below the size of the value,
-// |reference|, up to the end, or the reference infinite: 0 would be no worse. Errors that are rounding of the
-// largest finite |reference| do not count. nullopt: the accuracy is not lost.
+// The first time from which on, up to the end, the error |values - reference| is at least |reference|, so
+// that 0 would be no worse, or the reference is infinite. Errors within rounding of the largest finite
+// |reference| do not count. nullopt: the accuracy is not lost.
 std::optional<Eigen::Index> accuracy_lost(const Rows& values, const Rows& reference);
 
-// The first time from which on what rounding does, |values - rounded|, is at least a quarter of the
-// error, up to the end: more steps make such a result no better. It is one sample of what rounding does, and
-// the error beside it another.
+// The first time from which on, up to the end, the rounding |values - rounded| is at least a quarter of the
+// error: smaller steps do not improve such a result. Both rounding and error are single samples.
 std::optional<Eigen::Index> rounding_dominates(const Rows& values, const Rows& rounded,
                                                const Rows& reference);
 
-// max_i (|y_i - reference_i| + bound_i) / |reference_i| at the end, where the reference is known up to its
-// bound. A value that passes through 0 there counts as a thousandth of its size in the last tenth of the
-// times. Left out are columns where the reference is 0 all that time; nullopt: it is 0 in all of them.
+// max_i (|y_i - reference_i| + bound_i) / |reference_i| at the end; `bound` is the error bound of the
+// reference. |reference_i| is at least a thousandth of its maximum over the last tenth of the times, for a
+// value that passes through 0. Columns whose reference is 0 over that interval are left out; nullopt if all
+// are.
 std::optional<double> relative_error(const Rows& values, const Rows& reference, In bound);
 
 }  // namespace fde

@@ -12,7 +12,7 @@ namespace {
 
 struct Words {
   Ending ending;
-  std::string_view name, words;  // the detail follows the words
+  std::string_view name, words;  // `detail` follows the words
 };
 constexpr std::array all_words{
     Words{Ending::finished, "finished", "finished"},

@@ -10,7 +10,7 @@
 
 namespace fde {
 
-// How a run ended, and the rest of the sentence that says it: "at step 94, t = 18.4", or a reason.
+// How a run ended and the continuation of its sentence: "at step 94, t = 18.4", or a reason.
 struct RunEnding {
   Ending kind = Ending::finished;
   std::string detail{};
@@ -18,21 +18,21 @@ struct RunEnding {
   bool operator==(const RunEnding&) const = default;
 };
 
-// "not_finite", as results name it, and back; nullopt: there is no such ending.
+// "not_finite", as in results files, and the inverse; nullopt: no ending has this name.
 std::string_view name(Ending ending);
 std::optional<Ending> ending_named(std::string_view name);
 
-// For people: "not finite at step 94, t = 18.4"; "refused: needs a uniform grid"; "finished".
+// For display: "not finite at step 94, t = 18.4"; "refused: needs a uniform grid"; "finished".
 std::string sentence(const RunEnding& ending);
 
-// Whether the run was compared with the reference, all the way: such a run is timed.
+// Whether the run has been compared with the reference up to its end: such a run is timed.
 bool is_compared(Ending ending);
 
-// How a scheme's run of the problem ended, with step and time where it ended early.
+// How a run of a scheme ended, with step and time if it ended early.
 RunEnding ending_of(const Problem& problem, const Trajectory& path);
 std::string describe(const Problem& problem, const Trajectory& path);  // as a sentence
 
-// "at step N, t = T"; "at t = T" where it is not known to be a step of a grid.
+// "at step N, t = T"; without a grid "at t = T".
 std::string at_step(std::int64_t step, double t);
 std::string at_time(const std::optional<Grid>& grid, double t);
 

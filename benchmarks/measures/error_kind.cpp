@@ -43,7 +43,8 @@ constexpr std::array kinds{
 
 const KindNames& names_of(const ErrorKind& kind) { return *std::ranges::find(kinds, kind, &KindNames::kind); }
 
-// The largest |r| of one column in [0.9 t, t], for each t. The window keeps those that no later one exceeds.
+// max |r| of one column over [0.9 t, t], for each t. The sliding window stores candidates for the maximum
+// only.
 Vec sizes_nearby(const std::vector<double>& times, const Eigen::Ref<const Eigen::RowVectorXd>& reference) {
   constexpr double window = 0.9;
   Vec sizes(reference.size());

@@ -9,13 +9,13 @@
 
 namespace fde {
 
-// What the difference e between a value and its reference r is divided by. Relative errors divide by |r|; a
-// reference that passes through 0 at t counts as a thousandth of its size in [0.9 t, t], and one that is 0
-// all that time is left out. The mixed scale is that of mescd, the significant digits of the IVP test set
-// (Bari) and FDE-Testset (Brugnano et al. 2025): |e| / (1 + |r|).
+// The divisor of the error e of a value with reference r. Relative: |r|, but at least a thousandth of its
+// maximum over [0.9 t, t], for a reference that passes through 0 at t; errors are left out if that maximum is
+// 0. Mixed: 1 + |r|, the scale of mescd, the significant digits of the IVP test set (Bari) and FDE-Testset
+// (Brugnano et al. 2025).
 enum class Scale { absolute, relative, mixed };
 
-// Where an error is taken, at the end or as the largest over all times, and on which scale.
+// The norm in time, at the end or the maximum over all times, and the scale.
 struct ErrorKind {
   Norm norm = Norm::maximum;
   Scale scale = Scale::mixed;
@@ -23,29 +23,30 @@ struct ErrorKind {
   bool operator==(const ErrorKind&) const = default;
 };
 
-// All of them.
+// All combinations of norm and scale.
 std::span<const ErrorKind> error_kinds();
 
-// "end", "maximum"; "absolute", "relative", "mixed"; and back. The latter throw std::invalid_argument naming
-// the argument of the command line and what is allowed.
+// "end", "maximum"; "absolute", "relative", "mixed"; and the inverses, which throw std::invalid_argument
+// naming the command-line option and what is allowed.
 std::string_view name(Norm norm);
 std::string_view name(Scale scale);
 Norm parse_norm(std::string_view text);
 Scale parse_scale(std::string_view text);
 
-// The measure of this kind of error: "error_end", "error_maximum_mixed", ...; and of what is trivial in it.
+// The id of the measure of this error, "error_end", "error_maximum_mixed", ..., and of its constant-solution
+// baseline.
 std::string_view error_measure(const ErrorKind& kind);
 std::string_view trivial_measure(const ErrorKind& kind);
 
-// What errors are divided by, one row a column of the scene, one column a time; infinity where an error is
-// left out. The times increase.
+// The divisors of errors, one row a column of the scene, one column a time; infinity if an error is left out.
+// Precondition: the times increase.
 Rows divisors(Scale scale, const std::vector<double>& times, const Rows& reference);
 
 // max |values - reference| / divisor over the columns of the scene, at the last time or over all times.
 double error_of(Norm norm, const Rows& values, const Rows& reference, const Rows& divisors);
 
-// The error behind t = 0 that y = 0 would have, or y = y(0) where that is less and the times begin at 0: who
-// does not do better has computed nothing.
+// The constant-solution baseline: the error for t > 0 of y = 0 or, if the times begin at 0, of the better of
+// y = 0 and y = y(0). A run that is no better is useless.
 double trivial_error(Norm norm, const std::vector<double>& times, const Rows& reference,
                      const Rows& divisors);
 

@@ -16,7 +16,7 @@ Value error(const FinishedRun& run) {
   return error_of(norm, run.values, run.reference, divisors(scale, run.path.times, run.reference));
 }
 
-// Only where the run is no better.
+// The constant-solution baseline, if the run is not better.
 template <Norm norm, Scale scale>
 Value trivial(const FinishedRun& run) {
   if (!has_reference(run)) return std::nullopt;

@@ -13,7 +13,7 @@
 namespace fde {
 namespace {
 
-// The reference beside a path, or why there is none.
+// The reference at the times of a path, or the reason why there is none.
 struct Known {
   Rows reference{}, bounds{};
   std::optional<RunEnding> missing{};
@@ -28,7 +28,7 @@ Known known_beside(const Trajectory& path, WatchedReference& reference) {
   }
 }
 
-// A run that left the domain of its problem was right, unless the solution stays inside.
+// A run that stopped at the boundary of the domain is right, unless the solution stays inside.
 Judgement judge_stopped(const Scene& scene, const Trajectory& path, WatchedReference& reference) {
   RunEnding ending = ending_of(scene.problem, path);
   if (ending.kind == Ending::singular && !known_beside(path, reference).missing)
@@ -36,7 +36,7 @@ Judgement judge_stopped(const Scene& scene, const Trajectory& path, WatchedRefer
   return {std::move(ending), path.reached};
 }
 
-// Of a run that came to its end, without the measures.
+// The judgement of a finished run, without measures.
 Judgement judge_finished(const Trajectory& path, const Rows& values, const Known& known,
                          const Observed& observed) {
   const double end = path.times.back();

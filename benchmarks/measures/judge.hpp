@@ -9,25 +9,25 @@
 
 namespace fde {
 
-// What is said of a run: how it ended and at what time, and every measure that applies.
+// The assessment of a run: how and when it ended, and every measure that applies.
 struct Judgement {
   RunEnding ending{};
-  double until = 0.0;  // where it stopped or lost its accuracy; otherwise the end
+  double until = 0.0;  // time at which it stopped or lost its accuracy; otherwise the end
   std::vector<Measured> measured{};
 };
 
-// Judges a trajectory of the scene, with one time at least, by the scene's reference. A run that stopped has
-// no measures, nor has one beside a reference that is not finite, or of which a measure is not finite.
-// Without a reference there are those that need none.
+// Judges a trajectory of the scene, with at least one time, by the scene's reference. There are no measures
+// if the run stopped, if the reference is not finite, or if a measure is not finite. Without a reference only
+// the measures that need none are taken.
 Judgement judge(const Scene& scene, const Trajectory& path, WatchedReference& reference,
                 const Observed& observed = {});
 
-// The same of a run whose columns at path.times, one column a time, stand for the states.
+// The same with the columns given at path.times, one column a time, in place of the states in the path.
 Judgement judge(const Scene& scene, const Trajectory& path, const Rows& columns, WatchedReference& reference,
                 const Observed& observed);
 
-// The same for the columns of the scene at some times, one column a time: what another program writes. They
-// have come to their end.
+// The same for the columns of the scene at given times, one column a time, such as the output of another
+// program. The run counts as finished.
 Judgement judge_columns(const std::vector<double>& times, const Rows& columns, WatchedReference& reference,
                         const Observed& observed = {});
 

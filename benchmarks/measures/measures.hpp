@@ -11,28 +11,29 @@
 
 namespace fde {
 
-// What a trajectory does not tell of itself. All of it may be absent: nobody knows it of a trajectory that
-// another program wrote.
+// Data about a run that its trajectory does not contain. Everything is optional; for a trajectory of another
+// program everything is absent.
 struct Observed {
-  std::optional<Grid> grid{};  // over which it was stepped
-  Rows rounded{};              // the scene's columns with other rounding, one column a time of the trajectory
-  std::optional<double> energy_residual{};                             // by an EnergyObserver
-  std::optional<Drift> internal_drift{}, independent_drift{};          // by a DriftObserver
+  std::optional<Grid> grid{};  // the grid of the steps
+  Rows rounded{};  // the columns of the scene with different rounding (rounding.hpp), one column a time of
+                   // the trajectory
+  std::optional<double> energy_residual{};                             // from EnergyObserver
+  std::optional<Drift> internal_drift{}, independent_drift{};          // from DriftObserver
   std::optional<double> expected_rate_end{}, expected_rate_maximum{};  // of the scheme
 };
 
-// One finished run with all that a measure may look at. Rows hold the scene's columns as rows, one column a
+// A finished run with the arguments of all measures. Rows have one row a column of the scene, one column a
 // time of the trajectory.
 struct FinishedRun {
   const Trajectory& path;
   const Rows& values;
-  const Rows& reference;         // no columns where there is no reference
-  const Rows& reference_bounds;  // of the same values: bounds, or estimates where that is all there is
+  const Rows& reference;         // without columns if there is no reference
+  const Rows& reference_bounds;  // bounds of the error of the reference, or estimates
   const Observed& observed;
 };
 
-// One number taken from a run; nullopt where it does not apply. A new measure is one file, which defines its
-// row, and one line of list.def.
+// A number computed from a run; nullopt if it does not apply. To add a measure, define its row in one file
+// and add one line to list.def.
 struct Measure {
   std::string_view id, unit;
   std::optional<double> (*value)(const FinishedRun&);
@@ -46,10 +47,10 @@ namespace measure {
 
 }  // namespace measure
 
-// All of them, in the order of list.def.
+// All measures, in the order of list.def.
 std::span<const Measure* const> measures();
 
-// The same for the times of repeated solves, in seconds.
+// Measures of the times of repeated solves, in seconds.
 struct TimeMeasure {
   std::string_view id;
   double (*value)(const std::vector<double>& seconds);
@@ -63,7 +64,7 @@ struct Measured {
 };
 
 // -log10 max_i |y_i - reference_i| / (1 + |reference_i|) at the last time: the significant digits of the IVP
-// test set (Bari) and FDE-Testset (Brugnano et al. 2025). At most 17, where the two are equal.
+// test set (Bari) and FDE-Testset (Brugnano et al. 2025). At most 17, also if the two are equal.
 double mescd(const Rows& values, const Rows& reference);
 
 }  // namespace fde

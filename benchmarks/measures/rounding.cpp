@@ -3,7 +3,7 @@
 namespace fde {
 namespace {
 
-// A matrix of derivatives has no unit; it is the point that has one.
+// A constant matrix of derivatives does not depend on the unit; the argument of a Jacobian does.
 template <class Told>
 Derivatives derivatives_in_units_of(double /*unit*/, const Told& linear) {
   return linear;

@@ -4,9 +4,9 @@
 
 namespace fde {
 
-// The problem of u = y / unit. Its solves are the same computation in other numbers: where unit is no power
-// of two every value, sum and weight times value is rounded otherwise, the initial values among them. What
-// unit * u and y differ by is one sample of what rounding does to a result.
+// The problem for u = y / unit. Solving it is the same computation with different rounding: if unit is not a
+// power of two, every value, including the initial values, is rounded differently. The difference of unit * u
+// and y is a sample of the rounding error of a result.
 Problem in_units_of(double unit, const Problem& problem);
 
 }  // namespace fde

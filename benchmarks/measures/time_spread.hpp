@@ -4,13 +4,13 @@
 
 namespace fde {
 
-// What a solve takes: the median of its times, and between which the median is with 95 % probability.
+// The median of the times of a solve, and its 95 % confidence interval.
 struct TimeSpread {
   double median = 0.0, low = 0.0, high = 0.0;  // seconds
 };
 
-// The median of some times and its interval by their order alone; of less than six from the least to the
-// largest.
+// The median with an interval from order statistics; for fewer than six times the interval is from the
+// minimum to the maximum. Precondition: at least one time.
 TimeSpread spread_of(std::vector<double> seconds);
 
 }  // namespace fde
