@@ -21,7 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-// To be raised with every change of the methods or of the file that changes a reference.
+// Increment with every change of the methods or of the file format that changes a reference.
 constexpr int version = 4;
 
 constexpr std::size_t digest_size = 64;
@@ -45,7 +45,7 @@ json to_json(const PanelTable& table) {
   return panels;
 }
 
-// Throws json::exception where the file is of other things.
+// Throws json::exception if the file has other contents.
 PanelTable table_of(const json& panels, Eigen::Index size) {
   PanelTable table;
   for (const auto& panel : panels) {
@@ -57,7 +57,8 @@ PanelTable table_of(const json& panels, Eigen::Index size) {
   return table;
 }
 
-// Panels from 0 to the end of the problem, all of its size and of one resolution.
+// Whether the panels cover [0, end] without gaps and all have the size of the problem and the same
+// resolution.
 bool fits(const PanelTable& table, const Problem& problem) {
   double time = 0.0;
   for (const auto& panel : table.panels) {
@@ -72,7 +73,7 @@ bool fits(const PanelTable& table, const Problem& problem) {
   return time == problem.end;
 }
 
-// Empty where it cannot be read, is no file (a pipe might never end), or is larger than any of ours.
+// Empty if it cannot be read, is not a regular file (a pipe might never end), or is larger than most_bytes.
 std::string read(const std::filesystem::path& file) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(file, problem)) return {};
@@ -85,7 +86,7 @@ std::string read(const std::filesystem::path& file) {
   return bytes;
 }
 
-// What stands behind a SHA-256, if that is its own.
+// The bytes after the SHA-256, if it is theirs.
 std::optional<std::string_view> checked(std::string_view bytes) {
   if (bytes.size() < digest_size) return std::nullopt;
   const auto content = bytes.substr(digest_size);
@@ -99,7 +100,7 @@ std::optional<std::filesystem::path> variable(const char* name) {
   return value;
 }
 
-// Whether it is in a $HOME that is not there, as that of a service has no folder: it is not ours to make.
+// Whether the folder is in a $HOME that does not exist, as for some services: it must not be created.
 bool in_missing_home(const std::filesystem::path& folder) {
   const auto home = variable("HOME");
   std::error_code none;

@@ -8,39 +8,40 @@
 
 namespace fde {
 
-// References on disk, each under a text that names its problem. A file is CBOR behind its SHA-256; one that
-// is damaged, cut short or of another text is not there. Files appear whole, so processes may share a folder.
+// Reference solutions on disk, each with a key that names its problem. A file is a SHA-256 followed by CBOR;
+// a file that is damaged, truncated or of another key is ignored. Files are replaced atomically, so processes
+// may share a folder.
 class ReferenceCache {
  public:
-  // No folder: keeps nothing.
+  // Without a folder nothing is stored.
   explicit ReferenceCache(std::optional<std::filesystem::path> folder) : folder_(std::move(folder)) {}
 
-  // The table stored under the key for this problem, to the last bit.
+  // The table stored under the key for this problem, bit for bit; nullopt if there is none.
   [[nodiscard]] std::optional<PanelTable> load(const std::string& key, const Problem& problem) const;
 
-  // A folder that cannot be written, or is in a $HOME that is not there, keeps nothing, silently: the
-  // reference is at hand all the same.
+  // Stores nothing, without an error, if the folder cannot be written or is in a $HOME that does not exist: a
+  // cache is optional.
   void store(const std::string& key, const PanelTable& table) const;
 
-  // Needs a folder.
+  // Precondition: there is a folder.
   [[nodiscard]] std::filesystem::path file_of(const std::string& key) const;
 
  private:
   std::optional<std::filesystem::path> folder_;
 };
 
-// $FDEBENCH_CACHE (empty: none), else $XDG_CACHE_HOME/fdebench, else $HOME/.cache/fdebench, else none.
+// $FDEBENCH_CACHE (empty: nullopt), else $XDG_CACHE_HOME/fdebench, else $HOME/.cache/fdebench, else nullopt.
 std::optional<std::filesystem::path> cache_folder();
 
-// A name with all that decides its reference: the version of the methods, the end, orders and initial values,
-// and f at some points, so that an equation that changes in the code has another key.
+// The name with everything that determines its reference: the version of the methods, the end, orders and
+// initial values, and f at some points, so that a changed equation has another key.
 std::string reference_key(const std::string& name, const Problem& problem);
 
-// The reference of a problem for which no formula is known: two_sided_reference where it is posed at both
-// ends, else reference_solution.
+// The reference of a problem without a closed form: two_sided_reference for a two-sided problem, else
+// reference_solution.
 Reference computed_reference(const Problem& problem);
 
-// The same, solved once for each key.
+// The same, with a cache: solved once for each key.
 Reference cached_reference(const std::string& name, const Problem& problem, const ReferenceCache& cache);
 
 }  // namespace fde

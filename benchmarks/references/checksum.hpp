@@ -10,7 +10,7 @@ namespace fde {
 // SHA-256 of the bytes, as 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
-// The same of bytes that come one after the other.
+// The same, incrementally.
 class Sha256 {
  public:
   Sha256();
@@ -19,7 +19,7 @@ class Sha256 {
   Sha256& operator=(const Sha256&) = delete;
 
   void add(std::string_view bytes);
-  // Of all that has been added; nothing follows.
+  // The digest of all added bytes; nothing may be added afterwards.
   std::string digest();
 
  private:
@@ -31,7 +31,7 @@ class Sha256 {
 using Checksums = std::map<std::string, std::string>;
 std::string write_checksums(const Checksums& checksums);
 
-// Throws std::invalid_argument naming the file and line that is something else.
+// Throws std::invalid_argument naming the file and an invalid line.
 Checksums parse_checksums(const std::string& name, std::string_view text);
 
 }  // namespace fde

@@ -6,15 +6,16 @@
 
 namespace fde {
 
-// The problem that a reference is computed of, up to the end of the scene.
+// The problem from which the reference is computed, with the end of the scene.
 PosedProblem posed_for_reference(const Scene& scene);
 
-// What is known about the columns: scene.reference, or for a scene without one what two methods agree on,
-// whose bound is an estimate. Computing that takes some seconds, unless it is in the cache_folder(). Throws
-// std::runtime_error where there is no reference, with the reason.
+// The reference of the columns: scene.reference or, for a scene without one, a numerical reference whose
+// bound is an estimate from two methods. Computing it takes some seconds, unless it is in the cache_folder().
+// For a scene of an equation file, require_agreement is called. Throws std::runtime_error with the reason if
+// there is no reference.
 Reference reference_of(const Scene& scene);
 
-// What that rests on: "closed form", "inverse Laplace transform" or "two methods".
+// The kind of evidence: "closed form", "inverse Laplace transform" or "two methods".
 std::string_view evidence_of(const Scene& scene);
 
 }  // namespace fde

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> judges{"radau_exponentials", "spectral_collocation"};
 
-// The columns at these times, a row a column, as this scheme has them; nothing where it does not.
+// The columns at these times, one row a column, computed by this scheme; nullopt if it cannot.
 std::optional<Rows> coarse_run(std::string_view id, const Scene& scene, const std::vector<double>& times,
                                double size) {
   constexpr double tolerance = 1e-5, seconds = 2.0;

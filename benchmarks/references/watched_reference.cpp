@@ -15,7 +15,7 @@ std::vector<Eigen::Index> all_columns(const Scene& scene) {
   return all;
 }
 
-// What `at` gives, one column a time.
+// The matrix with columns at(t).
 template <class At>
 Rows by_time(Eigen::Index rows, const std::vector<double>& times, const At& at) {
   Rows columns(rows, std::ssize(times));

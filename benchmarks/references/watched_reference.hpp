@@ -8,20 +8,20 @@
 
 namespace fde {
 
-// The reference of one scene at the times of its runs, each time evaluated once: refined grids share their
-// times. The scene must live as long.
+// The cached reference of one scene: each time is evaluated once, because refined grids share times. The
+// scene must outlive this object.
 class WatchedReference {
  public:
   explicit WatchedReference(const Scene& scene);
 
-  // Of these columns of the scene alone, by their place among its names.
+  // Restricted to these columns of the scene, given by index.
   WatchedReference(const Scene& scene, std::vector<Eigen::Index> columns);
 
-  // The columns at these times, one column a time. Throws std::runtime_error where there is no
-  // reference to be had, a Singularity where that is why.
+  // The columns at these times, one column a time. Throws std::runtime_error if there is no reference; a
+  // Singularity if a singularity of the solution is the reason.
   Rows at(const std::vector<double>& times);
 
-  // What these are off by at most, or an estimate of that.
+  // Bounds of the errors of the columns, or estimates.
   Rows bounds(const std::vector<double>& times);
 
  private:
@@ -30,8 +30,8 @@ class WatchedReference {
 
   const Scene& scene_;
   std::vector<Eigen::Index> columns_;
-  Reference exact_{};             // made when first asked for
-  std::exception_ptr failure_{};  // why there is none: the same for every time
+  Reference exact_{};             // created at the first evaluation
+  std::exception_ptr failure_{};  // reason of a failure, the same for every time
   std::map<double, ReferenceValue> known_{};
 };
 

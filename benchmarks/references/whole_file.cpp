@@ -23,7 +23,7 @@ fs::path unfinished_name(const fs::path& path) {
   return path.string() + fmt::format(".{}.{}.tmp", getpid(), count++);
 }
 
-// The process that a name of this kind belongs to; nullopt: it is of another kind.
+// The process that owns a temporary name; nullopt: not a temporary name of this file.
 std::optional<pid_t> writer_of(const std::string& unfinished, const std::string& name) {
   if (!unfinished.starts_with(name + ".") || !unfinished.ends_with(".tmp")) return std::nullopt;
   pid_t writer = 0;
@@ -40,7 +40,7 @@ std::optional<pid_t> writer_of(const std::string& unfinished, const std::string&
   throw std::invalid_argument(fmt::format("{}: cannot be written: {}", path.string(), reason.message()));
 }
 
-// Removes what processes that were killed while they wrote this file have left beside it.
+// Removes the temporary files that killed processes left for this file.
 void remove_unfinished(const fs::path& path) {
   const auto folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code ignored;
@@ -51,7 +51,7 @@ void remove_unfinished(const fs::path& path) {
   }
 }
 
-// The target where the path is a symbolic link to something.
+// The target if the path is a symbolic link to an existing file.
 fs::path followed(const fs::path& path) {
   std::error_code missing;
   if (!fs::is_symlink(path, missing)) return path;
@@ -59,7 +59,7 @@ fs::path followed(const fs::path& path) {
   return missing ? path : target;
 }
 
-// The name to write under, after the place has been tidied.
+// The temporary name, after removing old temporary files; the path itself for a pipe or a device.
 fs::path unfinished_of(const fs::path& path) {
   std::error_code ignored;
   const auto there = fs::status(path, ignored);
@@ -98,7 +98,7 @@ void WholeFile::finish() {
   if (problem) reject(path_, problem);
 }
 
-// Some file systems know no renaming on a condition, but all of them links, which replace nothing.
+// Some file systems do not support RENAME_NOREPLACE; all support links, which do not replace a file.
 void WholeFile::finish_new() {
   stream_.close();
   check();

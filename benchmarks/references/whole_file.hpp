@@ -6,21 +6,20 @@
 
 namespace fde {
 
-// A file that appears whole, in place of one that is there, whose permissions it takes, or not at all: it is
-// written under another name, of this process and object alone, and renamed at the end. A symbolic link stays
-// and its target is replaced. What processes that were killed while they wrote the same file have left beside
-// it is removed first. A pipe or a device, which nothing can replace, is written to at once. Throws
-// std::invalid_argument naming the path and why it cannot be written.
+// Writes a file atomically: under a temporary name, unique to this process and object, which is renamed at
+// the end. An existing file is replaced and its permissions are kept. Of a symbolic link the target is
+// replaced. Temporary files of killed processes for the same file are removed first. A pipe or a device is
+// written directly. Throws std::invalid_argument naming the path and why it cannot be written.
 class WholeFile {
  public:
   explicit WholeFile(const std::filesystem::path& path);
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
-  ~WholeFile();  // what is not finished is removed
+  ~WholeFile();  // removes an unfinished file
 
   void write(std::string_view text);
   void finish();
-  void finish_new();  // throws as well where the path exists by now: of several at once one succeeds
+  void finish_new();  // also throws if the path exists by now: of several concurrent calls one succeeds
 
  private:
   void check() const;

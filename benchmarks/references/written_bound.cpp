@@ -8,7 +8,7 @@
 namespace fde {
 namespace {
 
-// -inf for 0. Its error is far below what is between two numbers of two digits.
+// -inf for 0. The error is far below the difference of two numbers with two digits.
 long double log10_of(const std::string& bound) {
   const auto e = bound.find('e');
   const long double mantissa = std::stold(bound.substr(0, e));
@@ -24,7 +24,7 @@ std::string bound_text(double bound) {
   return fmt::format("{:.2g}", upwards * bound);
 }
 
-// The decimal is off by less than a unit in the last place of the double, of which a long double knows a
+// The decimal differs from the double by less than a unit in the last place, of which long double resolves a
 // thousandth.
 double bound_of_text(double value, double bound) {
   constexpr double upwards = 1.01;

@@ -4,18 +4,18 @@
 
 namespace fde {
 
-// Two digits of a bound, rounded up: rounding to nearest moves a number by at most five percent.
+// A bound in two digits, rounded up: rounding to nearest changes a number by at most five percent.
 std::string bound_text(double bound);
 
-// Of a value that is printed with 17 digits: a bound that holds for that decimal too, which is not quite the
-// double.
+// The bound for a value printed with 17 digits, including the difference between that decimal and the double.
 double bound_of_text(double value, double bound);
 
-// Whether a bound as it is written says something of a value: it is not "inf" or "nan".
+// Whether a bound in decimal is finite: not "inf" or "nan".
 bool is_finite_bound(const std::string& bound);
 
-// The larger of two bounds written in decimal, as "0.012" or "1.2e-345": no double may hold their exponents.
-// "inf" and "nan" are larger than all. Throws std::invalid_argument for a text that is no number.
+// The larger of two bounds written in decimal, as "0.012" or "1.2e-345", whose exponent may be out of the
+// range of double. "inf" and "nan" are larger than all others. Throws std::invalid_argument for a text that
+// is not a number.
 const std::string& larger_bound(const std::string& a, const std::string& b);
 
 }  // namespace fde
