@@ -8,30 +8,30 @@
 
 namespace fde {
 
-// No line of a results file or of a trajectory is longer.
+// Maximum length of a line in a results file or a trajectory.
 inline constexpr std::size_t most_line_bytes = std::size_t{1} << 20;
 
-// The lines of a file one after the other: a file of any size takes the memory of its longest line.
+// Reads a file line by line: memory is needed for the longest line only.
 class LineReader {
  public:
-  // Throws std::invalid_argument naming the file where it cannot be read. A folder, a pipe and a device are
-  // no files. Errors call it `name`.
+  // Throws std::invalid_argument naming the file if it cannot be read or is a folder, a pipe or a device.
+  // `name` is the name in messages.
   explicit LineReader(const std::filesystem::path& file) : LineReader(file, file.string()) {}
   LineReader(const std::filesystem::path& file, std::string name);
 
-  // Goes to the next line; false: there is none. Throws std::invalid_argument naming file and line where that
-  // is longer than most_line_bytes.
+  // Reads the next line; false at the end of the file. Throws std::invalid_argument naming file and line if
+  // it is longer than most_line_bytes.
   bool next();
 
-  // Of the line at hand: its text without its end, its number from 1 on, whether it has an end, and the bytes
-  // of the file up to its beginning and up to behind its end.
+  // The current line: its text without the line end, its number from 1, whether it has a line end, and the
+  // offsets in bytes of its beginning and of the byte after its end.
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] bool has_end() const { return has_end_; }
   [[nodiscard]] std::uint64_t begin() const { return begin_; }
   [[nodiscard]] std::uint64_t end() const { return end_; }
 
-  // The next line is the one that begins behind so many bytes. Lines count from 1 again.
+  // Continues with the line that begins at this offset. Line numbers restart at 1.
   void go_to(std::uint64_t bytes);
 
  private:
@@ -46,8 +46,8 @@ class LineReader {
   std::uint64_t begin_ = 0, end_ = 0;
 };
 
-// Throws std::invalid_argument: "FILE: cannot be read: is not a file" where it is a folder, a pipe or a
-// device. What cannot be looked at says so when it is opened.
+// Throws std::invalid_argument: "FILE: cannot be read: is not a file" if it is a folder, a pipe or a device.
+// A file without access is reported when it is opened.
 void require_file(const std::filesystem::path& file);
 
 }  // namespace fde

@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where rows of a session stand.
+// A range of bytes with rows of a session.
 struct Place {
   fs::path file;
   std::uint64_t begin = 0, end = 0;  // bytes
 };
 
-// A session's line with all the places that have its rows.
+// The line of a session and all ranges with its rows.
 struct Found {
   std::string line;
   std::vector<Place> places{};
@@ -45,8 +45,8 @@ void find_sessions(const fs::path& file, const Scenes& known, std::vector<Found>
                known);
 }
 
-// Copies the measurements of a place that are not yet among those written. Lines were read before, so they
-// are rows.
+// Copies the measurements of a range that have not been written yet. The lines were validated by
+// find_sessions.
 void copy_rows(const Place& place, bool is_alone, std::set<std::string>& written, WholeFile& out,
                Merged& merged) {
   LineReader line(place.file);

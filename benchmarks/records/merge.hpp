@@ -8,15 +8,15 @@
 
 namespace fde {
 
-// What a merge has taken.
+// The counts of a merge.
 struct Merged {
-  std::size_t sessions = 0, rows = 0, repeated_rows = 0;  // repeated ones are not taken
+  std::size_t sessions = 0, rows = 0, repeated_rows = 0;  // not copied
 };
 
-// Writes a results file of all that these hold: sessions in the order in which they first stand there, each
-// once, with the rows of every file that has it. What was measured once and stands in several files is taken
-// once. No file is held in memory. Throws std::invalid_argument where `out` exists or a file is no results
-// file, as scan_results says, and std::system_error where `out` cannot be written; then there is none.
+// Writes a results file with the contents of all files: each session once, in the order of first occurrence,
+// with the rows of every file that has it. Identical measurements are copied once. Files are streamed. Throws
+// std::invalid_argument if `out` exists or a file is not a results file, as scan_results says, and
+// std::system_error if `out` cannot be written; `out` is then not created.
 Merged merge_results(const std::vector<std::filesystem::path>& files, const std::filesystem::path& out,
                      const Scenes& known = scenes());
 

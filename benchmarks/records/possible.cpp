@@ -33,7 +33,7 @@ const std::vector<Quantity>& quantities() {
   return all;
 }
 
-// Digits, rates and growths have a sign; all else is a size, a time or a count.
+// Digits, rates and growths have a sign; all other quantities are sizes, times or counts.
 Range range_of(const Quantity& quantity) {
   const bool has_sign = quantity.unit == "digits" || quantity.id.starts_with("expected_rate") ||
                         quantity.id.ends_with("_growth");
@@ -66,7 +66,7 @@ void require_setup(const Record& row) {
   if (std::isfinite(setup.budget)) require_in("budget", setup.budget, positive);
 }
 
-// A scene of a file, which need not be at hand: its name, the SHA-256 of what it says, and numbers.
+// A scene of an equation file, which need not be present: its name, the SHA-256 of its contents, and numbers.
 void require_file(const SceneSettings& scene) {
   constexpr std::size_t digits = 64, most = 4096;
   if (scene.id.empty() || scene.id.size() > most || !prints(scene.id))

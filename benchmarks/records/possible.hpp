@@ -8,23 +8,24 @@
 
 namespace fde {
 
-// Tells rows that a run can have from those that none has.
+// Validates rows of results.
 class PossibleRows {
  public:
   explicit PossibleRows(const Scenes& known) : known_(known) {}
 
-  // Throws std::invalid_argument naming what is impossible and what is allowed: a scene, a setting of it, a
-  // scheme or a quantity that there is not; a unit that is not the quantity's; a value outside what the
-  // quantity can be; a setup that no run takes. The scheme of another program has any name but ours.
+  // Throws std::invalid_argument naming what is invalid and what is allowed: an unknown scene, setting,
+  // scheme or quantity; a unit that is not the unit of the quantity; a value out of the range of the
+  // quantity; an invalid setup. The scheme of another program may have any name except the ids of our
+  // schemes.
   void require(const Record& row);
 
  private:
   const Scenes& known_;
-  std::optional<SceneSettings> last_{};  // that was found possible: rows of a scene are neighbours
+  std::optional<SceneSettings> last_{};  // last valid scene; rows of a scene are adjacent
 };
 
-// Throws std::invalid_argument naming the argument where no program may be called so: an id of our schemes,
-// nothing, more than 100 bytes, what is not UTF-8 and what does not print.
+// Throws std::invalid_argument naming the argument if the text is not a valid name of another program: an id
+// of our schemes, empty, longer than 100 bytes, not UTF-8, or not printable.
 void require_external_name(std::string_view name, std::string_view text);
 
 }  // namespace fde

@@ -12,9 +12,9 @@
 
 namespace fde {
 
-// What names a run of one build, or a trajectory that another program wrote: its scheme is that program's
-// name, and nothing is known of its setup but the number of its times; of one that a sweep started the steps
-// and the grid that it was asked for.
+// Identifies a run of one build, or a trajectory of another program. In the latter case `scheme` is the name
+// of the program, and of the setup only the number of times is known; if a sweep started the program, also
+// the requested steps and grid.
 struct RunKey {
   SceneSettings scene{};
   std::string scheme{};
@@ -24,38 +24,38 @@ struct RunKey {
   auto operator<=>(const RunKey&) const = default;  // NOLINT(readability-implicit-bool-conversion)
 };
 
-// One number of one run: a row of tidy results.
+// A number of a run: one row of tidy results.
 struct Record {
   RunKey key{};
-  int steps = 0;           // made
-  double h = 0.0;          // their mean length
-  std::string quantity{};  // a Measure's id, or "ending", the last row of each examination
-  double value = 0.0;      // of an ending the time
+  int steps = 0;           // taken
+  double h = 0.0;          // mean step size
+  std::string quantity{};  // id of a Measure, or "ending", the last row of each examination
+  double value = 0.0;      // of an ending: the time
   std::string unit{};
-  std::optional<RunEnding> ending{};  // of an ending
+  std::optional<RunEnding> ending{};  // for quantity "ending" only
   std::size_t session = 0;            // index into Results::sessions
-  bool wall_clock = false;            // a time of a whole process, whose program says none
+  bool wall_clock = false;            // time of a whole process, for a program that reports none
 };
 
-// Where and with what numbers were made.
+// Where and with which build numbers were computed.
 struct Session {
   std::string date, machine, system, compiler, flags, commit, version;
   unsigned cores = 0;
 };
 
-// The session of this process, now.
+// The session of this process, with the present time.
 Session this_session();
 
-// All that a results file holds.
+// The contents of a results file.
 struct Results {
   std::vector<Session> sessions{};
   std::vector<Record> records{};
 };
 
-// Whether two sessions were of the same build on the same machine, so that their rows belong together.
+// Whether two sessions are of the same build on the same machine, so that their rows can be combined.
 bool same_build(const Session& a, const Session& b);
 
-// Whether the row is a time of a run, made after its examination.
+// Whether the row is a time of a run, measured after its examination.
 bool is_time(const Record& row);
 
 }  // namespace fde

@@ -46,7 +46,7 @@ SceneSettings scene_of(const Json& json) {
   return scene;
 }
 
-// What is absent is not said: no accuracy of a run over a grid, no budget where there is none.
+// Absent entries: accuracy of a run over a grid, an infinite budget.
 void add_setup(const Setup& setup, Json& json) {
   if (const auto* accuracy = std::get_if<Accuracy>(&setup.resolution)) json["accuracy"] = *accuracy;
   json["grid"] = grid_text(setup.grading);
@@ -65,7 +65,7 @@ Setup setup_of(const Json& json, int steps) {
   return setup;
 }
 
-// Of another program.
+// The setup of another program.
 Setup external_setup_of(const Json& json, int steps) {
   return {.resolution = steps, .grading = parse_grading(json.value("grid", grid_text(1.0)))};
 }
@@ -77,7 +77,7 @@ RunEnding ending_of(const Json& json) {
   return {*kind, json.value("detail", "")};
 }
 
-// A run to an accuracy may have made none.
+// A run to a tolerance may have taken no step.
 int steps_of(const Json& json) {
   constexpr int most = std::numeric_limits<int>::max();
   const auto& given = json.at("steps");

@@ -9,21 +9,22 @@
 
 namespace fde {
 
-// What is recorded of a run: nothing, all but its times, everything (a run that did not finish has no times).
+// What is recorded of a run; a run that did not finish has no times, and everything else is then
+// `everything`.
 enum class Recorded { nothing, all_but_times, everything };
 
-// The recorded rows of one run, one after the other. A time without an examination, as a fault of a sweep
-// would leave it, does not count; another examination begins the run again.
+// Collects the recorded rows of one run, in file order. A time without an examination, the trace of a failed
+// sweep, is ignored; another examination replaces the earlier rows.
 class RecordedRun {
  public:
   void note(const Record& row);
 
   [[nodiscard]] Recorded amount() const;
 
-  // How it ended; nullopt: it is not examined.
+  // How the run ended; nullopt: not examined.
   [[nodiscard]] std::optional<Ending> ending() const { return ending_; }
 
-  // Whether its times are of whole processes.
+  // Whether the times are those of whole processes.
   [[nodiscard]] bool wall_clock() const { return wall_clock_; }
 
   // The value of a quantity; nullopt: not measured.

@@ -30,8 +30,7 @@ std::invalid_argument cannot_be_written(const std::filesystem::path& file, const
   return std::invalid_argument(fmt::format("{}: cannot be written: {}", file.string(), reason));
 }
 
-// Whether the file is locked for this process within `wait`. Whoever waits asks again and again: flock itself
-// knows no longest time.
+// Whether the file can be locked for this process within `wait`. Polls, because flock has no timeout.
 bool is_locked_within(std::chrono::seconds wait, int descriptor) {
   constexpr std::chrono::milliseconds between{5};
   const auto last = std::chrono::steady_clock::now() + wait;
@@ -42,7 +41,7 @@ bool is_locked_within(std::chrono::seconds wait, int descriptor) {
   return true;
 }
 
-// The runs of the builds that are this one, and the bytes up to the end of the last complete write.
+// The recorded runs of this build, and the offset of the end of the last complete write.
 struct Found {
   RecordedByKey runs;
   std::uint64_t valid = 0;
@@ -74,7 +73,7 @@ bool same_build(const Session& a, const Session& b) {
 
 bool is_time(const Record& row) { return row.quantity.starts_with("time_"); }
 
-// Rows are counted first: a vector that grows would hold them twice.
+// Rows are counted first: growing the vector would need twice the memory.
 Results read_results(const std::filesystem::path& file, const Scenes& known) {
   std::size_t count = 0;
   for (LineReader line(file); line.next();) ++count;
@@ -134,13 +133,14 @@ void ResultsFile::write(const std::string& text) {
     if (count <= 0) {
       const int reason = errno;
       [[maybe_unused]] const int ignored =
-          ftruncate(descriptor_, before);  // incomplete rows are passed over anyway
+          ftruncate(descriptor_, before);  // incomplete rows are ignored by readers
       throw std::system_error(reason, std::generic_category(), path_.string() + ": cannot be written");
     }
     written += static_cast<std::size_t>(count);
   }
   struct stat file {};
-  if (fstat(descriptor_, &file) == 0 && file.st_nlink == 0) {  // rows that nobody could find
+  if (fstat(descriptor_, &file) == 0 &&
+      file.st_nlink == 0) {  // the file has been unlinked: the rows are lost
     throw std::system_error(ENOENT, std::generic_category(), path_.string() + ": cannot be written");
   }
 }

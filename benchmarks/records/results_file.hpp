@@ -11,34 +11,34 @@
 
 namespace fde {
 
-// All that a results file holds, as scan_results reads it.
+// The contents of a results file, as scan_results reads it.
 Results read_results(const std::filesystem::path& file, const Scenes& known = scenes());
 
-// What is recorded of each run by this build on this machine.
+// The recorded rows of each run by this build on this machine.
 using RecordedByKey = std::map<RunKey, RecordedRun>;
 RecordedRun recorded_of(const RecordedByKey& runs, const RunKey& run);
 
-// What a results file holds of them; nothing where there is no file. It is not changed.
+// The runs in a results file; empty if there is no file. The file is not changed.
 RecordedByKey read_recorded(const std::filesystem::path& file, const Scenes& known = scenes());
 
-// A results file open for more runs. The rows of an examination go out in one write, so do the times of a
-// run: a kill leaves a valid file without what was in flight.
+// A results file open for appending. The rows of an examination are appended in one write, and so are the
+// times of a run: a killed process leaves a valid file.
 class ResultsFile {
  public:
-  // Opens or creates the file for this process alone, drops incomplete last rows and starts a session.
-  // Throws std::invalid_argument naming the file when it cannot be written, holds something else or is open
-  // in another run for longer than `wait`.
+  // Opens or creates the file with an exclusive lock, truncates incomplete last rows and starts a session.
+  // Throws std::invalid_argument naming the file if it cannot be written, is not a results file, or is locked
+  // by another run for longer than `wait`.
   explicit ResultsFile(std::filesystem::path file, const Scenes& known = scenes(),
                        std::chrono::seconds wait = {});
   ResultsFile(const ResultsFile&) = delete;
   ResultsFile& operator=(const ResultsFile&) = delete;
   ~ResultsFile();
 
-  // What the file holds of this run, made by the same build on the same machine.
+  // The recorded rows of this run by the same build on the same machine.
   [[nodiscard]] RecordedRun recorded(const RunKey& run) const { return recorded_of(recorded_, run); }
 
-  // Appends the rows of an examination, the ending last, or the times of one that is there. Throws
-  // std::system_error naming the file when the disk is full or the file is gone.
+  // Appends the rows of an examination, the ending last, or the times of a recorded one. Throws
+  // std::system_error naming the file if the disk is full or the file has been removed.
   void append(const std::vector<Record>& rows);
 
  private:

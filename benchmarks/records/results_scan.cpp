@@ -14,7 +14,7 @@
 namespace fde {
 namespace {
 
-// What has been read so far.
+// The state of a scan.
 class Scan {
  public:
   Scan(const ResultsHearing& hearing, const Scenes& known) : hearing_(hearing), possible_(known) {}
@@ -28,7 +28,7 @@ class Scan {
     }
   }
 
-  // Bytes up to the end of the last complete write.
+  // Offset of the end of the last complete write.
   [[nodiscard]] std::uint64_t valid() const { return valid_; }
 
  private:
@@ -59,7 +59,7 @@ class Scan {
   std::uint64_t valid_ = 0;
 };
 
-// Of a line without its end: whether a killed sweep was writing it.
+// Whether a line without a line end is an incomplete line of a killed sweep.
 bool was_ours(const std::string& text, const Scan& scan) {
   return scan.valid() > 0 || text.starts_with(first_words) || first_words.starts_with(text);
 }

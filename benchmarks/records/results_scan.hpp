@@ -10,17 +10,18 @@
 
 namespace fde {
 
-// Who hears what a results file holds, in its order.
+// Callbacks of scan_results, called in file order.
 struct ResultsHearing {
-  std::function<void(const Session&, std::uint64_t rows_begin)> session;  // the byte at which its rows begin
-  std::function<void(std::vector<Record> rows, std::uint64_t rows_end)> rows;  // of one write
+  std::function<void(const Session&, std::uint64_t rows_begin)>
+      session;  // rows_begin: offset of its first row
+  std::function<void(std::vector<Record> rows, std::uint64_t rows_end)> rows;  // rows of one write
 };
 
-// Reads a results file line by line: JSON lines, a session or a record each. Incomplete last rows, left by a
-// killed sweep, are passed over. Returns the bytes up to the end of the last complete write. Records of a
-// session have its number, from 0. Throws std::invalid_argument naming the file, and the line where there is
-// one, when it cannot be read, was written by another version with rows of another form, has a row that none
-// can have, or is something else. Scenes must be among those known.
+// Reads a results file line by line: JSON lines, each a session or a record. Incomplete last rows, left by a
+// killed sweep, are ignored. Returns the offset of the end of the last complete write. Record::session counts
+// sessions from 0. Throws std::invalid_argument naming the file, and the line if there is one, if the file
+// cannot be read, has rows of another format, has an invalid row (record validation), or is not a results
+// file. `known`: the allowed scenes.
 std::uint64_t scan_results(const std::filesystem::path& file, const ResultsHearing& hearing,
                            const Scenes& known = scenes());
 

@@ -13,7 +13,7 @@
 namespace fde {
 namespace {
 
-// The processor's name as Linux tells it, or the architecture.
+// The name of the processor from /proc/cpuinfo, or the architecture.
 std::string machine_name(const utsname& system) {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {

@@ -21,7 +21,7 @@ inline bool operator==(const Accuracy& a, const Accuracy& b) {
 
 using StepsOrAccuracy = std::variant<int, Accuracy>;
 
-// How a run is made. With its scene and its scheme it names the run: a sweep does each one once.
+// The settings of a run. Scene, scheme and setup identify a run: a sweep performs each run once.
 struct Setup {
   StepsOrAccuracy resolution = 1;
   double grading = 1.0;  // of the grid
@@ -34,19 +34,19 @@ struct Setup {
   [[nodiscard]] Options options() const;
 };
 
-// What the scheme is asked for up to this time.
+// The grid up to `end`, or the tolerance, for the scheme.
 Resolution resolution_of(const Setup& setup, double end);
 
-// Whether two setups differ in their number of steps at most, or in their accuracy: their runs are of one
-// line of a chart.
+// Whether two setups differ at most in the number of steps or in the tolerance: their runs form one line of a
+// chart.
 bool same_line(Setup a, const Setup& b);
 
 // "uniform" or "graded:R"; "N = 64" or "accuracy 1e-6, 1e-9".
 std::string grid_text(double grading);
 std::string resolution_text(const Setup& setup);
 
-// Of "uniform" or "graded:R" its grading; of "auto", "direct" or "exponentials" the history. Each throws
-// std::invalid_argument naming the argument of the command line, the text and what is allowed.
+// The grading from "uniform" or "graded:R"; the history from "auto", "direct" or "exponentials". Each throws
+// std::invalid_argument naming the command-line option, the text and what is allowed.
 double parse_grading(std::string_view text);
 HistoryKind parse_history(std::string_view text);
 

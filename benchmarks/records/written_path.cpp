@@ -28,7 +28,7 @@ std::string_view unquoted(std::string_view cell) {
   return quoted ? cell.substr(1, cell.size() - 2) : cell;
 }
 
-// The names behind t. np.savetxt begins the header with #, spreadsheets with a byte order mark.
+// The names after t. np.savetxt begins the header with #, spreadsheets with a byte order mark.
 std::vector<std::string> names_in(std::string_view header) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (header.starts_with(byte_order_mark)) header.remove_prefix(byte_order_mark.size());
@@ -41,7 +41,7 @@ std::vector<std::string> names_in(std::string_view header) {
   return names;
 }
 
-// Of each cell behind t the column of the scene; nullopt: it is passed over.
+// For each cell after t, the column of the scene; nullopt: ignored.
 using Places = std::vector<std::optional<Eigen::Index>>;
 
 Places places_of(const std::vector<std::string>& names, const Scene& scene) {
@@ -99,7 +99,7 @@ class PathReader {
   }
 
  private:
-  // The end may have been rounded.
+  // A time within rounding of the end is set to the end.
   void take_time(std::string_view cell) {
     constexpr double rounding = 1e-12;
     double t = parse_number("t", cell, not_negative);
@@ -117,14 +117,14 @@ class PathReader {
   std::vector<double> values_{};
 };
 
-// Of a line `# seconds: S`; nullopt: it is another one.
+// S from a line `# seconds: S`; nullopt for any other line.
 std::optional<double> seconds_in(std::string_view line) {
   constexpr std::string_view begin = "# seconds:";
   if (!line.starts_with(begin)) return std::nullopt;
   return parse_number("seconds", trimmed(line.substr(begin.size())), positive);
 }
 
-// What a message says of a text ends at a NUL.
+// Messages are C strings: they would end at a NUL.
 void require_text(const std::string& line) {
   if (line.find('\0') != std::string::npos) throw std::invalid_argument("has a NUL byte, which no CSV has");
 }
@@ -149,7 +149,7 @@ WrittenPath read_lines(LineReader& line, const Scene& scene) {
   return path;
 }
 
-// Every row, or as many as are compared of a run.
+// All rows, or as many as are compared for a run.
 WrittenPath watched(const WrittenPath& path) {
   WrittenPath some{.columns = path.columns};
   const auto rows = watched_steps(static_cast<int>(path.times.size()) - 1);
@@ -158,7 +158,7 @@ WrittenPath watched(const WrittenPath& path) {
   return some;
 }
 
-// The reference is that of all columns.
+// `reference` has all columns of the scene.
 Judgement judge_values(const Scene& scene, const WrittenPath& path, WatchedReference& reference) {
   for (Eigen::Index c = 0; c < path.values.cols(); ++c) {
     const double t = path.times[static_cast<std::size_t>(c)];
@@ -183,7 +183,7 @@ WrittenPath read_path(const std::filesystem::path& file, const Scene& scene, con
     return read_lines(line, scene);
   } catch (const std::invalid_argument& error) {
     const std::string_view what = error.what();
-    if (what.starts_with(called + ":")) throw;  // of the line itself
+    if (what.starts_with(called + ":")) throw;  // already names the line
     throw std::invalid_argument(fmt::format("{}: line {}: {}", called, line.number(), what));
   }
 }

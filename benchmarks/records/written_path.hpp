@@ -12,28 +12,28 @@
 
 namespace fde {
 
-// A trajectory that another program wrote.
+// A trajectory written by another program.
 struct WrittenPath {
-  std::vector<Eigen::Index> columns{};  // those of the scene that it has, by their place among its names
+  std::vector<Eigen::Index> columns{};  // indices of its columns among those of the scene
   std::vector<double> times{};          // increasing, the last above 0
   Rows values{};                        // one row a column, one column a time
-  std::optional<double> seconds{};      // that the solve took, where the program says so
+  std::optional<double> seconds{};      // duration of the solve, if the program reports it
 };
 
-// Reads CSV with the header t,COLUMN,... and one row a time, in [0, end] of the scene. The columns are some
-// of the scene's, in any order; what else `solve` prints may stand there, and is passed over. A value may be
-// any number, infinite or none; a time may not. Quoted names, a # before the header, spaces round cells, \r\n
-// and empty lines at the end are taken, and a line `# seconds: S` before the header. Throws
-// std::invalid_argument naming file and line of all else, and of a file with more than 10 million values. The
-// file is called `name`, by default by its path.
+// Reads CSV with the header t,COLUMN,... and one row a time, in [0, end] of the scene. The columns are
+// columns of the scene, in any order; other columns that `solve` prints are ignored. A value may be infinite
+// or NaN, a time may not. Accepted are quoted names, a # before the header, spaces around cells, \r\n, empty
+// lines at the end, and a line `# seconds: S` before the header. Throws std::invalid_argument naming file and
+// line for anything else, and for more than 10 million values. `name` is the name in messages, by default the
+// path.
 WrittenPath read_path(const std::filesystem::path& file, const Scene& scene, const std::string& name = "");
 
-// Judges its columns as those of a run are: at all of its times up to 8192, otherwise at as many and the
-// first 16. It ends where a value is not finite. Where columns of the scene are missing the ending's detail
-// names those that are there.
+// Judges the trajectory like a run: at all of its times if there are at most 8192, otherwise at 8192 and the
+// first 16. It ends at the first value that is not finite. If columns of the scene are missing, the ending's
+// detail names those that are present.
 Judgement judge_path(const Scene& scene, const WrittenPath& path);
 
-// The same at all of its times, by the reference of all columns of the scene.
+// The same at all of its times, with a reference for all columns of the scene.
 Judgement judge_path(const Scene& scene, const WrittenPath& path, WatchedReference& reference);
 
 }  // namespace fde
