@@ -118,7 +118,7 @@ struct Scene {
   Smoothness smoothness{};
   Outputs outputs{};
   Reference reference{};  // of the columns
-  bool of_file = false;   // read from an equation file: its reference is the difference of two schemes
+  bool of_file = false;   // from an equation file: its reference is checked against two schemes
   std::optional<PosedProblem> reference_problem{};  // another formulation for the reference; empty: `problem`
   Energy energy{};
   Constraint constraint{};
