@@ -1,4 +1,5 @@
-// 1 < alpha < 2 in the plane and on the line: every C0 is admissible, and the forms take different steps.
+// 1 < alpha < 2 in the plane and on the line: every C0 is admissible, and the discretisations of the
+// formulations differ.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ ParameterValues plane(double alpha, const ParameterValue& constant, const std::s
           {"formulation", formulation}};
 }
 
-// q1, q2, lambda at t = 1 from Laplace transforms in 30 digits (Talbot's contour, mpmath).
+// q1, q2, lambda at t = 1, from Laplace transforms inverted in 30 digits (Talbot contour, mpmath).
 struct Known {
   double alpha;
   ParameterValue constant;
@@ -44,7 +45,7 @@ TEST(AboveOrderOne, TheReferenceTakesEveryConstant) {
   }
 }
 
-// f = a.v + b.w from the start on, where w(0) is along a.
+// f = a.v + b.w = C0 holds from the start, with w(0) along a.
 TEST(AboveOrderOne, BothFormsApproachItForEveryConstant) {
   for (const Known& at : known) {
     for (const auto* formulation : {"integrated", "multiplier"}) {
@@ -62,7 +63,7 @@ TEST(AboveOrderOne, BothFormsApproachItForEveryConstant) {
   }
 }
 
-// v has a row of order alpha - 1 in place of 1.
+// v has a row of order alpha - 1 instead of order 1.
 TEST(AboveOrderOne, TheFormWithAMultiplierTakesOtherSteps) {
   const auto end = [](double alpha, const std::string& formulation) -> Vec {
     ParameterValues values = plane(alpha, std::string("a1*v1+a2*v2"), formulation);
@@ -75,7 +76,7 @@ TEST(AboveOrderOne, TheFormWithAMultiplierTakesOtherSteps) {
     EXPECT_GT((end(alpha, "integrated") - end(alpha, "multiplier")).norm(), 1e-7) << alpha;
 }
 
-// What is known does not depend on the form, nor on whether it can be solved: a.b = 0.
+// The reference does not depend on the formulation, nor on whether it can be posed: a.b = 0.
 TEST(AboveOrderOne, TheReferenceIsThatOfEveryFormulation) {
   const SceneMaker& maker = scene_maker("fractional_constraint_2d");
   ParameterValues values{{"alpha", 1.5}, {"b1", 0.6}, {"b2", -0.3}};
@@ -102,7 +103,7 @@ TEST(AboveOrderOne, OtherConstantsAreRefusedWhereTheStartFixesIt) {
   EXPECT_NO_THROW(scene_of("fractional_constraint_2d", {{"C0", 0.0}}));
 }
 
-// w = v, so that (a + b).v is kept, and the velocity begins as it is given.
+// w = v, so (a + b).v is conserved, and the initial velocity does not jump.
 TEST(AtOrderOne, TheConstraintIsThatOfTheVelocityAlone) {
   for (const auto* formulation : {"integrated", "acceleration", "stabilised", "multiplier"}) {
     const Scene scene =

@@ -1,5 +1,5 @@
-// Linear systems with rows of order 0: the motions that a fractional constraint f = a.v + b.D^alpha q = C0
-// allows (Tarasov & Zaslavsky 2006, eq. 42 and 55-66), against forms of them without a multiplier.
+// Linear systems with rows of order 0: motions under the fractional constraint f = a.v + b.D^alpha q = C0
+// (Tarasov & Zaslavsky 2006, eq. 42 and 55-66), compared with formulations without a multiplier.
 
 #include "mechanics/constrained_motion_testing.hpp"
 
@@ -10,7 +10,8 @@ constexpr auto name_of = [](const auto& test) { return std::string(test.param.na
 
 class BelowOne : public testing::TestWithParam<Motion> {};
 
-// z = v + A w with A = a b^T / |a|^2 has z' = -P grad u with P = I - a a^T / |a|^2: no multiplier is left.
+// z = v + A w with A = a b^T / |a|^2 satisfies z' = -P grad u, P = I - a a^T / |a|^2: the multiplier is
+// eliminated.
 TEST_P(BelowOne, IsTheIntegratedForm) {
   const auto precision = test_precision();
   const Motion& m = GetParam();
@@ -52,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(AlgebraicLinearSystem, BelowOne,
                                          Motion{.name = "NoMemory", .b = {0.0, 0.0}}),
                          name_of);
 
-// 1 < alpha < 2, c (v1 + v2) + b2 D^alpha q2 = 0, u = (q1^2 - q2^2)/4: x = (q1 + q2)/2 has
+// 1 < alpha < 2, c (v1 + v2) + b2 D^alpha q2 = 0, u = (q1^2 - q2^2)/4: x = (q1 + q2)/2 satisfies
 //   x'' + x/2 + (2/g) D^(3-alpha) x = 0,  g = b2/c    (Tarasov & Zaslavsky's eq. 66, corrected).
 struct Oscillator {
   const char* name;
@@ -87,8 +88,8 @@ INSTANTIATE_TEST_SUITE_P(AlgebraicLinearSystem, FractionalOscillator,
                                          Oscillator{"Strong", 1.95, 0.95, 0.05, 1.05}),
                          name_of);
 
-// a1 = 0: the first coordinate is free, and a2 v2 + b1 D^alpha q1 + b2 D^alpha q2 = a2 v2(0) is what the
-// second does (eq. 57; 58 for b2 = 0).
+// a1 = 0: the first coordinate is free, and a2 v2 + b1 D^alpha q1 + b2 D^alpha q2 = a2 v2(0) determines the
+// second (eq. 57; 58 for b2 = 0).
 TEST(AlgebraicLinearSystem, FollowsAFreeCoordinate) {
   const auto precision = test_precision();
   const Motion m{
@@ -118,7 +119,8 @@ TEST(AlgebraicLinearSystem, RelaxesBehindAFallingCoordinate) {
                BigReal(1));
 }
 
-// alpha = 1: w = v is a row of order 0 too. Next to it the solution is next to that, t^1e-16 being 1.
+// alpha = 1: w = v is also a row of order 0. For alpha = 1 - 1e-16 the solution differs by rounding, as
+// t^1e-16 is 1.
 TEST(AlgebraicLinearSystem, IsContinuousAtOrderOne) {
   const Motion next{.alpha = 1.0 - 0x1p-53, .rest = 0x1p-53};
   const Motion one{.alpha = 1.0, .rest = 0.0};
@@ -130,7 +132,7 @@ TEST(AlgebraicLinearSystem, IsContinuousAtOrderOne) {
   }
 }
 
-// D^alpha p = w with 0 = p - q takes alpha at its word, and the same rows for orders up to 2.
+// D^alpha p = w with 0 = p - q uses alpha exactly, and the same rows serve orders up to 2.
 TEST(AlgebraicLinearSystem, MayHaveTheMemoryOnACopy) {
   const auto precision = test_precision();
   const Motion m;
@@ -162,7 +164,7 @@ TEST(AlgebraicLinearSystem, MultiplierIsInfiniteAtTheStart) {
   EXPECT_NEAR(multiplier.at(1e-12).value[0] * 1e-6, -0.285 / std::sqrt(std::numbers::pi), 1e-5);
 }
 
-// b = -2a next to order 1: a.v (1 - 2 t^1e-16) = C0 has the rate 2^(1e16).
+// b = -2a for alpha near 1: a.v (1 - 2 t^1e-16) = C0 grows with the rate 2^(1e16).
 TEST(AlgebraicLinearSystem, SaysWhatGrowsAtOnce) {
   const Motion next{.alpha = 1.0 - 0x1p-53, .rest = 0x1p-53, .b = {-2.0, -4.0}};
   EXPECT_THROW(linear_reference(with_multiplier(next, Shown::velocities_and_memory)).at(1.0),

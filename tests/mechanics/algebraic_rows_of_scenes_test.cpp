@@ -1,6 +1,5 @@
-// Every scene with algebraic rows, in every formulation, by every scheme, on grids of every grading: an error
-// that falls with the number of steps, or a refusal. A number that does not come nearer to the truth is
-// neither.
+// Every scene with algebraic rows, in every formulation, with every scheme, on grids of several gradings:
+// either the error decreases with the number of steps, or the scheme refuses the problem.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,7 +13,7 @@
 namespace fde {
 namespace {
 
-// A motion up to an end, its parameters but for the formulation, and a name.
+// A motion up to an end: its name, scene and parameters without the formulation.
 struct ConstrainedMotion {
   std::string name, scene;
   ParameterValues values;
@@ -36,7 +35,7 @@ std::vector<ConstrainedMotion> motions() {
   };
   for (const double alpha : {0.3, 0.5, 0.7, 0.9, 1.0}) add("fractional_constraint_2d", alpha);
   for (const double alpha : {1.3, 1.5, 1.7}) {
-    add("fractional_constraint_2d", alpha, {{"b1", 0.6}, {"b2", 0.3}});  // a.b > 0: no mode that grows
+    add("fractional_constraint_2d", alpha, {{"b1", 0.6}, {"b2", 0.3}});  // a.b > 0: no growing mode
   }
   for (const double alpha : {0.3, 0.5, 0.7, 0.9, 1.0}) add("fractional_knife_edge", alpha);
   for (const double alpha : {0.2, 0.4, 0.5, 0.6, 0.7, 0.8}) add("fractional_constraint_nonlinear", alpha);
@@ -48,7 +47,7 @@ const std::vector<std::string>& formulations() {
   return all;
 }
 
-// The scene in this formulation; nothing where it has none, or refuses it.
+// The scene in this formulation; nullopt if the scene does not have it or refuses it.
 std::optional<Scene> in_form(const ConstrainedMotion& motion, const std::string& formulation) {
   ParameterValues values = motion.values;
   values["formulation"] = formulation;
@@ -59,7 +58,7 @@ std::optional<Scene> in_form(const ConstrainedMotion& motion, const std::string&
   }
 }
 
-// Of the last step, relative to the size of each column; none where the run is refused.
+// The error of the last step, relative to 1 + |exact|; nullopt if the scheme refuses.
 std::optional<double> error_of(const Scene& scene, const Scheme& scheme, const Grid& grid, const Vec& exact) {
   if (refusal(scheme, scene.problem, grid)) return std::nullopt;
   const auto path = scheme.solve(scene.problem, grid, {.at = {grid.end}});
@@ -106,7 +105,8 @@ INSTANTIATE_TEST_SUITE_P(, AlgebraicRowsOfScenes,
                          testing::Combine(testing::ValuesIn(motions()), testing::Values(1.0, 2.0, 3.0, 4.0)),
                          name_of_case);
 
-// Every scene that has algebraic rows is above, and the schemes that take such rows take the form with them.
+// motions() has every scene with algebraic rows, and the schemes that support such rows accept the multiplier
+// form.
 TEST(ConstrainedMotions, AreOfAllScenesWithAlgebraicRows) {
   for (const SceneMaker& maker : scenes()) {
     const auto choice = std::ranges::find(maker.parameters, "formulation", &Parameter::name);

@@ -1,4 +1,4 @@
-// A blade on a sphere: a metric with curvature and a constraint that cannot be integrated.
+// A blade on a sphere: a curved metric and a nonholonomic constraint.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ Point along(In c) {
 
 double spin(In c) { return c[5] + std::cos(c[0]) * c[4]; }
 
-// The place and the blade turn together about one axis, V (across) + spin (outwards).
+// Position and blade rotate together about one axis, V (across) + spin (outwards).
 TEST(BladeOnSphere, WithoutGravityDrawsACircle) {
   const Scene scene = scene_of("blade_on_sphere", {{"gravity", 0.0}});
   const Reference reference = reference_of(scene);
@@ -41,7 +41,7 @@ TEST(BladeOnSphere, WithoutGravityDrawsACircle) {
 }
 
 // theta' = V cos psi, sin(theta) phi' = V sin psi, V' = gravity sin(theta) cos(psi), psi' + phi' cos theta =
-// 1 by Taylor's method in 20 digits: no multiplier, no metric, no projection.
+// 1, solved by Taylor's method in 20 digits: without multiplier, metric or projection.
 TEST(BladeOnSphere, IsTheMotionOfItsReducedEquations) {
   const Reference reference = reference_of(scene_of("blade_on_sphere"));
   const Vec three = reference.at(3.0).value, ten = reference.at(10.0).value;
@@ -53,7 +53,8 @@ TEST(BladeOnSphere, IsTheMotionOfItsReducedEquations) {
       1e-11);
 }
 
-// In every form, at the rate of the scheme; the constraint by the forms that keep it.
+// In every formulation, at the rate of the scheme; the constraint in the formulations that satisfy it
+// exactly.
 TEST(BladeOnSphere, KeepsEnergyAndItsRateOfTurning) {
   for (const auto* form : {"integrated", "acceleration", "stabilised", "multiplier"}) {
     const Scene scene = scene_of("blade_on_sphere", {{"formulation", form}});
@@ -77,8 +78,8 @@ TEST(BladeOnSphere, KeepsEnergyAndItsRateOfTurning) {
   }
 }
 
-// a = (sin psi, -sin theta cos psi, 0) and a.curl a = sin(theta) != 0: no function has a multiple of a as its
-// gradient (Frobenius).
+// a = (sin psi, -sin theta cos psi, 0) and a.curl a = sin(theta) != 0: no multiple of a is the gradient of a
+// function (Frobenius).
 TEST(BladeOnSphere, HasAConstraintThatCannotBeIntegrated) {
   const auto a = [](const Point& q) { return Point(std::sin(q[2]), -std::sin(q[0]) * std::cos(q[2]), 0.0); };
   const Point q(0.9, 0.2, 0.3);
@@ -98,7 +99,7 @@ TEST(BladeOnSphere, HasAConstraintThatCannotBeIntegrated) {
   }
 }
 
-// By differences of the metric in 30 digits.
+// From differences of the metric in 30 digits.
 TEST(BladeOnSphere, HasTheGeometryOfItsMetric) {
   const Geometry at = scene_of("blade_on_sphere").geometry.at(Point(0.9, 0.0, 0.3), Point(0.4, -0.5, 0.7));
   EXPECT_NEAR(at.christoffel[0](1, 1), -0.2921542892634586, 1e-15);

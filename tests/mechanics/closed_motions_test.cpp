@@ -1,5 +1,5 @@
-// Motions with constraints of whole order whose closed form is known: it satisfies the equations, its bound
-// is honest, its limits are those of the mechanics.
+// Closed forms of motions with constraints of integer order: they satisfy the equations, their bounds hold,
+// and their limits are those of mechanics.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ void PrintTo(const Motion& motion, std::ostream* out) {
 
 class ClosedMotion : public testing::TestWithParam<Motion> {
  protected:
-  // The form whose state is its columns.
+  // The formulation whose state equals the columns.
   static Scene accelerated() {
     auto values = GetParam().values;
     values["formulation"] = "acceleration";
@@ -34,7 +34,7 @@ class ClosedMotion : public testing::TestWithParam<Motion> {
   const Scene scene_ = accelerated();
 
   [[nodiscard]] Vec at(double t) const { return scene_.reference.at(t).value; }
-  // Five points, error h^4 in theory and 1e-16/h in rounding.
+  // Five-point differences: truncation error h^4, rounding error 1e-16/h.
   [[nodiscard]] Vec slope(double t) const {
     constexpr double h = 0x1p-9;
     return (8.0 * (at(t + h) - at(t - h)) - (at(t + 2 * h) - at(t - 2 * h))) / (12.0 * h);
@@ -63,7 +63,7 @@ TEST_P(ClosedMotion, KeepsTheConstraintAndTheEnergy) {
   }
 }
 
-// Against 40 digits; the bound itself is that of a double.
+// Compared with 40 digits; the bound itself is at the level of double precision.
 TEST_P(ClosedMotion, IsWithinItsBound) {
   const Precision precision(60);
   for (const double t : {0.0, 1e-9, 0.1, 1.5, 4.5}) {
@@ -96,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Motion{"loxodrome", {{"k", 0.0}, {"speed", 0.3}}}),
     [](const auto& test) { return test.param.scene + "__" + std::to_string(test.index); });
 
-// A bound is at most what the rounding of t does, t times the largest rate, for a place that turns as well.
+// The bound is at most the effect of rounding t, which is t times the largest rate, also for a turning
+// motion.
 TEST(ClosedMotions, OfManyTurnsAreKnownAsWellAsTheirTime) {
   const Precision precision(60);
   for (const Motion& motion :
@@ -127,7 +128,7 @@ TEST(NonholonomicParticle, MovesUniformlyAsYStandsStill) {
   EXPECT_NEAR((t - almost[0]) / lag, 1.0, 1e-6);
 }
 
-// (c/b)(arsinh y - arsinh y0), as in the paper's order of integration, c = sqrt(1.25).
+// (c/b)(arsinh y - arsinh y0) in the order of integration of the paper, c = sqrt(1.25).
 TEST(NonholonomicParticle, HasTheIntegralsOfItsVelocities) {
   const Vec columns = scene_of("nonholonomic_particle").reference.at(2.0).value;
   const double c = std::sqrt(1.25);
@@ -143,7 +144,7 @@ TEST(KnifeEdge, FallsStraightAsItStopsTurning) {
   EXPECT_NEAR(columns[1] / (a * omega * t * t * t / 3), 1.0 - omega * omega * t * t / 5, 1e-15);
 }
 
-// It comes back to x = 0 after each half turn: it drifts along y at the mean speed a / (2 omega).
+// It returns to x = 0 after each half turn and drifts along y at the mean speed a / (2 omega).
 TEST(KnifeEdge, DriftsAcrossTheSlope) {
   const Vec columns = scene_of("knife_edge").reference.at(std::numbers::pi).value;
   EXPECT_NEAR(columns[0], 0.0, 1e-15);
@@ -158,7 +159,8 @@ TEST(RollingDisc, RollsInACircle) {
   }
 }
 
-// The part m R^2 / (m R^2 + I) of the pull accelerates it: straight on, 2/3 of it for a solid disc.
+// The fraction m R^2 / (m R^2 + I) of the pull accelerates it: straight motion, 2/3 of the pull for a solid
+// disc.
 TEST(RollingDisc, ResistsWithItsInertia) {
   const Scene scene =
       scene_of("rolling_disc", {{"pull", 0.75}, {"dphi0", 0.0}, {"dpsi0", 0.0}, {"I", 0.125}, {"m", 1.0}});

@@ -1,4 +1,5 @@
-// Motion against conditional extremum: Tarasov & Zaslavsky (67) and the residual of (72).
+// Constrained motion compared with the conditional extremum: Tarasov & Zaslavsky (67) and the residual of
+// (72).
 
 #include "mechanics/formulations/conditional_extremum.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 
 using namespace mechanics;
 
-// f = d/dt phi with phi = q1^2 + q2 q3 + t q1, and with |q|^2/2: holonomic constraints in disguise.
+// f = d/dt phi with phi = q1^2 + q2 q3 + t q1, and with phi = |q|^2/2: differentiated holonomic constraints.
 struct Derived {
   static constexpr int coordinates = 3, constraints = 2;
   template <class S>
@@ -41,7 +42,7 @@ TEST(ExtremumResidual, IsZeroForDerivativesOfFunctionsOfThePlace) {
   }
 }
 
-// mu (y', -x', 0) without its part along (-y, 0, 1).
+// mu (y', -x', 0), projected along (-y, 0, 1).
 TEST(ExtremumResidual, OfTheParticle) {
   const Instant<3> at{0.0, {0.2, 0.5, 0.1}, {2.0, 3.0, 1.0}, {0.3, 0.0, -0.4}};
   const Vector<double, 3> expected = 1.5 * Vector<double, 3>(3.0 / 1.25, -2.0, 0.5 * 3.0 / 1.25);
@@ -49,8 +50,8 @@ TEST(ExtremumResidual, OfTheParticle) {
   EXPECT_EQ(extremum_residual(Particle{}, at, Vector<double, 1>(0.0)).norm(), 0.0);
 }
 
-// q'' of the extremum by differences along its flow, less that of the motion at the same q and v: raised, the
-// residual.
+// q'' of the extremum by differences along its flow, minus q'' of the motion at the same q and v: the
+// residual with its index raised.
 template <class System>
 void expect_residual_between(const System& system, const Motion<System::coordinates>& start,
                              const Vector<double, System::constraints>& multiplier) {
@@ -84,15 +85,15 @@ TEST(ExtremumResidual, IsTheDifferenceOfTheAccelerations) {
                           Vector<double, 2>(1.2, -0.7));
 }
 
-// In two dimensions every constraint a(q) v = 0 is a multiple of the derivative of some phi(q): the extremum
-// is the motion.
+// In two dimensions every constraint a(q) v = 0 is a multiple of the derivative of some phi(q): extremum and
+// motion coincide.
 TEST(ExtremumResidual, IsZeroWithTwoCoordinates) {
   const Instant<2> at{0.0, {0.7, 0.2}, {0.4, 0.8 / std::sin(0.7)}, {0.3, -0.9}};
   EXPECT_LT(extremum_residual(SphereWithCourse{2.0}, at, Vector<double, 1>(1.5)).norm(), 1e-15);
 }
 
-// The constraints of a rolling disc cannot be integrated, and yet each of its free motions is an extremum,
-// with mu(0) = -m (x', y'): mu is then -m (x', y') throughout. With another mu(0) it is not.
+// The constraints of a rolling disc are nonholonomic, and yet each of its free motions is an extremum, with
+// mu(0) = -m (x', y'): then mu = -m (x', y') at all times. With another mu(0) it is not.
 TEST(ConditionalExtremum, EveryFreeMotionOfTheDiscIsOne) {
   const Scene disc = scene_of("rolling_disc");
   const double mass = 1.0, radius = 0.5, spin = 2.0;
@@ -109,7 +110,7 @@ TEST(ConditionalExtremum, EveryFreeMotionOfTheDiscIsOne) {
   EXPECT_GT((extremum(0.5) - motion).cwiseAbs().maxCoeff(), 0.1);
 }
 
-// mu = (pz - y px)/(1 + y^2) stays 0 where y or x stands still.
+// mu = (pz - y px)/(1 + y^2) remains 0 if y or x is constant.
 TEST(VakonomicParticle, IsTheMotionWhereTheMultiplierStaysZero) {
   for (const auto* still : {"dx0", "dy0"}) {
     const ParameterValues values{{still, 0.0}};
@@ -119,7 +120,8 @@ TEST(VakonomicParticle, IsTheMotionWhereTheMultiplierStaysZero) {
   }
 }
 
-// At first by t^2/2 times the residual at the start, mu0 (y', -x', y y') with y' and y y' over 1 + y^2.
+// The difference is initially t^2/2 times the residual at the start, mu0 (y', -x', y y') with y' and y y'
+// divided by 1 + y^2.
 TEST(VakonomicParticle, LeavesTheMotionWithTheResidual) {
   const double t = 1e-3, mu = 2.0;
   const Vec motion = scene_of("nonholonomic_particle").reference.at(t).value;

@@ -10,7 +10,7 @@ namespace fde {
 
 struct Motion {
   const char* name = "";
-  double alpha = 0.5, rest = 0.5;  // 1 - alpha, which in doubles is not the decimal
+  double alpha = 0.5, rest = 0.5;  // rest = 1 - alpha as a decimal, which the difference of doubles is not
   std::array<double, 2> k{1.0, 2.0}, g{0.5, -1.0}, a{1.0, 2.0}, b{0.5, -0.3}, q0{0.7, -0.2}, v0{0.2, -0.1};
 };
 
@@ -21,7 +21,7 @@ inline std::vector<double> initial_of(double order, double value) {
   return order == 0.0 ? std::vector<double>{} : std::vector{value};
 }
 
-// Components q, v, w, e, lambda with e = v(0); rows of w are the caller's.
+// Components q, v, w, e, lambda with e = v(0); the caller adds the rows of w.
 inline LinearSystem without_memory(const Motion& m) {
   LinearSystem system{.orders = {1, 1, 1, 1, 0, 0, 1, 1, 0},
                       .initial = std::vector<std::vector<double>>(9),
@@ -40,7 +40,7 @@ inline LinearSystem without_memory(const Motion& m) {
   return system;
 }
 
-// -k q - g + a lambda for one row of each coordinate.
+// Adds -k q - g + a lambda to the rows first_row and first_row + 1, one for each coordinate.
 inline void add_forces(LinearSystem& system, const Motion& m, std::size_t first_row) {
   for (std::size_t i = 0; i < 2; ++i) {
     const auto row = static_cast<Eigen::Index>(first_row + i);
@@ -100,8 +100,8 @@ inline LinearSystem with_memory_on_copies(const Motion& m) {
   return system;
 }
 
-// q' = z - A w, z' = -P (k q + g), D^(1-alpha) w = z - A w for the default a, b, k and g, for which A, P and
-// their products are short decimals, or with b = 0. All components: q, z, w.
+// q' = z - A w, z' = -P (k q + g), D^(1-alpha) w = z - A w, for the default a, b, k and g, for which A, P and
+// their products are short decimals, or with b = 0. Outputs: all components q, z, w.
 inline LinearSystem integrated_form(const Motion& m) {
   Matrix a_b = (Matrix(2, 2) << 0.1, -0.06, 0.2, -0.12).finished();
   if (m.b[0] == 0.0) a_b.setZero();

@@ -20,7 +20,7 @@ struct Drifts {
   std::optional<Drift> independent;
 };
 
-// Of a scheme, or of what `columns` makes of each step.
+// The drifts of a run of a scheme.
 Drifts drifts_of(const Scene& scene, std::string_view scheme, int steps) {
   DriftObserver watch(scene, Grid{scene.problem.end, steps});
   Options options{.at = {scene.problem.end}};
@@ -29,8 +29,7 @@ Drifts drifts_of(const Scene& scene, std::string_view scheme, int steps) {
   return {watch.internal(), watch.independent()};
 }
 
-// A path on the constraint v + w = 0 but for what is added to it: v = 1, so w = -1, while D^(1/2) q is
-// 2 sqrt(t/pi).
+// A path that satisfies the constraint v + w = 0: v = 1 and w = -1, while D^(1/2) q is 2 sqrt(t/pi).
 Scene made_scene() {
   Scene scene;
   scene.problem.end = 4.0;
@@ -46,7 +45,7 @@ TEST(DriftObserver, TellsWhatTheSchemeSaysFromWhatItsVelocitiesSay) {
   DriftObserver watch(scene, grid);
   for (int n = 0; n <= grid.steps; ++n)
     watch.observe(grid.time(n), Vec{{grid.time(n), 1.0, n == 333 ? -1.5 : -1.0}});
-  EXPECT_EQ(watch.internal().largest, 0.5);  // at step 333 only: every step is looked at
+  EXPECT_EQ(watch.internal().largest, 0.5);  // at step 333 only: every step is evaluated
   EXPECT_NEAR(watch.independent()->largest, 1.0 + 4.0 / std::sqrt(std::acos(-1.0)), 1e-13);
 }
 
@@ -68,7 +67,7 @@ TEST(DriftObserver, HasAnIndependentDriftWithMemoriesAndTheStepsOfAUniformGrid) 
   EXPECT_FALSE(has_independent_drift(scene, grid, grid));
 }
 
-// What the judge makes of the exact velocities: its own error.
+// The error of IndependentMemory for the exact velocities.
 double error_of_judge(const Scene& scene, const Rows& exact, const Grid& grid) {
   const IndependentMemory memory(grid, scene.memories[0].order, scene.memories[0].powers);
   double largest = 0.0;
@@ -84,8 +83,8 @@ Rows exact_columns(const Scene& scene, const Grid& grid) {
   return exact;
 }
 
-// The judge is far better than the judged: on the exact velocities it gives w to so much more than what the
-// schemes' own w are off by.
+// IndependentMemory is much more accurate than the schemes: for the exact velocities its error in w is far
+// below the errors of w in the schemes.
 TEST(IndependentMemory, IsFarBelowTheErrorsOfTheSchemes) {
   for (const double alpha : {0.3, 0.5, 0.8}) {
     const Scene scene = constrained(alpha);
@@ -103,7 +102,7 @@ TEST(IndependentMemory, IsFarBelowTheErrorsOfTheSchemes) {
   }
 }
 
-// a.z = C0 is linear and every scheme keeps it, whatever its w is.
+// a.z = C0 is linear, and every scheme conserves it for any w.
 TEST(Drift, OfTheIntegratedFormIsInternallyRounding) {
   for (const double alpha : {0.3, 0.5, 0.8}) {
     const Scene scene = constrained(alpha);
@@ -117,8 +116,8 @@ TEST(Drift, OfTheIntegratedFormIsInternallyRounding) {
 
 class IndependentDrift : public testing::TestWithParam<const Scheme*> {};
 
-// What is left is that of w against D^alpha of the computed q: a quadrature error of the scheme's, where that
-// is above the judge's.
+// The drift is the difference of w and D^alpha of the computed q: the quadrature error of the scheme, as long
+// as it exceeds the error of IndependentMemory.
 TEST_P(IndependentDrift, FallsAtTheRateOfTheScheme) {
   const Scheme& scheme = *GetParam();
   const Scene scene = constrained(0.5);
@@ -157,7 +156,7 @@ TEST(Drift, IsRecordedWithItsGrowthAlsoWithoutAReference) {
   EXPECT_TRUE(has("drift_internal"));
   EXPECT_TRUE(has("drift_independent"));
   EXPECT_TRUE(has("drift_independent_growth"));
-  EXPECT_FALSE(has("drift_internal_growth"));  // at rounding
+  EXPECT_FALSE(has("drift_internal_growth"));  // at the level of rounding
   EXPECT_FALSE(has("error_end"));
 }
 

@@ -11,9 +11,9 @@
 namespace fde {
 namespace {
 
-// D^order of q with q' = t^p. Order 1 + b: D^b q', which is 0 for p = 0.
+// D^order of q with q' = t^p. For order 1 + b: D^b q', which is 0 for p = 0.
 double memory_of_power(double order, double p, double t) {
-  const double lost = order - 1.0;  // of the power p of q'
+  const double lost = order - 1.0;  // the power p of q' decreases by this much
   if (order > 1.0 && p == 0.0) return 0.0;
   return std::tgamma(p + 1.0) / std::tgamma(p + 1.0 - lost) * std::pow(t, p - lost);
 }
@@ -24,7 +24,7 @@ Vec power_path(const Grid& grid, double p) {
   return v;
 }
 
-// The largest error over the steps, relative where the value is above 1.
+// The largest error over the steps, divided by 1 + |exact|.
 double error_of_power(const IndependentMemory& memory, const Grid& grid, double order, double p) {
   double largest = 0.0;
   const Vec v = power_path(grid, p);
@@ -38,7 +38,7 @@ double error_of_power(const IndependentMemory& memory, const Grid& grid, double 
 class IndependentMemories : public testing::TestWithParam<double> {
  protected:
   static double order() { return GetParam(); }
-  // As velocities of constrained motions start: whole powers and multiples of |1 - order|.
+  // The starting powers of velocities of constrained motions: integers and multiples of |1 - order|.
   static std::vector<double> powers() {
     const double step = std::abs(1.0 - order());
     return power_lattice({order() < 1.0 ? step : 1.0}, {step, 1.0}, 2.0);
@@ -58,9 +58,9 @@ TEST_P(IndependentMemories, AreExactForThePowersOfTheStart) {
     EXPECT_LT(error_of_power(memory, grid, order(), powers()[p]), 2e-12) << powers()[p];
 }
 
-// v = t^4 has v - cubic = h^4 x (x+1) (x-1) (x-2), at the last step x (x+1) (x+2) (x-1), which are at most
-// h^4: so J^b of it is at most h^4 J^b 1. Above order 1 its derivative is h^3, and left over at the last
-// step.
+// For v = t^4, v - cubic = h^4 x (x+1) (x-1) (x-2), at the last step h^4 x (x+1) (x+2) (x-1), which are at
+// most h^4: so J^b of it is at most h^4 J^b 1. Above order 1 the derivative is of size h^3 and does not
+// average out at the last step.
 TEST_P(IndependentMemories, HaveOrderFourForSmoothVelocities) {
   const auto error = [](int steps) {
     const Grid grid{.end = 2.0, .steps = steps};

@@ -1,4 +1,4 @@
-// Dual numbers obey the rules of differentiation, and nested ones give second derivatives.
+// Dual numbers obey the rules of differentiation; nested ones give second derivatives.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What docs/mechanics.md says of the formulations beside each other, with memory.
+// The statements of docs/mechanics.md that compare the formulations with memory.
 
 #include <gtest/gtest.h>
 

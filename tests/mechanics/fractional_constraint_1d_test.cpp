@@ -55,8 +55,8 @@ TEST(FractionalConstraint1D, BetweenOneAndTwoIsUniformMotion) {
   }
 }
 
-// Every scheme that takes the chain, in every range: errors fall at a rate near 1 or more. Eight times the
-// steps, as that of bdf2 passes through 0 between 256 and 512.
+// Every scheme that supports the chain, in every range of alpha: the rate is near 1 or higher. The number of
+// steps increases by a factor 8, because the error of bdf2 changes sign between 256 and 512.
 TEST(FractionalConstraint1D, SchemesApproachIt) {
   for (const double alpha : {0.25, 0.5, 0.75, 2.25, 2.5, 2.75}) {
     Scene scene = line({{"alpha", alpha}});
@@ -127,8 +127,8 @@ TEST(FractionalConstraint1D, SchemesApproachTheConstraintThatIsZero) {
   }
 }
 
-// From below w(0) = 0, and q' goes over from q1 to a q1 / (a + b) within a time that tends to 0; at order 1 w
-// = q' from the start on.
+// As alpha -> 1 from below, w(0) = 0, and q' changes from q1 to a q1 / (a + b) within a time that tends to 0;
+// at order 1, w = q' from the start.
 TEST(FractionalConstraint1D, AlphaToOneFromBelowIsAnotherMotionThanAtOne) {
   const Values at_one{{"alpha", 1.0}, {"a", 0.8}, {"b", 0.6}, {"q1", 0.7}};
   Values below = at_one;

@@ -14,7 +14,7 @@ namespace {
 
 using Values = ParameterValues;
 
-// Eq. 57: the constraint does not move q1, which is a harmonic oscillator.
+// Eq. 57: the constraint does not act on q1, which is a harmonic oscillator.
 TEST(ConstraintCases, A1ZeroLeavesQ1Free) {
   for (const double alpha : {0.3, 0.5, 0.8, 1.5}) {
     const Values values{{"alpha", alpha}, {"a1", 0.0}, {"k1", 2.25}, {"q1", 1.0}, {"v1", 0.6}};
@@ -40,13 +40,13 @@ Scene oscillator(Values values, const std::string& form) {
   return scene_of("nonlinear_fractional_oscillator", values);
 }
 
-// The reference of a scene's own problem, not of that which it is compared with.
+// The reference computed from scene.problem instead of scene.reference_problem.
 Vec own_reference(const Scene& scene, double t) {
   const ReferenceValue known = reference_solution(scene.problem).at(t);
   return columns_at(scene.outputs, t, known.value);
 }
 
-// Eqs 63-66: (66) and the system (59), (60) are different equations with one motion.
+// Eqs 63-66: (66) and the system (59), (60) are different equations for the same motion.
 TEST(ConstraintCases, TheReducedEquationIsTheSystem) {
   for (const double alpha : {1.25, 1.5, 1.75}) {
     Scene system = oscillator({{"alpha", alpha}}, "integrated");
@@ -66,7 +66,7 @@ TEST(ConstraintCases, TheReducedEquationIsTheSystem) {
   }
 }
 
-// For K = k1 x it is x'' + (2/g) D^(3-alpha) x + (k1/2) x = 0, exactly solvable.
+// For K = k1 x the equation is x'' + (2/g) D^(3-alpha) x + (k1/2) x = 0, with an exact solution.
 TEST(ConstraintCases, TheLinearOneIsExact) {
   const double alpha = 1.25, k1 = 3.0, g = 0.8;
   Scene system = oscillator({{"alpha", alpha}, {"k1", k1}, {"k3", 0.0}}, "integrated");
@@ -87,7 +87,7 @@ TEST(ConstraintCases, ThePlaneHasTheSameCase) {
   EXPECT_NEAR(0.5 * (points[2] + points[3]), exact.at(2.0).value[1], 1e-12);
 }
 
-// The initial data of y are in the system only, and move nothing of x.
+// The initial values of y enter the system only, and do not affect x.
 TEST(ConstraintCases, XDoesNotDependOnY) {
   Scene one = oscillator({}, "integrated"), other = oscillator({{"y0", 3.0}, {"dy0", -1.0}}, "integrated");
   const auto at_end = [](const Scene& scene) {
@@ -109,8 +109,8 @@ TEST(ConstraintCases, TheMultiplierFormApproachesTheReducedEquation) {
   EXPECT_LT(error(800), 0.55 * error(400));
 }
 
-// z' = -P grad u with P = I - a a^T/5, a = (1, 2): a constant force does not cost the small stiffness its
-// digits.
+// z' = -P grad u with P = I - a a^T/5, a = (1, 2): a large constant force must not cause cancellation in the
+// small stiffness.
 TEST(FractionalConstraint2d, AGreatForceLeavesTheMatrixOfASmallStiffness) {
   const auto scene = scene_of("fractional_constraint_2d", {{"g", 1e12}, {"k2", 1e-9}});
   const Matrix& part = std::get<DenseLinearPart>(scene.problem.derivatives).matrix;

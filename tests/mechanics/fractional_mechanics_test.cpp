@@ -1,4 +1,4 @@
-// Scenes of mechanics with memory: their forms, limits, and what they refuse.
+// Scenes of mechanics with memory: formulations, limits, and refusals.
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ class OnBothSurfaces : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(, OnBothSurfaces, testing::Values("plane", "sphere"),
                          [](const auto& test) { return test.param; });
 
-// With b times the constraint itself as its memory, alpha = 1 is (1 + b) times the constraint.
+// The memory term is b times the constraint, so alpha = 1 gives (1 + b) times the constraint.
 TEST_P(OnBothSurfaces, AlphaToOneIsTheMotionWithoutMemory) {
   const Values surface{{"surface", GetParam()}};
   const Rows whole = run(knife_edge(with(surface, {{"alpha", 1.0}})), 200);
@@ -119,7 +119,7 @@ TEST(FractionalConstraintNonlinear, ItsReferenceIsOnTheConstraint) {
     EXPECT_LT(scene.constraint.drift(t, reference.at(t).value), 1e-12) << t;
 }
 
-// Without coupling |v| is constant, whatever alpha is.
+// Without coupling |v| is constant for every alpha.
 TEST(FractionalConstraintNonlinear, WithoutCouplingIsTheThermostat) {
   const Vec v = reference_of(thermostat({{"coupling", 0.0}})).at(3.0).value.segment(2, 2);
   EXPECT_NEAR(v.norm(), 1.0, 1e-13);
@@ -139,7 +139,8 @@ TEST(FractionalConstraintNonlinear, FromOneHalfOnTheMultiplierFits) {
   for (int n = 0; n <= 100; ++n) ASSERT_LT(scene.constraint.drift(0.1 * n, columns.col(n)), 1e-13) << n;
 }
 
-// Powers of t^(1 - alpha) start below the smallest double there. A sweep keeps what can be measured.
+// The solution has powers of t^(1 - alpha), whose start is below the smallest double here. Measures that need
+// no reference are still recorded.
 TEST(FractionalConstraintNonlinear, NextToOneAnExaminationSaysThatNothingIsKnown) {
   const Scene scene = thermostat({{"alpha", 0.95}, {"formulation", "multiplier"}});
   WatchedReference reference(scene);

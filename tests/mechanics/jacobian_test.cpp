@@ -1,4 +1,4 @@
-// Every form of every scene with a constraint passes df/dy of its nonlinear right-hand side.
+// Every formulation of every scene with a constraint has a correct df/dy of its nonlinear right-hand side.
 
 #include <gtest/gtest.h>
 
@@ -12,14 +12,14 @@ namespace fde {
 namespace {
 
 struct Form {
-  std::string scene, name;  // name: for the test
+  std::string scene, name;  // name: of the test case
   ParameterValues values;
 };
 
-// Throws std::invalid_argument where that form is refused.
+// Throws std::invalid_argument if the formulation is refused.
 Problem problem_of(const Form& form) { return scene_of(form.scene, form.values).problem; }
 
-// The choices of one parameter among the forms found so far.
+// Expands the forms by all choices of one parameter.
 void choose(std::vector<Form>& forms, const Parameter& parameter) {
   std::vector<Form> chosen;
   for (const auto& form : forms) {
@@ -63,7 +63,7 @@ std::vector<Form> forms_with_constraints() {
 
 class FormWithConstraint : public testing::TestWithParam<Form> {};
 
-// By differences of order 6 in one direction.
+// df/dy_column by differences of order 6.
 Vec differenced(const Problem& problem, double t, const Vec& y, Eigen::Index column) {
   constexpr double h = 1e-3;
   constexpr std::array weights{45.0, -9.0, 1.0};
@@ -85,7 +85,7 @@ TEST_P(FormWithConstraint, PassesTheJacobianOfItsRightHandSide) {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-0.2, 0.2);
   for (const double t : {0.3, 0.9, 2.5}) {
-    // Loads of made motions are powers of what is left of the time.
+    // The forcing of manufactured solutions contains powers of end - t.
     if (two_sided(problem) && t > problem.end) continue;
     const Vec y =
         taylor_part(problem, 0.0) + Vec::NullaryExpr(problem.size(), [&] { return uniform(generator); });

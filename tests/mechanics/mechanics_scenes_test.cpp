@@ -1,4 +1,4 @@
-// Mechanics with constraints of whole order: the derivatives, the formulations, the thermostat.
+// Mechanics with constraints of integer order: derivatives, formulations, thermostats.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using namespace mechanics;
 
-// The slope of a function along direction k by differences.
+// The derivative of a function in direction k by differences.
 template <class Function>
 auto differenced(const Function& function, const Vector<double, 2>& at, int k) {
   constexpr double h = 1e-6;
@@ -79,8 +79,8 @@ TEST(Metric, OfTheIdentityIsNone) {
   EXPECT_LT((f - g).norm(), 1e-15);
 }
 
-// Where the constraint holds, all forms have the same v'. Off it they differ, the stabilised one by
-// -kappa f / |df/dv|^2 along df/dv.
+// On the constraint all formulations have the same v'. Off it the stabilised one differs by -kappa f /
+// |df/dv|^2 along df/dv.
 TEST(Formulations, AgreeOnTheConstraint) {
   const mechanics::Motion<3> start{{0.0, 0.5, 0.0}, {1.0, 1.0, 0.5}};
   const WholeAcceleration<Particle> plain{{}, start, 0.0}, stabilised{{}, start, 10.0};
@@ -94,7 +94,7 @@ TEST(Formulations, AgreeOnTheConstraint) {
   EXPECT_EQ(difference.head<3>().norm(), 0.0);
 }
 
-// lambda(0) = x' y' / (1 + y^2), and the reaction of the multiplier form is that of the others.
+// lambda(0) = x' y' / (1 + y^2), and the reaction of the multiplier form equals that of the others.
 TEST(Formulations, MultipliersStartConsistently) {
   const Scene multiplier = scene_of("nonholonomic_particle", {{"formulation", "multiplier"}});
   const Scene acceleration = scene_of("nonholonomic_particle", {{"formulation", "acceleration"}});
@@ -124,7 +124,7 @@ TEST(Formulations, OnlyTheAccelerationFormsDrift) {
       1e-7);
 }
 
-// f' = 0 and f' = -kappa f: what the constraint is off by at the start stays, or falls like e^(-kappa t).
+// f' = 0 and f' = -kappa f: an initial violation of the constraint persists, or decays like e^(-kappa t).
 TEST(Formulations, TheStabilisedOneForgetsAnInconsistentStart) {
   const auto drift = [](const std::string& formulation) {
     Scene scene = scene_of("nonholonomic_particle", {{"formulation", formulation}, {"kappa", 4.0}});
@@ -148,13 +148,13 @@ TEST(Isokinetic, KeepsTheKineticEnergyThatItStartsWith) {
   EXPECT_EQ(scene_of("isokinetic", {{"v1", 2.0}}).problem.components[3].initial[0], 2.0);
 }
 
-// Without springs it moves straight on.
+// Without springs the motion is uniform.
 TEST(Isokinetic, IsFreeMotionWithoutForces) {
   const Vec end = reference_of(scene_of("isokinetic", {{"k", 0.0}, {"c", 0.0}})).at(10.0).value;
   EXPECT_LT((end.head<3>() - Eigen::Vector3d(6.5, -4.0, 2.7)).norm(), 1e-13);
 }
 
-// The thermostat does work: dE/dt = 2 K lambda, and the balance of a computed path closes like h^2.
+// The thermostat does work, dE/dt = 2 K lambda, and the residual of the energy balance decreases like h^2.
 TEST(Isokinetic, EnergyBalanceClosesAtTheRateOfTheScheme) {
   const Scene scene = scene_of("isokinetic");
   const auto residual = [&](int steps) {
@@ -169,7 +169,7 @@ TEST(Isokinetic, EnergyBalanceClosesAtTheRateOfTheScheme) {
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.1);
 }
 
-// With the columns q and v of Taylor's method in 20 digits.
+// The columns q and v are compared with Taylor's method in 20 digits.
 TEST(CanonicalEnsemble, KeepsItsTemperatureOnTheMotionComputedApart) {
   const Scene scene = scene_of("canonical_ensemble");
   const ReferenceValue at = reference_of(scene).at(2.0);
@@ -184,7 +184,7 @@ TEST(CanonicalEnsemble, KeepsItsTemperatureOnTheMotionComputedApart) {
   EXPECT_NEAR(temperature(at.value), temperature(reference_of(scene).at(0.0).value), 1e-13);
 }
 
-// A friction that is the same for all masses is along the reaction.
+// A friction that is equal for all masses is along the reaction.
 TEST(CanonicalEnsemble, WithEqualFrictionsIsTheIsokineticOne) {
   const ParameterValues equal{{"gamma1", 0.7}, {"gamma2", 0.7}, {"gamma3", 0.7}};
   const Vec same = reference_of(scene_of("canonical_ensemble", equal)).at(5.0).value;

@@ -1,5 +1,5 @@
-// Growth of the linear scene: zeros of sum_i a_i (a_i + b_i s^(alpha-1)) / (s^2 + k_i), Tarasov & Zaslavsky
-// (42).
+// Growing modes of the linear scene: zeros of sum_i a_i (a_i + b_i s^(alpha-1)) / (s^2 + k_i), Tarasov &
+// Zaslavsky (42).
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ struct Plane {
       sum += a[i] * (a[i] + b[i] * std::pow(s, alpha - 1.0)) / (s * s + k[i]);
     return sum;
   }
-  // By Newton's method from nearby, with differences.
+  // The zero near s, by Newton's method with differences.
   [[nodiscard]] Complex mode_near(Complex s) const {
     for (int i = 0; i < 30; ++i) {
       const Complex slope = (characteristic(s + 1e-6) - characteristic(s - 1e-6)) / 2e-6;
@@ -47,7 +47,8 @@ struct Plane {
   }
 };
 
-// x(2h) - 2 Re(e^(sh)) x(h) + |e^(sh)|^2 x(0), which is 0 for x = Re(A e^(st)), relative to its terms.
+// x(2h) - 2 Re(e^(sh)) x(h) + |e^(sh)|^2 x(0), which is 0 for x = Re(A e^(st)), divided by the size of its
+// terms.
 double left_of_mode(const std::array<double, 3>& x, double h, Complex s) {
   const Complex factor = std::exp(s * h);
   const std::array<double, 3> terms{x[2], -2.0 * factor.real() * x[1], std::norm(factor) * x[0]};
@@ -65,7 +66,7 @@ TEST(Modes, ThePartOfBAcrossACountsWhereStiffnessesDiffer) {
   EXPECT_LT(left_of_mode(reference_of(plane.scene()), 30.0, 0.7, mode), 1e-6);
 }
 
-// The form with a multiplier is the same equations.
+// The multiplier form has the same solution.
 TEST(Modes, GrowInEveryForm) {
   const Plane plane{1.5, {1.0, 1.0}, {1.5, -1.0}, {6.0, 1.0}};
   const Complex mode = plane.mode_near({0.5, 1.1});
@@ -88,8 +89,8 @@ TEST(Modes, WithEqualStiffnessesTheSignOfTheAlignmentDecides) {
     EXPECT_LT(reference_of(other.scene()).at(t).value.head(2).cwiseAbs().maxCoeff(), 2.0 * t) << t;
 }
 
-// Where no mode grows the constant still moves q along k^-1 a, like t above order 1 and like t^alpha below;
-// and without it b.v(0) does, like t^(2-alpha).
+// If no mode grows, a nonzero constant moves q along k^-1 a, like t above order 1 and like t^alpha below;
+// with a zero constant b.v(0) does, like t^(2-alpha).
 TEST(Modes, WhatIsNoModeMovesAlongTheConstraintLikeAPower) {
   const auto power = [](const Plane& plane, const ParameterValue& constant) {
     const Reference reference = reference_of(plane.scene("integrated", constant));

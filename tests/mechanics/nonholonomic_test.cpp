@@ -1,4 +1,4 @@
-// Constraints whose reaction turns with the motion: the multiplier in nonlinear problems.
+// Constraints with a reaction whose direction depends on the motion: the multiplier in nonlinear problems.
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ Problem particle(double initial_multiplier) {
           .end = 2.0};
 }
 
-// A wrong initial multiplier leaves the rate as it is.
+// A wrong initial multiplier does not change the rate.
 TEST_P(Nonholonomic, TheParticleHasItsRate) {
   const double t = 2.0, x = std::asinh(t), z = std::hypot(1.0, t) - 1.0;
   for (const double initial_multiplier : {1.0, 3.0}) {
@@ -70,8 +70,8 @@ TEST_P(Nonholonomic, TheMultiplierOfTheParticleIsFound) {
   }
 }
 
-// Two unit masses on springs in the plane of their coordinates, |v|^2/2 + coupling v.w = K, w = D^0.6 q: the
-// isokinetic thermostat, and a fractional constraint that is not linear. Unknowns (q, v, w, lambda).
+// Two unit masses on springs, |v|^2/2 + coupling v.w = K, w = D^0.6 q: the isokinetic thermostat, and a
+// nonlinear fractional constraint. Unknowns (q, v, w, lambda).
 struct Thermostat {
   double coupling;
   double constraint_at_start = 0.5 * (1.0 + 0.25);
@@ -117,7 +117,7 @@ TEST_P(Nonholonomic, ANonlinearConstraintIsHeldInShortSteps) {
   }
 }
 
-// A multiplier known to rounding / h = 1e-4 of its size only is not what Newton's method waits for.
+// The multiplier is known only to rounding / h = 1e-4 of its size; Newton's method must not iterate for more.
 TEST_P(Nonholonomic, TheParticleTakesFewIterationsInShortSteps) {
   Problem fast = particle(1e12);
   fast.components[3].initial = fast.components[4].initial = {1e6};

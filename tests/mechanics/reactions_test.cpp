@@ -1,4 +1,4 @@
-// lambda and the power of the reactions, of every formulation, beside what is exactly known.
+// lambda and the power of the reactions, in every formulation, compared with exact values.
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,8 @@ struct Form {
   ParameterValues values;
 };
 
-// Each with what is exact; those with memory below, at and above order 1, with singular starts and without.
+// Scenes with exact reactions; those with memory are below, at and above order 1, with and without a singular
+// start.
 std::vector<Form> forms() {
   std::vector<Form> all;
   const auto add = [&](const std::string& scene, const ParameterValues& values,
@@ -87,7 +88,8 @@ TEST(Reactions, OfEveryFormulationApproachTheExactOnes) {
   }
 }
 
-// Runs to an accuracy have no steps beside an output time: rates are those of values around it.
+// With an adaptive step size there are no steps beside an output time: rates are computed from values around
+// it.
 TEST(Reactions, OfRunsToAnAccuracyAreTheExactOnes) {
   const std::vector<double> asked{1e-5, 0.01, 1.0, 1.9999, 2.0};
   for (const auto& [id, values] : forms()) {
@@ -111,7 +113,7 @@ TEST(Reactions, OfRunsToAnAccuracyAreTheExactOnes) {
   }
 }
 
-// The blade: lambda = -2 g sin(theta) sin(omega t), and its reaction does no work.
+// Knife edge: lambda = -2 g sin(theta) sin(omega t), and the reaction does no work.
 TEST(Reactions, OfTheKnifeEdgeHaveAClosedForm) {
   const Scene scene = scene_of("knife_edge");
   for (const double t : {0.0, 1.0, 7.5}) {
@@ -121,8 +123,8 @@ TEST(Reactions, OfTheKnifeEdgeHaveAClosedForm) {
   }
 }
 
-// lambda starts like -(b.v(0))/|a|^2 t^-alpha/Gamma(1-alpha): no value at 0, and from t_1 on one of the right
-// size.
+// lambda starts like -(b.v(0))/|a|^2 t^-alpha/Gamma(1-alpha): unbounded at 0, and of the right size from t_1
+// on.
 TEST(Reactions, BeginWithTheFirstStepWhereTheyAreUnbounded) {
   Scene scene = scene_of("fractional_constraint_2d");
   ASSERT_FALSE(scene.reactions.first);
@@ -142,10 +144,10 @@ TEST(Reactions, BeginWithTheFirstStepWhereTheyAreUnbounded) {
   EXPECT_NEAR((*regular.reactions.first)[0], regular.reactions.exact.at(1e-9).value[0], 1e-5);
 }
 
-// With c = -a (b.v(0))/|a|^2 and v' = -grad u + a lambda, less what is unbounded first:
+// With c = -a (b.v(0))/|a|^2 and v' = -grad u + a lambda, after subtraction of the leading singular term,
 //   lambda |a|^2 - a.grad u + b.v(0) t^-alpha/Gamma(1-alpha) starts like t^(1 - 2 alpha),
-//   b.(D^alpha v - c t^(1-2 alpha)/Gamma(2-2 alpha)) like t^(2 - 3 alpha), where b.D^alpha v is minus the
-//   former.
+//   b.(D^alpha v - c t^(1-2 alpha)/Gamma(2-2 alpha)) starts like t^(2 - 3 alpha).
+// The former is -b.D^alpha v.
 TEST(ReactionStarts, HaveThePowersThatTheAccelerationFormIsRefusedFor) {
   const double alpha = 0.6, bv = 5.0 * 0.4 - 3.0 * 0.2, ab = 11.0, aa = 5.0;
   const Scene scene = scene_of("fractional_constraint_2d", {{"alpha", alpha}, {"b1", 5.0}, {"b2", 3.0}});
@@ -164,7 +166,7 @@ TEST(ReactionStarts, HaveThePowersThatTheAccelerationFormIsRefusedFor) {
   EXPECT_NEAR(power(of_memory), 2.0 - 3.0 * alpha, 0.02);
 }
 
-// E(t) - E(0) is the work of the reactions: the balance of a computed path closes as the step falls.
+// E(t) - E(0) is the work of the reactions: the residual of the energy balance decreases with the step size.
 TEST(EnergyOfMemory, BalanceCloses) {
   const auto residual = [](const Scene& scene, int steps) {
     EnergyObserver balance(scene.energy);
@@ -209,7 +211,7 @@ TEST(LocalRate, IsThatOfWhatItIsMadeFor) {
   EXPECT_EQ(local_rate({1.0, 2}, 2, {0.5}).steps, (std::vector{0, 1, 2}));
 }
 
-// Of a start like t^0.4 and of an oscillation, with values that are off by what a run is; up to the end.
+// A start like t^0.4 plus an oscillation, with perturbed values; up to the end.
 TEST(LocalRate, OfValuesAtAnyTime) {
   for (const double noise : {0.0, 1e-9}) {
     const auto value = [&](double x) {

@@ -21,7 +21,7 @@ Vector<double, n> first(const Vec& columns) {
 
 const SphereWithCourse sphere{2.0};
 
-// Gamma^theta_phi,phi = -sin cos, Gamma^phi_theta,phi = cot; the rest is 0.
+// Gamma^theta_phi,phi = -sin cos, Gamma^phi_theta,phi = cot; the others are 0.
 TEST(ChristoffelSymbols, OfTheSphere) {
   const double theta = 0.7;
   const auto symbols = christoffel_symbols<double>(sphere, Vector<double, 2>(theta, 1.1));
@@ -70,8 +70,8 @@ TEST(Semispray, IsHomogeneousWithoutForces) {
   }
 }
 
-// Without constraint forces it is the geodesic spray: great circles, q'' = -2 G with y^i = x'^i. Here the
-// meridian and the equator.
+// Without constraint forces it is the geodesic spray: great circles, q'' = -2 G with y^i = x'^i. Tested for
+// the meridian and the equator.
 TEST(Semispray, WithoutMultipliersIsThatOfGeodesics) {
   const GivenMultipliers none{[]<class S>(const Vector<S, 2>&) { return Vector<S, 1>(S(0.0)); }};
   EXPECT_EQ(semispray<double>(sphere, none, Vector<double, 2>(0.7, 0.0), Vector<double, 2>(1.3, 0.0)).norm(),
@@ -90,7 +90,7 @@ TEST(Semispray, MultipliersOfTheParticleAreQuadraticInTheVelocity) {
   EXPECT_NEAR(lambda(2.0, 1.0), 1.6, 1e-15);
 }
 
-// Theorem 2.3: x' = y, y' = -2 G* from the start of a scene leads along its closed form.
+// Theorem 2.3: x' = y, y' = -2 G* from the initial state of a scene reproduces its closed form.
 template <class System>
 void expect_evolution(const System& system, const Scene& scene) {
   constexpr int n = System::coordinates;
@@ -120,7 +120,7 @@ TEST(Semispray, HasTheEvolutionCurvesAsItsIntegralCurves) {
   expect_evolution(Disc{0.5, 1.0, 0.125, 0.0625, 0.6}, scene_of("rolling_disc", {{"pull", 0.6}}));
 }
 
-// Theorem 2.4: for multipliers that are functions of the place alone, whatever they are, N* = N.
+// Theorem 2.4: N* = N for any multipliers that are functions of position only.
 TEST(NonlinearConnection, IsRiemannsForMultipliersOfThePlace) {
   const GivenMultipliers given{[]<class S>(const Vector<S, 2>& x) {
     using std::cos, std::sin;
@@ -130,8 +130,8 @@ TEST(NonlinearConnection, IsRiemannsForMultipliersOfThePlace) {
   EXPECT_LT((semispray_connection(sphere, given, x, y) - riemannian_connection(sphere, x, y)).norm(), 1e-15);
 }
 
-// It does not hold for the multipliers that keep the constraint: G* has -lambda a / 2, lambda = x' y'/(1 +
-// y^2), a = (-y, 0, 1), and N = 0.
+// It does not hold for the multipliers that enforce the constraint: G* contains -lambda a / 2, lambda = x'
+// y'/(1 + y^2), a = (-y, 0, 1), and N = 0.
 TEST(NonlinearConnection, IsAnotherForMultipliersThatKeepTheConstraint) {
   const Vector<double, 3> x(0.0, 0.5, 0.0), y(2.0, 1.0, 1.0);
   const Vector<double, 3> slope = Vector<double, 3>(1.0, 2.0, 0.0) / 1.25;  // d lambda / d(x', y', z')

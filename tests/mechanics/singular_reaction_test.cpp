@@ -1,5 +1,5 @@
-// A reaction like t^-alpha whose direction turns, alpha >= 1/2: fractional_constraint_nonlinear with its
-// multiplier, against its power series.
+// A reaction like t^-alpha with a varying direction, alpha >= 1/2: fractional_constraint_nonlinear with its
+// multiplier, compared with its power series.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
