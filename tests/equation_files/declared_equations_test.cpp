@@ -1,5 +1,4 @@
-// What scenes of the code say of their equations, for readers and other programs: read as a file would be, it
-// is the same problem.
+// The equations that scenes declare as text, parsed like a file, give the same problem as the code.
 
 #include <gtest/gtest.h>
 
@@ -28,12 +27,12 @@ bool is_unknown(const SceneMaker& maker, const std::string& name) {
   return std::ranges::find(maker.equations, name, &WrittenEquation::unknown) != maker.equations.end();
 }
 
-// A parameter may be called as the unknown whose start it is.
+// A parameter may have the name of the unknown whose initial value it is.
 std::string of_parameters(const SceneMaker& maker, const std::string& formula) {
   return is_unknown(maker, formula) ? formula + "_0" : formula;
 }
 
-// A parameter that follows from others is their formula, also of a start that is called as its unknown.
+// Replaces a derived parameter by its formula, also an initial value that has the name of its unknown.
 std::string without_derived(const SceneMaker& maker, std::string formula) {
   for (const auto& parameter : maker.parameters) {
     if (!parameter.derived.empty()) {
@@ -44,8 +43,8 @@ std::string without_derived(const SceneMaker& maker, std::string formula) {
   return formula;
 }
 
-// A file knows the derivatives that are nodes of a chain: D(x,q) that stands on the right alone is added on
-// both sides.
+// In a file only derivatives that are nodes of a chain are available: a D(x,q) that occurs on the right only
+// is added on both sides.
 void add_nodes(EquationText& text) {
   static const std::regex derivative(R"(D\((\w+),(\w+)\))");
   std::set<std::pair<std::string, std::string>> asked;
@@ -92,7 +91,7 @@ EquationText text_of(const SceneMaker& maker, double end) {
   return text;
 }
 
-// As many initial values as the first component of the unknown has.
+// Keeps as many initial values as the first component of the unknown has.
 void keep_initial_values(EquationText& text, const Parameters& parameters) {
   for (auto& unknown : text.unknowns) {
     const auto& order = unknown.terms.front().order.text;

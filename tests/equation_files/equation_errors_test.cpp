@@ -1,4 +1,4 @@
-// Files that are no equations: one line with file, line and column.
+// Invalid equation files: one line with file, line and column.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,15 +39,15 @@ TEST_P(WrongEquationFile, IsRefusedInOneLine) {
 const std::string x = "[unknown.x]\norder = 0.5\nrhs = \"-x\"\ninitial = [1]\n";
 
 std::string with(const std::string& lines) { return "end = 1\n" + lines; }
-// An unknown x of one line each: order, rhs, initial.
+// A file with one unknown x, from its order, rhs and initial lines.
 std::string unknown(const std::string& order, const std::string& rhs, const std::string& initial) {
   return with("[unknown.x]\n" + order + "\nrhs = " + rhs + "\ninitial = " + initial + "\n");
 }
 
-// x within so many brackets.
+// x within `depth` pairs of brackets.
 std::string brackets(std::size_t depth) { return std::string(depth, '(') + "x" + std::string(depth, ')'); }
 
-// [a.a. ... .a], each a table in the one before.
+// [a.a. ... .a]: nested tables.
 std::string deep_table() {
   std::string text = "[";
   for (int i = 0; i < 500'000; ++i) text += "a.";
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{with("[parameters]\nuntil = 1\n" + x), "line 3, column 1", "parameter until"},
                     Wrong{with("[parameters]\npi = 3\n" + x), "line 3, column 1", "parameter pi"}));
 
-// x' = lambda from x(0) = 1 under x = a: lambda would have no integral where a is not 1.
+// x' = lambda with x(0) = 1 and the constraint x = a: for a != 1, lambda would not be integrable.
 std::string held_at(const std::string& a, const std::string& order) {
   return with("[unknown.x]\norder = " + order +
               "\nrhs = \"lambda\"\ninitial = [1]\n[unknown.lambda]\norder = 0\nrhs = \"x - " + a +
@@ -174,7 +174,7 @@ TEST(Formulas, HaveTwoHundredBracketsAtMost) {
   EXPECT_EQ(scene_of_text(relaxation_file(brackets(200))).problem.size(), 1);
 }
 
-// gamma is a number where no bracket follows.
+// gamma means the parameter if no bracket follows.
 TEST(Parameters, MayBearTheNameOfAFunction) {
   const Scene scene =
       scene_of_text(relaxation_file("-gamma*x/gamma(2 + gamma)", "1") + "[parameters]\ngamma = 0.25\n");
@@ -204,7 +204,7 @@ TEST(MissingEquationFile, IsNamed) {
   EXPECT_THAT(fdebench({"scenes", place + "/large.toml"}).err, HasSubstr("must be at most 1048576"));
 }
 
-// 1/t at t = 0, and a root of a negative number on the way.
+// 1/t at t = 0, and the square root of a negative number during the run.
 TEST(EquationThatBreaksDown, IsANumericalFailure) {
   const TemporaryFolder folder;
   folder.write("pole.toml", relaxation_file("-x/t"));
@@ -217,7 +217,7 @@ TEST(EquationThatBreaksDown, IsANumericalFailure) {
   }
 }
 
-// A multiplier like t^-0.5 has an integral, and rounding is no jump.
+// A multiplier like t^-0.5 is integrable, and a difference within rounding is not a jump.
 TEST(EquationFiles, BeginOnTheirConstraintsOrWhereAMultiplierTakesThem) {
   const TemporaryFolder folder;
   folder.write("near.toml", held_at("(1 - 1e-12)", "1"));

@@ -1,4 +1,4 @@
-// Scenes of files on the command line, in results, in recommendations and on the page.
+// Scenes of equation files on the command line, in results, in recommendations and on the page.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ TEST_F(EquationFileCommand, IsMeasuredAndContinued) {
   EXPECT_EQ(content(results()), once);
 }
 
-// What is said of another equation under the same name is not continued.
+// Another equation under the same name is measured again.
 TEST_F(EquationFileCommand, IsAnotherSceneWhereItSaysSomethingElse) {
   ASSERT_EQ(run(file()).code, 0);
   const auto once = content(results());

@@ -1,4 +1,4 @@
-// Files of equations that the code has as scenes, too: the same columns by every scheme.
+// Equation files of scenes that are also compiled in: the same columns with every scheme.
 
 #include <gtest/gtest.h>
 
@@ -16,12 +16,12 @@ namespace {
 
 struct Twin {
   std::string id;
-  double until;  // of growing rounding no more than this
+  double until;  // short enough that rounding errors do not grow further
 };
 
 class TwinScenes : public testing::TestWithParam<std::tuple<const Scheme*, Twin>> {};
 
-// Columns of one name are compared; the files call derivatives by their orders.
+// Columns with the same name are compared; in files, derivatives are named by their orders.
 TEST_P(TwinScenes, HaveTheSameColumns) {
   const auto& [scheme, twin] = GetParam();
   Scene file = scene_of_example(twin.id + ".toml"), code = scene_of(twin.id);

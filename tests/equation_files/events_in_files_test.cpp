@@ -1,4 +1,4 @@
-// Events of files: zeros that `solve` locates and may end at.
+// Events of equation files: zeros that `solve` locates and that may end it.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using testing::StartsWith;
 
 const std::string falling = "solve " + example("falling.toml");
 
-// The sphere of docs/examples, whose fall has a closed form: halfway it is at 1/2, on the ground at 0.
+// The sphere of docs/examples, with a closed form: halfway it is at 1/2, on the ground at 0.
 TEST(EventsOfAFile, ArePrintedWithTheirTimes) {
   const auto answer = fdebench(falling + " --scheme spectral_collocation --accuracy 1e-12 --events");
   EXPECT_EQ(answer.code, 0);
@@ -69,7 +69,7 @@ TEST(EventsOfAFile, AreNotLocatedOverAGridWhichIsSaid) {
   EXPECT_EQ(fdebench(falling + " --scheme l1 --steps 64 --strict").code, 3);
 }
 
-// It has no part in the equation.
+// An event is not part of the equation.
 TEST(EventsOfAFile, LeaveTheReferenceAsItIs) {
   EXPECT_EQ(fdebench("exact " + example("falling.toml") + " --at 10").code, 0);
 }
@@ -86,7 +86,7 @@ TEST(EventsOfAFile, ArePrintedWhereThereAreSome) {
               HasSubstr("not taken with --at"));
 }
 
-// What stands in an event is refused as everything else is: file, line and column.
+// Errors in an event are reported like all others: file, line and column.
 TEST(EventsOfAFile, AreRefusedInOneLine) {
   const auto line = [](const std::string& event) {
     const TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// What is exactly known of a file: [exact], and linear equations.
+// Exact references of equation files: [exact], and linear equations.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ TEST(ExactColumns, AreAskedForWhereTheyDoNotFollow) {
       "test.toml: line 11, column 1: exact: has no y, it must have every unknown");
 }
 
-// The scene's load ends at t = 1.
+// The load of the scene ends at t = 1.
 TEST(LinearEquationFile, HasTheReferenceOfItsTwin) {
   const Scene file = scene_of_example("bagley_torvik.toml"), code = scene_of("bagley_torvik");
   for (const double t : {0.0, 0.5, 1.0, 7.0, 16.0}) {
@@ -100,7 +100,7 @@ TEST(LinearEquationFile, MayHaveSeveralUnknowns) {
   }
 }
 
-// 1/3 is no decimal: what a double of it solves is known in double only.
+// 1/3 is not a decimal: the solution is available in double only.
 TEST(LinearEquationFile, HasNoDigitsOfCoefficientsThatAreNoDecimals) {
   const Scene scene = scene_of_text(relaxation_file("-x/3"));
   EXPECT_TRUE(scene.reference.at);
@@ -109,7 +109,8 @@ TEST(LinearEquationFile, HasNoDigitsOfCoefficientsThatAreNoDecimals) {
   EXPECT_NEAR(scene.reference.at(1.0).value[0], std::exp(1.0 / 9.0) * std::erfc(1.0 / 3.0), 1e-15);
 }
 
-// E_0.5(-15/13) by 40 digits: the nearest double of 5/13 alone moves it by half of what its rounding does.
+// E_0.5(-15/13) in 40 digits: replacing 5/13 by its nearest double changes the value by half of its rounding
+// error.
 TEST(LinearEquationFile, HasABoundForTheDigitsThatItsNumbersLack) {
   const auto [value, bound] = scene_of_text(relaxation_file("-x*5/13")).reference.at(9.0);
   EXPECT_LE(std::abs(value[0] - 0.388935931039400981214484822939L), bound[0]);
@@ -121,8 +122,8 @@ TEST(NonlinearEquationFile, DeclaresNoReference) {
   EXPECT_FALSE(scene_of_text(relaxation_file("-x + cos(t)")).reference.at);
 }
 
-// D^0.6 y = (t < 1) by two methods, as sign is no load of the linear reference: t^0.6 / Gamma(1.6) less the
-// same of t - 1.
+// D^0.6 y = (t < 1): t^0.6 / Gamma(1.6) minus the same with t - 1. The reference is from two methods, because
+// sign is not a load of the linear reference.
 TEST(ComputedReference, KnowsDeclaredJumps) {
   const Scene scene = scene_of_text(
       "end = 2\n[unknown.y]\norder = 0.6\nrhs = \"(1 - sign(t - 1))/2\"\ninitial = [0]\n[[jump]]\nat = "

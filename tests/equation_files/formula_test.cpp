@@ -1,4 +1,4 @@
-// Formulas: what they say, and where they are wrong.
+// Formulas: their values, and their errors with positions.
 
 #include "equation_files/formula.hpp"
 
@@ -26,7 +26,7 @@ FormulaNames names_of(Expressions& all) {
           .known = {"t", "x", "y"}};
 }
 
-// At t = 0.7, x = 0.3, y = -1.2.
+// The value at t = 0.7, x = 0.3, y = -1.2.
 double value_of(const std::string& text) {
   Expressions all(Numbers::folded);
   const auto formula = read_formula(text, names_of(all), all);
@@ -99,7 +99,7 @@ TEST(Expressions, AreMadeOnce) {
   EXPECT_EQ(read_formula("sin(x)*y", names, all), read_formula("(sin( x ))*y", names, all));
 }
 
-// (((x + x)^2)^2)^2 ... squared out would have 2^(2^60) as its coefficient.
+// (((x + x)^2)^2)^2 ...: expanded, it would have 2^(2^60) as its coefficient.
 TEST(Expressions, ArePowersNotMultipliedOut) {
   std::string text = "x + x";
   for (int i = 0; i < 60; ++i) text = fmt::format("({})^2", text);

@@ -1,4 +1,4 @@
-// The system of three orders of docs/examples, whose right-hand side starts like 0^(1/6).
+// The system of three orders in docs/examples, whose right-hand side contains 0^(1/6) at t = 0.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST(MultiOrder, IsSolvedByItsSolution) {
 
 class MultiOrderConvergence : public testing::TestWithParam<const Scheme*> {};
 
-// Derivatives are infinite at t = 0. Four times as many steps have less than half the error.
+// Derivatives are infinite at t = 0: four times as many steps must give less than half the error.
 TEST_P(MultiOrderConvergence, IsThatOfAtLeastHalfTheSteps) {
   const Scene scene = scene_of_example("multi_order.toml");
   const auto error = [&](int steps) {
@@ -51,7 +51,7 @@ TEST_P(MultiOrderConvergence, IsThatOfAtLeastHalfTheSteps) {
 
 INSTANTIATE_TEST_SUITE_P(OfEveryScheme, MultiOrderConvergence, testing::ValuesIn(row_schemes()), id_of_param);
 
-// Next to the start y3 - 0.3 = t^1.8 is rounding, and the derivative of its sixth root infinite.
+// Near the start y3 - 0.3 = t^1.8 is within rounding, and the derivative of its sixth root is infinite.
 TEST(MultiOrder, IsSolvedToTheAccuracyAsked) {
   const Scene scene = scene_of_example("multi_order.toml");
   const std::vector<std::pair<std::string, double>> asked{{"spectral_collocation", 1e-6},

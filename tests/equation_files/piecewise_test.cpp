@@ -1,5 +1,5 @@
-// Equations with jumps and corners: in the unknowns they are not linear, in t they jump at known times; and
-// what is known about an equation of a file is compared with schemes.
+// Equations with jumps and kinks: functions of the unknowns make them nonlinear, functions of t give jumps at
+// known times. The reference of an equation file is checked against schemes.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ std::vector<double> jumps_of(const std::string& rhs, double end) {
   return scene.problem.jumps;
 }
 
-// The derivative of all of these is constant wherever there is one.
+// The derivatives of all of these are constant wherever they exist.
 TEST(Piecewise, FunctionsOfUnknownsAreNotLinear) {
   for (const auto* rhs : {"1 + step(x - 1)", "-sign(x)", "-x - sign(2*x - t)", "step(step(x))"})
     EXPECT_FALSE(linear(scene_of_text(relaxation_file(rhs)).problem)) << rhs;
@@ -70,8 +70,8 @@ TEST(JumpsInTime, ThatAFileDeclaresAreTheSame) {
   EXPECT_EQ(found, reference_of(declared).at(1.0).value[0]);
 }
 
-// D^0.5 x = 1 + step(x - 1) from 0 passes 1 at t = pi/4 and has x = 2 sqrt(t/pi) + 2 sqrt((t - pi/4)/pi)
-// behind it.
+// D^0.5 x = 1 + step(x - 1), x(0) = 0, reaches 1 at t = pi/4, and x = 2 sqrt(t/pi) + 2 sqrt((t - pi/4)/pi)
+// after that.
 TEST(KnownSolutions, AreNotThoseOfASwitchThatStaysAtItsStart) {
   const std::string file = relaxation_file("1 + step(x - 1)");
   Scene scene = scene_of_text(file.substr(0, file.rfind("[1]")) + "[0]\n");
@@ -86,7 +86,7 @@ TEST(KnownSolutions, AreNotThoseOfASwitchThatStaysAtItsStart) {
   }
 }
 
-// D^0.5 x = -x from 1 is not 1 - t, which the file says.
+// D^0.5 x = -x, x(0) = 1 is not solved by 1 - t, which the file claims.
 TEST(KnownSolutions, AreNotBelievedAgainstTwoSchemes) {
   const TemporaryFolder folder;
   const std::string file = folder.path() / "false.toml";
