@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// Those that choose their steps to an accuracy.
+// The schemes with an adaptive step size.
 inline std::vector<const Scheme*> accuracy_schemes() {
   auto some = all_schemes();
   std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.takes_accuracy; });

@@ -1,6 +1,6 @@
 #pragma once
 
-// Problems with algebraic rows, each with the form from which they have been eliminated by hand.
+// Problems with algebraic rows, each with the same problem after elimination of these rows by hand.
 
 #include "problem/problem.hpp"
 
@@ -26,7 +26,7 @@ inline Problem decay_through(double order) {
           .end = 2.0};
 }
 
-// a.v + b.w = c0 in the plane, w = D^alpha q, force -k q. Constant a, b: the multiplier drops out.
+// a.v + b.w = c0 in the plane, w = D^alpha q, force -k q. For constant a, b the multiplier can be eliminated.
 struct AlgebraicPlane {
   double alpha = 0.5;
   Eigen::Vector2d velocity{-0.4, 0.7};

@@ -8,7 +8,7 @@
 
 namespace fde {
 
-// What the command did with its arguments, in this process.
+// The exit code and output of the command, run in this process.
 struct Answer {
   int code;
   std::string out, err;

@@ -9,13 +9,13 @@
 
 namespace fde {
 
-// The words of a command, separated by single spaces.
+// Runs a command given as words separated by blanks.
 inline Answer fdebench(const std::string& words) {
   std::istringstream stream(words);
   return fdebench(std::vector<std::string>(std::istream_iterator<std::string>(stream), {}));
 }
 
-// The numbers of CSV, without its first line.
+// The numbers of a CSV text, without its header line.
 inline std::vector<std::vector<double>> csv_rows(const std::string& csv) {
   std::vector<std::vector<double>> result;
   std::istringstream lines(csv);

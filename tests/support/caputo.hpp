@@ -1,6 +1,6 @@
 #pragma once
 
-// Fractional calculus straight from the definitions, with nothing from the library but Gamma.
+// Fractional calculus directly from the definitions; only Gamma is taken from the library.
 
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
@@ -17,8 +17,8 @@ namespace fde {
 
 using Function = std::function<double(double)>;
 
-// int_from^to f(s) (s - from)^at_from (to - s)^at_to ds, powers above -1, by GSL. Throws std::runtime_error
-// where its estimate of the error is above 1e-11.
+// int_from^to f(s) (s - from)^at_from (to - s)^at_to ds, exponents above -1, by GSL. Throws
+// std::runtime_error if its error estimate is above 1e-11, relative to 1 + |value|.
 inline double integral(const Function& f, double from, double to, double at_from = 0.0, double at_to = 0.0) {
   constexpr std::size_t intervals = 2000;
   gsl_set_error_handler_off();
@@ -37,13 +37,13 @@ inline double integral(const Function& f, double from, double to, double at_from
   return value;
 }
 
-// D^order x^power from 0, a fractional integral for orders below 0: whole powers below the order vanish.
+// D^order x^power from 0, a fractional integral for order < 0; 0 for an integer power below the order.
 inline double caputo_of_power(double power, double order, double x) {
   if (is_whole(power) && power < order) return 0.0;
   return gamma(power + 1.0) * reciprocal_gamma(power + 1.0 - order) * std::pow(x, power - order);
 }
 
-// J^order f from 0 to t, of an f that is s^start times something smooth.
+// J^order f from 0 to t of f(s) = s^start over_power(s), with over_power smooth.
 inline double fractional_integral(const Function& over_power, double order, double t, double start = 0.0) {
   return integral(over_power, 0.0, t, start, order - 1.0) * reciprocal_gamma(order);
 }
@@ -55,7 +55,7 @@ inline double right_caputo(const Function& derivative, double order, double t, d
   return std::pow(-1.0, m) * integral(derivative, t, to, m - order - 1.0) * reciprocal_gamma(m - order);
 }
 
-// The right Riemann-Liouville derivative for orders in (0, 1): it also has the value at the right end.
+// The right Riemann-Liouville derivative for orders in (0, 1); at_end: the value of the function at `to`.
 inline double right_riemann_liouville(const Function& derivative, double at_end, double order, double t,
                                       double to) {
   return right_caputo(derivative, order, t, to) +

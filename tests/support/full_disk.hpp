@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// A limit on the size of files stands for a full disk.
+// Simulates a full disk by a limit on the size of files.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

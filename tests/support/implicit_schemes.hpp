@@ -6,14 +6,14 @@
 
 namespace fde {
 
-// The schemes that take algebraic rows. They solve an equation each step.
+// The schemes that support algebraic rows. They solve an equation in each step.
 inline std::vector<const Scheme*> implicit_schemes() {
   auto some = row_schemes();
   std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.algebraic_rows; });
   return some;
 }
 
-// A uniform grid and, where the scheme takes one, a graded one.
+// A uniform grid and, if the scheme supports it, a graded one.
 inline std::vector<Grid> grids_of(const Scheme& scheme, double end, int steps) {
   std::vector<Grid> grids{{end, steps}};
   if (!scheme.needs.uniform_grid) grids.push_back({end, steps, 2.0});

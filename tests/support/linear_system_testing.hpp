@@ -14,7 +14,7 @@ namespace fde {
 
 inline constexpr int tested_digits = 40;
 
-// Sets the precision that the numbers below need; one in each test.
+// Sets the precision for the functions below; call it once in each test.
 inline Precision test_precision() { return Precision(tested_digits + 30); }
 
 inline std::vector<BigReal> digits_at(const Reference& solution, double t) {
@@ -30,7 +30,7 @@ inline BigComplex mittag_leffler_digits(const std::string& alpha, const std::str
   return {BigReal(value.re), BigReal(value.im)};
 }
 
-// Equal to 39 digits or so, relative to the size given or the value's own.
+// Equal to about 38 digits, relative to the exact value or to `size` if that is larger.
 inline void expect_equal(const BigReal& value, const BigReal& exact, const std::string& what,
                          const BigReal& size = BigReal(0)) {
   const BigReal scale = std::max(BigReal(abs(exact)), size);

@@ -1,8 +1,8 @@
 #pragma once
 
-// The motion of fractional_constraint_nonlinear, default parameters but alpha, by its power series in
-// t^(1/10): 300 terms in 60 digits with mpmath, order by order from q' = v, v' = a + d lambda, w =
-// J^(1-alpha) v and f = 0. No code here has a part in them.
+// The motion of fractional_constraint_nonlinear, with default parameters except alpha, from its power series
+// in t^(1/10): 300 terms in 60 digits with mpmath, term by term from q' = v, v' = a + d lambda, w =
+// J^(1-alpha) v and f = 0. The values are independent of this code.
 
 #include <vector>
 

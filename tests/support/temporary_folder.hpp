@@ -9,7 +9,7 @@
 
 namespace fde {
 
-// An empty folder that is removed with all it holds.
+// An empty folder that is removed with its contents.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -26,7 +26,8 @@ inline Trajectory solve(std::string_view scheme, const Problem& problem, int ste
   return find_scheme(scheme)->solve(problem, Grid{problem.end, steps}, options);
 }
 
-// What rounding alone may make of two ways to the same result: start weights may amplify it.
+// The difference that rounding may cause between two computations of the same result: starting weights may
+// amplify it.
 inline double rounding(const Scheme& scheme, double plain) {
   constexpr double unit = 1e-16;
   return scheme.start_powers ? std::max(plain, unit * most_growth) : plain;
@@ -41,7 +42,7 @@ inline std::vector<const Scheme*> all_schemes() {
   return all;
 }
 
-// Those that step over a grid with a rate that theory knows.
+// The schemes that use a grid and have a theoretical rate.
 inline std::vector<const Scheme*> grid_schemes() {
   auto some = all_schemes();
   std::erase_if(some,
@@ -49,7 +50,7 @@ inline std::vector<const Scheme*> grid_schemes() {
   return some;
 }
 
-// Of these those that discretise the rows of a problem, and those that discretise its equations.
+// Of the grid schemes, those that discretise the rows of a problem, and those that discretise its equations.
 inline std::vector<const Scheme*> row_schemes() {
   auto some = grid_schemes();
   std::erase_if(some, [](const Scheme* scheme) { return scheme->needs.discretises_equations; });
@@ -61,14 +62,14 @@ inline std::vector<const Scheme*> equation_schemes() {
   return some;
 }
 
-// Those whose stability on linear problems is known.
+// The schemes with a symbol for the stability on linear problems.
 inline std::vector<const Scheme*> schemes_with_symbol() {
   auto some = all_schemes();
   std::erase_if(some, [](const Scheme* scheme) { return !scheme->symbol; });
   return some;
 }
 
-// The call throws, with this part in its message.
+// Expects that the call throws with this text in its message.
 template <class Call>
 void expect_message(const Call& call, const std::string& part) {
   try {
