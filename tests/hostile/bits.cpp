@@ -1,6 +1,6 @@
-// fde_bits > tests/bits.txt: the endings of tests/bits.hpp, a line each, numbers as hexadecimal fractions. To
-// be made anew, with g++, when a scheme changes its rounding on purpose. fde_bits FILE prints how far this
-// build is from a file, the farthest last.
+// fde_bits > tests/bits.txt: the results of tests/conformance/bits.hpp, one a line, with numbers as
+// hexadecimal fractions. Regenerate the file, with g++, when the rounding of a scheme changes on purpose.
+// fde_bits FILE prints the distance of this build from a file, sorted by distance.
 
 #include "conformance/bits.hpp"
 

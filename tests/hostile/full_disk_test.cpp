@@ -1,4 +1,4 @@
-// Full disks: one line naming the path, nothing half written, and what was there stays.
+// Full disks: one line naming the path, no partial files, and existing files are kept.
 
 #include "support/full_disk.hpp"
 
@@ -51,7 +51,7 @@ TEST_F(FullDisks, LeaveTheOldReferenceTables) {
   EXPECT_THAT(names(), testing::ElementsAre("data", "data/a.csv"));
 }
 
-// What is known does not depend on where it can be kept.
+// A reference does not depend on whether it can be cached.
 TEST_F(FullDisks, AreNoHarmToWhatACacheFinds) {
   const Scene scene = scene_of("brusselator");
   Problem problem = scene.problem;

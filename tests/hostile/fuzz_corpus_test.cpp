@@ -1,5 +1,5 @@
-// The seeds of the fuzzer follow a scene or scheme that is renamed. One that is added needs none: ids that
-// are not known stand for all that there are.
+// The seeds of the fuzzer must be updated if a scene or scheme is renamed. A new one needs no seed: unknown
+// ids are mapped to existing ones.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace fde {
 namespace {
 
-// What stands in that line of the files of tests/fuzz/corpus/parameter_values.
+// The texts of that line in the files of tests/fuzz/corpus/parameter_values.
 std::set<std::string> texts_of_line(int number) {
   std::set<std::string> found;
   for (const auto& file :

@@ -1,4 +1,4 @@
-// What fuzzing found, each with its message: tests/fuzz has the programs.
+// Inputs found by fuzzing, each with its message; the fuzz targets are in tests/fuzz.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST(HostileInput, FunctionsBeyondDoubleAreAFailure) {
   }
 }
 
-// e^200 by mpmath: 87 digits before the point.
+// e^200 from mpmath: 87 digits before the point.
 TEST(HostileInput, NumbersOfMoreDigitsThanAreUsualAreWhole) {
   EXPECT_THAT(
       fdebench({"mittag-leffler", "1", "1", "200", "--digits", "100"}).out,
@@ -113,7 +113,7 @@ TEST(HostileInput, AnEmptyArgumentIsNamed) {
   EXPECT_EQ(fdebench({""}).err, "fdebench: argument 1 is empty\n");
 }
 
-// Such an order rounds to 0/M, a chain without links.
+// Such an order is rounded to 0/M, a chain without nodes.
 TEST(HostileInput, AnOrderNextToZeroIsNoMultipleOfOneOverM) {
   const Scene scene = scene_of("pendulum", {{"alpha", 1.0}, {"beta", 5e-324}});
   const auto reason =
@@ -121,7 +121,7 @@ TEST(HostileInput, AnOrderNextToZeroIsNoMultipleOfOneOverM) {
   EXPECT_EQ(reason, "needs orders that are multiples of one 1/M with M at most 64");
 }
 
-// To open a pipe for reading would wait for somebody to write.
+// Opening a pipe for reading would block until it is opened for writing.
 TEST(HostileInput, PipesAreNotRead) {
   const TemporaryFolder folder;
   const auto pipe = folder.path() / "a.csv";

@@ -1,4 +1,4 @@
-"""A sweep that is stopped after its first run says how to go on, dies of the signal and keeps what it measured."""
+"""A sweep that is interrupted after its first run prints how to resume it, ends by the signal and keeps its results."""
 
 import pathlib
 import signal
@@ -8,7 +8,7 @@ import time
 
 FDEBENCH = sys.argv[1]
 RESULTS = pathlib.Path("interrupted.jsonl")
-PATIENCE = 60  # seconds for the reference and the first run
+PATIENCE = 60  # timeout in seconds for the reference and the first run
 
 RESULTS.unlink(missing_ok=True)
 sweep = subprocess.Popen(

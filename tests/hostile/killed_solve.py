@@ -1,6 +1,6 @@
-"""A solve that is killed again and again, also while it writes its state, prints the bits of one that was not.
+"""A solve that is killed repeatedly, also while it writes its checkpoint, prints the same bits as an uninterrupted one.
 
-killed_solve.py FDEBENCH [KILLS]: 12 kills without a number. The state is kept after every step.
+killed_solve.py FDEBENCH [KILLS]: 12 kills by default. A checkpoint is written after every step.
 """
 
 import json
@@ -21,7 +21,7 @@ random.seed(seed)
 print("seed", seed)
 start = time.monotonic()
 whole = subprocess.run(RUN, capture_output=True, text=True, check=True).stdout
-LONGEST = 2.0 * (time.monotonic() - start)  # seconds up to a kill; runs that keep states take longer
+LONGEST = 2.0 * (time.monotonic() - start)  # longest time before a kill, in seconds; runs with checkpoints take longer
 with tempfile.TemporaryDirectory() as folder:
     state = pathlib.Path(folder) / "state"
     keeping = [*RUN, "--checkpoint", state, "--checkpoint-every", "0", "--cost"]

@@ -1,6 +1,6 @@
-// fde_kill_test FDEBENCH KILLS: runs a small sweep as a process of its own, ends it by a signal at a random
-// moment, continues it, and so on. After each kill the file must be readable and begin with what was complete
-// before; at the end it must hold each run once, with the values of a sweep that nobody killed.
+// fde_kill_test FDEBENCH KILLS: runs a small sweep in a process of its own, ends it by a signal at a random
+// moment, resumes it, and so on. After each kill the file must be readable and begin with the rows that were
+// complete before; at the end it must contain each run once, with the values of an uninterrupted sweep.
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ void require(bool holds, const std::string& what) {
   if (!holds) throw std::runtime_error(what);
 }
 
-// What does not depend on the clock.
+// The rows with times set to 0.
 std::vector<std::string> values(const Results& results) {
   std::vector<std::string> rows;
   for (Record row : results.records) {
@@ -98,7 +98,7 @@ class KillTest {
   }
 
  private:
-  // One run and its kill; false when it came to its end before.
+  // Starts one run and kills it; false if it finished before.
   bool once() {
     constexpr std::array signals{SIGKILL, SIGINT, SIGTERM, SIGKILL, SIGHUP};
     const pid_t child = start(program_, file_);
@@ -132,7 +132,7 @@ class KillTest {
   int killed_ = 0, sweeps_ = 0;
 };
 
-// 0 where the text is no whole number.
+// The number, or 0 if the text is not a whole number.
 int number_of(std::string_view text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.begin(), text.end(), number);

@@ -1,5 +1,5 @@
-// Read-only and vanished folders: one line naming the path, nothing half written. As root, which may write
-// everywhere, the tests of permissions run as an ordinary user.
+// Read-only and removed folders: one line naming the path, no partial files. If run by root, who may write
+// everywhere, the permission tests switch to an ordinary user.
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@
 namespace fde {
 namespace {
 
-// Root takes another user for a while.
+// Switches from root to another user during its lifetime.
 class OrdinaryUser {
  public:
   OrdinaryUser() {

@@ -14,7 +14,7 @@ namespace fde {
 
 namespace fs = std::filesystem;
 
-// A folder in which something cannot be written.
+// A folder in which a file cannot be written.
 class Unwritable : public testing::Test {
  protected:
   void SetUp() override { fs::permissions(folder_.path(), fs::perms::all); }
