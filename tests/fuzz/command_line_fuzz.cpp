@@ -1,6 +1,6 @@
-// The command with any arguments, one a line of the input: exit code 0, 1 (compare), 2 or 3; a failure is one
-// printable line on err. Runs in a folder of its own: arguments with a slash are passed over, so is what
-// would take minutes.
+// The command with arbitrary arguments, one a line of the input: exit code 0, 1 (compare), 2 or 3; a failure
+// is one printable line on err. It runs in a folder of its own. Arguments with a slash and commands that
+// would take minutes are skipped.
 
 #include <algorithm>
 #include <charconv>
@@ -23,13 +23,14 @@ Words lines_of(std::string_view text) {
   while (!text.empty()) {
     const auto end = std::min(text.find('\n'), text.size());
     words.emplace_back(text.substr(0, end));
-    words.back().resize(std::min(words.back().find('\0'), words.back().size()));  // as of a process
+    words.back().resize(
+        std::min(words.back().find('\0'), words.back().size()));  // as arguments of a process end at NUL
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return words;
 }
 
-// The value of an option in the form --name VALUE or --name=VALUE made at most `most`, number by number.
+// The text with every number in it reduced to at most `most`.
 std::string clamped(const std::string& text, long most) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
@@ -57,7 +58,7 @@ bool names(const Words& words, std::string_view option) {
   return std::ranges::any_of(words, [=](const auto& word) { return word.starts_with(option); });
 }
 
-// Scenes whose reference is not a formula take seconds.
+// References that are not closed forms take seconds.
 bool is_quick(const Words& words) {
   constexpr std::array slow{"pendulum",  "brusselator", "isokinetic", "nonlinear", "fractional_knife_edge",
                             "vakonomic", "extremum",    "canonical",  "blade",     "multi_term",
@@ -67,7 +68,7 @@ bool is_quick(const Words& words) {
   });
 }
 
-// What may be run in a moment.
+// Limits the command to one that runs in a moment; false if that is not possible.
 bool bound(Words& words) {
   if (words.empty()) return true;
   for (const auto& word : words) {
@@ -103,7 +104,7 @@ const TemporaryFolder& room() {
   return folder;
 }
 
-// A folder below another, so that .. is ours too.
+// Uses a nested folder, so that .. is temporary too.
 void furnish() {
   const auto here = room().path() / "above" / "here";
   std::filesystem::current_path(room().path());
@@ -138,7 +139,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   fuzz::require(is_one_printable_line(err.str()), "a failure is one printable line", shown);
-  // These print what they found first.
+  // These commands print results before they fail.
   const bool reports = is_worse || (!words.empty() && words.front() == "reference");
   fuzz::require(out.str().empty() || reports, "a failure prints nothing else", shown);
   return 0;

@@ -1,5 +1,5 @@
-// Equation files of any text: a scene with its problem, a few steps of it and what is exactly known, or one
-// line that says why not.
+// Arbitrary text as an equation file: either a scene with its problem, a few steps and its exact reference,
+// or a one-line error.
 
 #include <algorithm>
 #include <cmath>

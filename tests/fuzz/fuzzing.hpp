@@ -11,21 +11,21 @@
 #include <string>
 #include <string_view>
 
-// What every target shares. A target defines LLVMFuzzerTestOneInput; with libFuzzer it is fuzzed, otherwise
-// replay.cpp runs it on the files of its corpus.
+// Shared by all fuzz targets. A target defines LLVMFuzzerTestOneInput; libFuzzer fuzzes it, or replay.cpp
+// runs it on the files of its corpus.
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace fde::fuzz {
 
-// Ends the process where a promise is broken, which is what a fuzzer looks for.
+// Aborts if a promise is broken, which the fuzzer detects.
 inline void require(bool holds, std::string_view what, std::string_view shown = "") {
   if (holds) return;
   fmt::print(stderr, "BROKEN: {}\n{}\n", what, shown);
   std::abort();
 }
 
-// A call that comes to its end, or refuses or fails in one line.
+// Runs a call, which must return or throw with a one-line message.
 template <class Call>
 void answers(const Call& call) {
   const auto check = [](std::string_view message) {
@@ -40,7 +40,7 @@ void answers(const Call& call) {
   }
 }
 
-// Takes numbers from the front of the input; zeros behind its end.
+// Takes numbers from the front of the input; zeros after its end.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : rest_(reinterpret_cast<const char*>(data), size) {}
@@ -53,9 +53,9 @@ class Bytes {
     rest_.remove_prefix(count);
     return number;
   }
-  // One of `count` places.
+  // An index below `count`.
   std::size_t place(std::size_t count) { return take<std::uint8_t>() % count; }
-  // What stands before the next line end.
+  // The text up to the next line end.
   std::string_view line() {
     const auto text = rest_.substr(0, rest_.find('\n'));
     rest_.remove_prefix(std::min(text.size() + 1, rest_.size()));
@@ -68,7 +68,7 @@ class Bytes {
   std::string_view rest_;
 };
 
-// Whether a text has a number that is none.
+// Whether a text contains nan or inf as a number.
 inline bool shows_no_number(std::string_view text) {
   for (const std::string_view word : {"nan", "-nan", "inf", "-inf"}) {
     for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {

@@ -1,4 +1,4 @@
-// Mittag-Leffler functions of any double: a value with a bound, or a refusal in one line.
+// Mittag-Leffler functions of arbitrary doubles: a value with a bound, or a one-line error.
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto re = bytes.take<double>(), im = bytes.take<double>();
   fuzz::answers([&] {
     if (digits) {
-      // Short texts: each place after the point is a digit more to compute with.
+      // Short texts: every digit after the point increases the working precision.
       const auto moderate = [](double number, double most) {
         return std::round(1000.0 * std::fmod(number, most)) / 1000.0;
       };

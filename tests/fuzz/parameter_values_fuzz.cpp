@@ -1,5 +1,5 @@
-// Scenes made from any parameters, a few steps of any scheme, and what is exactly known about them. The
-// input: a line with the scene's id, one with the scheme's, then bytes that choose the rest.
+// Scenes with arbitrary parameters, a few steps of any scheme, and their exact references. The input: a line
+// with the id of the scene, one with that of the scheme, then bytes that choose the rest.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace fde;
 
-// The one of that id; any other text stands for one of them too.
+// The entry with this id; for any other text, an entry chosen by its hash.
 template <class List>
 const auto& named(const List& list, std::string_view id) {
   const auto found = std::ranges::find(list, id, [](const auto& one) { return one.id; });
@@ -70,14 +70,15 @@ void solve(const Scene& scene, const Scheme& scheme, const Resolution& resolutio
   fuzz::require(!describe(scene.problem, path).empty(), "an ending has a description", shown);
 }
 
-// Closed forms and inverse transforms; the other references take up to minutes.
+// Closed forms and inverse Laplace transforms; other references take up to minutes.
 void look_up(const Scene& scene, double t) {
   if (!scene.reference.at) return;
   const auto [value, bound] = scene.reference.at(t);
   const auto shown =
       fmt::format("{} t = {}: {} bound {}", scene.name, t, fmt::join(value, " "), fmt::join(bound, " "));
   for (Eigen::Index i = 0; i < value.size(); ++i) {
-    const bool known = std::isfinite(value[i]);  // beyond double where it is not, which its bound says
+    const bool known =
+        std::isfinite(value[i]);  // otherwise out of the range of double, with an infinite bound
     fuzz::require(known ? bound[i] >= 0.0 : !std::isfinite(bound[i]), "a value has its bound", shown);
   }
 }

@@ -1,5 +1,5 @@
-// Derivatives of the Mittag-Leffler function, Prabhakar's function and small matrices, of any double: finite
-// values with finite bounds, or a refusal in one line.
+// Derivatives of the Mittag-Leffler function, the Prabhakar function and small matrices, for arbitrary
+// doubles: finite values with finite bounds, or a one-line error.
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,8 @@ void require_bounded(std::complex<double> value, double bound, const std::string
   fuzz::require(bound >= 0.0 && std::isfinite(bound), "a bound is finite and not negative", shown);
 }
 
-// What is known to take seconds, and is kept out: multiprecision on contours round singularities s* far up
-// (some 100,000 nodes), and as many digits as a large beta or gamma, or the smallest orders, lose.
+// Excluded because they take seconds: multiprecision on contours around singularities far from 0 (some
+// 100,000 nodes), and the digits that cancel for large beta or gamma or the smallest orders.
 constexpr double most_parameter = 20.0, largest_pole = 50.0, least_order = 0.05;
 
 bool is_order(double alpha) { return alpha > 0.0 && alpha <= 5.0; }
@@ -51,8 +51,8 @@ void of_a_number(fuzz::Bytes& bytes, double alpha, double beta, bool derivative)
   }
 }
 
-// Parts of entries next to 0 are taken as 0: multiprecision gives entries of the value that small the digits
-// that their sizes are apart. An eigenvalue is no larger than the sum of all entries.
+// Parts of entries near 0 are replaced by 0: multiprecision needs as many additional digits as the sizes of
+// entries differ. An eigenvalue is at most the sum of the sizes of all entries.
 void of_a_matrix(fuzz::Bytes& bytes, double alpha, double beta, int rows) {
   ComplexMatrix matrix(rows, rows);
   const bool real = bytes.place(2) == 0;

@@ -1,5 +1,5 @@
-// A results file of any bytes: read, or refused in one line; the page and the advice made of what was read
-// have no number that is none, and the file can be continued.
+// Arbitrary bytes as a results file: read, or a one-line error; the page and the recommendation from it
+// contain no nan or inf, and the file can be appended to.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace fde;
 
-// What a run does not have is null in its column; a number that is none would be written as the same.
+// Absent values of a run are null in their column; a value that is not finite would be written as null too.
 bool all_finite(const nlohmann::json& value) {
   if (value.is_number_float()) return std::isfinite(value.get<double>());
   return !value.is_structured() || std::ranges::all_of(value, all_finite);

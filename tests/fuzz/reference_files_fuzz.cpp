@@ -1,5 +1,5 @@
-// Files of reference data of any bytes: table, description, index, checksums, a folder of one table, and a
-// file of the reference cache. Read, or refused in one line; from the cache nothing but what fits.
+// Arbitrary bytes as reference data: table, description, index, checksums, a folder of one table, and a file
+// of the reference cache. Read, or a one-line error; the cache returns only tables that fit the problem.
 
 #include <fstream>
 #include <stdexcept>
@@ -27,7 +27,7 @@ void check_table(const std::string& text) {
   check_folder(folder().path() / "tables", 4, [](std::size_t, std::size_t, const std::string&) {});
 }
 
-// Behind its checksum, so that what is parsed is not what a damaged disk leaves but worse.
+// With a valid checksum, so that the parser is reached.
 void load_from_cache(const std::string& text) {
   static const Scene scene = make_scene(*find_scene("brusselator"));
   const ReferenceCache cache(folder().path() / "cache");
