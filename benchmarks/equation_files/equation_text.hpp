@@ -75,7 +75,7 @@ struct EquationText {
   std::string checksum{};  // SHA-256 of all fields except the title
 };
 
-inline constexpr std::size_t largest_equation_file = std::size_t{1} << 20;
+inline constexpr std::size_t largest_equation_file = std::size_t{1} << 20;  // bytes
 inline constexpr std::size_t most_unknowns = 100;
 
 // Each throws std::invalid_argument naming file, line and column, the text there and what is allowed.

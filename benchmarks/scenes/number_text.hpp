@@ -26,6 +26,7 @@ int parse_count(std::string_view name, std::string_view text, int lowest, int hi
 
 // Parses "1,2,5".
 std::vector<double> parse_numbers(std::string_view name, std::string_view text, const Range& allowed);
+// The parts between commas; one empty part for "".
 std::vector<std::string> split_list(std::string_view text);
 
 // "0.1:0.9:0.1" gives the decimals FIRST, FIRST + STEP, ... up to LAST, each an exact decimal: "3e-1". Throws

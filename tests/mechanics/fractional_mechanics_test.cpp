@@ -139,8 +139,8 @@ TEST(FractionalConstraintNonlinear, FromOneHalfOnTheMultiplierFits) {
   for (int n = 0; n <= 100; ++n) ASSERT_LT(scene.constraint.drift(0.1 * n, columns.col(n)), 1e-13) << n;
 }
 
-// The solution has powers of t^(1 - alpha), whose start is below the smallest double here. Measures that need
-// no reference are still recorded.
+// With powers of t^(1 - alpha) = t^0.05 the reference would have to start below the smallest double: there is
+// none. Measures that need no reference are still recorded.
 TEST(FractionalConstraintNonlinear, NextToOneAnExaminationSaysThatNothingIsKnown) {
   const Scene scene = thermostat({{"alpha", 0.95}, {"formulation", "multiplier"}});
   WatchedReference reference(scene);

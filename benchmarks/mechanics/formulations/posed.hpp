@@ -77,6 +77,7 @@ void differentiate(const Form& form, double t, const Vector<double, Form::states
   }
 }
 
+// The problem of a form up to `end`, with its derivatives, columns and smoothness.
 template <class Form>
 PosedMechanics pose(const Form& form, double end) {
   static_assert(Form::layout.is_partition());
