@@ -66,8 +66,7 @@ auto raised(const System& system, const Vector<S, System::coordinates>& q, const
   }
 }
 
-// The terms of d/dt (G v) - 1/2 grad (v'G v) other than G v': Christoffel symbols of the first kind times v
-// v,
+// The terms of d/dt (G v) - 1/2 grad (v'G v) except G v': Christoffel symbols of the first kind times v v,
 //   c_i = sum_jk (dG_ij/dq_k - 1/2 dG_jk/dq_i) v_j v_k = sum_k (dp_i/dq_k - 1/2 dp_k/dq_i) v_k
 // with the momenta p = G v at fixed v.
 template <class S, HasMetric System>

@@ -10,7 +10,7 @@ namespace fde {
 
 // The counts of a merge.
 struct Merged {
-  std::size_t sessions = 0, rows = 0, repeated_rows = 0;  // not copied
+  std::size_t sessions = 0, rows = 0, repeated_rows = 0;  // repeated_rows: not copied
 };
 
 // Writes a results file with the contents of all files: each session once, in the order of first occurrence,

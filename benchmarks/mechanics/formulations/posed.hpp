@@ -46,7 +46,7 @@ std::vector<double> powers_of_derivative(const std::vector<double>& powers);
 // The powers, without the constant, with which D^order q starts, from those of the rows q.
 std::vector<double> powers_of_memory(const std::vector<std::vector<double>>& powers, Group q, double order);
 
-// Column names: for coordinate q1 q1, v1, w1; for x x, dx, Dalpha_x.
+// Column names: q1, v1, w1 for a coordinate q1; x, dx, Dalpha_x for x.
 std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory);
 
 // A refusal with its reason and the formulations that are well posed: for a term unbounded at t = 0; for a

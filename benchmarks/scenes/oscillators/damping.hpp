@@ -60,7 +60,7 @@ class DampedUnknown {
   Chain chain_;
   Eigen::Index first_column_, column_of_velocity_ = 0;
   std::vector<std::string> names_;
-  std::vector<double> orders_, weights_;  // coefficient of each column in the damping
+  std::vector<double> orders_, weights_;  // weights_: coefficient of each column in the damping
 };
 
 // The columns of several unknowns whose rows follow each other in a problem.
