@@ -1,6 +1,6 @@
-// fde_bits > tests/bits.txt: the endings of tests/bits.hpp, a line each, numbers as hexadecimal fractions. To
-// be made anew, with g++, when a scheme changes its rounding on purpose. fde_bits FILE prints how far this
-// build is from a file, the farthest last.
+// fde_bits > tests/bits.txt: the last values of each run of tests/conformance/bits.hpp, a line each, numbers
+// as hexadecimal fractions. To be regenerated, with g++, when a scheme changes its rounding on purpose.
+// fde_bits FILE prints how far this build is from a file, the farthest last.
 
 #include "conformance/bits.hpp"
 

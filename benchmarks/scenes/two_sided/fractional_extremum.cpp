@@ -18,7 +18,7 @@ double singular_part(double alpha, double t) {
   return std::pow(t, alpha) - (1.0 - alpha) * std::pow(1.0 - t, 2.0 * alpha - 1.0) * beta;
 }
 
-// Of what reference/extremum.hpp knows the first component: D^alpha y is infinite at t = 1.
+// The first component of closed_forms/extremum.hpp alone: D^alpha y, the second, is infinite at t = 1.
 Reference extremum(double alpha) {
   const Reference both = extremum_reference(alpha);
   return {[both](double t) -> ReferenceValue {
