@@ -1,5 +1,5 @@
 // The same input gives the same bits: on repeated runs, and next to the same from other compilers and
-// processors. Results of any number of threads: tests/results_test.cpp.
+// processors. Results of any number of threads: tests/sweep/sweep_records_test.cpp.
 
 #include "conformance/bits.hpp"
 

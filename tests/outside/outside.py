@@ -49,6 +49,12 @@ def check_riccati(program):
     errors = dict(re.findall(r"^(\w+) +(\S+)$", run(program, "0.9"), re.MULTILINE))
     near(errors["product_trapezoidal"], 0.0, 1e-6, "product_trapezoidal, order 0.9")
     near(errors["grunwald_letnikov"], 0.0, 2e-3, "grunwald_letnikov, order 0.9")
+    page = re.search(r"^\$ riccati 0.9\n(.*?)^```$", (ROOT / "docs/library.md").read_text(), re.MULTILINE | re.DOTALL).group(1)
+    shown = dict(re.findall(r"^(\w+) +(\S+)$", page, re.MULTILINE))
+    if list(shown) != list(errors):
+        sys.exit(f"docs/library.md: riccati prints {', '.join(errors)}")
+    for scheme, error in shown.items():
+        near(errors[scheme], float(error), 0.06 * float(error) + 1e-15, f"{scheme} in docs/library.md")
 
 
 def check_functions(program):
