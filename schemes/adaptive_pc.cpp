@@ -3,8 +3,8 @@
 
 namespace fde {
 
-// The same rule, predicted from a line through the last two values of f and corrected: adams_pc predicts by
-// the rectangle rule, which on steps of any length would take a second sum over the past.
+// The rule of adaptive_trapezoidal as a predictor-corrector. The prediction extrapolates f linearly from its
+// last two values: the rectangle rule of adams_pc would need a second memory sum on variable steps.
 Scheme adaptive_pc() {
   return {.id = "adaptive_pc",
           .title = "Adaptive predictor-corrector",

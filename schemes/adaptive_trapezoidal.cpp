@@ -3,7 +3,7 @@
 
 namespace fde {
 
-// The rule of product_trapezoidal on steps that find their lengths.
+// The rule of product_trapezoidal with adaptive step size.
 Scheme adaptive_trapezoidal() {
   return {
       .id = "adaptive_trapezoidal",

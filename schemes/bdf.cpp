@@ -8,8 +8,8 @@ constexpr std::string_view source =
 
 }  // namespace
 
-// Convolution quadrature by the backward differentiation formulas, delta(zeta)^(-g) with
-// delta = sum_{k<=p} (1-zeta)^k / k. Order 1 is the classical formula. bdf1 is grunwald_letnikov.
+// Convolution quadrature by the backward differentiation formulas, omega = delta(zeta)^(-g) with
+// delta = sum_{k<=p} (1-zeta)^k / k. At g = 1 these are the classical formulas. bdf1 is grunwald_letnikov.
 Scheme bdf2() {
   return multistep_scheme("bdf2", "Fractional BDF2 with start weights", source, families::bdf2);
 }

@@ -10,7 +10,7 @@ Links expansion(const Problem& problem) { return commensurate_links(problem).val
 }  // namespace
 
 // adams_pc on the expansion in which every order is the same 1/M. Yin, Liu & Anh argue against it because of
-// its many states (Cost::states); this row measures by how much.
+// its many components (Cost::states); this scheme allows to measure the cost.
 Scheme commensurate_adams_pc() {
   return {.id = "commensurate_adams_pc",
           .title = "Adams predictor-corrector on the commensurate expansion",

@@ -5,8 +5,8 @@
 namespace fde {
 
 // Each link of the chain D^(g_i) u_i = u_(i+1) is predicted and corrected with its own weights, from the
-// predictions of all links (eqs 3.8-3.11). Orders above 1 become links first: every order of the paper is at
-// most 1. On a chain whose orders are at most 1 already, the formulas are those of adams_pc with one
+// predictions of all links (eqs 3.8-3.11). Orders above 1 are first split into links, because every order of
+// the paper is at most 1. For a chain with orders up to 1 the formulas are those of adams_pc with one
 // correction.
 Scheme decoupled_multi_order() {
   return {.id = "decoupled_multi_order",

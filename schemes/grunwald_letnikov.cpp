@@ -4,9 +4,9 @@
 
 namespace fde {
 
-// h^(-g) sum_{k<=n} (-1)^k binomial(g, k) (y - T)_{n-k} = f(t_n, y_n), inverted:
+// h^(-g) sum_{k<=n} (-1)^k binomial(g, k) (y - T)_{n-k} = f(t_n, y_n), T the Taylor part, in integral form:
 //   y_n = T_n + h^g sum_{1<=j<=n} (-1)^(n-j) binomial(-g, n-j) f_j.
-// f_0 has no weight, so order 1 is the backward Euler method.
+// f_0 has weight 0, so g = 1 is the backward Euler method.
 Scheme grunwald_letnikov() {
   return {
       .id = "grunwald_letnikov",

@@ -5,8 +5,8 @@
 namespace fde {
 namespace {
 
-// h^(-g)/Gamma(2-g) sum_{1<=j<=n} w_{n-j} (y_j - y_{j-1}) = f(t_n, y_n), orders g in (0, 1]; g = 1 is
-// backward Euler.
+// h^(-g)/Gamma(2-g) sum_{1<=j<=n} w_{n-j} (y_j - y_{j-1}) = f(t_n, y_n), orders g in (0, 1]; g = 1 is the
+// backward Euler method.
 Trajectory solve_l1(const Problem& problem, const Grid& grid, const Options& options) {
   return solve_implicit(
       problem, grid, options,

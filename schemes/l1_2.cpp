@@ -7,7 +7,7 @@
 namespace fde {
 namespace {
 
-// (1-zeta)^g K: increments have the generating function
+// (1-zeta)^g K: the weights of the increments have the generating function
 //   C = (1-zeta)^2/zeta (Li_(g-1) / 2 + Li_(g-2) / (2-g)),
 // and K = Gamma(2-g) / ((1-zeta) C).
 Kernel kernel_of(double g) {
@@ -26,8 +26,8 @@ Trajectory solve_l1_2(const Problem& problem, const Grid& grid, const Options& o
 
 }  // namespace
 
-// The Caputo derivative of the parabolas through y_(n-2), y_(n-1), y_n at t_n, orders g in (0, 1]; g = 1 is
-// BDF2 after a step of backward Euler.
+// The Caputo derivative at t_n of the parabolas through y_(n-2), y_(n-1), y_n equals f(t_n, y_n), orders g in
+// (0, 1]; g = 1 is BDF2 with a first step of backward Euler.
 Scheme l1_2() {
   return {.id = "l1_2",
           .title = "L1-2",

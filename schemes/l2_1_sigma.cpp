@@ -8,9 +8,9 @@
 namespace fde {
 namespace {
 
-// (1-zeta)^g K with sigma = 1 - g/2: increments have the generating function
+// (1-zeta)^g K with sigma = 1 - g/2: the weights of the increments have the generating function
 //   C = (1-zeta)^2/(2 zeta) (Phi(zeta, g-2, sigma) / sigma - Phi(zeta, g-1, sigma)),
-// and K = Gamma(2-g) (sigma + (1-sigma) zeta) / ((1-zeta) C), as f is taken between y_(n-1) and y_n.
+// and K = Gamma(2-g) (sigma + (1-sigma) zeta) / ((1-zeta) C), because f is evaluated between y_(n-1) and y_n.
 Kernel kernel_of(double g) {
   const double sigma = 1.0 - 0.5 * g;
   return [=, lines = Lerch(g - 1.0, sigma), parabolas = Lerch(g - 2.0, sigma)](ComplexValue mu) {
@@ -28,8 +28,8 @@ Trajectory solve_l2_1_sigma(const Problem& problem, const Grid& grid, const Opti
 }  // namespace
 
 // The Caputo derivative at t_(n-1) + sigma h, sigma = 1 - g/2, of the parabolas through y_(n-1), y_n, y_(n+1)
-// and a line on the newest step, orders g in (0, 1]. Each row is taken at the sigma of its order. g = 1 is
-// the implicit midpoint rule.
+// and a line on the newest step equals f there, orders g in (0, 1]. Each row is evaluated at the sigma of its
+// order. g = 1 is the implicit midpoint rule.
 Scheme l2_1_sigma() {
   return {.id = "l2_1_sigma",
           .title = "L2-1-sigma",

@@ -5,8 +5,7 @@
 
 namespace fde {
 
-// Each integral of multi_term/integrated_equations.hpp by the second backward differentiation formula with
-// start weights.
+// Discretises each integral of multi_term/integrated_equations.hpp by fractional BDF2 with starting weights.
 Scheme multi_term_bdf2() {
   return {
       .id = "multi_term_bdf2",

@@ -5,7 +5,7 @@
 
 namespace fde {
 
-// Each integral of multi_term/integrated_equations.hpp by backward Euler convolution quadrature.
+// Discretises each integral of multi_term/integrated_equations.hpp by backward Euler convolution quadrature.
 Scheme multi_term_grunwald_letnikov() {
   return {
       .id = "multi_term_grunwald_letnikov",

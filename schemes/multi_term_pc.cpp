@@ -5,7 +5,7 @@
 
 namespace fde {
 
-// multi_term_trapezoidal with the force at a prediction; the terms of the equation are solved.
+// multi_term_trapezoidal with the force evaluated at a prediction; the linear terms are implicit.
 Scheme multi_term_pc() {
   return {.id = "multi_term_pc",
           .title = "Direct multi-term predictor-corrector",

@@ -5,7 +5,7 @@
 
 namespace fde {
 
-// Each integral of multi_term/integrated_equations.hpp by the product trapezoidal rule.
+// Discretises each integral of multi_term/integrated_equations.hpp by the product trapezoidal rule.
 Scheme multi_term_trapezoidal() {
   return {.id = "multi_term_trapezoidal",
           .title = "Direct multi-term product trapezoidal rule",

@@ -8,8 +8,8 @@ constexpr std::string_view source =
 
 }  // namespace
 
-// The generalised Adams-Moulton methods (1-zeta)^(-g) (1 - g/2 (1-zeta) + ...): of order 1 the trapezoidal
-// rule and the Adams-Moulton method of two steps.
+// The generalised Adams-Moulton methods omega = (1-zeta)^(-g) (1 - g/2 (1-zeta) + ...): at g = 1 the
+// trapezoidal rule and the two-step Adams-Moulton method.
 Scheme newton_gregory_2() {
   return multistep_scheme("newton_gregory_2", "Newton-Gregory rule of rate 2 with start weights", source,
                           families::newton_gregory_2);

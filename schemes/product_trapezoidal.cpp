@@ -5,7 +5,7 @@
 namespace fde {
 
 // y_n = T_n + h^g/Gamma(g+2) (a_{0,n} f_0 + sum_{1<=j<n} a_{n-j} f_j + f(t_n, y_n)): the corrector of
-// adams_pc, solved. Multipliers are constant on each step (implicit/stepwise_multipliers.hpp).
+// adams_pc as an implicit rule. Multipliers are constant on each step (implicit/stepwise_multipliers.hpp).
 Scheme product_trapezoidal() {
   return {
       .id = "product_trapezoidal",

@@ -14,7 +14,7 @@ Trajectory solve_adaptively(const Problem& problem, const Resolution& resolution
 
 }  // namespace
 
-// Orders above 1 are split, as the parabolas of a step are those of orders up to 1.
+// Orders above 1 are split, because RadauSteps is for orders up to 1.
 Scheme radau_exponentials() {
   return {.id = "radau_exponentials",
           .title = "Radau IIA with exponentials",

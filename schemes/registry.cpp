@@ -10,7 +10,7 @@
 namespace fde {
 namespace {
 
-// Of the i-th component, of whose initial values some may be unknown where the problem is open.
+// Why the needs exclude component i. open: the problem has conditions, so initial values may be missing.
 std::optional<std::string> refusal(const Needs& needs, const Component& component, std::size_t i, bool open) {
   const double order = component.order;
   if (algebraic(component) && !needs.algebraic_rows) {
@@ -75,7 +75,7 @@ std::optional<std::string> refusal_of_checkpoints(const Scheme& scheme, const Pr
   return std::nullopt;
 }
 
-// Each row of the list is a function Scheme <id>() in the file of that name.
+// list.def has one line a scheme; the function Scheme <id>() defines it.
 #define FDE_SCHEME(id) Scheme id();
 #include "list.def"
 #undef FDE_SCHEME

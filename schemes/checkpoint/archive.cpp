@@ -8,7 +8,7 @@
 namespace fde {
 namespace {
 
-// Whether these are the arrays of a compressed matrix of this size.
+// Whether these are valid index arrays of a compressed sparse matrix with this inner size.
 bool compressed(const std::vector<int>& outer, const std::vector<int>& inner, Eigen::Index rows) {
   return outer.front() == 0 && outer.back() == std::ssize(inner) && std::ranges::is_sorted(outer) &&
          std::ranges::all_of(inner, [rows](int row) { return row >= 0 && row < rows; });

@@ -17,22 +17,22 @@ namespace fde {
 
 class Archive;
 
-// Says what it keeps from step to step:
+// A type whose state changes from step to step and can be archived:
 //   void state(Archive& archive) { archive(count_, values_, part_); }
 template <class Part>
 concept HasState = requires(Part& part, Archive& archive) {
   part.state(archive);
 };
 
-// A matrix or vector that has its own entries.
+// A matrix or vector that owns its entries.
 template <class Part>
 concept PlainMatrix = std::derived_from<Part, Eigen::PlainObjectBase<Part>>;
 
-// The state of a run on its way out, or back in. Each part says once what it has, and what it says serves
-// both ways. It is read into a part that was made for the same run: what follows from that is not kept, and
-// sizes are what they are there. Numbers are kept to the bit, as this machine has them.
+// Serialises the state of a run; one function state() of each part both writes and reads. A part is read into
+// an object that was constructed for the same run: quantities that follow from the run are not archived, and
+// sizes must agree unless `grown` says otherwise. Numbers are stored in the binary format of this machine.
 //
-// Throws std::invalid_argument where what is read cannot be the state of this run. Nothing is allocated for
+// Reading throws std::invalid_argument where the data cannot be the state of this run. It never allocates
 // more numbers than are left to read.
 class Archive {
  public:
@@ -41,7 +41,7 @@ class Archive {
   Archive& operator=(const Archive&) = delete;
   virtual ~Archive() = default;
 
-  // Whether the parts become what is read.
+  // Whether this archive reads (and overwrites the parts); otherwise it writes.
   [[nodiscard]] virtual bool reads() const = 0;
 
   template <class... Parts>
@@ -49,7 +49,7 @@ class Archive {
     (part(parts), ...);
   }
 
-  // A number from `least` to `most`.
+  // A number in [least, most]; throws where the number read is not.
   template <std::integral Count>
   void count(Count& value, std::type_identity_t<Count> least, std::type_identity_t<Count> most) {
     Count kept = value;
@@ -58,12 +58,12 @@ class Archive {
     value = kept;
   }
 
-  // So many numbers, of which there is room.
+  // `count` numbers from `first` on. Precondition: the array has this size.
   void values(double* first, Eigen::Index count) {
     transfer(first, sizeof(double) * static_cast<std::size_t>(count));
   }
 
-  // Of these the number may be another.
+  // Containers whose size may differ from the archived one; reading resizes them.
   template <class Value>
   void grown(std::vector<Value>& values) {
     constexpr auto least = std::is_arithmetic_v<Value> ? sizeof(Value) : sizeof(double);
@@ -75,13 +75,13 @@ class Archive {
   void grown(Matrix& values);
   void grown(SparseMatrix& values);
 
-  // The first columns of a matrix, which has room for more, or is given it.
+  // The first `count` columns of a matrix; reading adds columns where it has fewer.
   void first_columns(Matrix& matrix, Eigen::Index count);
 
  protected:
-  // Moves so many bytes. Throws where fewer are left to read.
+  // Reads or writes `count` bytes. Throws std::invalid_argument where fewer are left to read.
   virtual void transfer(void* bytes, std::size_t count) = 0;
-  // To read; what is written has no end.
+  // The number of bytes left to read; unlimited for writing.
   [[nodiscard]] virtual std::size_t left() const = 0;
 
  private:
@@ -94,7 +94,7 @@ class Archive {
       for (auto& value : values) part(value);
     }
   }
-  // The number of entries, each of so many bytes.
+  // Archives the number of entries, own when writing, each of `bytes` bytes.
   Eigen::Index grown_count(Eigen::Index own, std::size_t bytes);
   void same_size(Eigen::Index own);
 
@@ -128,7 +128,7 @@ class Archive {
     if constexpr (std::default_initializable<Part>) {
       if (!is_there) return one.reset();
       if (!one) one.emplace();
-    } else {  // it depends on the run alone
+    } else {  // whether it has a value depends on the run alone
       require(is_there == one.has_value());
     }
     if (one) part(*one);
@@ -145,10 +145,10 @@ class Archive {
   }
 };
 
-// What a part of a run keeps, as a function of its own.
+// Archives the state of a part of a run.
 using State = std::function<void(Archive&)>;
 
-// Hands what is written to `sink`, in order.
+// Passes the bytes that are written to `sink`, in order.
 class WritingArchive final : public Archive {
  public:
   explicit WritingArchive(std::function<void(std::string_view bytes)> sink);
@@ -161,13 +161,13 @@ class WritingArchive final : public Archive {
   std::function<void(std::string_view)> sink_;
 };
 
-// Takes so many bytes from `source`, in the order in which they were written.
+// Reads `size` bytes in total through `source`, which fills an array with the next `count` bytes.
 class ReadingArchive final : public Archive {
  public:
   ReadingArchive(std::function<void(char* bytes, std::size_t count)> source, std::size_t size);
   [[nodiscard]] bool reads() const override { return true; }
 
-  // Throws std::invalid_argument where something is left.
+  // Throws std::invalid_argument where bytes are left.
   void end() const;
 
  private:

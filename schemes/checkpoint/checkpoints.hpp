@@ -4,9 +4,9 @@
 
 namespace fde {
 
-// Who keeps the state of a run between two steps, so that it can go on after a kill. What a continued run
-// returns has the bits of one that was never ended: the same problem, resolution, options (but threads and
-// budget) and program. One object a run.
+// Stores the state of a run between two steps, so that it can be resumed after a kill. The result of a
+// resumed run has the same bits as an uninterrupted run. Precondition: problem, resolution, options (except
+// threads and budget) and program are the same. One object a run.
 class Checkpoints {
  public:
   Checkpoints() = default;
@@ -14,10 +14,10 @@ class Checkpoints {
   Checkpoints& operator=(const Checkpoints&) = delete;
   virtual ~Checkpoints() = default;
 
-  // Before the first step: brings the run to a state that was kept. False: there is none, it begins.
+  // Called before the first step: restores a stored state. False where there is none.
   virtual bool resume(const State& state) = 0;
 
-  // Between two steps: may keep the state.
+  // Called between two steps: may store the state.
   virtual void offer(const State& state) = 0;
 };
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-// The tiles are arrays of vectors, which vectors of unknown length cannot be.
+// The tiles are arrays of vectors; vectors of unknown length cannot be array elements.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "history/block_kernels.cpp"
@@ -25,7 +25,7 @@ using Tag = hn::CappedTag<double, lanes>;
 using Vector = hn::Vec<Tag>;
 constexpr Tag tag;
 
-// Rows of vectors held in registers at a time: with the columns they make the accumulators of one tile.
+// Vectors per column of a tile; the tile's accumulators are held in registers.
 constexpr Eigen::Index tile_vectors = hn::MaxLanes(tag) == lanes ? 4 : 2;
 
 // Rows [0, Vectors * width) of Columns columns of c += a b.
@@ -110,7 +110,7 @@ void weigh_kernel(Eigen::Index rows, const double* factors, const double* values
   }
 }
 
-// state + carry += decay_minus_one * state + input. The sum with its rounding error is Knuth's.
+// state + carry += decay_minus_one * state + input, with Knuth's TwoSum.
 HWY_INLINE void advance_vector(Vector decay_minus_one, Vector input, double* state, double* carry) {
   const Vector old = hn::Load(tag, state), before = hn::Load(tag, carry);
   const Vector change = hn::Add(hn::MulAdd(decay_minus_one, old, input), before);
@@ -142,7 +142,7 @@ void advance_columns_kernel(Eigen::Index rows, Eigen::Index columns, const doubl
   }
 }
 
-// input = phi_1 p_0 + phi_2 p_1 + phi_3 p_2 of each column, and the states advanced by it.
+// input = phi_1 p_0 + phi_2 p_1 + phi_3 p_2 in each column.
 void advance_integrals_kernel(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one,
                               ConstBlock phi, ConstBlock polynomials, Block state, Block carry) {
   constexpr Eigen::Index width = hn::MaxLanes(tag);
@@ -169,8 +169,8 @@ constexpr auto inverse_factorials = [] {
   return all;
 }();
 
-// Up to this x in [0, 1] the series of phi_3 is as good as its first term and so many more: the next is below
-// rounding, x^(terms+1) 3! / (terms+4)! <= 2^-55.
+// The largest x in [0, 1] for which the series of phi_3 may be truncated after the first term and `terms`
+// more: the next term is below rounding, x^(terms+1) 3! / (terms+4)! <= 2^-55.
 constexpr auto reach_of_terms = [] {
   std::array<double, most_terms + 1> all{};
   for (std::size_t terms = 0; terms < all.size(); ++terms) {
@@ -187,7 +187,7 @@ constexpr auto reach_of_terms = [] {
   return all;
 }();
 
-// phi_3 = sum_i (-x)^i / (i+3)! for 0 <= x <= 1, by so many terms after the first.
+// phi_3 = sum_i (-x)^i / (i+3)! for 0 <= x <= 1, with `terms` terms after the first.
 HWY_INLINE Vector third_phi(Vector x, std::size_t terms) {
   Vector sum = hn::Set(tag, inverse_factorials[terms]);
   for (std::size_t i = terms; i > 0; --i)
@@ -195,8 +195,9 @@ HWY_INLINE Vector third_phi(Vector x, std::size_t terms) {
   return sum;
 }
 
-// The functions follow from each other by phi_k = 1/k! - x phi_(k+1): upwards without loss for x below 1,
-// downwards above. What is done is decided for `lanes` nodes, whatever the width.
+// The recurrence phi_k = 1/k! - x phi_(k+1) is stable from phi_3 down to phi_1 for x < 1, and in the other
+// direction for x >= 1. The choice is made for `lanes` nodes at a time, so that it does not depend on the
+// vector width.
 void phi_functions_kernel(Eigen::Index rows, double length, const double* nodes, Block phi,
                           double* decay_minus_one) {
   constexpr Eigen::Index width = hn::MaxLanes(tag);
@@ -244,7 +245,7 @@ void apply_decay_kernel(Eigen::Index rows, const double* values, const double* d
   }
 }
 
-// Eight running sums and, of long arrays, four times as many, whatever the width. They are added in pairs.
+// Eight partial sums, for long arrays 32, for every vector width; they are added pairwise.
 double dot_product_kernel(const double* a, const double* b, Eigen::Index length) {
   constexpr Eigen::Index together = 4 * lanes, width = hn::MaxLanes(tag), vectors = lanes / width;
   std::array<std::array<Vector, vectors>, 4> sum;
@@ -290,7 +291,7 @@ HWY_EXPORT(phi_functions_kernel);
 
 namespace {
 
-// The functions of the chosen target, looked up once.
+// The functions of the selected target.
 struct Kernels {
   decltype(&multiply_add) multiplying;
   decltype(&scatter) scattering;

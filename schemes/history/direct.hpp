@@ -5,9 +5,8 @@
 
 namespace fde {
 
-// The sum as it stands, O(n) work at step n: one long dot product a component, over contiguous samples and
-// weights stored reversed. Components whose weights are all equal (order 1) keep a running sum instead of
-// their past.
+// Direct summation on equal steps, O(n) work at step n: one dot product a component, over contiguous samples
+// and weights stored in reverse. Components whose weights are all equal (order 1) need a running sum only.
 class DirectHistory final : public History {
  public:
   DirectHistory(const WeightTables& tables, int steps);
@@ -20,23 +19,22 @@ class DirectHistory final : public History {
   void state(Archive& archive) override;
 
  private:
-  // How one component enters one sum: a running sum with constant weights, or a dot product with a column of
-  // weights.
+  // One component in one sum: constant weights (a running sum), or a column of weights (a dot product).
   struct Part {
-    double start, constant;  // of x_0, of all other samples
-    Eigen::Index column;     // of weights_ and starts_; -1: constant
+    double start, constant;  // the weight of x_0 and of all other samples
+    Eigen::Index column;     // in weights_ and starts_; -1: the weights are constant
   };
   static Part part(const WeightTable& table, std::vector<WeightTable>& distinct);
 
   Eigen::Index steps_;
   Eigen::Index pushed_ = 0;
   std::vector<std::vector<Part>> parts_;  // [sum][component]
-  std::vector<Eigen::Index> row_;  // column of samples_ that a component owns; -1: only its running sum
-  Matrix weights_;                 // one column a distinct table: w(steps), ..., w(1)
-  Matrix starts_;                  // the same tables: start_weight(1), ..., start_weight(steps)
-  Matrix samples_;                 // one column a component with memory
-  Vec first_;                      // x_0
-  RunningSums totals_;             // of x_1, x_2, ...
+  std::vector<Eigen::Index> row_;         // column of samples_ of each component; -1: only a running sum
+  Matrix weights_;                        // one column a distinct table: w(steps), ..., w(1)
+  Matrix starts_;       // one column a distinct table: start_weight(1), ..., start_weight(steps)
+  Matrix samples_;      // one column a component that is not only a running sum
+  Vec first_;           // x_0
+  RunningSums totals_;  // of x_1, x_2, ...
 };
 
 }  // namespace fde

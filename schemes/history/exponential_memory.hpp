@@ -9,25 +9,26 @@
 
 namespace fde {
 
-// The past of components that share one sum of exponentials, on a uniform grid, a block of steps at a time.
-// Samples at least `recent` steps old when a block starts live in states z_m = sum_j exp(-nodes[m] age_j)
-// x_j, advanced and evaluated once a block as small dense products; the others enter through their exact
-// weights. Work a step and memory do not depend on the number of steps done. docs/history.md derives it.
+// The memory term of components that share one sum of exponentials, on equal steps, a block of steps at a
+// time. Samples that are at least `recent` steps old when a block starts enter through the states
+// z_m = sum_j exp(-nodes[m] age_j) x_j, which are advanced and evaluated once a block as small dense
+// products; newer samples enter with their exact weights. Work a step and memory do not depend on the number
+// of steps. Derivation: docs/history.md.
 class ExponentialMemory {
  public:
   static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;
 
-  // The sum of exponentials must hold for times in [shortest_lag, steps + 2].
+  // The sum of exponentials must be valid for times in [shortest_lag, steps + 2].
   static constexpr double shortest_lag = recent - 1;
 
-  // So many components and more are summed with neighbours side by side. Measured by fde_histories.
+  // From this number of components on WidePast is faster than NarrowPast. Measured by fde_histories.
   static constexpr Eigen::Index fewest_wide = 64;
 
-  // Tables of one kernel exponent that all weigh running sums, or all the samples themselves.
+  // Precondition: all tables have the same kernel exponent, and all or none of them weigh running sums.
   ExponentialMemory(const std::vector<WeightTable>& tables, Eigen::Index components,
                     const ExponentialSum& sum, int threads = 1);
 
-  // Appends x_0, where it has weights of its own; otherwise it is left out.
+  // Appends x_0. Only needed for tables in which x_0 has a weight.
   void begin(In first);
 
   // Appends x_n, n >= 1, one value a component.

@@ -8,7 +8,7 @@
 namespace fde {
 namespace {
 
-// The position of a value in a list, which takes it in where it is new.
+// The index of a value in a list, to which it is appended where it is new.
 template <typename Value>
 Eigen::Index index_in(std::vector<Value>& list, const Value& value) {
   const auto found = std::ranges::find(list, value);
@@ -42,7 +42,7 @@ ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, do
     auto& sum = sums_.emplace_back();
     for (std::size_t i = 0; i < of_sum.size(); ++i) add(sum, of_sum[i], static_cast<Eigen::Index>(i));
   }
-  // A run shorter than a block never asks for the exponentials.
+  // A run shorter than a block never evaluates the exponentials.
   const double longest = std::max<double>(steps, ExponentialMemory::block) + 2.0;
   for (auto& group : groups_) {
     const auto columns = std::ssize(group.columns.components());
@@ -58,7 +58,7 @@ ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, do
   leave_out_lists();
 }
 
-// The lists of columns are as large as a sample.
+// Lists of columns are as large as a sample; they are dropped where they are the identity.
 void ExponentialHistory::leave_out_lists() {
   for (auto& sum : sums_) {
     for (auto& use : sum.uses) {

@@ -7,9 +7,10 @@
 
 namespace fde {
 
-// The past as decaying exponentials: O(1) work a step and constant memory, good to the tolerance relative to
-// every weight. Components of equal order share nodes and weights; those of order 1 keep a running sum only.
-// Weights w(k) = u(k) + (-1)^k v(k) are two tables, of which the second weighs (-1)^j x_j.
+// The memory term on equal steps as a sum of exponentials: O(1) work a step and constant memory; `tolerance`
+// bounds the relative error of every weight. Components of equal order share nodes and weights; components of
+// order 1 need a running sum only. Weights w(k) = u(k) + (-1)^k v(k) are two tables, the second of which is
+// applied to (-1)^j x_j.
 class ExponentialHistory final : public History {
  public:
   ExponentialHistory(const WeightTables& tables, int steps, double tolerance, int threads = 1);
@@ -22,41 +23,41 @@ class ExponentialHistory final : public History {
   void state(Archive& archive) override;
 
  private:
-  // The components that share something, each with a column there in the order in which they came.
+  // A set of components, numbered by columns in the order in which they were added.
   class Columns {
    public:
-    // That of a component, which is taken in where it is new.
+    // The column of a component, which is added where it is new.
     Eigen::Index of(Eigen::Index component);
     [[nodiscard]] const std::vector<Eigen::Index>& components() const { return components_; }
-    // Whether the columns are just the components, of which there are so many.
+    // Whether column i is component i for all i < size.
     [[nodiscard]] bool are_all(Eigen::Index size) const;
 
    private:
-    std::vector<Eigen::Index> components_, columns_;  // columns_[component]; -1: it has none
+    std::vector<Eigen::Index> components_, columns_;  // columns_[component]; -1: not in the set
   };
-  // Components with one kernel exponent, that weigh running sums or not, or the samples with alternating
-  // sign.
+  // The components of one kernel exponent whose weights apply to the samples, to their running sums, or to
+  // the samples with alternating signs.
   struct Group {
     long double exponent;
     bool running_sums, alternates;
     std::vector<WeightTable> tables{};
     Columns columns{};
-    bool all = false;  // the sample is that of the group
+    bool all = false;  // the group uses the sample unchanged
     Vec sample{};
   };
-  // Components whose weights are all equal: x_0 counts with start, the others with constant.
+  // A component whose weights are all equal: x_0 has the weight start, the others have the weight constant.
   struct Constant {
     Eigen::Index component;
     double start, constant;
   };
-  // One table of a group, for the components (with their column in the group) that use it in this sum.
+  // One table of a group in one sum, with the components that use it and their columns in the group.
   struct Use {
     std::size_t group;
     Eigen::Index table;
     std::vector<std::pair<Eigen::Index, Eigen::Index>> components{};
-    bool all = false;  // every component is in its own column; none is listed
+    bool all = false;  // all components, component i in column i; the list is empty
   };
-  // The filtered samples of components with one table.
+  // The components with one table that has a filter.
   struct Filtered {
     WeightTable table;
     Columns columns{};
@@ -87,7 +88,7 @@ class ExponentialHistory final : public History {
   Vec first_;          // x_0
   double sign_ = 1.0;  // (-1)^n, n the number of samples
   bool needs_totals_ = false;
-  RunningSums totals_{0};  // of x_1, x_2, ..., where they are needed
+  RunningSums totals_{0};  // of x_1, x_2, ...; empty where not needed
 };
 
 }  // namespace fde

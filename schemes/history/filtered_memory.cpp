@@ -6,9 +6,9 @@ namespace fde {
 
 namespace {
 
-// phi_L, ..., phi_2, filled up in front with 0.
+// phi_L, ..., phi_2, with zeros in front.
 Vec reversed_tail(const std::vector<double>& filter) {
-  constexpr Eigen::Index together = 4 * lanes;  // that dot_product takes at a time
+  constexpr Eigen::Index together = 4 * lanes;  // the unrolled length of dot_product
   const auto count = std::max<std::ptrdiff_t>(std::ssize(filter) - 2, 0);
   Vec tail = Vec::Zero((count + together - 1) / together * together);
   for (Eigen::Index i = 1; i <= count; ++i) tail[tail.size() - i] = filter[static_cast<std::size_t>(i) + 1];

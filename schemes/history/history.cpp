@@ -16,7 +16,7 @@
 namespace fde {
 namespace {
 
-// Rounding, and where a sum of exponentials still deserves the name.
+// Rounding, and the largest relative error of a weight that is accepted.
 constexpr double finest_tolerance = 1e-16, coarsest_tolerance = 0.1;
 
 // The first table without the property, or nullptr.
@@ -47,7 +47,7 @@ StepPlan step_plan(const Grid& grid) {
 }
 
 HistoryKind resolve(HistoryKind kind, const StepPlan& steps) {
-  // Measured by fde_histories; where steps differ every weight of the direct engine costs a power.
+  // Measured by fde_histories. With variable steps every weight of the direct history costs a power.
   const int break_even = steps.equal ? 128 : 16;
   if (kind != HistoryKind::automatic) return kind;
   return steps.most() < break_even ? HistoryKind::direct : HistoryKind::exponentials;

@@ -14,33 +14,33 @@ namespace fde {
 
 class Archive;
 
-// The past of one run: samples x_0, x_1, ... (one value a component) go in, discrete convolutions come out.
-// Several sums share the samples: predictor and corrector weigh the same f with different tables.
+// The history of one run: stores samples x_0, x_1, ... (one value a component) and evaluates the memory
+// terms, discrete convolutions of the samples. Several sums share the samples: predictor and corrector apply
+// different weights to the same f.
 class History {
  public:
   History() = default;
   History& operator=(const History&) = delete;
   virtual ~History() = default;
 
-  // The same history with what it has been given so far. Copies of an empty one spare its making.
+  // A deep copy, with the samples pushed so far. Copying an empty history is cheaper than make_history.
   [[nodiscard]] virtual std::unique_ptr<History> copy() const = 0;
 
-  // Appends the next sample, taken at time t. Times increase. Where all steps are equal, the number of
-  // samples says the time, and t is not looked at; the same holds for convolve.
+  // Appends the sample at time t, size components; t must increase. With equal steps t is ignored, because
+  // the number of samples determines the time; the same holds for convolve.
   virtual void push(double t, In sample) = 0;
 
-  // What a step from the newest sample to the candidate time t sees of the past: for every component i, in
-  // which n >= 1 samples have been pushed,
-  //   start_weight_i(n) x_{0,i} + sum_{1<=j<n} w_i(n-j) x_{j,i}
-  // with the weights of tables[sum][i] of make_history. Where steps differ, the weights are integrals over
-  // them, in units in which the newest sample has weight 1. A rejected step is a call that no push follows:
-  // candidates leave no trace. One thread at a time, as a history keeps what it computed for its last one.
+  // The memory term of a step from the newest sample to time t: for every component i, after n >= 1 samples,
+  //   result_i = start_weight_i(n) x_{0,i} + sum_{1<=j<n} w_i(n-j) x_{j,i}
+  // with the weights of tables[sum][i] of make_history. With variable steps the weights are integrals over
+  // the steps, scaled so that the new sample at t has weight 1. The call does not change the history, so a
+  // step can be rejected. Not thread-safe: the quantities of the last t are cached.
   virtual void convolve(double t, std::size_t sum, Out result) const = 0;
 
-  // Memory for samples and weights.
+  // Memory for samples and weights, in bytes.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 
-  // What it keeps of the samples.
+  // Archives the part of the state that depends on the samples.
   virtual void state(Archive& archive) = 0;
 
  protected:
@@ -50,28 +50,29 @@ class History {
 // tables[sum][i] is the weight table of component i in that sum.
 using WeightTables = std::vector<std::vector<WeightTable>>;
 
-// The steps that a history is made for. The first starts at time 0.
+// The step sizes for which a history is made. The first step starts at time 0.
 struct StepPlan {
-  double end = 1.0;            // the last step ends here, or before
-  double shortest = 1.0;       // no step is shorter, up to rounding
-  bool equal = false;          // all steps are as long as the shortest
-  std::optional<int> count{};  // how many they are, where that is known
+  double end = 1.0;            // upper bound of the time of the last step
+  double shortest = 1.0;       // lower bound of the step size, up to rounding
+  bool equal = false;          // all steps have the size `shortest`
+  std::optional<int> count{};  // the number of steps; nullopt: unknown
 
-  // The known count; otherwise the most that fit.
+  // The number of steps, or an upper bound where it is unknown.
   [[nodiscard]] int most() const;
 };
 StepPlan step_plan(const Grid& grid);
 
 enum class HistoryKind { automatic, direct, exponentials };
 
-// The engine that a run with these steps uses: what `automatic` stands for, otherwise the kind itself.
+// The kind that a run with these steps uses: for `automatic` the faster one, otherwise `kind`.
 HistoryKind resolve(HistoryKind kind, const StepPlan& steps);
 std::string_view name(HistoryKind kind);
 
-// The tolerance is the relative error allowed to each weight, at least rounding and at most a tenth; `direct`
-// is always exact, and `automatic` takes it for families without exponentials. Throws std::invalid_argument
-// that names the family where it has no exponentials or no weights for steps that differ. Exponentials of
-// equal steps are shared among threads, with the same bits for any number of them.
+// Makes an empty history. `tolerance` bounds the relative error of each weight and is clamped to
+// [1e-16, 0.1]; `direct` uses exact weights, and `automatic` resolves to it for families without a sum of
+// exponentials. Throws std::invalid_argument naming the family where it has no sum of exponentials or no
+// weights for variable steps. With equal steps the exponentials are shared among `threads` threads, with the
+// same bits for any number.
 std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
                                       double tolerance, int threads = 1);
 

@@ -19,7 +19,8 @@ ExponentialKernel::ExponentialKernel(long double a, double shortest, double end,
 }
 
 Eigen::Index ExponentialKernel::needed(double length) const {
-  // exponential_sum may leave out the nodes from the one after its last on: one more than up to fastest_.
+  // The error bound of exponential_sum allows to omit the nodes after its last one: one more than up to
+  // fastest_.
   const auto slower = std::upper_bound(nodes.begin(), nodes.end(), fastest_ / length) - nodes.begin();
   return std::min((slower + 1 + lanes - 1) / lanes * lanes, nodes.size());
 }
@@ -39,14 +40,14 @@ void KernelIntegrals::begin() {
   carries_ = states_;
 }
 
-// Steps that are equal but for rounding revive nothing.
+// Steps that are equal up to rounding reactivate no exponentials.
 Eigen::Index KernelIntegrals::needed(double length) const {
   constexpr double more_than_rounding = 1.0 + 1e-6;
   const auto count = kernel_.needed(length);
   return count <= alive_ ? count : std::max(alive_, kernel_.needed(length * more_than_rounding));
 }
 
-// The states of the exponentials from alive_ to count, by the newest step alone.
+// The states of the exponentials from alive_ to count, from the newest step alone.
 Matrix KernelIntegrals::revived(Eigen::Index count) const {
   const auto rows = count - alive_;
   Matrix states = Matrix::Zero(rows, polynomials_.cols()), phi(rows, 3);
@@ -96,7 +97,7 @@ void KernelIntegrals::advance(const KernelStep& step) {
 }
 
 std::size_t KernelIntegrals::bytes() const {
-  const auto step = (2 + 3) * kernel_.nodes.size();  // of a KernelStep
+  const auto step = (2 + 3) * kernel_.nodes.size();  // doubles of a KernelStep
   const auto doubles = 2 * kernel_.nodes.size() + step + 2 * states_.size() + polynomials_.size();
   return sizeof(double) * static_cast<std::size_t>(doubles);
 }

@@ -7,47 +7,48 @@
 
 namespace fde {
 
-// A polynomial on one step, in w = (t - start) / length: p0 + p1 w + p2 w^2 / 2.
+// The polynomial p0 + p1 w + p2 w^2 / 2 on one step, w = (t - start) / length.
 using Polynomial = Eigen::Vector3d;
 
-// A kernel t^(a-1)/Gamma(a) as decaying exponentials, at distances from the shortest step to twice the end.
+// A sum of exponentials for the kernel t^(a-1)/Gamma(a), t from the shortest step to 2 end, with the relative
+// error `tolerance`.
 class ExponentialKernel {
  public:
   ExponentialKernel(long double a, double shortest, double end, double tolerance);
 
-  // So many exponentials, the slowest, make the kernel at distances from this length on. A multiple of lanes.
+  // The number of slowest exponentials that suffice for t >= length, a multiple of lanes.
   [[nodiscard]] Eigen::Index needed(double length) const;
 
-  // The integrals of w^(k-1) / (k-1)!, k = 1, 2, 3, over a step whose length has this power a, up to its end:
-  // length^a / Gamma(a + k).
+  // The integrals of the exact kernel times w^(k-1) / (k-1)!, k = 1, 2, 3, over the step that ends at the
+  // evaluation time: length^a / Gamma(a + k), with power = length^a.
   [[nodiscard]] std::array<double, 3> near(double power) const;
 
   long double exponent;
   Vec nodes,
-      coefficients;  // nodes increase; as many as make a multiple of lanes, the last with coefficient 0
+      coefficients;  // by increasing nodes; padded to a multiple of lanes with coefficients 0
 
  private:
   double gamma_;    // Gamma(a + 1)
-  double fastest_;  // node * distance up to which the sum needs its nodes
+  double fastest_;  // the largest node times the shortest step
 };
 
-// What a step of one length does to the exponentials of a kernel, x = nodes * length.
+// The coefficients that advance the exponentials of a kernel over a step of one length; x = nodes * length.
 struct KernelStep {
   double length = 0.0;
-  Eigen::Index count = 0;        // of the exponentials that the step needs
+  Eigen::Index count = 0;        // number of exponentials that the step needs
   Vec decay_minus_one{};         // exp(-x) - 1
   Matrix phi{};                  // phi_1, phi_2, phi_3 of x
   Vec weights{};                 // coefficients * exp(-x)
   std::array<double, 3> near{};  // ExponentialKernel::near
-  Matrix revived{};              // states of the exponentials that the steps before did not need
+  Matrix revived{};              // states of the exponentials that the previous step did not need
 };
 
-// The past of functions that share one kernel, on steps of any length. Each exponential carries one integral
-// a function, z(t) = int_0^t exp(-node (t - s)) u(s) ds, from step to step. Work and memory do not depend on
-// the number of steps done. docs/history.md derives it.
+// Convolutions of functions u with one kernel, on steps of any length. For each exponential and each function
+// the integral z(t) = int_0^t exp(-node (t - s)) u(s) ds is updated from step to step. Work a step and memory
+// do not depend on the number of steps. Derivation: docs/history.md.
 //
-// An exponential that decays to nothing within a step is dropped there. Where a shorter step needs it again,
-// its integral over that one step is all there is of it: the kernel of anything older is within the tolerance
+// An exponential that is negligible after a step is dropped. If a later, shorter step needs it again, its
+// state is the integral over the newest step alone: for older values the kernel is within the tolerance
 // without it.
 class KernelIntegrals {
  public:
@@ -55,23 +56,24 @@ class KernelIntegrals {
 
   [[nodiscard]] const ExponentialKernel& kernel() const { return kernel_; }
 
-  // The number of a new function. All are added before `begin`, which comes before the first step.
+  // Adds a function and returns its index. Call begin() after the last add_function() and before the first
+  // step.
   Eigen::Index add_function() { return functions_++; }
   void begin();
 
-  // The step of this length that may follow. Changes nothing here.
+  // Computes the coefficients of a next step of this length. Does not change this object.
   void prepare(double length, KernelStep& step) const;
-  // The same where the power a of the length is known.
+  // The same with the given power = length^a.
   void prepare(double length, double power, KernelStep& step) const;
 
-  // The integral of the kernel with the function up to the end of this step, on which it is this polynomial.
+  // int_0^t of the kernel times the function, t the end of this step, on which the function is `newest`.
   [[nodiscard]] double integral(const KernelStep& step, Eigen::Index function,
                                 const Polynomial& newest) const;
 
-  // Where the function's polynomial goes before a step is taken.
+  // The polynomial of a function on the next step, times the step length; set it before advance().
   [[nodiscard]] auto polynomial(Eigen::Index function) { return polynomials_.col(function); }
 
-  // Takes the step, as prepared after the last one.
+  // Advances over the step. Precondition: `step` was prepared after the previous advance().
   void advance(const KernelStep& step);
 
   [[nodiscard]] std::size_t bytes() const;
@@ -84,8 +86,8 @@ class KernelIntegrals {
   ExponentialKernel kernel_;
   Eigen::Index functions_ = 0;
   double length_ = 0.0;      // of the newest step
-  Eigen::Index alive_;       // the exponentials whose states are those of now
-  Matrix polynomials_;       // 3 x functions, on the newest step, times its length
+  Eigen::Index alive_;       // number of exponentials whose states are up to date
+  Matrix polynomials_;       // 3 x functions: the polynomials on the newest step times its length
   Matrix states_, carries_;  // nodes x functions
 };
 

@@ -15,7 +15,7 @@ Vec exact_start(const WeightTable& table, Eigen::Index first) {
 
 }  // namespace
 
-// x_0 is the newest sample before the first block. Alone it adds nothing later; its running sum stays 1.
+// x_0 is the newest sample before the first block. Later samples are 0; their running sums remain 1.
 MemoryStart::MemoryStart(const std::vector<WeightTable>& weights, const MemoryTables& tables)
     : exact_(block * tables.count),
       factors_(Matrix::Zero(tables.together.nodes.size(), tables.count)),
@@ -61,7 +61,7 @@ void MemoryStart::advance_block(const MemoryTables& tables) {
   }
 }
 
-// Far below the rounding of any weight, and before such states become so small that arithmetic is slow.
+// Drops states that are far below the rounding of any weight, before they become subnormal and slow.
 void MemoryStart::leave_out_what_decayed(Eigen::Index slow) {
   constexpr double nothing = 1e-60;
   while (alive_ > slow && later_[alive_ - 1] == 0.0 &&

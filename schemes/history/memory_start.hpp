@@ -7,20 +7,21 @@
 
 namespace fde {
 
-// The weights of x_0 at each step, of every table: a sample as any other, x_0 = 1, with states of its own.
+// The weights of x_0 at each step, for every table: the contribution of a sample x_0 = 1, which has separate
+// states because its weights may differ from w(n).
 class MemoryStart {
  public:
   MemoryStart(const std::vector<WeightTable>& weights, const MemoryTables& tables);
 
-  // Goes to the next block.
+  // Advances to the next block.
   void advance_block(const MemoryTables& tables);
 
-  // The weights at the steps of a block are MemoryTables::far times these, one column a table, and besides
-  // those that are known exactly, block of each table. In the first block that is all of them.
+  // The weights at the steps of a block are MemoryTables::far * weighted(), one column a table, plus exact(),
+  // `block` entries a table. In the first block weighted() is 0.
   [[nodiscard]] const Matrix& weighted() const { return weighted_; }
   [[nodiscard]] const Vec& exact() const { return exact_; }
 
-  // Whether there are exact ones from the second block on.
+  // Whether exact() is nonzero from the second block on.
   [[nodiscard]] bool stays_exact() const { return near_.size() > 0; }
 
   [[nodiscard]] std::size_t bytes() const;
@@ -35,10 +36,10 @@ class MemoryStart {
 
   void leave_out_what_decayed(Eigen::Index slow);
 
-  Vec exact_, near_;    // block of each table: those of this block, and of all after the first
-  Matrix factors_;      // as those of the tables; 0 where weights are
-  Matrix weighted_;     // factors_, times the states
-  Eigen::Index alive_;  // so many nodes, the slowest, have states that count; a multiple of lanes
+  Vec exact_, near_;    // block entries a table: exact() of this block, and of all blocks after the first
+  Matrix factors_;      // as MemoryTables::factors; a column is 0 where x_0 has no weight
+  Matrix weighted_;     // factors_ times the states
+  Eigen::Index alive_;  // number of slowest nodes whose states are not negligible; a multiple of lanes
   Vec states_, carries_, input_, later_, joined_;
 };
 

@@ -9,14 +9,14 @@ namespace {
 
 using Real = long double;
 
-// Where exp(-s t) is interpolated in s at n Chebyshev points of [0, S], the error is at most
-// 2 (S t / 4)^n / n!: for n = lanes and S t up to here, 1.2e-17.
+// Interpolation of exp(-s t) in s at n Chebyshev points of [0, S] has an error of at most 2 (S t / 4)^n / n!:
+// 1.2e-17 for n = lanes and S t up to this value.
 constexpr double straight = 0.105;
 
-// Up to this node exponentials are joined: lags of a block go up to recent + block.
+// The largest node that is interpolated: the lags of a block go up to recent + block.
 constexpr double largest_joined = straight / (MemoryTables::recent + MemoryTables::block);
 
-// w(1), w(2), ..., or their differences.
+// w(1), w(2), ..., or the differences w(k) - w(k-1) where running sums are weighed.
 Vec exact_weights(const WeightTable& table, Eigen::Index count) {
   return Vec::NullaryExpr(count, [&](Eigen::Index k) {
     return weighs_running_sums(table) ? weight_increment(table, k + 1) : weight(table, k + 1);
@@ -25,14 +25,14 @@ Vec exact_weights(const WeightTable& table, Eigen::Index count) {
 
 Eigen::Index to_lanes(Eigen::Index count) { return (count + lanes - 1) / lanes * lanes; }
 
-// The values, with so many zeros in front that they make a whole number of vectors.
+// The values, padded in front with zeros to a multiple of lanes.
 Vec filled(const Vec& values) {
   Vec result = Vec::Zero(to_lanes(values.size()));
   result.tail(values.size()) = values;
   return result;
 }
 
-// How many of the nodes are joined, in whole vectors. Two vectors of them would gain next to nothing.
+// The number of nodes that are interpolated, in whole vectors. For two vectors the gain is negligible.
 Eigen::Index joined(const Vec& nodes) {
   const auto above = std::ranges::count_if(nodes, [](double node) { return node > largest_joined; });
   const auto slow = nodes.size() - to_lanes(above);

@@ -18,7 +18,7 @@ void NarrowPast::begin(In first, const MemoryStart& start) {
   add_exact(start);
 }
 
-// What exact weights of x_0 add to a block.
+// Adds x_0 times its exact weights to the sums of a block.
 void NarrowPast::add_exact(const MemoryStart& start) {
   multiply_add(sums_.rows(), 1, sums_.cols(), start.exact(), {first_.data(), 1}, sums_);
 }
@@ -36,7 +36,7 @@ void NarrowPast::push(const MemoryTables& tables, Eigen::Index position, In samp
   }
 }
 
-// What the newest `recent` samples add to the rest of the block.
+// Adds the newest `recent` samples, with exact weights, to the sums of the rest of the block.
 void NarrowPast::pass_on(const MemoryTables& tables, Eigen::Index position) {
   for (Eigen::Index table = 0; table < tables.count; ++table) {
     multiply_add(block - position, recent, sums_.cols(), {&tables.near(table * block, 0), tables.near.rows()},

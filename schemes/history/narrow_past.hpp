@@ -5,19 +5,20 @@
 
 namespace fde {
 
-// The past of a few components: a component is a column, and what is done at once is done with the steps of a
-// block, or with the exponentials.
+// The states and sums of an ExponentialMemory with few components: one column a component; loops are
+// vectorised over the steps of a block or over the exponentials.
 class NarrowPast {
  public:
   NarrowPast(const MemoryTables& tables, Eigen::Index components);
 
-  // Takes x_0, before the first push. The start tells its weights in the first block.
+  // Appends x_0, before the first push. `start` has its weights in the first block.
   void begin(In first, const MemoryStart& start);
 
-  // Takes the sample at this step of a block. At the end of a block the start tells those of the next.
+  // Appends the sample at this step of a block. At the last step `start` has the weights of x_0 in the next
+  // block.
   void push(const MemoryTables& tables, Eigen::Index position, In sample, const MemoryStart& start);
 
-  // The sums of a table at the step that follows; stride between components.
+  // The sums of a table at the next step, components() values with the distance stride().
   [[nodiscard]] const double* sums(Eigen::Index table, Eigen::Index position) const {
     return &sums_(table * MemoryTables::block + position, 0);
   }
@@ -34,13 +35,13 @@ class NarrowPast {
   void advance_block(const MemoryTables& tables, const MemoryStart& start);
   void add_exact(const MemoryStart& start);
 
-  Vec first_;                        // x_0; 0 where it has no weights of its own
+  Vec first_;                        // x_0; 0 before begin()
   Matrix samples_;                   // (recent + block) x components
   Matrix gathered_;                  // (points and other nodes) x components
   Matrix states_, carries_, input_;  // nodes x components
   Matrix joined_;                    // points x components
-  Matrix weighted_;                  // (points and other nodes) x tables of each component: to be evaluated
-  Matrix sums_;                      // block x components of each table
+  Matrix weighted_;                  // (points and other nodes) x (tables per component)
+  Matrix sums_;                      // (block per table) x components
 };
 
 }  // namespace fde

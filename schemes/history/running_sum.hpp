@@ -7,7 +7,7 @@
 
 namespace fde {
 
-// Running sums, one a component, that keep what rounding takes from them (Neumaier).
+// Compensated running sums (Neumaier), one a component.
 class RunningSums {
  public:
   explicit RunningSums(Eigen::Index size) : total_(Vec::Zero(size)), carry_(Vec::Zero(size)) {}

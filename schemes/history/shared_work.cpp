@@ -7,8 +7,9 @@
 namespace fde {
 namespace {
 
-constexpr Eigen::Index rows_of_a_part = 2048;      // some ten of their columns fit into a cache of 256 KB
-constexpr Eigen::Index fewest_of_a_thread = 8192;  // to start a thread takes as long as a step of so many
+constexpr Eigen::Index rows_of_a_part = 2048;  // about ten such columns fit into a cache of 256 KB
+constexpr Eigen::Index fewest_of_a_thread =
+    8192;  // a step of so many rows takes as long as starting a thread
 
 }  // namespace
 

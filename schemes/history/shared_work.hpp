@@ -5,10 +5,10 @@
 
 namespace fde {
 
-// Calls work(first, count) for parts of so many rows, which together are all of them: whole multiples of
-// `unit`, but for the last, and small enough for the cache. Threads take neighbouring parts; where these are
-// few, one does it all. Which thread has a part makes no difference to work that leaves the rows of others
-// alone. An exception of any part reaches the caller when all have ended.
+// Calls work(first, count) for parts that partition `rows` rows. Part sizes are multiples of `unit`, except
+// the last, and fit into the cache. At most `threads` threads are used, each for neighbouring parts; few rows
+// are processed by one thread. Precondition: work writes to its own rows only, so the result does not depend
+// on the number of threads. Rethrows an exception of a part after all parts of other threads have ended.
 void share_work(int threads, Eigen::Index rows, Eigen::Index unit,
                 const std::function<void(Eigen::Index first, Eigen::Index count)>& work);
 

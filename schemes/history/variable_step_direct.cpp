@@ -14,7 +14,7 @@ VariableStepDirectHistory::VariableStepDirectHistory(const WeightTables& tables,
     auto& tracks = tracks_.emplace_back();
     for (std::size_t i = 0; i < of_sum.size(); ++i) {
       const double order = integral_order(of_sum[i]);
-      if (order == 0.0) continue;  // L1 of order 1 has no past
+      if (order == 0.0) continue;  // L1 of order 1 has no memory term
       auto found = std::ranges::find(integrals, order, &Integral::order);
       if (found == integrals.end()) found = integrals.insert(found, {order, {}, {}});
       tracks.push_back(
@@ -67,7 +67,7 @@ void VariableStepDirectHistory::convolve(double t, std::size_t sum, Out result) 
   for (const auto& [component, table, integral] : tracks_[sum]) {
     const auto& [order, left, right] = integrals[integral];
     double total = 0.0, length = 0.0;
-    for (std::size_t j = 0; j < times_.size(); ++j) {  // what ends the candidate is still 0
+    for (std::size_t j = 0; j < times_.size(); ++j) {  // the row of the sample at t is still 0
       const auto row = static_cast<Eigen::Index>(j);
       length = end_of_step(j, t) - times_[j];
       const auto [begin, end] =

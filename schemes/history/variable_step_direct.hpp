@@ -4,9 +4,9 @@
 
 namespace fde {
 
-// The past on steps that differ: fractional integrals of piecewise linear functions (interval_weights.hpp),
-// in units in which the newest sample has weight 1. On equal steps these are the sums of DirectHistory. Every
-// candidate weighs every earlier step anew, O(n) powers at step n.
+// Direct summation on variable steps: fractional integrals of piecewise linear functions
+// (interval_weights.hpp), scaled so that the new sample has weight 1. On equal steps these are the sums of
+// DirectHistory. All weights are recomputed for every candidate time, O(n) powers at step n.
 class VariableStepDirectHistory final : public History {
  public:
   VariableStepDirectHistory(const WeightTables& tables, const StepPlan& steps);
@@ -19,12 +19,12 @@ class VariableStepDirectHistory final : public History {
   void state(Archive& archive) override;
 
  private:
-  // The weights of all steps up to the candidate, for one order of integration.
+  // The weights of all steps up to the candidate time, for one order of integration.
   struct Integral {
     double order;
     Vec left, right;
   };
-  // What the last candidate needed.
+  // The quantities of the last candidate time, cached.
   struct Candidate {
     std::optional<double> time{};
     std::vector<Integral> integrals{};
@@ -36,13 +36,13 @@ class VariableStepDirectHistory final : public History {
     std::size_t integral;
   };
   void reserve(Eigen::Index steps);
-  // Of the step from sample j on, where the candidate ends at t.
+  // The end of the step from sample j; t for the candidate step.
   [[nodiscard]] double end_of_step(std::size_t j, double t) const;
   [[nodiscard]] const Candidate& candidate(double t) const;
 
   std::vector<double> times_;               // of the samples
-  Matrix samples_;                          // one row a time, and rows of zeros
-  std::vector<std::vector<Track>> tracks_;  // of each sum; without those that have no past
+  Matrix samples_;                          // one row a time, then rows of zeros
+  std::vector<std::vector<Track>> tracks_;  // of each sum; only components with a memory term
   mutable Candidate candidate_;
 };
 

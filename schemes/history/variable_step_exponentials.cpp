@@ -12,7 +12,7 @@ VariableStepExponentialHistory::VariableStepExponentialHistory(const WeightTable
   for (const auto& of_sum : tables) {
     auto& tracks = tracks_.emplace_back();
     for (std::size_t i = 0; i < of_sum.size(); ++i) {
-      if (integral_order(of_sum[i]) == 0.0) continue;  // L1 of order 1 has no past
+      if (integral_order(of_sum[i]) == 0.0) continue;  // L1 of order 1 has no memory term
       const auto table = std::ranges::find(tables_, of_sum[i]);
       const auto kernel = kernel_of(of_sum[i], steps, tolerance);
       tracks.push_back({static_cast<Eigen::Index>(i), static_cast<std::size_t>(table - tables_.begin()),
@@ -68,7 +68,7 @@ const VariableStepExponentialHistory::Candidate& VariableStepExponentialHistory:
   return candidate_;
 }
 
-// Over the step from the newest sample to this one.
+// Integrates over the step from the newest sample to this one.
 void VariableStepExponentialHistory::advance(double t, In sample) {
   const auto& steps = candidate(t).steps;
   const double length = t - time_;

@@ -7,8 +7,8 @@
 
 namespace fde {
 
-// The sums of VariableStepDirectHistory with the kernel as decaying exponentials: O(1) work a step and
-// constant memory. Orders above 1 integrate the running integral of the function with the order less 1.
+// The sums of VariableStepDirectHistory with the kernel as a sum of exponentials: O(1) work a step and
+// constant memory. For orders g > 1 the running integral of the function is integrated with the order g - 1.
 class VariableStepExponentialHistory final : public History {
  public:
   VariableStepExponentialHistory(const WeightTables& tables, const StepPlan& steps, double tolerance);
@@ -25,25 +25,25 @@ class VariableStepExponentialHistory final : public History {
   struct Track {
     Eigen::Index component;
     std::size_t table, kernel;
-    Eigen::Index function;    // of its kernel
+    Eigen::Index function;    // index in its KernelIntegrals
     bool running_sums;        // the order is above 1
-    RunningSums integral{1};  // of the function then
+    RunningSums integral{1};  // of the function, for orders above 1
   };
-  // What the last candidate needed.
+  // The quantities of the last candidate time, cached.
   struct Candidate {
     std::optional<double> time{};
     std::vector<KernelStep> steps{};  // of each kernel
-    Vec to_sums{};                    // the factor of each table's integrals in its sums
+    Vec to_sums{};                    // integrals_to_sums of each table
   };
   std::size_t kernel_of(const WeightTable& table, const StepPlan& steps, double tolerance);
   [[nodiscard]] Polynomial integrand(const Track& track, double before, double after, double length) const;
   [[nodiscard]] const Candidate& candidate(double t) const;
   void advance(double t, In sample);
 
-  std::vector<WeightTable> tables_;       // without repetition
-  mutable StepFactors factors_{tables_};  // of them
+  std::vector<WeightTable> tables_;       // each once
+  mutable StepFactors factors_{tables_};  // of tables_
   std::vector<KernelIntegrals> kernels_;
-  std::vector<std::vector<Track>> tracks_;  // of each sum; without those that have no past
+  std::vector<std::vector<Track>> tracks_;  // of each sum; only components with a memory term
   double time_ = 0.0;                       // of the newest sample
   Vec newest_;
   mutable Candidate candidate_;

@@ -38,7 +38,7 @@ void WidePast::begin(In first, const MemoryStart& start) {
   take_sums(0, 0, sums_.rows(), current_.cols());
 }
 
-// What exact weights of x_0 add to a block.
+// Adds x_0 times its exact weights to the sums of a block.
 void WidePast::add_exact(const MemoryStart& start, Eigen::Index first, Eigen::Index count) {
   multiply_add(count, 1, sums_.cols(), {first_.data() + first, first_.size()}, {start.exact().data(), 1},
                {&sums_(first, 0), sums_.rows()});
@@ -67,7 +67,7 @@ void WidePast::push_part(const MemoryTables& tables, Eigen::Index position, In s
   take_sums(next, first, count, tables.count);
 }
 
-// What the newest `recent` samples add to the rest of the block.
+// Adds the newest `recent` samples, with exact weights, to the sums of the rest of the block.
 void WidePast::pass_on(Eigen::Index position, Eigen::Index first, Eigen::Index count, Eigen::Index tables) {
   for (Eigen::Index table = 0; table < tables; ++table) {
     multiply_add(count, recent, block - position, {&samples_(first, position), samples_.rows()},
@@ -111,7 +111,7 @@ void WidePast::advance_tile(const MemoryTables& tables, const MemoryStart& start
   pass_on(0, first, count, tables.count);
 }
 
-// To the sums of a step its own group of samples is added, in their order.
+// Completes the sums of a step with the samples of its own group of `recent` steps, in their order.
 void WidePast::take_sums(Eigen::Index position, Eigen::Index first, Eigen::Index count, Eigen::Index tables) {
   const Eigen::Index newest = position % recent, oldest = position - newest;
   for (Eigen::Index table = 0; table < tables; ++table) {

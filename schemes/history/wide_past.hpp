@@ -5,24 +5,25 @@
 
 namespace fde {
 
-// The past of many components: what is done at once is done with neighbours, and every array is read and
-// written from its first entry to its last. The states of `tile` components lie together, so that a block
-// advances them in the cache, once through memory in 32 steps. Terms are added in the order of NarrowPast:
-// the results have the same bits.
+// The states and sums of an ExponentialMemory with many components: loops are vectorised over components and
+// access memory sequentially. The states of `tile` components are contiguous, so that a block advances them
+// in the cache and reads them from memory once in 32 steps. Terms are added in the order of NarrowPast: the
+// results have the same bits.
 class WidePast {
  public:
   static constexpr Eigen::Index tile = 64;
 
-  // Steps are shared among so many threads.
+  // Each step is shared among `threads` threads.
   WidePast(const MemoryTables& tables, Eigen::Index components, int threads);
 
-  // Takes x_0, before the first push. The start tells its weights in the first block.
+  // Appends x_0, before the first push. `start` has its weights in the first block.
   void begin(In first, const MemoryStart& start);
 
-  // Takes the sample at this step of a block. At the end of a block the start tells those of the next.
+  // Appends the sample at this step of a block. At the last step `start` has the weights of x_0 in the next
+  // block.
   void push(const MemoryTables& tables, Eigen::Index position, In sample, const MemoryStart& start);
 
-  // The sums of a table at the step that follows.
+  // The sums of a table at the next step, components() contiguous values.
   [[nodiscard]] const double* sums(Eigen::Index table, Eigen::Index /*position*/) const {
     return current_.col(table).data();
   }
@@ -35,12 +36,13 @@ class WidePast {
  private:
   static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;
 
-  // What a tile computes on its way, a column each: points and other nodes, slow nodes, points, again all.
+  // Work space of a tile, one row a component. Columns: points and other nodes; slow nodes; points; points
+  // and other nodes.
   struct Scratch {
     Matrix gathered, input, joined, weighted;
   };
 
-  // What a push does to the rows from `first` on, so many: a whole number of tiles, but for the last.
+  // push() for `count` rows from `first` on: a whole number of tiles, except at the end.
   void push_part(const MemoryTables& tables, Eigen::Index position, In sample, const MemoryStart& start,
                  Eigen::Index first, Eigen::Index count);
   void add_exact(const MemoryStart& start, Eigen::Index first, Eigen::Index count);
@@ -51,14 +53,14 @@ class WidePast {
 
   Eigen::Index components_;
   int threads_;
-  // Those of the tables, with rows and columns exchanged, and without nodes that only fill a vector.
+  // The transposed matrices of MemoryTables, without padding nodes.
   Matrix gather_, spread_, join_, inner_, near_, far_;
-  // Rows are components, filled up to a multiple of lanes.
-  Vec first_;                // x_0; 0 where it has no weights of its own
+  // Rows are components, padded to a multiple of lanes.
+  Vec first_;                // x_0; 0 before begin()
   Matrix samples_;           // components x (recent + block)
-  Matrix sums_;              // components x block of each table, without the newest samples
-  Matrix current_;           // components x tables: the sums of the step that follows
-  Matrix states_, carries_;  // tile x exponentials of a tile below each other, a column a tile
+  Matrix sums_;              // components x (block per table), without the newest samples
+  Matrix current_;           // components x tables: the sums of the next step
+  Matrix states_, carries_;  // one column a tile: a tile x exponentials matrix, stacked by columns
 };
 
 }  // namespace fde

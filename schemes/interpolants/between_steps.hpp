@@ -6,29 +6,30 @@
 
 namespace fde {
 
-// The right-hand side of a step from y_(n-1) to y_n, row i taken between the two, at
-//   t* = t_(n-1) + offset_i (t_n - t_(n-1)),   y* = y_(n-1) + offset_i (y_n - y_(n-1)):
-// a problem in y_n, which is evaluated once for each offset. Where all are 1 it is the given one.
+// A problem in y_n whose right-hand side f_i is evaluated within the step from y_(n-1) to y_n, at
+//   t* = t_(n-1) + offset_i (t_n - t_(n-1)),   y* = y_(n-1) + offset_i (y_n - y_(n-1)).
+// The given right-hand side is called once for each distinct offset. If all offsets are 1 it is the given
+// problem.
 class BetweenSteps {
  public:
-  // The problem lives longer.
+  // `problem` must outlive this object. One offset a component.
   BetweenSteps(const Problem& problem, const Vec& offsets);
   BetweenSteps(const BetweenSteps&) = delete;
   BetweenSteps& operator=(const BetweenSteps&) = delete;
 
-  // Reads the step from here.
+  // The problem in y_n. It refers to this object, which must outlive it.
   [[nodiscard]] const Problem& problem() const { return stepped_; }
 
-  // The step that the problem speaks of from now on.
+  // Sets the step of problem(): t_(n-1) = t, y_(n-1) = y, step size `length`.
   void step_from(double t, In y, double length);
 
-  // How often the right-hand side is evaluated for one of problem().
+  // The number of calls of the given right-hand side for one call of problem().rhs.
   [[nodiscard]] int evaluations() const { return static_cast<int>(groups_.size()); }
 
  private:
   struct Group {
     double offset;
-    Vec rows;  // 1 in its rows, 0 elsewhere
+    Vec rows;  // 1 in the rows with this offset, 0 elsewhere
   };
   [[nodiscard]] Derivatives derivatives() const;
   [[nodiscard]] double time(const Group& group) const { return before_ + group.offset * length_; }

@@ -4,8 +4,8 @@
 
 namespace fde {
 
-// A function through the values of y at the times of a grid, of which a rule takes the Caputo derivative of
-// each component i at t* = t_(n-1) + offset_i (t_n - t_(n-1)):
+// An interpolant of y on a grid, whose Caputo derivative a rule evaluates, for each component i, at
+// t* = t_(n-1) + offset_i (t_n - t_(n-1)):
 //   D^g_i y_i(t*) = known_i + newest_i (y_n - y_(n-1))_i.
 class Interpolant {
  public:
@@ -16,20 +16,20 @@ class Interpolant {
 
   [[nodiscard]] virtual Vec offsets() const = 0;
 
-  // What step n sees, after the increments of those before it.
+  // The coefficients `known` and `newest` of step n. Precondition: push was called for all earlier steps.
   virtual void derivative(int n, Out known, Out newest) = 0;
 
-  // Takes in y_n - y_(n-1), of every step but the last, which nothing follows.
+  // Appends the increment y_n - y_(n-1). Not needed after the last step.
   virtual void push(int n, In increment) = 0;
 
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 
-  // What it keeps of the increments.
+  // Archives the state that depends on the increments.
   virtual void state(Archive& archive) = 0;
 };
 
-// Steps along the grid with D^g_i y_i = f_i, both at t*, y* on the line from y_(n-1) to y_n. Each step is
-// solved by Newton's method. No row is algebraic.
+// Solves D^g_i y_i(t*) = f_i(t*, y*) at every step of the grid, y* on the line from y_(n-1) to y_n, by
+// Newton's method. Precondition: no row is algebraic.
 Trajectory solve_with(Interpolant& interpolant, const Problem& problem, const Grid& grid,
                       const Options& options);
 

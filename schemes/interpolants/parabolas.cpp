@@ -9,15 +9,16 @@
 namespace fde {
 namespace {
 
-// Steps up to times inside those of the grid: none is shorter than the offset part of the first.
+// The step plan for evaluation at times t* inside the steps: the shortest distance is offset times the first
+// step.
 StepPlan plan_with_offset(const Grid& grid, double offset) {
   StepPlan plan = step_plan(grid);
   if (!plan.equal) plan.shortest *= offset;
   return plan;
 }
 
-// The families for this grid: on steps that differ the distance to t* is part of the sum, on equal steps of
-// the weights.
+// The families for this grid: with variable steps the memory sum is evaluated at t*; with equal steps t* is
+// part of the weights.
 const WeightFamily& lines_of(const Grid& grid) {
   return grid.uniform() ? families::l2_1_sigma : families::l1;
 }

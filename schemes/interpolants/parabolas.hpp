@@ -6,10 +6,12 @@
 
 namespace fde {
 
-// Parabolas through three values, one a step. On a step of length h the slope runs from (d - e)/h to
-// (d + e)/h: d is the increment of y, and e the bend, h^2 times the second divided difference.
+// Piecewise quadratic interpolants, one parabola through three values per step. On a step of length h the
+// slope goes from (d - e)/h to (d + e)/h, where d is the increment of y and e, here called the bend, is h^2
+// times the second divided difference.
 
-// Through y_(n-2), y_(n-1), y_n on step n, a line on the first; derivatives at t_n. L1-2.
+// L1-2 (Gao, Sun & Zhang 2014): on step n the parabola through y_(n-2), y_(n-1), y_n, linear on the first
+// step; derivatives at t_n.
 class ParabolasFromBehind final : public Interpolant {
  public:
   ParabolasFromBehind(const Problem& problem, const Grid& grid, const Options& options);
@@ -23,12 +25,12 @@ class ParabolasFromBehind final : public Interpolant {
   Grid grid_;
   SlopeMemory lines_, bends_;
   StepFactors factors_;  // h^g Gamma(2-g)
-  Vec bent_line_;        // g / (2-g): what the bend of the newest step adds, where its line adds 1
+  Vec bent_line_;        // g / (2-g): weight of the bend of the newest step, if its increment has weight 1
   Vec increment_, bend_;
 };
 
-// Through y_(n-1), y_n, y_(n+1) on step n, a line on the newest; derivatives at the offset sigma = 1 - g/2 of
-// each component, where that line is exact for t^2. L2-1-sigma.
+// L2-1_sigma (Alikhanov 2015): on step n the parabola through y_(n-1), y_n, y_(n+1), linear on the newest
+// step; derivatives at the offset sigma = 1 - g/2 of each component, where the linear part is exact for t^2.
 class ParabolasFromAhead final : public Interpolant {
  public:
   ParabolasFromAhead(const Problem& problem, const Grid& grid, const Options& options);
@@ -39,17 +41,17 @@ class ParabolasFromAhead final : public Interpolant {
   void state(Archive& archive) override;
 
  private:
-  // The components of one order: where steps differ, they have a time t* of their own.
+  // The components of one order, which have the same time t*.
   struct Group {
     double order, offset;
-    double line;  // offset^(1-g): how much of its slope the newest line adds at t*
+    double line;  // offset^(1-g): h^g Gamma(2-g) times the weight of the newest increment at t*
     std::vector<Eigen::Index> rows;
     SlopeMemory lines, bends;
     StepFactors factors;  // h^g Gamma(2-g)
-    double bend_factor;   // last_bend on equal steps
+    double bend_factor;   // last_bend, for equal steps
     Vec buffer;
   };
-  // What the bend 1 of step n - 1 adds at t*.
+  // The weight of the bend of step n - 1 in the derivative at t*.
   [[nodiscard]] double last_bend(const Group& group, int n) const;
 
   Grid grid_;

@@ -13,7 +13,8 @@ void SlopeMemory::push(double t, In sample) {
   newest_ = t;
 }
 
-// A history has its sums in units of the step to t, where steps differ, and of one step where they are equal.
+// The sums of a history are scaled with the step factor of the step to t with variable steps, of the constant
+// step otherwise.
 void SlopeMemory::derivative(double t, Out result) {
   history_->convolve(t, 0, result);
   result.array() /= factors_.at(steps_.equal ? steps_.shortest : t - newest_).array();

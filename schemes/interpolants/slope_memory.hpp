@@ -6,15 +6,15 @@
 
 namespace fde {
 
-// The Caputo derivatives of a function whose slopes on each step come from one sample, as a family of weights
-// for increments has it. Times as History has them.
+// The Caputo derivative of an interpolant whose slope on each step is determined by one sample, by a family
+// of weights for increments. Times as in History.
 class SlopeMemory {
  public:
   SlopeMemory(const std::vector<WeightTable>& tables, const StepPlan& steps, const Options& options);
 
   void push(double t, In sample);
 
-  // What all samples together add at a time t after the newest.
+  // The contribution of all samples to the derivative at a time t after the newest.
   void derivative(double t, Out result);
 
   [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }

@@ -63,8 +63,8 @@ Smoothness chain_smoothness(const std::vector<Chain>& chains) {
     }
   }
 
-  // A power p of u drives D^leading u with p - order for every term (order 0: the force), so u has p - order
-  // + leading.
+  // A term of order a maps t^p in u to t^(p - a) in D^leading u, hence to t^(p - a + leading) in u; order 0
+  // is the force.
   const auto powers = power_closure(start, leading + 2.0, [&](double p) {
     std::vector<double> following;
     for (const double order : orders) {

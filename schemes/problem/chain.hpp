@@ -8,11 +8,11 @@
 
 namespace fde {
 
-// The left side of a multi-term equation as rows of a problem,
+// The left side of a multi-term equation as rows of a multi-order system,
 //   a D^leading u + factor * sum_k c_k D^(a_k) u = force        (Yin, Liu & Anh 2007, eqs 1.1, 2.1, 3.9).
-// Its nodes are 0, the orders a_k and the whole orders below leading, increasing. Row first + i is D^(node i)
-// u, of order node i+1 - node i. Terms with coefficient 0 are dropped first; whole orders stay, they carry
-// initial values.
+// The nodes are 0, the orders a_k and the integers below leading, increasing. Row first + i is D^(node i) u,
+// of order node i+1 - node i. Terms with coefficient 0 are dropped; integer nodes remain, because they carry
+// the initial values.
 class Chain {
  public:
   // initial[k] = u^(k)(0) for k < ceil(leading). Throws std::invalid_argument when a term's order is outside
@@ -21,18 +21,18 @@ class Chain {
 
   [[nodiscard]] Term leading() const { return leading_; }
   [[nodiscard]] const std::vector<double>& initial() const { return initial_; }
-  // By increasing order, each order once, no coefficient 0.
+  // By increasing order, each order once; no coefficient is 0.
   [[nodiscard]] std::vector<Term> terms() const;
 
-  // nodes()[i] is the order of row first + i as a derivative of u, coefficients()[i] its c_k, or 0.
+  // Row first + i is D^(nodes()[i]) u; coefficients()[i] is the c_k of that order, or 0. size() entries each.
   [[nodiscard]] const std::vector<double>& nodes() const { return nodes_; }
   [[nodiscard]] const Vec& coefficients() const { return coefficients_; }
 
   [[nodiscard]] Eigen::Index first() const { return first_; }
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(nodes_.size()); }
-  // The row that is D^order u; nullopt: none is.
+  // The index of the row D^order u; nullopt where order is not a node (compared exactly).
   [[nodiscard]] std::optional<Eigen::Index> row(double order) const;
-  // The rows as components: initial values at the whole nodes, 0 elsewhere (eq. 2.2).
+  // The rows as components, with the initial values at the integer nodes and 0 elsewhere (eq. 2.2).
   [[nodiscard]] std::vector<Component> components() const;
 
  private:
@@ -42,8 +42,8 @@ class Chain {
   Eigen::Index first_;
 };
 
-// How the components of chains start that drive each other through smooth forces, one chain after the other.
-// All chains have the same leading order.
+// The powers of t at t = 0 of all components of these chains, in the order of the chains, when the forces are
+// smooth functions of all u. Precondition: all chains have the same leading order, and there is at least one.
 Smoothness chain_smoothness(const std::vector<Chain>& chains);
 
 }  // namespace fde

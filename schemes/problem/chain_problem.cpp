@@ -27,7 +27,7 @@ double sum_of_terms(const Chain& chain, In y) {
   return sum;
 }
 
-// f_i = y_{i+1}, the last f of each chain D^leading u. Equations with an empty factor have 1.
+// f_i = y_{i+1}; the last f of each chain is D^leading u. An empty factor is 1.
 void evaluate(const std::vector<DrivenChain>& equations, double t, In y, Out f) {
   for (const auto& [chain, force, factor, _] : equations) {
     const auto first = chain.first(), last = first + chain.size() - 1;

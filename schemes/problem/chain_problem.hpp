@@ -8,17 +8,18 @@
 
 namespace fde {
 
-// The derivatives by y of force(t, y) - factor(t, y) * sum, where sum = sum_k c_k D^(a_k) u is held.
+// How the gradient by y of force(t, y) - factor(t, y) * sum is given, with sum = sum_k c_k D^(a_k) u held
+// constant.
 struct LinearForce {
   double by_u;  // the force is by_u * u + (a function of t), the factor 1
 };
 struct ForceGradient {
-  // gradient += those derivatives.
+  // Adds this gradient to `gradient`, which has one entry per row of the problem.
   std::function<void(double t, In y, double sum, Out gradient)> add;
 };
 
-// A multi-term equation as a scene declares it: the left side, and what drives it. y is that of the whole
-// problem, so that equations may drive each other.
+// A multi-term equation of a scene: its left side, its force and their derivatives. y is the state of the
+// whole problem, so equations may be coupled.
 struct DrivenChain {
   Chain chain;
   std::function<double(double t, In y)> force;
@@ -26,9 +27,9 @@ struct DrivenChain {
   std::variant<NoDerivatives, LinearForce, ForceGradient> derivatives{};
 };
 
-// The problem of these equations, 0 < t <= end: components, right-hand side, what can be told of the
-// derivatives, and Problem::equations. Throws std::invalid_argument where the chains do not stand one after
-// the other, from row 0 on.
+// The problem of these equations on 0 < t <= end: components, right-hand side, derivatives as far as all
+// equations give them, and Problem::equations. Throws std::invalid_argument where the rows of the chains are
+// not contiguous from row 0 on.
 Problem chain_problem(const std::vector<DrivenChain>& equations, double end);
 
 // The chain of one of problem.equations: its nodes, coefficients and initial values.

@@ -4,10 +4,10 @@
 
 namespace fde {
 
-// Calls body(i) for each component i, one component at a time: no vector instructions. A right-hand side, the
-// sums of the past and the result of a step are written one double at a time, and a vector read from several
-// such writes waits until all of them have left the processor's queue: in a step of few components that is
-// longer than the arithmetic.
+// Calls body(i) for each component i without vector instructions. The right-hand side, the memory sums and
+// the result of a step are written one double at a time. A vector load that spans several such stores cannot
+// be forwarded from the store buffer and stalls until they are retired; with few components the stall costs
+// more than the arithmetic.
 template <typename Body>
 inline void for_each_component(Eigen::Index size, Body body) {
   for (Eigen::Index i = 0; i < size; ++i) {

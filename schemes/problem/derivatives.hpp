@@ -7,8 +7,9 @@
 
 namespace fde {
 
-// What a problem tells of df/dy. Implicit schemes difference the right-hand side where it tells nothing. A
-// sparse matrix fits where most entries are 0, in problems whose rows all have left derivatives.
+// How a problem gives df/dy, a size() x size() matrix. With NoDerivatives implicit schemes use differences of
+// the right-hand side. The sparse forms are for problems in which most entries are 0; precondition: all rows
+// have left derivatives.
 struct NoDerivatives {};
 struct DenseJacobian {
   std::function<void(double t, In y, OutMatrix jacobian)> at;
@@ -16,7 +17,7 @@ struct DenseJacobian {
 struct SparseJacobian {
   std::function<void(double t, In y, SparseMatrix& jacobian)> at;
 };
-// A, where f(t, y) = A y + b(t): a scheme solves with one factorisation.
+// The constant matrix A of f(t, y) = A y + b(t): a scheme factorises once.
 struct DenseLinearPart {
   Matrix matrix;
 };

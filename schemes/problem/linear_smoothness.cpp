@@ -9,8 +9,8 @@
 namespace fde {
 namespace {
 
-// Coefficients of t^p / Gamma(p+1) in all components, by p: integration of any order then only shifts p. What
-// is left of terms that cancel is rounding, and taken as 0.
+// The coefficients of t^p / Gamma(p+1) in all components, by p: in this basis an integral of any order only
+// shifts p. A sum that is rounding of cancelling terms is taken as 0.
 class Series {
  public:
   explicit Series(Eigen::Index size) : size_(size) {}
@@ -41,8 +41,8 @@ class Series {
   std::map<double, Sum> terms_;
 };
 
-// The coefficients of a power, without those of components that have a power next to it: what it leads to is
-// next to what that one led to.
+// The coefficients of a power, with 0 for components that already have a power within distinct_powers: the
+// powers that follow from it are as close to those that follow from the other one.
 Vec distinct(double power, Vec coefficients, const std::vector<std::vector<double>>& powers) {
   for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
     const auto& before = powers[static_cast<std::size_t>(i)];
@@ -79,7 +79,8 @@ Smoothness linear_smoothness(const std::vector<Component>& components, const Mat
   }
   Smoothness smoothness;
   smoothness.powers.resize(components.size());
-  // All that leads to a power is smaller: by increasing powers every coefficient is complete when it is met.
+  // A power only receives contributions from smaller powers, so in increasing order each coefficient is
+  // complete when the loop reaches it.
   for (auto term = series.terms().begin(); term != series.terms().end() && term->first <= last; ++term) {
     const double power = term->first;
     const Vec coefficients = distinct(power, term->second.cleared(), smoothness.powers);

@@ -5,17 +5,17 @@
 
 namespace fde {
 
-// coefficients[i] t^power, added to f_i.
+// The term coefficients[i] t^power of f_i, one coefficient a component.
 struct PowerLoad {
   double power;
   Vec coefficients;
 };
 
-// How the solution of D^(order_i) y_i = sum_j matrix(i, j) y_j + loads starts: the powers of its series, a
-// term t^p of f_i leading to t^(p + order_i) in y_i. What cancels, to rounding, is left out. Of the powers of
-// a component that are closer than distinct_powers the first stands for all. Throws std::invalid_argument
-// naming the component for an algebraic row, whose powers follow from the others, and for a right derivative,
-// which starts at the other end.
+// The powers of t in the series at t = 0 of the solution of D^(order_i) y_i = sum_j matrix(i, j) y_j + loads;
+// a term t^p of f_i gives t^(p + order_i) in y_i. Coefficients that cancel to rounding count as 0. Of several
+// powers of a component within distinct_powers only the first is kept. Throws std::invalid_argument naming
+// the component for an algebraic row, whose powers follow from the others, and for a right derivative, whose
+// series is at the other end.
 Smoothness linear_smoothness(const std::vector<Component>& components, const Matrix& matrix,
                              const std::vector<PowerLoad>& loads = {});
 

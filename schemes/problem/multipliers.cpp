@@ -24,7 +24,8 @@ std::vector<Eigen::Index> algebraic_rows(const Problem& problem) {
   return rows;
 }
 
-// What the unknowns answer to constraints that are off: a column a constraint.
+// The change of all unknowns for a unit residual of each constraint, one column a constraint, where integrals
+// over a step of this length replace the derivatives.
 Matrix answers(const Problem& problem, const Matrix& jacobian, const std::vector<Eigen::Index>& constraints,
                double length) {
   Vec mass = Vec::Ones(problem.size()), scale(problem.size());
@@ -38,8 +39,8 @@ Matrix answers(const Problem& problem, const Matrix& jacobian, const std::vector
   return equations.partialPivLu().solve(off);
 }
 
-// How the answers grow as the length shrinks. The lengths are so far apart that other powers of h beside the
-// leading one do not count, nor the sign of what they add.
+// The exponent p with which these changes grow like h^-p as the step length h -> 0. The two lengths are so
+// far apart that powers of h other than the leading one are negligible.
 class Growth {
  public:
   explicit Growth(const Problem& problem) {
@@ -49,7 +50,7 @@ class Growth {
     after_longer_ = answers(problem, jacobian, constraints, longer * problem.end);
   }
 
-  // Of an unknown to all constraints, and to the one of a column.
+  // The exponent of an unknown, over all constraints or for the constraint of one column.
   [[nodiscard]] double orders(Eigen::Index unknown) const {
     return orders_of(after_shorter_.row(unknown).lpNorm<Eigen::Infinity>(),
                      after_longer_.row(unknown).lpNorm<Eigen::Infinity>());

@@ -7,24 +7,24 @@
 
 namespace fde {
 
-// The unknowns of algebraic rows that no algebraic row holds. They enter other rows only, and the algebraic
-// rows constrain what these integrate: the lambda of
+// The unknowns of algebraic rows that occur in no algebraic row, only in rows with derivatives: the Lagrange
+// multipliers, such as lambda in
 //   q' = v,  v' = a + R^T lambda,  0 = g(t, q, v).
-// Found by moving each of them, at t = 0 and at a later time: a row that does not change there, by any bit,
-// does not hold it.
+// An unknown occurs in a row if perturbing it changes any bit of the row at t = 0 or at a later time.
 std::vector<Eigen::Index> multipliers(const Problem& problem);
 
-// How many orders the rows between a multiplier and its constraint integrate, the most of all multipliers:
-// that of v above, 1, where g holds v (index 2), and 2 where it only holds q (index 3). With h^order /
-// Gamma(order+1) for the integral of a row over a short time h, a multiplier answers a constraint that is off
-// by 1 with a number of the size h^-p as h tends to 0; p is the result. NaN where the constraints at t = 0 do
-// not determine the multipliers.
+// The total order of integration between a multiplier and its constraint, maximal over the multipliers: 1
+// above where g depends on v (index 2), 2 where it depends on q only (index 3). If the integral of order g of
+// a row over a short time h is replaced by h^g / Gamma(g+1), a unit residual of a constraint changes its
+// multiplier by a number of size h^-p as h -> 0; the result is p. NaN where the constraints at t = 0 do not
+// determine the multipliers.
 double integrated_orders(const Problem& problem);
 
-// The first algebraic row that the initial values do not satisfy, that holds no unknown of such rows which
-// could mend that, and whose multiplier is integrated once or more: to be met from t = 0 on it would need a
-// multiplier without an integral, and the run would begin elsewhere than at its initial values. Where less
-// than one order is integrated a multiplier like t^-order does, as that of a constraint above order 1.
+// The first constraint that makes the initial values inconsistent: an algebraic row with a residual at
+// t = 0, with no algebraic unknown in it that could remove the residual, and with a multiplier that is
+// integrated by an order of at least 1. To satisfy it for t > 0 the multiplier would have to be an impulse,
+// and the solution would not start at its initial values. With an integrated order p below 1 an integrable
+// multiplier like t^-p is enough. nullopt: there is no such row.
 std::optional<Eigen::Index> row_off_at_start(const Problem& problem);
 
 }  // namespace fde

@@ -6,9 +6,9 @@
 
 namespace fde {
 
-// A smooth candidate for the solution of a two-sided problem,
-//   y_i(t) = Taylor part + sum_(j=0)^3 a_ij cos(j pi t / end).
-// Newton's method begins from such where it does not converge from the Taylor part.
+// A smooth initial guess for Newton's method in a two-sided problem,
+//   y_i(t) = Taylor part + sum_(j=0)^3 a_ij cos(j pi t / end),
+// used where Newton's method does not converge from the Taylor part.
 class SmoothStart {
  public:
   SmoothStart(const Problem& problem, Matrix amplitudes);
@@ -21,7 +21,8 @@ class SmoothStart {
   Matrix amplitudes_;  // a_ij: one row a component, one column a frequency
 };
 
-// So many of them, with amplitudes from 1/4 to 8 of either sign. They are the same at each call.
+// `count` initial guesses with pseudo-random a_ij, uniform in [-A, A) with A from 1/4 to 8 in turn. Every
+// call returns the same ones.
 std::vector<SmoothStart> other_starts(const Problem& problem, int count);
 
 }  // namespace fde

@@ -9,89 +9,89 @@
 
 namespace fde {
 
-// Where the Caputo derivative of a row starts: left, from t = 0; right, from t = end backwards.
+// The base point of the Caputo derivative of a row: t = 0 for left, t = end for right derivatives.
 enum class Side { left, right };
 
-// One unknown y_i with the order gamma_i > 0 of its Caputo derivative, or an algebraic row: order 0.
+// One unknown y_i and the order gamma_i > 0 of its Caputo derivative; order 0 is an algebraic row.
 struct Component {
   double order;
-  // initial[k], k < ceil(order): y^(k)(0), of a right row (-1)^k y^(k)(end). An algebraic row has one number,
-  // its value at t = 0; a guess where that is not known.
+  // initial[k], k < ceil(order), is y^(k)(0), for a right row (-1)^k y^(k)(end). An algebraic row has one
+  // entry, the consistent value at t = 0 or a guess of it.
   std::vector<double> initial;
   Side side = Side::left;
 };
 
-// Whether the row of this component is 0 = f_i(t, y), without a derivative and without a past.
+// Whether the row of this component is 0 = f_i(t, y), without a derivative and without a memory term.
 inline bool algebraic(const Component& component) { return component.order == 0.0; }
 
-// Where a right-hand side is defined: where margin(t, y) > 0. The text names the edge, as in "r = 0".
+// The domain of a right-hand side, {(t, y): margin(t, y) > 0}. `edge` names its boundary, as in "r = 0".
 struct Domain {
   std::string edge{};
   std::function<double(double t, In y)> margin{};  // empty: everywhere
   [[nodiscard]] bool contains(double t, In y) const { return !margin || margin(t, y) > 0.0; }
 };
 
-// Zero where a right-hand side jumps because of the state, as where friction turns: it jumps at each time at
-// which this passes through 0.
+// A switching function of a discontinuous right-hand side (dry friction, for example): the right-hand side
+// jumps where this function changes its sign along the solution.
 using Switch = std::function<double(double t, In y)>;
 
-// A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end. D of a right row is the right derivative
+// A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end, with Caputo derivatives. In a right row D
+// is the right derivative,
 //   y_i(t) = sum_k initial[k] (end - t)^k / k! + 1/Gamma(g) int_t^end (s - t)^(g-1) f_i(s, y(s)) ds,
-// -y' for order 1. Algebraic rows read 0 = f_i(t, y). These may constrain other unknowns than their own, as
-// in mechanics with a multiplier lambda (index 2):
+// -y' for order 1. An algebraic row is 0 = f_i(t, y). It may constrain unknowns of other rows, as in
+// mechanics with a multiplier lambda (index 2):
 //   q' = v, v' = a(t, q, v) + R(q, v)^T lambda, 0 = g(t, q, v).
-// With conditions the last values of an `initial` may be missing: they are unknown initial values.
+// With conditions the last entries of an `initial` may be missing: they are unknown initial values.
 //
-// y, f and what is said of every row have size() entries; a Jacobian has size() rows and columns, row i the
-// derivatives of f_i.
+// y and f have size() entries. A Jacobian is size() x size(); its row i is the gradient of f_i.
 struct Problem {
   std::vector<Component> components{};
   std::function<void(double t, In y, Out f)> rhs{};
   Derivatives derivatives{};
-  // The multi-term equations whose chains are among the rows, where rhs says the same; empty: none is.
+  // The multi-term equations that the rows come from, for schemes that discretise these; rhs agrees with
+  // them. Empty: the problem is not given in multi-term form.
   std::vector<Equation> equations{};
   double end = 1.0;
-  // residual = 0, as many numbers as there are unknown initial values; empty: none is unknown.
+  // Boundary conditions residual(y(0), y(end)) = 0, as many as unknown initial values; empty: none.
   std::function<void(In at_start, In at_end, Out residual)> conditions{};
-  Domain domain{};              // a step out of it has crossed a singularity
+  Domain domain{};              // a step that leaves it has crossed a singularity
   std::vector<double> jumps{};  // the times after 0, increasing, at which rhs jumps
   std::vector<Switch> switches{};
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };
 
-// What kind of derivatives the problem has: those of a right-hand side that is linear at all times and has no
-// switch; a sparse matrix; any.
+// Whether f = A y + b(t) with a given A and no switches; whether df/dy is given as a sparse matrix; whether
+// df/dy is given at all.
 bool linear(const Problem& problem);
 bool sparse(const Problem& problem);
 bool has_jacobian(const Problem& problem);
 
-// jacobian becomes df/dy, dense, where the problem tells it; otherwise the result is false.
+// Writes the dense df/dy to `jacobian`, size() x size(). False, and no change, where the problem has none.
 bool evaluate_jacobian(const Problem& problem, double t, In y, OutMatrix jacobian);
 
-// Number of initial values that a row of this order needs: ceil(order), and 1 for order 0.
+// Number of initial values of a row of this order: ceil(order), and 1 for order 0.
 std::size_t initial_count(double order);
 
-// Whether any row has a right derivative or an unknown initial value: such a problem has no direction in
-// which to step.
+// Whether the problem has a right derivative or boundary conditions: it cannot be solved by time stepping.
 bool two_sided(const Problem& problem);
 
-// How many initial values are unknown.
+// Number of unknown initial values.
 Eigen::Index unknown_count(const Problem& problem);
 
-// Taylor part sum_k initial[k] t^k / k! of every component, up to k < ceil(order), with 0 for unknown initial
-// values; of an algebraic row its value at t = 0. t counts from where the row starts, so for right rows it is
-// the time left until the end.
+// The Taylor part sum_k initial[k] t^k / k!, k < ceil(order), of every component, with 0 for unknown initial
+// values; for an algebraic row the value at t = 0. t is the distance from the base point of the row: for
+// right rows pass end - t.
 class TaylorPart {
  public:
   explicit TaylorPart(const Problem& problem);
   void at(double t, Out value) const;
 
  private:
-  Matrix coefficients_;  // y^(k)(0) / k!, one column a power
+  Matrix coefficients_;  // initial[k] / k!, one row a component, one column a power
 };
 
-// The same once, all at the time t of the problem.
+// The Taylor parts of all rows, left and right, at the time t of the problem.
 Vec taylor_part(const Problem& problem, double t);
 
 }  // namespace fde

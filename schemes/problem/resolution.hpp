@@ -6,14 +6,14 @@
 
 namespace fde {
 
-// The error that a scheme may make, of each component at each time: at most relative |y| + absolute, as far
-// as it can tell.
+// The tolerance of an adaptive scheme: at each time the estimated error of each component is at most
+// relative |y| + absolute.
 struct Accuracy {
   double relative, absolute;
 };
 
-// How finely a problem is solved, which is what a sweep varies: at the times of a grid, or as an accuracy
-// needs.
+// The discretisation parameter that a sweep varies: a grid of given times, or a tolerance for an adaptive
+// step size.
 using Resolution = std::variant<Grid, Accuracy>;
 
 }  // namespace fde

@@ -6,11 +6,11 @@
 
 namespace fde {
 
-// D^order y = rate y from y(0) = 1, y'(0) = 0, as a problem: of one component, or of real and imaginary part
-// for a complex rate, whose modes then are those of the rate and of its conjugate.
+// The test equation D^order y = rate y, y(0) = 1, y'(0) = 0. A real rate gives one component; a complex rate
+// gives two, real and imaginary part, whose matrix has the eigenvalues rate and its conjugate.
 Problem scalar_equation(double order, std::complex<double> rate, double end = 1.0);
 
-// The same told as multi-term equations without terms.
+// The same equation in multi-term form, as chains without terms.
 Problem scalar_chain(double order, std::complex<double> rate, double end = 1.0);
 
 }  // namespace fde

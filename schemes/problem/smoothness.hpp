@@ -7,27 +7,27 @@
 
 namespace fde {
 
-// How a solution starts at t = 0: y_i(t) = Taylor part + sum_p c_p t^p with c_p != 0. It decides the rate of
-// every scheme. powers[i] lists those p in increasing order, at least up to order_i + 2; later ones change no
-// rate here. A right row starts at the end: its powers are those of end - t. Algebraic rows have none: what
-// they state is exact at every step. In a problem with multipliers the powers of a row are those of what it
-// integrates, projected off the reaction: the constraint determines the rest.
+// The expansion of a solution at t = 0, y_i(t) = Taylor part + sum_p c_p t^p with c_p != 0, which determines
+// the rate of every scheme. powers[i] lists the p in increasing order, at least up to order_i + 2; larger
+// ones change no rate. The powers of a right row are those of end - t. Algebraic rows have none: they hold
+// exactly at every step. With multipliers the powers of a row are those of its right-hand side, projected off
+// the constraint reaction, after integration: the constraint determines the rest.
 struct Smoothness {
   std::vector<std::vector<double>> powers{};
-  std::vector<Eigen::Index> jumps{};   // components whose right-hand side jumps later, at a time of the grid
-  std::vector<Eigen::Index> hidden{};  // components that nobody looks at: what they cost in the first steps
-                                       // shows in the others only, after these have integrated it
+  std::vector<Eigen::Index> jumps{};   // components whose right-hand side jumps at a grid time t > 0
+  std::vector<Eigen::Index> hidden{};  // components that are not measured: their errors in the first steps
+                                       // count only through the other components, after integration
 };
 
-// Orders and powers closer than this are the same: sums of increments such as 0.1 do not meet exactly.
+// Orders and powers closer than this are equal: sums of increments such as 0.1 have rounding errors.
 inline bool same_order(double a, double b) { return std::abs(a - b) < 1e-9; }
 inline bool whole(double order) { return same_order(order, std::round(order)); }
 
-// Powers closer than this count as one where they lead to others: next to a whole order they are dense.
+// Powers closer than this count as one in the closures below: near an integer order they are dense.
 inline constexpr double distinct_powers = 1e-5;
 
-// All powers up to last that start with the given ones and lead to others: next(p) are those that p leads to.
-// In increasing order, each once: those closer than distinct_powers count as one.
+// The smallest set of powers up to `last` that contains `start` and, with each p, all of next(p). In
+// increasing order; powers closer than distinct_powers count as one. Precondition: next(p) are larger than p.
 std::vector<double> power_closure(std::vector<double> start, double last,
                                   const std::function<std::vector<double>(double p)>& next);
 

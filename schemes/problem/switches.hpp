@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// On which side of each of the problem's switches (t, y) is: whether it is positive there.
+// For each of problem.switches whether it is positive at (t, y).
 std::vector<bool> sides(const Problem& problem, double t, In y);
 
 }  // namespace fde

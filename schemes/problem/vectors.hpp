@@ -5,7 +5,8 @@
 
 namespace fde {
 
-// Vectors and matrices in double, and how functions take them: In is read, Out is written and has its size.
+// Vectors and matrices of doubles, and parameter types of functions: In is read; Out and OutMatrix are
+// written and already have their size.
 using Vec = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 using ComplexMatrix = Eigen::MatrixXcd;

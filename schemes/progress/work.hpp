@@ -4,18 +4,19 @@
 #include <exception>
 #include <functional>
 
-// Solves and long evaluations say how far they are; who listens may end them there.
+// Progress reports of solves and long evaluations, and their cancellation.
 namespace fde {
 
-// Hears of each step: how many are done of how many, 0 where that is not known.
+// Called after steps of the work: `done` steps of `total`, 0 where the total is unknown.
 using WorkListener = std::function<void(std::size_t done, std::size_t total)>;
 
-// What a listener throws to end the work. Evaluations do not take it for a failure of theirs.
+// Thrown by a listener to cancel the work. Evaluations pass it on and do not treat it as a numerical failure.
 struct WorkEnded : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "the work was ended"; }
 };
 
-// The work of this thread is listened to while it lives, also by those who listened before.
+// While this object exists, `listener` is called for the work of this thread, in addition to the listeners of
+// enclosing objects. Objects of a thread must be destroyed in reverse order of construction.
 class ListeningToWork {
  public:
   explicit ListeningToWork(WorkListener listener);
@@ -31,7 +32,7 @@ class ListeningToWork {
   ListeningToWork* before_;
 };
 
-// A step of long work is done. Throws what a listener throws.
+// Reports progress to all listeners of this thread. Propagates exceptions of listeners.
 void report_work(std::size_t done, std::size_t total = 0);
 
 }  // namespace fde

@@ -13,8 +13,9 @@
 namespace fde {
 namespace {
 
-// The upper half of the contour as a function of one parameter: a quarter circle about zeta = 1 from the real
-// axis, p in [-1, 0], then the unit circle to -1, p the logarithm of the angle above that of its start.
+// The upper half of the contour, parametrised by p: for p in [-1, 0] a quarter circle about zeta = 1 from the
+// real axis, then the unit circle to -1, where p is the logarithm of the ratio of the angle to its first
+// value.
 class Contour {
  public:
   explicit Contour(const Problem& problem) {
@@ -41,7 +42,7 @@ class Contour {
   double total_order_ = 0.0, radius_;
 };
 
-// log det, up to multiples of 2 pi i; not finite, with a real part of -infinity, where det is 0.
+// log det, up to multiples of 2 pi i; the real part is -infinity where det is 0.
 ComplexValue log_determinant(const ComplexMatrix& matrix) {
   if (!matrix.allFinite()) throw std::runtime_error("linear stability: the symbol is beyond double");
   const Eigen::PartialPivLU<ComplexMatrix> lu(matrix);
@@ -51,15 +52,15 @@ ComplexValue log_determinant(const ComplexMatrix& matrix) {
   return sum;
 }
 
-// How far the argument of det S turns along the path, in pieces that change it by less than half of it; not
-// finite when there are none, next to a zero.
+// The change of the argument of det S along the contour, summed over pieces on which det S changes by less
+// than half of its size; NaN where no such pieces are found, near a zero.
 class Turn {
  public:
   Turn(const Symbol& symbol, const Contour& contour) : symbol_(symbol), contour_(contour) {}
 
   [[nodiscard]] double total() const {
-    // As a product of powers (1-zeta)^g_i the determinant may turn by the sum of the orders per unit: short
-    // enough that a piece cannot hide a whole turn of these.
+    // The argument of the product of the powers (1-zeta)^g_i changes by at most the sum of the orders per
+    // unit of p; the pieces are so short that they cannot miss a full turn of it.
     const double step = 0.25 / std::max(1.0, contour_.total_order());
     const double length = contour_.end() - Contour::begin;
     const int pieces = static_cast<int>(std::ceil(length / step));
@@ -82,7 +83,7 @@ class Turn {
 
   [[nodiscard]] Point at(double p) const { return {p, log_determinant(symbol_(contour_.at(p)))}; }
 
-  // Value at b by value at a.
+  // det S at b divided by det S at a.
   static ComplexValue ratio(const Point& a, const Point& b) {
     return std::exp(b.log_determinant - a.log_determinant);
   }
@@ -92,7 +93,7 @@ class Turn {
     return std::abs(r - 1.0) < 0.5 * std::min(1.0, std::abs(r));
   }
 
-  // The point in the middle tells a piece over which nothing changes from one that comes back.
+  // The midpoint detects a piece on which det S changes and returns.
   [[nodiscard]] double between(const Point& a, const Point& b, int depth) const {
     constexpr int deepest = 40;
     if (depth == deepest || std::isinf(a.log_determinant.real()) || std::isinf(b.log_determinant.real()))
@@ -129,7 +130,7 @@ Symbol symbol_of(const Scheme& scheme, const Problem& problem, double length) {
 std::optional<int> growing_modes(const Scheme& scheme, const Problem& problem, double length) {
   const Symbol symbol = symbol_of(scheme, problem, length);
   const Contour contour(problem);
-  // The other half of the contour turns as far, A being real.
+  // The lower half of the contour contributes the same change, because A is real.
   const double zeros = Turn(symbol, contour).total() / std::numbers::pi;
   if (!std::isfinite(zeros)) return std::nullopt;
   return static_cast<int>(std::lround(zeros));

@@ -7,12 +7,12 @@
 namespace fde {
 namespace {
 
-constexpr int halvings = 8;  // of the step in which a piece ends
+constexpr int halvings = 8;  // of the interval in which a piece ends
 
-// The angles, denser at both ends.
+// The angle theta for f in [0, 1], from 1e-6 to pi, with points denser at both ends.
 double angle_at(double f) { return std::numbers::pi * f * f * f * (4.0 - 3.0 * f) + 1e-6 * (1.0 - f); }
 
-// One curve from a root at the last angle, zeta = -1, down to zeta = 1.
+// One root locus curve, from the root `last` at zeta = -1 to zeta = 1.
 class BoundaryCurve {
  public:
   BoundaryCurve(const Scheme& scheme, double order, int points, ComplexValue last)
@@ -41,7 +41,8 @@ class BoundaryCurve {
   }
 
  private:
-  // Whether stability ends on the curve there. The curve of an implicit rule is the boundary.
+  // Whether stability changes across the curve at this point. For an implicit rule the whole curve is
+  // boundary.
   [[nodiscard]] bool divides(const BoundaryPoint& at) const {
     if (scheme_.needs.implicit) return true;
     const ComplexValue out = across(scheme_, order_, at.theta, at.z, 1e-3);
@@ -51,7 +52,7 @@ class BoundaryCurve {
     return stable(scheme_, scalar_problem(scheme_, order_, z), 1.0);
   }
 
-  // The last point of a piece, between one that is of it and one that is not, by bisection.
+  // The end of a piece by bisection, between a point of the piece and a point that is not on it.
   [[nodiscard]] BoundaryPoint end_of_piece(BoundaryPoint of_it, const BoundaryPoint& beyond) const {
     double outside = beyond.theta;
     for (int halving = 0; halving < halvings; ++halving) {

@@ -6,16 +6,16 @@
 
 namespace fde {
 
-// A place of the boundary of a region of stability in the upper half plane: at z a mode stands at
-// exp(i theta) or, for its conjugate, at exp(-i theta).
+// A point z in the upper half plane of the boundary of a stability region: for this z the symbol has a zero
+// at zeta = exp(i theta) or, for the conjugate of z, at exp(-i theta).
 struct BoundaryPoint {
   double theta;
   ComplexValue z;
 };
 
-// What divides the stable z of a scheme from the unstable ones, at one order: of the curves on which a mode
-// stands on the unit circle those parts where stability changes, each piece to be joined as it stands. Points
-// are this many on a whole curve, denser at both of its ends. Throws as growing_modes does.
+// The boundary of the stability region of a scheme at one order: the parts of the root locus curve (where a
+// mode is on the unit circle) across which stability changes. Each piece is a polyline in the order of its
+// points; a whole curve has points + 1 points, denser at both ends. Throws as growing_modes does.
 std::vector<std::vector<BoundaryPoint>> region_boundary(const Scheme& scheme, double order, int points);
 
 }  // namespace fde

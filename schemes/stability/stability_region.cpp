@@ -12,8 +12,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The determinant 1 + linear z + square z^2 of the symbol before its columns are multiplied, at one point.
-// Where z enters by one entry of A, each product with A raises the degree by one.
+// The determinant 1 + linear z + square z^2 of the symbol, before its columns are scaled, at one zeta. z
+// occurs in one entry of A, so each factor A raises the degree by one.
 struct Characteristic {
   ComplexValue linear, square;
 };
@@ -36,8 +36,8 @@ class ScalarSymbol {
   }
 
  private:
-  // The linear term alone is asked of implicit rules: beside it 1 is nothing, also where the boundary is far
-  // out.
+  // Implicit rules need the linear coefficient only; with such a large z the 1 is negligible, also where the
+  // boundary is far from 0.
   static constexpr double large = 0x1p80;
 
   bool implicit_;
@@ -48,29 +48,29 @@ class ScalarSymbol {
 
 std::vector<ComplexValue> roots(const Characteristic& p) {
   if (p.square == 0.0) return {-1.0 / p.linear};
-  // The reciprocals 1/z = (-linear +- root)/2, the smaller one from their product.
+  // The reciprocals 1/z = (-linear +- root)/2; the smaller one follows from their product, without
+  // cancellation.
   ComplexValue root = std::sqrt(p.linear * p.linear - 4.0 * p.square);
   if ((std::conj(p.linear) * root).real() < 0.0) root = -root;
   const ComplexValue larger = -0.5 * (p.linear + root);
   return {1.0 / larger, larger / p.square};
 }
 
-// Zero where a root crosses the real axis: the imaginary part then gives the root, and this is the real part
-// there times a power of what it was divided by.
+// A function with a zero where a root crosses the real axis: the imaginary part of the determinant gives the
+// real root x; this is the real part at x times a power of its denominator.
 double crossing(const Characteristic& p) {
   const double a1 = p.linear.real(), a2 = p.square.real(), b1 = p.linear.imag(), b2 = p.square.imag();
   if (p.square == 0.0) return b1;
   return b2 * b2 - a1 * b1 * b2 + a2 * b1 * b1;
 }
 
-// That root as x = -z.
+// The real root at a zero of `crossing`, as x = -z.
 double crossed_at(const Characteristic& p) {
   return p.square == 0.0 ? 1.0 / p.linear.real() : p.linear.imag() / p.square.imag();
 }
 
-// Angles between 0 and pi, increasing: 2 % apart next to 0 and next to pi, where an order next to a whole one
-// has its crossings. They begin where there is a sign to be seen: closer to the ends rounding hides the
-// imaginary part of the determinant.
+// Increasing angles between 0 and pi, with a ratio of 1.02 near 0 and near pi, where the crossings of orders
+// close to an integer are. Closer to the ends the imaginary part of the determinant is below rounding.
 struct Angles {
   static constexpr double lowest = -20.0, step = 0.02;  // of the logarithm
   int half = static_cast<int>(std::ceil((std::log(pi / 2) - lowest) / step));
@@ -83,7 +83,7 @@ struct Angles {
   }
 };
 
-// Of the roots at a real zeta those on the negative axis, as x = -z.
+// The roots at a real zeta that are on the negative real axis, as x = -z.
 std::vector<double> negative_roots(const Characteristic& p) {
   std::vector<double> found;
   for (const ComplexValue z : roots(p)) {
@@ -92,8 +92,8 @@ std::vector<double> negative_roots(const Characteristic& p) {
   return found;
 }
 
-// All x > 0 at which the boundary may cross -x, increasing: at zeta = -1, at zeta = 1, to which a prediction
-// leads where det(I + k A) = 0, and in between.
+// All x > 0, increasing, at which the boundary may cross the real axis at -x: at zeta = -1; at zeta = 1, for
+// a predictor-corrector where det(I + k A) = 0; and in between.
 std::vector<double> crossings(const ScalarSymbol& symbol) {
   const Angles angles;
   constexpr double to_one = -1e-13;  // log zeta; 1 itself is a pole
@@ -145,7 +145,7 @@ double stability_angle(const Scheme& scheme, double order) {
   if (std::isfinite(real_interval(scheme, order))) return 0.0;
   const ScalarSymbol symbol(scheme, order);
   const Angles angles;
-  double angle = pi - 0.5 * order * pi;  // where the boundary starts, theta -> 0
+  double angle = pi - 0.5 * order * pi;  // the limit of the boundary for theta -> 0
   for (int i = 0; i <= angles.count(); ++i) {
     const double theta = i < angles.count() ? angles.at(i) : pi;
     for (const ComplexValue z : roots(symbol.at(theta))) angle = std::min(angle, std::abs(std::arg(-z)));
@@ -154,14 +154,14 @@ double stability_angle(const Scheme& scheme, double order) {
 }
 
 std::optional<Vec> response_at_infinity(const Scheme& scheme, double order, int steps) {
-  // A rate beside which 1 is nothing: the limit itself, to rounding.
+  // A rate so large that 1 is negligible: the result is the limit, to rounding.
   constexpr double infinite = -1e100;
   const Problem problem = scalar_problem(scheme, order, infinite, steps);
   symbol_of(scheme, problem, 1.0);
   if (!scheme.needs.implicit) return std::nullopt;
   const Rows y = scheme.solve(problem, Grid{problem.end, steps}, {}).y;
   Vec response = Vec::Constant(steps + 1, std::numeric_limits<double>::infinity());
-  // What is left of the order of 1/z.
+  // Values of the size of 1/z are 0 in the limit.
   response.head(y.cols()) =
       y.row(0).transpose().unaryExpr([](double r) { return std::abs(r) < 1e-50 ? 0.0 : r; });
   return response;

@@ -7,28 +7,28 @@
 
 namespace fde {
 
-// The first s - 1 steps of a rule with start weights, each of which takes f_1 ... f_(s-1).
+// The equations of the first s - 1 steps of a rule with starting weights, each of which contains all of
+// f_1 ... f_(s-1).
 struct FirstEquations {
-  std::vector<Matrix> weights;  // of f_0 ... f_(s-1) at each step, one row a row of the problem
-  Matrix known;                 // what the rows have besides, one column a step
+  std::vector<Matrix> weights;  // one matrix a step: the weights of f_0 ... f_(s-1), one row a component
+  Matrix known;                 // the other terms, one row a component, one column a step
 };
 
-// They are one system for y_1 ... y_(s-1),
-//   y_n = known_n + sum_{j<s} weights_n,j f_j,
-// solved as the one step of a larger problem. A linear problem takes one factorisation, any other what
-// Newton's method needs from a first guess: the steps of a rule of first order. These are taken one by one,
-// so that a solution that ends within them ends the run, where the system as a whole may have another one.
-// With steps that resolve the solution the result is nearer to the guess than a third of what the guess
-// moved. A result that is farther away than it moved is another solution, or of no use, and counts as not
-// found.
+// Solves the first steps as one system for y_1 ... y_(s-1),
+//   y_n = known_n + sum_{j<s} weights_n,j f_j.
+// A linear problem needs one factorisation. Otherwise Newton's method starts from the steps of a first-order
+// rule, taken one by one: a solution that ceases to exist within these steps ends the run, although the whole
+// system may have another solution. If the steps resolve the solution, the distance of the result from this
+// guess is less than a third of the distance of the guess from y(0). A result that is farther from the guess
+// than the guess is from y(0) is another solution or useless, and counts as not converged.
 class FirstSteps {
  public:
-  // The first-order rule steps over a grid: it knows the problem.
+  // Solves the same problem over a grid with a rule of first order.
   using FirstOrder = std::function<Trajectory(const Grid&, const Options&)>;
   FirstSteps(const Problem& problem, const Grid& grid, FirstEquations equations, FirstOrder first_order);
 
-  // The results, one column a step. The work is added to the run: each iteration counts once a step. Where
-  // they are not found the result is empty, and `ending` says how.
+  // y_1 ... y_(s-1), one column a step. Adds the rhs calls and iterations to run.cost(), each iteration once
+  // a step. On failure the result is empty and `ending` is the reason, otherwise Ending::finished.
   Matrix solve(Run& run, double tolerance, Ending& ending) const;
 
  private:
@@ -41,9 +41,11 @@ class FirstSteps {
   [[nodiscard]] auto step(Values& values, Eigen::Index n) const {
     return values.segment((n - 1) * size_, size_);
   }
-  // By the first-order rule. Of a linear problem the first step alone, which says whether a mode outruns it.
+  // Takes the steps of the first-order rule and writes them to `guess`. For a linear problem it takes only
+  // the first step, to detect a step that is too large for a growing mode.
   Ending step_one_by_one(Run& run, double tolerance, Vec& guess) const;
-  // Whether y is no farther from the guess than that is from y(0), each component relative to its size.
+  // Whether the distance of y from the guess is at most that of the guess from y(0), relative to the size of
+  // each component.
   [[nodiscard]] bool is_led_to(In y, In guess, In start) const;
   [[nodiscard]] Problem as_problem(const Vec& guess) const;
   void evaluate(In y, Out f) const;

@@ -9,11 +9,11 @@ namespace fde {
 namespace {
 
 constexpr std::size_t terms = 33;       // of the expansions, for steps from `nearest` on
-constexpr std::size_t zeta_terms = 21;  // of them with values of zeta, which are smaller by (2 pi)^-k
+constexpr std::size_t zeta_terms = 21;  // terms with zeta values, which are smaller by (2 pi)^-k
 constexpr std::size_t nearest = 64;
 constexpr double negligible = 1e-24;
 
-// K: a multiple of the steps that are taken together.
+// K, a multiple of the block size of StartCorrection.
 std::size_t near_steps(const MultistepRule& rule) {
   constexpr std::size_t together = 32;
   const double decay = rule.decay == 0.0 ? 0.0 : std::log(negligible) / std::log(rule.decay);
@@ -21,7 +21,7 @@ std::size_t near_steps(const MultistepRule& rule) {
   return (steps + together - 1) / together * together;
 }
 
-// The matrix j^p of the first powers, inverted: row j holds the factors of e_p in W(n, j).
+// The inverse of the matrix j^p, for the first `count` powers: row j has the factors of e_p in W(n, j).
 Numbers2 inverse_of_first(const Numbers2& whole_powers, std::size_t count) {
   Numbers2 matrix;
   for (std::size_t p = 0; p < count; ++p) {
@@ -42,7 +42,7 @@ struct Moments::Numbers {
   Numbers1 of_order;  // j^g
   Numbers1 w;
   Numbers1 ratios;   // Gamma(p+1) / Gamma(p+g+1)
-  Numbers2 factors;  // the inverse; empty until asked for
+  Numbers2 factors;  // inverse_of_first for all powers; empty where only growth is computed
 
   Numbers(const WeightTable& table, const std::vector<double>& p, std::size_t steps)
       : g(table.order), near(steps), exponents(p), rule(*table.family->multistep) {
@@ -69,7 +69,7 @@ struct Moments::Numbers {
     return e;
   }
 
-  // Sums of |W(n, j)| over j, relative to max(1, n^(g-1)): the largest, with the first of the powers.
+  // max over n <= near of sum_j |W(n, j)| / max(1, n^(g-1)), for the powers of the inverse matrix.
   [[nodiscard]] double growth(const Numbers2& moments, const Numbers2& inverted) const {
     double largest = 0.0;
     for (std::size_t n = 1; n <= near; ++n) {
@@ -81,7 +81,7 @@ struct Moments::Numbers {
     return largest;
   }
 
-  // W(., j) from e_p of all powers.
+  // W(n, j) from the e_p(n) of all powers.
   [[nodiscard]] double weight(std::size_t j, const Numbers1& e) const {
     Number sum = 0;
     for (std::size_t p = 0; p < e.size(); ++p) sum += factors[j][p] * e[p];
@@ -94,12 +94,12 @@ struct Moments::Numbers {
     return sum;
   }
 
-  // omega(exp(-t)) t^g as a series.
+  // The series of omega(exp(-t)) t^g.
   [[nodiscard]] Numbers1 at_one() const {
     return product(power_of_series(exponential_mean(terms), -g), other_factors());
   }
 
-  // omega(-exp(-t)) t^(-g), of the rule whose base is 1 + zeta.
+  // The series of omega(-exp(-t)) t^(-g), for the rule with the base 1 + zeta.
   [[nodiscard]] Numbers1 at_minus_one() const {
     Numbers1 base = exponential_mean(terms);
     for (auto& coefficient : base) coefficient /= rule.denominator;
@@ -107,7 +107,7 @@ struct Moments::Numbers {
                    power_of_series(at_exponential({Number(1), Number(1)}, terms), -g));
   }
 
-  // The factors of omega(exp(-t)) that are regular at t = 0.
+  // The product of the factors of omega(exp(-t)) that are regular at t = 0.
   [[nodiscard]] Numbers1 other_factors() const {
     Numbers1 base;
     for (const int coefficient : rule.base) base.push_back(Number(coefficient) / rule.denominator);
@@ -135,7 +135,7 @@ Matrix Moments::near_weights() const {
 
 namespace {
 
-// sum_k a_k x^(-k), up to where the terms no longer count: every second may be 0.
+// sum_k a_k x^(-k), until three successive terms are negligible: every second term may be 0.
 Number in_inverse(const Numbers1& a, const Numbers1& inverse_powers) {
   static const Number tiny = ldexp(Number(1), -120);
   Number sum = 0;
@@ -159,8 +159,8 @@ Numbers1 inverse_powers_of(const Number& x) {
 
 // With A_p(zeta) = sum_j j^p zeta^j and zeta = exp(-t),
 //   A_p = Gamma(p+1) t^(-p-1) + sum_k zeta(-p-k) (-t)^k / k!,   omega = t^(-g) sum_k c_k t^k,
-// and t^(-a) is the generating function of n^(a-1) / Gamma(a), up to one that is smooth. What the product
-// omega A_p has beyond its first term is -e_p:
+// and t^(-a) is the generating function of n^(a-1) / Gamma(a), up to a function regular at t = 0. The product
+// omega A_p without its first term is the generating function of -kappa e_p:
 //   -kappa e_p(n) = n^(p+g) sum_k method[p][k] n^(-k) + n^(g-1) sum_k start[p][k] n^(-k).
 // At zeta = -exp(-t) A_p has (2^(1+p+k) - 1) zeta(-p-k) in place of zeta(-p-k), and omega starts like t^g:
 //   (-1)^n n^(-g-1) sum_k alternating[p][k] n^(-k).
@@ -175,7 +175,7 @@ struct Moments::Expansions {
       const Number power = all.exponents[p];
       const Numbers1 zetas = zeta_values(all.exponents[p], all.powers[p], zeta_terms);
       method.push_back(c);
-      // 1 at k = 0 stays: it is the integral.
+      // c_0 = 1 is the exact integral, which cancels; c_k = 0 for 0 < k < rate, up to rounding.
       for (std::size_t k = 0; k < static_cast<std::size_t>(all.rule.rate); ++k) method[p][k] = 0;
       over_gamma(method[p], all.ratios[p], power + all.g + 1);
       start.push_back(product(c, samples(zetas, Number(0), power == 0)));
@@ -187,7 +187,8 @@ struct Moments::Expansions {
   }
 
  private:
-  // A_p without its singular part. two is 2^(p+1) at -1, 0 at 1. The sample at 0 is in it where p = 0.
+  // A_p without its singular part. two = 2^(p+1) at zeta = -1, 0 at zeta = 1. Only for p = 0 the sample at j
+  // = 0 is not 0.
   static Numbers1 samples(const Numbers1& zetas, Number two, bool has_sample_at_zero) {
     Numbers1 series(terms, Number(0));
     Number factorial = 1;
@@ -201,7 +202,7 @@ struct Moments::Expansions {
     return series;
   }
 
-  // a_k / Gamma(z - k), from scale = 1 / Gamma(z) times what all are multiplied with.
+  // Multiplies a_k by c / Gamma(z - k), with scale = c / Gamma(z).
   static void over_gamma(Numbers1& a, Number scale, const Number& z) {
     for (std::size_t k = 0; k < a.size(); ++k) {
       a[k] *= scale;
@@ -210,7 +211,7 @@ struct Moments::Expansions {
   }
 };
 
-// x^p, x^g and x^(-k) at one x; of products from those of the factors.
+// x^p for all powers p, x^g and x^(-k) at one x; for a product x from the powers of its factors.
 struct Moments::PowersAt {
   Numbers1 of_powers, inverse;
   Number of_order;
@@ -268,7 +269,7 @@ UsablePowers Moments::usable(const WeightTable& table, const std::vector<double>
   const auto growth = [&](std::size_t count) {
     return numbers.growth(moments, inverse_of_first(numbers.powers, count));
   };
-  // It rises with each power: the last that is usable, by bisection.
+  // The growth increases with each power: bisection for the last usable one.
   UsablePowers last{powers.size(), growth(powers.size())};
   if (last.growth <= most) return last;
   std::size_t unusable = last.count;

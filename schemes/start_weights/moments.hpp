@@ -7,11 +7,11 @@
 
 namespace fde {
 
-// The equations of the start weights in multiprecision (number_series.hpp), whose headers are read behind
-// this alone.
+// Solves the equations of the starting weights in multiprecision (number_series.hpp). This
+// header does not include the multiprecision headers.
 class Moments {
  public:
-  // The points, 1 <= point <= 2, are where far_weights tells them.
+  // far_weights evaluates at these points, 1 <= point <= 2. Precondition: table.family->multistep is set.
   Moments(const WeightTable& table, const std::vector<double>& powers, const std::vector<double>& points);
   ~Moments();
   Moments(const Moments&) = delete;
@@ -19,14 +19,16 @@ class Moments {
   Moments(Moments&&) = delete;
   Moments& operator=(Moments&&) = delete;
 
-  // W(n, j) for n = 1 ... K, one row a step, from the sums as they stand. From K on the expansions are as
-  // good as doubles: all other singularities of the generating function have decayed.
+  // W(n, j) for n = 1 ... K, one row a step, one column a j, from the defining sums. From K on the asymptotic
+  // expansions are accurate to rounding: the contributions of all other singularities of the generating
+  // function have decayed.
   [[nodiscard]] Matrix near_weights() const;
 
-  // W(x, j) at x = K 2^piece point, one row a point: continued to real x by the expansions at 1 and at -1.
+  // W(x, j) at x = K 2^piece point, one row a point, one column a j, by the expansions at zeta = 1 and at -1,
+  // which extend W to real x.
   [[nodiscard]] StartWeights::Piece far_weights(std::size_t piece) const;
 
-  // See usable_powers.
+  // As usable_powers, with the bound `most` of the growth.
   static UsablePowers usable(const WeightTable& table, const std::vector<double>& powers, double most);
 
  private:

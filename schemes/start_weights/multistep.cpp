@@ -106,7 +106,7 @@ double multistep_rate(const WeightFamily& family, const StartPowers& start, cons
       return std::ranges::any_of(start.powers,
                                  [=](double r) { return std::abs(p - g - r) < distinct_powers; });
     });
-    // Lists may end at order + 2. What follows is known from the orders: every sum may occur.
+    // Lists of powers may end at order + 2; beyond, any sum of orders and integers may occur.
     const double first = start.next + g;
     const bool counts = start.next + 1.0 < rate_of_rule || first < rate_of_rule;
     if (powers.empty() || (counts && powers.front() > first)) powers.insert(powers.begin(), first);

@@ -5,7 +5,8 @@
 namespace fde {
 namespace {
 
-// B_2i / (2i)! for i = 0, 1, ...: of t/2 coth(t/2), the quotient of the series of cosh and sinh.
+// B_2i / (2i)! for i = 0, 1, ...: the coefficients of t/2 coth(t/2), a quotient of the series of cosh and
+// sinh.
 const Numbers1& bernoulli_ratios() {
   static const Numbers1 ratios = [] {
     constexpr std::size_t count = 36;
@@ -28,7 +29,7 @@ const Numbers1& bernoulli_ratios() {
 
 }  // namespace
 
-// Those of primes, and their products.
+// Only powers of primes are computed; the others are products.
 Numbers1 powers_of_whole_numbers(double power, std::size_t last) {
   Numbers1 values(last + 1, Number(0));
   values[0] = power == 0.0 ? 1 : 0;

@@ -5,25 +5,25 @@
 
 namespace fde {
 
-// sum_{j<s} W_i(n, j) f_j of every row i, step after step: a block of steps at a time, for O(1) work a step.
+// Evaluates the sums of the starting weights, sum_{j<s} W_i(n, j) f_j for every row i, for increasing n. They
+// are computed a block of steps at a time, O(1) work a step.
 class StartCorrection {
  public:
-  // Rows of equal order share their weights. For so many steps.
+  // For n up to `steps`. Rows with equal tables share their weights.
   StartCorrection(const std::vector<WeightTable>& tables, const std::vector<double>& powers, int steps);
 
-  // All weights of f_0 ... f_(s-1) at a step n < s, w_i(n-j) + W_i(n, j) with w of the rule itself, one row a
-  // row.
+  // All weights w_i(n-j) + W_i(n, j) of f_0 ... f_(s-1) at a step n < s, one row a row i, one column a j.
   [[nodiscard]] Matrix weights(int n) const;
 
-  // f_0 ... f_(s-1), one column each, before the sums are asked for.
+  // Sets f_0 ... f_(s-1), one column each. Call it before add().
   void start(const Matrix& f);
 
-  // Adds those of step n, which is not before the one asked for last.
+  // Adds the sums of step n to `sums`, one entry a row. n must not decrease from call to call.
   void add(int n, Out sums);
 
   [[nodiscard]] std::size_t bytes() const;
 
-  // Before or after start; what is summed a block at a time is summed again.
+  // Archives f_0 ... f_(s-1), also before start(); the sums of the block are recomputed.
   void state(Archive& archive);
 
  private:
@@ -35,13 +35,13 @@ class StartCorrection {
     return *of_orders_[row_[static_cast<std::size_t>(i)]];
   }
 
-  std::vector<WeightTable> tables_;  // without repetition
-  std::vector<std::shared_ptr<const StartWeights>> of_orders_;
-  std::vector<std::size_t> row_;  // of each row its entry in both
-  int near_ = 0;                  // the steps whose weights are stored
-  Matrix f_;
-  Matrix smooth_, alternating_;  // coefficients of the sums on this piece, one column a row
-  double begin_ = 0.0;           // of this piece
+  std::vector<WeightTable> tables_;                             // each once
+  std::vector<std::shared_ptr<const StartWeights>> of_orders_;  // for each of tables_
+  std::vector<std::size_t> row_;                                // for each row its index in both
+  int near_ = 0;                                                // K: the steps with tabulated weights
+  Matrix f_;                                                    // s x rows
+  Matrix smooth_, alternating_;  // Chebyshev coefficients of the sums on this piece, one column a row
+  double begin_ = 0.0;           // first step of this piece
   int first_ = 0;                // step of the block in sums_; 0: none yet
   Matrix sums_;                  // block x rows
 };

@@ -8,7 +8,7 @@
 namespace fde {
 namespace {
 
-// More are never usable: the growth of 24 powers is 1e9 at the least.
+// More powers are never usable: the growth for 24 powers is at least 1e9.
 constexpr std::size_t most_powers = 24;
 
 }  // namespace

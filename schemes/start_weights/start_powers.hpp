@@ -7,21 +7,22 @@
 
 namespace fde {
 
-// The powers t^r of f(t, y(t)) that a multistep rule with start weights integrates exactly: of all sums of
-// orders and whole numbers up to rate - 1, beyond which the rule loses nothing at a fixed time, the first so
-// many that no row's start weights amplify rounding by more than most_growth. They follow from the orders
-// alone.
+// The powers t^r of f(t, y(t)) that a multistep rule with starting weights integrates exactly. The candidates
+// are all sums of orders and integers up to rate - 1 (larger powers do not reduce the rate at a fixed time);
+// the first ones are used, as many as keep the rounding amplification of every row's starting weights below
+// most_growth. They depend on the orders only.
 struct StartPowers {
   std::vector<double> powers;  // the first is 0
-  double next;                 // the first of the sums that is not among them
-  double growth;               // the largest of all rows
+  double next;                 // the smallest candidate, of any size, that is not used
+  double growth;               // rounding amplification, the maximum over all rows
 
-  // Those of a run of so many steps: no more than it has times.
+  // The powers for a run with this number of steps: at most steps + 1.
   [[nodiscard]] std::vector<double> of_run(int steps) const;
 };
 StartPowers start_powers(const WeightFamily& family, const Problem& problem);
 
-// The same for sums of weights of these orders, over samples that start with the sums of these steps.
+// The same for memory sums with weights of these orders, over samples whose powers are sums of `steps` and
+// integers.
 StartPowers start_powers(const WeightFamily& family, std::vector<double> orders, std::vector<double> steps);
 
 }  // namespace fde

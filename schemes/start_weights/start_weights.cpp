@@ -13,9 +13,9 @@
 namespace fde {
 namespace {
 
-constexpr int degree = 21;  // of a function that is singular at n = 0 only: (3 + sqrt 8)^-22 = 1e-17
+constexpr int degree = 21;  // for a function with its only singularity at n = 0: (3 + sqrt 8)^-22 = 1e-17
 
-// Values at the Chebyshev points, one row a point, to coefficients.
+// Chebyshev coefficients from the values at the Chebyshev points, one row a point.
 Matrix coefficients(const Matrix& values) {
   const auto count = values.rows();
   Matrix transform(count, count);
@@ -37,7 +37,7 @@ std::vector<double> chebyshev_points() {
   return points;
 }
 
-// How many pieces steps up to this one need.
+// The number of pieces for n up to `steps`.
 std::size_t pieces_for(int steps, Eigen::Index near) {
   std::size_t count = 0;
   for (auto end = static_cast<double>(near); end < steps; end *= 2.0) ++count;
@@ -46,7 +46,7 @@ std::size_t pieces_for(int steps, Eigen::Index near) {
 
 using Key = std::tuple<const WeightFamily*, double, std::vector<double>>;
 
-// What was computed last, for runs of the same orders. Many orders, as in a search over them, are forgotten.
+// A cache for runs with the same orders. It is cleared when it is full, as in a search over many orders.
 template <class Value>
 class Kept {
  public:
@@ -56,7 +56,7 @@ class Kept {
     return found == values_.end() ? std::nullopt : std::optional(found->second);
   }
   void put(const Key& key, Value value) {
-    constexpr std::size_t most = 1024;  // of 0.3 MB; a sweep over all scenes and trials has hundreds
+    constexpr std::size_t most = 1024;  // 0.3 MB each; a sweep over all scenes needs hundreds
     const std::lock_guard lock(mutex_);
     if (values_.size() >= most) values_.clear();
     values_.insert_or_assign(key, std::move(value));

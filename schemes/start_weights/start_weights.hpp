@@ -10,35 +10,36 @@ namespace fde {
 
 class Moments;
 
-// Start weights of one multistep rule and order: at every step n >= 1 the weights W(n, j) of f_0 ... f_(s-1)
-// that make the rule exact where f is one of s powers t^p,
+// Starting weights of a fractional linear multistep method of order g: at every step n >= 1 the weights
+// W(n, j) of f_0 ... f_(s-1) that make the rule exact for the s functions f = t^p,
 //   sum_{j<s} W(n, j) j^p = e_p(n) = Gamma(p+1)/Gamma(p+g+1) n^(p+g) / kappa - sum_{j<=n} w(n-j) j^p,
-// in the units of the weights w, of which that of the newest sample is 1. Source: Lubich 1986, section 4.
+// scaled like w, so that the newest sample has weight 1. Source: Lubich 1986, section 4.
 //
 // The equations are ill-conditioned and their right-hand sides cancel, so both are computed in
-// multiprecision, and W(n, j) is right to rounding for every n. docs/schemes.md says how: near steps by the
-// sum as it stands, far ones by its asymptotic expansion, which is smooth in n. So far weights are
-// polynomials on [K 2^i, K 2^(i+1)].
+// multiprecision; W(n, j) is accurate to rounding for every n. For n <= K the sum is evaluated directly; for
+// larger n its asymptotic expansion, which is smooth in n, is stored as Chebyshev polynomials on [K 2^i, K
+// 2^(i+1)]. Derivation: docs/schemes.md.
 struct StartWeights {
-  // Chebyshev coefficients on one of these intervals, one column a j: of a smooth function of n, and of one
-  // that alternates, times (-1)^n; empty: the rule has none.
+  // Chebyshev coefficients on one interval, one column a j: W(n, j) = smooth + (-1)^n alternating; the second
+  // is empty where the rule has no alternating part.
   struct Piece {
     Matrix smooth, alternating;
   };
 
   Matrix first;                            // W(n, j) in row n-1, for n up to K
-  std::vector<Piece> pieces;               // as many as the steps asked for need
-  std::shared_ptr<const Moments> moments;  // from which more pieces are made
+  std::vector<Piece> pieces;               // up to the requested number of steps
+  std::shared_ptr<const Moments> moments;  // computes further pieces
 };
 
-// The start weights for these powers of f, the first 0 and increasing, for n up to `steps`. Kept for the next
-// call with the same rule, order and powers: making them takes milliseconds.
+// The starting weights for these powers of f and n up to `steps`. Preconditions: table.family->multistep is
+// set; powers[0] = 0, powers increase. The result is cached by rule, order and powers, because the
+// computation takes milliseconds. Thread-safe.
 std::shared_ptr<const StartWeights> start_weights(const WeightTable& table, const std::vector<double>& powers,
                                                   int steps);
 
-// How many of these powers, from the first on, have start weights that amplify the rounding of f_0 ...
-// f_(s-1) by no more than most_growth, and the largest sum_j |W(n, j)| relative to max(1, n^(g-1)), the size
-// of w, over the first steps with so many.
+// count: how many of these powers, from the first on, can be used such that the starting weights amplify the
+// rounding of f_0 ... f_(s-1) by at most most_growth. growth: this amplification, the maximum over the first
+// steps of sum_j |W(n, j)| / max(1, n^(g-1)); the denominator is the size of w.
 inline constexpr double most_growth = 1e5;
 struct UsablePowers {
   std::size_t count;
@@ -46,7 +47,7 @@ struct UsablePowers {
 };
 UsablePowers usable_powers(const WeightTable& table, const std::vector<double>& powers);
 
-// Decimal digits of the numbers in which they are made.
+// Decimal digits in which starting weights are computed.
 inline constexpr int start_weight_digits = 70;
 
 }  // namespace fde

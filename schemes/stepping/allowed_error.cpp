@@ -6,10 +6,10 @@ namespace fde {
 
 namespace {
 
-// What the rounding of terms, and of a row that is so large, may leave.
+// Bound for the rounding errors in each row, from the largest |y| of the row and the size of its terms.
 Eigen::ArrayXd noise(const Eigen::ArrayXd& largest, In terms) {
   constexpr double above_rounding = 50.0 * std::numeric_limits<double>::epsilon();
-  // Below, doubles lose their digits one by one, and Newton's method does not converge to part of them.
+  // Smaller errors would involve subnormal numbers, in which Newton's method loses relative accuracy.
   constexpr double smallest = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
   return (above_rounding * largest.max(terms.array())).max(smallest);
 }
@@ -18,7 +18,8 @@ Eigen::ArrayXd noise(const Eigen::ArrayXd& largest, In terms) {
 
 Vec AllowedError::of(In least, In largest, In terms) const {
   constexpr double of_row = 0.01;
-  constexpr double counts = 1e-3, growth = 16.0;  // of the relative error; of a row on a step
+  // The absolute tolerance decides above this share of the relative one; largest growth of a row that counts.
+  constexpr double counts = 1e-3, growth = 16.0;
   const bool by_least = accuracy_.absolute > counts * accuracy_.relative;
   const Eigen::ArrayXd size = by_least ? least.array() : largest.array();
   const Eigen::ArrayXd asked = accuracy_.absolute + accuracy_.relative * size;

@@ -6,32 +6,31 @@
 
 namespace fde {
 
-// What may be wrong in each row of a step: the accuracy asked, but at most a hundredth of the largest that
-// the row has been, and at least a little more than the rounding of the terms that it is the sum of, and than
-// 1e-292.
+// The largest error allowed in each row of a step: absolute + relative |y|, but at most 1/100 of the largest
+// |y| that the row has had since t = 0, and at least 50 eps times the terms of the row, and 1e-292.
 class AllowedError {
  public:
   explicit AllowedError(const Accuracy& accuracy) : accuracy_(accuracy) {}
 
-  // largest: the largest |y| of each row on the step; terms: of what it is the sum of.
+  // largest: the largest |y| of each row on the step; terms: the size of the terms that the row is a sum of.
   [[nodiscard]] Vec of(In largest, In terms) const { return of(largest, largest, terms); }
 
-  // The same all over a step on which |y| is at least `least`: where next to no absolute error is asked,
-  // relative to the largest, otherwise to the least, and rounding of a row that grows far beyond both is not
-  // what has to be left to it.
+  // The error allowed at every time of a step on which least <= |y| <= largest. It is relative to `largest`
+  // where the absolute tolerance is at most 1e-3 of the relative one, otherwise to `least`; then the rounding
+  // term counts `largest` only up to 16 (absolute / relative + least).
   [[nodiscard]] Vec of(In least, In largest, In terms) const;
 
-  // The same as if the row had been as large as any.
+  // The allowed error without the bound by the largest |y| so far.
   [[nodiscard]] Vec of_accuracy(In largest, In terms) const;
 
-  // Takes a step as passed on which rows were at most so large.
+  // Records an accepted step with the largest |y| of each row on it.
   void pass(In largest);
 
   void state(Archive& archive) { archive.grown(largest_); }
 
  private:
   Accuracy accuracy_;
-  Vec largest_;  // so far; empty: no step has passed
+  Vec largest_;  // over all accepted steps; empty before the first
 };
 
 }  // namespace fde

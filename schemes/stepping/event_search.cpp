@@ -15,12 +15,11 @@ struct Sample {
 };
 using Value = std::function<double(double t)>;
 
-// The times from `start` to `end` at which a step is looked at first. Those next to the ends show whether
-// |value| falls or rises there; the others are not equally spaced, for what oscillates with their distance
-// would look smooth.
+// The initial sample times on a step from `start` to `end`. Samples next to the ends give the sign of the
+// slope of |value| there. The others are not equally spaced, to avoid aliasing with a periodic function.
 std::vector<double> looked_at(double start, double end, int pieces) {
   constexpr double next_to = 1e-3;                            // of the step
-  constexpr double aside = 0.3, golden = 0.6180339887498949;  // of a piece; its multiples are spread evenly
+  constexpr double aside = 0.3, golden = 0.6180339887498949;  // of a piece; multiples are equidistributed
   std::vector<double> times{start};
   const auto add = [&](double share) {
     const double t = start + share * (end - start);
@@ -36,7 +35,7 @@ std::vector<double> looked_at(double start, double end, int pieces) {
   return times;
 }
 
-// How far a sample is from the parabola through three others.
+// The distance of a sample from the parabola through three others.
 double off_parabola(const Sample& sample, const Sample& a, const Sample& b, const Sample& c) {
   const auto part = [&](const Sample& of, const Sample& one, const Sample& other) {
     return of.value * ((sample.t - one.t) / (of.t - one.t)) * ((sample.t - other.t) / (of.t - other.t));
@@ -44,12 +43,13 @@ double off_parabola(const Sample& sample, const Sample& a, const Sample& b, cons
   return std::abs(part(a, b, c) + part(b, a, c) + part(c, a, b) - sample.value);
 }
 
-// For each sample whether the piece before it is to be halved: where a sample is off the parabola through its
-// neighbours by more than a part of what they differ by, and by so much that the value may pass through 0
-// unseen, those between these; all where they are many, for others may look smooth by chance.
+// For each sample whether the interval to its left must be halved. The intervals around a sample are halved
+// where its distance from the parabola through three neighbours is more than 1/10 of the range of the values
+// and more than 1/4 of the nearest |value|, so that a zero may be missed. If this holds for more than a
+// quarter of the intervals, all are halved: the others may look smooth by chance.
 std::vector<bool> unresolved(const std::vector<Sample>& samples) {
   constexpr double smooth = 0.1, may_hide = 0.25;
-  constexpr std::size_t many = 4;  // one piece of so many
+  constexpr std::size_t many = 4;  // 1/4 of the intervals
   std::vector<bool> halve(samples.size(), false);
   if (samples.size() < 4) return halve;
   for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
@@ -83,8 +83,8 @@ std::vector<Sample> halved(const Value& value, const std::vector<Sample>& sample
   return more;
 }
 
-// Adds samples until they show how the value goes between them. Noise, which no sample resolves, comes to an
-// end by the number of samples, of a step and of the run.
+// Adds samples until parabolas through them resolve the function. Noise is never resolved; for it the number
+// of samples is bounded per step and, by `left`, per run.
 void resolve(const Value& value, std::vector<Sample>& samples, std::uint64_t& left) {
   constexpr int most_halvings = 24;
   constexpr std::uint64_t most_samples = 20000;
@@ -96,8 +96,8 @@ void resolve(const Value& value, std::vector<Sample>& samples, std::uint64_t& le
   }
 }
 
-// The zero between two times at which the value has different signs: of the neighbouring numbers between
-// which it lies the one where |value| is less.
+// The zero between two times at which the values have different signs: of the two adjacent doubles that
+// enclose it the one with the smaller |value|.
 double zero_between(const Value& value, const Sample& before, const Sample& behind) {
   std::uintmax_t evaluations = 200;
   const auto neighbours = [](double a, double b) { return std::nextafter(a, b) >= b; };
@@ -106,10 +106,10 @@ double zero_between(const Value& value, const Sample& before, const Sample& behi
   return low > before.t && std::abs(value(low)) < std::abs(value(high)) ? low : high;
 }
 
-// Where the value is on the other side of 0, between samples that are not and show a minimum of |value|; or
-// the least that it is.
+// A sample at the minimum of |value| between two samples of equal sign that enclose it. If the function has
+// two zeros there, the sample has the opposite sign.
 Sample beyond(const Value& value, const Sample& before, const Sample& behind) {
-  constexpr int bits = 26;  // a minimum is known to half of all digits
+  constexpr int bits = 26;  // a minimum is determined to half of the digits only
   std::uintmax_t evaluations = 100;
   const double sign = std::copysign(1.0, before.value);
   const auto [at, least] = boost::math::tools::brent_find_minima([&](double t) { return sign * value(t); },
@@ -119,10 +119,10 @@ Sample beyond(const Value& value, const Sample& before, const Sample& behind) {
 
 bool opposite(const Sample& one, const Sample& other) { return one.value * other.value < 0.0; }
 
-// Samples between which the value changes its sign, in pairs.
+// Pairs of samples between which the value changes its sign.
 std::vector<std::pair<Sample, Sample>> changes(const Value& value, const std::vector<Sample>& samples) {
   std::vector<std::pair<Sample, Sample>> found;
-  Sample sided = samples.front();  // the last that has a sign
+  Sample sided = samples.front();  // the last sample that is finite and not 0
   for (std::size_t k = 1; k < samples.size(); ++k) {
     const Sample& now = samples[k];
     if (opposite(sided, now)) found.emplace_back(sided, now);
@@ -169,7 +169,7 @@ std::vector<Occurrence> EventSearch::step(double t, In y, const Path& path, int 
     for (const auto& [before, behind] : changes(value, samples)) {
       if (counts(events_[e].crossing, before)) found.push_back({e, zero_between(value, before, behind), {}});
     }
-    // At a zero its sign remains what it was before.
+    // At a zero the sign of the previous sample is kept.
     if (samples.back().value != 0.0) values_[e] = samples.back().value;
   }
   std::ranges::stable_sort(found, {}, &Occurrence::t);

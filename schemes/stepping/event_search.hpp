@@ -8,19 +8,20 @@
 
 namespace fde {
 
-// Finds the zeros of events on one step after the other, in which the path is known at any time. Each is
-// located between neighbouring numbers, by the method 748 of Alefeld, Potra & Shi (ACM Trans. Math. Softw. 21
-// (1995)). Values at the ends of some pieces of the step show it, which are halved until they show how the
-// function goes; two zeros in one piece are found where |value| has a minimum there.
+// Event location: finds the zeros of event functions step by step, from the dense output of the step. The
+// function is sampled at the ends of some pieces of the step, which are halved until parabolas resolve it. A
+// zero is located between adjacent doubles by algorithm 748 of Alefeld, Potra & Shi (ACM Trans. Math. Softw.
+// 21 (1995)); two zeros in one piece are found through the minimum of |value| between them.
 class EventSearch {
  public:
   using Path = std::function<Vec(double t)>;
 
-  // The path is at y at t = 0. The events must live as long.
+  // start = y(0). `events` must outlive this object.
   EventSearch(const std::vector<Event>& events, In start);
 
-  // Those on the step from the last time up to t, where the path is at y, in the order of time; the first
-  // that ends the run is the last. The step is looked at in so many pieces.
+  // The zeros on the step from the time of the previous call (at first 0) up to t, by increasing time, up to
+  // the first that ends the run. y = y(t); path(s) is y(s) within the step; `pieces` >= 1 is the number of
+  // pieces that are sampled initially.
   std::vector<Occurrence> step(double t, In y, const Path& path, int pieces);
 
   void state(Archive& archive) { archive(time_, values_, left_); }
@@ -28,8 +29,8 @@ class EventSearch {
  private:
   const std::vector<Event>& events_;
   double time_ = 0.0;
-  std::vector<double> values_;  // of each event, the last that was not 0
-  // Samples left to resolve what oscillates within steps; noise would take any number.
+  std::vector<double> values_;  // the last nonzero value of each event function
+  // Additional samples that the rest of the run may use: noise would take any number of them.
   std::uint64_t left_ = 1'000'000;
 };
 

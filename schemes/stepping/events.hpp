@@ -8,20 +8,20 @@ namespace fde {
 
 class Archive;
 
-// In which direction a function passes through 0.
+// The direction in which an event function passes through 0.
 enum class Crossing { either, rising, falling };
 
-// A function along the path whose zeros are looked for: where it changes its sign. A zero at t = 0 is none,
-// nor is one that it touches and leaves on the side from which it came. It has no part in the problem.
+// An event function, located where it changes its sign along the solution. A zero at t = 0 does not count,
+// nor does a zero without a change of sign. The function does not influence the solution.
 struct Event {
   std::function<double(double t, In y)> value{};
-  Crossing crossing = Crossing::either;  // other zeros are passed over
-  bool ends = false;                     // the run, at the first that counts
+  Crossing crossing = Crossing::either;  // zeros in the other direction do not count
+  bool ends = false;                     // whether the first zero that counts ends the run
 };
 
-// A zero that was found.
+// A zero of an event function, with y at its time.
 struct Occurrence {
-  std::size_t event;  // its number among Options::events
+  std::size_t event;  // index in Options::events
   double t;
   Vec y;
 

@@ -26,7 +26,7 @@ Smoothness smoothness_of_rows(const Problem& problem) {
   return smoothness;
 }
 
-// The chains with slopes at t = 0 that are not 0.
+// The chains of all equations, with 1 for every initial value, so that no power is missing.
 std::vector<Chain> started(const Problem& problem) {
   std::vector<Chain> chains;
   for (const auto& equation : problem.equations) {
@@ -38,7 +38,8 @@ std::vector<Chain> started(const Problem& problem) {
   return chains;
 }
 
-// Whether all rows are of equations with one leading order, which is what chain_smoothness takes.
+// Whether every row belongs to a multi-term equation and all have one leading order, as chain_smoothness
+// needs.
 bool only_chains(const Problem& problem, const std::vector<Chain>& chains) {
   Eigen::Index rows = 0;
   for (const auto& chain : chains) {
@@ -67,7 +68,7 @@ double optimal_grading(const Scheme& scheme, const Problem& problem) {
   const double best = rate(largest);
   double low = 1.0, high = largest;
   if (rate(low) >= best - rounding) return low;
-  while (high - low > rounding) {  // the rate does not fall with the grading
+  while (high - low > rounding) {  // bisection: the rate does not decrease with the grading
     const double middle = 0.5 * (low + high);
     (rate(middle) >= best - rounding ? high : low) = middle;
   }

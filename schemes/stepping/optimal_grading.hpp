@@ -4,15 +4,15 @@
 
 namespace fde {
 
-// How solutions of a problem start whose right-hand side is smooth in t and y, by its orders alone: every
-// power gamma_i + (sums of orders and whole numbers), and the slopes at t = 0 of orders above 1. Of a problem
-// that is told as equations: what their terms and the forces, taken to read u, make of it.
+// The powers of t in the solution at t = 0 that follow from the orders alone, for a right-hand side smooth in
+// t and y: all gamma_i + (sums of orders and integers), and t for orders above 1. For a problem in multi-term
+// form they follow from the orders of the terms, with forces that depend on u.
 Smoothness smoothness_of_orders(const Problem& problem);
 
-// The smallest grading of a grid with which the scheme has its largest rate in the maximum norm for such a
-// solution: the smooth rate over what the start costs (rates.hpp), rounded up to hundredths. 1 where the
-// scheme refuses the problem or all graded grids, or has no rate; at most 10, whose first step is short
-// enough. It takes nothing but the orders: not what is known of the solution.
+// The smallest grading exponent with which the scheme has its largest rate in the maximum norm for
+// smoothness_of_orders(problem): the smooth rate over the rate at the start (rates.hpp), rounded up to
+// hundredths, at most 10. 1 where the scheme refuses the problem or graded grids, or has no rate, and for
+// two-sided problems. It depends on the orders only, not on the solution.
 double optimal_grading(const Scheme& scheme, const Problem& problem);
 
 }  // namespace fde

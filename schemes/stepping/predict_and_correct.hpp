@@ -6,7 +6,8 @@ namespace fde {
 
 // Fractional Adams-Bashforth-Moulton predictor-corrector in PE(CE)^m form, m = options.corrections:
 //   y_n^P = T_n + h^g/Gamma(g+1) sum_{j<n} b_{n-j} f_j,
-//   y_n   = T_n + h^g/Gamma(g+2) (a_{0,n} f_0 + sum_{1<=j<n} a_{n-j} f_j + f(t_n, y_n^P)).
+//   y_n   = T_n + h^g/Gamma(g+2) (a_{0,n} f_0 + sum_{1<=j<n} a_{n-j} f_j + f(t_n, y_n^P)),
+// with the Taylor part T_n and the weights b of the product rectangle, a of the product trapezoidal rule.
 Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const Options& options);
 
 }  // namespace fde

@@ -17,7 +17,7 @@ double trapezoidal_first(double g, double p) {
   return p;
 }
 
-// The prediction takes f to be constant: off by h^(1+g) where f starts like t, and y by h^g of that.
+// The predictor takes f constant: where f starts like t, it has the error h^(1+g), and y has h^g times that.
 double predictor_corrector_first(double g, double p) {
   return same_order(p - g, 1.0) ? 2 * g + 1 : trapezoidal_first(g, p);
 }
@@ -59,7 +59,7 @@ double smallest_shown_order(const Problem& problem, const Smoothness& smoothness
   return order;
 }
 
-// At t_1. What a hidden component is off by there the others see times h^integrated.
+// The rate at t_1. The error of a hidden component enters the other components with a factor h^integrated.
 double smallest_at_first_step(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
                               double integrated) {
   double rate = exact;
@@ -71,9 +71,9 @@ double smallest_at_first_step(const RateTheory& theory, const Problem& problem, 
   return rate;
 }
 
-// Where f jumps at t_m. The steps beside it take its mean value for both sides: off by a constant, h^order at
-// t_(m+1). Where f is taken between steps the row goes on like t^order from there, and rows that it drives
-// like the integral of that.
+// The rate at jumps of f at a time t_m. Interpolation through the mean of both one-sided values has an error
+// O(1) in f, O(h^order) in y at t_(m+1). If f is evaluated between steps, the row continues like
+// (t - t_m)^order, and rows that depend on it like its fractional integral.
 double smallest_at_jumps(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness) {
   double rate = exact;
   for (const auto i : smoothness.jumps) {
@@ -115,7 +115,7 @@ double rate(const RateTheory& theory, const Problem& problem, const Smoothness& 
   for (const auto& component : problem.components) {
     if (!algebraic(component)) end = std::min(end, theory.smooth(component.order));
   }
-  // Jumps are at times of the uniform grid; inside a step they cost a whole h.
+  // Jumps are at times of the uniform grid; a jump inside a step causes an error O(h).
   if (grading != 1.0 && !smoothness.jumps.empty()) end = std::min(end, 1.0);
   if (norm == Norm::end) return end;
   if (norm == Norm::first_step) return std::min(end, first_step);

@@ -10,7 +10,7 @@
 namespace fde {
 namespace {
 
-// x - x is 0 where x is finite, otherwise no number.
+// x - x is 0 where x is finite, otherwise NaN.
 bool all_finite(In y) {
   double sum = 0.0;
   for_each_component(y.size(), [&](Eigen::Index i) { sum += y[i] - y[i]; });
@@ -74,7 +74,7 @@ void Run::record_step(double before, double t, In y, const std::function<Vec(dou
 }
 
 bool Run::goes_on(double t, In y) {
-  // At every step a look at the clock would be a quarter of the cheapest step.
+  // Reading the clock at every step would take a quarter of the time of the cheapest step.
   constexpr int steps_between_looks = 16;
   const std::int64_t n = t > 0.0 ? path_.steps + 1 : 0;
   if (!all_finite(y)) {

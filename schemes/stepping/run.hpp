@@ -8,43 +8,45 @@
 
 namespace fde {
 
-// What every scheme that steps does besides its formulas: counts rhs calls, keeps the times asked for, stops
-// at the first value that is not finite, at the edge of the problem's domain and at the end of the budget.
-// One object a run.
+// The bookkeeping of a time-stepping run that does not depend on the scheme: counts rhs calls, records the
+// output times, and stops at a value that is not finite, outside the domain of the problem and at the end of
+// the budget. One object a run; `problem` and `options` must outlive it.
 class Run {
  public:
-  // Makes room for the results of so many steps; there may be more.
+  // Reserves storage for the results of `steps` steps; more are possible.
   Run(const Problem& problem, const Options& options, int steps = 0);
 
-  // f(t, y), counted. Valid until the next call.
+  // f(t, y), counted in Cost::rhs_calls. The reference is valid until the next call.
   const Vec& rhs(double t, In y);
 
-  // y(0), recorded at t = 0. A two-sided problem's is known last: the guess here is not recorded.
+  // y(0), which is recorded at t = 0; in a two-sided problem only a guess of it, which is not recorded.
   [[nodiscard]] const Vec& start() const { return start_; }
 
-  // Records the result of the step to t > 0, of a two-sided problem from t = 0 on. False, and the run is
-  // over, when y is not finite or outside the domain, or the budget is spent. Throws std::invalid_argument
-  // where there are events, which a scheme that knows y at its steps alone cannot locate.
+  // Records the result y of the step to t; t > 0, in a two-sided problem t >= 0. False, and the run has
+  // ended, when y is not finite or outside the domain, or the budget is spent. Throws std::invalid_argument
+  // where Options::events is not empty: events need the other overload.
   bool accept(double t, In y);
-  // The same of a scheme that knows y since the last step: of Options::at, times between are recorded too,
-  // and events are located, for which the step is looked at in so many pieces. False also at an event that
-  // ends the run; the result then counts up to there.
+  // The same for a scheme with dense output: between(s) is y(s) within the step. Times of Options::at inside
+  // the step are recorded, and events are located from samples in `pieces` pieces of the step. False also at
+  // an event that ends the run; the result is then valid up to the event.
   bool accept(double t, In y, const std::function<Vec(double)>& between, int pieces = 8);
 
   // Whether an event has ended the run, within the last step.
   [[nodiscard]] bool ended_by_event() const { return path_.ending == Ending::event; }
 
-  // Options::checkpoints, between two steps: whether the run goes on from a state kept there, and one that
-  // may be kept. `state` is that of the scheme; what a Run has is part of it.
+  // Between two steps, with Options::checkpoints. resume() restores a stored state and returns whether there
+  // is one; offer() lets the checkpoints store the present one. `state` archives the state of the scheme; the
+  // state of this object is added.
   bool resume(const State& state);
   void offer(const State& state);
 
-  // Ends the run where the step to t has no result.
+  // Ends the run because the step to t has no result.
   void fail(Ending ending, double t);
-  // The same where Newton's method for all times at once has left this residual.
+  // Ends the run because Newton's method for all times at once has not converged, with its last residual.
   void fail_at_once(double residual);
 
-  // Whether the run has taken longer than it may; looks at the clock, and who listens to work hears of it.
+  // Whether the run has taken longer than its budget. Reads the clock and reports the number of steps
+  // (report_work), so it throws what a listener throws.
   [[nodiscard]] bool out_of_budget() const;
 
   Cost& cost() { return path_.cost; }
@@ -62,12 +64,12 @@ class Run {
   const Options& options_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Vec start_, f_;
-  std::size_t next_at_ = 0;  // of Options::at
+  std::size_t next_at_ = 0;  // index in Options::at of the next output time
   std::optional<EventSearch> events_{};
   Trajectory path_;
 };
 
-// The tables of one sum: the same family for every component, each with its own order.
+// The weight tables of one memory sum: the same family for every component, each with its own order.
 std::vector<WeightTable> tables(const Problem& problem, const WeightFamily& family);
 
 }  // namespace fde

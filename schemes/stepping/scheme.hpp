@@ -22,84 +22,84 @@ class Checkpoints;
 struct Options {
   HistoryKind history = HistoryKind::automatic;
   int corrections = 1;  // corrector iterations of predictor-corrector schemes, >= 1
-  // What a step may be off by besides the rule's own error, relative; default: rounding. It bounds what
-  // Newton's method leaves of a step (see NewtonSolver), and the error of every weight of the past.
+  // The relative error allowed in a step in addition to the discretisation error; default: rounding. It
+  // bounds the error of Newton's method in a step (see NewtonSolver) and of every weight of the memory term.
   double tolerance = 1e-15;
-  double budget = std::numeric_limits<double>::infinity();  // seconds: a run that takes longer ends there
-  int threads = 1;  // among which a step of many unknowns may be shared; the result has the same bits for any
-  std::vector<double> at{};     // times to return, increasing, each up to rounding; empty: all
-  bool all_solutions = false;   // of a problem at both ends: see Trajectory::others
-  std::vector<Event> events{};  // located by schemes that choose their steps; others refuse to run with them
-  std::function<void(double t, In y)> observer{};  // hears every step from t = 0 on, returned or not
-  // Where the run keeps its state and goes on from it, where Needs::checkpoints is; nullptr: nowhere. What an
-  // observer has heard is not part of the state.
+  double budget = std::numeric_limits<double>::infinity();  // seconds of run time after which the run ends
+  int threads = 1;  // >= 1; may share a step of many unknowns; the result has the same bits for any number
+  std::vector<double> at{};     // output times, increasing, each up to rounding; empty: all times
+  bool all_solutions = false;   // search for further solutions of a two-sided problem: Trajectory::others
+  std::vector<Event> events{};  // only for schemes with an adaptive step size; the others throw
+  std::function<void(double t, In y)> observer{};  // called after every step and at t = 0, whatever `at` is
+  // Where the run stores its state and resumes from it, for schemes with Needs::checkpoints; nullptr: none.
+  // The state of the observer is not part of a checkpoint.
   Checkpoints* checkpoints = nullptr;
 };
 
-// What a scheme takes, and what it asks of a problem.
+// The capabilities of a scheme: which resolutions it accepts and which problems it can solve.
 struct Needs {
   bool takes_grid = true;
-  bool takes_accuracy = false;
-  bool discretises_equations = false;  // Problem::equations, in place of its rows
-  bool uniform_grid = false;
-  bool implicit = false;        // solves an equation each step: uses the derivatives that the problem tells
-  bool algebraic_rows = false;  // takes order 0
+  bool takes_accuracy = false;         // adaptive step size
+  bool discretises_equations = false;  // discretises Problem::equations instead of the rows
+  bool uniform_grid = false;           // only uniform grids
+  bool implicit = false;               // solves an equation in each step and uses Problem::derivatives
+  bool algebraic_rows = false;         // accepts order 0
   double largest_order = 2.0;
-  bool two_sided = false;    // takes right derivatives and conditions
-  bool checkpoints = false;  // takes Options::checkpoints, where it steps
+  bool two_sided = false;    // accepts right derivatives and boundary conditions
+  bool checkpoints = false;  // supports Options::checkpoints, for problems that it solves by time stepping
 };
 
-// Where an error is measured: at a fixed time t > 0, at t_1 = h, or as the maximum over all grid times. A
-// solution that starts like t^g shows different rates in them.
+// Where an error is measured: at a fixed time t > 0, at t_1 = h, or as the maximum over all grid times. The
+// three rates differ for a solution with a term t^g.
 enum class Norm { end, first_step, maximum };
 
-// What is proved of a scheme's rate at fixed times, and under which hypothesis.
+// A proved rate of a scheme at fixed times, with its hypothesis.
 struct Theorem {
   std::string_view name, hypothesis, rate;
 };
 
-// A function that runs a scheme, and one that steps over a grid.
+// Runs a scheme with a grid or a tolerance; runs a scheme over a grid.
 using Solve = std::function<Trajectory(const Problem&, const Resolution&, const Options&)>;
 using GridSolve = std::function<Trajectory(const Problem&, const Grid&, const Options&)>;
 
-// A scheme is a row of facts and one function; it has no state.
+// A scheme: its description and the function that runs it; it has no state.
 struct Scheme {
   std::string_view id, title, source;
   Needs needs;
-  // The theoretical rate of convergence as steps -> infinity on grids with this grading, for the default
-  // options, of the components that are not algebraic rows; empty: there is none.
+  // The theoretical rate as steps -> infinity on grids with this grading, with default options, for the
+  // components that are not algebraic rows; empty: unknown.
   std::function<double(const Problem&, const Smoothness&, double grading, Norm)> expected_rate{};
-  // Runs the scheme. Preconditions: refusal(...) is empty. Never throws for numerical failure: see
-  // Trajectory::ending. Of Options::at it returns the times that are its own or that it can interpolate.
+  // Runs the scheme. Precondition: refusal(...) is empty. Never throws for numerical failure: see
+  // Trajectory::ending. Of Options::at it returns the times that are grid times or that it can interpolate.
   Solve solve;
-  // A reason of its own to refuse, beyond its needs; empty function: none.
+  // A reason to refuse a problem that `needs` does not express; empty function: none.
   std::function<std::optional<std::string>(const Problem&)> refuses{};
-  // Its symbol with steps of this length and one correction. The problem is linear, has no algebraic
-  // rows, no right derivatives, and is not refused.
+  // The symbol of the scheme with this step size and one correction. Preconditions: the problem is linear,
+  // has no algebraic rows and no right derivatives, and is not refused.
   std::function<Symbol(const Problem&, double length)> symbol{};
-  // The id of the scheme whose chains this one expands into components of equal order; empty: of none.
+  // The id of the scheme whose chains this scheme expands into components of equal order; empty: none.
   std::string_view expansion_of{};
   std::optional<Theorem> theorem{};
-  // The powers of t that its start weights make exact in f, from the orders of the problem alone; empty: it
-  // has none.
+  // The powers of t in f for which the starting weights are exact, from the orders of the problem alone;
+  // empty: the scheme has no starting weights.
   std::function<std::vector<double>(const Problem&)> start_powers{};
-  std::string_view other_name{};  // another id that find_scheme takes; empty: none
+  std::string_view other_name{};  // an alias that find_scheme accepts; empty: none
 };
 
-// A scheme's solve from one that steps over a grid: unpacks the resolution.
+// Scheme::solve from a function that takes a grid. Precondition of the result: the resolution is a Grid.
 Solve on_grid(GridSolve solve);
 
-// Why the scheme does not fit the problem or the resolution, as half a sentence; nullopt: it fits.
+// Why the scheme cannot solve the problem with this resolution, as part of a sentence; nullopt: it can.
 std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
                                    const Resolution& resolution);
 
-// Why the scheme keeps no checkpoints of this problem, as half a sentence; nullopt: it does.
+// Why the scheme does not support checkpoints for this problem, as part of a sentence; nullopt: it does.
 std::optional<std::string> refusal_of_checkpoints(const Scheme& scheme, const Problem& problem);
 
 // All schemes, in the order of list.def.
 std::span<const Scheme> schemes();
 
-// The scheme with this id or other name, or nullptr.
+// The scheme with this id or other_name; nullptr where there is none. The object has static lifetime.
 const Scheme* find_scheme(std::string_view id);
 
 }  // namespace fde

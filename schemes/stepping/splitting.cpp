@@ -9,7 +9,7 @@ namespace {
 
 constexpr int largest_denominator = 64;
 
-// position[i]: where component i itself stands among the links.
+// position[i]: the index in the split problem of the original component i.
 std::vector<Eigen::Index> positions(const Links& links) {
   std::vector<Eigen::Index> position;
   Eigen::Index next = 0;
@@ -29,7 +29,7 @@ Eigen::Index size_of(const Links& links, const std::vector<Eigen::Index>& positi
   return position.back() + static_cast<Eigen::Index>(links.back().size());
 }
 
-// Derivatives of the links by the states, from those of the original right-hand side.
+// The Jacobian of the split problem from the Jacobian of the original right-hand side.
 void spread(const Matrix& original, const Links& links, const std::vector<Eigen::Index>& position,
             OutMatrix jacobian) {
   jacobian.setZero();
@@ -77,7 +77,7 @@ std::vector<Component> split_components(const Problem& problem, const Links& lin
   return components;
 }
 
-// The derivatives of the split problem, of the kind of the original ones.
+// The derivatives of the split problem, in the same form as the original ones.
 Derivatives split(const NoDerivatives& none, const Links& /*links*/,
                   const std::vector<Eigen::Index>& /*position*/) {
   return none;
@@ -150,7 +150,7 @@ Links links_up_to_one(const Problem& problem) {
 
 std::optional<Links> commensurate_links(const Problem& problem) {
   for (int m = 1; m <= largest_denominator; ++m) {
-    const auto fits = [m](const Component& c) {  // an order near 0 is no multiple, it has no link
+    const auto fits = [m](const Component& c) {  // an order that rounds to 0/m would have no link
       return algebraic(c) || (whole(c.order * m) && std::lround(c.order * m) > 0);
     };
     if (!std::ranges::all_of(problem.components, fits)) continue;

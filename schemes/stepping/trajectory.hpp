@@ -13,54 +13,54 @@ namespace fde {
 
 using Rows = Matrix;  // one row a component, one column a time
 
-// How a run ended. A scheme returns one of the first ten; the others follow from a comparison with the
-// reference.
+// How a run ended. A scheme returns one of the first ten; the others are set by callers, most of them after a
+// comparison with the reference.
 enum class Ending {
   finished,
   not_finite,
-  not_converged,   // Newton's method
-  outran_growth,   // a mode of the problem grows so fast that a step leads through infinity
-  step_too_small,  // the error test failed down to the smallest step
+  not_converged,   // Newton's method did not converge
+  outran_growth,   // the step is too large for a growing mode: its amplification passes through infinity
+  step_too_small,  // the error test failed down to the smallest step size
   blow_up,         // the solution grows without bound as time nears a finite one
-  sliding,         // the state stays on a switch of the right-hand side: no solution leads away from it
-  singular,        // left the domain of its problem
+  sliding,         // the state stays on a switching surface, no solution leaves it (Filippov sliding)
+  singular,        // the state left the domain of the problem
   out_of_budget,
-  event,               // one of Options::events has ended it, as was asked
+  event,               // an event with Event::ends ended the run
   accuracy_lost,       // finished, but see accuracy_lost()
   overflow,            // finished where the solution itself is infinite
-  no_reference,        // finished, and there is nothing to compare with
-  passed_singularity,  // finished beyond a singularity of the solution
-  false_singularity,   // singular, and the solution is not
-  program_failed,      // of another program, which came to no end of its own or wrote no trajectory
-  refused,             // did not begin
+  no_reference,        // finished, without a reference to compare with
+  passed_singularity,  // finished after a singularity of the solution
+  false_singularity,   // singular, although the solution has no singularity there
+  program_failed,      // an external program crashed, was ended or wrote no trajectory
+  refused,             // the run was not started
 };
 
-// What a run used, apart from time. What was not counted is absent.
+// The cost of a run apart from time. A quantity that was not counted is nullopt.
 struct Cost {
   std::optional<std::int64_t> rhs_calls{}, newton_iterations{};
   std::optional<std::size_t> history_bytes{};
-  // Components actually stepped; more than the problem's where a scheme splits orders.
+  // Number of components that were integrated; more than the problem has where a scheme splits orders.
   std::optional<int> states{};
-  std::optional<int> start_weights{};            // of f_0, f_1, ... at every step
-  std::optional<std::int64_t> rejected_steps{};  // attempted and not taken
-  std::string_view linear_solver{};              // of sparse equations; empty: there were none
+  std::optional<int> start_weights{};            // starting weights (of f_0, f_1, ...) in every step
+  std::optional<std::int64_t> rejected_steps{};  // attempted and rejected
+  std::string_view linear_solver{};              // for sparse systems; empty: there were none
 };
 
-// What a scheme returns: y at the times that were asked for, otherwise at its own, as far as the run came.
+// The result of a scheme: y at the output times, by default at all of its own times, up to `reached`.
 struct Trajectory {
   std::vector<double> times{};           // increasing
   Rows y{};                              // y.col(c) belongs to times[c]
-  std::function<Vec(double t)> dense{};  // y at any time up to `reached`; empty: not known between times
-  std::vector<Occurrence> events{};      // zeros of Options::events, in the order of time
-  Ending ending = Ending::finished;      // how the run ended
-  double reached = 0.0;                  // the last time with a result, asked for or not
-  std::optional<double> failed_at{};     // the time of the step that has no result, where one failed
-  std::optional<double> residual{};      // of all times at once, where Newton's method left it
-  std::int64_t steps = 0;                // with a result; 0 where nothing was stepped
+  std::function<Vec(double t)> dense{};  // dense output, 0 <= t <= reached; empty: not available
+  std::vector<Occurrence> events{};      // zeros of Options::events, by increasing time
+  Ending ending = Ending::finished;
+  double reached = 0.0;               // the last time with a result, also where it is no output time
+  std::optional<double> failed_at{};  // the end of the step that failed; nullopt: none did
+  std::optional<double> residual{};   // the last residual, where Newton's method for all times failed
+  std::int64_t steps = 0;             // number of steps with a result
   Cost cost{};
-  std::vector<Trajectory> others{};  // further solutions, where Options::all_solutions asks for them
+  std::vector<Trajectory> others{};  // further solutions with Options::all_solutions
 
-  // Of this column of y.
+  // The time of this column of y.
   [[nodiscard]] double time(Eigen::Index column) const { return times[static_cast<std::size_t>(column)]; }
 };
 

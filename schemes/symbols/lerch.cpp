@@ -11,7 +11,7 @@ using Real = long double;
 
 constexpr int terms = 64;  // |mu| / (2 pi) is at most 0.513
 
-// By Euler and Maclaurin from n = 8 on, which is good to 1e-17 there.
+// The Euler-Maclaurin formula from k = 8 on, where it is accurate to 1e-17.
 Real by_sum(Real p, Real a) {
   constexpr int first = 8;
   constexpr std::array<Real, 12> bernoulli{

@@ -8,7 +8,7 @@
 namespace fde {
 namespace {
 
-// (1-zeta)^g K of all rows for steps of one length; rows of equal order are evaluated once.
+// (1-zeta)^g K of all rows for one step size; consecutive rows of equal order are evaluated once.
 class Convolutions {
  public:
   Convolutions(const Problem& problem, const std::function<Kernel(double order)>& kernel_of, double length)
@@ -59,7 +59,7 @@ std::function<Kernel(double order)> kernels_of(const WeightFamily& family) {
   };
 }
 
-// kappa of every row.
+// The step factor kappa of every row.
 Vec step_factors(const Problem& problem, const WeightFamily& family, double length) {
   return Vec::NullaryExpr(problem.size(), [&](Eigen::Index i) {
     return step_factor({&family, problem.components[static_cast<std::size_t>(i)].order}, length);
@@ -91,7 +91,7 @@ Symbol predictor_corrector_symbol(const Problem& problem, double length) {
   const Convolutions corrector(problem, kernels_of(families::trapezoid), length);
   const ComplexMatrix a = linear_part(problem);
   const Eigen::VectorXcd kappa = step_factors(problem, families::trapezoid, length).cast<ComplexValue>();
-  // A k A, the same at all points.
+  // A k A, which does not depend on zeta.
   const ComplexMatrix corrected = a * kappa.asDiagonal() * a;
   return
       [=, predictor = Convolutions(problem, kernels_of(families::rectangle), length)](ComplexValue log_zeta) {

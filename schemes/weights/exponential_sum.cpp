@@ -18,16 +18,16 @@ constexpr Real pi = std::numbers::pi_v<Real>;
 
 constexpr double largest_step = 0.7;
 
-// Relative error of the trapezoidal rule with step h on the whole line. Poisson's formula gives the terms
-// exp(2 pi i l x / h); turning the path of each to arg s = theta costs 1/cos(theta) and gains
-// exp(-2 pi l theta / h). theta = pi/2 - h/(2 pi) is near the best.
+// Relative error of the trapezoidal rule with step h on the whole line. Poisson's summation formula gives the
+// integrals with the factors exp(2 pi i l x / h); rotating their paths to arg s = theta gives the factors
+// exp(-2 pi l theta / h) and at most 1/cos(theta). theta = pi/2 - h/(2 pi) is nearly optimal.
 double step_error(double h) {
   constexpr double turn = 2 * std::numbers::pi;
   const double spare = h / turn, gain = std::exp(-turn / h * (turn / 4 - spare));
   return 2 / std::sin(spare) * gain / (1 - gain);
 }
 
-// The largest step with that error.
+// The largest step h with step_error(h) <= error.
 double step_of(double error) {
   double low = 0.01, high = largest_step;
   while (high - low > 1e-9) {
@@ -37,15 +37,15 @@ double step_of(double error) {
   return low;
 }
 
-// What stands in for the nodes up to theta / high: so many of a Gauss rule.
+// A Gauss rule with `count` nodes that replaces the nodes up to theta / high.
 struct Tail {
   int count;
   double theta, error;
 };
 
-// Relative error of an n-point Gauss rule there. The rule is exact for polynomials of degree 2n - 1, so it
-// errs by at most twice the mass times the distance of exp(-s t) to them; that distance is bounded on the
-// ellipse with foci at the ends of the interval and half axes adding up to rho half intervals.
+// Relative error of the n-point Gauss rule. The rule is exact for polynomials of degree 2n - 1, so its error
+// is at most twice the mass times the distance of exp(-s t) from these polynomials. That distance is bounded
+// on the ellipse with foci at the ends of the interval and a sum of half axes of rho half intervals.
 double tail_error(int n, double theta, double rho, double a) {
   constexpr double mass =
       1.6;  // at most h (1-a) / (1 - q^(1-a)) / Gamma(2-a), for any step up to largest_step
@@ -53,8 +53,8 @@ double tail_error(int n, double theta, double rho, double a) {
   return 4 * mass * std::pow(theta, 1 - a) * std::exp(largest - (2 * n - 1) * std::log(rho)) / (rho - 1);
 }
 
-// The tail with that error that leaves the fewest nodes in all: a node of step h spans a factor exp(h). The
-// best rho for given n and theta is about 4 (2n - 1) / theta.
+// The Gauss rule with at most this error for which the total number of nodes is smallest; a node of the
+// trapezoidal rule covers a factor exp(h). The best rho for given n and theta is about 4 (2n - 1) / theta.
 Tail best_tail(double error, double a, double h) {
   Tail best{};
   double fewest = std::numeric_limits<double>::infinity();
@@ -70,15 +70,16 @@ Tail best_tail(double error, double a, double h) {
   return best;
 }
 
-// Relative weight at t = low of the nodes from s upwards: the first, and an integral in place of the others.
+// Relative contribution at t = low of the nodes from s upwards: the first, and an integral that bounds the
+// others.
 double cut_error(double s, double low, double a, double h) {
   const double x = s * low;
   return (1 + h * x) * std::pow(x, -a) * std::exp(-x) / std::tgamma(1 - a);
 }
 
-// Gauss rule of the measure sum_{i>=0} h s_i^(1-a) at s_i = sigma q^i, q = exp(-h), by Golub and Welsch.
-// Recurrence of the little q-Jacobi polynomials with b = 1 and aq = q^(1-a): Koekoek, Lesky & Swarttouw 2010,
-// 14.12.
+// Gauss rule of the measure with the masses h s_i^(1-a) at s_i = sigma q^i, i >= 0, q = exp(-h), by Golub and
+// Welsch from the recurrence of the little q-Jacobi polynomials with b = 1 and aq = q^(1-a) (Koekoek, Lesky &
+// Swarttouw 2010, 14.12).
 struct GaussRule {
   RealVec nodes, weights;
 };

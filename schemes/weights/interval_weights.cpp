@@ -5,8 +5,8 @@
 namespace fde {
 namespace {
 
-// Of int_0^1 (1-v) (1 - x v)^(g-1) dv and int_0^1 v (1 - x v)^(g-1) dv, the series in x <= 1/2 of positive
-// terms (where g <= 1).
+// int_0^1 (1-v) (1 - x v)^(g-1) dv and int_0^1 v (1 - x v)^(g-1) dv by their series in x <= 1/2, whose terms
+// are positive for g <= 1.
 IntervalWeights by_series(double g, double x) {
   double power = 1.0, left = 0.5, right = 0.5;
   for (int k = 1; std::abs(power) > 1e-17 * right; ++k) {
@@ -17,7 +17,7 @@ IntervalWeights by_series(double g, double x) {
   return {left, right};
 }
 
-// The same in closed form, for x in (1/2, 1]; rest = 1 - x, without its cancellation.
+// The same in closed form, for x in (1/2, 1]; rest = 1 - x, given without cancellation.
 IntervalWeights by_powers(double g, double x, double rest) {
   const double constant = -std::expm1(g * std::log(rest)) / (g * x);
   const double next = -std::expm1((g + 1.0) * std::log(rest)) / ((g + 1.0) * x);

@@ -6,7 +6,7 @@
 namespace fde {
 namespace {
 
-// m_l falls beyond the panel like e^(-l decay) (Bernstein's ellipse through z); 0 on the panel.
+// The rate of decay in m_l ~ e^(-l decay) for z > 1 (Bernstein's ellipse through z); 0 for z <= 1.
 double decay(double beyond) {
   return beyond <= 0.0 ? 0.0 : std::log1p(beyond + std::sqrt(beyond * (2.0 + beyond)));
 }
@@ -17,7 +17,8 @@ double zeroth(double order, double beyond) {
   return std::pow(beyond, order) * std::expm1(order * std::log1p(2.0 / beyond)) / order;
 }
 
-// From m_0 and m_1 upwards, where no solution outgrows another; m_0 is known, and for one order more.
+// Forward recurrence from m_0 and m_1, for z where all solutions are of similar size. zeroth is Gamma(order)
+// m_0 and zeroth_of_next the same for order + 1.
 void upwards(double order, double z, double zeroth, double zeroth_of_next, Out m) {
   const double a = order - 1.0;
   m[0] = zeroth;
@@ -31,9 +32,9 @@ void upwards(double order, double z, double zeroth, double zeroth_of_next, Out m
 }  // namespace
 
 Matrix kernel_moments(double order, const Vec& beyond, Eigen::Index count) {
-  const double equal = 0.75 / static_cast<double>(count);  // decays up to here leave upwards all but a digit
+  const double equal = 0.75 / static_cast<double>(count);  // up to this decay the recurrence loses one digit
   constexpr double digits =
-      20.0;  // half of those kept, as a power of e: what starts a ratio dies out squared
+      20.0;  // half of the digits, as a power of e: the error of the first ratio decays quadratically
   const double a = order - 1.0;
   Matrix moments(count, beyond.size());  // one column a point
   Eigen::Array<bool, Eigen::Dynamic, 1> falls(beyond.size());
@@ -46,7 +47,7 @@ Matrix kernel_moments(double order, const Vec& beyond, Eigen::Index count) {
     upwards(order, 1.0 + beyond[j], zeroth(order, beyond[j]), zeroth(order + 1.0, beyond[j]), moments.col(j));
   }
   if (falls.any()) {
-    // The ratios m_l / m_(l-1) downwards, at all points at once.
+    // Backward recurrence for the ratios m_l / m_(l-1) (Miller), at all points at once.
     const Eigen::ArrayXd z = 1.0 + beyond.array();
     Eigen::ArrayXd ratio = Eigen::ArrayXd::Zero(z.size());
     Matrix ratios(z.size(), count);

@@ -7,20 +7,21 @@
 
 namespace fde {
 
-// The generating function of a fractional linear multistep method, as numbers:
+// The generating function of a fractional linear multistep method (Lubich), by its coefficients:
 //   omega(zeta) = (1-zeta)^(-g) (base(zeta) / denominator)^(exponent g) q(1-zeta),
-// where q(u) = sum_i u^i sum_k corrections[i][k] g^k / 24. It integrates with order g and steps of length 1.
+// where q(u) = sum_i u^i sum_k corrections[i][k] g^k / 24. omega is for an integral of order g and step
+// size 1.
 struct MultistepRule {
   int rate;
   std::array<int, 6> base{1};
   int denominator = 1;
   int exponent = -1;
   std::array<std::array<int, 3>, 3> corrections{{{24}}};
-  double decay = 0.0;  // the coefficients of omega (1-zeta)^g decay like decay^k; 0: they are few
+  double decay = 0.0;  // the coefficients of omega (1-zeta)^g decay like decay^k; 0: at most 3 are not 0
 };
 
-// The coefficients of P^a Q^b up to zeta^(count-1), P and Q polynomials that are 1 at 0: from the recurrence
-// that P Q W' = (a P' Q + b P Q') W is.
+// The coefficients of W = P^a Q^b up to zeta^(count-1), from the recurrence of P Q W' = (a P' Q + b P Q') W.
+// Precondition: the polynomials P and Q are 1 at 0.
 template <class Real>
 std::vector<Real> power_product(const std::vector<Real>& p, const Real& a, const std::vector<Real>& q,
                                 const Real& b, std::size_t count) {
@@ -44,7 +45,7 @@ std::vector<Real> power_product(const std::vector<Real>& p, const Real& a, const
   return w;
 }
 
-// base / base(0)
+// The coefficients of base / base(0).
 template <class Real>
 std::vector<Real> scaled_base(const MultistepRule& rule) {
   std::size_t size = rule.base.size();
@@ -69,7 +70,7 @@ std::vector<Real> correction(const MultistepRule& rule, const Real& g) {
   return in_zeta;
 }
 
-// w times q / q(0), as many coefficients as w has.
+// The coefficients of the power series w times q / q(0), truncated to the size of w.
 template <class Real>
 std::vector<Real> corrected(const MultistepRule& rule, const Real& g, const std::vector<Real>& w) {
   const auto q = correction(rule, g);
@@ -81,7 +82,7 @@ std::vector<Real> corrected(const MultistepRule& rule, const Real& g, const std:
   return product;
 }
 
-// omega / omega(0): the weights of f_n, f_(n-1), ... in units in which that of f_n is 1.
+// The coefficients of omega / omega(0): the weights of f_n, f_(n-1), ..., scaled so that f_n has weight 1.
 template <class Real>
 std::vector<Real> multistep_weights(const MultistepRule& rule, const Real& g, std::size_t count) {
   const std::vector<Real> difference{Real(1), Real(-1)};
@@ -89,7 +90,8 @@ std::vector<Real> multistep_weights(const MultistepRule& rule, const Real& g, st
       rule, g, power_product<Real>(difference, -g, scaled_base<Real>(rule), Real(rule.exponent) * g, count));
 }
 
-// The same times (1-zeta)^g: what turns Grunwald-Letnikov weights into these.
+// The coefficients of (1-zeta)^g omega / omega(0): their convolution with the Grunwald-Letnikov weights gives
+// multistep_weights.
 template <class Real>
 std::vector<Real> multistep_filter(const MultistepRule& rule, const Real& g, std::size_t count) {
   return corrected(

@@ -13,8 +13,8 @@ ComplexValue power_difference(double s, ComplexValue from, ComplexValue to) {
   return std::exp(s * from) * exp_minus_one(s * (to - from)) / s;
 }
 
-// sum over |k| >= first of (2 pi i k - mu)^(s-1), s <= 0, by Euler and Maclaurin; the two sides together, as
-// one alone diverges for s = 0.
+// sum over |k| >= first of (2 pi i k - mu)^(s-1), s <= 0, by the Euler-Maclaurin formula. Both signs of k are
+// summed together, because the sum over one sign diverges for s = 0.
 ComplexValue tail(double s, ComplexValue mu, int first) {
   constexpr std::array<double, 9> coefficients{1.0 / 12,
                                                -1.0 / 720,

@@ -6,21 +6,21 @@
 
 namespace fde {
 
-// The step factors of several tables for a step of any length, one after the other: Gamma functions are
-// computed once, a power once for each order, and nothing where the length is that of the last call.
+// Computes the step factors kappa of several tables for varying step lengths. Gamma functions are computed
+// once, one power for each distinct order and length, and nothing where the length is unchanged.
 class StepFactors {
  public:
   explicit StepFactors(const std::vector<WeightTable>& tables);
 
-  // One a table, in their order. Valid until the next call.
+  // The step factors for this length, one a table. The reference is valid until the next call.
   const Vec& at(double length);
 
-  // A power of the length of the last call; those of the orders are known.
+  // length^exponent with the length of the last call; cached where the exponent is an order of a table.
   [[nodiscard]] double power(double exponent) const;
 
  private:
-  std::vector<double> orders_;        // without repetition
-  std::vector<Eigen::Index> of_row_;  // which of them each table has
+  std::vector<double> orders_;        // each once
+  std::vector<Eigen::Index> of_row_;  // for each table the index of its order
   double length_ = 0.0;               // of the last call
   std::vector<long double> units_;
   Vec powers_, factors_;

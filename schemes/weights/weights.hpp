@@ -8,11 +8,11 @@
 
 namespace fde {
 
-// Weights of the past on equal steps, good to a few units in the last place at every lag and order in (0, 2].
-// As usually printed they are differences of nearly equal powers and lose up to k^2 units; these are not.
+// Weights of the memory term on equal steps, accurate to a few units in the last place at every lag and order
+// in (0, 2]. The textbook formulas are differences of nearly equal powers and lose up to k^2 units.
 
-// One weight table: a family and the order of the equation it serves. Order 0, that of an algebraic row, has
-// no weights, and step_factor 1 for every length.
+// A family of weights for an equation of this order. Order 0 (an algebraic row) has no weights and the
+// step_factor 1 for every length.
 struct WeightTable {
   const WeightFamily* family;
   double order;
@@ -25,18 +25,18 @@ double weight(const WeightTable& table, std::int64_t lag);
 // w(1), ..., w(count).
 Vec first_weights(const WeightTable& table, Eigen::Index count);
 
-// w(lag) - w(lag - 1), with 0 in place of w(0). The weights under it are extended, so it is off by their
-// rounding, about 1/2000 unit of w(lag) as a double: small in every sum in which it stands for w.
+// w(lag) - w(lag - 1), with 0 for w(0). It is computed from extended weights, so its absolute error is about
+// 1/2000 unit in the last place of the double w(lag).
 double weight_increment(const WeightTable& table, std::int64_t lag);
 
-// The value that w(k) has for every k, when there is one. Order 1 has no memory: a running sum replaces the
-// history. Order 0 sums nothing: its value is 0.
+// The common value of all w(k); nullopt where they differ. It exists at order 1, where a running sum replaces
+// the history, and is 0 at order 0, which has no memory term.
 std::optional<double> constant_weight(const WeightTable& table);
 
-// Weight of x_0 at step n >= 1 where it is not w(n). nullopt: the rule is the plain convolution.
+// The weight of x_0 at step n >= 1; nullopt where it is w(n), as in a plain convolution.
 std::optional<double> start_weight(const WeightTable& table, std::int64_t n);
 
-// kappa in y_n = past + kappa f(t_n, y_n) for a step of this length.
+// kappa in y_n = memory + kappa f(t_n, y_n) for a step of this length.
 double step_factor(const WeightTable& table, double length);
 
 }  // namespace fde

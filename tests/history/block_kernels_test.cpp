@@ -19,7 +19,7 @@ using Real = long double;
 // Half a unit in the last place of a double, relative to it.
 constexpr Real unit = std::numeric_limits<double>::epsilon() / 2;
 
-// Of both signs, so that what is lost shows.
+// Entries of both signs, so that cancellation amplifies errors.
 Matrix random_matrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -35,8 +35,8 @@ std::string test_name(const testing::TestParamInfo<std::string_view>& test) {
   return std::string(test.param);
 }
 
-// A plain sum of products, and how far any order of adding them may be off: one rounding of the whole for
-// each term.
+// A sum of products and its error bound for any order of summation: one rounding of the sum of absolute
+// values for each term.
 struct Sum {
   Real value = 0, absolute = 0;
   int terms = 0;
@@ -55,7 +55,7 @@ class BlockKernels : public testing::TestWithParam<std::string_view> {
   void SetUp() override { use_vector_target(GetParam()); }
   void TearDown() override { use_vector_target(vector_targets().front()); }
 
-  // result(target) has the same bits as with the widest target, where both fuse multiply and add.
+  // Expects the same bits as with the widest target, where both have a fused multiply-add.
   template <typename Compute>
   static void expect_the_bits_of_the_widest(Compute compute) {
     if (!multiplies_and_adds_at_once(GetParam())) return;
@@ -66,7 +66,7 @@ class BlockKernels : public testing::TestWithParam<std::string_view> {
   }
 };
 
-// c has a border of rows and a column that are not to be touched.
+// c has additional rows and an additional column, which must not change.
 TEST_P(BlockKernels, MultiplyAddAddsTheProduct) {
   constexpr Eigen::Index border = lanes;
   for (Eigen::Index rows = lanes; rows <= 40; rows += lanes) {
@@ -97,7 +97,8 @@ TEST_P(BlockKernels, MultiplyAddAddsTheProduct) {
   }
 }
 
-// Two tables: eight entries for each, the second for the rows of c that lie 24 below, with a border between.
+// Two tables with eight entries each; the second is added to c 24 rows below, and the rows between must not
+// change.
 TEST_P(BlockKernels, ScatterAddsEightEntriesAColumnForEachTable) {
   constexpr Eigen::Index tables = 2, below = 3 * lanes;
   for (Eigen::Index columns = 0; columns <= 9; ++columns) {
@@ -140,7 +141,7 @@ TEST_P(BlockKernels, DotProductTakesAnyLengthAndAlignment) {
   }
 }
 
-// phi_k by its series, where that loses nothing, and by exp elsewhere.
+// phi_k by its series where there is no cancellation, otherwise by recurrence from exp.
 Real exact_phi(int k, Real x) {
   if (x > 4)
     return k == 0 ? std::exp(-x) : ((k == 1 ? 1 : k == 2 ? 1 : Real{1} / 2) - exact_phi(k - 1, x)) / x;
@@ -175,8 +176,8 @@ TEST_P(BlockKernels, PhiFunctionsAreGoodToAFewUnits) {
   }
 }
 
-// The change has three roundings, each at most a unit of what goes into it; the sum has none that the carry
-// does not keep.
+// The change has three roundings, each at most a unit of its terms; the rounding error of the sum is in the
+// carry.
 TEST_P(BlockKernels, AdvanceKeepsInTheCarryWhatRoundingTook) {
   for (Eigen::Index rows = lanes; rows <= 40; rows += lanes) {
     for (Eigen::Index columns = 1; columns <= 9; ++columns) {
@@ -204,7 +205,7 @@ TEST_P(BlockKernels, AdvanceKeepsInTheCarryWhatRoundingTook) {
   }
 }
 
-// The input of each column is a sum of three products; what follows is the other kernel.
+// The input of each column is a sum of three products; the rest is `advance`.
 TEST_P(BlockKernels, AdvanceIntegralsAddsThePolynomialsOfEachColumn) {
   constexpr Eigen::Index rows = 5 * lanes, columns = 3;
   const Matrix decay = random_matrix(rows, 1, 1), phi = random_matrix(rows, 3, 2),
@@ -246,8 +247,8 @@ TEST_P(BlockKernels, ApplyDecayMultipliesAndWeighAddsTwoProducts) {
   expect_the_bits_of_the_widest(both);
 }
 
-// Each change is off by three units of itself at most, and the changes add up to the state; without a carry
-// the rounding of a million sums is left, a hundred units and more.
+// Each change has an error of at most three units, and the changes add up to the state. Without a carry the
+// rounding of a million sums would be a hundred units and more.
 TEST_P(BlockKernels, AdvanceLosesNothingOverAMillionSlowDecays) {
   constexpr int calls = 1'000'000;
   const Matrix decay = Matrix::Constant(lanes, 1, -1e-9);

@@ -11,21 +11,21 @@
 
 namespace fde {
 
-// 50 digits are left after the 1e18-fold cancellation at k = 1e9.
+// 70 digits: 50 remain after the 1e18-fold cancellation at k = 1e9.
 using Exact = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<70>>;
 
 inline Exact power(const Exact& base, const Exact& exponent) {
   return base == 0 ? Exact(0) : pow(base, exponent);
 }
 
-// What a parabola adds on a step that ends at the distance `near`, in units of L1 (Gao, Sun & Zhang 2014,
-// twice their b).
+// The weight of the second difference on a step that ends at the distance `near`, scaled like L1 (Gao, Sun &
+// Zhang 2014, twice their b).
 inline Exact printed_bend(const Exact& g, const Exact& near) {
   const Exact far = near + 1;
   return 2 / (2 - g) * (pow(far, 2 - g) - pow(near, 2 - g)) - (pow(far, 1 - g) + pow(near, 1 - g));
 }
 
-// The families as they are printed.
+// The weights by the published formulas. Throws std::invalid_argument naming the family where there is none.
 inline Exact printed(const WeightTable& table, std::int64_t lag) {
   const Exact g = table.order, k = lag;
   if (table.family == &families::rectangle) return power(k, g) - power(k - 1, g);
@@ -45,7 +45,7 @@ inline Exact printed_start(double order, std::int64_t n) {
   return power(k - 1, g + 1) - (k - 1 - g) * power(k, g);
 }
 
-// |value - exact| in units of the last place of exact.
+// |value - exact| in units in the last place of exact.
 inline double ulps(double value, const Exact& exact) {
   const auto rounded = std::abs(static_cast<double>(exact));
   const double ulp = std::nextafter(rounded, std::numeric_limits<double>::infinity()) - rounded;

@@ -27,7 +27,7 @@ struct Range {
   double low, high;
 };
 constexpr Range long_lags{7.0, 1e8};
-// Of histories on uniform grids of few, many and very many steps, and on a strongly graded grid.
+// The ranges of histories on uniform grids with few, many and very many steps, and on a strongly graded grid.
 constexpr std::array ranges{Range{7.0, 64.0}, Range{7.0, 32768.0}, long_lags, Range{1e-12, 1.0}};
 
 // From low to high, both included.
@@ -48,7 +48,7 @@ double relative_error(const Exact& value, const Exact& exact) {
   return static_cast<double>(abs(value / exact - 1));
 }
 
-// The largest error in units of what is allowed there. Not a number stays.
+// The largest ratio of error and allowed error; once NaN it stays NaN.
 struct Worst {
   double error = 0.0, ratio = 0.0, at = 0.0;
   void see(double candidate, double allowed, double where) {
@@ -59,12 +59,12 @@ struct Worst {
 
 class ExponentialSums : public testing::TestWithParam<double> {
  protected:
-  // Rounding of the coefficients changes the sum by at most a unit. Rounding of the nodes by at most
-  // sum c s t exp(-s t) / (t^(a-1) / Gamma(a)) = 1 - a units, from the derivative of the kernel. One more is
-  // for what the extended precision inside leaves.
+  // Rounding of the coefficients changes the sum by at most one unit, rounding of the nodes by at most
+  // sum c s t exp(-s t) / (t^(a-1) / Gamma(a)) = 1 - a units (the derivative of the kernel). One more unit is
+  // for the rounding in extended precision.
   static double rounding(double exponent) { return (3.0 - exponent) * unit; }
 
-  // Of the sum with its doubles, over times that are no multiples of the period of the error in log t.
+  // The worst error of the rounded sum, at times that are not multiples of the period of the error in log t.
   static Worst worst_error(const ExponentialSum& sum, const Range& range) {
     const Exact a = GetParam(), scale = 1 / tgamma(a);
     const double allowed = sum.bound + rounding(GetParam());
@@ -110,11 +110,11 @@ TEST_P(ExponentialSums, AreShort) { EXPECT_LE(count(long_lags.high, 1e-15), 90);
 INSTANTIATE_TEST_SUITE_P(, ExponentialSums,
                          testing::Values(1e-9, 0.01, 0.2, 0.5, 0.8, 0.99, 0.999999999, 1.0));
 
-// Close to exponent 1 the kernel is nearly constant: few nodes are needed at all, and the error is smaller
-// than its bound by the factor 1 - a.
+// Close to exponent 1 the kernel is nearly constant: few nodes are needed, and the error is smaller than its
+// bound by a factor 1 - a.
 class ExponentialSumsAwayFromOne : public ExponentialSums {};
 
-// A tolerance far above rounding, so that the bound itself is seen.
+// The tolerance is far above rounding, so that the bound itself is tested.
 TEST_P(ExponentialSumsAwayFromOne, HaveABoundThatIsOfUse) {
   for (const auto& range : ranges) {
     const auto sum = exponential_sum(GetParam(), range.low, range.high, 1e-4);
@@ -122,7 +122,7 @@ TEST_P(ExponentialSumsAwayFromOne, HaveABoundThatIsOfUse) {
   }
 }
 
-// Each node above the Gauss rule covers the same factor of time; where the first of them lies is rounded to a
+// Each node above the Gauss rule covers the same factor in time; the position of the first is rounded to a
 // whole node.
 TEST_P(ExponentialSumsAwayFromOne, GrowWithTheLogarithmOfTheLongestTimeOnly) {
   for (const double tolerance : tolerances) {
@@ -188,20 +188,19 @@ class WeightTransform : public testing::Test {
     return tables;
   }
 
-  // An exact number for every step, or its difference to the step before where running sums are weighed.
+  // number(lag), or number(lag) - number(lag - 1) where running sums are weighed.
   template <typename Number>
   static Exact weighed(const WeightTable& table, std::int64_t lag, Number number) {
     return weighs_running_sums(table) ? Exact(number(lag) - number(lag - 1)) : number(lag);
   }
 
-  // The bound of the sum carries over to weights that are means of it. Beyond the rounding of the sum, at
-  // most 3 - a units, the factors make 20: a unit for each of five products, three for each of three
-  // quotients expm1(s)/s, two for exp and four for Gamma; the powers and the series of other families are
-  // fewer.
+  // The bound of the sum holds for weights that are means of the kernel. In addition to the rounding of the
+  // sum, at most 3 - a units, the factors have 20 units: one for each of five products, three for each of
+  // three quotients expm1(s)/s, two for exp and four for Gamma; other families have less.
   static double allowed(double bound) { return bound + 23.0 * unit; }
 
-  // coefficients_of(sum) as weights against the exact ones, at lags from the shortest that a history takes
-  // them for.
+  // Compares the weights from coefficients_of(sum) with exact ones, at lags from the smallest for which a
+  // history uses them.
   template <typename Coefficients, typename Number>
   static void expect_weights(const WeightTable& table, Coefficients coefficients_of, Number exact) {
     for (const double tolerance : {1e-6, 1e-15}) {
@@ -232,7 +231,8 @@ INSTANTIATE_TEST_SUITE_P(, WeightTransforms,
                                          &families::grunwald_letnikov, &families::l1, &families::l2_1_sigma),
                          [](const auto& test) { return std::string(test.param->id); });
 
-// They are differences of means over two halves of a step: off by what the sum is off in both.
+// These weights are differences of means over the two halves of a step, so their error is relative to the sum
+// of both means.
 TEST_F(WeightTransform, GivesBendsAsWellAsTheLinesBesideThem) {
   for (const auto& [bend, line] :
        {std::pair{&families::l1_bend, &families::l1}, {&families::l2_1_sigma_bend, &families::l2_1_sigma}}) {

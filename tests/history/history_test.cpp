@@ -20,7 +20,7 @@ namespace {
 // Half a unit in the last place of a double, relative to it.
 constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
 
-// All families, of orders below, at and above 1.
+// Families with orders below, at and above 1.
 const WeightTables every_family{
     {{&families::rectangle, 0.3}, {&families::rectangle, 1.0}, {&families::rectangle, 1.7}},
     {{&families::trapezoid, 0.3}, {&families::trapezoid, 1.0}, {&families::trapezoid, 1.7}},
@@ -34,7 +34,7 @@ const WeightTables every_family{
      {&families::fractional_trapezoidal, 1.7}},
     {{&families::l2_1_sigma, 0.3}, {&families::l2_1_sigma, 1.0}, {&families::l2_1_sigma, 0.9}}};
 
-// Those of them that live on other than uniform grids, too.
+// The families that support variable steps.
 const WeightTables interpolating_families{
     {{&families::rectangle, 0.3}, {&families::rectangle, 1.0}, {&families::rectangle, 1.7}},
     {{&families::trapezoid, 0.3}, {&families::trapezoid, 1.0}, {&families::trapezoid, 1.7}},
@@ -45,7 +45,7 @@ Vec weights_of(const WeightTable& table, Eigen::Index count) {
   return Vec::NullaryExpr(count, [&](Eigen::Index k) { return weight(table, k + 1); });
 }
 
-// The definition at step n, term by term in extended precision, and the sum of the absolute terms.
+// The sum at step n by its definition, term by term in extended precision, and the sum of the absolute terms.
 struct Defined {
   double value, size;
 };
@@ -70,15 +70,15 @@ Rows random_samples(Eigen::Index components, Eigen::Index count, double lowest =
 
 StepPlan equal_steps(int count) { return step_plan({.end = 1.0, .steps = count}); }
 
-// Times where all steps are equal: histories do not look at them.
+// Times for equal steps, which histories ignore.
 double step_number(Eigen::Index n) { return static_cast<double>(n); }
 
 auto times_of(const Grid& grid) {
   return [grid](Eigen::Index n) { return grid.time(static_cast<int>(n)); };
 }
 
-// What a history says of these samples, taken at time(0), time(1), ...: one column a step, the components of
-// its sums below each other.
+// The memory sums of these samples at time(0), time(1), ...: one column a step, the components of all sums
+// stacked.
 template <typename Time>
 Matrix convolutions(History& history, std::size_t sums, const Rows& samples, Time time) {
   const auto components = samples.rows();
@@ -93,7 +93,7 @@ Matrix convolutions(History& history, std::size_t sums, const Rows& samples, Tim
   return results;
 }
 
-// |a - b| <= tolerance * size in every entry, up to the first that is not.
+// Expects |a - b| <= tolerance * size in every entry; stops at the first failure.
 void expect_near(const Matrix& a, const Matrix& b, const Matrix& size, double tolerance) {
   for (Eigen::Index n = 1; n <= a.cols(); ++n) {
     for (Eigen::Index row = 0; row < a.rows(); ++row) {
@@ -104,8 +104,9 @@ void expect_near(const Matrix& a, const Matrix& b, const Matrix& size, double to
 
 class Histories : public testing::TestWithParam<HistoryKind> {
  protected:
-  // From first_step on, within 1e-14 of the sum of the absolute terms. That is ninety units: nine for the
-  // tolerance of the exponentials, the others for the rounding of long sums, most of which cancels.
+  // Expects, from first_step on, an error of at most 1e-14 times the sum of the absolute terms. These are 90
+  // units: nine for the tolerance of the exponentials, the others for the rounding of long sums, most of
+  // which cancels.
   static void expect_as_defined(const Rows& samples, Eigen::Index first_step) {
     const auto steps = samples.cols();
     const auto history = make_history(GetParam(), every_family, equal_steps(static_cast<int>(steps)), 1e-15);
@@ -179,7 +180,7 @@ TEST(ExponentialHistory, NeedsMemoryForTheLogarithmOfTheStepsOnly) {
   EXPECT_LT(bytes(100'000'000), 100'000U * every_family.size() * every_family.front().size());
 }
 
-// The samples are positive, so that a tolerance of every weight is one of the sum.
+// The samples are positive, so the relative tolerance of the weights holds for the sum.
 TEST(ExponentialHistory, IsSmallerForALooserToleranceAndWithinIt) {
   constexpr int steps = 2000;
   const Rows samples = random_samples(3, steps);
@@ -190,11 +191,11 @@ TEST(ExponentialHistory, IsSmallerForALooserToleranceAndWithinIt) {
   EXPECT_LT(coarse.bytes(), fine.bytes());
 }
 
-// A plain sum has as many roundings as steps. Two interval weights good to 8 ulp, the tolerance of the
-// exponentials and the few products around them have 48 units more.
+// A plain sum has one rounding a step. Two interval weights accurate to 8 ulp, the tolerance of the
+// exponentials and a few products add 48 units.
 constexpr double rounding_of_plain_sums(int steps) { return (steps + 48) * unit; }
 
-// On this one, where all times are exact.
+// On a uniform grid whose times are all exact.
 TEST(VariableStepHistories, GiveTheSumsOfTheOthersOnAUniformGrid) {
   constexpr Grid grid{.end = 50.0, .steps = 200};
   const Rows samples = random_samples(3, grid.steps);
@@ -240,7 +241,7 @@ TEST_P(HistoriesOnGradedGrids, AreSmallerForALooserToleranceAndWithinIt) {
 
 INSTANTIATE_TEST_SUITE_P(, HistoriesOnGradedGrids, testing::Values(1.5, 3.0, 6.0));
 
-// Below, the tables of the exponentials cost more than the whole direct sum (fde_histories measures it).
+// In shorter runs the tables of the exponentials cost more than all direct sums (measured by fde_histories).
 TEST(AutomaticHistory, IsDirectForShortRunsOnly) {
   const auto resolved = [](int steps, double grading) {
     return resolve(HistoryKind::automatic, step_plan({1.0, steps, grading}));

@@ -21,7 +21,7 @@ Moments moments(double order, double distance, double length) {
           (power(far, g + 1) - power(near, g + 1)) / (g + 1)};
 }
 
-// The hats of the two ends are (tau - near)/length and (far - tau)/length.
+// The hat functions of the two ends are (tau - near)/length and (far - tau)/length.
 Exact exact_left(double order, double distance, double length) {
   const auto [near, far, constant, linear] = moments(order, distance, length);
   return (linear - near * constant) / (length * tgamma(Exact(order)));
@@ -38,12 +38,12 @@ Exact exact_integral(double order, double distance, double length) {
 constexpr std::array orders{0.01, 0.3, 0.5, 0.9, 1.0, 1.3, 1.9, 2.0};
 
 // An ulp each for length / far, for the power, for Gamma and for their product; four more in the closed form,
-// which subtracts numbers up to 4.5 times the difference (order 2), each off by about half an ulp.
+// which subtracts numbers up to 4.5 times the difference (order 2), each with an error of about half an ulp.
 constexpr double allowed_ulps = 8.0;
 
 class IntervalWeightsOfOrder : public testing::TestWithParam<double> {
  protected:
-  // check(order, distance, length). Lengths other than 1 show the rounding of their powers.
+  // Calls check(order, distance, length). Lengths other than 1 test the rounding of their powers.
   template <typename Check>
   static void for_intervals(Check check) {
     for (const double length : {1.0, 0.03, 7e-11}) {
@@ -63,7 +63,7 @@ TEST_P(IntervalWeightsOfOrder, AreGoodToAFewUlp) {
   });
 }
 
-// Both are positive, so that the sum is no worse than they are, up to its own rounding.
+// Both weights are positive, so the relative error of the sum is at most theirs, up to one rounding.
 TEST_P(IntervalWeightsOfOrder, SumToTheIntegralOfTheKernel) {
   for_intervals([](double order, double distance, double length) {
     const auto [left, right] = interval_weights(order, distance, length);
@@ -77,9 +77,9 @@ INSTANTIATE_TEST_SUITE_P(, IntervalWeightsOfOrder, testing::ValuesIn(orders));
 
 class RulesOnUniformGrids : public testing::TestWithParam<const WeightFamily*> {};
 
-// A sample of 1 among zeros is what its two intervals make of it. Beyond the interval weights an ulp each for
-// the distance, the power of the step, Gamma and the product. Subtraction may round the order 1 - g of L1 by
-// half an ulp of its weights a unit of ln k.
+// The weight of a sample from the two intervals beside it. In addition to the error of the interval weights:
+// an ulp each for the distance, the power of the step, Gamma and the product. The rounding of the order 1 - g
+// of L1 changes its weights by half an ulp per unit of ln k.
 TEST_P(RulesOnUniformGrids, WeighAsTheirTables) {
   const auto& family = *GetParam();
   for (const double order : orders) {

@@ -1,4 +1,4 @@
-// Eight exponentials that stand for all slow ones within a block.
+// The eight exponentials that replace all slow ones within a block.
 
 #include "history/memory_tables.hpp"
 
@@ -19,7 +19,7 @@ MemoryTables tables_of(double order, double steps) {
           exponential_sum(order, MemoryTables::recent - 1, steps + 2.0, 1e-15)};
 }
 
-// Eight weights are rounded, and their sum of absolute values is below three.
+// Eight coefficients are rounded; the sum of their absolute values is below three.
 TEST(MemoryTables, PointsStandForEverySlowExponentialAtEveryLagOfABlock) {
   for (const double order : {0.05, 0.5, 0.95}) {
     const MemoryTables tables = tables_of(order, 1e8);

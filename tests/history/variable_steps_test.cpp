@@ -1,4 +1,4 @@
-// Steps of any length, candidates that are rejected, and families of one's own.
+// Variable steps, rejected steps, and user-defined weight families.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,8 @@ Times after_steps(const std::vector<double>& lengths) {
   return times;
 }
 
-// Shrinking, jumping over five powers of ten, falling back to the shortest after each long step.
+// Step sizes that shrink, that are random over five powers of ten, and that return to the shortest after each
+// long step.
 std::vector<Times> hard_times() {
   std::vector<double> shrinking, random, saw;
   std::mt19937 generator(3);
@@ -56,7 +57,7 @@ Matrix sums_at(const History& history, double t) {
   return sums;
 }
 
-// The sums at every time; before each, what `reject` asks for is asked and not taken.
+// The sums at every time; before each, `reject` may evaluate sums at times that are not pushed.
 template <typename Reject>
 std::vector<Matrix> along(const Times& times, HistoryKind kind, double tolerance, Reject reject) {
   const auto history = make_history(kind, interpolating_families, plan_of(times), tolerance);
@@ -83,7 +84,7 @@ TEST(VariableSteps, OfAnyLengthGiveTheDirectSums) {
   }
 }
 
-// Longer and shorter ones, and none.
+// Rejected steps that are longer and shorter than the accepted step, and no rejected steps.
 TEST(VariableSteps, LeaveNoTraceWhenTheyAreRejected) {
   for (const auto kind : {HistoryKind::direct, HistoryKind::exponentials}) {
     for (const auto& times : hard_times()) {
@@ -118,7 +119,7 @@ TEST(VariableSteps, ThatAreEqualGiveTheSumsOfEqualSteps) {
   }
 }
 
-// A family that fills in no more than equal steps and the direct engine need.
+// A family that only has the members needed for equal steps and direct sums.
 constexpr WeightFamily halving{.id = "halving",
                                .title = "2^(-k), for a test",
                                .weight = [](long double /*g*/, long double k) { return std::exp2(-k); },

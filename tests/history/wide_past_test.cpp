@@ -1,4 +1,4 @@
-// Many components side by side, in any number of threads: the bits of each alone.
+// Histories of many components, with any number of threads, give the same bits as each component alone.
 
 #include <gtest/gtest.h>
 
@@ -34,8 +34,7 @@ double sample_of(Eigen::Index component, int n) {
          0.01 * static_cast<double>(component % 91);
 }
 
-// What a history of these components, from `first` on, says at each step: a column a step, the sums below
-// each other.
+// The memory sums of a history of the components from `first` on: one column a step, the sums stacked.
 Rows sums(const Family& family, Eigen::Index first, Eigen::Index components, int threads) {
   WeightTables tables;
   for (const auto& table : family.tables) tables.emplace_back(static_cast<std::size_t>(components), table);
@@ -65,7 +64,7 @@ TEST_P(ManyComponents, AreEachAsAlone) {
 }
 
 TEST_P(ManyComponents, HaveTheSameBitsInAnyNumberOfThreads) {
-  constexpr Eigen::Index many = 30'000;  // enough for three
+  constexpr Eigen::Index many = 30'000;  // enough for three threads
   const Rows one = sums(GetParam(), 0, many, 1);
   for (const int threads : {2, 3, 8}) EXPECT_EQ(one, sums(GetParam(), 0, many, threads)) << threads;
 }
@@ -83,7 +82,7 @@ TEST(SharedWork, PassesOnWhatAnyThreadThrows) {
   }
 }
 
-// What grows with their number is all there is to pay.
+// The memory a component needs, apart from the memory that does not grow with the number of components.
 TEST(WidePast, TakesItsStatesAndLittleElse) {
   const auto bytes = [](std::size_t components) {
     const WeightTables tables{std::vector<WeightTable>(components, {&families::l1, 0.5})};

@@ -1,4 +1,4 @@
-// Caputo derivatives of interpolating parabolas: exact values of t and t^2, the published coefficients,
+// Caputo derivatives of piecewise quadratic interpolants: exact values for t and t^2, published coefficients,
 // order 1.
 
 #include "interpolants/parabolas.hpp"
@@ -23,7 +23,7 @@ Problem of_order(double order) {
 
 std::vector<Grid> grids() { return {{2.0, steps}, {2.0, steps, 1.5}, {2.0, steps, 4.0}}; }
 
-// The derivatives at all t* of a function that is 0 at 0.
+// The derivatives at all t* of a function y with y(0) = 0.
 template <class Parabolas>
 std::vector<double> derivatives(double order, const Grid& grid, const std::function<double(double)>& y,
                                 HistoryKind history) {
@@ -47,7 +47,7 @@ double caputo_of_power(double order, double p, double t) {
 class ParabolasOfOrder : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(, ParabolasOfOrder, testing::Values(0.05, 0.3, 0.5, 0.8, 0.97, 1.0));
 
-// sigma = 1 - g/2 is where a line on the newest step is exact for t^2, too.
+// At sigma = 1 - g/2 the line on the newest step is exact for t^2, too.
 TEST_P(ParabolasOfOrder, FromAheadAreExactForSquaresOnEveryGrid) {
   const double order = GetParam(), sigma = 1.0 - 0.5 * order;
   for (const auto& grid : grids()) {
@@ -66,7 +66,7 @@ TEST_P(ParabolasOfOrder, FromAheadAreExactForSquaresOnEveryGrid) {
   }
 }
 
-// All that is missing of t^2 is the bend of the first step: the integral of 2 s - t_1 over it.
+// The error for t^2 is the second difference of the first step: the integral of 2 s - t_1 over this step.
 TEST_P(ParabolasOfOrder, FromBehindMissTheFirstBendOfSquaresOnEveryGrid) {
   const double order = GetParam();
   for (const auto& grid : grids()) {
@@ -75,7 +75,7 @@ TEST_P(ParabolasOfOrder, FromBehindMissTheFirstBendOfSquaresOnEveryGrid) {
           order, grid, [](double t) { return t * t; }, history);
       for (int n = 1; n <= steps; ++n) {
         const double t = grid.time(n), first = grid.step(1);
-        double bend = n == 1 ? first : 0.0;  // of order 1, at the end of the step
+        double bend = n == 1 ? first : 0.0;  // for order 1
         if (order < 1.0) {
           const auto [left, right] = interval_weights(1.0 - order, t - grid.time(1), first);
           bend = first * (right - left);
@@ -88,8 +88,8 @@ TEST_P(ParabolasOfOrder, FromBehindMissTheFirstBendOfSquaresOnEveryGrid) {
   }
 }
 
-// Gao, Sun & Zhang 2014, (2.12)-(2.16): c_j of the increment j steps ago at step k, in units h^-g /
-// Gamma(2-g).
+// Gao, Sun & Zhang 2014, (2.12)-(2.16): the coefficient c_j, at step k, of the increment j steps ago, in
+// units of h^-g / Gamma(2-g).
 double published_l1_2(double g, int j, int k) {
   const auto a = [=](double l) { return std::pow(l + 1, 1 - g) - std::pow(l, 1 - g); };
   const auto b = [=](double l) {
@@ -101,7 +101,7 @@ double published_l1_2(double g, int j, int k) {
   return j == k - 1 ? a(j) - b(j - 1) : a(j) + b(j) - b(j - 1);
 }
 
-// Alikhanov 2015, (25)-(26).
+// Alikhanov 2015, (25)-(26): the same for L2-1_sigma.
 double published_l2_1_sigma(double g, int j, int k) {
   const double s = 1 - g / 2;
   const auto a = [=](double l) {
@@ -130,7 +130,7 @@ void expect_published(double order, double (*coefficient)(double g, int j, int k
 }
 
 TEST_P(ParabolasOfOrder, FromBehindHaveTheCoefficientsOfGaoSunAndZhang) {
-  if (GetParam() == 1.0) return;  // their 0^0
+  if (GetParam() == 1.0) return;  // the published formula has 0^0
   expect_published<ParabolasFromBehind>(GetParam(), published_l1_2);
 }
 TEST_P(ParabolasOfOrder, FromAheadHaveTheCoefficientsOfAlikhanov) {
@@ -143,7 +143,7 @@ const Problem logistic{
     .derivatives = DenseJacobian{[](double, In y, OutMatrix j) { j(0, 0) = 1.0 - 2.0 * y[0]; }},
     .end = 2.0};
 
-// (y_n - y_(n-1)) / h = f at the middle of both.
+// (y_n - y_(n-1)) / h = f at the midpoint.
 TEST(L2OneSigma, OfOrderOneIsTheMidpointRule) {
   for (const auto& grid : grids()) {
     const auto path = find_scheme("l2_1_sigma")->solve(logistic, grid, {});
@@ -171,7 +171,7 @@ TEST(L1Two, OfOrderOneIsBdf2AfterBackwardEuler) {
   }
 }
 
-// Rows that know nothing of each other, each at the t* of its own order.
+// Uncoupled rows, each evaluated at the t* of its order.
 TEST(L2OneSigma, OfSeveralOrdersIsThatOfEach) {
   const auto rows = [](const std::vector<double>& orders) {
     Problem problem{.rhs = [](double t, In y, Out f) { f = (-y.array() * y.array() + std::cos(t)).matrix(); },

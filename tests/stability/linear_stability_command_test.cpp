@@ -1,4 +1,4 @@
-// fdebench stability: its rows and its refusals.
+// The command fdebench stability: its rows and its error messages.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

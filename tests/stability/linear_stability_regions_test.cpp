@@ -1,4 +1,4 @@
-// Regions of linear stability against the exact sector |arg z| > g pi/2.
+// Linear stability regions compared with the exact sector |arg z| > g pi/2.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(StabilityRegion, OfImplicitRulesUpToOrderOneHoldsTheSector) {
   }
 }
 
-// Parabolas to a time inside the step keep the sector up to rounding of Lerch's function.
+// L2-1_sigma is stable in the exact sector, up to the rounding of Lerch's function.
 TEST(StabilityRegion, OfL2OneSigmaHoldsTheSector) {
   for (const double order : {0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 1.0}) {
     EXPECT_EQ(real_interval(scheme("l2_1_sigma"), order), infinity) << order;
@@ -35,8 +35,8 @@ TEST(StabilityRegion, OfL2OneSigmaHoldsTheSector) {
   }
 }
 
-// Parabolas from behind do not: the angles in degrees are the least of |arg(-z)| on the boundary, with
-// polylogarithms in 20 digits by mpmath.
+// L1-2 is not: the angles, in degrees, are the minima of |arg(-z)| on the boundary, from polylogarithms in 20
+// digits by mpmath.
 TEST(StabilityRegion, OfL1TwoMissesTheSectorByHalfADegree) {
   for (const auto& [order, degrees] : {std::pair{0.1, 170.649808},
                                        {0.3, 152.431723},
@@ -49,7 +49,7 @@ TEST(StabilityRegion, OfL1TwoMissesTheSectorByHalfADegree) {
   EXPECT_NEAR(stability_angle(scheme("l1_2"), 1.0), pi / 2.0, 1e-7);
 }
 
-// |arg (1 - zeta)^g| <= g pi/2, and L1 multiplies this of order 1 with L1 of g - 1.
+// |arg (1 - zeta)^g| <= g pi/2; L1 above order 1 is the product of order 1 and L1 of order g - 1.
 TEST(StabilityRegion, OfFirstOrderRulesHoldsTheSectorAboveOrderOneToo) {
   for (const auto* id : {"l1", "grunwald_letnikov"}) {
     for (const double order : {1.01, 1.1, 1.5, 1.9, 1.99}) {
@@ -83,16 +83,15 @@ TEST(StabilityRegion, OfTheTrapezoidalRuleIsFiniteAboveOrderOne) {
   }
 }
 
-// A mode stands at zeta = 1 where the correction undoes the prediction, 1 + z / Gamma(g+2) = 0.
+// A mode is at zeta = 1 where the corrector cancels the predictor, 1 + z / Gamma(g+2) = 0.
 TEST(StabilityRegion, OfPredictCorrectEndsWhereTheCorrectionUndoesThePrediction) {
   for (const double order : {0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0, 1.1, 1.3, 1.5}) {
     EXPECT_NEAR(real_interval(scheme("adams_pc"), order), std::tgamma(order + 2.0), 1e-9) << order;
   }
 }
 
-// From order 1.7 or so on the end is at zeta = -1, with eta values as above.
-// Next to order 1 the chain's curve crosses the axis next to zeta = -1, at pi - theta = 0.015 for 1.0001.
-// Ends by independent tracking of the roots.
+// Near order 1 the boundary curve of the chain crosses the real axis near zeta = -1, at pi - theta = 0.015
+// for order 1.0001. The expected ends are from an independent tracking of the roots.
 TEST(StabilityRegion, OfTheChainIsContinuousAtOrderOne) {
   const Scheme& chain = *find_scheme("decoupled_multi_order");
   for (const auto& [order, end] : {std::pair{1.0001, 1.999934}, {1.001, 1.999344}, {1.0018, 1.998821}}) {
@@ -102,6 +101,7 @@ TEST(StabilityRegion, OfTheChainIsContinuousAtOrderOne) {
   EXPECT_NEAR(real_interval(chain, 1.0 + 1e-7), 2.0, 1e-6);
 }
 
+// From about order 1.7 on the interval ends at zeta = -1, with eta values as above.
 TEST(StabilityRegion, OfPredictCorrectNearOrderTwoEndsAtMinusOne) {
   for (const double order : {1.75, 1.8, 1.9, 1.99}) {
     const double k = 1.0 / std::tgamma(order + 2.0),
@@ -123,8 +123,8 @@ TEST(StabilityRegion, AtOrderOneIsTheClassicalOne) {
   EXPECT_EQ(growing_modes(scheme("product_trapezoidal"), scalar_equation(1.0, {0.5, 3.0}), 1.0), 2);
 }
 
-// The same modes whether counted or met on the boundary, at angles where both roots of z are simple. Across,
-// and not along it: that of the fractional trapezoidal rule is a ray.
+// The number of growing modes changes across the boundary, at angles where both roots z are simple. The
+// displacement is not along z, because the boundary of the fractional trapezoidal rule is a ray.
 TEST(StabilityRegion, CountChangesAcrossTheBoundary) {
   for (const auto* one : schemes_with_symbol()) {
     for (const double order : {0.3, 0.8, 1.4}) {
@@ -142,8 +142,8 @@ TEST(StabilityRegion, CountChangesAcrossTheBoundary) {
 }
 
 // A(alpha)-stability of the classical formulas: Hairer & Wanner, Solving Ordinary Differential Equations II,
-// V.2, table 2.1. As delta(zeta)^g leaves |arg| <= g (pi - alpha), order g < 1 is stable for |arg(-z)| < pi -
-// g (pi - alpha).
+// V.2, table 2.1. Because |arg delta(zeta)^g| <= g (pi - alpha), order g < 1 is stable for
+// |arg(-z)| < pi - g (pi - alpha).
 TEST(StabilityRegion, OfTheFormulasOfBackwardDifferencesHasTheAnglesOfTheClassicalOnes) {
   constexpr double degree = pi / 180.0;
   for (const auto& [id, alpha] :
@@ -182,7 +182,7 @@ TEST(StabilityRegion, StepAndRateEnterAsOneNumber) {
   }
 }
 
-// The trapezoidal rule weighs f_0, whatever has become of it: from R = -S/W,
+// The trapezoidal rule has a weight of f_0 at every step: from R = -S/W,
 //   y_n / y_0 -> zeta(-g) sin(pi g)/pi n^(-1-g);  zeta(-1/2) = -0.2078862249773545.
 TEST(ResponseAtInfinity, OfTheTrapezoidalRuleDecaysSlowly) {
   const Vec y = response_at_infinity(scheme("product_trapezoidal"), 0.5, 4000).value();

@@ -1,6 +1,7 @@
-// Extreme stiffness turns the ranks: D^(1/2) y = -1e6 y, h = 0.01, y(1) = 5.642e-7. A rule that weighs f_0 =
-// lambda y_0 takes an impulse from the transient that was over before the first step, and answers it with
-// D^g of an impulse, C n^(-1-g)/Gamma(-g), however large lambda is.
+// For extremely stiff problems rules of rate 1 are more accurate than rules of rate 2: D^(1/2) y = -1e6 y,
+// h = 0.01, y(1) = 5.642e-7. A rule with a weight of f_0 = lambda y_0 treats the transient, which ends before
+// the first step, as an impulse, and its error is D^g of an impulse, C n^(-1-g)/Gamma(-g), for any large
+// lambda.
 
 #include <gtest/gtest.h>
 
@@ -52,8 +53,8 @@ TEST(Reversal, WhatIsWrongDoesNotKnowTheRate) {
     EXPECT_NEAR(at_one(rule, -1e10) / at_one(rule, -1e8), 1.0, 0.01);
 }
 
-// y_n tends to C n^(-3/2) where the generating function has no zero on the circle; the trapezoidal multistep
-// rule has one at zeta = -1 and rings with (-1)^n n^(-1/2).
+// y_n ~ C n^(-3/2) where the generating function has no zero on the unit circle; the trapezoidal multistep
+// rule has one at zeta = -1, and y_n oscillates like (-1)^n n^(-1/2).
 TEST(Reversal, TheImpulseDecaysLikeItsFractionalDerivative) {
   const auto slope = [](Multistep rule) {
     const Vec y = multistep_relaxation(rule, order, -1e15, 2000);
@@ -66,7 +67,7 @@ TEST(Reversal, TheImpulseDecaysLikeItsFractionalDerivative) {
   EXPECT_LT(y[1999] * y[2000], 0.0);
 }
 
-// They are of order 2 all the same where the step resolves the transient.
+// These rules have rate 2 where the step size resolves the transient.
 TEST(Reversal, SecondOrderRulesWinWhereTheyResolveTheTransient) {
   const double reference = 0.427583576155807;
   for (const auto rule : {Multistep::bdf2, Multistep::newton_gregory, Multistep::trapezoidal}) {

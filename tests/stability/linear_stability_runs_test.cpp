@@ -1,4 +1,4 @@
-// What the regions say, seen in runs.
+// Runs decay inside the stability regions and grow outside.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace fde {
 namespace {
 
-// Above order 1.8 rounding stops the decay at about 1e-9.
+// Above order 1.8 the decay ends at about 1e-9, by rounding.
 bool decays(const Late& x) { return x.size < 1e-6 || (x.size < 1.0 && x.growth < 1.0); }
 bool grows(const Late& x) { return x.growth > 1.1; }
 
@@ -42,7 +42,7 @@ TEST_P(Interval, EndsWhereRunsBeginToGrow) {
   }
 }
 
-// The split scheme's modes near its boundary are slower: it takes more steps to see them.
+// Near the boundary the modes of the split scheme grow more slowly and need more steps.
 INSTANTIATE_TEST_SUITE_P(Schemes, Interval,
                          testing::Values(Case{"adams_pc", 1e-3, 10000},
                                          Case{"decoupled_multi_order", 1e-3, 20000},
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Interval,
                                          Case{"multi_term_pc", 1e-3, 10000}),
                          [](const auto& test) { return std::string(test.param.scheme); });
 
-// Complex rates on both sides of the boundary. Which side is which is for growing_modes to say.
+// Complex lambda on both sides of the boundary; growing_modes determines which side is stable.
 class Boundary : public testing::TestWithParam<const Scheme*> {};
 
 TEST_P(Boundary, IsWhereRunsBeginToGrow) {
@@ -77,7 +77,7 @@ TEST_P(Boundary, IsWhereRunsBeginToGrow) {
 
 INSTANTIATE_TEST_SUITE_P(Schemes, Boundary, testing::ValuesIn(schemes_with_symbol()), id_of_param);
 
-// The damped chain of Yin, Liu & Anh: its largest stable step, and runs on both sides of it.
+// The damped chain of Yin, Liu & Anh: runs with step sizes below and above the largest stable one.
 TEST(Chain, LargestStableStepIsWhereRunsBeginToGrow) {
   for (const auto& orders : {std::pair{1.5, 0.5}, {1.25, 0.75}, {1.9, 0.1}}) {
     const Problem problem =
@@ -91,7 +91,7 @@ TEST(Chain, LargestStableStepIsWhereRunsBeginToGrow) {
   }
 }
 
-// The last link alone, D^(2-alpha) v = -mu tau^alpha v, decides where mu is large.
+// For large mu the last link, D^(2-alpha) v = -mu tau^alpha v, determines the stability limit.
 TEST(Chain, StrongDampingEndsAsItsLinkDoes) {
   constexpr double mu = 100.0, tau = 0.8;
   for (const double alpha : {1.25, 1.5}) {
@@ -102,7 +102,7 @@ TEST(Chain, StrongDampingEndsAsItsLinkDoes) {
   }
 }
 
-// Each link's 1/K lies in its sector, so the terms of det M lie in one half plane: no step is too long.
+// 1/K of each link is in its sector, so all terms of det M are in one half plane: every step size is stable.
 TEST(Chain, ImplicitRulesAreStableWithAnyStep) {
   for (const auto& orders : {std::pair{1.5, 0.5}, {1.25, 0.75}, {1.9, 0.1}}) {
     for (const auto& strengths : {std::pair{0.06, 0.1}, {0.0, 100.0}, {100.0, 0.1}}) {

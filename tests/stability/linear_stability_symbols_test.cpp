@@ -38,7 +38,7 @@ TEST(GeneratingFunction, AtWholeOrdersIsRational) {
     EXPECT_LT(relative(generating_function({&grunwald_letnikov, 2.0}, mu), std::pow(one_minus, -2)), 1e-13);
     EXPECT_LT(relative(generating_function({&l1, 1.0}, mu), 1.0), 1e-13);
     const Value squared = 1.0 / (one_minus * one_minus);
-    // zeta = -1 is a zero of these two; the terms whose sum they are have the size of 1 + |W|.
+    // zeta = -1 is a zero of these two, which are sums of terms of the size 1 + |W|.
     EXPECT_LT(std::abs(generating_function({&trapezoid, 1.0}, mu) - (1.0 + zeta) / one_minus),
               1e-13 * std::abs(1.0 + 1.0 / one_minus));
     EXPECT_LT(std::abs(generating_function({&rectangle, 2.0}, mu) - zeta * (1.0 + zeta) * squared),
@@ -48,7 +48,7 @@ TEST(GeneratingFunction, AtWholeOrdersIsRational) {
   }
 }
 
-// Li_s(zeta) + Li_s(-zeta) = 2^(1-s) Li_s(zeta^2): ties the values at three points for every order.
+// Li_s(zeta) + Li_s(-zeta) = 2^(1-s) Li_s(zeta^2) relates the values at three points for every order.
 TEST(GeneratingFunction, ObeysTheDuplicationFormula) {
   const auto polylogarithm = [](double s, double theta) {
     const Value mu{0.0, theta}, one_minus = 1.0 - std::exp(mu);
@@ -99,11 +99,11 @@ TEST(GeneratingFunction, NextToOneIsThatOfTheIntegral) {
   }
 }
 
-// A right-hand side that is 1 at one step answers with the weights of the scheme as it runs. Differences of
-// these, times (1 - zeta)^(-m), sum to the symbol on the unit circle.
+// The response of a scheme to a right-hand side that is 1 at one step is its weights. The generating function
+// of their m-th differences, times (1 - zeta)^(-m), is the symbol on the unit circle.
 class Impulse : public testing::TestWithParam<const Scheme*> {};
 
-// The one step is the third, which no rule treats as a first one.
+// The impulse is at the third step, where no rule has a special starting formula.
 Value response_on_circle(const Scheme& scheme, double order, double theta, int differences) {
   constexpr int before = 2, steps = 500;
   const Problem problem{.components = {{order, std::vector<double>(initial_count(order), 0.0)}},
@@ -128,9 +128,9 @@ TEST_P(Impulse, RunsGiveTheBoundaryToTenDigits) {
     if (order == 1.0) continue;  // no memory: the sums below do not converge
     for (const double theta : {0.7, 1.0, 1.7, 2.5, 3.0, pi}) {
       const bool between = GetParam()->id == "l2_1_sigma";
-      if (between && order > 1.0 && theta == pi) continue;  // where the midpoint rule has 0
+      if (between && order > 1.0 && theta == pi) continue;  // the midpoint rule has the value 0 there
       Value by_run = 1.0 / response_on_circle(*GetParam(), order, theta, 6);
-      // The last link takes f between y_(n-1) and y_n.
+      // The last link evaluates f between y_(n-1) and y_n.
       const double last = order > 1.0 ? order - 1.0 : order;
       if (between) by_run /= 1.0 - 0.5 * last * (1.0 - std::polar(1.0, theta));
       EXPECT_LT(relative(boundary(*GetParam(), order, theta).front(), by_run), 1e-10)

@@ -1,4 +1,4 @@
-// Growing modes of systems, from what is known of their parts.
+// Growing modes of systems, compared with those of their parts.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace fde {
 namespace {
 
-// Equations that do not know of each other.
+// One problem of uncoupled equations.
 Problem side_by_side(const std::vector<Problem>& parts) {
   Problem all;
   Eigen::Index size = 0;
@@ -31,7 +31,8 @@ Problem side_by_side(const std::vector<Problem>& parts) {
 
 class Systems : public testing::TestWithParam<const Scheme*> {};
 
-// Odd multiples of 1/4: the commensurate scheme splits them alike, alone and together.
+// The orders are odd multiples of 1/4, which the commensurate scheme splits in the same way alone and
+// together.
 TEST_P(Systems, OfSeparateEquationsHaveTheModesOfAll) {
   std::mt19937 random(7);
   const auto uniform = [&](double low, double high) {
@@ -56,7 +57,7 @@ TEST_P(Systems, OfSeparateEquationsHaveTheModesOfAll) {
 
 INSTANTIATE_TEST_SUITE_P(Schemes, Systems, testing::ValuesIn(row_schemes()), id_of_param);
 
-// Small link orders are felt where 1 - zeta is 1e-300: powers of it leave double.
+// Small link orders need 1 - zeta = 1e-300, powers of which overflow.
 TEST(Systems, OfLinksNearOrdersZeroAndOneAreStableUnderImplicitRules) {
   for (const auto& orders : {std::pair{1.99, 0.01}, {1.999, 0.001}}) {
     const Problem problem =
@@ -68,7 +69,7 @@ TEST(Systems, OfLinksNearOrdersZeroAndOneAreStableUnderImplicitRules) {
   }
 }
 
-// Equal equations: each has the modes of one. Their determinant at 1 - zeta = 1e-12 would be 1e456.
+// Equal equations, each with the modes of one. The determinant at 1 - zeta = 1e-12 would be 1e456.
 TEST(Systems, MayBeLarge) {
   constexpr int count = 20;
   const auto modes = [](int n, double rate) {
@@ -81,7 +82,7 @@ TEST(Systems, MayBeLarge) {
   EXPECT_EQ(modes(count, 0.5), count * modes(1, 0.5));
 }
 
-// A sparse linear part. The fastest rate is the first to leave the real interval.
+// A sparse linear part. The most negative eigenvalue is the first to leave the real stability interval.
 TEST(Systems, OfDiffusionAreStableAsTheirFastestRate) {
   const Problem problem = scene_of("fractional_diffusion", {{"gamma", 0.5}, {"components", 9.0}}).problem;
   const Matrix linear = std::get<SparseLinearPart>(problem.derivatives).matrix;
@@ -92,7 +93,7 @@ TEST(Systems, OfDiffusionAreStableAsTheirFastestRate) {
   EXPECT_EQ(growing_modes(*find_scheme("l1"), problem, 1e3 * end), 0);
 }
 
-// Slow modes are those below max(1e-6, 1e-300^g).
+// Modes with |lambda h^g| below max(1e-6, 1e-300^g) are not counted.
 TEST(GrowingModes, OfSmallOrdersAreCountedFromTheirLimitOn) {
   const auto& scheme = *find_scheme("l1");
   EXPECT_EQ(growing_modes(scheme, scalar_equation(0.5, 2e-6), 1.0), 1);

@@ -1,4 +1,4 @@
-// Where the regions of linear stability end, as pieces to be drawn.
+// The boundary of linear stability regions as polylines.
 
 #include "stability/region_boundary.hpp"
 
@@ -10,7 +10,7 @@
 namespace fde {
 namespace {
 
-// At order 1 classical methods.
+// At order 1 the schemes are classical methods.
 TEST(RegionBoundary, OfBackwardEulerIsACircle) {
   const auto pieces = region_boundary(*find_scheme("grunwald_letnikov"), 1.0, 20);
   ASSERT_EQ(pieces.size(), 1U);
@@ -25,7 +25,7 @@ TEST(RegionBoundary, OfHeunsMethodIsWhereItsPolynomialHasSizeOne) {
   }
 }
 
-// The curves of its modes go on where others have grown already.
+// The root locus continues where other modes already grow; those parts are not boundary.
 TEST(RegionBoundary, OfAPredictorHasNoPointInsideOrOutsideOfTheRegion) {
   const Scheme& scheme = *find_scheme("multi_term_pc");
   const double order = 1.5;

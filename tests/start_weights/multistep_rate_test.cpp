@@ -1,6 +1,6 @@
-// Rates of the multistep rules with start weights, two-sided, at the end and in the first steps, for
-// solutions that start like t^g. Their errors come to rounding on short grids, so each rule has its own range
-// of steps.
+// Rates of the multistep rules with starting weights, tested from below and above, at the end and in the
+// first steps, for solutions with a term t^g. The errors reach rounding on short grids, so each rule has its
+// own range of steps.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ struct Case {
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
-// Where rules of higher rate are in their asymptotic range before they come to rounding.
+// The cases in which the asymptotic range of rules of rate 3 begins before rounding.
 std::vector<Case> cases() {
   std::vector<Case> all;
   const auto add = [&](const std::string& name, Scene scene, const std::vector<double>& orders, bool slow) {
@@ -67,8 +67,8 @@ std::vector<Case> cases() {
   return all;
 }
 
-// Rules of rate 3 are off by a first power with so small a factor that the next ones hide it, and equations
-// have rows of other orders.
+// The cases for the first steps: without rules of rate 3, whose leading error term has such a small factor
+// that the next terms hide it, and without multi-term equations, whose rows have other orders.
 std::vector<Case> cases_of_first_steps() {
   auto some = cases();
   std::erase_if(some, [](const Case& c) { return c.rate > 2.0 || c.scheme == "multi_term_bdf2"; });
@@ -78,7 +78,7 @@ std::vector<Case> cases_of_first_steps() {
 class MultistepRate : public testing::TestWithParam<Case> {};
 class MultistepFirstSteps : public testing::TestWithParam<Case> {};
 
-// The sums of orders and whole numbers from the first on that has no start weight.
+// The sums of orders and integers, from the first that has no starting weight on.
 std::vector<double> powers_without_start_weights(const Case& c) {
   auto steps = c.orders;
   steps.push_back(1.0);
@@ -88,8 +88,8 @@ std::vector<double> powers_without_start_weights(const Case& c) {
   return powers;
 }
 
-// Errors with steps h, h/2, h/4, ... without their power q of h, which is known from theory and close to
-// others: e(h) - 2^q e(h/2).
+// Richardson elimination of the term h^q, known from theory, from errors with steps h, h/2, h/4, ...:
+// e(h) - 2^q e(h/2).
 template <class Error>
 void take_out(double q, std::vector<Error>& errors) {
   for (std::size_t i = 0; i + 1 < errors.size(); ++i) errors[i] -= std::pow(2.0, q) * errors[i + 1];
@@ -110,7 +110,8 @@ void expect_rate(const std::vector<Error>& errors, double h, double theory) {
   EXPECT_NEAR(fit.slope, theory, 0.1) << rows;
 }
 
-// An error has the powers rate and 1 + r of h, r without a start weight: two of these are close to the rate.
+// The error has the powers `rate` and 1 + r of h, for r without a starting weight; two of them are close to
+// the rate and are eliminated.
 TEST_P(MultistepRate, AtTheEndIsThatOfTheory) {
   const auto& [name, id, scene, orders, rate, coarsest] = GetParam();
   const Scheme& scheme = *find_scheme(id);
@@ -127,8 +128,9 @@ TEST_P(MultistepRate, AtTheEndIsThatOfTheory) {
   expect_rate(errors, 1.0 / coarsest, theory);
 }
 
-// The steps that are solved together, of length h -> 0: the first power without a start weight is left,
-// h^(g+r). It is the rate in the maximum norm where it is below the rule's. The next two are taken out.
+// The first steps, which are solved together, with step size h -> 0: the leading error is h^(g+r), r the
+// first power without a starting weight. This is the rate in the maximum norm where it is below the rate of
+// the rule. The next two powers are eliminated.
 TEST_P(MultistepFirstSteps, HaveTheRateOfTheory) {
   const auto& [name, id, scene, orders, rate, coarsest] = GetParam();
   const Scheme& scheme = *find_scheme(id);
@@ -159,8 +161,8 @@ TEST_P(MultistepFirstSteps, HaveTheRateOfTheory) {
   expect_rate(errors, longest, theory);
 }
 
-// The largest error over all steps, looked at more and more sparsely, of rules of rate 2 whose first steps
-// are off by less.
+// The largest error over all steps, sampled more sparsely at later steps, of rules of rate 2 whose first
+// steps have a smaller error.
 TEST_P(MultistepRate, InTheMaximumNormIsThatOfTheory) {
   const auto& [name, id, scene, orders, rate, coarsest] = GetParam();
   const Scheme& scheme = *find_scheme(id);
@@ -194,10 +196,10 @@ struct HighRule {
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
 void PrintTo(const HighRule& rule, std::ostream* out) { *out << rule.id; }
 
-// Rules whose own error comes to rounding before it leaves what start weights do not cover.
+// Rules whose error reaches rounding before the powers without starting weights dominate it.
 class HighMultistepRate : public testing::TestWithParam<HighRule> {
  protected:
-  // Of the largest error of all columns at the end.
+  // Expects the rate of the rule for the largest error of all columns at the end.
   static void expect_own_rate(const Scene& scene, const Vec& exact, const std::vector<int>& all_steps) {
     const auto [id, rate] = GetParam();
     const double end = scene.problem.end;
@@ -215,8 +217,8 @@ class HighMultistepRate : public testing::TestWithParam<HighRule> {
   }
 };
 
-// D^g y = Gamma(p+1)/Gamma(p+1-g) t^(p-g) + t^p - y is t^p. With p = g + rate + 3 the powers that have no
-// start weights are of no account.
+// D^g y = Gamma(p+1)/Gamma(p+1-g) t^(p-g) + t^p - y has the solution t^p. With p = g + rate + 3 there is no
+// error from powers without starting weights.
 TEST_P(HighMultistepRate, IsThatOfTheRuleForSmoothSolutions) {
   for (const double g : {0.2, 0.5, 0.8, 1.3, 1.7}) {
     SCOPED_TRACE(g);
@@ -226,7 +228,7 @@ TEST_P(HighMultistepRate, IsThatOfTheRuleForSmoothSolutions) {
   }
 }
 
-// A chain of links of order 1/2, whose solution has all powers of t^(1/2).
+// A chain of links of order 1/2; the solution has all powers of t^(1/2).
 TEST_P(HighMultistepRate, IsThatOfTheRuleForAChain) {
   const Scene scene = scene_of("damped_oscillator");
   expect_own_rate(scene, reference_of(scene).at(scene.problem.end).value, {226, 320, 452, 640});

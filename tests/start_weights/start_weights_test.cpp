@@ -1,5 +1,5 @@
-// Start weights of the multistep rules: that they make powers exact, against sums in 60 digits that share
-// nothing with the library but the definition.
+// Starting weights of the multistep rules make powers exact, compared with sums in 60 digits that share only
+// the definition with the library.
 
 #include "start_weights/start_weights.hpp"
 
@@ -31,7 +31,7 @@ std::string name_of(const testing::TestParamInfo<const WeightFamily*>& rule) {
   return std::string(rule.param->id);
 }
 
-// (a(zeta))^exponent by repeated multiplication with its logarithmic derivative: b' a = exponent a' b.
+// (a(zeta))^exponent from its logarithmic derivative: b' a = exponent a' b.
 std::vector<Exact> series_power(const std::vector<Exact>& a, const Exact& exponent, std::size_t count) {
   std::vector<Exact> b{pow(a[0], exponent)};
   for (std::size_t n = 1; n < count; ++n) {
@@ -51,8 +51,8 @@ std::vector<Exact> product(const std::vector<Exact>& a, const std::vector<Exact>
   return c;
 }
 
-// omega as Lubich defines it: of delta = sum_{k<=p} (1-zeta)^k / k, of (1+zeta)/(1-zeta)/2, of the series of
-// (-ln zeta / (1-zeta))^(-g) up to the power of 1-zeta that the rule has.
+// omega by Lubich's definitions: delta^(-g) with delta = sum_{k<=p} (1-zeta)^k / k; ((1+zeta)/(1-zeta)/2)^g;
+// the truncated series of (-ln zeta / (1-zeta))^(-g) in powers of 1-zeta, times (1-zeta)^(-g).
 std::vector<Exact> omega(const WeightFamily& rule, const Exact& g, std::size_t count) {
   const std::vector<Exact> u{1, -1};
   const std::string id(rule.id);
@@ -104,14 +104,13 @@ TEST_P(Multistep, WeightsAreTheCoefficientsOfTheirGeneratingFunction) {
   }
 }
 
-// sum_{j<s} W(n, j) j^p = Gamma(p+1)/Gamma(p+g+1) n^(p+g) / omega_0 - sum_j w(n-j) j^p, where a unit in the
-// last place of each W(n, j) is all that may be missing. Steps on both sides of where the expansions take
-// over, up to 1000.
+// sum_{j<s} W(n, j) j^p = Gamma(p+1)/Gamma(p+g+1) n^(p+g) / omega_0 - sum_j w(n-j) j^p, up to a unit in the
+// last place of each W(n, j), for steps below and above the first step of the expansions, up to 1000.
 TEST_P(Multistep, StartWeightsMakePowersExact) {
   for (const double order : {0.2, 0.5, 0.8, 1.0, 1.3, 1.7}) {
     const Exact g = order;
     const auto powers = powers_of(order).powers;
-    // Row i has f_i = 1 and no other, so that its sum is W(n, i).
+    // Row i has f_i = 1 and the other samples 0, so its sum is W(n, i).
     const auto count = std::ssize(powers);
     StartCorrection correction({powers.size(), {GetParam(), order}}, powers, 1100);
     correction.start(Matrix::Identity(count, count));
@@ -141,7 +140,7 @@ TEST_P(Multistep, StartWeightsMakePowersExact) {
   }
 }
 
-// What the table in docs/schemes.md says.
+// The values of the table in docs/schemes.md.
 TEST_P(Multistep, StartWeightsGrowNoMoreThanAllowed) {
   for (const double order : {0.1, 0.2, 0.3, 0.5, 0.8, 1.0, 1.3, 1.7}) {
     const auto start = powers_of(order);
@@ -154,7 +153,7 @@ TEST_P(Multistep, StartWeightsGrowNoMoreThanAllowed) {
 
 INSTANTIATE_TEST_SUITE_P(, Multistep, testing::ValuesIn(rules), name_of);
 
-// The orders of all rows: sums of 0.5 and 0.8, up to rate - 1.
+// Sums of the orders 0.5 and 0.8 up to rate - 1.
 TEST(StartPowers, AreTheSumsOfTheOrders) {
   const Problem problem{.components = {{0.5, {1.0}}, {0.8, {1.0}}}};
   const auto start = start_powers(families::bdf2, problem);
@@ -162,7 +161,8 @@ TEST(StartPowers, AreTheSumsOfTheOrders) {
   EXPECT_DOUBLE_EQ(start.next, 1.3);
 }
 
-// D^g y = Gamma(p+1)/Gamma(p+1-g) t^(p-g) is t^p, exactly, for each power that has a start weight.
+// D^g y = Gamma(p+1)/Gamma(p+1-g) t^(p-g) has the solution t^p, which schemes with a starting weight for p -
+// g reproduce exactly.
 TEST(StartWeights, MakeSchemesExactForTheirPowers) {
   for (const auto& scheme : schemes()) {
     if (!scheme.start_powers || scheme.needs.discretises_equations) continue;
@@ -200,10 +200,9 @@ TEST(FirstSteps, AreTheSameWithEveryKindOfDerivatives) {
   EXPECT_LT((linear - dense).cwiseAbs().maxCoeff(), 1e-13);
 }
 
-// E_{1/2}(-1) = e erfc(1); DLMF 7.
-// Together they have a second solution where steps are as long as what the motion does: x = -0.1, y = 109.
-// Newton's method does not come to it, or is led there and found to have gone past the end of its own:
-// rounding decides.
+// The system of the first steps has a second solution where the steps do not resolve the motion: x = -0.1,
+// y = 109. Newton's method does not converge, or converges to it and the step is rejected as too large for a
+// growing mode; rounding decides which.
 TEST(FirstSteps, AreNotAnotherSolution) {
   const Problem brusselator = scene_of("brusselator").problem;
   for (const auto* scheme : {"bdf4", "bdf5", "bdf6"}) {
@@ -214,6 +213,7 @@ TEST(FirstSteps, AreNotAnotherSolution) {
   }
 }
 
+// E_{1/2}(-1) = e erfc(1); DLMF 7.
 TEST(MultistepSchemes, RelaxationToTwelveDigits) {
   const Problem problem{.components = {{0.5, {1.0}}}, .rhs = [](double, In y, Out f) { f = -y; }};
   EXPECT_NEAR(solve("bdf4", problem, 512).y(0, 512), 0.42758357615580700, 1e-12);

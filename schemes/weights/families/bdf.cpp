@@ -3,8 +3,8 @@
 namespace fde {
 namespace {
 
-// delta(zeta)^(-g), delta = sum_{k<=p} (1-zeta)^k / k the polynomial of the backward differentiation formula.
-// The bases are delta / (1-zeta); the decays are the largest inverses of their zeros.
+// omega = delta(zeta)^(-g), delta = sum_{k<=p} (1-zeta)^k / k the polynomial of the backward differentiation
+// formula. The bases are delta / (1-zeta); decay is 1 / (the smallest modulus of a zero of the base).
 constexpr MultistepRule bdf2_rule{.rate = 2, .base = {3, -1}, .denominator = 2, .decay = 1.0 / 3.0};
 constexpr MultistepRule bdf3_rule{.rate = 3, .base = {11, -7, 2}, .denominator = 6, .decay = 0.42641};
 constexpr MultistepRule bdf4_rule{.rate = 4, .base = {25, -23, 13, -3}, .denominator = 12, .decay = 0.56087};

@@ -5,8 +5,6 @@
 
 namespace fde {
 
-// The coefficient of zeta^k in (1-zeta)^(-a), Gamma(k+a) / (Gamma(a) k!) = (-1)^k binomial(-a, k).
-
 // Stirling's correction sum_j B_2j / (2j (2j-1) x^(2j-1)) to ln Gamma(x), for x >= 16 (Abramowitz &
 // Stegun 6.1.40).
 inline long double stirling(long double x) {
@@ -19,13 +17,14 @@ inline long double stirling(long double x) {
   return sum / x;
 }
 
-// Gamma(k+g) / Gamma(k+1), with the large parts of the two logarithms of Gamma cancelled by hand.
+// Gamma(k+g) / Gamma(k+1) for k >= 16; the leading terms of the two logarithms cancel analytically.
 inline long double gamma_ratio(long double g, long double k) {
   const long double rest =
       (k + g - 0.5L) * std::log1p((g - 1) / (k + 1)) - (g - 1) + stirling(k + g) - stirling(k + 1);
   return std::pow(k + 1, g - 1) * std::exp(rest);
 }
 
+// The coefficient of zeta^k in (1-zeta)^(-g), Gamma(k+g) / (Gamma(g) k!) = (-1)^k binomial(-g, k).
 inline long double binomial_weight(long double g, long double k) {
   if (k >= 16) return gamma_ratio(g, k) / std::tgamma(g);
   long double product = 1;

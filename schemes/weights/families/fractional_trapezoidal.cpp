@@ -7,14 +7,14 @@ namespace {
 
 using Real = long double;
 
-// ((1 + zeta) / (2 (1 - zeta)))^g
+// omega = ((1 + zeta) / (2 (1 - zeta)))^g
 constexpr MultistepRule rule{.rate = 2, .base = {1, 1}, .denominator = 2, .exponent = 1};
 
-// From here on the expansions at the two singularities are as good as the numbers.
+// From this lag on the expansions at the two singularities are accurate to rounding.
 constexpr Real far = 64;
 
-// The expansion of (1-zeta)^(-a) (1+zeta)^b = (1-zeta)^(-a) (2 - (1-zeta))^b in powers of 1-zeta, coefficient
-// by coefficient.
+// The coefficient of zeta^k in (1-zeta)^(-a) (1+zeta)^b = (1-zeta)^(-a) (2 - (1-zeta))^b, from the expansion
+// of the last factor in powers of 1-zeta.
 Real expansion(Real a, Real b, Real k) {
   constexpr Real negligible = 1e-22L;
   Real weight = binomial_weight(a, k), factor = 1, sum = 0;
@@ -35,8 +35,9 @@ struct Near {
   std::vector<Real> whole, alternating;
 };
 
-// v from far lags, by n w(n) = 2g w(n-1) + (n-2) w(n-2), which both parts of w obey; (-1)^k v(k) grows that
-// way, so that it is stable. Kept for the next lag.
+// w by its recurrence, and v by backward recurrence from far lags: u(n) and (-1)^n v(n) both satisfy
+// n w(n) = 2g w(n-1) + (n-2) w(n-2), and v grows backwards, which makes the recurrence stable. The tables of
+// the last order are cached.
 const Near& near(Real g) {
   thread_local Near last;
   if (last.order == g) return last;
@@ -75,19 +76,20 @@ Real smooth_weight(Real g, Real k) {
 
 double tanh_mean(double s) { return s == 0.0 ? 0.5 : std::tanh(0.5 * s) / s; }
 
-// The cut from 1 on: sin(pi g)/pi int_0^inf coth(s/2)^g exp(-k s) ds, as that of grunwald_letnikov.
+// The branch cut from 1 on: u(k) = sin(pi g)/pi int_0^inf coth(s/2)^g exp(-k s) ds, the integrand of
+// grunwald_letnikov times (1 + exp(s))^g.
 double smooth_coefficient(double g, double node, double kernel) {
   return families::grunwald_letnikov.coefficient(g, node, kernel) * std::pow(1.0 + std::exp(node), g);
 }
 
-// The cut from -1 on: v(k) = -sin(pi g)/pi int_0^inf tanh(s/2)^g exp(-k s) ds, where the kernel of order a =
-// 1 - g or 2 - g has sin(pi a)/pi s^(-a).
+// The branch cut from -1 on: v(k) = -sin(pi g)/pi int_0^inf tanh(s/2)^g exp(-k s) ds; the kernel with
+// exponent a = 1 - g or 2 - g has the density sin(pi a)/pi s^(-a).
 double alternating_coefficient(double g, double node, double kernel) {
   const double factor = g < 1.0 ? -node : node * node;
   return kernel * factor * std::pow(tanh_mean(node), g);
 }
 
-// (1 + zeta)^g, with the direction of 1 + zeta right next to -1 too.
+// (1 + zeta)^g, with an accurate argument of 1 + zeta also near zeta = -1.
 ComplexValue regular_part(double g, ComplexValue mu) {
   return std::pow(2.0 * std::cosh(0.5 * mu), g) * std::exp(0.5 * g * mu);
 }

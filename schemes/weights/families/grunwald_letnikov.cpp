@@ -5,8 +5,8 @@
 namespace fde {
 namespace {
 
-// From B(k+g, 1-g) = int_0^inf (e^s - 1)^(-g) e^(-k s) ds. The differences of these weights are the weights
-// of the order less 1.
+// From B(k+g, 1-g) = int_0^inf (e^s - 1)^(-g) e^(-k s) ds. The differences of the weights of order g are the
+// weights of order g - 1.
 double coefficient(double g, double node, double kernel) {
   return kernel * std::pow(step_mean(node), -(g > 1.0 ? g - 1.0 : g));
 }

@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// A row with what the families share that weigh increments of y by integrals of t^(-g), g <= 1.
+// Completes a family whose weights are integrals of t^(-g), g <= 1, and apply to increments of y.
 constexpr WeightFamily increment_family(WeightFamily row) {
   using Real = long double;
   row.weighs_increments = true;

@@ -11,7 +11,7 @@ double coefficient(double g, double node, double kernel) {
   return kernel * (std::tgamma(2 - g) * step_mean(node) * std::exp(-node));
 }
 
-// (1-zeta)^g / ((1-zeta) W) with W = (1-zeta)/zeta Li_(g-1), the powers as in the rectangle rule.
+// (1-zeta)^g / ((1-zeta) W) with W = (1-zeta)/zeta Li_(g-1); branches as in the rectangle rule.
 ComplexValue regular_part(double g, ComplexValue mu) {
   return std::pow(exp_minus_one(mu) / mu, g - 2.0) * std::exp(mu) / scaled_polylogarithm(g - 1.0, mu);
 }

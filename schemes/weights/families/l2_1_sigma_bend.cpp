@@ -6,8 +6,8 @@ namespace {
 
 using Real = long double;
 
-// The bend of a step is known one step later, so lag k is that of the integral over [k+s, k+1+s], s = 1 -
-// g/2.
+// The second difference of a step is known one step later, so lag k belongs to the integral over
+// [k+s, k+1+s], s = 1 - g/2.
 double coefficient(double g, double node, double kernel) {
   return kernel * (std::tgamma(2 - g) * bend_mean(node) * std::exp(-(1 - g / 2) * node));
 }

@@ -8,14 +8,15 @@
 
 namespace fde {
 
-// What the families share that are Grunwald-Letnikov weights behind a filter, each given by its rule.
+// Members of families whose weights are Grunwald-Letnikov weights convolved with the filter of a
+// MultistepRule.
 
 inline constexpr double below_rounding = 1e-18;
 
-// How many coefficients of the filter may count.
+// An upper bound of the number of filter coefficients that are not negligible.
 inline std::size_t filter_length(const MultistepRule& rule) {
   if (rule.decay == 0.0) return 3;
-  // Orders above 1 multiply the decay with a power of k below 1.
+  // For orders above 1 the coefficients have an additional factor k^p, p < 1.
   return static_cast<std::size_t>(1.25 * std::log(below_rounding) / std::log(rule.decay)) + 8;
 }
 
@@ -34,7 +35,7 @@ std::vector<long double> first_weights_of(long double g, std::size_t count) {
   return w;
 }
 
-// The filtered sum itself, from the newest weight on: each of the others from the one before.
+// The convolution of filter and Grunwald-Letnikov weights, each of which follows from the one before.
 template <const MultistepRule& rule>
 long double weight_of(long double g, long double k) {
   const auto filter = multistep_filter<long double>(rule, g, filter_length(rule));
@@ -54,8 +55,8 @@ long double first_weight(long double g) {
   return std::pow(Real(rule.base[0]) / rule.denominator, rule.exponent * g) * correction<Real>(rule, g)[0];
 }
 
-// The regular part: each factor of the base is in the right half plane, and so is, for all of these rules,
-// their product away from the negative axis.
+// The principal power is the right branch: every linear factor of the base is in the right half plane, and
+// for all of these rules their product is not on the negative axis.
 template <const MultistepRule& rule>
 ComplexValue regular_part_of(double g, ComplexValue mu) {
   const ComplexValue zeta = std::exp(mu);

@@ -4,11 +4,10 @@
 
 namespace fde {
 
-// What the families share that weigh the bends of parabolas: on a step of length 1 the slope runs from -1 at
-// its start to 1 at its end.
+// Weights of second differences, by which a quadratic interpolant differs from the linear one: on a step of
+// length 1 the slope of this difference goes from -1 to 1.
 
-// (1-g) int_0^1 (far - v)^(-g) (2v - 1) dv for far > 1, v from the start of the step: a series of positive
-// terms.
+// (1-g) int_0^1 (far - v)^(-g) (2v - 1) dv for far > 1, by a series of positive terms.
 inline long double bend_weight(long double g, long double far) {
   constexpr long double negligible = 1e-21L;
   long double power = 1, sum = 0, term = 1;

@@ -9,8 +9,8 @@ double coefficient(double g, double node, double kernel) {
   return kernel * (std::tgamma(g + 1) * step_mean(node) * difference_mean(g, node));
 }
 
-// (1-zeta)^g (1-zeta) Li_(-g)(zeta). Next to (1-zeta)^g and (-mu)^g, whose arguments are within a right
-// angle, a power of their ratio has no jump.
+// (1-zeta)^g (1-zeta) Li_(-g)(zeta), zeta = exp(mu). The arguments of 1-zeta and -mu are within a right
+// angle, so the principal power of their ratio has no branch jump.
 ComplexValue regular_part(double g, ComplexValue mu) {
   return std::pow(exp_minus_one(mu) / mu, 1.0 + g) * scaled_polylogarithm(-g, mu);
 }

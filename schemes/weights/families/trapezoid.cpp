@@ -7,8 +7,8 @@ namespace {
 using Real = long double;
 constexpr Real negligible = 1e-21L;
 
-// 2 k^(g+1) sum_{m>=1} binomial(g+1, 2m) k^(-2m): the even part of (1 + 1/k)^(g+1), without its cancelling
-// terms.
+// 2 k^(g+1) sum_{m>=1} binomial(g+1, 2m) k^(-2m): the second difference by the binomial series, without the
+// terms that cancel.
 Real weight(Real g, Real k) {
   if (k == 1) return 2 * std::expm1(g * std::log(Real{2}));
   const Real x = 1 / (k * k);
@@ -53,7 +53,7 @@ double start_coefficient(double g, double node, double kernel) {
   return std::tgamma(g + 2.0) * (kernel * (half_hat(node) * difference_mean(g, node)));
 }
 
-// (1-zeta)^g (1-zeta)^2/zeta Li_(-g-1)(zeta), the powers as in the rectangle rule.
+// (1-zeta)^g (1-zeta)^2/zeta Li_(-g-1)(zeta); branches as in the rectangle rule.
 ComplexValue regular_part(double g, ComplexValue mu) {
   return std::pow(exp_minus_one(mu) / mu, 2.0 + g) / std::exp(mu) * scaled_polylogarithm(-g - 1.0, mu);
 }
