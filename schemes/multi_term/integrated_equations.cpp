@@ -99,8 +99,7 @@ StartPowers start_powers_of_equations(const WeightFamily& family, const Problem&
     for (const double node : chain.nodes()) {
       orders.push_back(chain.leading().order - node);
       steps.push_back(orders.back());
-      if (!whole(node))
-        steps.push_back(std::ceil(node) - node);  // D^v of the Taylor part, where g depends on it
+      if (!whole(node)) steps.push_back(std::ceil(node) - node);  // D^v T, where g depends on it
     }
   }
   return start_powers(family, orders, steps);

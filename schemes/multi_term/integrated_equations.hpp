@@ -55,7 +55,7 @@ class IntegratedEquations {
   void push(double t, In y, In f);
 
   // Computes past() and kappa() for the step to t_n, after the first steps. Returns false where the step is
-  // too large for a growing mode: 1 + sum_k c_k/a kappa_k <= 0, which holds for no smaller step.
+  // too large for a growing mode: 1 + sum_k c_k/a kappa_k <= 0, which does not hold for small enough steps.
   bool step_to(int n);
 
   // The rows at t_n are past + kappa f(t_n, y_n).
