@@ -43,8 +43,7 @@ double power_from(const Matrix& jacobian, const Vec& orders, double log_s) {
 // modes. Each of them adds a full turn to the argument of the determinant, half of it on this path.
 bool grows_faster(const Matrix& jacobian, const Vec& orders, double rate) {
   using namespace std::complex_literals;
-  constexpr double turn = 0.3,
-                   clear = 1.01;  // of log(s^order) in a step; times the other entries of a row
+  constexpr double turn = 0.3, clear = 1.01;  // of log(s^order) a step; times the other entries of a row
   constexpr double most_steps = 1e4;
   const double first = std::log(rate), largest = orders.maxCoeff();
   double last = first;
