@@ -297,6 +297,7 @@ TEST(SpectralOrders, NonlinearRowsRestAtZero) {
   EXPECT_NEAR(end[2], 10.0, 1e-6);
 }
 
+// For order 1: y' = y^2, y(0) = 1, y = 1 / (1 - t).
 TEST(SpectralEnd, IsBeforeABlowUp) {
   for (const double order : {0.5, 1.0}) {
     const Problem problem{
