@@ -14,15 +14,16 @@
 namespace fde {
 namespace {
 
-// t + length, where equal lengths stay equal: times are multiples of a small part of the length.
+// t + length, rounded to a multiple of a small part of the length, so that steps of equal length remain equal
+// in floating point.
 double time_after(double t, double length) {
   const double unit = std::ldexp(1.0, std::ilogb(length) - 12);
   const double next = std::nearbyint((t + length) / unit) * unit;
   return t / unit < 0x1p52 && next > t ? next : t + length;
 }
 
-// Times at which a stretch of smooth right-hand side ends, the last of them the end. A stretch ends on the
-// near side of its jump.
+// The ends of the intervals on which the right-hand side is smooth; the last is the end. An interval ends one
+// floating-point number before its jump.
 std::vector<double> stretches(const Problem& problem) {
   std::vector<double> ends;
   for (const double jump : problem.jumps) {
@@ -42,7 +43,7 @@ class March {
         blow_up_(run_.start()) {
     const auto ends = stretches(problem);
     const double first = first_length(problem, accuracy, run_);
-    constexpr double shorter = 1e-4;  // where rules with corrections ask for less than the rectangle rule
+    constexpr double shorter = 1e-4;  // rules with corrections may need less than the rectangle rule
     shortest_ = std::min(shorter * first, std::numeric_limits<double>::epsilon() * ends.front());
     steps_ = make(run_, shortest_);
     control_ = StepControl(steps_->rate(), std::min(first, ends.front()));
@@ -74,12 +75,12 @@ class March {
     if (dense_) archive(*dense_);
   }
 
-  // Over a jump next to t.
+  // The second floating-point number after t: past a jump next to t.
   [[nodiscard]] double behind(double t) const {
     return std::nextafter(std::nextafter(t, problem_.end), problem_.end);
   }
 
-  // From the near side of a jump to the other. What follows begins with steps that are short beside the time.
+  // Steps over a jump to t and restarts the rule there, with a step size that is short compared with t.
   bool cross_to(double t) {
     constexpr double short_step = 1e-6;
     steps_->coast(run_, t);
@@ -90,7 +91,7 @@ class March {
     return true;
   }
 
-  // Takes one step. False: the run is over.
+  // Takes one step. Returns false if the run is over.
   bool step_towards(double end) {
     constexpr double nearly = 0.99, within_from = 1e-14;
     for (;;) {
@@ -118,9 +119,9 @@ class March {
     }
   }
 
-  // No step is short enough for the error test. Where f jumps, which nobody has said, it counts the error of
-  // the step up to the jump as one that all steps make: there the run leads over it and begins anew.
-  // Otherwise it is over.
+  // Called where no step is short enough for the error test. A jump of f that Problem::jumps does not contain
+  // can be the reason: the test counts the error of the step up to the jump as one that all steps make. In
+  // that case the run steps over the jump and restarts the rule; otherwise it ends.
   bool jump_over(double error, double t, double end) {
     const Ending reason = failure(error, t);
     if (reason == Ending::step_too_small && time_ > 0.0 && steps_->error_of_jump() <= 1.0)
@@ -129,9 +130,9 @@ class March {
     return false;
   }
 
-  // How far the first step, attempted to t, is within from a step that ends there, in units of what is asked.
-  // A constraint takes from its end what a multiplier that is singular at the start leaves of an error in the
-  // rows that it acts on, and from nowhere else.
+  // The error within the first step, attempted to t: the distance of its dense output from the result of a
+  // step that ends there, in units of the tolerance. If a multiplier is singular at the start, it leaves an
+  // error in the rows on which it acts, and the constraint removes this error at the end of the step only.
   double error_within(double t) {
     constexpr double share = 0.3;
     const Vec within = steps_->between(share * t);
@@ -146,14 +147,15 @@ class March {
     return error;
   }
 
-  // The last two steps before the end are about as long as each other.
+  // The end of the next step. The last two steps before `end` have about the same length.
   [[nodiscard]] double next_time(double end) const {
     const double left = end - time_, length = control_.length();
     if (left <= 1.001 * length) return end;
     return left < 2.0 * length ? time_ + left / 2.0 : time_after(time_, length);
   }
 
-  // The step attempted to t, or, where that is out of the domain, up to its edge, where the run ends.
+  // Accepts the step attempted to t. If its result is outside the domain, accepts a step up to the edge of
+  // the domain and ends the run.
   bool take_inside(double t) {
     const auto outside = [&](double at, In y) { return !problem_.domain.contains(at, y); };
     if (!outside(t, steps_->result())) return take(t);
@@ -164,7 +166,8 @@ class March {
     return false;
   }
 
-  // The neighbouring numbers between which a statement of (t, y(t)) begins to hold that holds at t.
+  // Bisection: the neighbouring floating-point numbers between which holds(t, y(t)) becomes true.
+  // Precondition: it is true at t.
   template <typename Holds, typename Path>
   std::pair<double, double> change(Holds holds, Path y, double t) {
     double before = time_, behind = t;
@@ -175,7 +178,8 @@ class March {
     }
   }
 
-  // Up to the first switch that is passed up to t where f goes on as on the step before. Infinite: none is.
+  // Time until the first switch that is passed before t if f is extrapolated from the step before; infinity:
+  // none is passed.
   double time_to_switch(double t) {
     const auto ahead = [&](double at) { return steps_->continued(at); };
     const auto switched = [&](double at, In y) { return sides(problem_, at, y) != sides_; };
@@ -183,11 +187,12 @@ class March {
     return change(switched, ahead, t).first - time_;
   }
 
-  // Leads over a switch that is next to the last time taken, and begins anew.
+  // Steps over a switch next to the last accepted time and restarts the rule.
   bool switch_over() { return lead_over(std::min(time_ + 2.0 * at_switch(), problem_.end), Ending::sliding); }
 
-  // Leads to t, over a jump of f, and begins anew. A run that comes to no step behind it ends; one that is
-  // back there again and again at once slides along it: it has no solution beyond.
+  // Steps over a jump of f to t and restarts the rule. The run ends if no step was possible since the last
+  // switch. It also ends if it has returned to a switch many times at once: the solution slides along the
+  // switch and does not exist beyond.
   bool lead_over(double t, Ending if_stuck) {
     constexpr int most_returns = 8;
     constexpr double at_once = 1e-9;  // of the time
@@ -202,8 +207,8 @@ class March {
     return true;
   }
 
-  // How near a switch is taken to be reached: rounding of sums over the past does not decide on which side y
-  // is.
+  // Time from a switch at which it counts as reached, so that rounding in the memory term does not decide on
+  // which side y is.
   [[nodiscard]] double at_switch() const {
     constexpr double part = 1e-12;  // of the time
     return std::max(shortest_, part * time_);
@@ -216,7 +221,8 @@ class March {
   bool take(double t) {
     const bool accepted =
         run_.accept(t, steps_->result(), [&](double between) { return steps_->between(between); });
-    // The step within which an event has ended the run leads up to it.
+    // The step in which an event has ended the run is accepted too: the dense output up to the event needs
+    // it.
     if (!accepted && !run_.ended_by_event()) return false;
     steps_->take();
     if (dense_) dense_->add(t, steps_->drives(), steps_->interpolated());
@@ -225,7 +231,7 @@ class March {
     return accepted;
   }
 
-  // Why there is no step to t, however short.
+  // Why no step to t is possible, however short.
   Ending failure(double error, double t) {
     const Vec& y = steps_->result();
     const bool finite = y.allFinite();
@@ -241,14 +247,14 @@ class March {
   Run run_;
   BlowUp blow_up_;
   double shortest_ = 0.0, time_ = 0.0;
-  double stretch_ = 0.0;  // where the one ends in which the run is; 0: it has not begun
+  double stretch_ = 0.0;  // end of the present smooth interval; 0: not begun
   std::unique_ptr<AdaptiveSteps> steps_;
-  std::shared_ptr<DensePath> dense_;  // where all times are asked for
+  std::shared_ptr<DensePath> dense_;  // if all times are requested
   StepControl control_{1.0, 1.0};
   std::int64_t rejected_ = 0;
-  std::vector<bool> sides_{};  // on which the run is of each switch
-  double switched_at_ = -1.0;  // last
-  int returns_ = 0;            // there, at once
+  std::vector<bool> sides_{};  // the side of each switch on which the solution is
+  double switched_at_ = -1.0;  // time of the last switch
+  int returns_ = 0;            // returns to a switch at once
 };
 
 }  // namespace

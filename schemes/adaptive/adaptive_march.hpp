@@ -8,11 +8,11 @@
 
 namespace fde {
 
-// Makes the rule for a problem whose steps will not be shorter than this.
+// Creates the stepping rule of a run. `shortest` is a lower bound of all step sizes.
 using MakeSteps = std::function<std::unique_ptr<AdaptiveSteps>(Run& run, double shortest)>;
 
-// Solves a problem by steps that find their lengths. The first is so short that the right-hand side hardly
-// changes on it; a jump is the end of a step, and what follows begins anew.
+// Solves a problem with adaptive step size. The right-hand side hardly changes on the first step (see
+// first_length). A step ends at each time in Problem::jumps, and the rule restarts there.
 Trajectory march_adaptively(const Problem& problem, const Accuracy& accuracy, const Options& options,
                             const MakeSteps& make);
 

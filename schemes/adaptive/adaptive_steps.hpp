@@ -12,18 +12,18 @@ namespace fde {
 // The error of a step that has no solution.
 inline constexpr double no_solution = std::numeric_limits<double>::infinity();
 
-// The drives on a step as polynomials of its share w, one row a row: coefficients of 1, w, w^2. Of algebraic
-// rows y itself.
+// D^g y on a step as polynomials of w = (t - t_(n-1)) / (t_n - t_(n-1)): one row a component, columns the
+// coefficients of 1, w, w^2. In algebraic rows the polynomials are y itself.
 using Drives = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-// A row that is known on a step by its values better than by its drive: y as a polynomial of the share w,
-// coefficients of 1, w, w^2, w^3. Where f makes a row decay within the step, f is by far larger than the row:
-// between the points of the rule what is wrong in it is worth more than is allowed, though its equations
-// leave next to nothing of that at the points.
+// A component that is interpolated on a step from its own values: y as a polynomial of w (see Drives),
+// coefficients of 1, w, w^2, w^3. It replaces the fractional integral of D^g y where f makes the component
+// decay within the step: f is then far larger than y, and between the stages the error of the integral
+// exceeds the tolerance, though the equations of the step leave little of this error at the stages.
 struct InterpolatedRow {
   Eigen::Index row;
   Eigen::Vector4d powers;
-  // y at the share w of the step.
+  // y at w.
   [[nodiscard]] double at(double w) const {
     return powers[0] + w * (powers[1] + w * (powers[2] + w * powers[3]));
   }
@@ -31,14 +31,15 @@ struct InterpolatedRow {
 };
 using InterpolatedRows = std::vector<InterpolatedRow>;
 
-// Whether a row is such a one, from an error of its integral and what the equations of the step leave of it.
+// Whether a component is interpolated. error: of its fractional integral; left: what remains of this error in
+// the solution of the step equations; allowed: the limit of the error.
 inline bool known_by_values(double error, double left, double allowed) {
-  constexpr double small_part = 0.1;  // with more of it left the integral is within ten times what is allowed
+  constexpr double small_part = 0.1;  // if more remains, the error is below 10 times the limit
   return !(std::abs(error) <= allowed) && !(std::abs(left) > small_part * std::abs(error));
 }
 
-// A rule that steps by any length: each step is attempted, its error is estimated, and it is taken or
-// attempted anew with another length. What is not taken leaves no trace.
+// A rule for steps of any size. Each step is attempted and its error is estimated; take() accepts the step,
+// or it is attempted again with another size. An attempt does not change the history.
 class AdaptiveSteps {
  public:
   AdaptiveSteps() = default;
@@ -46,42 +47,45 @@ class AdaptiveSteps {
   AdaptiveSteps& operator=(const AdaptiveSteps&) = delete;
   virtual ~AdaptiveSteps() = default;
 
-  // Solves the step from the last time taken to t. The result is its error in units of what is allowed.
+  // Solves the step from the last accepted time to t. Returns its error estimate in units of the tolerance,
+  // or no_solution.
   virtual double attempt(Run& run, double t) = 0;
 
-  // The error of the last attempt where f jumps on its step, an error that no other step makes; no_solution:
-  // f does not, or the error of an attempt is that of one step anyway.
+  // The error of the last attempt if f jumps on its step, counted once, as no other step makes this error.
+  // no_solution: f does not jump, or attempt() returns the error of one step anyway.
   [[nodiscard]] virtual double error_of_jump() const { return no_solution; }
 
-  // y at the end of the last attempt, and within its step.
+  // y at the end of the last attempt, and at a time t within its step.
   [[nodiscard]] virtual const Vec& result() const = 0;
   virtual Vec between(double t) = 0;
 
-  // y at a time after the last one taken, where f goes on as on the steps before.
+  // y at a time t after the last accepted one, with f extrapolated from the accepted steps.
   virtual Vec continued(double t) = 0;
 
-  // In place of an attempt: the step over a jump of f, too short to change y, on which f goes on as before.
+  // Replaces attempt() for a step over a jump of f that is too short to change y: f is extrapolated over it.
   virtual void coast(Run& run, double t) = 0;
 
-  // The last attempt joins the past.
+  // Accepts the last attempt: adds it to the history.
   virtual void take() = 0;
 
-  // What it left there, and rows of which its values say more.
+  // D^g y on the last accepted step, and the components that are interpolated on it.
   [[nodiscard]] virtual Drives drives() const = 0;
   [[nodiscard]] virtual const InterpolatedRows& interpolated() const = 0;
 
-  // The right-hand side has jumped at the last time taken: nothing before tells how it goes on.
+  // Restarts after a jump of f at the last accepted time: f is no longer extrapolated from the steps before
+  // it.
   virtual void begin_anew(Run& run) = 0;
 
-  // With which power of the length its error falls where the solution is smooth.
+  // The power of the step size with which the error estimate falls where the solution is smooth.
   [[nodiscard]] virtual double rate() const = 0;
 
+  // Memory of the history.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 
-  // What solves sparse equations of a step; empty: there were none.
+  // The method that solved sparse equations of the steps; empty: there were none.
   [[nodiscard]] virtual std::string_view linear_solver() const = 0;
 
-  // Between two steps: what it keeps of those taken.
+  // Saves or restores the state between two steps.
   virtual void state(Archive& archive) = 0;
 };
 

@@ -12,7 +12,7 @@ BlowUp::BlowUp(In start)
       sooner_(doubled_at_) {}
 
 void BlowUp::pass(double t, In y) {
-  constexpr double sooner = 0.75;  // of the time before: doublings are seen at the ends of steps only
+  constexpr double sooner = 0.75;  // of the previous duration: doublings are detected at the ends of steps
   for (Eigen::Index i = 0; i < y.size(); ++i) {
     const double size = std::abs(y[i]), took = t - doubled_at_[i];
     if (size < 2.0 * largest_[i]) continue;

@@ -6,12 +6,13 @@
 
 namespace fde {
 
-// The matrix of a step where all rows have one order and so the same weights K, and df/dy = A is sparse:
-//   Y - A Y K^T = B for Y of a column a stage.
-// With the eigenvalues and eigenvectors of K^T, K^T Q = Q L, it falls into (1 - l_i A) z_i = (B Q)_i, Y = Z
-// Q^(-1): a real matrix and one of a complex pair (Hairer & Wanner, section IV.8). For all orders up to 1 the
-// three eigenvalues are that, their real parts are positive, and the condition number of Q is between 4.3
-// and 8.8.
+// The iteration matrix of a step where all components have one order, hence the same weights K, and df/dy = A
+// is sparse:
+//   Y - A Y K^T = B,   Y and B with one column a stage.
+// With the eigenvalues L and eigenvectors Q of K^T, K^T Q = Q L, it decouples into (1 - l_i A) z_i = (B Q)_i,
+// Y = Z Q^(-1): one real system and one complex system of a conjugate pair (Hairer & Wanner, section IV.8).
+// For all orders up to 1, K has one real eigenvalue and one complex pair, their real parts are positive, and
+// the condition number of Q is between 4.3 and 8.8.
 class DecoupledStageMatrix final : public StageMatrix {
  public:
   explicit DecoupledStageMatrix(const Problem& problem) : problem_(problem) {}

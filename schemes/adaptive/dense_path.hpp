@@ -6,24 +6,25 @@
 
 namespace fde {
 
-// What a run of steps leaves on which drives are polynomials: y at any time up to the last,
+// Dense output of a run with adaptive step size, from the polynomials of D^g y on its steps: y at any time up
+// to the last,
 //   y_i(t) = Taylor part + the fractional integral of all polynomials up to t,
-// summed as it stands, but for rows of a step that are known by their values. A value costs as much as there
-// are steps before it, some ten nanoseconds each.
+// summed directly, except for interpolated components (see InterpolatedRow). The cost of a value is
+// proportional to the number of steps before it, some ten nanoseconds each.
 class DensePath {
  public:
   explicit DensePath(const Problem& problem);
 
-  // The drives from the end of the step before up to t, and the rows that are known better.
+  // Adds the step from the end of the previous one to t: D^g y on it, and its interpolated components.
   void add(double t, const Drives& drives, const InterpolatedRows& interpolated);
 
-  // 0 <= t <= the end of the last step.
+  // y at t. Precondition: 0 <= t <= the end of the last step.
   [[nodiscard]] Vec at(double t) const;
 
   void state(Archive& archive);
 
  private:
-  // All rows of one order; 0: algebraic ones.
+  // All components of one order; order 0: the algebraic rows.
   struct Group {
     double order;
     std::vector<Eigen::Index> rows;
@@ -35,8 +36,8 @@ class DensePath {
   std::vector<Group> groups_;
   std::vector<double> times_{0.0};
   InterpolatedRows interpolated_;
-  std::vector<std::size_t> interpolated_from_{0};  // of each step, and of the next
-  std::vector<double> drives_;  // of one step after the other, as coefficients of Legendre polynomials
+  std::vector<std::size_t> interpolated_from_{0};  // index of the first one of each step, and their number
+  std::vector<double> drives_;                     // step after step, as coefficients of Legendre polynomials
 };
 
 }  // namespace fde

@@ -7,8 +7,9 @@
 namespace fde {
 namespace {
 
-// Of the end: relative to itself a row that starts from 0 has no digits on a first step, however short. Where
-// the row is as small a part of what it will be, (length / end)^order, they are not asked.
+// As parts of the end. A component that starts from 0 has no correct digits after a first step, however
+// short. None are required while the component is so small a part of its later size, estimated as (length /
+// end)^order.
 constexpr double short_enough = 1e-14;
 constexpr double shortest_first = 1e-290;
 
@@ -34,7 +35,7 @@ double first_length(const Problem& problem, const Accuracy& accuracy, Run& run) 
   const AllowedError allowed(accuracy);
   const TaylorPart taylor(problem);
   const Vec& start = run.start();
-  // Where it is infinite at the start, its values after it say enough.
+  // Infinite entries at the start count as 0: the values of f after the start suffice.
   const Vec f = run.rhs(0.0, start).unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
   Vec y(f.size()), unit(f.size());
   for (double length = problem.end;; length *= shrink) {

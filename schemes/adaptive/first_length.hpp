@@ -5,11 +5,11 @@
 
 namespace fde {
 
-// The length on which a first step by the rectangle rule is as accurate as asked, from 1e-290 of the end on.
+// The size with which a first step by the rectangle rule meets the tolerance; at least 1e-290 of the end.
 double first_length(const Problem& problem, const Accuracy& accuracy, Run& run);
 
-// Whether there are rows from 0, and a first step of this part of the end is so short that none of them is
-// asked for digits.
+// Whether there are components that start from 0 and, on a first step of this part of the end, none of them
+// has to meet the relative tolerance.
 bool asks_less(const Problem& problem, In start, double part_of_end);
 
 }  // namespace fde

@@ -12,10 +12,11 @@ namespace {
 using Square = Eigen::Matrix<double, stages, stages>;
 
 constexpr int most_iterations = 10;
-constexpr double longest_continued = 2.0;  // of the step before
-constexpr double converged = 1e-3;         // of what is allowed
-// What a defect at the start of a step, which is 0 at the points, is worth as one all over the step. Of order
-// 1/2 it leaves half of that at the end, of order 1 nothing; the largest part is 0.037, of order 1/4.
+constexpr double longest_continued = 2.0;  // of the previous step size
+constexpr double converged = 1e-3;         // of the tolerance
+// A defect that is 1 at the start of a step and 0 at the points counts as this constant defect on the whole
+// step. At order 1/2 its true effect at the end of the step is half of that, at order 1 nothing; the largest
+// is 0.036, near order 1/4.
 constexpr double part_of_defect = 0.06;
 
 const std::array<double, stages>& points() {
@@ -91,7 +92,7 @@ RadauSteps::RadauSteps(const Problem& problem, const Accuracy& accuracy, const O
     auto found = std::ranges::find(kernels_, order, &Kernel::order);
     if (found == kernels_.end()) {
       const Square weights = integral_weights(order);
-      // The first point of a step is the nearest that the past is asked for.
+      // The memory term is evaluated no nearer to the past steps than the first point of a step.
       kernels_.push_back({order,
                           KernelIntegrals(ExponentialKernel(order, points().front() * shortest, problem.end,
                                                             options.tolerance)),
@@ -131,7 +132,8 @@ void RadauSteps::prepare(double t) {
   }
 }
 
-// The parabola of the step before goes on, where this one is not much longer; otherwise f stays as it is.
+// Initial guess of Newton's method: the parabola of the previous step is extrapolated where the new step is
+// not much longer; otherwise f is constant.
 void RadauSteps::guess() {
   const Vec start = at_start_.unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
   drives_.colwise() = start;
@@ -152,7 +154,7 @@ bool RadauSteps::evaluate(Run& run) {
   return f_.allFinite();
 }
 
-// What y leaves of the equations, stage after stage.
+// The residual of the equations of the step, stage after stage.
 Vec RadauSteps::residual() const {
   Values rest(y_.rows(), stages);
   for (Eigen::Index r = 0; r < y_.rows(); ++r) {
@@ -170,7 +172,7 @@ Vec RadauSteps::limits() const {
 
 bool RadauSteps::solve(Run& run) {
   double last = no_solution;
-  bool renewed = true;  // the matrix, in each iteration
+  bool renewed = true;  // whether the matrix is factorised again in each iteration
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
     if (!evaluate(run)) return false;
     if (renewed) matrix_->factorise(run, time_ + length_, y_.col(stages - 1), f_.col(stages - 1), weights_);
@@ -199,7 +201,7 @@ bool RadauSteps::solve(Run& run) {
   return false;
 }
 
-// From the equations: where these are stiff, f(t, y) is off by far more than y.
+// Computes D^g y from the equations: where they are stiff, the error of f(t, y) is far larger than that of y.
 void RadauSteps::take_drives() {
   for (Eigen::Index r = 0; r < y_.rows(); ++r) {
     const auto& row = rows_[static_cast<std::size_t>(r)];
@@ -250,7 +252,7 @@ void RadauSteps::interpolate(Eigen::Index row) {
   interpolated_.push_back({row, to_cubic() * values});
 }
 
-// y at t with each drive this polynomial of (t' - time_) / (t - time_), one row each.
+// y at t where D^g y is this polynomial of (t' - time_) / (t - time_), one row a component.
 Vec RadauSteps::integrated(double t, const Values& polynomials) {
   Vec y = before_;
   taylor_.at(t, y);
@@ -268,7 +270,7 @@ Vec RadauSteps::integrated(double t, const Values& polynomials) {
   return y;
 }
 
-// Of algebraic rows y itself.
+// The polynomials of the attempt (see Drives).
 RadauSteps::Values RadauSteps::parabolas() const {
   Values values = drives_;
   for (std::size_t r = 0; r < rows_.size(); ++r) {

@@ -9,14 +9,15 @@
 
 namespace fde {
 
-// Collocation at the three points of Radau IIA on steps of any length, orders up to 1:
-//   y_i = past_i + sum_j K_ij f(t_j, y_j),   K the fractional integral of the parabola through f at the
-// points, and past the integral over all steps before, whose exponentials are linear states that the step has
-// eliminated. For order 1 it is the method of Hairer & Wanner (Solving ODEs II, section IV.8).
+// Collocation at the three points of Radau IIA with adaptive step size, orders up to 1:
+//   y_i = past_i + sum_j K_ij f(t_j, y_j),   i, j = 1, 2, 3.
+// K gives the fractional integral of the parabola through f at the points. past is the Taylor part and the
+// integral over all steps before, by a sum of exponentials, whose (linear) states are eliminated from the
+// equations of the step. For order 1 it is the method of Hairer & Wanner (Solving ODEs II, section IV.8).
 //
-// The error of a step is estimated from how far the parabola is from f at the beginning of the step, and from
-// what the equations of the step make of it. Beyond the newest steps memory sees of such errors their mean
-// only, which is 0.
+// The error of a step is estimated from the distance of the parabola from f at the beginning of the step: a
+// constant times this defect, multiplied by the inverse of the iteration matrix. Beyond the newest steps only
+// the mean of such an error over its step matters for the memory term, and the mean is 0.
 class RadauSteps final : public AdaptiveSteps {
  public:
   RadauSteps(const Problem& problem, const Accuracy& accuracy, const Options& options, Run& run,
@@ -38,9 +39,9 @@ class RadauSteps final : public AdaptiveSteps {
 
  private:
   using Weights = Eigen::Matrix<double, stages, stages>;
-  using Values = Eigen::Matrix<double, Eigen::Dynamic, stages>;  // one row a row, one column a stage
+  using Values = Eigen::Matrix<double, Eigen::Dynamic, stages>;  // one row a component, one column a stage
 
-  // All rows of one order.
+  // All components of one order.
   struct Kernel {
     double order;
     KernelIntegrals integrals;
@@ -67,16 +68,16 @@ class RadauSteps final : public AdaptiveSteps {
   TaylorPart taylor_;
   AllowedError allowed_;
   std::vector<Kernel> kernels_;
-  std::vector<std::optional<Row>> rows_;  // none of an algebraic row
+  std::vector<std::optional<Row>> rows_;  // empty: an algebraic row
   std::unique_ptr<StageMatrix> matrix_;
-  StageWeights weights_;              // on the newest step
-  double time_ = 0.0;                 // of the newest step taken
-  double next_ = 0.0, length_ = 0.0;  // of the attempt
+  StageWeights weights_;              // of the attempt
+  double time_ = 0.0;                 // end of the last accepted step
+  double next_ = 0.0, length_ = 0.0;  // end and size of the attempt
   std::optional<double> length_before_{};
-  Values past_, y_, f_, drives_;   // drives: the derivatives D^g y, as f, but from the equations
-  Values parabolas_before_;        // their parabolas on the step before, by powers of its share
+  Values past_, y_, f_, drives_;   // drives: D^g y from the equations of the step, in place of f(t, y)
+  Values parabolas_before_;        // coefficients of their parabolas on the last accepted step (Drives)
   InterpolatedRows interpolated_;  // on the newest attempt
-  Vec at_start_;                   // f where the step begins
+  Vec at_start_;                   // f at the beginning of the step
   Vec before_, result_;
 };
 

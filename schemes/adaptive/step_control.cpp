@@ -8,9 +8,9 @@ namespace {
 
 constexpr double integral = 0.7, proportional = 0.4;  // exponents times the rate
 constexpr double aim = 0.8;                           // of the length that would make the error 1
-constexpr double least = 0.1, most = 4.0;             // of the length before
+constexpr double least = 0.1, most = 4.0;             // of the previous length
 constexpr double unsolved = 0.25;
-constexpr double worthwhile = 1.2;  // a step that may grow by less stays as it is, and with it its factors
+constexpr double worthwhile = 1.2;  // a smaller increase keeps the length, so that factors can be reused
 constexpr double smallest_error = 1e-6;
 
 }  // namespace

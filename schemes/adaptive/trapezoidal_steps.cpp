@@ -21,8 +21,8 @@ class NewtonOnTrapezoids final : public TrapezoidalSolver {
       newton_.reset();
       return false;
     }
-    // One more iteration, and f as the equations have it at its end: where these are stiff, f(t, y) is off by
-    // far more than y, and where the step is short, (y - past) / kappa is.
+    // One more iteration, and f from the linearised equations: where they are stiff, the error of f(t, y) is
+    // far larger than that of y; where the step is short, the error of (y - past) / kappa is.
     f = run.rhs(step.t, y);
     const Vec rest = step.past + step.kappa.cwiseProduct(f) - y;
     Vec increment = rest;
@@ -127,7 +127,7 @@ double TrapezoidalSteps::attempt(Run& run, double t) {
       left_over, [](double line, double left) { return line + std::copysign(left, line); }));
 }
 
-// max |error_i| / limit_i. Where both are 0, nothing is wrong.
+// max |error_i| / limit_i, where 0 / 0 counts as 0.
 double TrapezoidalSteps::largest_part(const Vec& error, const Vec& limit) {
   double largest = 0.0;
   for (Eigen::Index i = 0; i < error.size(); ++i) {
@@ -136,8 +136,7 @@ double TrapezoidalSteps::largest_part(const Vec& error, const Vec& limit) {
   return largest;
 }
 
-// The mean distance of f from its line on the step; where the step before says nothing of f, half of its
-// change.
+// The mean distance of f from its line on the step; without a previous step, half of the change of f.
 Vec TrapezoidalSteps::defect() const {
   const Vec change = next_.f - newest_.f;
   if (!older_) return change / 2.0;
@@ -147,11 +146,11 @@ Vec TrapezoidalSteps::defect() const {
   return bend * (length / (length + length_before) / 6.0);
 }
 
-// Of an error of f all over the step: h^g / Gamma(g+1).
+// Contribution to y_n of an error 1 of f on the whole step: h^g / Gamma(g+1).
 Vec TrapezoidalSteps::effect() const { return kappa_.cwiseProduct((orders_.array() + 1.0).matrix()); }
 
 double TrapezoidalSteps::error_of_jump() const {
-  constexpr double jumps = 1e-6;  // of f, on a step of few units in the last place of the time
+  constexpr double jumps = 1e-6;  // relative to f, on a step of few units in the last place of the time
   const Vec change = next_.f - newest_.f;
   const bool is_one =
       (change.array().abs() > jumps * newest_.f.array().abs().max(next_.f.array().abs())).any();
@@ -177,7 +176,7 @@ double TrapezoidalSteps::error(const Vec& of_f) {
   double result = 0.0;
   for (Eigen::Index i = 0; i < limit_.size(); ++i) {
     if (answered[i] == 0.0) continue;
-    // What they add up to now is compared with the row as it is now.
+    // The error accumulated up to now is compared with the limit for the present size of y.
     const auto sum = [&](double all) {
       return std::abs(answered[i]) * all / (left[i] + all * (1.0 - left[i]));
     };
@@ -188,10 +187,10 @@ double TrapezoidalSteps::error(const Vec& of_f) {
   return result;
 }
 
-// The part of an error that the equations of a step leave when they answer to it again, for each row: the
-// larger of that of all rows together and of those of its order, in the mean square.
+// r of each component: the ratio of the root mean squares of `again` and `answered`, the larger of that over
+// all components and that over the components of the same order.
 Vec TrapezoidalSteps::left_of(const Vec& answered, const Vec& again) const {
-  // Squares of parts of the largest error do not overflow.
+  // Squares of errors divided by the largest error do not overflow.
   const double largest = largest_part(answered, limit_);
   if (largest == 0.0 || !std::isfinite(largest) || answered == again) return Vec::Ones(limit_.size());
   Vec before = Vec::Zero(limit_.size()), after = before;
@@ -217,15 +216,15 @@ Vec TrapezoidalSteps::left_of(const Vec& answered, const Vec& again) const {
   return left;
 }
 
-// What as large errors on all steps since f jumped last add up to now and at the end, the kernel t^(order-1)
-// falling or not, in units of what one leaves in its own step.
+// The factors a now and at the end: the sum of equal errors on all steps since the last jump of f, in units
+// of the error of one step. The kernel t^(order-1) falls for orders below 1 and grows for orders above 1.
 std::pair<double, double> TrapezoidalSteps::accumulation(double order) const {
   const double length = next_.t - newest_.t, steps = (next_.t - begun_) / length;
   const double by_now = std::pow(steps, order);
   return {by_now, order <= 1.0 ? by_now : steps * std::pow(problem_.end / length, order - 1.0)};
 }
 
-// f on the line through its last two values.
+// f extrapolated by the line through its last two values.
 Vec TrapezoidalSteps::continued_drive(double t) const {
   if (!older_) return newest_.f;
   return newest_.f + (t - newest_.t) / (newest_.t - older_->t) * (newest_.f - older_->f);

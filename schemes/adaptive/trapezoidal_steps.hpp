@@ -10,7 +10,7 @@
 
 namespace fde {
 
-// How a step of the trapezoidal rule is solved.
+// Solver of the equations of one step of the trapezoidal rule.
 class TrapezoidalSolver {
  public:
   TrapezoidalSolver() = default;
@@ -18,39 +18,42 @@ class TrapezoidalSolver {
   TrapezoidalSolver& operator=(const TrapezoidalSolver&) = delete;
   virtual ~TrapezoidalSolver() = default;
 
-  // y becomes the solution, from y at the step before, and f what joins the past there. False: there is none.
-  // `continued` is f as the steps before continue it.
+  // On entry y is the solution at the previous step; on exit it is the solution of the step, and f is the
+  // value for the history. `continued` is f extrapolated from the previous steps. Returns false if there is
+  // no solution.
   virtual bool solve(Run& run, const StepEquations& step, const Vec& continued, Vec& y, Vec& f) = 0;
 
-  // How far the solution is from that of the rule, as an error of f.
+  // The error of the last solve against the exact solution of the step equations, as an error of f.
   [[nodiscard]] virtual Vec left_over() const = 0;
 
-  // error becomes what the equations of the step make of it: (1 - kappa df/dy)^(-1) error, as far as it is
-  // known.
+  // Replaces error by (1 - kappa df/dy)^(-1) error; a solver without a Jacobian leaves it unchanged.
   virtual void respond(Vec& error) const = 0;
 
-  // What solves sparse equations; empty: there were none.
+  // The method that solved sparse equations; empty: there were none.
   [[nodiscard]] virtual std::string_view linear_solver() const { return {}; }
 
-  // What it keeps from step to step.
+  // Saves or restores the state between two steps.
   virtual void state(Archive& archive) = 0;
 };
 
-// Newton's method.
+// Newton's method (see NewtonSolver). The problem must outlive the solver.
 std::unique_ptr<TrapezoidalSolver> newton_on_trapezoids(const Problem& problem, double tolerance);
-// f continued from the last step, then so many corrections: the Adams-Bashforth-Moulton pair of rate 2.
+// f extrapolated, then so many corrections: the Adams-Bashforth-Moulton pair of rate 2.
 std::unique_ptr<TrapezoidalSolver> correct_predictions(int corrections);
 
-// The product trapezoidal rule, y(t) = Taylor part + I^g of f as a line on each step, on steps of any length.
+// The product trapezoidal rule with adaptive step size: y(t) = Taylor part + I^g f with f linear on each
+// step.
 //
-// The error of a step is that of the line against the parabola through f at the ends of the last two steps,
-// a mean of h^2 f[t_(n-2), t_(n-1), t_n] / 6. Such errors have one sign as long as f bends to one side, and
-// memory keeps them: one is worth h^g / Gamma(g+1) times it in y_n, but as large ones on all steps before a
-// times that where nothing makes them decay, a = (t/h)^g, t since f jumped last, and of orders above 1 up to
-// t end^(g-1) / h^g. What
-// does so shows in the equations of the step: they leave a part r of an error when they answer to it a second
-// time, with one row 1 / (1 - kappa df/dy), with more in the mean square of all rows or of those of one
-// order. The first answer is what decays at once. Over all steps it is the answer times a / (r + a (1 - r)).
+// The error of f on a step is the mean distance of the line from the parabola through f at the ends of the
+// last two steps, h^2 f[t_(n-2), t_(n-1), t_n] / 6. These errors keep their sign while the second derivative
+// of f keeps its sign, and they accumulate in the memory term: an error e on one step contributes e h^g /
+// Gamma(g+1) to y_n, equal errors on all steps contribute a times that if they do not decay. Here a =
+// (t/h)^g, t the time since the last jump of f, and for orders above 1 up to t end^(g-1) / h^g.
+//
+// Their decay is estimated from the equations of the step: (1 - kappa df/dy)^(-1) is applied to the error
+// twice. The first result is the error of one step. r is the part of it that the second application leaves: 1
+// / (1 - kappa df/dy) for one component, otherwise a ratio of root mean squares over all components or over
+// those of one order. The error over all steps is the first result times a / (r + a (1 - r)).
 class TrapezoidalSteps final : public AdaptiveSteps {
  public:
   TrapezoidalSteps(const Problem& problem, const Accuracy& accuracy, const Options& options, Run& run,
@@ -72,7 +75,7 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   void state(Archive& archive) override;
 
  private:
-  // f at a time.
+  // f at the time t.
   struct Sample {
     double t;
     Vec f;
@@ -94,10 +97,10 @@ class TrapezoidalSteps final : public AdaptiveSteps {
   std::unique_ptr<History> history_;
   std::unique_ptr<TrapezoidalSolver> solver_;
   Vec orders_;
-  std::vector<Eigen::Index> group_{};  // of each row, the first of its order
+  std::vector<Eigen::Index> group_{};  // for each component, the first of the same order
   Sample newest_, next_;
   std::optional<Sample> older_{};
-  double begun_ = 0.0;             // where f jumped last
+  double begun_ = 0.0;             // time of the last jump of f
   InterpolatedRows interpolated_;  // on the newest attempt
   Vec before_, y_, kappa_, convolved_, past_, limit_;
 };

@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// L D L^T in an order of least degree (Eigen::SimplicialLDLT), of symmetric and positive definite matrices.
+// L D L^T of symmetric positive definite matrices, with a minimum degree ordering (Eigen::SimplicialLDLT).
 class CholeskyFactors final : public SparseFactors {
  public:
   static constexpr std::string_view id = "cholesky";

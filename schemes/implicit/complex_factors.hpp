@@ -8,8 +8,8 @@
 
 namespace fde {
 
-// 1 - factor A for a real A, factorised by the quickest method that serves, as sparse_factors does with real
-// matrices: tridiagonal, fast_sine, lu. Conjugate gradients and Cholesky's factors have no complex
+// 1 - factor A for a real A, factorised by the fastest applicable method, in the same order as
+// sparse_factors: tridiagonal, fast_sine, lu. Conjugate gradients and Cholesky's factors have no complex
 // counterpart here.
 class ComplexFactors {
  public:
@@ -18,17 +18,17 @@ class ComplexFactors {
   ComplexFactors& operator=(const ComplexFactors&) = delete;
   virtual ~ComplexFactors() = default;
 
-  // Of a matrix whose entries are where they were in that for which this was made. False where the method
-  // does not serve.
+  // Factorises 1 - factor * matrix. Precondition: the matrix has the pattern of the first one. Returns false
+  // where the method is not applicable.
   virtual bool factorise(const SparseMatrix& matrix, std::complex<double> factor) = 0;
 
-  // b becomes the solution.
+  // Replaces b by the solution.
   virtual void solve(ComplexVec& b) const = 0;
 
   [[nodiscard]] virtual std::string_view name() const = 0;
 };
 
-// nullptr: no method serves.
+// Factors of 1 - factor * matrix; nullptr: no method is applicable.
 std::unique_ptr<ComplexFactors> complex_factors(const SparseMatrix& matrix, std::complex<double> factor);
 
 }  // namespace fde

@@ -7,12 +7,12 @@
 namespace fde {
 namespace {
 
-// Below, factors are made in the time of the iterations of one solve.
+// Below, factorisation takes no longer than the iterations of one solve.
 constexpr Eigen::Index fewest_unknowns = 2000;
 
-// Nanoseconds an unknown, as `fde_large solvers` measures them: their ratio counts. An iteration multiplies
-// with sines of the shorter line, and streams a few vectors; factors grow like the square root of the number
-// of unknowns.
+// Nanoseconds per unknown, as measured by `fde_large solvers`; only their ratio is used. An iteration
+// multiplies with sines of the shorter line and reads a few vectors; the cost of factors grows like the
+// square root of the number of unknowns.
 double iteration_cost(const FivePoint& matrix) {
   return 8.0 + 0.04 * static_cast<double>(std::min(matrix.n, matrix.m));
 }
@@ -26,7 +26,7 @@ Vec lowest_mode(Eigen::Index n) {
   return (std::numbers::pi / static_cast<double>(n + 1) * numbers).array().sin();
 }
 
-// The mean stencil, its diagonal such that the lowest mode gets as much from it as from the matrix.
+// The mean stencil, its diagonal such that the lowest mode has the same Rayleigh quotient as with the matrix.
 Stencil<double> stencil_like(const FivePoint& matrix) {
   const Vec mode = (lowest_mode(matrix.n) * lowest_mode(matrix.m).transpose()).reshaped();
   Vec product(mode.size());
@@ -49,8 +49,8 @@ FivePoint scaled(FivePoint matrix, const Vec& s) {
   return matrix;
 }
 
-// Whether couplings with the point before and with that after differ much, somewhere on a line: of a
-// diffusivity that is smooth they do not, once scaled.
+// Whether the couplings with the previous and the next point differ much anywhere on a line. For a smooth
+// diffusivity they do not, after scaling.
 bool jumps(const FivePoint& matrix) {
   constexpr double much = 0.2;
   const auto differ = [](double one, double other) {
@@ -103,7 +103,8 @@ void ConjugateGradients::make_factors() const {
   factorised_ = cholesky_->factorise(matrix);
 }
 
-// b becomes the solution, or is as it was where what factors cost is spent.
+// Replaces b by the solution. Returns false, with b unchanged, where the iterations have cost as much as
+// factors.
 bool ConjugateGradients::iterate(Vec& b) const {
   constexpr double rounding = 0x1p-53;
   x_ = Vec::Zero(b.size());

@@ -8,7 +8,7 @@
 namespace fde {
 namespace {
 
-// Up to rounding, with rows and columns of equal size.
+// Whether `a` is singular up to rounding, after its rows and columns are scaled to equal size.
 bool singular(Matrix a) {
   constexpr double rounding = 1e-14;
   const Vec rows = a.rowwise().lpNorm<Eigen::Infinity>();

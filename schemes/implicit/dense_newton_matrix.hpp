@@ -7,8 +7,9 @@
 
 namespace fde {
 
-// Takes what the problem tells of df/dy, or differences of rhs. Most problems have a few components, where a
-// size that the compiler knows saves most of the time: it is 1 to 8, or Eigen::Dynamic.
+// Uses the problem's df/dy, or differences of rhs where it has none. size: the number of components, 1 to 8,
+// or Eigen::Dynamic. Most problems have a few components, for which a size known at compile time saves most
+// of the time.
 template <int size>
 class DenseNewtonMatrix : public NewtonMatrix {
  public:
@@ -24,7 +25,7 @@ class DenseNewtonMatrix : public NewtonMatrix {
   [[nodiscard]] const RowScales& rows() const override { return rows_; }
 
  private:
-  void assemble(const Vec& kappa);  // from df/dy in the matrix's place
+  void assemble(const Vec& kappa);  // from df/dy, which is stored in matrix_
 
   using Square = Eigen::Matrix<double, size, size>;
 
@@ -34,7 +35,7 @@ class DenseNewtonMatrix : public NewtonMatrix {
   Eigen::PartialPivLU<Square> factors_;
 };
 
-// Of the size of the problem.
+// A matrix for the size of the problem. The problem must outlive it.
 std::unique_ptr<NewtonMatrix> make_dense_newton_matrix(const Problem& problem);
 
 }  // namespace fde

@@ -9,9 +9,9 @@
 
 namespace fde {
 
-// df/dy at y by differences, where evaluate(y) gives f. A component that is small beside its size, as it is
-// where it changes its sign, is moved by a part of that; sizes of 0 and values of 0 leave |y|, or 1. It is
-// moved forwards, or backwards where smooth(y) does not hold ahead.
+// df/dy at y by one-sided differences: evaluate(y) returns f; f: its value at y. The increment of component i
+// is sqrt(eps) max(|y_i|, sizes_i); where both are 0, the largest |y_j| takes their place, or 1. It is
+// positive, or negative where smooth(y) is false at the shifted point.
 template <class Evaluate, class Smooth>
 void differences(Evaluate evaluate, Smooth smooth, Vec y, In f, In sizes, OutMatrix result) {
   const double relative_step = std::sqrt(std::numeric_limits<double>::epsilon());
@@ -27,7 +27,8 @@ void differences(Evaluate evaluate, Smooth smooth, Vec y, In f, In sizes, OutMat
   }
 }
 
-// The same of a run's right-hand side at t, without leaving the side of a switch or the domain.
+// The same for a run's right-hand side at t. The shifted points stay on the same sides of all switches and in
+// the domain, where one of the two directions does.
 inline void difference_rhs(Run& run, const Problem& problem, double t, In y, In f, In sizes,
                            OutMatrix result) {
   const auto here = sides(problem, t, y);

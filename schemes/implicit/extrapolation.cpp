@@ -13,7 +13,7 @@ void Extrapolation::push(double t, In y) {
   values_.col(newest_) = y;
 }
 
-// The points that are known are the first ones, in whatever order.
+// The known points are in the first columns, not ordered by time.
 void Extrapolation::at(double t, Out value) const {
   std::array<double, most> weights{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(known_); ++i) {

@@ -7,7 +7,7 @@
 
 namespace fde {
 
-// A path continued from its last points, by the polynomial through as many of them as there are, up to five:
+// Extrapolates a path by the polynomial through its last points, at most five:
 //   y(t) = sum_i y_i prod_(j != i) (t - t_j) / (t_i - t_j).
 class Extrapolation {
  public:
@@ -16,7 +16,7 @@ class Extrapolation {
   void push(double t, In y);
   [[nodiscard]] bool empty() const { return known_ == 0; }
 
-  // value becomes that at t. At least one point is known.
+  // Sets value to the polynomial at t. Precondition: not empty().
   void at(double t, Out value) const;
 
   void state(Archive& archive);

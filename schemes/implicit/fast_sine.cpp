@@ -8,7 +8,7 @@ namespace {
 
 constexpr Eigen::Index together = 32;  // modes whose lines and pivots are in the cache together
 
-// Of some modes, one row a mode.
+// Values of some modes, one row a mode.
 template <class Scalar>
 using Panel = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 

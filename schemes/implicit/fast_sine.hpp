@@ -7,21 +7,21 @@
 
 namespace fde {
 
-// Solves with matrices of constant stencils on n x m points: a sine transform along the shorter lines, and
-// across them for each mode k a tridiagonal Toeplitz matrix of diagonal d + 2 a cos(pi k / (n + 1)), by
-// elimination. Its pivots are made as they are needed, so that nothing belongs to a stencil.
+// Solves with matrices of constant stencils on n x m points: a sine transform along the shorter lines, then
+// for each mode k elimination with a tridiagonal Toeplitz matrix across them, of diagonal d + 2 a cos(pi k /
+// (n + 1)). The pivots are computed in each solve, so that no state depends on a stencil.
 class FastSine {
  public:
   FastSine(Eigen::Index n, Eigen::Index m);
 
-  // Whether the elimination loses no digits: no diagonal is smaller than what stands beside it.
+  // Whether the elimination is stable: each tridiagonal matrix is (weakly) diagonally dominant.
   template <class Scalar>
   [[nodiscard]] bool serves(const Stencil<Scalar>& stencil) const;
 
-  // The sign of the determinant, where it serves.
+  // The sign of the determinant. Precondition: serves(stencil).
   [[nodiscard]] int determinant_sign(const Stencil<double>& stencil) const;
 
-  // b becomes the solution.
+  // Replaces b, of n m entries, by the solution. Precondition: serves(stencil).
   void solve(const Stencil<double>& stencil, Vec& b) const;
   void solve(const Stencil<std::complex<double>>& stencil, ComplexVec& b) const;
 
@@ -34,7 +34,7 @@ class FastSine {
   void backward(const Matrix& modes, Vec& field) const;
 
   Eigen::Index n_, m_;
-  SineTransform transform_;  // along lines of the lesser of both
+  SineTransform transform_;  // of length min(n, m)
   mutable Matrix modes_, other_modes_;
   mutable Vec turned_, real_, imaginary_;
 };

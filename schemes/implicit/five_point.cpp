@@ -9,7 +9,7 @@ namespace {
 
 using Entries = SparseMatrix::InnerIterator;
 
-// Of the first line: the first point is coupled with that of the next line.
+// n: the first point is coupled with the first point of the next line.
 Eigen::Index points_of_a_line(const SparseMatrix& matrix) {
   Eigen::Index last = 0;
   for (Entries entry(matrix, 0); entry; ++entry) last = std::max<Eigen::Index>(last, entry.row());

@@ -6,7 +6,7 @@
 namespace fde {
 namespace {
 
-// The past of the rows that have one: all but the algebraic ones.
+// The history of all rows but the algebraic ones.
 class PastOfRows {
  public:
   PastOfRows(const Problem& problem, const std::vector<WeightTable>& tables, const Grid& grid,
@@ -28,12 +28,12 @@ class PastOfRows {
 
   // Appends a sample of all rows, taken at time t.
   void push(double t, In sample) {
-    if (sample.size() == buffer_.size()) return history_->push(t, sample);  // nothing to pick
+    if (sample.size() == buffer_.size()) return history_->push(t, sample);  // no algebraic rows
     for (Eigen::Index r = 0; r < buffer_.size(); ++r) buffer_[r] = sample[row(r)];
     history_->push(t, buffer_);
   }
 
-  // The sums at time t of the rows that have a past; the others stay as they are.
+  // Sets the sums at time t of the rows with a history; the other entries are unchanged.
   void convolve(double t, Out result) {
     if (result.size() == buffer_.size()) return history_->convolve(t, 0, result);
     history_->convolve(t, 0, buffer_);

@@ -15,17 +15,17 @@ constexpr int most_iterations = 50;
 constexpr int few_setbacks = 3;
 constexpr double stagnation = 1e-10;
 
-constexpr double part_of_tolerance = 0.25;  // that an equation may be off by, of its terms
+constexpr double part_of_tolerance = 0.25;  // residual of an equation relative to its terms
 constexpr double slowest = 0.05;            // an increment with kept factors, relative to the one before
-constexpr double most_doubt = 0.2;          // twice the first increment, relative to how far the guess leads
+constexpr double most_doubt = 0.2;          // twice the first increment, relative to guess - previous y
 
-// Increments that no longer shrink, and are so small that it is rounding that does not let them.
+// Whether increments no longer shrink, and are so small that rounding is the reason.
 bool stagnates(double now, double last) { return now >= last / 2 && now <= stagnation; }
 
 constexpr int most_sweeps = 8;
 constexpr int most_pseudo_steps = 200;
-constexpr double most_bend = 0.25;       // of the equations along a pseudo time step, relative
-constexpr double newton_inverse = 1e-3;  // of a pseudo time step that is as good as one without end
+constexpr double most_bend = 0.25;       // largest relative nonlinearity along a pseudo-time step
+constexpr double newton_inverse = 1e-3;  // inverse of a pseudo-time step that counts as infinite
 constexpr double shortest_inverse = 1e9;
 
 }  // namespace
@@ -53,7 +53,7 @@ bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out y) {
   const bool first = path_.empty();
   if (first || !iterate_kept(run, step, y)) {
     if (!iterate_anew(run, step, y)) return false;
-    // The factors are those of the last iteration, which began next to y.
+    // The factors are from the last iteration, which began close to y.
     wear_.renew();
     sign_ = matrix_->determinant_sign();
     outruns_ = first && sign_ < 0 && matrix_->rows().algebraic.empty();
@@ -67,9 +67,9 @@ bool NewtonSolver::iterate_kept(Run& run, const StepEquations& step, Out y) {
   near_ = y;
   continue_path(step, near_);
   for_each_component(y.size(), [&](Eigen::Index i) { increment_[i] = near_[i] - y[i]; });
-  // As if an increment of this size had led to the guess.
+  // The first increment is judged as if an increment of this size had led to the guess.
   double last = std::max(most_doubt * relative_size(rows, increment_, near_), stagnation);
-  bool anew = wear_.worn(), fresh = anew;  // fresh: made in this step
+  bool anew = wear_.worn(), fresh = anew;  // fresh: factorised in this step
   f_ = run.rhs(step.t, near_);
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
     if (anew && !renew_factors(run, step)) return false;

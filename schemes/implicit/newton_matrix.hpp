@@ -8,8 +8,8 @@
 
 namespace fde {
 
-// The matrix that Newton's method solves with at a step, mass - scale df/dy: dense, or sparse where the
-// problem tells its derivatives that way. A sparse one has no algebraic rows.
+// The iteration matrix of Newton's method at a step, mass - scale df/dy (see RowScales): dense, or sparse
+// where the problem has sparse derivatives. A sparse one has no algebraic rows.
 class NewtonMatrix {
  public:
   NewtonMatrix() = default;
@@ -17,12 +17,11 @@ class NewtonMatrix {
   NewtonMatrix& operator=(const NewtonMatrix&) = delete;
   virtual ~NewtonMatrix() = default;
 
-  // Becomes the matrix at y, where f is f(t, y).
+  // Computes the matrix at y. f: f(t, y). It is not factorised yet.
   virtual void linearise(Run& run, const StepEquations& step, In y, In f) = 0;
 
-  // Becomes the factorised matrix of a linear problem. False where rounding decides about the solution of its
-  // algebraic rows, in whatever units these and the unknowns are: so it is where constraints depend on each
-  // other.
+  // Computes and factorises the matrix of a linear problem. Returns false where its algebraic rows determine
+  // their unknowns only up to rounding, whatever the units, as where constraints are dependent.
   virtual bool factorise_linear(const Vec& kappa) = 0;
 
   // 1 or -1, of the factorised matrix; 0 where it is singular or not finite.
@@ -31,20 +30,20 @@ class NewtonMatrix {
   virtual void add_to_diagonal(const Vec& values) = 0;
   virtual void factorise() = 0;
 
-  // b becomes the solution x of (the factorised matrix) x = b.
+  // Replaces b by the solution x of M x = b, M the factorised matrix.
   virtual void solve(Vec& b) const = 0;
 
-  // The name of the method, of a sparse matrix that is factorised; empty: it says none.
+  // The name of the solver of a factorised sparse matrix; empty: the matrix is dense or not factorised.
   [[nodiscard]] virtual std::string_view solver() const { return {}; }
 
-  // The matrix that has been factorised last: the factors are made of it again.
+  // Saves or restores the matrix that has been factorised last; restoring factorises it again.
   virtual void state(Archive& archive) = 0;
 
-  // Those of the equations that have been linearised last.
+  // The scales of the equations that have been linearised last.
   [[nodiscard]] virtual const RowScales& rows() const = 0;
 };
 
-// Of the kind of the problem's derivatives. The problem has to outlive it.
+// A matrix for the problem's kind of derivatives. The problem must outlive it.
 std::unique_ptr<NewtonMatrix> make_newton_matrix(const Problem& problem);
 
 }  // namespace fde

@@ -30,7 +30,7 @@ OutrunGrowth::OutrunGrowth(const Problem& problem)
 }
 
 bool OutrunGrowth::outruns(NewtonMatrix& matrix, const Vec& kappa, bool solvable) {
-  // A step is not looked at that is no longer than one that outran nothing.
+  // No larger than a step that was not too large.
   if ((kappa.array() <= cleared_.array()).all()) return false;
   const int sign = solvable ? matrix.determinant_sign() : 0;
   Vec shorter = kappa;

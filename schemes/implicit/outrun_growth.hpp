@@ -4,33 +4,33 @@
 
 namespace fde {
 
-// Whether steps of a linear problem are too long for one of its growing modes.
+// Detects steps of a linear problem that are too large for one of its growing modes.
 //
-// The matrix mass - kappa A of a step is singular where a mode grows without bound in one step: kappa_i is
-// c_i h^(g_i), and where it is 1 / s^(g_i) that mode is e^(st). A longer step takes the solution through
-// infinity and out on the other side, where the mode alternates in sign or decays: numbers that are finite
-// and have nothing to do with the motion. The determinant has changed its sign then. It is compared with
-// those of shorter steps, from half the length on down to where the matrix is dominated by its diagonal, and
-// shorter ones have no zero. Where there are algebraic rows it goes on until rounding decides about the sign.
-// The lengths between are not looked at, so two modes close to each other cancel.
+// The matrix mass - kappa A of a step is singular where the factor by which a mode e^(st) grows in one step
+// is infinite: kappa_i = c_i h^(g_i) = 1 / s^(g_i). With a larger step the computed mode alternates in sign
+// or decays: the values are finite and unrelated to the solution. The determinant has then changed its sign.
+// Its sign is compared with the signs for smaller steps, from half the step size down to where the matrix is
+// diagonally dominant and smaller steps have no zero. With algebraic rows it goes on until the sign is lost
+// in rounding. Step sizes between those are not tested, so two modes close to each other cancel.
 class OutrunGrowth {
  public:
-  // The problem is linear.
+  // Precondition: the problem is linear.
   explicit OutrunGrowth(const Problem& problem);
 
-  // The matrix is factorised for kappa, and `solvable` is what it said of that. It is so afterwards.
+  // Whether the step is too large. Precondition: the matrix is factorised for kappa, with the result
+  // `solvable`; it is factorised for kappa again on return.
   bool outruns(NewtonMatrix& matrix, const Vec& kappa, bool solvable);
 
   void state(Archive& archive) { archive(cleared_, sign_there_); }
 
  private:
-  // Whether the determinant has its sign for this kappa and for all shorter steps.
+  // Whether the determinant has the same sign for this kappa and for all smaller steps.
   [[nodiscard]] bool dominated(const Vec& kappa) const;
 
   Vec orders_;
   Vec reach_;           // a_ii + sum_{j != i} |a_ij|; infinity in algebraic rows
-  Vec cleared_;         // the kappa of the longest step that outran nothing; 0: there was none
-  int sign_there_ = 0;  // of the determinant
+  Vec cleared_;         // kappa of the largest step that was not too large; 0: there was none
+  int sign_there_ = 0;  // of the determinant for that kappa
 };
 
 }  // namespace fde

@@ -13,7 +13,7 @@ constexpr Eigen::Index columns_together = 64, rows_together = 64;  // of a produ
 
 Eigen::Index whole_vectors(Eigen::Index rows) { return (rows + lanes - 1) / lanes * lanes; }
 
-// sin(pi a / N), a whole, its argument reduced in whole numbers to [0, pi/2].
+// sin(pi a / N) for an integer a, its argument reduced to [0, pi/2] in integers.
 class Sines {
  public:
   explicit Sines(Eigen::Index intervals) : intervals_(intervals), values_(2 * intervals) {
@@ -30,7 +30,7 @@ class Sines {
   Vec values_;
 };
 
-// c += a b, a in parts of its rows that stay in the cache for all columns of b.
+// c += a b, with blocks of rows of a that stay in the cache for all columns of b.
 void add_product(const Matrix& a, Eigen::Index inner, Eigen::Index columns, ConstBlock b, Block c) {
   for (Eigen::Index row = 0; row < a.rows(); row += rows_together) {
     multiply_add(std::min(rows_together, a.rows() - row), inner, columns, {a.data() + row, a.rows()}, b,

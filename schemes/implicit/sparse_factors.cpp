@@ -40,7 +40,7 @@ class FastSineFactors final : public SparseFactors {
     const auto found = five_point(matrix);
     const auto stencil = found ? found->constant() : std::nullopt;
     if (!stencil) return false;
-    // Its entries are where they were.
+    // The pattern is the same in every call.
     if (!sines_) sines_.emplace(found->n, found->m);
     stencil_ = *stencil;
     return sines_->serves(stencil_);

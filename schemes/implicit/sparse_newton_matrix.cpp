@@ -76,8 +76,8 @@ void SparseNewtonMatrix::solve(Vec& b) const {
   }
 }
 
-// A matrix may be factorised by the method that served those before it, where another would be taken for it
-// alone.
+// The method is saved: it may be that of earlier matrices, where sparse_factors would choose another one for
+// this matrix.
 void SparseNewtonMatrix::state(Archive& archive) {
   const auto used = factors_ ? factors_->method() : std::string_view();
   std::vector<char> method(used.begin(), used.end());

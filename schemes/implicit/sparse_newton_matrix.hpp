@@ -7,7 +7,8 @@
 
 namespace fde {
 
-// The order of elimination depends on where the entries are and not on what they are: it is found once.
+// The iteration matrix of a problem with sparse derivatives. The elimination order depends on the pattern
+// only and is computed once for each pattern.
 class SparseNewtonMatrix : public NewtonMatrix {
  public:
   explicit SparseNewtonMatrix(const Problem& problem);
@@ -25,7 +26,7 @@ class SparseNewtonMatrix : public NewtonMatrix {
  private:
   void assemble(const SparseMatrix& derivatives, const Vec& kappa);
 
-  // Where the entries of a matrix are that is compressed.
+  // The pattern of a compressed matrix.
   struct Pattern {
     Pattern() = default;
     explicit Pattern(const SparseMatrix& matrix);
@@ -36,9 +37,9 @@ class SparseNewtonMatrix : public NewtonMatrix {
   const Problem& problem_;
   RowScales rows_;
   SparseMatrix identity_, derivatives_, matrix_;
-  Pattern assembled_{};                     // of derivatives with a whole diagonal: the matrix has the same
-  Pattern analysed_{};                      // of the matrix for which the factors were made
-  std::unique_ptr<SparseFactors> factors_;  // nullptr: it has none
+  Pattern assembled_{};                     // of derivatives with a full diagonal, which the matrix shares
+  Pattern analysed_{};                      // of the matrix that the factors belong to
+  std::unique_ptr<SparseFactors> factors_;  // nullptr: none, or singular
 };
 
 }  // namespace fde

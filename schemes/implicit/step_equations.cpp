@@ -9,7 +9,7 @@
 namespace fde {
 namespace {
 
-// The larger one; no number where either is none.
+// The larger one; NaN where either is NaN.
 double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
 
 }  // namespace
@@ -39,7 +39,7 @@ bool holds(const StepEquations& step, In f, In y, double tolerance) {
 }
 
 double relative_size(const RowScales& rows, In increment, In y) {
-  // Below, doubles lose their digits one by one: rounding is relative to this then.
+  // For smaller numbers rounding errors are subnormal: they are relative to this value.
   static constexpr double smallest =
       std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
   const auto of = [](double part, double size) { return part / std::max(size, smallest); };

@@ -12,7 +12,7 @@
 namespace fde {
 namespace {
 
-// The rows that multipliers may be in: those that a matrix tells, otherwise all but algebraic ones.
+// The rows that may contain multipliers: by the matrix of a linear problem, otherwise all but algebraic ones.
 std::vector<Eigen::Index> driven_rows(const Problem& problem, const std::vector<Eigen::Index>& multipliers) {
   const auto* told = std::get_if<DenseLinearPart>(&problem.derivatives);
   std::vector<Eigen::Index> rows;
@@ -24,10 +24,10 @@ std::vector<Eigen::Index> driven_rows(const Problem& problem, const std::vector<
   return rows;
 }
 
-// The trapezoidal rule weighs continuous functions. On all steps together f is one of those and one that is
-// constant on each step:
+// The trapezoidal weights are for continuous functions. f is the sum of a continuous function and a function
+// that is constant on each step:
 //   f = c + p,  p_n = f(t_(n-1), y_(n-1), lambda_n) - c_(n-1),  c_n = f(t_n, y_n, lambda_n) - p_n,
-// c_n at t_n and p_n on the step to it. The rule gives c_n the weight kappa, and p_n has (1 + g) kappa, g the
+// c_n at t_n and p_n on the step to it. The weight of c_n is kappa, the weight of p_n is (1 + g) kappa, g the
 // order of the row: the step reads
 //   y_n = past + kappa (f(t_n, y_n, lambda_n) + g p_n).
 // Rows without multipliers have p = 0, and g = 0 leaves algebraic rows as they are.
@@ -48,7 +48,7 @@ class StepwiseMultipliers {
       orders_[i] = problem.components[static_cast<std::size_t>(i)].order;
   }
 
-  // The problem with f + g p in place of f: solve_implicit steps it by the rule below.
+  // The problem with f + g p in place of f, to be solved by solve_implicit with rule().
   [[nodiscard]] Problem stepped() {
     Problem stepped = problem_;
     stepped.rhs = [this](double t, In y, Out f) {
@@ -94,7 +94,7 @@ class StepwiseMultipliers {
       find_slopes();
   }
 
-  // Takes a step that ends with y at t, or the start. sample: c there.
+  // Accepts a step that ends with y at t, or the start. sample: c there.
   void end_step(double t, In y, Out sample) {
     Vec constant = Vec::Zero(y.size());
     if (t > 0.0) {
@@ -117,7 +117,8 @@ class StepwiseMultipliers {
     return f_;
   }
 
-  // Of f at the start of the step, in each multiplier. Exact where that enters linearly.
+  // Difference quotients of f in each multiplier, at the start of the step. Exact where the multiplier enters
+  // linearly.
   void find_slopes() {
     Vec moved = start_;
     for (std::size_t k = 0; k < multipliers_.size(); ++k) {
@@ -140,11 +141,11 @@ class StepwiseMultipliers {
   TaylorPart taylor_;
   StepwiseConstants constants_;
   Vec orders_;
-  int done_ = 0;     // steps
+  int done_ = 0;     // number of accepted steps
   double t_ = 0.0;   // where the next step starts
   Vec start_, rhs_;  // y and f there, with the multipliers of the step before
   Vec continuous_;   // c there
-  Matrix slopes_;    // of f there, a column a multiplier
+  Matrix slopes_;    // df/dlambda there, a column a multiplier
   Vec trial_, f_;
 };
 
@@ -207,7 +208,7 @@ std::optional<std::string> refusal_of_multipliers(const Problem& problem) {
     return fmt::format("takes multipliers in steps from the left only: component {} is one", found.front());
   if (auto reason = refusal_of_driven_rows(problem, found)) return reason;
   const double orders = integrated_orders(problem);
-  if (!(orders > 1.0 + slack)) return std::nullopt;  // NaN: whether the steps can be solved, they will tell
+  if (!(orders > 1.0 + slack)) return std::nullopt;  // NaN: not known; an unsolvable step ends the run
   return fmt::format(
       "takes constraints that are one integration away from their multipliers (index 2), not {:.3g}", orders);
 }

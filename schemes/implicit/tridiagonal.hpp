@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// Elimination without exchange of rows, of tridiagonal matrices. Real ones say the sign of their determinant.
+// Elimination without pivoting for tridiagonal matrices. determinant_sign() is for real ones.
 template <class Scalar>
 class Tridiagonal {
  public:
@@ -21,8 +21,8 @@ class Tridiagonal {
     return true;
   }
 
-  // False where a row has more beside its diagonal than there: otherwise pivots are no smaller than what is
-  // left of that.
+  // Returns false where a row is not diagonally dominant. Otherwise no pivot is smaller than the entry on its
+  // right.
   bool factorise(const Rows& matrix) {
     take(matrix);
     if (!(inverse_.array().abs() >= below_.array().abs() + above_.array().abs()).all()) return false;

@@ -6,11 +6,11 @@
 
 namespace fde {
 
-// When factors of a matrix that are kept from step to step are no longer worth it: once they have cost as
-// many iterations more than a step takes with fresh ones as fresh ones cost themselves.
+// Decides when factors that are reused from step to step are to be recomputed: once they have cost as many
+// additional iterations, compared with fresh factors, as a new factorisation costs.
 class Wear {
  public:
-  // price: of fresh factors, in iterations.
+  // price: cost of a factorisation, in iterations.
   explicit Wear(int price) : price_(price) {}
 
   [[nodiscard]] bool worn() const { return worn_; }
@@ -19,7 +19,7 @@ class Wear {
     worn_ = false;
     steps_ = taken_ = fewest_ = 0;
   }
-  // A step took so many iterations.
+  // Records the number of iterations of a step.
   void count(long iterations) {
     fewest_ = steps_ == 0 ? iterations : std::min(fewest_, iterations);
     ++steps_;

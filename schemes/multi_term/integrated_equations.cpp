@@ -27,7 +27,7 @@ void evaluate(const Problem& problem, const std::vector<Chain>& chains, double t
   }
 }
 
-// The last row of a chain says D^L u = (g - sum_k c_k D^(a_k) u) / a.
+// The last row of a chain is D^L u = (g - sum_k c_k D^(a_k) u) / a.
 void differentiate(const Problem& problem, const std::vector<Chain>& chains, double t, In y,
                    OutMatrix jacobian) {
   evaluate_jacobian(problem, t, y, jacobian);
@@ -51,7 +51,7 @@ Derivatives integrated_derivatives(const Problem& problem, const std::vector<Cha
   return part;
 }
 
-// D^v u from its value at t = 0, as a component of order L - v.
+// The rows D^v u as components of order L - v.
 std::vector<Component> integrated_components(const Problem& problem, const std::vector<Chain>& chains) {
   std::vector<Component> components = problem.components;
   for (const auto& chain : chains) {
@@ -99,7 +99,7 @@ StartPowers start_powers_of_equations(const WeightFamily& family, const Problem&
     for (const double node : chain.nodes()) {
       orders.push_back(chain.leading().order - node);
       steps.push_back(orders.back());
-      if (!whole(node)) steps.push_back(std::ceil(node) - node);  // D^v of the Taylor part, where g reads it
+      if (!whole(node)) steps.push_back(std::ceil(node) - node);  // D^v T, where g depends on it
     }
   }
   return start_powers(family, orders, steps);
@@ -121,7 +121,7 @@ IntegratedEquations::IntegratedEquations(const Problem& problem, const WeightFam
       kappa_(Vec::Zero(problem.size())) {
   if (start_powers.empty()) return;
   for (auto of_sum : tables_) {
-    // What a sum leaves out is not looked at.
+    // Rows that are not in a sum get the table of one that is; their sums are not used.
     const auto used = *std::ranges::find_if(of_sum, [](const auto& table) { return table.order > 0.0; });
     std::ranges::replace_if(
         of_sum, [](const auto& table) { return table.order == 0.0; }, used);
@@ -170,7 +170,7 @@ Matrix IntegratedEquations::first_weights_of(const Part& part, Eigen::Index i) c
   return weights;
 }
 
-// The rows of an equation are D^v d with A D^v d = kappa_v Omega_v f - (the integrals of D^v T) at all first
+// The rows of an equation satisfy A D^v d = kappa_v Omega_v f - (the integrals of D^v T) at all first
 // steps together, A = 1 + sum_k c_k/a kappa_k Omega_k, and D^v d = 0 at t = 0.
 std::optional<FirstEquations> IntegratedEquations::first_equations() {
   if (!find_factors(1)) return std::nullopt;

@@ -15,43 +15,47 @@
 
 namespace fde {
 
-// The multi-term equations of a problem, integrated, where a chain would solve its links:
+// The multi-term equations of a problem in integrated form, in place of the system of a chain:
 //   a D^L u + sum_k c_k D^(a_k) u = g,   g = force + (1 - factor) sum_k c_k D^(a_k) u.
 // With T the Taylor part of u and d = u - T, which starts from 0, every derivative D^v u that is a row of the
 // chain, v < L, satisfies (Diethelm & Ford, Appl. Math. Comput. 154 (2004), for v = 0)
 //   D^v d + sum_k c_k/a I^(L-a_k) D^v d = I^(L-v) (g - sum_k c_k D^(a_k) T) / a.
-// The integrals of T are known. The others are sums over samples of D^v d and of g: of all rows v with the
-// same weights, of orders L - a_k, and of g with those of the orders L - v.
+// The integrals of T are known. The other integrals are convolution sums: over samples of D^v d with weights
+// of the orders L - a_k, the same for all rows v, and over samples of g with weights of the orders L - v.
+
+// The chain of each equation.
 std::vector<Chain> chains_of(const Problem& problem);
 
-// Why equations do not serve, as half a sentence: a leading order is above 2, or rows are of no equation.
+// Why the integrated form is not applicable, as half a sentence: a leading order is above 2, or rows belong
+// to no equation. nullopt: it is applicable.
 std::optional<std::string> refusal_of_equations(const Problem& problem);
 
-// What each step solves for, y = past + kappa f(t, y), as a problem with the rows of the given one, which it
-// reads: f is g / a in all rows of an equation, and row v of the order L - v.
+// The problem that each step solves, y = past + kappa f(t, y), with the rows of the given one: f is g / a in
+// all rows of an equation, and row v has the order L - v. The given problem must outlive it.
 Problem integrated(const Problem& problem);
 
-// The powers of t that start weights of this family make exact in D^v d and in g, from the orders alone.
+// The powers of t in D^v d and in g that start weights of this family make exact; they follow from the
+// orders.
 StartPowers start_powers_of_equations(const WeightFamily& family, const Problem& problem);
 
-// The past of all equations.
+// The memory terms of all equations.
 class IntegratedEquations {
  public:
-  // With start weights for these powers of the samples; empty: with none.
+  // start_powers: powers of t in the samples that start weights make exact; empty: no start weights.
   IntegratedEquations(const Problem& problem, const WeightFamily& family, const Grid& grid,
                       const Options& options, const std::vector<double>& start_powers = {});
 
   [[nodiscard]] std::size_t bytes() const;
 
-  // The equations of the first steps, one for each start power beyond the first. Empty where step_to(1) is
+  // The equations of the first steps, one for each start power beyond the first. nullopt where step_to(1) is
   // false.
   [[nodiscard]] std::optional<FirstEquations> first_equations();
 
   // Appends y and f of integrated() at t: 0, or the time of the last step.
   void push(double t, In y, In f);
 
-  // Goes on to t_n, after the first steps. False where a step of this length leads through infinity:
-  // 1 + sum_k c_k/a kappa_k <= 0, which no shorter one does.
+  // Computes past() and kappa() for the step to t_n, after the first steps. Returns false where the step is
+  // too large for a growing mode: 1 + sum_k c_k/a kappa_k <= 0, which does not hold for small enough steps.
   bool step_to(int n);
 
   // The rows at t_n are past + kappa f(t_n, y_n).
@@ -61,11 +65,11 @@ class IntegratedEquations {
   void state(Archive& archive);
 
  private:
-  // One equation among the samples: of its rows, then of f.
+  // One equation. Its samples are those of its rows, then that of f.
   struct Part {
     Chain chain;
     Vec ratios;             // c_k / a
-    Eigen::Index first;     // of its samples
+    Eigen::Index first;     // index of its first sample
     StartIntegrals starts;  // of T
     double own = 1.0;       // 1 + sum_k c_k/a kappa_k
   };
@@ -80,12 +84,12 @@ class IntegratedEquations {
   std::vector<Part> parts_;
   WeightTables tables_;  // of each sum; the order of the i-th is L - node i
   std::unique_ptr<History> history_;
-  std::vector<StartCorrection> corrections_;  // of each sum; none: there are no start weights
+  std::vector<StartCorrection> corrections_;  // of each sum; empty: no start weights
   Matrix first_samples_;                      // those with start weights, one column a step
-  Eigen::Index pushed_ = 0;                   // of them
-  Matrix factors_;                            // of the newest sample, a row an equation, a column a sum
-  Matrix sums_;                               // one column a sum
-  double time_ = -1.0;                        // of starts_ and drives_
+  Eigen::Index pushed_ = 0;                   // number of columns set
+  Matrix factors_;      // weights of the newest sample, a row an equation, a column a sum
+  Matrix sums_;         // one column a sum
+  double time_ = -1.0;  // time of starts_ and drives_
   Vec sample_, starts_, drives_, past_, kappa_;
 };
 

@@ -26,15 +26,15 @@ bool listed(const std::vector<Eigen::Index>& rows, Eigen::Index row) {
   return std::ranges::find(rows, row) != rows.end();
 }
 
-// The powers of D^v d, where those of D^v u are given: without those of T.
+// The powers of D^v d, given the powers of D^v u: those of T are removed.
 Powers without_taylor(Powers powers, const Chain& chain, double node) {
   const double degrees = std::ceil(chain.leading().order);
   std::erase_if(powers, [=](double q) { return whole(q + node) && std::round(q + node) < degrees; });
   return powers;
 }
 
-// The rows that g depends on: found by moving them, at t = 0 and at a later time. All terms where the factor
-// is not 1.
+// The rows on which g depends, found by perturbing each at t = 0 and at a later time; all terms where the
+// factor is not 1.
 std::vector<Eigen::Index> rows_read(const Problem& problem, const Equation& equation, const Chain& chain) {
   std::vector<Eigen::Index> rows;
   const Vec start = taylor_part(problem, 0.0);
@@ -64,8 +64,9 @@ std::vector<Eigen::Index> rows_read(const Problem& problem) {
   return rows;
 }
 
-// The powers of t with which g starts: those of the rows that it reads, and what the powers of u ask of the
-// force's own dependence on t. A power p of u stands for p - L of D^L u, which a term has or g.
+// The powers of t with which g starts: the powers of the rows on which it depends, and those of its explicit
+// dependence on t, inferred from u: a power p of u is a power p - L of D^L u, which must occur in a term or
+// in g.
 Powers powers_of_force(const Problem& problem, const Smoothness& smoothness, const Equation& equation,
                        const Chain& chain) {
   Powers powers, explained;
@@ -85,7 +86,7 @@ Powers powers_of_force(const Problem& problem, const Smoothness& smoothness, con
   return powers;
 }
 
-// Rows with rates of their own, as a problem: their orders, and how they start.
+// Contributions to the error as the rows of a problem: their orders, and how they start.
 struct Contributions {
   Problem problem;
   Smoothness smoothness;
@@ -107,8 +108,8 @@ bool jumps(const Smoothness& smoothness, const Chain& chain) {
   });
 }
 
-// Of the samples of every sum: D^v d in a sum of the order L - a of the largest term, and g in those of the
-// orders L - v.
+// The contributions of the samples of every sum: D^v d in a sum of the order L - a of the largest term, and g
+// in those of the orders L - v.
 Contributions of_samples(const Problem& problem, const Smoothness& smoothness) {
   Contributions all;
   const auto read = rows_read(problem);

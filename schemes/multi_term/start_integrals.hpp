@@ -6,17 +6,17 @@
 
 namespace fde {
 
-// What the Taylor part T of the unknown of a chain does to each of its rows D^v u.
+// Contributions of the Taylor part T of the unknown of a chain to each of its rows D^v u.
 class StartIntegrals {
  public:
   explicit StartIntegrals(const Chain& chain);
 
-  // starts becomes D^v T, and drives sum_k c_k/a I^(L-v) D^(a_k) T, of all rows.
+  // Sets starts to D^v T and drives to sum_k c_k/a I^(L-v) D^(a_k) T at t, one entry a row of the chain.
   void at(double t, Out starts, Out drives) const;
 
  private:
-  // starts and drives are sums of these coefficients times t^fraction t^whole, 0 <= fraction < 1: powers of
-  // one fraction stand together and share t^fraction.
+  // starts and drives are sums of these coefficients times t^fraction t^whole, 0 <= fraction < 1. Powers with
+  // the same fraction are adjacent and share t^fraction.
   struct Power {
     double fraction;
     int whole;

@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// A row of a problem as an integral of one of the unknown functions x_k that a panel solves for,
+// A row of a problem as a fractional integral of one of the unknown functions x_k of a panel,
 //   y(t) = sum of coefficient t^power + I^order x_k,
 // or x_k itself, order 0, for an algebraic row.
 struct DrivenRow {
@@ -20,8 +20,9 @@ struct DrivenRow {
   [[nodiscard]] bool algebraic() const { return order == 0.0; }
 };
 
-// All rows, and for each x_k the row of the right-hand side that it equals: D^L u of a multi-term equation,
-// whose chain it drives as a whole, otherwise D^gamma y_i. An algebraic drive makes its row 0 instead.
+// All rows; drives[k] is the index of the right-hand side f_i that x_k equals. x_k is D^L u for a multi-term
+// equation, and all rows of its chain are integrals of it; otherwise x_k is D^gamma y_i. For an algebraic row
+// the equation is f_i = 0 instead.
 struct DrivenRows {
   explicit DrivenRows(const Problem& problem);
 
@@ -31,7 +32,7 @@ struct DrivenRows {
   [[nodiscard]] Eigen::Index row_count() const { return std::ssize(rows); }
   [[nodiscard]] Eigen::Index drive_count() const { return std::ssize(drives); }
 
-  // What is known of every row at t, without the integrals.
+  // The rows at t without the integrals: their Taylor parts.
   [[nodiscard]] Vec start(double t) const;
 };
 

@@ -10,8 +10,8 @@
 namespace fde {
 namespace {
 
-// det(1 - diag(s^-orders) jacobian), which tends to 1 far out, without the 1 in algebraic rows, which make it
-// tend to a power of s; s = e^log_s.
+// det(1 - diag(s^-orders) jacobian), without the 1 in algebraic rows; s = e^log_s. For large |s| it tends to
+// 1, or to a power of s where there are algebraic rows.
 std::complex<double> determinant(const Matrix& jacobian, const Vec& orders, std::complex<double> log_s) {
   ComplexMatrix matrix = ComplexMatrix::Identity(orders.size(), orders.size());
   for (Eigen::Index i = 0; i < orders.size(); ++i)
@@ -22,9 +22,10 @@ std::complex<double> determinant(const Matrix& jacobian, const Vec& orders, std:
   return matrix.determinant();
 }
 
-// From where on it is a power of s, as far as two distances can tell; NaN: nowhere.
+// The log |s| from which on the determinant is a power of s, judged by its slopes at two distances; NaN:
+// none.
 double power_from(const Matrix& jacobian, const Vec& orders, double log_s) {
-  constexpr double straight = 0.02, most = 300.0;  // of log |det| against log s; of log s
+  constexpr double straight = 0.02, most = 300.0;  // change of d log |det| / d log s; largest log s
   const auto slope = [&](double at) {
     return std::log(std::abs(determinant(jacobian, orders, at + 1.0) / determinant(jacobian, orders, at)));
   };
@@ -36,13 +37,13 @@ double power_from(const Matrix& jacobian, const Vec& orders, double log_s) {
 
 }  // namespace
 
-// The path goes a quarter round 0 from the real axis, up the imaginary axis to where the rows of the identity
-// outweigh the others, or the determinant is a power of s, and a quarter back to the real axis: at both ends
-// the determinant is real. With its mirror image the path encloses the modes, each of which turns the
-// determinant once, half of it here.
+// The path is a quarter circle round 0 from the real axis, a part of the imaginary axis up to where the
+// identity dominates the other entries of each row, or the determinant is a power of s, and a quarter circle
+// back to the real axis: at both ends the determinant is real. With its mirror image the path encloses the
+// modes. Each of them adds a full turn to the argument of the determinant, half of it on this path.
 bool grows_faster(const Matrix& jacobian, const Vec& orders, double rate) {
   using namespace std::complex_literals;
-  constexpr double turn = 0.3, clear = 1.01;  // of s^order in a step; of the other entries of a row
+  constexpr double turn = 0.3, clear = 1.01;  // of log(s^order) a step; times the other entries of a row
   constexpr double most_steps = 1e4;
   const double first = std::log(rate), largest = orders.maxCoeff();
   double last = first;

@@ -11,10 +11,10 @@ namespace fde {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double part = 0.5;  // of what is allowed: what grows, or adds up, has room
+constexpr double part = 0.5;  // of the tolerance: a margin for errors that grow or add up
 
-// A function with a singularity as far away as a panel is long has Legendre coefficients like 5.8^-l: on the
-// panels that grow from a start, and in what is seen of blocks.
+// A function with a singularity at the distance of one panel length has Legendre coefficients like 5.8^-l: so
+// do the x_k on the panels that grow from a start, and the integrals over distant blocks.
 Eigen::Index points_for(const Accuracy& accuracy) {
   constexpr double decay = 1.763, spare = 4.0;  // log(3 + sqrt 8)
   const double error = std::clamp(std::max(accuracy.relative, accuracy.absolute), 1e-16, 1e-2);
@@ -42,7 +42,7 @@ Trajectory PanelMarch::solve() {
   return path;
 }
 
-// Between two jumps, in segments that end at switches.
+// Solves between two jumps, in segments that end at switches.
 void PanelMarch::solve_between(double start, double end) {
   const Matrix nothing = Matrix::Zero(solution_->rule.size(), solution_->driven.row_count());
   while (going_ != Going::over && start < end) {
@@ -114,7 +114,7 @@ std::unique_ptr<PastBlock> PanelMarch::attempt(const TimeBlock& block, const Mat
   const Vec allowed = solver_.allowed(task, solved.rows);
   const Vec effects = effects_of(block, task, solved, coefficients, allowed);
   double doubt = std::max(effects.tail(2).sum() / part, break_before(block, task, solved, allowed));
-  // More than the places can see grow.
+  // The points do not resolve a mode that grows by more than this.
   if (solver_.grows(run_, task, solved.rows, static_cast<double>(effects.size()))) doubt = infinity;
   if (!(doubt <= 1.0) && !left_by_rounding(block, doubt)) {
     shorten(block, doubt);
@@ -138,8 +138,8 @@ std::unique_ptr<PastBlock> PanelMarch::take(const TimeBlock& block, const PanelT
   return panel;
 }
 
-// Whether the panel is not all on one side of every switch, or, behind the first panel, not on that of the
-// panel before.
+// Whether the panel is not on one side of every switch, or, after the first panel of a segment, not on the
+// side of the panel before.
 bool PanelMarch::reaches_switch(const TimeBlock& panel, const PanelTask& task, const Matrix& rows) const {
   if (problem_.switches.empty()) return false;
   const Eigen::Index places = rows.rows();
@@ -152,9 +152,10 @@ bool PanelMarch::reaches_switch(const TimeBlock& panel, const PanelTask& task, c
   return false;
 }
 
-// Over a block as short as a switch is located, on which drives go on as they were; behind it all begins
-// anew. nullptr: the block is longer, or ends on the same side. A run that is back there at once, or time
-// after time next to at once, slides along the switch, and has no solution beyond.
+// Accepts a block as short as the accuracy with which switches are located, with the x_k extrapolated over
+// it; a new segment begins after it. nullptr: the block is longer, or ends on the same side. If the run
+// returns to the switch at once, or repeatedly almost at once, the solution slides along the switch and does
+// not exist beyond: the run ends.
 std::unique_ptr<PastBlock> PanelMarch::lead_over_switch(const TimeBlock& block, const PanelTask& task) {
   constexpr double located = 1e-13, at_once = 1e-5;  // of the time
   constexpr int most_returns = 32;
@@ -190,16 +191,18 @@ PanelTask PanelMarch::task_on(const TimeBlock& panel, const Matrix& smooth, cons
   return task;
 }
 
-// The drives as they were last; at the start of a segment, where these are not known, as the past makes them.
+// Initial guess: the last values of the x_k; at the start of a segment, where these are not known, f at the
+// memory term.
 Matrix PanelMarch::guess_on(const PanelTask& task) {
   Matrix guess(task.past.rows(), solution_->driven.drive_count());
   guess.rowwise() = (last_drives_.size() > 0 ? last_drives_ : solver_.drives_at(run_, task)).transpose();
   return guess;
 }
 
-// What the coefficients of each degree are worth as an error of the rows, in units of what is allowed, at
-// most of all rows: as an error of the drive all over the panel. Where f makes a row decay quickly it is a
-// small part of its drive, and the coefficients of the row itself say what is wrong.
+// The error of the rows, in units of the tolerance, that corresponds to the Legendre coefficients of each
+// degree; the largest of all rows. A coefficient of x_k counts as a constant error of x_k on the panel. Where
+// f makes a row decay quickly, the row is far smaller than its x_k, and the coefficients of the row itself
+// count.
 Vec PanelMarch::effects_of(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
                            const Matrix& of_drives, const Vec& allowed) {
   const auto& driven = solution_->driven;
@@ -209,7 +212,7 @@ Vec PanelMarch::effects_of(const TimeBlock& panel, const PanelTask& task, const 
     const double unit = std::max(solver_.unit_of(task, i), remembered_unit(panel, i));
     effects.col(i) = unit / allowed[i] * of_drives.col(drive).cwiseAbs();
   }
-  const bool follows = panel.from > 0.0;  // and is past the transient that a start is
+  const bool follows = panel.from > 0.0;  // after the initial transient
   const double in_doubt = effects.rowwise().maxCoeff().tail(2).sum();
   if (follows && in_doubt > part && !solver_.grows(run_, task, solved.rows, 1.0)) {
     const Matrix of_rows = solution_->rule.to_coefficients * solved.rows;
@@ -219,9 +222,9 @@ Vec PanelMarch::effects_of(const TimeBlock& panel, const PanelTask& task, const 
   return effects.rowwise().maxCoeff();
 }
 
-// An error of the drive on the first panel is remembered as one of the velocity by a row of an order above 1,
-// which moves it by more until the end than on the panel. Its mean is less than the last coefficients by as
-// many times as there are points.
+// In a row of an order above 1 an error of x_k on the first panel acts as an error of the velocity, whose
+// effect on the row is larger at the end than on the panel. The mean of the error is smaller than the last
+// coefficients, by a factor of the number of points.
 double PanelMarch::remembered_unit(const TimeBlock& panel, Eigen::Index row) const {
   const double order = solution_->driven.rows[static_cast<std::size_t>(row)].order;
   if (panel.from > 0.0 || order <= 1.0) return 0.0;
@@ -230,10 +233,10 @@ double PanelMarch::remembered_unit(const TimeBlock& panel, Eigen::Index row) con
          (std::tgamma(order) * static_cast<double>(solution_->rule.size()));
 }
 
-// What it is worth, in units of what is allowed, that the panel does not begin as the one before it ended:
-// drives are continuous, so this is another root of the equations, or f jumps before the first place and
-// up to there the drive is wrong. Where f makes rows decay quickly, these count.
-// How algebraic rows begin is not known.
+// The error, in units of the tolerance, that a discontinuity of the x_k between the panel before and this one
+// indicates: the x_k are continuous, so this panel has another root of the equations, or f jumps before the
+// first point and x_k is wrong up to there. Where f makes rows decay quickly, the discontinuity of the rows
+// counts. The initial values of algebraic rows are not known.
 double PanelMarch::break_before(const TimeBlock& panel, const PanelTask& task, const PanelValues& solved,
                                 const Vec& allowed) {
   constexpr double least_share = 1e-3;
@@ -256,15 +259,16 @@ double PanelMarch::break_before(const TimeBlock& panel, const PanelTask& task, c
   return of_rows > 1.0 || solver_.grows(run_, task, solved.rows, 1.0) ? most : of_rows;
 }
 
-// The share of the coefficients that are needed.
+// The fraction of the coefficients that are needed.
 double PanelMarch::needed_share(const Vec& effects) {
   Eigen::Index needed = effects.size();
   while (needed > 1 && effects[needed - 1] <= 1.0) --needed;
   return static_cast<double>(needed) / static_cast<double>(effects.size());
 }
 
-// Whether a panel twice as long was no worse. The last coefficients show rounding as up to as many times what
-// it is worth as there are points: where rows constrain others, drives are slopes of what they constrain.
+// Whether the error is due to rounding: a longer panel had about the same error. The last coefficients
+// amplify rounding by up to the number of points: with constraints the x_k are derivatives of the constrained
+// rows.
 bool PanelMarch::left_by_rounding(const TimeBlock& panel, double doubt) const {
   constexpr double hardly_less = 0.5;
   return panel.from > 0.0 && panel.from == tried_.from && doubt > hardly_less * tried_.doubt &&
@@ -284,7 +288,7 @@ void PanelMarch::shorten(const TimeBlock& block, double doubt) {
   const double shortest = first ? 0x1p-900 : 0x1p-48 * block.from;
   const bool too_short = width_ <= shortest;
   if (!too_short && !run_.out_of_budget()) return;
-  if (first && solver_.take_unsettled()) {  // the segment begins again
+  if (first && solver_.take_unsettled()) {  // restarts the segment
     switched_at_ = block.segment->start;
     going_ = Going::switched;
     return;
@@ -295,7 +299,7 @@ void PanelMarch::shorten(const TimeBlock& block, double doubt) {
   run_.fail(too_short ? reason : Ending::out_of_budget, block.time(1.0));
 }
 
-// With which power of its width the doubt of a first panel falls, by the last two of them.
+// The power of its width with which the error of a first panel falls, from the last two attempts.
 double PanelMarch::rate_at_start(const Attempt& before) const {
   constexpr double usual = 2.0, least = 0.05, most = 4.0;
   if (!(tried_.doubt < before.doubt) || !std::isfinite(before.doubt)) return usual;
@@ -303,8 +307,8 @@ double PanelMarch::rate_at_start(const Attempt& before) const {
                     most);
 }
 
-// Panels that grow from the start are as long as their distance from it; others may grow where half of the
-// coefficients were enough.
+// Sets the largest width of the next panel: its distance from the start of the segment while panels grow from
+// there; otherwise twice the width of this one if half of the coefficients were enough.
 void PanelMarch::lengthen(const TimeBlock& panel, double needed_share) {
   if (panel.width >= panel.from) {
     width_ = panel.from + panel.width;

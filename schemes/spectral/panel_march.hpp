@@ -9,13 +9,13 @@
 
 namespace fde {
 
-// A problem solved by collocation on panels that find their lengths.
+// Solves a problem by collocation on panels of adaptive length, for the functions x_k of DrivenRows.
 //
-// Time between two jumps is halved until a panel passes: Newton's method converges, the last Legendre
-// coefficients of the drives are below what is allowed, and the drives go on from the panel before. So panels
-// shrink towards a start that is a power of t, where each is as long as its distance from it, and wherever
-// the solution turns quickly, or reaches a switch: there panels begin anew as behind a jump. What lies in the
-// past of a panel comes from the tree.
+// The interval between two jumps is halved until a panel is accepted: Newton's method converges, the last
+// Legendre coefficients of the x_k are below the tolerance, and the x_k continue those of the panel before.
+// So panels shrink towards a start where the solution behaves like a power of t, each as long as its distance
+// from the start, and wherever the solution varies quickly. They also shrink towards a switch, where a new
+// segment begins as after a jump. The memory term of a panel is computed from the tree (PastSum).
 class PanelMarch {
  public:
   PanelMarch(const Problem& problem, const Accuracy& accuracy, const Options& options);
@@ -54,13 +54,13 @@ class PanelMarch {
   std::shared_ptr<PanelSolution> solution_;
   Run run_;
   PanelSolver solver_;
-  double width_ = 1.0;  // of the next panel at most, in units of its segment
-  Attempt tried_{};     // the last one on this segment that did not pass
+  double width_ = 1.0;  // largest width of the next panel, in units of its segment
+  Attempt tried_{};     // the last rejected panel of this segment
   enum class Going { on, switched, over };
-  Going going_ = Going::on;    // otherwise blocks that are begun end where they are
-  std::vector<bool> sides_{};  // on which the run is of each switch
-  double switched_at_ = -1.0;  // last
-  int returns_ = 0;            // to a switch at once, one after the other
+  Going going_ = Going::on;    // otherwise the recursion over blocks stops
+  std::vector<bool> sides_{};  // the side of each switch on which the solution is
+  double switched_at_ = -1.0;  // time of the last switch
+  int returns_ = 0;            // successive returns to a switch at once
   Vec last_drives_;            // at the end of the panel before; empty: not known
 };
 

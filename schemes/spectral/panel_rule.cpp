@@ -10,7 +10,7 @@
 namespace fde {
 namespace {
 
-// What all panels use again and again is made with more digits.
+// The matrices that all panels use are computed with more digits.
 using Wide = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
 template <class Points>
@@ -26,7 +26,7 @@ auto legendre(const Points& points, Eigen::Index count) {
   return p;
 }
 
-// The zeros of P_n, increasing; the library has those that are not negative.
+// The zeros of P_n, increasing; boost returns those that are not negative.
 Vec gauss_places(Eigen::Index count) {
   const auto zeros = boost::math::legendre_p_zeros<double>(static_cast<int>(count));
   Vec places(count);

@@ -33,7 +33,7 @@ Vec PanelSolution::by_integrals(const PastBlock& panel, double t) const {
 }
 
 std::size_t PanelSolution::bytes() const {
-  // A tree has one block less above its panels.
+  // A binary tree has one inner block less than panels.
   const auto numbers = 2 * driven.drive_count() + driven.row_count();
   return past.bytes() + sizeof(double) * panels.size() * static_cast<std::size_t>(rule.size() * numbers);
 }

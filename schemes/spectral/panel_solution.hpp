@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// What a run of panels leaves: the tree of the past, and with it the rows at any time.
+// The solution on all panels: the tree of the history, and with it dense output of the rows.
 class PanelSolution {
  public:
   PanelSolution(const Problem& problem, Eigen::Index points)
@@ -18,11 +18,11 @@ class PanelSolution {
   const DrivenRows driven;
   PastSum past;
   std::deque<Segment> segments{};
-  std::vector<std::unique_ptr<PastBlock>> trees{};  // one a segment; where that ended early, parts
+  std::vector<std::unique_ptr<PastBlock>> trees{};  // one a segment, or its parts if the segment ended early
   std::vector<const PastBlock*> panels{};           // in the order of time
 
-  // The rows at a time that the panels cover. On the first panel of a segment, where they are not smooth,
-  // from the integrals; on the others from the values at the places.
+  // The rows at t. Precondition: the panels cover t. On the first panel of a segment, where the rows are not
+  // smooth, they are computed from the integrals; on the others from the values at the points.
   [[nodiscard]] Vec at(double t) const;
 
   [[nodiscard]] std::size_t bytes() const;

@@ -63,8 +63,8 @@ void PanelSolver::pass(const PanelValues& solved) {
   held_ = solved.rows.bottomRows<1>().transpose();
 }
 
-// What Newton's method may leave: little of what is allowed, and of the row, for others may be far more
-// sensitive to it than what is asked of it.
+// The error limit of Newton's method: a small part of the error limit of a row and of the row itself, as
+// other rows may be far more sensitive to it than its own limit allows for.
 Vec PanelSolver::left_over(const PanelTask& task, const Matrix& rows) const {
   constexpr double of_allowed = 0.01, of_row = 1e-6;
   const Vec largest = rows.cwiseAbs().colwise().maxCoeff();
@@ -90,9 +90,9 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
     if (!evaluate(run, task, rows)) return false;
     right_ -= drives * mass_.asDiagonal();
     if (anew && !linearise(run, task, rows)) {
-      // A derivative may be infinite where the rows are those of the start: the drives move away from there,
-      // or have their values already, where the rows do not differ from the start by more than rounding. What
-      // is more than that may still move others by far more.
+      // A derivative may be infinite at the initial values. A fixed-point sweep moves the rows away from
+      // there. It has converged where no row changes by more than rounding; a larger change may still change
+      // other rows by far more.
       if (++sweeps > most_sweeps || mass_.minCoeff() == 0.0) return false;
       move(task, right_, drives, rows);
       if (!rows.allFinite() || part_moved(left_over(task, rows)) > 1.0) continue;
@@ -109,7 +109,7 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
     const double contraction = last > 0.0 ? now / last : 1.0;
     if (linear(problem_) ? !cancels(limit) || iteration > 1 : now * std::min(contraction, 1.0) <= 1.0)
       return true;
-    if (now <= 1.0 && contraction > 0.5) return true;  // as far as rounding lets it
+    if (now <= 1.0 && contraction > 0.5) return true;  // converged up to rounding
     if (iteration > 2 && contraction > 2.0) return false;
     anew = contraction > 0.05;
     last = now;
@@ -119,14 +119,14 @@ bool PanelSolver::solve(Run& run, const PanelTask& task, PanelValues& values) {
 
 bool PanelSolver::take_unsettled() { return has_unsettled_ && !std::exchange(takes_unsettled_, true); }
 
-// The largest change of a row by the last increment, in units of its limit: 0 of a row that rests at 0, whose
+// The largest change of a row by the last increment, in units of its limit; 0 for a row that stays 0, whose
 // limit is 0.
 double PanelSolver::part_moved(const Vec& limit) const {
   const Eigen::ArrayXd moved = moved_.cwiseAbs().colwise().maxCoeff().transpose();
   return (moved > 0.0).select(moved / limit.array(), 0.0).maxCoeff();
 }
 
-// Whether the last increment, added up, may have lost more digits than it should.
+// Whether rounding in the last increment may exceed the limit.
 bool PanelSolver::cancels(const Vec& limit) const {
   const Vec lost = rounding * moved_.cwiseAbs().colwise().maxCoeff().transpose();
   return (lost.array() > limit.array()).any();
@@ -155,7 +155,7 @@ Vec PanelSolver::drives_at(Run& run, const PanelTask& task) {
   return drives.array().isFinite().select(drives, 0.0);
 }
 
-// jacobian_ at y_.
+// Computes jacobian_ at y_.
 void PanelSolver::differentiate(Run& run, double t, In sizes) {
   if (evaluate_jacobian(problem_, t, y_, jacobian_)) return;
   f_ = run.rhs(t, y_);
@@ -189,7 +189,7 @@ bool PanelSolver::evaluate(Run& run, const PanelTask& task, const Matrix& rows) 
   return right_.allFinite();
 }
 
-// Keeps what jacobian_ says of algebraic rows in the drives.
+// Updates felt_ with jacobian_.
 void PanelSolver::feel() {
   for (Eigen::Index k = 0; k < felt_.rows(); ++k) {
     const auto slopes = jacobian_.row(driven_.drives[static_cast<std::size_t>(k)]).cwiseAbs();

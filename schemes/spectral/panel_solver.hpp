@@ -10,61 +10,63 @@
 
 namespace fde {
 
-// What a panel solves for: at every place x_k = f, or 0 = f for an algebraic row, with the rows
+// The equations of a panel: at every point x_k = f, or 0 = f for an algebraic row (see DrivenRows), with the
+// rows
 //   y_i = past_i + I^(order_i) x_(drive of i).
 struct PanelTask {
-  Vec times;    // of the places
+  Vec times;    // of the points
   Vec units;    // PanelKernels::units of its length
-  Matrix past;  // one row a place, one column a row of the problem
-  Vec size;     // of the terms that each row is the sum of: what its rounding is relative to
+  Matrix past;  // one row a point, one column a row of the problem
+  Vec size;     // of the largest term in the sum of each row: rounding is relative to it
 };
 struct PanelValues {
-  Matrix drives, rows;  // one row a place
+  Matrix drives, rows;  // one row a point
 };
 
-// Newton's method for all places at once, each with its own Jacobian. The rows move with the drives by
-// increments, so that a row that is small beside its past keeps its digits where f makes it decay.
+// Newton's method for all points at once, each with its own Jacobian. The rows are updated by increments
+// together with the x_k, so that a row that is small beside its memory term keeps its digits where f makes it
+// decay.
 class PanelSolver {
  public:
   PanelSolver(const Problem& problem, const DrivenRows& driven, const PanelKernels& kernels,
               const Accuracy& accuracy);
 
-  // From a guess of the drives; what is left is small beside the accuracy. False: it does not converge, or
-  // leads out of the domain.
+  // Solves from a guess of values.drives; the error left is small beside the tolerance. Returns false if it
+  // does not converge or leaves the domain.
   bool solve(Run& run, const PanelTask& task, PanelValues& values);
 
-  // Where a derivative is infinite: takes, from now on, panels on which a sweep moves no row by more than may
-  // be left, though what that moves others by is not known. False: there were none, or they are taken
-  // already.
+  // For problems with an infinite derivative: accepts, from now on, panels on which a fixed-point sweep
+  // changes no row by more than the limit, although its effect on other rows is not known. Returns false if
+  // there were none, or if they are accepted already.
   bool take_unsettled();
 
-  // The rows that drives make.
+  // Computes values.rows from values.drives.
   void follow(const PanelTask& task, PanelValues& values);
 
-  // Whether the last iteration that came to no end was out of the domain.
+  // Whether the last solve that failed left the domain.
   [[nodiscard]] bool left_domain() const { return left_domain_; }
 
-  // The drives at t = 0; empty where f is not finite there.
+  // The x_k at t = 0; empty where f is not finite there.
   Vec first_drives(Run& run);
-  // Those that the past alone makes at the first place; 0 where f is not finite there. Algebraic rows are as
-  // they were last.
+  // The x_k at the first point from the memory term alone; 0 where f is not finite there. Algebraic rows keep
+  // their last values.
   Vec drives_at(Run& run, const PanelTask& task);
 
-  // What a row's integral makes of a drive of 1 all over the panel.
+  // The change of a row for x_k = 1 on the whole panel: its fractional integral, 1 for an algebraic row.
   [[nodiscard]] double unit_of(const PanelTask& task, Eigen::Index row) const;
 
-  // Whether the problem, linearised at the middle place, has a mode that grows by more than e^folds on the
-  // panel. What grows and is not resolved is wrong however small.
+  // Whether the problem, linearised at the middle point, has a mode that grows by more than e^folds on the
+  // panel. A growing mode that is not resolved is wrong however small it is.
   bool grows(Run& run, const PanelTask& task, const Matrix& rows, double folds);
 
-  // What may be wrong in each row. In an algebraic row it is at least what moves no other row by more than
-  // may be wrong there: at an early time t a multiplier is known up to 1/t of that only.
+  // The error limit of each row. In an algebraic row it is at least the error that changes no other row by
+  // more than its limit: at an early time t a multiplier can be found up to 1/t of that only.
   [[nodiscard]] Vec allowed(const PanelTask& task, const Matrix& rows) const;
 
-  // The rows at the end of the last panel passed.
+  // The rows at the end of the last accepted panel.
   [[nodiscard]] const Vec& held() const { return held_; }
 
-  // Takes a panel as solved.
+  // Records an accepted panel.
   void pass(const PanelValues& solved);
 
  private:
@@ -84,11 +86,11 @@ class PanelSolver {
   const DrivenRows& driven_;
   const PanelKernels& kernels_;
   AllowedError allowed_;
-  Vec mass_;     // 1, and 0 of an algebraic drive
-  Vec held_;     // the rows at the end of the last panel passed
-  Matrix felt_;  // the largest slopes of the drives of the panel by algebraic rows
+  Vec mass_;     // 1, and 0 for an algebraic row
+  Vec held_;     // the rows at the end of the last accepted panel
+  Matrix felt_;  // the largest |df_k/dy_i| on the panel, one row a drive k, one column a row i
   Eigen::PartialPivLU<Matrix> factors_;
-  Vec factored_units_;                                          // of a linear problem
+  Vec factored_units_;                                          // of a linear problem: those of factors_
   double calm_rate_ = std::numeric_limits<double>::infinity();  // of a linear problem: no mode grows faster
   Matrix right_, moved_, jacobian_, matrix_;
   Vec y_, f_;

@@ -5,7 +5,7 @@
 namespace fde {
 namespace {
 
-// Exact within a segment.
+// The position of a source relative to a block, exact within a segment.
 Lie lie_of(const TimeBlock& source, const TimeBlock& block) {
   if (source.segment == block.segment)
     return {source.width / block.width, (block.from - (source.from + source.width)) / block.width};
@@ -15,7 +15,7 @@ Lie lie_of(const TimeBlock& source, const TimeBlock& block) {
   return {source.length() / block.length(), gap / block.length()};
 }
 
-// Whether the block is seen as a whole from there.
+// Whether the source is integrated as a whole at this distance.
 bool is_one(const PastBlock& source, const Lie& lie) { return source.panel() || lie.gap >= lie.width; }
 
 }  // namespace

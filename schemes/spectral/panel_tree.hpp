@@ -8,15 +8,15 @@
 
 namespace fde {
 
-// A stretch of time between two jumps of a right-hand side: its panels grow from its start by themselves.
+// A time interval between two jumps of a right-hand side. Its panels grow from its start.
 struct Segment {
   double start, length;
-  double first = 0.0;                                     // after its right-hand side has jumped
-  double last = std::numeric_limits<double>::infinity();  // before it jumps
+  double first = 0.0;                                     // first time after the jump at its start
+  double last = std::numeric_limits<double>::infinity();  // last time before the jump at its end
 };
 
-// A part of a segment: a panel, or a block of panels. Its place is in units of the segment's length and made
-// by halving, so it is exact.
+// A part of a segment: a panel, or a block of panels. Its position is in units of the segment's length and a
+// result of halving, so it is exact.
 struct TimeBlock {
   const Segment* segment;
   double from, width;
@@ -24,33 +24,35 @@ struct TimeBlock {
   [[nodiscard]] double time(double place) const {  // place in [-1, 1]
     return segment->start + segment->length * (from + width * (1.0 + place) / 2.0);
   }
-  // The place of a time, as it is rounded: 2 (t - start) / length - 1.
+  // The place of a time, up to rounding: 2 (t - start) / length - 1.
   [[nodiscard]] double place(double t) const {
     return 2.0 * ((t - segment->start) / segment->length - from) / width - 1.0;
   }
-  // The time since its start, exact in the first of a segment.
+  // The time since its start, exact in the first block of a segment.
   [[nodiscard]] double since(double t) const { return (t - segment->start) - segment->length * from; }
   [[nodiscard]] double length() const { return segment->length * width; }
   [[nodiscard]] TimeBlock older() const { return {segment, from, width / 2.0}; }
   [[nodiscard]] TimeBlock newer() const { return {segment, from + width / 2.0, width / 2.0}; }
 };
 
-// The past as a tree: the drives on a block as Legendre coefficients, one column a drive; exact on a panel,
-// and for a block of panels as much of them as is seen from a distance of its width.
+// A node of the tree of the history: the x_k (DrivenRows) on a block as Legendre coefficients, one column a
+// function. They are exact on a panel. On a block of panels they suffice for integrals at a distance of at
+// least its width.
 struct PastBlock {
   TimeBlock block;
   Matrix coefficients;
   Vec units;                                    // PanelKernels::units of its length
-  Matrix values{};                              // of the rows at the places of a panel
-  std::unique_ptr<PastBlock> older{}, newer{};  // both, or none: it is a panel
+  Matrix values{};                              // the rows at the points of a panel
+  std::unique_ptr<PastBlock> older{}, newer{};  // both halves, or none: a panel
 
   [[nodiscard]] bool panel() const { return !older; }
 };
 
-// What blocks of the past add to the rows of a later block, by the rule of the fast multipole method in one
-// dimension: a block is seen as a whole from a distance of its own width, and what comes from a distance of
-// the later block's width is smooth there, so that its values at the places are all of it. Blocks of a row of
-// N equal panels have a few others each: N panels cost O(N).
+// The memory term: fractional integrals over earlier blocks at the points of a later block, by the fast
+// multipole method in one dimension. A block is integrated as a whole at a distance of at least its own
+// width. The contributions from a distance of at least the later block's width are smooth on that block, and
+// their values at its points represent them. Among N equal panels each block interacts with a few others: N
+// panels cost O(N).
 class PastSum {
  public:
   PastSum(const PanelRule& rule, const DrivenRows& driven);
@@ -60,14 +62,14 @@ class PastSum {
 
   using Sources = std::vector<const PastBlock*>;
 
-  // What the sources add that is smooth on the block joins `smooth`, the others and their parts `near`.
-  // Both have one row a place, one column a row of the problem.
+  // Adds to `smooth` the contributions of a source that are smooth on the block, and to `near` the source, or
+  // its parts, with other contributions. smooth: one row a point, one column a row of the problem.
   void sort(const PastBlock& source, const TimeBlock& block, Matrix& smooth, Sources& near);
 
-  // Adds all of a source at the places of a panel.
+  // Adds to sums all contributions of a source at the points of a panel, in the same shape.
   void add(const PastBlock& source, const TimeBlock& panel, Matrix& sums);
 
-  // Adds it at a time after its start.
+  // The same at one time t after the start of the source; sums: one entry a row.
   void add_at(const PastBlock& source, double t, Out sums) const;
 
  private:

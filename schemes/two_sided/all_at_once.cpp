@@ -14,7 +14,7 @@ namespace {
 constexpr int search_steps = 64, starts = 64;
 constexpr double search_tolerance = 1e-8;
 
-// The same solution, up to what a search leaves of one.
+// Whether both are the same solution, up to the tolerance of a search.
 bool alike(const Guess& a, const Guess& b) {
   return (a.y - b.y).norm() <= 1e3 * search_tolerance * (a.y.norm() + b.y.norm());
 }
@@ -27,7 +27,7 @@ double size(const Grid& grid, const Rows& y) {
   return sum / grid.end;
 }
 
-// The solutions on a grid of few steps to which Newton's method comes from the Taylor parts and from other
+// The solutions on a coarse grid to which Newton's method converges from the Taylor part and from other
 // starts, the smallest first.
 std::vector<Guess> coarse_solutions(const AllTimes& equations, Run& run) {
   Increments increments(equations, Increments::First::two_grid);
@@ -48,7 +48,8 @@ std::vector<Guess> coarse_solutions(const AllTimes& equations, Run& run) {
   return found;
 }
 
-// Those of them that lead to one on the whole grid, or the first of these.
+// The solutions on the whole grid to which Newton's method converges from the coarse ones; the first one
+// only, unless all are requested.
 std::vector<NewtonEnd> solutions(const AllTimes& equations, Increments& increments, Run& run,
                                  const Options& options) {
   const AllTimes coarse = equations.with_steps(search_steps);
@@ -79,7 +80,7 @@ Trajectory solve_all_at_once(const Problem& problem, const Grid& grid, const Opt
   run.cost().history_bytes = equations.left().bytes() + equations.right().bytes() + increments.bytes() +
                              sizeof(double) * static_cast<std::size_t>(values);
   if (!end.converged) {
-    // The guess at the start stands for a result, as in every run that fails at its first step.
+    // The initial value is recorded, as in every run that fails at its first step.
     if (two_sided(problem)) run.accept(0.0, run.start());
     if (run.out_of_budget()) {
       run.fail(Ending::out_of_budget, grid.time(1));

@@ -11,30 +11,30 @@ struct Guess {
   Vec unknown;  // the unknown initial values
 };
 
-// By how far a guess misses the equations.
+// The residual of the equations at a guess.
 struct Residual {
   Rows rows;       // Taylor part - y + kappa (weighted sum of f), in algebraic rows f
-  Vec conditions;  // those of the problem
+  Vec conditions;  // residual of the problem's conditions
   Rows f;          // f(t, y) of the guess
 
-  // Root of the mean square over the times, beside the conditions.
+  // sqrt(sum of rows^2 / number of times + sum of conditions^2).
   [[nodiscard]] double norm() const;
 };
 
-// All equations of a two-sided problem under one integral rule: one for each component at each time, and the
-// conditions. Problem, options and family must live as long.
+// All equations of a two-sided problem, discretised by one integral rule: one for each component at each
+// time, and the conditions. Problem, options and family must outlive it.
 class AllTimes {
  public:
   AllTimes(const Problem& problem, const Grid& grid, const Options& options, const WeightFamily& family);
 
-  // The same equations on a grid of so many steps.
+  // The same equations on a grid with this number of steps.
   [[nodiscard]] AllTimes with_steps(int steps) const;
 
-  // The Taylor parts, 0 for unknown initial values.
+  // The initial guess: the Taylor part, with 0 for unknown initial values.
   [[nodiscard]] Guess start() const;
   Residual residual(Run& run, const Guess& guess) const;
 
-  // y += what the unknown initial values add to the Taylor parts.
+  // Adds to y the terms of the unknown initial values in the Taylor part.
   void add_unknown(In unknown, Rows& y) const;
 
   [[nodiscard]] const Problem& problem() const { return problem_; }

@@ -41,10 +41,11 @@ class Newton {
   NewtonEnd end(bool converged) && { return {std::move(guess_), residual_.norm(), converged}; }
 
  private:
-  // Takes the largest of the increment, its half, ... that brings the residual down. True: all of it.
+  // Adds the largest of the increment, its half, ... that decreases the residual. Returns whether it is the
+  // whole increment.
   bool advance(const Guess& increment) {
     const double before = residual_.norm();
-    // Smaller increments are rounding, and so is what they do to the residual.
+    // Smaller increments are rounding errors, and so are their effects on the residual.
     const bool small = largest(increment.y) <= stagnation * largest(guess_.y);
     double part = 1.0;
     for (int halving = 0; halving <= most_halvings; ++halving, part /= 2) {

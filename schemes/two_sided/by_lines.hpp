@@ -5,7 +5,8 @@
 
 namespace fde {
 
-// What is known at the times of one grid, at the times of another one with the same end: by lines between.
+// Interpolates y linearly from the times of one grid to the times of another, one column a time.
+// Precondition: the grids have the same end.
 Rows by_lines(const Grid& from, const Rows& y, const Grid& to);
 
 }  // namespace fde

@@ -9,7 +9,7 @@ namespace fde {
 class LinearOperator;
 }  // namespace fde
 
-// Eigen takes an operator for a matrix that knows its size and a product.
+// Eigen accepts an operator as a matrix that has a size and a product.
 template <>
 struct Eigen::internal::traits<fde::LinearOperator> : Eigen::internal::traits<Eigen::SparseMatrix<double>> {};
 

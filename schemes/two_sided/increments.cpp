@@ -6,7 +6,7 @@ namespace fde {
 namespace {
 
 constexpr int least_coarse_steps = 64, most_coarse_steps = 256;
-constexpr double solved = 1e-6;  // by more than that of r an increment misses no equations
+constexpr double solved = 1e-6;  // largest relative residual of an accepted increment
 
 }  // namespace
 

@@ -7,28 +7,28 @@
 
 namespace fde {
 
-// Newton's increments for all times at once: by Condensed as long as its increments solve the equations, from
+// Newton's increments at all times at once: by Condensed as long as its increments solve the equations, from
 // then on by TwoGrid.
 class Increments {
  public:
   enum class First { condensed, two_grid };
   explicit Increments(const AllTimes& equations, First first = First::condensed);
 
-  // The increment at a guess, where the residual is known; values that are not finite where there is none.
+  // The increment at a guess with this residual; its values are not finite where there is none.
   Guess at(Run& run, const Guess& guess, const Residual& residual);
 
-  // Of Jacobians, of the vectors of GMRES and of the factors of the coarse grid.
+  // Memory of Jacobians, of the vectors of GMRES and of the factors of the coarse grid.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  // |r - what the left-hand sides are| / |r|.
+  // The relative residual of the linear equations, |r - left-hand side| / |r|.
   [[nodiscard]] double missed(const Guess& increment, const Residual& residual) const;
 
   const AllTimes& equations_;
   Linearisation linearisation_;
   Condensed condensed_;
   int coarse_steps_;
-  std::unique_ptr<TwoGrid> two_grid_;  // nullptr: Condensed does
+  std::unique_ptr<TwoGrid> two_grid_;  // nullptr: Condensed is used
 };
 
 }  // namespace fde

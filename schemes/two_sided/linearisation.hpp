@@ -4,15 +4,16 @@
 
 namespace fde {
 
-// Newton's linear equations of all times at once. With J_n = df/dy at t_n, K the rules of both sides, B what
-// the unknown initial values p add and C the derivative of the conditions by y(0) and y(end):
+// Newton's linear equations at all times at once. With J_n = df/dy at t_n, K the rules of both sides, B the
+// terms of the unknown initial values p and C the derivatives of the conditions with respect to y(0) and
+// y(end):
 //   x - K J x - B p = r,    C x = c,
 // without the x in algebraic rows.
 class Linearisation {
  public:
   explicit Linearisation(const AllTimes& equations) : equations_(equations) {}
 
-  // Takes the Jacobians at a guess, where the residual is known.
+  // Computes the Jacobians at a guess with this residual.
   void update(Run& run, const Guess& guess, const Residual& residual);
 
   // The left-hand sides for x and p.
@@ -22,10 +23,10 @@ class Linearisation {
   };
   [[nodiscard]] Sides applied(const Guess& x) const;
 
-  // Replaces y by the solution of y = given + K J y side after side: first the left rows with the right ones
-  // as they come in, then the right ones.
+  // Replaces y by the solution of y = given + K J y, one side after the other: first the left rows, with the
+  // right rows of the y that is passed, then the right rows.
   void forward_backward_sweep(const Rows& given, Rows& y) const;
-  // The solution y where each time hears of itself alone, and each side of its own rows.
+  // The solution y of the diagonal blocks: without coupling between different times or between the two sides.
   [[nodiscard]] Rows local_solution(const Rows& given) const;
   [[nodiscard]] Vec conditions(const Rows& y) const;  // C y
   [[nodiscard]] const Matrix& conditions_by_start() const { return by_start_; }
@@ -42,7 +43,7 @@ class Linearisation {
   const AllTimes& equations_;
   Matrix jacobians_;  // one column a time, or one for all
   Matrix left_inverses_, right_inverses_;
-  Matrix by_start_, by_end_;  // of the conditions
+  Matrix by_start_, by_end_;  // derivatives of the conditions
 };
 
 }  // namespace fde

@@ -9,7 +9,7 @@
 namespace fde {
 namespace {
 
-// The matrix in a column; a single column, or the last one, serves all times beyond.
+// The matrix stored in a column; the last column is for all later times too.
 auto square(const Matrix& columns, Eigen::Index column, std::size_t size) {
   const auto n = static_cast<Eigen::Index>(size);
   return Eigen::Map<const Matrix>(columns.col(std::min(column, columns.cols() - 1)).data(), n, n);
@@ -45,7 +45,7 @@ SideRule::SideRule(const Problem& problem, Side side, const WeightFamily& family
   unused_ = make_history(options.history, {own}, step_plan(grid), options.tolerance);
 }
 
-// step(m, sum, f) is told the weighted sum of all f before own time m and sets f there.
+// Calls step(m, sum, f) for every own time m, with sum the weighted sum of all f before m; step sets f at m.
 template <typename Step>
 void SideRule::march(Step step) const {
   if (empty()) return;

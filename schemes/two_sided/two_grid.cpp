@@ -10,7 +10,8 @@
 namespace fde {
 namespace {
 
-// Both sides as one vector and back: conditions weigh as much as a row of all times.
+// Packs rows and conditions into one vector and unpacks them; a condition has the weight of a row at all
+// times.
 struct Packing {
   Eigen::Index rows, times, conditions;
 

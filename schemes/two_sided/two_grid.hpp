@@ -6,8 +6,8 @@
 
 namespace fde {
 
-// All of Newton's linear equations on a grid of few steps, as one matrix. The matrices of the rules are made
-// once; each factorisation takes the Jacobians of a linearisation on that grid.
+// Newton's linear equations on a coarse grid as one dense matrix. The matrices of the rules are computed
+// once; each factorisation uses the Jacobians of a linearisation on that grid.
 class DenseLinearisation {
  public:
   explicit DenseLinearisation(const AllTimes& equations);
@@ -28,8 +28,8 @@ class DenseLinearisation {
 
 // Newton's linear equations of all times at once by GMRES with a preconditioner of two grids (K. E. Atkinson,
 // The Numerical Solution of Integral Equations of the Second Kind, 1997, section 6.3): first the local
-// solution, then what it leaves, solved on a grid of 64 to 256 steps by elimination and joined by lines.
-// Unlike Condensed it does not mind solutions that grow.
+// solution, then a correction for its residual, solved on a grid of 64 to 256 steps by elimination and
+// interpolated linearly. Unlike Condensed it is not impaired by solutions that grow.
 class TwoGrid {
  public:
   TwoGrid(const AllTimes& equations, int coarse_steps);

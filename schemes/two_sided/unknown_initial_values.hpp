@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// The initial values that a problem leaves open, in the order of its components: value k of component i adds
+// The unknown initial values of a problem, in the order of its components: value k of component i adds
 // value t^k / k! to y_i, t the time of that row; in an algebraic row it counts at t = 0 only.
 class UnknownInitialValues {
  public:
@@ -14,7 +14,7 @@ class UnknownInitialValues {
 
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(list_.size()); }
 
-  // y += what these values add at a time that is `left` from the start and `right` from the end.
+  // Adds to y the terms of these values at a time that is `left` from the start and `right` from the end.
   void add(In values, double left, double right, Out y) const;
 
  private:

@@ -1,4 +1,4 @@
-// What holds for every scheme that is asked for an accuracy and chooses its steps.
+// Properties of every scheme with a tolerance and adaptive step size.
 
 #include "support/accuracy_schemes.hpp"
 
@@ -77,8 +77,8 @@ TEST_P(AccuracyScheme, KnowsTheStartToAsManyDigits) {
   }
 }
 
-// D^g y = lambda y: f is lambda times what y is off by, and so would y be between steps if it followed from f
-// alone.
+// D^g y = lambda y: the error of f is lambda times the error of y, and dense output from f alone would have
+// an error of that size between steps.
 TEST_P(AccuracyScheme, KnowsStiffRowsBetweenStepsAsWellAsOnThem) {
   if (!GetParam()->needs.implicit) GTEST_SKIP() << "is not for stiff problems";
   constexpr double within = 1e-4;  // a factor of ten
@@ -99,8 +99,8 @@ TEST_P(AccuracyScheme, KnowsStiffRowsBetweenStepsAsWellAsOnThem) {
   }
 }
 
-// Where equations hardly damp an error of f, its integral says more between long steps than values at their
-// ends do.
+// Where the equations hardly damp an error of f, the integral of f is more accurate within long steps than
+// interpolation of y at their ends.
 TEST_P(AccuracyScheme, KnowsRowsThatBendBetweenLongSteps) {
   const Scene scene = scene_of("diethelm", {{"gamma", 0.33}});
   const std::vector<double> at{0.0625, 0.15, 0.2, 0.25, 0.3125, 0.8};
@@ -111,7 +111,7 @@ TEST_P(AccuracyScheme, KnowsRowsThatBendBetweenLongSteps) {
   }
 }
 
-// A corrector leaves f one correction ahead of y.
+// After a corrector, f is one correction ahead of y.
 TEST_P(AccuracyScheme, KnowsTheSolutionAtAnyTimeAfterTheRun) {
   const Scene scene = scene_of("relaxation");
   const auto path = run(scene.problem, 1e-6);
@@ -123,7 +123,7 @@ TEST_P(AccuracyScheme, KnowsTheSolutionAtAnyTimeAfterTheRun) {
   }
 }
 
-// y' = z and 0 = y + z, which is e^-t. Steps are judged by y; z between the points of a step is a parabola.
+// y' = z and 0 = y + z: y = e^-t. The error estimate is for y; z between the points of a step is a parabola.
 TEST_P(AccuracyScheme, KnowsAlgebraicRowsAtAnyTimeAfterTheRun) {
   const Problem problem{.components = {{1.0, {1.0}}, {0.0, {-1.0}}}, .rhs = [](double, In y, Out f) {
                           f[0] = y[1];
@@ -137,8 +137,8 @@ TEST_P(AccuracyScheme, KnowsAlgebraicRowsAtAnyTimeAfterTheRun) {
   }
 }
 
-// A multiplier that starts like t^-0.38, which a first step does not see: its constraint takes away at the
-// end of the step what that leaves in the velocities.
+// A multiplier that starts like t^-0.38, which a first step does not resolve: at the end of the step the
+// constraint removes the error that this leaves in the velocities.
 TEST_P(AccuracyScheme, KnowsConstrainedRowsWithinTheFirstStep) {
   const Scene scene = make_scene(scene_maker("fractional_constraint_2d"),
                                  {{"alpha", 0.376}, {"formulation", std::string("multiplier")}});
@@ -152,7 +152,7 @@ TEST_P(AccuracyScheme, KnowsConstrainedRowsWithinTheFirstStep) {
   }
 }
 
-// D^0.5 y = 1 up to t = 1 and -1 behind it: y = (2 sqrt t - 4 sqrt(t - 1)) / sqrt pi.
+// D^0.5 y = 1 up to t = 1 and -1 after it: y = (2 sqrt t - 4 sqrt(t - 1)) / sqrt pi.
 TEST_P(AccuracyScheme, StartsAnewWhereTheRightHandSideJumps) {
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double t, In, Out f) { f[0] = t <= 1.0 ? 1.0 : -1.0; },
@@ -167,8 +167,8 @@ TEST_P(AccuracyScheme, StartsAnewWhereTheRightHandSideJumps) {
   }
 }
 
-// Where a row of order 0.37 takes the jump, what it does to f next to it asks for steps that are short beside
-// any time.
+// If a row of order 0.37 contains the jump, f varies so fast next to it that the steps are short compared
+// with any time.
 TEST_P(AccuracyScheme, StartsAnewInRowsOfLowOrder) {
   const Scene scene = scene_of("bagley_torvik", {{"alpha", 1.63}, {"B", 0.95}, {"load_until", 2.7}});
   const auto path = run(scene.problem, 1e-5, {.at = {4.0}});
@@ -191,7 +191,7 @@ TEST_P(AccuracyScheme, LocatesWhereTheStateMakesTheRightHandSideJump) {
   }
 }
 
-// y'' = -y - sign(y') / 10 from 1.
+// y'' = -y - sign(y') / 10, y(0) = 1, y'(0) = 0.
 Problem dry_friction(double end) {
   const auto sign = [](double v) { return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : 0.0; };
   return {.components = {{1.0, {1.0}}, {1.0, {0.0}}},
@@ -217,7 +217,7 @@ TEST_P(AccuracyScheme, FollowsDryFriction) {
   }
 }
 
-// y' = y^2 from 1 is 1 / (1 - t).
+// For order 1: y' = y^2, y(0) = 1, y = 1 / (1 - t).
 TEST_P(AccuracyScheme, EndsBeforeABlowUp) {
   for (const double order : {0.5, 1.0}) {
     const Problem problem{
@@ -229,7 +229,7 @@ TEST_P(AccuracyScheme, EndsBeforeABlowUp) {
   }
 }
 
-// y y' = -1 from 1 is sqrt(1 - 2t).
+// y y' = -1, y(0) = 1: y = sqrt(1 - 2t).
 TEST_P(AccuracyScheme, EndsAtTheEdgeOfTheDomain) {
   Problem problem{
       .components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f[0] = -1.0 / y[0]; }, .end = 2.0};
@@ -239,7 +239,7 @@ TEST_P(AccuracyScheme, EndsAtTheEdgeOfTheDomain) {
   EXPECT_NEAR(path.reached, 0.5, 1e-2);
 }
 
-// The same friction stops y where it turns within 0.1 of 0, here at 5 pi: there is no solution behind it.
+// The same friction stops y where y' = 0 within |y| < 0.1, here at 5 pi: no solution exists after it.
 TEST_P(AccuracyScheme, EndsWhereTheStateStaysOnASwitch) {
   const auto path = run(dry_friction(20.0), 1e-5);
   EXPECT_EQ(path.ending, Ending::sliding);

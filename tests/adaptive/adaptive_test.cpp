@@ -1,4 +1,4 @@
-// Steps that find their lengths: what they deliver, and what they cost.
+// Adaptive step size: accuracy and cost.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ void PrintTo(const Asked& asked, std::ostream* out) {
 
 class Adaptive : public testing::TestWithParam<Asked> {};
 
-// The largest error at sixty of the run's own times, of 1 + |y|.
+// The largest error relative to 1 + |y|, at about sixty of the run's own times.
 double largest_error(const Scene& scene, const Trajectory& path) {
   const auto reference = reference_of(scene);
   double largest = 0.0;
@@ -39,7 +39,7 @@ double largest_error(const Scene& scene, const Trajectory& path) {
   return largest;
 }
 
-// Errors of steps are estimated one by one; what they come to together is known to a factor of three here.
+// The error is estimated for each step; the global error stays within three times the tolerance here.
 TEST_P(Adaptive, DeliversTheAccuracy) {
   const auto& [scheme, id, values] = GetParam();
   const Scene scene = scene_of(id, values);
@@ -98,7 +98,7 @@ constexpr auto name_of = [](const auto& test) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Adaptive, testing::ValuesIn(smooth_and_singular()), name_of);
 INSTANTIATE_TEST_SUITE_P(HardScenes, Adaptive, testing::ValuesIn(hard()), name_of);
 
-// D^0.5 y = t^p from 0 is Gamma(p+1)/Gamma(p+1.5) t^(p+0.5).
+// D^0.5 y = t^p, y(0) = 0: y = Gamma(p+1)/Gamma(p+1.5) t^(p+0.5).
 TEST(AdaptiveRules, AreExactForTheirPolynomials) {
   const auto error_of = [](const char* scheme, double p) {
     const Problem problem{.components = {{0.5, {0.0}}},
@@ -114,8 +114,7 @@ TEST(AdaptiveRules, AreExactForTheirPolynomials) {
   EXPECT_GT(error_of("radau_exponentials", 3.0), 1e-12);
 }
 
-// Errors of y' = -y fall with the square of the steps, those of Radau's rule with their fourth power, as the
-// estimate that it goes by does.
+// For y' = -y the error estimates fall with the square of the step size, for Radau with the fourth power.
 TEST(AdaptiveRules, TakeAsManyStepsAsTheirRateSays) {
   const Problem problem{
       .components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f = -y; }, .end = 10.0};
@@ -140,7 +139,7 @@ TEST(AdaptiveMemory, DoesNotGrowWithTheSteps) {
     EXPECT_LT(bytes(scheme, 1e-5), 1.2 * bytes(scheme, 1e-3)) << scheme;
 }
 
-// The error that D^0.5 y = -1e6 y leaves is a part of what is left of y, not of y(0).
+// D^0.5 y = -1e6 y: the error is relative to y at the end, not to y(0).
 TEST(AdaptiveStiff, KeepsTheDigitsOfWhatIsLeft) {
   const Scene scene = scene_of("stiff_relaxation");
   const double exact = mittag_leffler(0.5, 1.0, -1e6);
@@ -150,7 +149,7 @@ TEST(AdaptiveStiff, KeepsTheDigitsOfWhatIsLeft) {
   }
 }
 
-// y' = -1 from 1 leaves y > 0 at 1.
+// y' = -1, y(0) = 1: y leaves y > 0 at t = 1.
 TEST(AdaptiveEnd, IsLocatedWhereTheDomainEnds) {
   Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In, Out f) { f[0] = -1.0; }, .end = 3.0};
   problem.domain = {"y = 0", [](double, In y) { return y[0]; }};
@@ -174,7 +173,8 @@ TEST(AdaptiveEnd, IsWhereARunSlidesAlongASwitch) {
   }
 }
 
-// D^g y = y^2 from 1: of order 1 it is 1 / (1 - t), of order 0.8 it grows like (t_b - t)^-0.8, t_b = 0.629.
+// D^g y = y^2, y(0) = 1: for order 1, y = 1 / (1 - t); for order 0.8 it grows like (t_b - t)^-0.8, t_b =
+// 0.629.
 TEST(AdaptiveEnd, IsNamedWhereTheSolutionBlowsUp) {
   const auto expect = [](const char* scheme, double order, double time) {
     const Problem problem{
@@ -188,7 +188,7 @@ TEST(AdaptiveEnd, IsNamedWhereTheSolutionBlowsUp) {
     expect(scheme, 0.8, 0.6288);
 }
 
-// y' = 300 y from 1 is 1e130 at t = 1.
+// y' = 300 y, y(0) = 1: y(1) = 1e130.
 TEST(AdaptiveEnd, IsNoneWhereTheSolutionGrowsExponentially) {
   const Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f = 300.0 * y; }};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
@@ -197,7 +197,7 @@ TEST(AdaptiveEnd, IsNoneWhereTheSolutionGrowsExponentially) {
   }
 }
 
-// y' = 1 / (1 - t) from 0 is -log(1 - t): steps become as short as the rounding of t where it is 36.
+// y' = 1 / (1 - t), y(0) = 0: y = -log(1 - t), and steps become as short as the rounding of t where y = 36.
 TEST(AdaptiveEnd, IsThatNoStepIsShortEnoughWhereTheRightHandSideIsNotIntegrable) {
   const Problem problem{
       .components = {{1.0, {0.0}}}, .rhs = [](double t, In, Out f) { f[0] = 1.0 / (1.0 - t); }, .end = 2.0};
@@ -208,8 +208,8 @@ TEST(AdaptiveEnd, IsThatNoStepIsShortEnoughWhereTheRightHandSideIsNotIntegrable)
   }
 }
 
-// Rows of order 0.02 begin with steps of 1e-220, the square of which is no double; the heat equation of this
-// order is all but at its end at once.
+// Components of order 0.02 start with steps of 1e-220, whose square underflows; the diffusion equation of
+// this order is close to its final state at once.
 TEST(AdaptiveStart, MayBeShorterThanTheRootOfTheSmallestDouble) {
   const Scene scene = scene_of("fractional_diffusion", {{"gamma", 0.02}});
   for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"}) {
@@ -219,7 +219,7 @@ TEST(AdaptiveStart, MayBeShorterThanTheRootOfTheSmallestDouble) {
   }
 }
 
-// D^0.5 y = 1 up to t = 1 and -1 behind it, which the problem does not say: y = (2 sqrt t - 4 sqrt(t - 1)) /
+// D^0.5 y = 1 up to t = 1 and -1 after it, not listed in Problem::jumps: y = (2 sqrt t - 4 sqrt(t - 1)) /
 // sqrt pi.
 TEST(AdaptiveJumps, AreFoundWhereNobodySaysThem) {
   const Problem problem{.components = {{0.5, {0.0}}},
@@ -236,7 +236,8 @@ TEST(AdaptiveJumps, AreFoundWhereNobodySaysThem) {
   }
 }
 
-// D^0.9 y = sign(sin 3t) - y jumps at every multiple of pi/3. Both rules know y as well without being told.
+// D^0.9 y = sign(sin 3t) - y jumps at every multiple of pi/3. Both rules are as accurate without the list of
+// jumps.
 TEST(AdaptiveJumps, AreFoundOneAfterTheOther) {
   Problem problem{.components = {{0.9, {0.0}}},
                   .rhs = [](double t, In y, Out f) { f[0] = (std::sin(3.0 * t) > 0.0 ? 1.0 : -1.0) - y[0]; },
@@ -253,8 +254,8 @@ TEST(AdaptiveJumps, AreFoundOneAfterTheOther) {
   }
 }
 
-// Of a row of order 0.05 from 0 a first step leaves what is asked where it is shorter than 1e-14 of the end
-// by far: t^0.05 is 0.2 there.
+// A component of order 0.05 that starts from 0 needs a first step far shorter than 1e-14 of the end, where
+// t^0.05 is 0.2.
 TEST(AdaptiveStart, IsAsShortAsRowsOfLowOrderAsk) {
   const Scene pendulum = scene_of("pendulum", {{"alpha", 1.95}});
   const Scene system = scene_of(
@@ -269,8 +270,8 @@ TEST(AdaptiveStart, IsAsShortAsRowsOfLowOrderAsk) {
   }
 }
 
-// Diffusion of a step: rows far from it are 1e-300, of which squared errors overflow. A result is bounded by
-// the start, or is none.
+// Diffusion of a step: components far from it are 1e-300, and their squared relative errors overflow. Every
+// result is bounded by the initial values.
 TEST(AdaptiveTrapezoidal, ReturnsNoGrownResultOfDiffusion) {
   const Scene scene = scene_of("fractional_diffusion", {{"start", "step"}});
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
@@ -279,7 +280,7 @@ TEST(AdaptiveTrapezoidal, ReturnsNoGrownResultOfDiffusion) {
   }
 }
 
-// Rows of orders 0.71 and 1.6: the first forgets errors, the second keeps them.
+// Components of orders 0.71 and 1.6: errors of the first decay, errors of the second accumulate.
 TEST(AdaptiveTrapezoidal, AddsUpErrorsOfEachOrderByItself) {
   const Scene scene = scene_of("linear_system", {{"gamma1", 0.7089},
                                                  {"gamma2", 1.616},

@@ -1,4 +1,4 @@
-// Zeros of functions along the path, by every scheme that chooses its steps.
+// Event location (zeros of functions along the solution) in every scheme with adaptive step size.
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST_P(Events, AreLocatedToRounding) {
   }
 }
 
-// E_g(-t^g) comes to its values of t = 0.37 there and nowhere else, as it falls.
+// E_g(-t^g) is decreasing: it takes its value at t = 0.37 there only.
 TEST_P(Events, AreLocatedAsWellAsTheSolutionIsKnown) {
   const double accuracy = GetParam()->id == "spectral_collocation" ? 1e-12 : 1e-6, at = 0.37;
   for (const double order : {0.3, 0.5, 0.9}) {
@@ -84,7 +84,7 @@ TEST_P(Events, AreAllFoundWhereAFunctionOscillatesWithinSteps) {
   }
 }
 
-// Rounding about 0 ends the search for more; a function that jumps has one zero at its jump.
+// A function that jumps through 0 has one zero, at its jump; rounding noise around 0 ends the search.
 TEST_P(Events, AreFoundWhereAFunctionJumps) {
   const Event jumps{.value = [](double t, In) { return t < 0.123456 ? -1.0 : 1.0; }};
   const Event noise{.value = [](double t, In y) { return (y[0] + 1.0) - y[0] - 1.0 + 0.0 * t; }};
@@ -177,7 +177,7 @@ TEST_P(Events, EndAFallAtTheGround) {
   EXPECT_NEAR(path.y(1, path.y.cols() - 1), -1.0, 1e-7);
 }
 
-// The solution of a problem does not depend on who looks at it.
+// Events do not change the solution.
 TEST_P(Events, LeaveTheRunAsItIs) {
   const Scene scene = scene_of("brusselator", {{"gamma", 0.8}});
   Problem problem = scene.problem;
@@ -188,8 +188,7 @@ TEST_P(Events, LeaveTheRunAsItIs) {
   EXPECT_FALSE(path.events.empty());
 }
 
-// What an event looks for between steps, it finds behind jumps and switches too: 2 sqrt(t / pi) up to 1 at
-// pi / 4, then twice as fast.
+// Events are located after jumps and switches too: y = 2 sqrt(t / pi) up to 1 at pi / 4, then D^0.5 y = 2.
 TEST_P(Events, AreLocatedBehindASwitch) {
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? 2.0 : 1.0; },

@@ -1,5 +1,4 @@
-// Sparse derivatives on steps of any length: the answers of dense ones, by the methods that are made for
-// them.
+// Sparse Jacobians with adaptive step size: the results of dense ones, by sparse linear solvers.
 
 #include <gtest/gtest.h>
 
@@ -80,7 +79,7 @@ TEST_P(SparseStages, OfANonlinearProblemAreTheDenseOnes) {
   EXPECT_LT((solved(sparse).y - solved(dense).y).cwiseAbs().maxCoeff(), 1e-10);
 }
 
-// To 1e-9 on a line of 200 points: 1608 steps.
+// Tolerance 1e-9 on a line of 200 points: 1608 steps.
 TEST(SparseSteps, DeliverASmallAccuracyOfAStiffProblem) {
   const Scene scene = scene_of("fractional_diffusion", {});
   const auto path = find_scheme("radau_exponentials")
@@ -92,8 +91,7 @@ TEST(SparseSteps, DeliverASmallAccuracyOfAStiffProblem) {
   }
 }
 
-// Far from the step u is below 1e-292 at first, where doubles have no digits left that steps could be judged
-// by.
+// Far from the step u is below 1e-292 at first, where doubles lose the digits that an error estimate needs.
 TEST(SparseSteps, PassAStartThatJumpsInSpace) {
   const Scene scene = make_scene(parse_variant("fractional_diffusion:start=step"));
   const auto path = find_scheme("radau_exponentials")

@@ -1,4 +1,4 @@
-// An archive gives back what was written, to the bit, and takes nothing else.
+// An archive restores what was written, to the bit, and rejects everything else.
 
 #include "checkpoint/archive.hpp"
 
@@ -94,7 +94,7 @@ TEST(Archive, TakesNoOtherSizeAndNoNumberOutOfItsRange) {
   EXPECT_THROW(read(five, [&](Archive& archive) { archive.count(count, 6, 9); }), std::invalid_argument);
 }
 
-// 2^60 numbers would not fit into any memory; it is the size that is refused, and not the allocation.
+// 2^60 numbers do not fit into any memory: the size is rejected before any allocation.
 TEST(Archive, AllocatesNoMoreThanIsLeft) {
   std::int64_t size = std::int64_t{1} << 60;
   const auto bytes = written([&](Archive& archive) { archive(size); });
@@ -113,7 +113,7 @@ TEST(Archive, TakesNoMatrixWhoseEntriesAreOutside) {
   auto bytes = written([&](Archive& archive) { archive.grown(few); });
   few.innerIndexPtr()[0] = 3;
   const auto outside = written([&](Archive& archive) {
-    // As it is written, but for the check that the writer makes too.
+    // The bytes that the writer would write if it did not check the entries too.
     std::int64_t three = 3, four = 4, one = 1;
     std::vector<int> outer{0, 0, 0, 1}, inner{3};
     double value = 4.0;

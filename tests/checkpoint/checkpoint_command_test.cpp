@@ -1,5 +1,5 @@
-// fdebench solve --checkpoint: the same command goes on from the file, prints the bits of a whole run, and
-// takes no other file.
+// fdebench solve --checkpoint: the same command continues from the file, prints the bits of an uninterrupted
+// run, and rejects other files.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -38,7 +38,7 @@ class CheckpointOfSolve : public testing::Test {
   [[nodiscard]] Answer keeping(const std::string& command) const {
     return fdebench(command + " --checkpoint " + file());
   }
-  // Leaves the state of a run that was ended.
+  // Writes the state of a run that was ended early.
   void leave_state() const {
     const auto ended = keeping(std::string(plain) + " --checkpoint-every 0 --budget 0.02");
     ASSERT_EQ(ended.code, 3) << ended.err;
@@ -58,7 +58,7 @@ TEST_F(CheckpointOfSolve, IsGoneAtTheEnd) {
 
 TEST_F(CheckpointOfSolve, ContinuesToTheBitsOfAWholeRun) {
   leave_state();
-  // Budget, threads and what is said besides may be others.
+  // Budget, threads and additional output may differ.
   const auto [code, out, err] = keeping(std::string(plain) + " --threads 2 --cost");
   EXPECT_EQ(code, 0);
   EXPECT_EQ(out, fdebench(plain).out);
@@ -146,7 +146,7 @@ TEST_F(CheckpointOfSolve, IsRefusedForSchemesThatKeepNone) {
               HasSubstr("keeps no checkpoints of a problem that it solves at all times at once"));
 }
 
-// The run goes on, says it once, and leaves the state that was there.
+// The run continues, reports the failure once, and keeps the earlier state.
 TEST_F(CheckpointOfSolve, MayFindAFullDisk) {
   leave_state();
   const auto kept = content();
@@ -164,7 +164,7 @@ TEST_F(CheckpointOfSolve, MayFindAFullDisk) {
   EXPECT_EQ(files(), 0);
 }
 
-// Those of this process are another run's; no process has the largest number.
+// Temporary files of a live process belong to another run; no process has the largest id.
 TEST_F(CheckpointOfSolve, RemovesWhatKilledRunsLeft) {
   folder_.write("state.2147483647.0.tmp", "half");
   folder_.write("state.2147483647.tmp", "of another kind");

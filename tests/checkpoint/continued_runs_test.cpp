@@ -1,5 +1,5 @@
-// A run that is ended between two steps, and continued from its state by another, returns the bits of one
-// that went on.
+// A run that is ended between two steps and continued from its state returns the bits of an uninterrupted
+// run.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ std::vector<const Scheme*> keeping_schemes() {
   return some;
 }
 
-// The bits of a number, so that NaN is itself and -0 is not 0.
+// The bits of the values, so that NaN equals itself and -0 differs from 0.
 std::vector<std::uint64_t> bits(const Matrix& values) {
   std::vector<std::uint64_t> found;
   for (const double value : values.reshaped()) found.push_back(std::bit_cast<std::uint64_t>(value));
@@ -44,8 +44,8 @@ void expect_same(const Trajectory& continued, const Trajectory& whole, const std
     EXPECT_EQ(bits(continued.dense(part * whole.reached)), bits(whole.dense(part * whole.reached))) << what;
 }
 
-// Ended at each of these states offered in turn, each run going on from the state of the one before; then it
-// goes on to its end.
+// Runs that end at the n-th offered state for each n of `ends`, each continued from the state of the one
+// before; the last one continues to the end.
 Trajectory interrupted(const Scheme& scheme, const Problem& problem, const Resolution& resolution,
                        Options options, const std::vector<int>& ends) {
   std::string kept;
@@ -70,7 +70,7 @@ class ContinuedRuns : public testing::TestWithParam<const Scheme*> {
  protected:
   static const Scheme& scheme() { return *GetParam(); }
 
-  // At the start, next to the end of a block of the exponentials, and far from it.
+  // Interrupted at the start, next to the end of a block of the exponentials, and far from it.
   static void expect_same_bits(const Problem& problem, const Resolution& resolution, const Options& options,
                                const std::string& what) {
     if (refusal(scheme(), problem, resolution) || refusal_of_checkpoints(scheme(), problem)) return;
@@ -79,7 +79,7 @@ class ContinuedRuns : public testing::TestWithParam<const Scheme*> {
       expect_same(interrupted(scheme(), problem, resolution, options, ends), whole, what);
   }
 
-  // On grids with both engines of the past, and to an accuracy.
+  // On grids with both kinds of history, and with a tolerance.
   static void expect_same_bits(const Problem& problem, const std::string& what) {
     for (const double grading : {1.0, 1.5}) {
       for (const auto history : {HistoryKind::direct, HistoryKind::exponentials}) {
@@ -120,8 +120,8 @@ TEST_P(ContinuedRuns, OfManyUnknowns) {
   expect_same_bits("fractional_diffusion_2d:n=9,diffusivity=1e-3");
 }
 
-// D^(1/2) y = A(t) y - y^3 with neighbours that push each other round until t = 0.1: the tridiagonal method
-// does not serve the first matrices, and the one that does goes on with the others.
+// D^(1/2) y = A(t) y - y^3 with large skew-symmetric couplings of neighbours until t = 0.1: the tridiagonal
+// method is not applicable to the first matrices, and the method that replaces it is kept for the others.
 Problem pushing_neighbours() {
   constexpr int size = 8;
   const auto matrix = [](double t) {
@@ -152,8 +152,8 @@ TEST_P(ContinuedRuns, OfSparseEquationsThatChangeTheirMethod) {
   expect_same_bits(pushing_neighbours(), "pushing neighbours");
 }
 
-// Conjugate gradients are paid for out of the price of factors over all solves with one matrix: what is spent
-// is part of the state, and which of both solves.
+// All solves with one matrix share the budget of iterations of conjugate gradients, the cost of factors: the
+// iterations spent are part of the state, and so is which of the two methods solves.
 TEST(ContinuedRunsOfConjugateGradients, GoOnWithWhatIsSpent) {
   const Problem problem =
       make_scene(parse_variant("fractional_diffusion_2d:n=50,medium=wave,contrast=1.5")).problem;
@@ -190,7 +190,7 @@ TEST_P(ContinuedRuns, TakeNoStateOfOtherUnknowns) {
   EXPECT_THROW(scheme().solve(one, grid, {.checkpoints = &more}), std::invalid_argument);
 }
 
-// Enough unknowns to be shared. The number of threads may change where a run is continued.
+// Enough unknowns for several threads, whose number may change where a run is continued.
 TEST(ContinuedRunsOfManyThreads, AreThoseOfOne) {
   const Problem problem = make_scene(read_variant("fractional_diffusion:components=20000", {})).problem;
   const Scheme& scheme = *find_scheme("l1");

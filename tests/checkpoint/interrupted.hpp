@@ -10,7 +10,8 @@ namespace fde {
 // Ends a run.
 struct Interrupted : std::exception {};
 
-// Keeps a state in memory, and ends the run there: at the n-th state that is offered.
+// Stores the n-th offered state in memory and ends the run there by throwing Interrupted; n = 0: never. kept:
+// a state to resume from; empty: none.
 class InterruptedAt final : public Checkpoints {
  public:
   explicit InterruptedAt(int n, std::string kept = {}) : left_(n), kept_(std::move(kept)) {}
@@ -33,7 +34,7 @@ class InterruptedAt final : public Checkpoints {
     throw Interrupted();
   }
 
-  // "" where the run ended before.
+  // The stored state; empty if the run ended before.
   [[nodiscard]] const std::string& kept() const { return kept_; }
 
  private:

@@ -68,8 +68,8 @@ TEST(Accuracy, RelativeToAThousandthOfTheSizeNearAZero) {
 }
 
 // Values in other units are the same values up to rounding, in every scene and scheme that fits. The steps
-// are short: with 32 on relaxation_pair bdf5, which takes the first ten together, amplifies rounding 1e7
-// times.
+// are small: with 32 steps on relaxation_pair, bdf5 solves the first ten as one system and amplifies rounding
+// 1e7 times.
 class OtherUnits : public testing::TestWithParam<const SceneMaker*> {};
 
 TEST_P(OtherUnits, ChangeNothingButRounding) {
@@ -102,13 +102,14 @@ std::string ending(const ParameterValues& values, std::string_view scheme, int s
   return sentence(*examine({}, scene, reference, *find_scheme(scheme), {steps}).back().ending);
 }
 
-// D^0.5 y = -1e6 y: what a scheme shows after ten steps may be further from the reference than 0 is.
+// D^0.5 y = -1e6 y: after ten steps the result of a scheme may be farther from the reference than 0 is.
 TEST(Examination, SaysWhereTheAccuracyIsLost) {
   EXPECT_EQ(ending({{"lambda", -1e6}}, "product_trapezoidal", 64), "accuracy lost at step 1, t = 0.015625");
   EXPECT_EQ(ending({{"lambda", -1e6}}, "grunwald_letnikov", 64), "finished");
 }
 
-// Backward Euler from differences of y: the rounding of each stays, at most N units in the last place.
+// Backward Euler in differences of y: the rounding errors of all steps add up, to at most N units in the last
+// place.
 TEST(Examination, MeasuresWhatRoundingDoes) {
   const Scene scene = make_scene(*find_scene("power"), {{"gamma", 1.0}, {"p", 2.0}});
   WatchedReference reference(scene);

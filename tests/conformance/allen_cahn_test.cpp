@@ -1,5 +1,5 @@
-// The fractional Allen-Cahn equation on insulated lines and squares: its symmetries, its states of rest, and
-// what it is where nothing varies in space or in time.
+// The fractional Allen-Cahn equation on insulated lines and squares: its symmetries, its stationary states,
+// and its solutions that do not vary in space.
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST_P(AllenCahn, ChangesSignWithItsStart) {
   EXPECT_GT(up.cwiseAbs().maxCoeff(), 0.1);
 }
 
-// A step is odd about the middle of x, and so is what becomes of it; a square is its own mirror image.
+// A step is odd about the middle of x, and so is its solution; a square is its own mirror image.
 TEST_P(AllenCahn, KeepsTheSymmetriesOfItsStart) {
   const Vec u = solved(scene("step").problem), mixed = solved(scene("smooth").problem);
   const Eigen::Index n = 6, lines = u.size() / n;
@@ -119,8 +119,7 @@ TEST(AllenCahnFields, OfOrderOneAndEvenIsTheClassicalMotionBetweenWells) {
   EXPECT_LT((reference_of(field).at(2.0).value.array() - exact).abs().maxCoeff(), 1e-13);
 }
 
-// The same by the same scheme with the entries differenced: the sparse Jacobian is that of the right-hand
-// side.
+// The sparse Jacobian is that of the right-hand side: the same scheme with differences gives the same result.
 TEST(AllenCahnFields, NewtonsMatricesAreSparse) {
   for (const auto& [domain, solver] : {std::pair{"line", "tridiagonal"}, {"square", "cholesky"}}) {
     Scene field = allen_cahn({{"domain", domain}, {"n", 5.0}});

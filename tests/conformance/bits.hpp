@@ -18,15 +18,16 @@
 
 namespace fde {
 
-// The end of a run, to the bit: what tests/bits.txt holds of every scheme, as fde_bits printed it.
+// The final values of a run, to the bit: an entry of tests/bits.txt, as printed by fde_bits.
 struct EndOfRun {
   std::string run;  // "relaxation l1 64"
   std::vector<double> values;
-  double size = 0.0;  // the largest value of any component on the way; in the table it is not known
+  double size = 0.0;  // the largest |value| of any component during the run; not in the table
 };
 
-// Every scheme on scenes of each kind: linear, nonlinear, a chain, with a constraint, posed at both ends; the
-// past as direct sums (few steps) and as exponentials. A scheme that refuses a scene has no ending there.
+// The final values of every scheme on scenes of each kind: linear, nonlinear, a chain, with a constraint,
+// two-sided; with the direct history (few steps) and with exponentials. A scheme that refuses a scene has no
+// entry there.
 inline std::vector<EndOfRun> endings() {
   std::vector<EndOfRun> found;
   for (const std::string_view id :
@@ -50,8 +51,8 @@ inline std::vector<EndOfRun> endings() {
   return found;
 }
 
-// The largest difference from the table, in units of the last place of the largest value of the run: what
-// rounding makes of that stays where the values have become small.
+// The largest difference from the table, in units in the last place of the largest value of the run: rounding
+// errors of this size remain where the values have become small.
 inline double ulps_between(const EndOfRun& run, const std::vector<double>& table) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (run.values.size() != table.size()) return infinity;
@@ -61,7 +62,7 @@ inline double ulps_between(const EndOfRun& run, const std::vector<double>& table
   return difference / (std::nextafter(run.size, infinity) - run.size);
 }
 
-// A file of fde_bits.
+// Reads a file written by fde_bits.
 inline std::vector<EndOfRun> read_endings(const std::string& file) {
   std::vector<EndOfRun> found;
   std::ifstream table(file);

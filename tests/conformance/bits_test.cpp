@@ -1,5 +1,5 @@
-// The same input gives the same bits: on repeated runs, and next to the same from other compilers and
-// processors. Results of any number of threads: tests/sweep/sweep_records_test.cpp.
+// The same input gives the same bits on repeated runs, and nearly the same with other compilers and
+// processors. Numbers of threads: tests/sweep/sweep_records_test.cpp.
 
 #include "conformance/bits.hpp"
 
@@ -27,8 +27,9 @@ class BitsOfTarget : public testing::TestWithParam<std::string_view> {
   void TearDown() override { use_vector_target(vector_targets().front()); }
 };
 
-// The table is of g++ 12 on a processor that fuses multiply and add; clang 14 gives its bits there; without
-// fused operations (SSE, scalar) the past is rounded otherwise, which a run of 1500 steps carries to its end.
+// The table is from g++ 12 on a processor that fuses multiply and add; clang 14 gives the same bits there.
+// Without fused operations (SSE, scalar) the memory term is rounded differently, and the difference remains
+// until the end of a run of 1500 steps.
 TEST_P(BitsOfTarget, AreThoseOfTheTable) {
   const double allowed = GetParam().starts_with("AVX") ? 0.0 : 32.0;
   const auto here = endings();

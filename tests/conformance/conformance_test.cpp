@@ -1,5 +1,5 @@
-// What every scheme in the list must do, whatever its formulas. A new line in list.def is tested here on
-// arrival.
+// Properties of every scheme, whatever its formulas. A new line in list.def is tested here without further
+// code.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ class Conformance : public testing::TestWithParam<const Scheme*> {
     return GetParam()->solve(problem, grid, options);
   }
 
-  // Every mix here has a common denominator, so that the commensurate row takes part.
+  // They have a common denominator, so that the commensurate expansion is tested too.
   static std::vector<double> orders() {
     std::vector<double> all{0.2, 0.5, 0.8, 1.0, 1.3, 1.7, 2.0};
     const auto& refuses = GetParam()->refuses;
@@ -46,7 +46,7 @@ TEST_P(Conformance, ConstantsAreExact) {
   }
 }
 
-// Except where the velocity passes through fractional links to become y: they only approximate its integral.
+// Except where fractional links integrate the velocity to y: they only approximate its integral.
 TEST_P(Conformance, WithoutRightHandSideOnlyTheTaylorPartIsLeft) {
   for (const double order : orders()) {
     if (order <= 1.0) continue;
@@ -78,7 +78,8 @@ Problem mixed_problem() {
           .end = 2.0};
 }
 
-// The same with y_2 = sin(y_1) + y_3 y_0 as a row of order 0 in its midst, which drives the last one.
+// The same with y_2 = sin(y_1) + y_3 y_0 as an algebraic row between the others, on which the last one
+// depends.
 Problem mixed_problem_with_algebraic_row() {
   return {.components = {{0.5, {1.0}}, {1.0, {-0.5}}, {0.0, {std::sin(-0.5) + 0.25}}, {1.5, {0.25, 0.1}}},
           .rhs =
@@ -96,7 +97,8 @@ std::vector<Problem> mixed_problems(const Scheme& scheme) {
   return {mixed_problem(), mixed_problem_with_algebraic_row()};
 }
 
-// Only rounding and the tolerance of the exponentials tell them apart, on every grid that the scheme takes.
+// The histories differ by rounding and the tolerance of the exponentials only, on every grid that the scheme
+// takes.
 TEST_P(Conformance, HistoriesAgree) {
   for (const auto& problem : mixed_problems(*GetParam())) {
     for (const auto& grid : grids_of(*GetParam(), problem.end, 700)) {
@@ -133,7 +135,7 @@ TEST_P(Conformance, PermutingComponentsPermutesTheAnswer) {
   }
 }
 
-// Start weights come from the orders of all rows, so these are the same in every run.
+// Start weights depend on the orders of all rows, so these are the same in every run.
 TEST_P(Conformance, UncoupledSystemsEqualTheirScalarRuns) {
   const double other = GetParam()->start_powers ? 0.5 : 1.5;
   const auto scalar = [](double order, double rate) {
@@ -254,10 +256,10 @@ TEST_P(Conformance, HistoriesAgreeOnScenes) {
   }
 }
 
-// Beyond single schemes.
+// Relations between schemes.
 
-// y' = -y: of order 1 each rule is a classical method, whose step multiplies y with a known factor. The
-// predictor of the Adams rows sums f of corrected values, so that they are Heun's method in their first step
+// y' = -y: at order 1 each rule is a classical method, whose step multiplies y by a known factor. The
+// predictor of the Adams schemes sums f of corrected values, so they are Heun's method in the first step
 // only.
 TEST(Identities, OfOrderOneTheSchemesAreClassicalMethods) {
   struct Classical {

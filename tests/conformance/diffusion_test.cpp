@@ -1,6 +1,6 @@
-// Diffusion and waves on lines and squares, through even and other media: what they are compared with is the
-// solution of the semi-discrete problem, and the error of a scheme is one of time alone, whatever the number
-// of unknowns.
+// Diffusion and waves on lines and squares, in even and other media. The reference is the solution of the
+// semi-discrete problem, so the error of a scheme is the error in time alone, whatever the number of
+// unknowns.
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ class DiffusionOf : public testing::TestWithParam<Field> {};
 INSTANTIATE_TEST_SUITE_P(, DiffusionOf, testing::ValuesIn(fields()),
                          [](const auto& test) { return test.param.name; });
 
-// E_g(A t^g) u(0) by the eigenvectors that a library finds of the matrix.
+// E_g(A t^g) u(0) by the eigenvectors of the matrix, computed by Eigen.
 TEST_P(DiffusionOf, IsTheMittagLefflerFunctionOfItsMatrix) {
   const Scene scene = scene_of(GetParam().scene, GetParam().values);
   const double order = scene.problem.components.front().order;
@@ -70,7 +70,7 @@ Matrix matrix_of(const Scene& scene) {
   return Matrix(std::get<SparseLinearPart>(scene.problem.derivatives).matrix);
 }
 
-// By eigenvectors that are computed, and by sines: one problem, where the medium is even.
+// In an even medium the solutions by computed eigenvectors and by sines are equal.
 TEST(Diffusion, ThroughAMediumWithoutContrastIsThatThroughAnEvenOne) {
   for (const auto& [scene, points] :
        {std::pair{"fractional_diffusion", "components"}, {"fractional_diffusion_2d", "n"}}) {
@@ -111,7 +111,7 @@ TEST(Diffusion, DifferencesOfAVaryingMediumAreOfSecondOrder) {
   EXPECT_NEAR(std::log2(error(99.0) / error(199.0)), 2.0, 0.02);
 }
 
-// What leaves a point arrives at its neighbours.
+// The flux that leaves a point enters its neighbours.
 TEST(Diffusion, ConservesWhatDiffuses) {
   for (const auto* medium : {"wave", "halves"}) {
     const Matrix line =
@@ -124,7 +124,7 @@ TEST(Diffusion, ConservesWhatDiffuses) {
   }
 }
 
-// Above order 1 the bound of eigenvectors rests on it.
+// The error bound of the eigenvector expansion for orders above 1 depends on this.
 TEST(Diffusion, SlopesOfWavesAreLargestAtTheStart) {
   for (double order = 1.05; order <= 2.0; order += 0.05) {
     for (double z = 0.0; z < 400.0; z = 1.1 * z + 0.05) {
@@ -162,8 +162,8 @@ TEST(Diffusion, ShowsAFewPointsAndNormsOfMoreThanTwoThousand) {
                    "u750_500", "u750_750", "l2", "max"}));
 }
 
-// At all columns that are shown, and in the norms. Points and modes are such that fields of any size may be
-// compared.
+// Errors of all output columns, norms included. Points and modes are such that fields of any size are
+// comparable.
 Vec errors(const char* scene_id, const ParameterValues& values, const char* scheme, const Grid& grid) {
   const Scene scene = scene_of(scene_id, values);
   const auto path = find_scheme(scheme)->solve(scene.problem, grid, {.at = {grid.end}});
@@ -171,7 +171,7 @@ Vec errors(const char* scene_id, const ParameterValues& values, const char* sche
   return columns_at(scene.outputs, grid.end, path.y.col(0)) - scene.reference.at(grid.end).value;
 }
 
-// With 64 intervals the rate of the third mode is 0.2 % below that with any number of them.
+// With 64 intervals the decay rate of the third mode is 0.2 % below its limit for many intervals.
 void expect_same(const Vec& few, const Vec& many, const char* what) {
   const double size = few.cwiseAbs().maxCoeff();
   ASSERT_GT(size, 1e-8) << what;
@@ -218,8 +218,9 @@ INSTANTIATE_TEST_SUITE_P(, RoughDiffusion, testing::ValuesIn(rough_runs()), [](c
   return test.param.scheme + "_" + test.param.medium + (test.param.graded ? "_graded" : "");
 });
 
-// A step has all modes, and no grid resolves the fastest. At a fixed time these are gone, and the rates are
-// those that theory gives to a field of few: uniform steps pay for the start, graded ones do not.
+// A step contains all modes, and no grid in time resolves the fastest. At a fixed time these have decayed,
+// and the rates are the theoretical ones for few unknowns: the start reduces the rate on uniform grids, and
+// not on graded ones.
 TEST_P(RoughDiffusion, HasTheRatesOfItsSingularStartAtAFixedTime) {
   const auto& [scheme_id, medium, graded] = GetParam();
   const Scheme& scheme = *find_scheme(scheme_id);

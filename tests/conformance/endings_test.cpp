@@ -10,8 +10,8 @@ namespace {
 
 const SceneMaker& maker(std::string_view id) { return *find_scene(id); }
 
-// A mass on a vertical spring that is released far out falls through the point from which it hangs: the
-// angle is not defined there, while every formula stays finite.
+// A mass on a vertical spring that is released far out passes through its point of suspension: the angle is
+// not defined there, while every formula remains finite.
 class Singularity : public testing::TestWithParam<const Scheme*> {};
 
 TEST_P(Singularity, EndsTheRunWithStepAndTime) {
@@ -30,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(, Singularity,
                                          find_scheme("decoupled_multi_order")),
                          [](const auto& test) { return std::string(test.param->id); });
 
-// Backward Euler damps the free pendulum by 5 % a step, past the smallest doubles.
+// Backward Euler damps the free pendulum by 5 % a step, to below the smallest doubles.
 TEST(Underflow, IsNoFailureOfNewtonsMethod) {
   Scene scene = make_scene(maker("pendulum"), {{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}});
   const auto path = find_scheme("l1")->solve(scene.problem, Grid{4e3, 10000}, {.at = {4e3}});

@@ -1,4 +1,4 @@
-// What every scheme must do that discretises the equations of a problem in place of its rows.
+// Properties of every scheme that discretises the equations of a problem in place of its rows.
 
 #include <gtest/gtest.h>
 
@@ -24,8 +24,8 @@ class OnEquations : public testing::TestWithParam<const Scheme*> {
 };
 INSTANTIATE_TEST_SUITE_P(, OnEquations, testing::ValuesIn(equation_schemes()), id_of_param);
 
-// Two equations of different leading orders that drive each other; the terms of the first have a factor, and
-// the force of the second reads a fractional derivative of the first.
+// Two coupled equations of different leading orders; the terms of the first have a factor, and the force of
+// the second depends on a fractional derivative of the first.
 Problem coupled() {
   const Chain first({2.0, 1.8}, {{0.4, 0.3}, {0.7, 1.1}}, {1.0, -0.5});
   const Chain second({1.0, 0.9}, {{0.5, 0.6}}, {0.25}, first.size());
@@ -50,8 +50,7 @@ TEST_P(OnEquations, ConstantsAreExact) {
   }
 }
 
-// u = 1 - 3t/4, where terms of whole order make the force that keeps it a line: the rules that interpolate g
-// are exact.
+// u = 1 - 3t/4 with terms of whole order and a linear force: the rules that interpolate g are exact.
 TEST_P(OnEquations, ALineIsExactWhereItsForceIsALine) {
   if (GetParam()->id == "multi_term_grunwald_letnikov") return;
   const Chain chain({1.3, 2.0}, {{0.4, 0.0}, {0.5, 1.0}}, {1.0, -0.75});
@@ -87,7 +86,7 @@ TEST_P(OnEquations, WithoutTermsTheRowSchemeIsLeft) {
   }
 }
 
-// k u as a term, or in the force with the other sign: one integral of u.
+// k u as a term, or in the force with the opposite sign: the same integral of u.
 TEST_P(OnEquations, ATermOfOrderZeroIsAForce) {
   if (!GetParam()->needs.implicit) return;
   constexpr double k = 2.5;
@@ -119,8 +118,8 @@ TEST_P(OnEquations, HistoriesAgree) {
   }
 }
 
-// One equation, and the same beside another that it does not know. Start weights come from the orders of
-// both.
+// One equation alone, and beside another with which it is not coupled. Start weights would depend on the
+// orders of both.
 TEST_P(OnEquations, EquationsThatDoNotDriveEachOtherEqualTheirOwnRuns) {
   if (GetParam()->start_powers) return;
   const auto equation = [](Eigen::Index first, double alpha) {
@@ -136,7 +135,7 @@ TEST_P(OnEquations, EquationsThatDoNotDriveEachOtherEqualTheirOwnRuns) {
   EXPECT_LT((together.bottomRows(other.rows()) - other).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-// The spring pendulum by the chain, with which nothing is shared but the problem, with 64 times the steps.
+// Compared with the spring pendulum as a chain with 64 times the steps, which shares nothing but the problem.
 TEST_P(OnEquations, CoupledEquationsTendToWhatTheChainTendsTo) {
   Problem problem = scene_of("extensible_pendulum", {{"dphi0", 0.4}}).problem;
   problem.end = 4.0;
@@ -220,8 +219,8 @@ TEST_P(OnEquations, RefusalsNameTheReason) {
             scheme.needs.uniform_grid ? "needs a uniform grid, not one graded with 2" : "accepted");
 }
 
-// y' = -y: backward Euler, the trapezoidal rule, and that with the newest slope at a prediction by the line
-// through the last two, which in the first step is Heun's method.
+// y' = -y: backward Euler, the trapezoidal rule, and the trapezoidal rule with the newest slope at a
+// prediction (slopes extrapolated linearly), which in the first step is Heun's method.
 TEST(OnEquationsOfOrderOne, TheSchemesAreClassicalMethods) {
   constexpr double h = 0.05;
   const Problem decay = scalar_problem(*find_scheme("multi_term_pc"), 1.0, -1.0);

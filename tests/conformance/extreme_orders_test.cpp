@@ -1,4 +1,4 @@
-// The reference at orders next to 0, 1 and 2, and where they go in the limit.
+// The reference at orders close to 0, 1 and 2, and its limits.
 
 #include <gtest/gtest.h>
 
@@ -70,8 +70,7 @@ TEST(ExtremeOrders, TheDampedOscillatorGoesWhereItsDerivativesGo) {
   }
 }
 
-// Next to an edge of the orders as anywhere: the two methods agree with the linear reference of a small
-// swing.
+// At extreme orders as at others the two methods agree with the linear reference of a small swing.
 TEST(ExtremeOrders, PendulumsOfMixedOrdersSwingLikeOscillatorsWhenTheySwingLittle) {
   constexpr double small = 1e-7, t = 5.0;
   for (const auto& [alpha, beta] :
@@ -94,7 +93,7 @@ TEST(ExtremeOrders, PendulumsOfMixedOrdersSwingLikeOscillatorsWhenTheySwingLittl
 }
 
 // D^g x = y - x, D^1.5 y = -x - 4 y from x = 1, y = 1/2: x - 1 starts like -t^g/2, y - 1/2 like t^1.5. The
-// powers k g are dense, and one of them stands for those next to it.
+// powers k g are dense, and one of them represents its neighbours.
 TEST(ExtremeOrders, PowersNextToEachOtherAreListedOnce) {
   for (const double gamma : {2e-9, 1e-7, 1e-6}) {
     const auto powers = scene_of("linear_system", {{"gamma1", gamma}}).smoothness.powers;
@@ -113,7 +112,7 @@ TEST(ExtremeOrders, PowersNextToEachOtherAreFewWhereCoefficientsOverflow) {
   for (const auto& powers : scene.smoothness.powers) EXPECT_LT(powers.size(), 100U);
 }
 
-// x = y from the start: D^g x = y - x is 0 at t = 0, and x leaves its value no earlier than y does.
+// x(0) = y(0): D^g x = y - x is 0 at t = 0, and x has no lower power than y.
 TEST(ExtremeOrders, TermsNextToEachOtherThatCancelAreLeftOut) {
   const auto powers = scene_of("linear_system", {{"gamma1", 1e-7}, {"x0", 0.5}}).smoothness.powers;
   EXPECT_NEAR(powers[0].front(), 1.5, 1e-5);

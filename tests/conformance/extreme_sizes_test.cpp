@@ -1,4 +1,4 @@
-// The reference of scenes with huge and tiny values, rates and times, and where there is none.
+// The reference of scenes with huge and tiny values, decay rates and times, and scenes without a reference.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ ReferenceValue exact_at(std::string_view scene, const ParameterValues& values, d
   return scene_of(scene, values).reference.at(t);
 }
 
-// Linear scenes of no load: the solution is as large as it starts.
+// Linear scenes without load: the solution is proportional to its initial value.
 TEST(ExtremeSizes, LinearScenesScale) {
   for (const double size : {1e150, 1e-150, 1e300, 1e-290}) {
     const ReferenceValue one = exact_at("relaxation", {}, 0.5),
@@ -54,7 +54,7 @@ TEST(ExtremeSizes, ATinySwingHasRelativeAccuracy) {
   EXPECT_LT(known.bound.maxCoeff(), 1e-163);
 }
 
-// u = cos t - 0.3 sin t at t = 1e5 with 40 digits in mpmath; with damping it ends in the memory's tail.
+// u = cos t - 0.3 sin t at t = 1e5 with 40 digits in mpmath.
 TEST(ExtremeTimes, TheOscillatorKeepsItsPhase) {
   const ParameterValues free{{"mu", 0.0}, {"lambda", 0.0}, {"nu", 0.0}};
   const ReferenceValue known = exact_at("damped_oscillator", free, 1e5);
@@ -62,8 +62,8 @@ TEST(ExtremeTimes, TheOscillatorKeepsItsPhase) {
   EXPECT_LT(known.bound.maxCoeff(), 1e-12);
 }
 
-// u ~ (nu tau^(1/2) u(0) + mu tau^(3/2) u'(0)) / sqrt(pi t) for late times: the spring carries what D^(1/2)
-// remembers of u(0) and D^(3/2) of u'(0).
+// u ~ (nu tau^(1/2) u(0) + mu tau^(3/2) u'(0)) / sqrt(pi t) for large t: the spring balances the memory of
+// u(0) in D^(1/2) u and of u'(0) in D^(3/2) u.
 TEST(ExtremeTimes, TheDampedOscillatorEndsInItsMemory) {
   const double coefficient = (0.1 - 0.06 * 0.8 * 0.3) * std::sqrt(0.8 / std::acos(-1.0));
   for (const double t : {1e5, 1e10, 1e100, 1e250}) {

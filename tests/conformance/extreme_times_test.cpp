@@ -13,7 +13,7 @@ namespace {
 
 constexpr int reference_digits = 60;
 
-// The components that are farthest off their exact values, against their bounds.
+// The largest ratio of error to bound, and the component that has it.
 struct Worst {
   double ratio = 0.0;
   std::string row;
@@ -62,8 +62,8 @@ void see_oscillator(Worst& worst, double w2, double t) {
 
 Matrix rotation(double re, double im) { return (Matrix(2, 2) << re, -im, im, re).finished(); }
 
-// A double value and its bound hold however far log t is from 0: the zeros of the characteristic function
-// times t are differences of large logarithms.
+// The bound of a double value holds for every log t, although the zeros of the characteristic function times
+// t are differences of large logarithms.
 class ExtremeTime : public testing::TestWithParam<double> {};
 
 TEST_P(ExtremeTime, KeepsTheBoundWhereRateTimesTimeIsTen) {

@@ -1,5 +1,5 @@
 // A right-hand side that jumps: the rate of a scheme holds where the jump is at a time of the grid. Inside a
-// step it costs a whole h.
+// step it reduces the rate to 1.
 
 #include <gtest/gtest.h>
 
@@ -38,8 +38,8 @@ TEST_P(JumpRate, IsThatOfTheSchemeWhereTheGridMeetsTheJump) {
   }
 }
 
-// Where the jump falls within its step changes with the number of steps, and the error with it: the largest
-// of several falls like h.
+// The position of the jump within its step changes with the number of steps, and so does the error: the
+// largest of several errors falls like h.
 TEST_P(JumpRate, IsOneWhereTheJumpFallsInsideAStep) {
   const Scene scene = loaded_until_one(1.6875);
   WatchedReference reference(scene);

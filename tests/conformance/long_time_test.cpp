@@ -22,7 +22,7 @@ struct Energies {
   double first = 0.0, largest = 0.0, last = 0.0;
 };
 
-// Of every 16th step, above the energy of the pendulum at rest.
+// Energies at every 16th step, above the energy of the pendulum at rest.
 Energies energies(const Scene& scene, std::string_view scheme) {
   const Scene rest = pendulum({{"phi0", 0.0}, {"dphi0", 0.0}});
   const double lowest = rest.energy.value(columns_at(rest.outputs, 0.0, taylor_part(rest.problem, 0.0)));
@@ -40,8 +40,8 @@ Energies energies(const Scene& scene, std::string_view scheme) {
 
 class DampedForLong : public testing::TestWithParam<std::string_view> {};
 
-// Damping takes energy: no scheme may put any in. What is left is the tail of the memory, which falls like a
-// power of t.
+// Damping dissipates energy: no scheme may add any. The remainder is the tail of the memory term, which falls
+// like a power of t.
 TEST_P(DampedForLong, KeepsItsEnergyBounded) {
   const auto seen = energies(pendulum({}), GetParam());
   EXPECT_EQ(seen.ending, Ending::finished);
@@ -56,8 +56,8 @@ INSTANTIATE_TEST_SUITE_P(, DampedForLong,
 
 const ParameterValues undamped{{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}};
 
-// At order 1 the product trapezoidal rule is the trapezoidal rule, which has an energy of its own, O(h^2)
-// next to that of the pendulum: it neither grows nor falls, while its phase drifts.
+// At order 1 the product trapezoidal rule is the trapezoidal rule, which conserves a modified energy, O(h^2)
+// from that of the pendulum: the energy does not drift, while the phase does.
 TEST(UndampedForLong, TheTrapezoidalRuleKeepsTheEnergy) {
   const auto seen = energies(pendulum(undamped), "product_trapezoidal");
   EXPECT_EQ(seen.ending, Ending::finished);
@@ -65,7 +65,7 @@ TEST(UndampedForLong, TheTrapezoidalRuleKeepsTheEnergy) {
   EXPECT_GT(seen.last, 0.99 * seen.first);
 }
 
-// Backward Euler takes the energy, Heun's method adds to it.
+// Backward Euler dissipates energy, Heun's method adds energy.
 TEST(UndampedForLong, OthersDoNot) {
   const auto euler = energies(pendulum(undamped), "grunwald_letnikov");
   EXPECT_EQ(euler.ending, Ending::finished);

@@ -1,4 +1,4 @@
-// The grading that the orders ask for, against what is published and against the rates of a solution.
+// The optimal grading for given orders, against published values and against the rates of a solution.
 
 #include "stepping/optimal_grading.hpp"
 
@@ -25,7 +25,7 @@ TEST(OptimalGrading, OfL1IsThatOfStynes) {
   }
 }
 
-// The trapezoidal rule loses h^(2g) in its first step for y ~ t^g: 2 / (2g).
+// The trapezoidal rule has an error h^(2g) in its first step for y ~ t^g, so the grading is 2 / (2g).
 TEST(OptimalGrading, OfTheTrapezoidalRuleIsTheInverseOfTheOrder) {
   for (const double order : {0.2, 0.4, 0.5, 0.8}) {
     EXPECT_GE(grading_for("product_trapezoidal", order), 1.0 / order - 1e-6) << order;
@@ -36,8 +36,8 @@ TEST(OptimalGrading, OfTheTrapezoidalRuleIsTheInverseOfTheOrder) {
 TEST(OptimalGrading, IsUniformWhereNothingIsToBeGained) {
   EXPECT_EQ(grading_for("l1", 1.0), 1.0);
   EXPECT_EQ(grading_for("product_trapezoidal", 1.0), 1.0);
-  EXPECT_EQ(grading_for("grunwald_letnikov", 0.5), 1.0);  // takes no other
-  EXPECT_EQ(grading_for("l1", 0.01), 10.0);               // 199 has no first step
+  EXPECT_EQ(grading_for("grunwald_letnikov", 0.5), 1.0);  // the only one it takes
+  EXPECT_EQ(grading_for("l1", 0.01), 10.0);               // with 199 the first step is 0
 }
 
 // 1.2371 is no multiple of 1/64 or more: the commensurate expansion has no links.
@@ -46,7 +46,7 @@ TEST(OptimalGrading, IsUniformWhereTheSchemeRefusesTheProblem) {
   EXPECT_EQ(grading_for("multi_term_trapezoidal", 0.5), 1.0);
 }
 
-// Of a damped oscillation D^alpha u is the worst: h^((2 - alpha) + (2 - alpha)) at the first step.
+// For a damped oscillation D^alpha u has the largest error: h^((2 - alpha) + (2 - alpha)) at the first step.
 TEST(OptimalGrading, OfEquationsFollowsFromTheirTerms) {
   for (const double alpha : {1.2, 1.5, 1.75}) {
     const auto problem = scene_of("damped_oscillator", {{"alpha", alpha}}).problem;
@@ -55,7 +55,8 @@ TEST(OptimalGrading, OfEquationsFollowsFromTheirTerms) {
   }
 }
 
-// No grading above it gives a solution that starts as the orders say a larger rate, and every one below less.
+// For a solution that starts with the powers of its orders, no larger grading has a larger rate, and every
+// smaller one has a smaller rate.
 TEST(OptimalGrading, IsTheLeastWithTheLargestRate) {
   for (const auto* scheme : grid_schemes()) {
     for (const auto* id : {"relaxation", "brusselator", "pendulum", "multi_term"}) {

@@ -1,5 +1,6 @@
-// Errors and values that independent published codes give on the same work: fde12 and pi2_im (Garrappa,
-// Octave) for adams_pc and product_trapezoidal, pycaputo for l1, an independent C++ program for the chain.
+// Errors and values of independent published codes for the same problems and steps: fde12 and pi2_im
+// (Garrappa, Octave) for adams_pc and product_trapezoidal, pycaputo for l1, an independent C++ program for
+// the chain.
 
 #include <gtest/gtest.h>
 

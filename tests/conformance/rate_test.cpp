@@ -1,5 +1,5 @@
 // Every (scene, scheme) pair that fits shows the rate that theory gives, two-sided, at a fixed time and in
-// the maximum over all steps. Each test speaks of one norm: a solution that starts like t^g has different
+// the maximum over all steps. Each test is for one norm: a solution that starts like t^g has different
 // rates in the two.
 
 #include "observers/rate.hpp"
@@ -22,7 +22,7 @@ struct Case {
   const Scheme* scheme;
 };
 
-// Made once: finding the poles of an exact solution takes a millisecond.
+// Created once: computing the poles of an exact solution takes a millisecond.
 const Scene& make(const Variant& variant) {
   static std::map<std::string, Scene> made;
   auto found = made.find(variant.name);
@@ -45,9 +45,9 @@ bool the_rest(const Case& c) {
   return !first_step_governs_the_maximum(c) || expected(c, Norm::maximum) < expected(c, Norm::first_step);
 }
 
-// Every one of these schemes that takes the scene over this grid, except on graded grids the commensurate
-// expansion, which is adams_pc again, with powers of h too close to each other to tell. Schemes with start
-// weights are at rounding with so many steps: tests/start_weights has their rates.
+// Calls check for every one of these schemes that takes the scene on this grid. Excepted are, on graded
+// grids, the commensurate expansion, which is adams_pc again with powers of h too close to separate, and
+// schemes with start weights, whose errors are at rounding with so many steps (rates: tests/start_weights).
 void for_each_of(const std::vector<const Scheme*>& some, const Variant& variant,
                  const std::function<void(const Case&)>& check) {
   const Scene& scene = make(variant);
@@ -55,7 +55,7 @@ void for_each_of(const std::vector<const Scheme*>& some, const Variant& variant,
     if (scheme->start_powers) continue;
     if (refusal(*scheme, scene.problem, Grid{variant.end, 256, variant.grading})) continue;
     if (variant.grading != 1.0 && !scheme->expansion_of.empty()) continue;
-    // Its hidden rows are off by h and -h, which cancels in what is shown.
+    // Its hidden rows have errors h and -h, which cancel in the output columns.
     const bool of_parabolas = scheme->id == "l1_2" || scheme->id == "l2_1_sigma";
     if (of_parabolas && variant.name == "nonlinear_fractional_oscillator_integrated") continue;
     SCOPED_TRACE(scheme->id);
@@ -86,8 +86,8 @@ void expect_rate(const std::vector<ErrorAt>& points, double theory) {
 }
 
 // Predictor-corrector errors have the powers 1 + g, 1 + 2g, ..., 2 of h. Where the first are close to each
-// other, or the first has a small factor, no affordable step shows it alone. The later powers are known from
-// theory, so they are taken out: e(h) - 2^q e(h/2) has no h^q.
+// other, or the first has a small factor, no affordable step size shows the first alone. The later powers are
+// known from theory, so they are eliminated: e(h) - 2^q e(h/2) has no h^q.
 std::vector<double> later_powers(const Case& c, Norm norm) {
   struct Close {
     std::string_view variant;
@@ -141,7 +141,7 @@ std::vector<double> later_powers(const Case& c, Norm norm) {
 }
 
 // The largest error at the end, or over all steps, of 256 ... 4096 steps; finer by a level for each power
-// taken out.
+// eliminated.
 std::vector<ErrorAt> error_points(const Case& c, Norm norm) {
   const Scene& scene = make(c.variant);
   WatchedReference reference(scene);
@@ -179,7 +179,8 @@ TEST_P(EndRate, MatchesTheory) {
 INSTANTIATE_TEST_SUITE_P(, EndRate, testing::ValuesIn(variants()), name_of_variant);
 INSTANTIATE_TEST_SUITE_P(OnGradedGrids, EndRate, testing::ValuesIn(graded_variants()), name_of_variant);
 
-// Where the solution starts like t^g, the first step is the worst of all: one step of length h, h -> 0.
+// Where the solution starts like t^g, the error of the first step is the largest: one step of length h, h ->
+// 0.
 void expect_first_step_rate(const Case& c) {
   const double theory = expected(c, Norm::first_step);
   const Scene& scene = make(c.variant);
@@ -207,7 +208,8 @@ TEST_P(FirstStepRate, MatchesTheory) {
 
 INSTANTIATE_TEST_SUITE_P(, FirstStepRate, testing::ValuesIn(variants()), name_of_variant);
 
-// Elsewhere the maximum over all steps falls like the error at the end, or like that beside a jump.
+// In other cases the maximum over all steps falls like the error at the end, or like the error next to a
+// jump.
 class MaximumRate : public testing::TestWithParam<Variant> {};
 
 TEST_P(MaximumRate, MatchesTheory) {
@@ -234,8 +236,8 @@ TEST_P(EquationRate, MatchesTheoryAtTheFirstStep) {
 
 INSTANTIATE_TEST_SUITE_P(, EquationRate, testing::ValuesIn(multi_term_variants()), name_of_variant);
 
-// f = 1.5 sqrt(pi)/2 t + t^1.5 - y starts like t: the corrector is exact for it, the prediction is off by
-// h^(1+g).
+// f = 1.5 sqrt(pi)/2 t + t^1.5 - y starts like t: the corrector is exact for it, the error of the prediction
+// is h^(1+g).
 TEST(FirstStep, OfThePredictorCorrectorForALinearStart) {
   const Variant linear{"power_linear", "power", {{"gamma", 0.5}, {"p", 1.5}}, 1.0};
   const Case pair{linear, find_scheme("adams_pc")};

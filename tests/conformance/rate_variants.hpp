@@ -38,7 +38,7 @@ inline std::vector<Variant> variants() {
     }
     if (g > 1.0) all.push_back({"bagley_torvik_" + tag, "bagley_torvik", {{"alpha", g}}, 2.0});
   }
-  // So slow that the steps resolve the fastest mode.
+  // Diffusion so slow that the steps resolve the fastest mode.
   for (const auto& [tenths, start] : {std::pair{5, "smooth"}, {8, "step"}, {15, "smooth"}}) {
     const ParameterValues values{
         {"gamma", tenths / 10.0}, {"start", start}, {"diffusivity", 0.02}, {"n", 3.0}};
@@ -125,7 +125,7 @@ inline ParameterValues multi_term_of(double leading) {
   return values;
 }
 
-// Solutions that start like t^g, on grids whose grading makes up for it, or goes half the way.
+// Solutions that start like t^g, on grids whose grading restores the rate, or a part of it.
 inline std::vector<Variant> graded_variants() {
   std::vector<Variant> all;
   for (const double g : {0.4, 0.6, 0.8, 1.5}) {

@@ -1,4 +1,4 @@
-// What a scheme is asked for, and times in place of steps.
+// Resolutions (grid or tolerance), and output times in place of steps.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ Problem decay(double order) {
           .end = 2.0};
 }
 
-// Euler's method for order 1; a step from y is as long as keeps its error h^2 |y| / 2 below the accuracy.
+// Euler's method for order 1; the step from y keeps its error h^2 |y| / 2 at the tolerance.
 Trajectory adaptive_euler(const Problem& problem, const Resolution& resolution, const Options& options) {
   const auto [relative, absolute] = std::get<Accuracy>(resolution);
   Run run(problem, options);
@@ -77,7 +77,7 @@ TEST(Resolution, TheTimesOfAnAdaptiveRunAreItsOwn) {
   EXPECT_NEAR(path.y(0, path.steps), std::exp(-2.0), 1e-2);
 }
 
-// The solution t^1.5 of a chain with links 1 and 0.5, told at all times.
+// The solution t^1.5 of a chain with links 1 and 0.5, with dense output.
 TEST(Resolution, ADenseSolutionOfASplitProblemIsThatOfItsComponents) {
   const Solve whole_interval = [](const Problem& chain, const Resolution&, const Options&) {
     EXPECT_EQ(chain.size(), 2);

@@ -1,4 +1,4 @@
-// What every scene in the list must be, and what single ones promise.
+// Properties of every scene in the list, and of single ones.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ std::vector<const SceneMaker*> scenes_with(bool (*capability)(const Scene&)) {
 }
 
 bool any(const Scene& /*scene*/) { return true; }
-// Right rows have their initial values at the end: what they are at t = 0 is for a scheme to find.
+// Right rows have their initial values at the end: their values at t = 0 are part of the solution.
 bool exact_start(const Scene& scene) { return scene.reference.at && !two_sided(scene.problem); }
 bool derivatives(const Scene& scene) { return has_jacobian(scene.problem); }
 bool power(const Scene& scene) { return static_cast<bool>(scene.energy.power); }
@@ -161,7 +161,7 @@ TEST(Scenes, HaveTheColumnsOfTheContract) {
 }
 
 // D^0.5 x = -x + y, D^1.5 y = -4 x - 4: from x(0) = 1 and y(0) = 0 x has the powers 1/2, 1, 3/2, but y has
-// none of its own before 3/2, which leads x to 2; at (-1, -1) the system is at rest.
+// none below 3/2, which gives x the power 2; at (-1, -1) the system is at rest.
 TEST(Scenes, ALinearSystemStartsWithThePowersOfItsSeries) {
   const ParameterValues values{{"gamma1", 0.5}, {"gamma2", 1.5}, {"a21", -4.0},
                                {"a22", 0.0},    {"c2", -4.0},    {"y0", 0.0}};

@@ -1,5 +1,5 @@
-// Equations of several orders and the ends of the orders of damping, each against a value that was computed
-// apart: power series in t^(1/10), Talbot's inversion of the transform and Taylor's method, in 30 digits.
+// Equations of several orders and the limits of the orders of damping, each against an independent value:
+// power series in t^(1/10), Talbot's inversion of the transform and Taylor's method, in 30 digits.
 
 #include <gtest/gtest.h>
 
@@ -125,7 +125,7 @@ TEST(DampingOfWholeOrders, IsWhatOrdersBelowTendTo) {
   }
 }
 
-// Load t^(2-nu)/Gamma(3-nu): q has t^2 E_{nu,3}(-w2 t^nu) of it.
+// Load t^(2-nu)/Gamma(3-nu): it adds t^2 E_{nu,3}(-w2 t^nu) to q.
 TEST(FractionalOscillator, TakesTheLoadOfEquation49) {
   const ParameterValues loaded{{"nu", 1.3}, {"w2", 2.0},  {"q0", 1.0}, {"dq0", 0.5},
                                {"c0", 0.4}, {"c1", -0.2}, {"c2", 0.3}};

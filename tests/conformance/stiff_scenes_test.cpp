@@ -1,4 +1,4 @@
-// The reference of the stiff scenes, against what is known of it from elsewhere.
+// The reference of the stiff scenes, against independent values.
 
 #include <gtest/gtest.h>
 
@@ -73,8 +73,8 @@ TEST(VanDerPol, HasThePublishedPeriodForOrderOne) {
   EXPECT_NEAR(early.value[1], late.value[1], 1e-9);
 }
 
-// While it creeps, v is enslaved: mu (1 - x^2) v = x + D^g v. What D^g v remembers best is how v fell from
-// v(0) = 0 to about what it is, v t^-g / Gamma(1-g).
+// In the slow phase x determines v: mu (1 - x^2) v = x + D^g v. The largest part of D^g v is the memory of
+// the initial change of v from v(0) = 0 to about its present value, v t^-g / Gamma(1-g).
 TEST(VanDerPol, CreepsForEveryStiffness) {
   constexpr double gamma = 0.9, t = 5.0;
   for (const double mu : {10.0, 1e2, 1e3, 1e4, 1e6}) {

@@ -11,7 +11,7 @@
 namespace fde {
 namespace {
 
-// Ends the work of this thread when it is first heard of.
+// Cancels the work of this thread at its first report.
 const WorkListener end_it = [](std::size_t, std::size_t) { throw WorkEnded(); };
 
 TEST(Work, OfEverySchemeIsHeardOfAndEndsWhereAListenerThrows) {

@@ -1,4 +1,4 @@
-// Who does not take rows 0 = f_i(t, y), and who leaves them alone.
+// Algebraic rows 0 = f_i(t, y): which schemes and functions refuse them, and which leave them unchanged.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

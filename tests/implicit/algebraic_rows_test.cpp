@@ -1,5 +1,4 @@
-// Rows 0 = f_i(t, y) that determine their own unknown (index 1), and what every scheme says to a row of order
-// 0.
+// Rows 0 = f_i(t, y) that determine their own unknown (index 1) in every implicit scheme.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Problems that are made of multi-term equations, and the equations that such a problem tells.
+// Problems built from multi-term equations, and Problem::equations of such a problem.
 
 #include "problem/chain_problem.hpp"
 
@@ -53,7 +53,7 @@ TEST(ChainProblem, TellsItsEquations) {
   EXPECT_EQ(told.leading().coefficient, 2.0);
 }
 
-// What a scheme that discretises the equations needs to know, from them alone.
+// Problem::equations agree with the rows of the problem: right-hand side, orders and initial values.
 void expect_equations_of_rows(const Problem& problem) {
   const double t = 0.3;
   const Vec y = Vec::LinSpaced(problem.size(), 0.2, 0.9);

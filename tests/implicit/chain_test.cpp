@@ -36,7 +36,7 @@ TEST(Chain, OfThePendulumHasFourLinksAndItsInitialValuesAtWholeNodes) {
   EXPECT_THAT(starts(chain.components()), ElementsAre(1.0, 0.0, -0.3, 0.0));
 }
 
-// D^beta of order next to 0 is u - u(0), not u: it has a node of its own, which starts at 0.
+// D^beta of order close to 0 is u - u(0), not u: it has its own node, which starts at 0.
 TEST(Chain, KeepsTheSmallestOrdersApart) {
   const Chain chain({1.0, 2.0}, {{0.1, 1e-15}}, {1.0, -0.3});
   EXPECT_THAT(chain.nodes(), ElementsAre(0.0, 1e-15, 1.0));
@@ -92,7 +92,7 @@ TEST(Splitting, OrdersAboveOneBecomeLinks) {
   EXPECT_EQ(f, (Vec(3) << 6.0, -5.0, -7.0).finished());
 }
 
-// The paper's objection to the commensurate expansion: (1.9, 0.1) makes 20 states of the chain's 4.
+// The paper's objection to the commensurate expansion: orders (1.9, 0.1) give 20 states, the chain has 4.
 TEST(Splitting, TheCommensurateExpansionHasManyStates) {
   const Chain chain({1.0, 2.0}, {{0.1, 0.1}, {0.3, 1.9}}, {1.0, -0.3});
   const Problem problem{.components = chain.components(), .rhs = {}};

@@ -1,5 +1,6 @@
-// Conjugate gradients with fast sine transforms: as many iterations for any number of points, answers as good
-// as the factors', and the factors themselves where these are cheaper.
+// Conjugate gradients preconditioned by fast sine transforms: the number of iterations does not depend on the
+// number of points, results are as accurate as by Cholesky factors, and the factors take over where they are
+// cheaper.
 
 #include "implicit/conjugate_gradients.hpp"
 
@@ -18,7 +19,7 @@ double smooth(double x, double y) { return 1.0 + 0.9 * std::sin(6.0 * x) * std::
 double far_apart(double x, double y) { return std::exp(4.6 * std::sin(3.0 * x + 2.0 * y)); }
 double jump(double x, double y) { return std::hypot(x - 0.5, y - 0.5) < 0.3 ? 10.0 : 1.0; }
 double thin(double /*x*/, double /*y*/) { return 0.01; }
-// 3 u^2 - 1 of Allen and Cahn's equation, for a wave u.
+// 3 u^2 - 1 of the Allen-Cahn equation, for a wave u.
 double reaction(double x, double y) { return 3.0 * std::pow(std::sin(9.0 * x) * std::cos(7.0 * y), 2) - 1.0; }
 
 struct Case {
@@ -28,7 +29,7 @@ struct Case {
   int most_iterations;
 };
 
-// Of a jump by 10 theory has at most sqrt(10) / 2 log 2^54 = 59.
+// For a jump of the diffusivity by 10 the bound of the theory is sqrt(10) / 2 log 2^54 = 59 iterations.
 class Coefficients : public testing::TestWithParam<Case> {
  protected:
   static SparseMatrix matrix(Eigen::Index n, Eigen::Index m) {
@@ -59,7 +60,7 @@ TEST_P(Coefficients, TakeAsManyIterationsForAnyNumberOfPoints) {
   }
 }
 
-// Of the one with what the residual says of it, in a second solve.
+// The reference is the result of Cholesky factors with one step of iterative refinement.
 TEST_P(Coefficients, AreSolvedAsWellAsByFactors) {
   const SparseMatrix a = matrix(90, 70);
   ConjugateGradients solver(a);
@@ -94,7 +95,7 @@ TEST(ConjugateGradients, GiveWayToFactorsWhenTheseWouldHaveCostLess) {
     EXPECT_LT((x - first).cwiseAbs().maxCoeff(), 1e-12);
   }
   EXPECT_EQ(solver.name(), "cholesky");
-  // Another matrix begins anew.
+  // A new matrix resets the count of iterations.
   ASSERT_TRUE(solver.factorise(step_matrix(60, 60, 0.02, smooth, none)));
   EXPECT_EQ(solver.name(), "conjugate_gradients");
 }

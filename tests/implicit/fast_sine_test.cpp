@@ -1,5 +1,5 @@
-// Constant coefficients in a rectangle are solved by sine transforms: the eigenvectors are known, and what
-// elimination says is what they say.
+// Constant coefficients in a rectangle are solved by sine transforms, in agreement with the known
+// eigenvectors and with elimination.
 
 #include "implicit/fast_sine.hpp"
 
@@ -113,10 +113,10 @@ TEST(FastSine, IsToldByTheValuesAlone) {
   };
   EXPECT_EQ(sparse_factors(matrix)->name(), "fast_sine");
   const double own = matrix.coeff(7, 7);
-  EXPECT_EQ(with(7, 7, own * (1.0 + 1e-15)), "fast_sine");  // to rounding
+  EXPECT_EQ(with(7, 7, own * (1.0 + 1e-15)), "fast_sine");  // equal up to rounding
   EXPECT_EQ(with(7, 7, own * (1.0 + 1e-13)), "cholesky");
   EXPECT_EQ(with(7, 8, matrix.coeff(7, 8) * 1.001), "cholesky");
-  EXPECT_EQ(with(8, 9, -1e-3), "cholesky");  // the end of a line and the beginning of the next
+  EXPECT_EQ(with(8, 9, -1e-3), "cholesky");  // couples the end of a line with the beginning of the next
   EXPECT_EQ(with(0, 20, -1e-3), "cholesky");
 }
 

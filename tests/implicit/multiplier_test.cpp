@@ -93,7 +93,7 @@ TEST_P(Multiplier, TheUnitsOfARowDoNotMatter) {
   }
 }
 
-// a.v + b.w = 1 and three times the same, which is that or a contradiction.
+// a.v + b.w = 1 and three times the same row: redundant, or a contradiction.
 TEST_P(Multiplier, DependentConstraintsAreAnOutcome) {
   const Problem once = AlgebraicPlane{}.multiplier(0.0);
   Matrix linear = Matrix::Zero(8, 8);
@@ -130,7 +130,7 @@ TEST_P(Multiplier, HistoriesAgree) {
   }
 }
 
-// lambda(0) is a guess: no value has a part in the motion, and none in what is told of lambda.
+// lambda(0) is a guess: the solution, including lambda at later times, does not depend on it.
 TEST_P(Multiplier, AWrongInitialValueOfItChangesNothing) {
   for (const Grid& grid : grids_of(*GetParam(), 2.0, 300)) {
     const Rows right = run(AlgebraicPlane{}.multiplier(0.0), grid),

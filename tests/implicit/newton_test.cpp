@@ -1,4 +1,4 @@
-// The equation of a step where Newton's method alone loses its way, or the unknowns have unusual sizes.
+// Step equations for which plain Newton iteration diverges, or whose unknowns have unusual sizes.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,8 @@ TEST_P(RobustNewton, AnUnsolvableStepTakesBoundedWork) {
   EXPECT_LT(path.cost.newton_iterations, 400);
 }
 
-// y = past + kappa y^3 from 1 on has no solution near 1 with so long a step, and a negative one far away.
+// y = past + kappa y^3 with y(0) = 1 and such a large step has no solution near 1, and a negative one far
+// away.
 TEST_P(RobustNewton, DoesNotBeginFarFromTheStart) {
   const Problem cubic{.components = {{0.5, {1.0}}},
                       .rhs = [](double, In y, Out f) { f = y.array().cube().matrix(); },
@@ -49,7 +50,7 @@ TEST_P(RobustNewton, DoesNotBeginFarFromTheStart) {
   EXPECT_EQ(run(cubic, {0.01, 2}).ending, Ending::finished);
 }
 
-// Where all is smooth the continued path is nearly the solution.
+// For a smooth solution the extrapolated guess is nearly the solution.
 TEST_P(RobustNewton, TakesLittleMoreThanOneIterationWhereAllIsSmooth) {
   constexpr int steps = 1 << 15;
   for (const auto* id : {"pendulum", "brusselator"}) {
@@ -58,9 +59,9 @@ TEST_P(RobustNewton, TakesLittleMoreThanOneIterationWhereAllIsSmooth) {
   }
 }
 
-// y' = 1 up to y(5) = 5, which solves all later steps. The path leads on to 6, next to other solutions of
-// backward Euler's step y = 5 + f(y): y = 6.1 with the cubic f, y = 6.06 with the square one, where 1 - f'(y)
-// has another sign than at 5.
+// y' = 1 up to y(5) = 5, which solves all later steps. The extrapolated guess is 6, close to other solutions
+// of the backward Euler step y = 5 + f(y): y = 6.1 with the cubic f, y = 6.06 with the square one, where 1 -
+// f'(y) has another sign than at 5.
 TEST(GuessOfNewton, DoesNotLeadToAnotherSolution) {
   const auto cubic = [](double y) { return -20.0 * (y - 5.0) * (y - 5.6) * (y - 6.2); };
   const auto square = [](double y) { return 100.0 * (y - 5.0) * (y - 6.05); };
@@ -78,8 +79,8 @@ TEST(GuessOfNewton, DoesNotLeadToAnotherSolution) {
   }
 }
 
-// y' = y^2, y = 1 / (1 - t), and the same with order 1/2: the step has no solution where y is too large. None
-// comes out on the other side.
+// y' = y^2, y = 1 / (1 - t), and the same with order 1/2: the step has no solution where y is too large. No
+// run continues past the blow-up.
 TEST_P(RobustNewton, DoesNotStepOverABlowUp) {
   for (const double order : {0.5, 1.0}) {
     const Problem problem{.components = {{order, {1.0}}},
@@ -124,7 +125,7 @@ TEST_P(RobustNewton, SizesOfTheUnknownsDoNotMatter) {
       const auto path = run(robertson(unit, jacobian), {40.0, steps});
       ASSERT_EQ(path.ending, Ending::finished) << unit;
       EXPECT_LE(path.cost.newton_iterations, *once.cost.newton_iterations + steps / 2) << unit;
-      for (int i = 0; i < 3; ++i) {  // the small one to as many digits as the others
+      for (int i = 0; i < 3; ++i) {  // the same relative accuracy for the small one
         const double size = once.y.row(i).cwiseAbs().maxCoeff();
         EXPECT_LT((path.y.row(i) / unit - once.y.row(i)).cwiseAbs().maxCoeff(), 1e-12 * size) << unit;
       }

@@ -1,4 +1,4 @@
-// A growing mode that is faster than the steps: an implicit rule leads through infinity to finite numbers.
+// Steps too large for a growing mode: past its pole an implicit rule returns finite, meaningless numbers.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ double newest_weight(const Scheme& scheme, double order) {
   return 1.0 / std::tgamma(order + 2.0);
 }
 
-// D^g y = lambda y is solved with 1 - kappa lambda: kappa lambda = 1 is infinite in the first step.
+// A step of D^g y = lambda y is a division by 1 - kappa lambda, which has a pole at kappa lambda = 1.
 TEST_P(OutrunGrowthOf, OneEquationEndsBeyondThePoleOfItsStep) {
   for (const double order : {0.3, 0.7, 1.0}) {
     const double pole = 1.0 / newest_weight(*GetParam(), order);
@@ -40,7 +40,7 @@ TEST_P(OutrunGrowthOf, OneEquationEndsBeyondThePoleOfItsStep) {
 }
 
 // A motion along a.v + b.w = C0 with a.b < 0 has the mode e^(st), a.a + a.b s^(alpha-1) = 0 for large s: at
-// alpha = 1.5 it is s = (5/0.1)^2 = 2500 here, and e^(2500 t) leaves double at t = 0.28.
+// alpha = 1.5 it is s = (5/0.1)^2 = 2500 here, and e^(2500 t) overflows at t = 0.28.
 TEST_P(OutrunGrowthOf, ConstrainedMotionsDoNotComeBackFromInfinity) {
   for (const auto* formulation : {"multiplier", "integrated"}) {
     const Problem problem =
@@ -56,7 +56,7 @@ TEST_P(OutrunGrowthOf, ConstrainedMotionsDoNotComeBackFromInfinity) {
   }
 }
 
-// On a graded grid the steps become too long in the course of it: D^1 y = 40 y, h = 1/40 for backward Euler.
+// On a graded grid later steps become too large: D^1 y = 40 y, h = 1/40 for backward Euler.
 TEST(OutrunGrowth, EndsAtTheFirstStepThatIsTooLong) {
   const Grid grid{1.0, 64, 2.0};
   const auto path = run(*find_scheme("l1"), scalar_equation(1.0, 40.0, 1), grid);
@@ -67,7 +67,7 @@ TEST(OutrunGrowth, EndsAtTheFirstStepThatIsTooLong) {
   EXPECT_EQ(*path.failed_at, grid.time(last + 1));
 }
 
-// Of a sparse matrix too, and of a mode beside others: y_i' = rate_i y_i.
+// For a sparse matrix too, and for one mode among others: y_i' = rate_i y_i.
 TEST(OutrunGrowth, OneModeOfManyIsSeen) {
   for (const double rate : {50.0, 70.0, -70.0}) {
     SparseMatrix matrix(3, 3);
@@ -83,7 +83,7 @@ TEST(OutrunGrowth, OneModeOfManyIsSeen) {
   }
 }
 
-// Growth that oscillates and decay have no such pole: rates 100 (1 +- i) and -1000 with steps of 1.
+// Oscillating growth and decay have no such pole: rates 100 (1 +- i) and -1000 with steps of 1.
 TEST_P(OutrunGrowthOf, DecayAndOscillationsPass) {
   for (const double order : {0.5, 1.0}) {
     EXPECT_EQ(run(*GetParam(), scalar_equation(order, {100.0, 100.0}, 16), {16.0, 16}).ending,

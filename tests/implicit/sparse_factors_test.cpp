@@ -1,4 +1,4 @@
-// The method that solves with a sparse matrix is the quickest that may, and its answer that of dense
+// A sparse matrix is factorised by the fastest applicable method, and the results equal those of dense
 // elimination.
 
 #include "implicit/sparse_factors.hpp"

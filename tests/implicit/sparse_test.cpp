@@ -1,4 +1,4 @@
-// Sparse derivatives are the dense ones, told shortly: the same answers, without a dense matrix.
+// Sparse derivatives give the same results as dense ones, without a dense matrix.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ INSTANTIATE_TEST_SUITE_P(, Sparse, testing::ValuesIn(implicit_schemes()), id_of_
 
 constexpr int size = 12;
 
-// A ring of which each entry drives the next one.
+// A ring in which each component enters the right-hand side of the next one.
 Matrix ring() {
   Matrix a = -3.0 * Matrix::Identity(size, size);
   for (int i = 0; i < size; ++i) a((i + 1) % size, i) = 1.0 + 0.1 * i;

@@ -1,4 +1,4 @@
-// Which unknowns are multipliers, how far their constraints are, and what the trapezoidal rule makes of them.
+// Which unknowns are multipliers, the index of their constraints, and the accuracy of the trapezoidal rule.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(Multipliers, AreTheUnknownsThatNoAlgebraicRowHolds) {
   const Problem square{.components = {{0.5, {0.0}}, {0.0, {0.0}}},
                        .rhs = [](double, In y, Out f) { f << 1.0 - y[1], y[1] * y[1] - y[0]; }};
   EXPECT_THAT(multipliers(square), IsEmpty());
-  // 0 = sin(t) (z - y), which says nothing at the start.
+  // 0 = sin(t) (z - y), which holds for any y, z at the start.
   const Problem late{.components = {{1.0, {1.0}}, {0.0, {1.0}}},
                      .rhs = [](double t, In y, Out f) { f << -y[1], std::sin(t) * (y[1] - y[0]); },
                      .end = 1.0};
@@ -79,7 +79,7 @@ class UnknownMultipliers : public testing::TestWithParam<const Scheme*> {
  protected:
   [[nodiscard]] static bool trapezoidal() { return GetParam()->id == "product_trapezoidal"; }
 
-  // The rate of how far `of` is off at the end.
+  // The rate of the error off(y) at the end.
   template <class Off>
   static double rate(const Problem& problem, double grading, Off off) {
     std::vector<ErrorAt> errors;
@@ -106,7 +106,7 @@ TEST_P(UnknownMultipliers, AreKnownAtTheTimesOfTheGrid) {
   }
 }
 
-// The same lambda in D^0.6 u = -u + lambda: as if it were given.
+// The same lambda in D^0.6 u = -u + lambda: u is as if lambda were given.
 TEST_P(UnknownMultipliers, DriveRowsOfOrderBelowOne) {
   const double order = 0.6;
   const Problem with_unknown{

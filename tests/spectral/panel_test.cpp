@@ -1,4 +1,4 @@
-// The parts of a panel: points, polynomials, and the fractional integrals of these.
+// Collocation on one panel: points, polynomials, and their fractional integrals.
 
 #include <gtest/gtest.h>
 
@@ -37,14 +37,14 @@ TEST(PanelRule, JoinTheHalvesOfAPolynomial) {
   EXPECT_LT((joined - rule.to_coefficients * values).lpNorm<Eigen::Infinity>(), 1e-13);
 }
 
-// To rounding: a constraint that is off by more where panels meet is what multipliers answer.
+// Exact to rounding: multipliers would correct any larger defect of a constraint where panels meet.
 TEST(PanelRule, KeepConstants) {
   const PanelRule rule(points);
   EXPECT_NEAR(rule.at_start.sum(), 1.0, 1e-14);
   EXPECT_NEAR(rule.at_end.sum(), 1.0, 1e-14);
 }
 
-// Abramowitz & Stegun (1964), 25.4.31, give the points of Radau's rule mirrored: (6 -+ sqrt 6) / 10.
+// Abramowitz & Stegun (1964), 25.4.31, list the Radau points mirrored: (6 -+ sqrt 6) / 10.
 TEST(PanelRule, EndsWithThePanel) {
   const Vec places = PanelRule(3).places;
   EXPECT_NEAR(places[0], -(1.0 + std::sqrt(6.0)) / 5.0, 1e-15);
@@ -52,7 +52,7 @@ TEST(PanelRule, EndsWithThePanel) {
   EXPECT_EQ(places[2], 1.0);
 }
 
-// Where the halves are other functions, the mean of both is kept: 1 and 0 make 1/2 and (at P_1) -3/4.
+// The fit of a step function, 1 and 0 on the halves, has its mean 1/2 and the coefficient -3/4 of P_1.
 TEST(PanelRule, FitsTheHalvesOfAStep) {
   const PanelRule rule(points);
   const Vec joined = rule.from_older.col(0);
@@ -60,7 +60,7 @@ TEST(PanelRule, FitsTheHalvesOfAStep) {
   EXPECT_NEAR(joined[1], -0.75, 1e-14);
 }
 
-// z is 1 + beyond. The substitution w = (z - x)^order takes the singularity away.
+// z is 1 + beyond. The substitution w = (z - x)^order removes the singularity.
 double moment_by_quadrature(double order, double beyond, int degree) {
   const double z = 1.0 + beyond, least = std::pow(std::max(beyond, 0.0), order),
                most = std::pow(2.0 + beyond, order);
@@ -95,14 +95,14 @@ TEST_P(KernelMoments, AreTheSameOfAPanelAtItsOwnPoints) {
   }
 }
 
-// All polynomials are +1 or -1 there: s^order / Gamma(order + 1).
+// All polynomials are +1 or -1 at the start of the panel: the moments are +-s^order / Gamma(order + 1).
 TEST_P(KernelMoments, StartAsPowersOfTheTimeSince) {
   const double order = GetParam(), since = 1e-30;
   const Vec own = own_moments(order, since, 12) * std::tgamma(order + 1.0) / std::pow(since, order);
   for (Eigen::Index l = 0; l < own.size(); ++l) EXPECT_NEAR(own[l], l % 2 == 0 ? 1.0 : -1.0, 1e-13) << l;
 }
 
-// Those of P_0 and P_1 are 2 z^(order-1) and 2/3 (1 - order) z^(order-2), over Gamma(order).
+// Far away the moments of P_0 and P_1 are 2 z^(order-1) and 2/3 (1 - order) z^(order-2), over Gamma(order).
 TEST_P(KernelMoments, FallFarAwayAsThePowersOfTheKernel) {
   const double order = GetParam(), z = 1e8;
   const Matrix moments = kernel_moments(order, Vec::Constant(1, z - 1.0), 2);
@@ -119,8 +119,7 @@ TEST(KernelMoments, OfOrderOneAreZeroButForTheFirst) {
   EXPECT_NEAR(moments(0, 0), 2.0, 1e-15);
 }
 
-// D^g y = lambda y has the mode s = lambda^(1/g) where |arg lambda| < g pi / 2, and none that grows
-// elsewhere.
+// D^g y = lambda y has the growing mode s = lambda^(1/g) for |arg lambda| < g pi / 2, otherwise none.
 TEST(GrowingModes, OfAPairAreThoseInTheSector) {
   for (const double order : {0.3, 0.5, 0.9, 1.0, 1.4, 1.9}) {
     for (const double part : {0.1, 0.5, 0.9, 1.1, 1.6}) {
@@ -145,8 +144,8 @@ TEST(GrowingModes, OfAChainAreThoseOfItsEquation) {
   EXPECT_FALSE(grows_faster(swinging, orders, 0.01));
 }
 
-// D^g x = a x + lambda, D^g z = b z - lambda, 0 = x - z: 2 D^g x = (a + b) x. An algebraic row that holds its
-// own unknown, 0 = lambda - x, adds 1 to a.
+// D^g x = a x + lambda, D^g z = b z - lambda, 0 = x - z: 2 D^g x = (a + b) x. An algebraic row with its own
+// unknown, 0 = lambda - x, adds 1 to a.
 TEST(GrowingModes, OfAlgebraicRowsAreThoseOfTheOthers) {
   const Matrix constrained{{5.0, 0.0, 1.0}, {0.0, 1.0, -1.0}, {1.0, -1.0, 0.0}};
   const Matrix eliminated{{2.0, 1.0}, {-1.0, 1.0}};

@@ -1,4 +1,4 @@
-// A scheme that is asked for an accuracy: what it delivers, and how it ends where it cannot.
+// Spectral collocation: the accuracy for a given tolerance, and how runs end that cannot finish.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ void PrintTo(const Asked& asked, std::ostream* out) {
   *out << SceneVariant{&scene_maker(asked.scene), asked.values}.label();
 }
 
-// With the constraint as an algebraic row, at the order of the scene's memory where it has one.
+// With the constraint as an algebraic row; alpha is the order of the scene's memory term, if it has one.
 Asked multiplier(const std::string& scene, std::optional<double> alpha = {}) {
   Asked asked{scene, {{"formulation", "multiplier"}}};
   if (alpha) asked.values["alpha"] = *alpha;
@@ -39,7 +39,7 @@ Asked multiplier(const std::string& scene, std::optional<double> alpha = {}) {
 
 class Spectral : public testing::TestWithParam<Asked> {};
 
-// At its own times, of which the first are next to a singular start.
+// At the run's own times, the first of which are close to a singular start.
 TEST_P(Spectral, DeliversTheAccuracy) {
   const Scene scene = scene_of(GetParam().scene, GetParam().values);
   const auto reference = reference_of(scene);
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-// The load of Bagley and Torvik ends at t = 1, where panels begin anew: no accuracy is lost there.
+// The load of Bagley and Torvik ends at t = 1, where a new segment begins: no accuracy is lost there.
 TEST(SpectralJump, IsStartedFrom) {
   const Scene scene = scene_of("bagley_torvik");
   const auto reference = reference_of(scene);
@@ -95,7 +95,8 @@ TEST(SpectralJump, IsStartedFrom) {
   }
 }
 
-// Whether the right-hand side jumps at 1 or behind it, where panels are far shorter than rounding of 1.
+// The result does not depend on the value of f at the jump t = 1, where panels are far shorter than rounding
+// of 1.
 TEST(SpectralJump, DoesNotAskOnWhichSideOfAJumpItsTimeIs) {
   const auto values = [](bool included) {
     const Problem problem{
@@ -108,7 +109,7 @@ TEST(SpectralJump, DoesNotAskOnWhichSideOfAJumpItsTimeIs) {
   EXPECT_EQ(values(true), values(false));
 }
 
-// D^0.5 y = 1, and 2 where y > 1, which is at pi/4: y = (2 sqrt t + 2 sqrt(t - pi/4)) / sqrt pi.
+// D^0.5 y = 1, and 2 where y > 1, which is reached at pi/4: y = (2 sqrt t + 2 sqrt(t - pi/4)) / sqrt pi.
 TEST(SpectralSwitch, IsLocatedToRounding) {
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? 2.0 : 1.0; },
@@ -126,8 +127,8 @@ TEST(SpectralSwitch, IsLocatedToRounding) {
   }
 }
 
-// D^0.8 y = sign(sin 50 t) - y, with no word of the jumps at k pi/50: each moves y by 2 (1 - E(-(t -
-// t_k)^0.8)).
+// D^0.8 y = sign(sin 50 t) - y, with jumps at k pi/50 that are not listed in Problem::jumps: each changes y
+// by 2 (1 - E(-(t - t_k)^0.8)).
 TEST(SpectralJump, IsSeenWhereItIsNotTold) {
   const Problem problem{
       .components = {{0.8, {0.0}}},
@@ -147,8 +148,8 @@ TEST(SpectralJump, IsSeenWhereItIsNotTold) {
   }
 }
 
-// D^g y = 1, and -2 where y > 1/2: y slides along 1/2, and no solution goes on from there. It is said where,
-// also where the right-hand side calls itself linear.
+// D^g y = 1, and -2 where y > 1/2: y slides along 1/2, and no solution exists after that time. The run
+// reports the time, also for a right-hand side that is declared linear.
 TEST(SpectralSwitch, EndsWhereTheSolutionSlides) {
   for (const double order : {0.2, 0.9, 1.0}) {
     for (const double accuracy : {1e-3, 1e-7}) {
@@ -180,7 +181,7 @@ TEST(SpectralAlgebraic, RowsSolveAbelsEquation) {
   }
 }
 
-// D^0.5 y = -z and y = z^3: known by D^0.5 y = -y^(1/3), whose slope at the end of y is infinite.
+// D^0.5 y = -z and y = z^3, compared with D^0.5 y = -y^(1/3), whose slope at y = 0 is infinite.
 TEST(SpectralAlgebraic, RowsDetermineTheirOwnUnknown) {
   const Problem with_row{.components = {{0.5, {1.0}}, {0.0, {1.0}}}, .rhs = [](double, In y, Out f) {
                            f[0] = -y[1];
@@ -194,7 +195,7 @@ TEST(SpectralAlgebraic, RowsDetermineTheirOwnUnknown) {
   EXPECT_NEAR(found.y(1, 0), std::cbrt(y), 1e-10);
 }
 
-// y' + lambda = 0 with y = t up to 1 and y = 1 behind it: lambda jumps from -1 to 0.
+// y' + lambda = 0 with y = t up to 1 and y = 1 after it: lambda jumps from -1 to 0.
 TEST(SpectralAlgebraic, RowsMayJump) {
   const Problem problem{.components = {{1.0, {0.0}}, {0.0, {0.0}}},
                         .rhs =
@@ -220,7 +221,7 @@ TEST(SpectralAlgebraic, RowsKnowASingularReaction) {
   }
 }
 
-// D^0.5 y = -1e6 y falls to 5.6e-7: a millionth of the terms that it is the sum of.
+// D^0.5 y = -1e6 y falls to 5.6e-7, a millionth of the terms that are summed to y.
 TEST(SpectralStiff, KeepsTheDigitsOfWhatIsLeft) {
   const Scene scene = scene_of("stiff_relaxation");
   const auto path = scheme().solve(scene.problem, Accuracy{1e-10, 1e-300}, {.at = {1.0}});
@@ -228,8 +229,8 @@ TEST(SpectralStiff, KeepsTheDigitsOfWhatIsLeft) {
   EXPECT_NEAR(path.y(0, 0) / exact, 1.0, 1e-8);
 }
 
-// Where f makes y decay quickly, the drive is known no better than its rounding, and needs not be: panels as
-// few as for an absolute accuracy.
+// Where f makes y decay quickly, rounding limits the accuracy of f, and this suffices: as few panels as for
+// an absolute tolerance.
 TEST(SpectralStiff, TakesFewPanelsToARelativeAccuracy) {
   for (const auto& [lambda, end] : {std::pair{-1e8, 1.0}, std::pair{-1.0, 1e100}}) {
     const Scene scene = scene_of("relaxation", {{"lambda", lambda}});
@@ -250,8 +251,8 @@ TEST(SpectralDense, IsTheSolutionAtAnyTime) {
   }
 }
 
-// t^p is by far smaller at first than at the end of the panels that would do for the end alone; and a load
-// t^(2-nu) of an order next to 2 is a velocity that stays.
+// t^p is far smaller at first than at the end of panels that suffice for the end alone; and an error of a
+// load t^(2-nu), order close to 2, acts as an error of the velocity that does not decay.
 TEST(SpectralAccuracy, HoldsWhereASolutionIsSmallAndWhereAnErrorIsRemembered) {
   const auto check = [](const std::string& name, const ParameterValues& values, double end, double accuracy) {
     Scene scene = scene_of(name, values);
@@ -287,8 +288,7 @@ TEST(SpectralOrders, ConstantsAreExact) {
   }
 }
 
-// y' = y^2 from 1 is 1 / (1 - t).
-// Without gravity the blade turns where it is: rows that are 0 have no error that counts.
+// Without gravity the blade rotates in place: rows that are 0 do not affect the error test.
 TEST(SpectralOrders, NonlinearRowsRestAtZero) {
   const auto path = run(scene_of("knife_edge", {{"g", 0.0}}).problem, 1e-6);
   ASSERT_EQ(path.ending, Ending::finished);
@@ -297,6 +297,7 @@ TEST(SpectralOrders, NonlinearRowsRestAtZero) {
   EXPECT_NEAR(end[2], 10.0, 1e-6);
 }
 
+// For order 1: y' = y^2, y(0) = 1, y = 1 / (1 - t).
 TEST(SpectralEnd, IsBeforeABlowUp) {
   for (const double order : {0.5, 1.0}) {
     const Problem problem{
@@ -319,7 +320,7 @@ TEST(SpectralEnd, IsNotOnAnotherRoot) {
   }
 }
 
-// A mode e^(2500 t): an answer in which it is not seen is smooth, and wrong.
+// A mode e^(2500 t): a result that does not contain it is smooth and wrong.
 TEST(SpectralEnd, IsNotPastAModeThatGrows) {
   for (const double accuracy : {1e-2, 1e-3, 1e-6}) {
     const auto path = run(scene_of("fractional_constraint_2d", {{"alpha", 1.5}}).problem, accuracy);

@@ -1,4 +1,4 @@
-// Unknown initial values with conditions at both ends, and who refuses what of a two-sided problem.
+// Unknown initial values with conditions at both ends, and refusals of two-sided problems.
 
 #include <gtest/gtest.h>
 
@@ -36,8 +36,7 @@ TEST(Conditions, AMissingSlopeIsFound) {
   EXPECT_NEAR(error_of_sine(500) / error_of_sine(1000), 4.0, 0.1);
 }
 
-// D^1.5 y = Gamma(3.5) t with y = t^2.5 + t: quadratic terms are exact for the trapezoidal rule, and so is
-// this one, f being linear.
+// D^1.5 y = Gamma(3.5) t with y = t^2.5 + t: f is linear, so the trapezoidal rule is exact.
 TEST(Conditions, WhatTheRuleIntegratesExactlyIsExact) {
   const Problem problem{
       .components = {{1.5, {0.0}}},
@@ -72,8 +71,8 @@ TEST(Conditions, ANonlinearBoundaryValueProblem) {
   }
 }
 
-// The least energy 1/2 int u^2 that brings y' = u from 0 to 1: u = 1, its adjoint p' = 0. The constant is an
-// unknown of order 1; from the right or from the left.
+// The minimum of 1/2 int u^2 with y' = u, y(0) = 0, y(4) = 1: u = 1/4, from the adjoint equation u' = 0. The
+// constant is an unknown of order 1, with a left or a right derivative.
 TEST(Conditions, AnUnknownConstant) {
   for (const auto side : {Side::left, Side::right}) {
     const Problem problem{.components = {{1.0, {0.0}}, {1.0, {}, side}},
@@ -93,8 +92,8 @@ TEST(Conditions, AnUnknownConstant) {
   }
 }
 
-// y' = -p, p from the right with -p' = y, p(T) = y(T): the regulator of unit weights, p = y = e^-t. Over 60
-// units of time neither side may be stepped with the other's growth e^t.
+// y' = -p, and -p' = y from the right, p(T) = y(T): the linear regulator with unit weights, p = y = e^-t.
+// Over 60 units of time no side may be stepped with the growing mode e^t.
 TEST(Conditions, ARegulatorOverALongTime) {
   const Problem problem{
       .components = {{1.0, {1.0}}, {1.0, {}, Side::right}},

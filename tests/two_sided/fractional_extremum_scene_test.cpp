@@ -32,8 +32,8 @@ TEST(FractionalExtremum, OfOrderOneIsAHyperbolicSine) {
   EXPECT_NEAR(fit_rate(errors).slope, 2.0, 0.1);
 }
 
-// y at the times, of the least of 1/2 int p^2 + k y^2 over all p that are constant on cells that become
-// shorter towards the end, y = J^alpha p, y(1) = 1; int y^2 by Gauss's rule of two points.
+// The y, at the times, that minimises 1/2 int p^2 + k y^2 over all p that are constant on cells graded
+// towards the end, y = J^alpha p, y(1) = 1; int y^2 by the two-point Gauss rule.
 Vec dense_minimum(double alpha, double k, int cells, const std::vector<double>& times) {
   const Vec places = Vec::NullaryExpr(
       cells + 1, [&](Eigen::Index j) { return 1.0 - std::pow(1.0 - static_cast<double>(j) / cells, 4.0); });
@@ -69,14 +69,14 @@ TEST(FractionalExtremum, WithASpringIsTheDenseMinimum) {
     const double coarse = off(100), fine = off(400);
     EXPECT_LT(fine, 1e-5);
     EXPECT_LT(fine, coarse / 3.0);
-    // Without the spring y is far from that.
+    // Without the spring y is far from these values.
     const Scene free = scene_of("fractional_extremum", {{"alpha", alpha}});
     EXPECT_GT(std::abs(free.reference.at(0.5).value[0] - y[1]), 0.1);
   }
 }
 
-// y starts like t^alpha and ends like (1 - t)^(2 alpha - 1): both cost h^(2 alpha). The next power of h,
-// h^(4 alpha - 1), is so close that it is taken out: d(h) - 2^q d(h/2) has no h^q.
+// y starts like t^alpha and ends like (1 - t)^(2 alpha - 1): both contribute an error h^(2 alpha). The next
+// power of h, h^(4 alpha - 1), is so close that it is eliminated: d(h) - 2^q d(h/2) has no h^q.
 TEST(FractionalExtremum, WithASpringShowsTheRateOfItsEnds) {
   for (const double alpha : {0.6, 0.7}) {
     const auto scene = scene_of("fractional_extremum", {{"alpha", alpha}, {"k", 10.0}});

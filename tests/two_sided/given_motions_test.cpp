@@ -1,6 +1,6 @@
-// Problems at both ends with loads, ends and T of the user's: their references against an independent product
-// integration (NumPy, three meshes clustered at both ends, extrapolated) to the digits that this has, the
-// schemes against their references.
+// Two-sided problems with given loads, conditions at the ends and T: their references against an independent
+// product integration (NumPy, three meshes clustered at both ends, extrapolated) to its accuracy, the schemes
+// against their references.
 
 #include <gtest/gtest.h>
 
@@ -55,16 +55,16 @@ TEST_P(GivenMotion, IsApproachedByBothSchemes) {
       const Rows off = columns_of(scene_.outputs, path) - reference.at(path.times);
       errors.push_back({scene_.problem.end / steps, off.topRows(2).cwiseAbs().maxCoeff()});
     }
-    // Velocities start like t^(1-alpha) and end like (T-t)^(1-alpha): 2 - alpha of the trapezoidal rule.
+    // Velocities start like t^(1-alpha) and end like (T-t)^(1-alpha): rate 2 - alpha of the trapezoidal rule.
     const bool first_order = std::string_view(id) == "grunwald_letnikov";
     EXPECT_GT(fit_rate(errors).slope, first_order ? 0.85 : 1.35) << id;
     EXPECT_LT(errors.back().error, first_order ? 1e-2 : 3e-4) << id;
   }
 }
 
-// The last number is what the extrapolation leaves, the most where the velocity at T is free across a: there
-// product trapezoids of 2048 to 8192 equal steps, extrapolated, are off from it by the same 3.8e-6 as the
-// reference, and from the reference by 4e-9.
+// The last number is the error of the extrapolation, the largest where the velocity at T is free across a:
+// there product trapezoids of 2048 to 8192 equal steps, extrapolated, differ from it by 3.8e-6, as the
+// reference does, and from the reference by 4e-9.
 INSTANTIATE_TEST_SUITE_P(, GivenMotion,
                          testing::Values(Known{"two_sided_constraint",
                                                {{"motion", "given"}},
@@ -100,9 +100,8 @@ INSTANTIATE_TEST_SUITE_P(, GivenMotion,
                            return test.param.scene + "_" + std::to_string(test.index);
                          });
 
-// Proposition 2 holds where left and right derivatives are weighted along a: across a nothing then tells the
-// extremum from the motion. The motion is solved by other rows, from the velocity that the extremum starts
-// with.
+// Proposition 2 holds where the weights of left and right derivatives are along a: across a the extremum and
+// the motion are then equal. The motion is solved by other rows, with the initial velocity of the extremum.
 TEST(PropositionTwo, HoldsWhereAllWeightsAreAlongTheVelocitys) {
   const ParameterValues along{{"b1", 0.4}, {"b2", 0.2}, {"c1", 0.3}, {"c2", 0.15}};
   auto extremum = along, motion = along;
@@ -119,8 +118,9 @@ TEST(PropositionTwo, HoldsWhereAllWeightsAreAlongTheVelocitys) {
   }
 }
 
-// Elsewhere the same motion, from the same place with the same velocity across a, is another one, and the
-// momentum across a differs by the column `defect`: e.v - e.v(0) + int e.grad u dt = defect - defect(0).
+// For other weights the motion from the same position with the same velocity across a differs from the
+// extremum, and the momentum across a differs by the column `defect`: e.v - e.v(0) + int e.grad u dt = defect
+// - defect(0).
 TEST(PropositionTwo, IsMissedByTheDefectElsewhere) {
   const Reference least = reference_of(scene_of("fractional_vakonomic"));
   const Vec start = least.at(0.0).value;
@@ -143,7 +143,8 @@ TEST(PropositionTwo, IsMissedByTheDefectElsewhere) {
   EXPECT_NEAR(across(now.segment(2, 2)) - across(start.segment(2, 2)) + pushed, now[9] - start[9], 1e-7);
 }
 
-// The dense minimum of fractional_extremum_scene_test.cpp is the independent value; here the reference.
+// The reference of the scene; its independent value is the dense minimum of
+// fractional_extremum_scene_test.cpp.
 TEST(FractionalExtremum, WithASpringHasAReference) {
   const Reference reference = reference_of(scene_of("fractional_extremum", {{"alpha", 0.75}, {"k", 5.0}}));
   for (const double t : {0.25, 0.5, 0.75}) EXPECT_LT(reference.at(t).bound[0], 1e-7) << t;
@@ -152,7 +153,7 @@ TEST(FractionalExtremum, WithASpringHasAReference) {
 }
 
 // y itself from Abel's equation, with and without a spring, against the closed form and the split form. Its
-// end (1-t)^(2 alpha - 1) is what the condition y(1) = 1 sees of a step.
+// power (1-t)^(2 alpha - 1) at the end determines the error of the condition y(1) = 1.
 TEST(FractionalExtremum, IsComputedAsAWholeToo) {
   for (const double k : {0.0, 5.0}) {
     const ParameterValues values{{"alpha", 0.75}, {"k", k}, {"form", "whole"}};
@@ -164,7 +165,7 @@ TEST(FractionalExtremum, IsComputedAsAWholeToo) {
       return std::abs(columns_of(whole.outputs, path)(0, 0) - known);
     };
     const double coarse = error(256), fine = error(1024);
-    EXPECT_GT(coarse, 1e-4) << k;  // computed, not printed
+    EXPECT_GT(coarse, 1e-4) << k;  // an error of the scheme: the closed form is not returned
     EXPECT_NEAR(std::log2(coarse / fine) / 2.0, 2.0 * 0.75 - 1.0, 0.05) << k;
   }
 }

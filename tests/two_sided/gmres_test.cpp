@@ -36,7 +36,7 @@ TEST(Gmres, TheIdentityTakesOneApplicationAndZeroNone) {
   };
   const Vec b = Vec::LinSpaced(50, -1.0, 1.0);
   EXPECT_LT((gmres(apply, b, 1e-12, 20) - b).norm(), 1e-14);
-  EXPECT_LE(applications, 2);  // the first is that of the start, 0
+  EXPECT_LE(applications, 2);  // the first is for the initial guess 0
   EXPECT_EQ(gmres(apply, Vec::Zero(50), 1e-12, 20), Vec::Zero(50));
 }
 

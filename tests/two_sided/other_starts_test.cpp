@@ -1,5 +1,5 @@
-// Problems at both ends for which Newton's method does not converge from the Taylor part, or whose solutions
-// of one side grow until the end by so much that elimination of the other side keeps no digit.
+// Two-sided problems for which Newton's method does not converge from the Taylor part, or whose solutions of
+// one side grow so much until the end that elimination of the other side loses all digits.
 
 #include "problem/other_starts.hpp"
 
@@ -35,7 +35,7 @@ TEST_P(LongEnd, IsSolvedByReferenceAndScheme) {
   EXPECT_LT((found - known).norm(), tolerance * known.norm());
 }
 
-// From a product integration that shares nothing with this (NumPy, meshes clustered at both ends).
+// Values of an independent product integration (NumPy, meshes clustered at both ends).
 INSTANTIATE_TEST_SUITE_P(Linear, LongEnd,
                          testing::Values(LongEnds{"fractional_vakonomic",
                                                   {{"c1", 3.0}, {"T", 5.0}},

@@ -1,4 +1,4 @@
-// Algebraic rows, 0 = f_i, in problems that are solved all at once.
+// Algebraic rows, 0 = f_i, in problems that are solved at all times at once.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 class TwoSidedAlgebraic : public testing::TestWithParam<const WeightFamily*> {};
 
-// D^0.6 y = -y + r, right D^0.8 r = -r / 2 - z with z = y^2 + sin r: put in, or as a row of its own.
+// D^0.6 y = -y + r, right D^0.8 r = -r / 2 - z with z = y^2 + sin r: substituted, or as an algebraic row.
 TEST_P(TwoSidedAlgebraic, ARowThatDefinesAnUnknownCanBeEliminated) {
   const auto z_of = [](In y) { return y[0] * y[0] + std::sin(y[1]); };
   const Problem eliminated{.components = {{0.6, {1.0}}, {0.8, {0.5}, Side::right}},
@@ -19,7 +19,7 @@ TEST_P(TwoSidedAlgebraic, ARowThatDefinesAnUnknownCanBeEliminated) {
                              f[0] = -y[0] + y[1];
                              f[1] = -y[1] / 2 - z_of(y);
                            }};
-  // z(0), which r(0) depends on, is found by a condition.
+  // z(0), which depends on r(0), is determined by a condition.
   const Problem whole{
       .components = {{0.0, {}}, {0.6, {1.0}}, {0.8, {0.5}, Side::right}},
       .rhs =
@@ -41,8 +41,8 @@ TEST_P(TwoSidedAlgebraic, ARowThatDefinesAnUnknownCanBeEliminated) {
   }
 }
 
-// v' = F + a lambda, 0 = a . v: v = (F - a (a . F) / |a|^2) t and lambda = -(a . F) / |a|^2. The right row
-// r, -r' = v_1, hears of v only.
+// v' = F + a lambda, 0 = a . v: v = (F - a (a . F) / |a|^2) t and lambda = -(a . F) / |a|^2. The right row r,
+// -r' = v_1, depends on v only.
 TEST_P(TwoSidedAlgebraic, AMultiplierKeepsItsConstraint) {
   const Eigen::Vector2d a(1.0, -0.5), force(0.3, 2.0);
   const double lambda = -a.dot(force) / a.squaredNorm();

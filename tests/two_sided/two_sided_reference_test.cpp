@@ -1,4 +1,4 @@
-// The two methods behind the references of problems at both ends, each by itself.
+// The two methods of the references of two-sided problems, each by itself.
 
 #include <gtest/gtest.h>
 
@@ -41,8 +41,8 @@ TEST(NodalBasis, IntegratesPowersOfBothEnds) {
   }
 }
 
-// J^g 1 = t^g / Gamma(g+1), and J^g (1-t) as above. Of the kernel (1-u)^(g-1) a share of 2 % is beyond the
-// last point of the map at g = 0.01.
+// J^g 1 = t^g / Gamma(g+1), and J^g (1-t) as above. At g = 0.01, 2 % of the integral of the kernel
+// (1-u)^(g-1) are beyond the last point of the map.
 TEST(NodalBasis, SincFunctionsIntegrateTheWholeKernelOfSmallOrders) {
   const NodalBasis basis = sinc_nodes(0.08);
   const Vec one = Vec::Ones(std::ssize(basis.nodes));
@@ -69,7 +69,7 @@ TEST(ClusteredTime, IsUndoneWithTheDigitsOfBothEnds) {
   }
 }
 
-// A row a side, below and above order 1, nonlinear.
+// A nonlinear problem with one row a side, of orders below and above 1.
 TEST(TwoSidedReference, IsTheMadeSolutionByEitherMethod) {
   const Made made = made_problem({{0.6, 3.0, Side::left}, {1.7, 3.5, Side::right}}, 1.0);
   for (const auto& basis : {panels(), sinc_nodes(0.08)}) {
@@ -86,7 +86,7 @@ TEST(TwoSidedReference, IsTheMadeSolutionByEitherMethod) {
   EXPECT_THROW((void)reference.at(1.5), std::invalid_argument);
 }
 
-// Of 12 panels, as orders of 0.3 take: 1.4 * 12 / 12 is below 1.4 in double.
+// Orders of 0.3 need 12 panels, and 1.4 * 12 / 12 is below 1.4 in double.
 TEST(TwoSidedReference, ReachesTheEnd) {
   const double end = 1.4;
   const Made made = made_problem({{0.3, 3.0, Side::left}, {0.3, 3.5, Side::right}}, end);
@@ -97,8 +97,8 @@ TEST(TwoSidedReference, ReachesTheEnd) {
 }
 
 // q' starts like t^0.1 and ends like (T-t)^0.1 at alpha = 0.9. The values at T are those of product
-// trapezoids with 1024 to 16384 equal steps, without the powers 1.1, 1.2 and 1.3 of the step: two sets of
-// them agree to 2e-10.
+// trapezoids with 1024 to 16384 equal steps, extrapolated in the powers 1.1, 1.2 and 1.3 of the step size:
+// two such sets agree to 2e-10.
 TEST(TwoSidedReference, KeepsItsDigitsNextToTheEndsForOrdersNextToOne) {
   const Scene scene = scene_of("fractional_vakonomic", {{"alpha", 0.9}});
   const Reference reference = computed_reference(scene.problem);

@@ -1,5 +1,5 @@
-// Scenes with right derivatives that are made from a motion: their rates, what is known about them, and that
-// the equations are those of the extremum they come from.
+// Manufactured solutions with right derivatives: their rates, their derivatives and constraints, and that the
+// equations are those of the extremum from which they follow.
 
 #include "two_sided/two_sided_scenes.hpp"
 
@@ -52,7 +52,7 @@ TEST_P(MadeScene, KeepsItsConstraintToRounding) {
   }
 }
 
-// The made w and r against the definitions: w = D^alpha q1, r its mirror image or J_-^(1-alpha) of g.
+// The manufactured w and r against the definitions: w = D^alpha q1, r its mirror image or J_-^(1-alpha) of g.
 TEST_P(MadeScene, HasTheDerivativesOfItsMotion) {
   const double alpha = GetParam().alpha, end = scene_.problem.end;
   const auto column = [&](std::string_view name) -> Function {
@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(, MadeScene,
 
 // The first variation of int 1/2 q'^2 - u + mu f + force.q dt - p(T).q(T) in a direction e with e(0) = 0:
 //   int p.e' + (mu q'.dA/dw) D^alpha e1 - f_pi.e dt = p(T).e(T), f_pi = -pi' the right-hand side of the
-// momenta. It knows of no right derivative: its transposition is what the scene does.
+// momenta. It contains no right derivative; the scene is its transposition.
 TEST(FractionalHamilton, MakesTheFirstVariationZero) {
   const double alpha = 0.4, epsilon = 0.7;
   const auto scene = scene_of("fractional_hamilton", {{"alpha", alpha}, {"epsilon", epsilon}});

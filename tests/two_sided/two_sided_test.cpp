@@ -1,4 +1,4 @@
-// Problems with right derivatives or conditions at both ends, solved all at once.
+// Problems with right derivatives or conditions at both ends, solved at all times at once.
 
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ TEST_P(TwoSided, ARightRowCostsWhatItsStartCosts) {
   EXPECT_NEAR(fit(made, {0.25, 0.5, 0.75}).slope, expected, 0.1);
 }
 
-// (T - t)^0.9 is off by h^0.9 in its own first step, the last of the grid.
+// (T - t)^0.9 has an error h^0.9 in the first step of its row, the last of the grid.
 TEST_P(TwoSided, TheWorstErrorIsInTheFirstStepOfARightRow) {
   const Made made = made_problem({{0.7, 3.0, Side::left}, {0.5, 0.9, Side::right}}, 1.0);
   const auto rate = [&](Norm norm) {
@@ -87,7 +87,7 @@ TEST_P(TwoSided, TheWorstErrorIsInTheFirstStepOfARightRow) {
   EXPECT_NEAR(fit_rate(errors).slope, rate(Norm::maximum), 0.1);
 }
 
-// Time reversed, left rows are right ones.
+// With time reversed, left rows are right rows.
 TEST_P(TwoSided, TheMirroredProblemHasTheMirroredSolution) {
   const Made made = smooth_two_sided();
   Problem mirrored = made.problem;
