@@ -21,8 +21,8 @@ struct Decimal {
   std::string bound;
 };
 
-// How a reference is obtained. closed_form and laplace_transform give error bounds; two_methods gives as an
-// error estimate the difference of two methods that share no code.
+// How a reference is obtained. closed_form and laplace_transform give error bounds; two_methods gives an
+// error estimate from the difference of two methods with different discretisations.
 enum class Evidence { closed_form, laplace_transform, two_methods };
 
 // A reference solution as a function of time, in double and to any number of decimal digits.

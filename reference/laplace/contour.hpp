@@ -14,8 +14,8 @@ namespace fde {
 //   m(theta) = 1 / (1 - e^(-2 pi i (theta/h - shift))),
 // whose poles are the nodes, with residue h/(2 pi i), the residue theorem for (integrand * m) gives
 //   f = trapezoidal sum + sum over the poles s* of Res(e^s F, s*) m(theta(s*)) + O(e^-omega),
-// wherever the poles lie: m ~ 0 for a pole deep inside the parabola, whose residue the sum contains, and m ~
-// 1 for one outside. The error e^-omega comes from the branch point s = 0 at theta = i.
+// wherever the poles lie: m ~ 0 for a pole deep inside the parabola, whose residue the sum contains, and
+// m ~ 1 for one outside. The error e^-omega comes from the branch point s = 0 at theta = i.
 template <class Real>
 class Contour {
  public:
