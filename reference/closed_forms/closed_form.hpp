@@ -5,25 +5,26 @@
 
 namespace fde {
 
-// One column of a closed form and the size of what it is put together from: the sum of its terms without
-// their signs, each times how strongly it answers to relative changes of time and parameters (at least 1).
+// One column of a closed form, and the sum of the moduli of its terms, each times its relative sensitivity
+// (at least 1) to time and parameters.
 template <class Real>
 struct Rounded {
   Real value, size;
 };
 
-// The columns at a time, in long double and at the precision that is set.
+// The columns at a time, in long double and at the current precision.
 struct ClosedForm {
   std::function<std::vector<Rounded<long double>>(double t)> quick;
   std::function<std::vector<Rounded<BigReal>>(double t)> precise;
 };
 
-// As a reference. Its bound allows each column closed_form_units roundings of its size.
-// Both throw std::invalid_argument for a time that is negative or not finite.
+// The Reference of a closed form; in double its bound is closed_form_units epsilon size for each column. Both
+// functions of the reference throw std::invalid_argument for a time that is negative or not finite.
 Reference closed_form_reference(const ClosedForm& form);
 inline constexpr int closed_form_units = 32;
 
-// The same of a function of a Real t, for Real = long double and BigReal, to std::vector<Rounded<Real>>.
+// The same for a function object that maps a Real t to std::vector<Rounded<Real>>, Real = long double and
+// BigReal.
 template <class Columns>
 Reference closed_form(const Columns& columns) {
   return closed_form_reference({[columns](double t) { return columns(decimal<long double>(t)); },

@@ -12,7 +12,7 @@
 namespace fde {
 namespace {
 
-// What is small is made of decimals before it is rounded.
+// Small differences are computed exactly, from decimals, and then rounded.
 struct Arguments {
   BigReal alpha, rest, power, time, left;  // alpha, 1 - alpha, 2 alpha - 1, t, 1 - t
 
@@ -30,7 +30,7 @@ BigReal ulps_of_power(const BigReal& base, const BigReal& exponent) {
 }
 
 // Adds factor * (1 + first * sum_{k>0} c_k), c_1 = z, c_{k+1} = c_k z (top + k) / (bottom + k) for top <=
-// bottom and 0 <= z <= 1/2: what is left after a term is at most that term. Ulps: of the factor.
+// bottom and 0 <= z <= 1/2: the remainder after a term is at most that term. ulps: relative error of factor.
 void add_series(Sum<BigReal>& sum, const BigReal& factor, const BigReal& ulps, const BigReal& first,
                 const BigReal& top, const BigReal& bottom, const BigReal& z) {
   BigReal series(1), term = first * z;
@@ -44,7 +44,7 @@ void add_series(Sum<BigReal>& sum, const BigReal& factor, const BigReal& ulps, c
   sum.error += 2 * factor * term;
 }
 
-// With z = t up to 1/2, and from the connection formula with z = 1 - t beyond:
+// With z = t for t <= 1/2, and for t > 1/2 from the connection formula with z = 1 - t:
 //   y = (2 alpha - 1)/alpha t^alpha 2F1(1 - alpha, 1; 1 + alpha; t)
 //     = t^alpha 2F1(1 - alpha, 1; 2 - 2 alpha; 1 - t) - Gamma(alpha) Gamma(2 - 2 alpha) / Gamma(1 - alpha)
 //       (1 - t)^(2 alpha - 1),

@@ -9,8 +9,8 @@ namespace fde {
 //   y = (2 alpha - 1) int_0^t ((t - s)(1 - s))^(alpha-1) ds,
 //   D^alpha y = (2 alpha - 1) Gamma(alpha) (1 - t)^(alpha-1),
 // infinite at t = 1 for alpha < 1. The least value is (2 alpha - 1) Gamma(alpha)^2 / 2. Components: y,
-// D^alpha y. Throws std::invalid_argument for alpha outside (1/2, 1]; the functions do for times outside [0,
-// 1] and fewer digits than 1.
+// D^alpha y. Throws std::invalid_argument for alpha outside (1/2, 1]; the functions of the reference do for
+// times outside [0, 1] and for digits < 1.
 Reference extremum_reference(double alpha);
 
 }  // namespace fde

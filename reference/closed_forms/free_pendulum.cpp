@@ -15,9 +15,8 @@ struct Motion {
   Real rate2, angle, velocity;
 };
 
-// How a motion starts, measured from where it would hang: sin and cos of half the angle, k^2 = (energy)/(2
-// rate^2) and 1 - k^2, and by how much rounding grows in the
-// latter and in the phase.
+// The initial state relative to the stable equilibrium: sin and cos of half the angle, k^2 = (energy)/(2
+// rate^2) and 1 - k^2, and the amplification of rounding errors in the latter and in the phase.
 template <class Real>
 struct Start {
   Real offset, sine, cosine, rate, speed, k2, complement, cancellation;
@@ -39,16 +38,16 @@ Start<Real> start_of(const Motion<Real>& motion) {
   start.speed = motion.velocity / (2 * start.rate);
   const Real potential = 4 * abs(motion.rate2), moving = motion.velocity * motion.velocity;
   start.k2 = sine * sine + start.speed * start.speed;
-  start.complement = (potential * cosine * cosine - moving) / potential;  // an exact 0 stays one
+  start.complement = (potential * cosine * cosine - moving) / potential;  // an exact 0 is preserved
   const Real terms = cosine * cosine + start.speed * start.speed;
   start.cancellation = start.complement == 0 ? Real(1) : Real(terms / abs(start.complement));
-  // The slope of the integral that gives the phase at the start: large where it stands almost on its top.
+  // The slope of the integral for the initial phase: large for a start almost at rest at the top.
   start.cancellation +=
       start.complement > 0 ? Real(1 / start.cosine) : Real(sqrt(start.k2) / abs(start.speed));
   return start;
 }
 
-// sin(psi/2) = k sn(rate t + u0, k).
+// Libration: sin(psi/2) = k sn(rate t + u0, k).
 template <class Real>
 std::pair<Real, Real> swinging(const Start<Real>& start, const Real& t) {
   using std::atan2, std::cos, std::sin, std::sqrt;
@@ -60,7 +59,7 @@ std::pair<Real, Real> swinging(const Start<Real>& start, const Real& t) {
   return {Real(2 * atan2(up, Real(sqrt(Real(start.complement + down * down))))), Real(2 * start.rate * down)};
 }
 
-// psi/2 = am(k rate t + u0, 1/k), in the direction of the velocity.
+// Rotation, in the direction of the velocity: psi/2 = am(k rate t + u0, 1/k).
 template <class Real>
 std::pair<Real, Real> turning(const Start<Real>& start, const Real& t) {
   using std::atan2, std::cos, std::sqrt;
@@ -83,9 +82,9 @@ std::vector<Rounded<Real>> columns_at(const Motion<Real>& motion, const Real& t)
     return {{Real(motion.angle + way), Real(abs(motion.angle) + abs(way))}, {velocity, abs(velocity)}};
   }
   const auto start = start_of(motion);
-  if (start.k2 == 0) return {{motion.angle, abs(motion.angle)}, {Real(0), Real(0)}};  // hangs
+  if (start.k2 == 0) return {{motion.angle, abs(motion.angle)}, {Real(0), Real(0)}};  // stable equilibrium
   const auto [angle, speed] = start.complement <= 0 ? turning(start, t) : swinging(start, t);
-  // A relative error of the complement is one of the period, and so of the phase at any time.
+  // A relative error of the complement gives a relative error of the period, and so of the phase.
   const Real fastest = abs(velocity) + 2 * start.rate * abs(start.sine);
   const Real phase = (1 + (start.rate + fastest) * t) * (start.cancellation + abs(motion.angle));
   const Real width = std::min(Real(fastest / start.rate), Real(4));
@@ -95,7 +94,7 @@ std::vector<Rounded<Real>> columns_at(const Motion<Real>& motion, const Real& t)
           {speed, Real(abs(speed) + swing * phase)}};
 }
 
-// In long double and, where that leaves the phase poorly known, at more digits.
+// In long double and, where the phase would be inaccurate, at more digits.
 std::vector<Rounded<long double>> in_long_double(const FreePendulum& p, double t) {
   constexpr long double good = 1e4L;
   constexpr int most_digits = 1000;

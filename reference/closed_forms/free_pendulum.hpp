@@ -9,10 +9,10 @@ struct FreePendulum {
   double rate2, angle, velocity;
 };
 
-// phi and phi' in closed form: swinging, over the top, and on the edge between the two; hanging or, with
-// rate2 < 0, standing. In doubles the parameters and the time are those doubles themselves, not the decimals
-// that name them: near the top half a unit in the last place grows to a turn. The bound counts how far the
-// phase, which grows with time, and the distance from the edge are known.
+// phi and phi' in closed form: libration, rotation and the separatrix; rate2 < 0 is the inverted pendulum.
+// at() takes the parameters and the time as exact doubles, not as their shortest decimals, since near the top
+// half a unit in the last place grows to a full turn. The bound includes the errors of the phase, which grow
+// with time, and of the distance from the separatrix.
 Reference pendulum_reference(const FreePendulum& pendulum);
 
 }  // namespace fde

@@ -9,8 +9,8 @@
 namespace fde {
 
 // Legendre's elliptic integral of the first kind and its inverse, Jacobi's amplitude, for a parameter m in
-// [0, 1] by the arithmetic-geometric mean (Abramowitz & Stegun 16.4, 17.6). The complement 1 - m is given
-// too: near m = 1 it is known better than a difference. Every step is free of cancellation.
+// [0, 1] by the arithmetic-geometric mean (Abramowitz & Stegun 16.4, 17.6). The complement 1 - m is a
+// separate argument, as the difference would cancel near m = 1. Every step is free of cancellation.
 template <class Real>
 class JacobiAmplitude {
  public:

@@ -6,12 +6,12 @@
 
 namespace fde {
 
-// One term coefficient * t^(power + multiple * order), the exponent put together at the precision asked for.
+// One term coefficient * t^(power + multiple * order), the exponent computed at the requested precision.
 struct Power {
   double coefficient, power, multiple = 0.0;
 };
 
-// Their sum, with its digits: for problems made from a known solution.
+// The sum of the terms, in double and in digits: the solution of a manufactured problem.
 Reference power_sum(const std::vector<Power>& terms, double order = 0.0);
 
 }  // namespace fde

@@ -2,7 +2,7 @@
 
 #include "numbers/real.hpp"
 
-// Quotients that closed forms of motions are made of, accurate where both parts vanish.
+// Quotients for closed forms of motions, accurate where numerator and denominator vanish.
 namespace fde {
 
 // sin x / x; 1 at 0.
@@ -19,7 +19,8 @@ Real artanh_quotient(const Real& x) {
   return x == 0 ? Real(1) : Real(atanh(x) / x);
 }
 
-// (x - sin x) / x^2; 0 at 0. Below 1 its series x/3! - x^3/5! + ..., where the difference would cancel.
+// (x - sin x) / x^2; 0 at 0. For |x| <= 1 by its series x/3! - x^3/5! + ..., where the difference would
+// cancel.
 template <class Real>
 Real sine_defect(const Real& x) {
   using std::abs, std::sin;

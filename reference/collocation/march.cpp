@@ -24,9 +24,9 @@ template <typename Failure = std::runtime_error>
   throw Failure(message.str());
 }
 
-// By which factor a panel could have been longer; below 1 it is not resolved. Legendre coefficients fall like
-// rho^-k, and a panel longer by a factor q has about rho / q for rho. Even and odd coefficients may fall
-// differently, so the last two have to be negligible.
+// Factor by which a panel could have been longer; below 1 the panel does not resolve the solution. Legendre
+// coefficients decay like rho^-k, and a panel longer by a factor q has about rho / q for rho. Even and odd
+// coefficients may decay differently, so the last two have to be negligible.
 double possible_growth(const Matrix& coefficients, const Vec& negligible, double tolerance) {
   const Eigen::Index allowed = coefficients.rows() - 2;
   Eigen::Index needed = coefficients.rows();
@@ -39,7 +39,7 @@ double possible_growth(const Matrix& coefficients, const Vec& negligible, double
   return std::pow(tolerance, 1.0 / static_cast<double>(allowed) - 1.0 / static_cast<double>(needed));
 }
 
-// Two panels of equal length rather than a long one and a sliver.
+// Two panels of equal length rather than a long and a very short one.
 double next_break(double from, double length, double end) {
   const double left = end - from;
   if (left <= length) {
@@ -90,7 +90,7 @@ class March {
 
   // Halves the panel until it resolves the solution.
   void add_panel() {
-    constexpr double slow = 1.2;  // growth at which noise may be in the way
+    constexpr double slow = 1.2;  // growth below which noise may be the cause
     constexpr int most_attempts = 60;
     constexpr double shortest = 1e-12;  // relative to the time
     const double from = time();
@@ -115,7 +115,7 @@ class March {
     fail("no convergence", from);
   }
 
-  // By which factor the panel could have been longer; below 1 it does not resolve y and f.
+  // Factor for the length of the next panel; below 1 this panel does not resolve y and f.
   [[nodiscard]] double growth_after(const Solution& solution, double from, double to) const {
     if (to <= options_.weightless * problem_.end) {
       return panels_.empty() ? 1.0 : 2.0;
@@ -131,12 +131,12 @@ class March {
   }
 
   bool noise_found(const std::optional<Solution>& solution, double from, double to) {
-    // sizes so far: the solution of too long a panel may be a wild one
+    // The sizes before this panel: on too long a panel the solution may be far too large.
     if (solution) return noise_.found_on(*solution, from, to, sizes_.largest());
     return !panels_.empty() && noise_.found_on(panels_.back(), sizes_);
   }
 
-  // Polynomials pass a pole of f between their nodes as if it were not there.
+  // Required since polynomials do not detect a pole of f between their nodes.
   void require_inside(const Solution& solution, double from, double to) const {
     for (Eigen::Index k = 0; k < basis_.targets.size(); ++k) {
       const double t = from + (to - from) * basis_.targets[k];
@@ -164,7 +164,7 @@ class March {
   PanelEquations equations_;
   PanelNoise noise_;
   std::vector<Panel> panels_;
-  double length_ = options_.first_panel * problem_.end;  // of the panel to try next
+  double length_ = options_.first_panel * problem_.end;  // of the next panel
   Vec last_value_ = taylor_part(problem_, 0.0);
   Vec last_rhs_ = rhs_at(problem_, 0.0, last_value_);
   Sizes sizes_ = sizes_at_start(problem_);

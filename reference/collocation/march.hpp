@@ -9,14 +9,15 @@ namespace fde {
 
 struct MarchOptions {
   int points;               // Gauss points of a panel
-  double first_panel;       // its length relative to the end; what it misses of a weak singularity dies out
-  double first_after_jump;  // the same behind a jump of f, relative to its time
+  double first_panel;       // its length relative to the end; its error at a weak singularity decays later
+  double first_after_jump;  // the same after a jump of f, relative to the time of the jump
   double tolerance;  // of the last Legendre coefficients of f and y on a panel, relative to their sizes
-  double weightless = 1e-18;  // of the end: an error of f before it is lost in rounding later on
+  double weightless = 1e-18;  // relative to the end: errors of f before this time are below rounding later
 };
 
-// A solved problem: y is a polynomial on each panel. Panels adapt to f and y and at most double, so that they
-// are graded towards 0. Throws std::runtime_error naming the time where no panel converges.
+// The collocation solution of a problem: y is a polynomial on each panel. The length of the panels adapts to
+// f and y and at most doubles, so that they are graded towards 0. Throws std::runtime_error naming the time
+// where no panel converges or too many are needed, Singularity where y leaves problem.domain.
 class PiecewiseSolution {
  public:
   PiecewiseSolution(const Problem& problem, const MarchOptions& options);
@@ -24,7 +25,8 @@ class PiecewiseSolution {
   [[nodiscard]] Vec at(double t) const;                // 0 <= t <= end
   [[nodiscard]] std::size_t panel_of(double t) const;  // the panel that ends at or after t
   [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
-  // y at the start of a panel, at Gauss-Legendre points that it is the polynomial through, and at its end.
+  // y at the start of a panel, at the Gauss-Legendre points and at its end: values that determine the
+  // polynomial.
   [[nodiscard]] Matrix legendre_values(const Panel& panel) const;
 
  private:

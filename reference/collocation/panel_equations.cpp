@@ -15,7 +15,7 @@ namespace {
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
-// The largest correction relative to the size of its component; a component of size 0 has to stay put.
+// The largest correction relative to the size of its component; a component of size 0 must not change.
 double relative_size(const Matrix& correction, const Vec& sizes) {
   const Vec largest = correction.cwiseAbs().colwise().maxCoeff();
   return (largest.array() / (sizes.array() + std::numeric_limits<double>::min())).maxCoeff();
@@ -56,7 +56,7 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past
     if (!next.allFinite()) {
       return std::nullopt;
     }
-    if (size > last_size / 10) {  // an old factorisation serves while it gains a digit each time
+    if (size > last_size / 10) {  // the Jacobian is reused while each iteration gains a digit
       newton = linearise(times, before, length, found);
     }
     const Matrix correction =
@@ -88,7 +88,7 @@ LinearisedStep PanelEquations::linearise(const Vec& times, const Sizes& before, 
   return step;
 }
 
-// Unknowns of algebraic rows are what they are, and continued to the end of the panel.
+// The unknowns of algebraic rows are kept, and extrapolated to the end of the panel.
 Matrix PanelEquations::advanced(const Matrix& past, const Solution& from, double length) const {
   Matrix next = past + integrate(from.rhs, length);
   for (Eigen::Index i = 0; i < problem_.size(); ++i) {

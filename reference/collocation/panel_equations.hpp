@@ -10,8 +10,8 @@
 namespace fde {
 
 // The collocation equations y_i(t_k) = past_i(t_k) + length^gamma_i sum_j W_kj f_i(t_j, y(t_j)) of one panel,
-// where W holds the exact integrals of PanelBasis::integral and t_k, t_j are the nodes of the panel.
-// Algebraic rows read 0 = f_i(t_k, y(t_k)).
+// where past_i is the history term, W the matrix PanelBasis::integral, and t_k, t_j are the nodes of the
+// panel. Algebraic rows are 0 = f_i(t_k, y(t_k)).
 class PanelEquations {
  public:
   PanelEquations(const Problem& problem, const PanelBasis& basis);
@@ -20,20 +20,22 @@ class PanelEquations {
     Matrix values;  // y at the targets
     Matrix rhs;     // f at the nodes
     Sizes sizes;    // up to the end of this panel
-    Vec increment;  // size of y_i if nothing cancelled in f_i over this panel; its last digit is noise in y_i
+    Vec increment;  // size of the integral of f_i over this panel without cancellation: its rounding is noise
+                    // of y_i
     Noise noise;
   };
 
-  // Newton's method down to rounding, from f = first_rhs on the whole panel [from, to]; past is given at the
-  // targets, and is a first guess of unknowns of algebraic rows. Empty where it does not converge.
+  // Newton's method down to rounding on the panel [from, to], with f = first_rhs as the initial guess. past:
+  // the history term at the targets, and an initial guess of the unknowns of algebraic rows. nullopt where it
+  // does not converge.
   [[nodiscard]] std::optional<Solution> solve(const Matrix& past, double from, double to, In first_rhs,
                                               const Sizes& before) const;
 
  private:
-  // Linearises at the values of a solution, and says how large it is and how much of it is noise.
+  // Linearises at at.values, and sets the sizes, the increment and the noise of `at`.
   [[nodiscard]] LinearisedStep linearise(const Vec& times, const Sizes& before, double length,
                                          Solution& at) const;
-  // What the equations make of values and f.
+  // The right-hand sides of the equations for the values and f of `from`.
   [[nodiscard]] Matrix advanced(const Matrix& past, const Solution& from, double length) const;
   [[nodiscard]] Matrix jacobian_at(double t, In y) const;
   [[nodiscard]] Matrix integrate(const Matrix& rhs, double length) const;  // from the start to the targets

@@ -52,7 +52,7 @@ Vec PanelNoise::follow(const Solution& panel, double from, double to, const Matr
   return panel.sizes.values + panel.increment + (of_values_ + integrated(to)) / rounding;
 }
 
-// What the noise of f has added to y at most, should it always have had the same sign.
+// An upper bound of the contribution of the noise of f to y, as if the noise had the same sign throughout.
 Vec PanelNoise::integrated(double to) const {
   const auto added_since = [&](double time, const Vec& rhs_noise) -> Vec {
     return unit_increment(problem_, to - time).cwiseProduct(rhs_noise);

@@ -8,30 +8,30 @@
 
 namespace fde {
 
-// What rounding leaves to be seen of the Legendre coefficients on a panel. A march that took the noise below
-// for an unresolved solution would halve its panels for ever.
+// The rounding noise of the Legendre coefficients on a panel. Without it, noise would count as an unresolved
+// solution, and panels would be halved without end.
 class PanelNoise {
  public:
   using Solution = PanelEquations::Solution;
 
-  // tolerance: of the last coefficients, relative to the sizes of f and y.
+  // tolerance: for the last coefficients, relative to the sizes of f and y.
   PanelNoise(const Problem& problem, const PanelBasis& basis, double tolerance);
 
-  // Coefficients of f_i and y_i that are noise or within the tolerance.
+  // Sizes up to which coefficients of f_i and y_i are noise or within the tolerance.
   [[nodiscard]] Vec negligible_rhs(const Solution& panel) const;
   [[nodiscard]] Vec negligible_values(const Solution& panel) const;
 
-  // Looks for noise of f that was not known of. Whether there is some on the panel [from, to] that explains
-  // why it is not resolved; scale: see RhsNoise::find.
+  // Whether there is new noise of f on the panel [from, to] that explains why the panel does not resolve the
+  // solution; scale: see RhsNoise::find.
   bool found_on(const Solution& panel, double from, double to, double scale);
-  // The same where a panel has no solution: on the panel before it.
+  // The same for a panel without a solution, from the panel before it.
   bool found_on(const Panel& last, const Sizes& sizes);
 
-  // Takes note of a panel that ends at values, a row each at dense_nodes. Returns what its rounding errors
-  // are relative to.
+  // Records an accepted panel with `values`, one row for each of dense_nodes. Returns the size of each
+  // component to which its rounding errors are relative.
   Vec follow(const Solution& panel, double from, double to, const Matrix& values);
 
-  // Noise of f that is known, for Sizes::noise.
+  // The noise of f found so far, for Sizes::noise.
   [[nodiscard]] const Vec& of_rhs() const { return rhs_noise_.found(); }
 
  private:

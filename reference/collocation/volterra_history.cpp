@@ -21,7 +21,7 @@ VolterraHistory::VolterraHistory(const Problem& problem, const PanelBasis& basis
 Matrix VolterraHistory::at_targets(const std::vector<Panel>& past, double from, double to) const {
   const Vec offset = (to - from) * basis_.targets;
   Matrix sum = Matrix::Zero(offset.size(), problem_.size());
-  // Distances t - s are sums of positive parts, not differences of times: accurate however near s is to t.
+  // Distances t - s are sums of positive terms, not differences of times: accurate for s close to t.
   for (const Panel& source : past) {
     add_panel(source, (offset.array() + (from - source.to)).matrix(), sum);
   }
@@ -40,8 +40,8 @@ Matrix VolterraHistory::at_targets(const std::vector<Panel>& past, double from, 
   return sum;
 }
 
-// gap: from the end of the source to the targets, increasing. Gauss quadrature is exact to rounding one
-// length of the source away; for nearer targets the source is halved towards its end.
+// gap: distances from the end of the source to the targets, increasing. Gauss quadrature is exact up to
+// rounding at a distance of one source length; for nearer targets the source is bisected towards its end.
 void VolterraHistory::add_panel(const Panel& source, const Vec& gap, Matrix& integral) const {
   const auto nearer_than = [&](double length) {
     return static_cast<Eigen::Index>(std::ranges::lower_bound(gap, length) - gap.begin());

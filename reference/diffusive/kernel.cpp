@@ -8,12 +8,12 @@ namespace fde {
 
 namespace {
 
-// The trapezoidal rule converges like exp(-pi^2 / spacing), with a factor that grows with the digits asked
-// for.
+// The trapezoidal rule converges like exp(-pi^2 / spacing), with a factor that grows with the requested
+// digits.
 constexpr long double spacing = 0.24L;
 constexpr long double negligible = 45;  // e^-45 = 3e-20
 
-// Below this u what is left of the integral, s^(1-g) = exp((1-g) (u - e^-u)), is nothing.
+// Below this u the remainder of the integral, s^(1-g) = exp((1-g) (u - e^-u)), is negligible.
 long double lowest(double order) { return -std::log(negligible / (1.0L - static_cast<long double>(order))); }
 
 }  // namespace
@@ -45,7 +45,7 @@ DiffusiveKernels::DiffusiveKernels(const std::vector<double>& orders, double end
       kernel.weights[k - first] =
           static_cast<double>(factor * (1 + std::exp(-u)) * std::exp((1 - g) * (log_rate(k) - log_end)));
     }
-    // From here on s = e^u/end up to rounding: a geometric series.
+    // From the next u on, s = e^u / end up to rounding: a geometric series.
     const long double next = std::exp(-g * (log_rate(last + 1) - log_end));
     kernel.lumped = static_cast<double>(factor * next / -std::expm1(-g * spacing));
     kernels.push_back(std::move(kernel));

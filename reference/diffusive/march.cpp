@@ -39,7 +39,7 @@ class DiffusiveMarch {
         noise_(problem, rule_) {}
 
   void run_to(double stop, DiffusiveSolution& solution) {
-    // A pendulum on a stiff spring, K/m = 1e6, takes 25000 up to t = 5.
+    // A pendulum on a stiff spring, K/m = 1e6, takes 25000 steps up to t = 5.
     constexpr std::size_t most_steps = 30000;
     while (time_ < stop) {
       if (solution.times.size() == most_steps || hopeless(solution.times, most_steps)) {
@@ -64,7 +64,7 @@ class DiffusiveMarch {
     constexpr double shortest = 1e-13;  // relative to the time
     for (;;) {
       const double left = stop - time_;
-      // Two steps of equal length rather than a long one and a sliver.
+      // Two steps of equal length rather than a long and a very short one.
       const double length = left <= length_ ? left : std::min(length_, left / 2);
       if (length <= shortest * time_ || length <= std::numeric_limits<double>::min()) {
         fail("no convergence", time_);
@@ -91,7 +91,7 @@ class DiffusiveMarch {
     return equations_.solve(past(length), weights, time_, length, last_rhs_, size_);
   }
 
-  // At the stages without f of this step; of algebraic rows the last value.
+  // The history term at the stages; for algebraic rows the last value.
   [[nodiscard]] Matrix past(double length) {
     Matrix past = memory_.past(length);
     for (Eigen::Index i = 0; i < problem_.size(); ++i) {
@@ -100,23 +100,23 @@ class DiffusiveMarch {
     return past;
   }
 
-  // A step of twice the length has about so many times the coefficients.
+  // Factor by which the last coefficients grow when the step size is doubled.
   [[nodiscard]] double doubling() const { return std::pow(2.0, options_.stages); }
 
-  // Whether rounding of f keeps a step short that was not known to do so.
+  // Whether newly found noise of f is the reason for a short step.
   bool noise_found(const std::optional<StageSolution>& stages, double length) {
     if (!stages) {
       return noise_.found_before(size_);
     }
     const Vec allowed = options_.tolerance * size_,
               tolerated = allowed.cwiseQuotient(doubling() * unit_increment(problem_, length));
-    // sizes so far: not of what may be too long a step
+    // The sizes before this step, which may be too long.
     const double scale = size_.cwiseMax(last_rhs_.cwiseAbs()).maxCoeff();
     return noise_.found_on(*stages, time_, length, tolerated, scale);
   }
 
-  // The last two Legendre coefficients of y, and of f as it adds to y, beyond their noise and relative to the
-  // tolerance. Above 1 the step is too long.
+  // The last two Legendre coefficients of y, and of the contribution of f to y, above their noise and
+  // relative to the tolerance. Above 1 the step is too long.
   [[nodiscard]] double unresolved_by(const StageSolution& stages, double length) const {
     if (time_ < options_.weightless * problem_.end || just_after_jump(problem_, time_, time_ + length)) {
       return 0.0;
@@ -162,7 +162,7 @@ class DiffusiveMarch {
   StageEquations equations_;
   StageNoise noise_;
   double time_ = 0.0;
-  double length_ = options_.first_step * problem_.end;  // of the step to try next; end * 2^k
+  double length_ = options_.first_step * problem_.end;  // of the next step; end * 2^k
   int steps_to_growth_ = 0;
   Vec value_ = taylor_part(problem_, 0.0);
   Vec size_ = value_.cwiseAbs();

@@ -11,7 +11,7 @@ namespace {
 bool twice(const Component& component) { return component.order > 1.0; }
 double part(const Component& component) { return twice(component) ? component.order - 1.0 : component.order; }
 
-// The different orders of memory, without 1, which is a plain integral.
+// The distinct orders of the memory variables, without 1, which is a plain integral.
 std::vector<double> memory_orders(const Problem& problem) {
   std::vector<double> orders;
   for (const Component& component : problem.components) {
@@ -89,7 +89,7 @@ const MemoryStep& DiffusiveMemory::step(double length) {
   return known->second;
 }
 
-// v at the stages without f of this step.
+// The history term of v at the stages.
 Vec DiffusiveMemory::carried(const State& state, const MemoryStep& step) const {
   if (state.kernel < 0) {
     return Vec::Constant(rule_.nodes.size(), state.initial + state.memory.value[0]);

@@ -9,7 +9,7 @@
 
 namespace fde {
 
-// A Runge-Kutta step of length h of memory variables phi_m' = -rates[m] phi_m + f. They are linear and are
+// A Runge-Kutta step of size h for the memory variables phi_m' = -rates[m] phi_m + f. They are linear and are
 // eliminated: with the Runge-Kutta matrix A and R_m = (1 + h rates[m] A)^-1, the values at the stages are
 //   phi_m = R_m 1 phi_m(start) + h R_m A F,   F the values of f at the stages.
 struct MemoryStep {
@@ -18,28 +18,28 @@ struct MemoryStep {
   Matrix carry;               // (stage, m): R_m 1
   Matrix gain;                // (m, stage): the last row of h R_m A
   Vec decay;                  // 1 - (the last entry of R_m 1)
-  std::vector<Matrix> local;  // a kernel each: lumped + sum_m weights[m] h R_m A
+  std::vector<Matrix> local;  // one per kernel: lumped + sum_m weights[m] h R_m A
   Matrix plain;               // h A
 };
 
-// The memory of a problem. With an order = whole + part, part in (0, 1],
+// The memory variables of a problem. With order = integer + part, part in (0, 1],
 //   v_i = initial value + sum_m weights[m] phi_im + lumped f_i    (part = 1: initial value + int f_i),
-// and y_i = v_i, or y_i' = v_i where the order is above 1. Algebraic rows have none.
+// and y_i = v_i, or y_i' = v_i for orders above 1. Algebraic rows have none.
 class DiffusiveMemory {
  public:
-  // Good for times from shortest * end on.
+  // Accurate for times from shortest * end on.
   DiffusiveMemory(const Problem& problem, RadauRule rule, double shortest);
 
-  // The values of y at the stages of a step are past + weights F, a column a component; of algebraic rows the
-  // weights are 1.
+  // The values of y at the stages of a step are past + weights F, one column per component, F the values of f
+  // at the stages. For algebraic rows the weights are the identity.
   [[nodiscard]] Matrix past(double length);
   [[nodiscard]] Matrix weights(Eigen::Index component, double length);
 
-  // Ends the step; rhs: F.
+  // Completes the step; rhs: F.
   void advance(double length, const Matrix& rhs);
 
  private:
-  // A sum of many small terms, with what rounding has dropped.
+  // A compensated sum of many small terms: its value and the rounding error so far.
   struct Sum {
     Vec value, dropped;
     void add(const Vec& terms);

@@ -6,7 +6,7 @@ namespace fde {
 
 namespace {
 
-constexpr double known_rounding = 64.0;  // with that of the last digit of y, it is no news
+constexpr double known_rounding = 64.0;  // in units of the noise already known
 constexpr double noises = 4.0;           // the sum of some rounding errors
 
 }  // namespace
@@ -38,7 +38,7 @@ void StageNoise::follow(const StageSolution& stages, double length, double to) {
   rhs_noise_.follow(times(*last_), stages.y, explained);
 }
 
-// Counted from the end of the step, which is where the next one starts.
+// Computed from the end of the step, where the next step starts.
 Vec StageNoise::times(const Step& step) const {
   return step.to + step.length * (rule_.nodes.cast<double>().array() - 1.0);
 }

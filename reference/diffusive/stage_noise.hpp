@@ -8,25 +8,25 @@
 
 namespace fde {
 
-// What rounding leaves to be seen of the Legendre coefficients on a step. A march that took the noise below
-// for an unresolved solution would halve its steps for ever.
+// The rounding noise of the Legendre coefficients on a step. Without it, noise would count as an unresolved
+// solution, and steps would be halved without end.
 class StageNoise {
  public:
   StageNoise(const Problem& problem, const RadauRule& rule) : rule_(rule), rhs_noise_(problem) {}
 
-  // What coefficients are beyond their noise.
+  // The coefficients minus an allowance for their noise.
   [[nodiscard]] static Vec beyond(const Vec& coefficients, const Vec& noise);
 
-  // Looks for noise of f that was not known of. Whether there is some on the step that explains why it is not
-  // resolved. tolerated: the coefficients of f that the tolerance allows; scale: see RhsNoise::find.
+  // Whether there is new noise of f on the step that explains why the step does not resolve the solution.
+  // tolerated: the coefficients of f that the tolerance allows; scale: see RhsNoise::find.
   bool found_on(const StageSolution& stages, double from, double length, const Vec& tolerated, double scale);
-  // The same where a step has no solution: on the step before it. size: of y so far.
+  // The same for a step without a solution, from the step before it. size: of y so far.
   bool found_before(const Vec& size);
 
-  // Takes note of a step.
+  // Records an accepted step of size `length` that ends at `to`.
   void follow(const StageSolution& stages, double length, double to);
 
-  // Noise of f that is known, for StageEquations::allow_noise.
+  // The noise of f found so far, for StageEquations::allow_noise.
   [[nodiscard]] const Vec& of_rhs() const { return rhs_noise_.found(); }
 
  private:

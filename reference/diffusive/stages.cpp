@@ -29,7 +29,7 @@ Matrix weighted(const std::vector<Matrix>& weights, const Matrix& rhs) {
   return sum;
 }
 
-// The numbers of a matrix with random signs, always the same ones.
+// The entries with random signs, the same signs in each call.
 Matrix with_signs(const Matrix& sizes) {
   std::minstd_rand bits(1);
   return sizes.unaryExpr([&](double size) { return bits() < std::minstd_rand::max() / 2 ? size : -size; });
@@ -74,8 +74,7 @@ std::optional<StageSolution> StageEquations::solve(const Matrix& past, const std
     if (!next.allFinite()) {
       return std::nullopt;
     }
-    if (correction_size >
-        last_size / 100) {  // an old factorisation serves while it gains two digits each time
+    if (correction_size > last_size / 100) {  // the Jacobian is reused while each iteration gains two digits
       newton = linearise(times, weights, found);
     }
     const Matrix correction = newton.solve(residual_of(problem_, next, found.y, found.rhs));

@@ -11,21 +11,21 @@
 
 namespace fde {
 
-// Real columns as functions of time: what a reference is made of.
+// Real columns as functions of time, in long double and in multiprecision, for as_reference().
 struct Evaluation {
-  std::string name;  // begins the messages
-  // In long double, rounded to double; empty where that is not accurate enough. Left out where it never is.
+  std::string name;  // prefix of the error messages
+  // Evaluation in long double, rounded to double; nullopt where it is not accurate enough. Optional.
   std::function<std::optional<std::vector<DoubleBounded>>(double t)> quick{};
-  // Each column to a relative accuracy of so many digits, under a Precision that the caller has set.
+  // Each column to a relative accuracy of `digits` decimal digits. Precondition: a Precision is in force.
   std::function<std::vector<Bounded<BigReal>>(double t, int digits)> precise;
   double end = std::numeric_limits<double>::infinity();  // times are finite and in [0, end]
 };
 
-// The columns at a time: quick, and where that does not do, rounded from as many digits as a double needs.
+// The columns at time t: those of `quick`, or else of `precise` with double_digits digits, rounded to double.
 std::vector<DoubleBounded> in_double(const Evaluation& evaluation, double t);
 
-// Both functions of the reference throw std::invalid_argument for a time outside [0, end] or not finite, and
-// the second one for fewer digits than 1.
+// Both functions of the reference throw std::invalid_argument if t is not finite or outside [0, end], and
+// digits(t, digits) also if digits < 1.
 Reference as_reference(const Evaluation& evaluation);
 
 }  // namespace fde

@@ -22,7 +22,7 @@ Contour<Real>::Contour(const Real& mu, const Real& omega, const Real& depth, boo
     if constexpr (std::is_same_v<Real, BigReal>) report_work(static_cast<std::size_t>(k), count);
     const Complex<Real> root(Real(1), theta);
     const Complex<Real> s(mu * (1 - theta * theta), 2 * mu * theta);
-    const Real half = theta == 0 ? Real(1) / 2 : Real(1);  // its own conjugate: counted twice
+    const Real half = theta == 0 ? Real(1) / 2 : Real(1);  // its own conjugate, would be counted twice
     nodes_.push_back({s, log_mu + Real(2) * Complex<Real>(log(root)), half * scale * root * exp(s)});
   }
 }
@@ -47,7 +47,7 @@ Complex<Real> Contour<Real>::pole_factor(const Complex<Real>& log_pole) const {
   const Complex<Real> position = step_of(log_pole);
   const Real turn = 2 * pi<Real>();
   const Complex<Real> exponent(turn * imag_part<Real>(position), -turn * real_part<Real>(position));
-  // To the last digit: mpc would work for the digits of an imaginary part of next to nothing.
+  // Exact to the last digit; mpc would spend its time on the digits of a negligible imaginary part.
   const Real nothing = 2 * log(epsilon<Real>());
   if (real_part<Real>(exponent) < nothing) return Complex<Real>(1);
   if (real_part<Real>(exponent) > -nothing) return -exp(-exponent);
@@ -73,9 +73,9 @@ template class Contour<BigReal>;
 
 namespace {
 
-// mu = omega / 8 and depth = omega balance the three errors; the terms then exceed f by up to e^mu. Not quite
-// 8: that puts Im s at whole multiples of pi/2, where the last bits of a sine or cosine take mpfr ten times
-// longer.
+// mu = omega / 8 and depth = omega balance the three errors; the terms then exceed f by up to e^mu. 8.3 in
+// place of 8: with 8, Im s is an integer multiple of pi/2, where the last bits of a sine or cosine take MPFR
+// ten times longer.
 constexpr double growth = 8.3;
 
 double omega_for(int digits) { return std::numbers::ln10 * digits + 10.0; }

@@ -26,15 +26,16 @@ double log_of_factor(double omega, double distance) {
   return -turns - std::log1p(-std::exp(-turns));
 }
 
-// Whether s* = mu root^2 is so far to the left that e^s is nothing wherever |s| > |s*| / 2. The square roots
-// of what is nearer to 0 are more than a fifth of |Re root| + |Im root| away from it.
+// Whether s* = mu root^2 is so far to the left that e^s is negligible wherever |s| > |s*| / 2. The square
+// roots of points nearer to 0 are more than a fifth of |Re root| + |Im root| away from root.
 bool is_nothing(std::complex<double> root, double mu) {
   constexpr double nothing = 1e7;
   const double re = root.real() * root.real(), im = root.imag() * root.imag();
   return im > 2.0 * re && mu * im > nothing;
 }
 
-// log of min(1, alpha distance) / 10, the distance being from the poles to points with |r - r*| >= gap(r*).
+// log of min(1, alpha distance) / 10, distance being a lower bound of |log s - log s*| for all poles and all
+// points with |r - r*| >= gap(r*).
 template <class Gap>
 double log_clearance(const ContourBound::Quotient& quotient, double mu, const Gap& gap) {
   constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();  // of the roots
@@ -64,8 +65,8 @@ double ContourShape::steps_to_node(std::complex<double> root) const {
   return std::max(std::abs(along - std::round(along)), std::abs(root.real() - 1.0) / step());
 }
 
-// |ds| = 2 mu |d + i x| dx. For exponents e above 0 the least of two bounds: with L = mu d^2 and, for every 0
-// < p < 1,
+// |ds| = 2 mu |d + i x| dx. For exponents e > 0 the smaller of two bounds: with L = mu d^2 and, for every
+// 0 < p < 1,
 //   (d^2 + x^2)^e <= p^-max(0,e-1) d^(2e) + (1-p)^-max(0,e-1) x^(2e)   (convexity),
 // or, with v = |s| = L + mu x^2, where the integrand is e^(2L) e^-v v^e, and q = 1/(1+e),
 //   e^-v v^e <= e^(-q v) max_u e^(-(1-q) u) u^e = e^(-q v) (e / (1-q))^e e^-e.
@@ -105,7 +106,7 @@ double LineIntegrals::log_at(double exponent) const {
 
 ContourBound::ContourBound(const ContourShape& shape) : shape_(shape) {
   for (const double factor :
-       {2.0, 4.0}) {  // for F that changes little, and for one that turns as fast as e^s
+       {2.0, 4.0}) {  // for F that varies slowly, and for F that oscillates as fast as e^s
     const double distance = shape.omega / (factor * shape.mu);
     far_lines_.push_back({distance, log_of_factor(shape.omega, distance), LineIntegrals(shape.mu, distance)});
   }
@@ -128,7 +129,7 @@ double ContourBound::log_integral(double mu, double distance, const Quotient& qu
   return size - log_clearance_of_line(quotient, mu, distance);
 }
 
-// A geometric series from the first node that is left out, theta: two nodes, conjugate.
+// A geometric series from the first truncated node theta on, with the conjugate nodes.
 double ContourBound::log_left_out(const Quotient& quotient) const {
   const double step = shape_.step(), mu = shape_.mu, theta = std::sqrt(1.0 + shape_.depth / mu);
   const double modulus = mu * (1.0 + theta * theta), e = quotient.exponent;

@@ -10,8 +10,8 @@
 namespace fde {
 namespace {
 
-// Of e^s, as exp_overflows() has it; and beyond 1e9 long double is too coarse for the distances between the
-// contour and its singularities. Call under a Precision.
+// Largest Re s for e^s, as in exp_overflows(); above 1e9 long double is too coarse for the distances between
+// the contour and the singularities. Precondition: a Precision is in force.
 long double largest_exponent() { return std::min(1e9L, 0.6L * static_cast<long double>(mpfr_get_emax())); }
 
 std::vector<Sum<BigReal>> sum_over_nodes(const EnclosedTransform& transform,
@@ -31,7 +31,7 @@ std::vector<Sum<BigReal>> sum_over_nodes(const EnclosedTransform& transform,
     }
     sum.scale *= exp(BigReal(-contour.rise()));
     if (isfinite(size_of(sum.value))) continue;
-    // A term was a quotient whose denominator came out as 0: more digits will tell.
+    // The denominator of a term was computed as 0: more digits are needed.
     sum.value = BigComplex(0);
     sum.error = BigReal(std::numeric_limits<double>::infinity());
   }
@@ -50,7 +50,7 @@ std::vector<WorkingEstimate> estimates_at(const EnclosedTransform& transform, in
   std::vector<WorkingEstimate> estimates;
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const BigReal bound = neglected[neglected.size() == 1 ? 0 : i] + sums[i].error;
-    // nothing but zeros was summed: an entry that vanishes by structure, as good as those it is among
+    // all terms are 0: a structurally zero entry
     const bool settled = sums[i].scale == 0 && isfinite(bound);
     estimates.push_back({.known = {sums[i].value, bound}, .scale = sums[i].scale, .settled = settled});
   }
@@ -60,7 +60,7 @@ std::vector<WorkingEstimate> estimates_at(const EnclosedTransform& transform, in
 }  // namespace
 
 std::vector<Bounded<BigReal>> invert(const EnclosedTransform& transform, int wanted_digits) {
-  // at most twice as many: where there is no bound yet, what is missing says little
+  // at most twice as many digits: while the bound is infinite, `missing` is of no use
   const DigitSearch search{
       .wanted = wanted_digits,
       .guard = 2,

@@ -17,7 +17,7 @@ constexpr Long turn = 2.0L * std::numbers::pi_v<Long>;
 
 }  // namespace
 
-// A parabola for one choice of rise and c, and how many nodes it takes.
+// A parabola for one choice of rise and c, and its number of nodes.
 struct EnclosingContour::Shape {
   Long rise = 0.0L, c = 0.0L, step = 0.0L, above = 0.0L, below = 0.0L;
   Long nodes = infinity;
@@ -28,7 +28,7 @@ EnclosingContour::EnclosingContour(const std::vector<Point>& singularities, int 
   sigma_ = -infinity;
   for (const auto& s : singularities) sigma_ = std::max(sigma_, s.real());
   const Long width = std::numbers::ln10_v<Long> * static_cast<Long>(digits) + 6.0L;
-  // Far up, the real part of a singularity is known to the rounding of its modulus only.
+  // For large |s| the error of Re s is the rounding error of |s|.
   const auto matters = [&](const Point& s) {
     const Long size = std::abs(s), least = sigma_ - width - 2.0L - hints.growth * std::log1p(size);
     return s.real() + 8.0L * epsilon<Long>() * size >= least;
@@ -50,8 +50,8 @@ EnclosingContour::EnclosingContour(const std::vector<Point>& singularities, int 
       4;
 }
 
-// Its rectangle reaches the distance to the nearest image of a singularity, less a margin that keeps
-// |s - s*|^-order small on its edge.
+// The rectangle extends to the nearest image of a singularity, less a margin that keeps |s - s*|^-order small
+// on its edge.
 EnclosingContour::Shape EnclosingContour::shape(const std::vector<Point>& enclosed, Long width, Long margin,
                                                 Long rise, Long c) const {
   const Long mu = rise + c;
@@ -62,11 +62,11 @@ EnclosingContour::Shape EnclosingContour::shape(const std::vector<Point>& enclos
   }
   if (distance <= 0.0L) return {};
   Shape found{.rise = rise, .c = c, .above = distance * (1.0L - margin)};
-  // below the line the error is e^(mu (1 + a)^2 - c - 2 pi a / h), least at 1 + a = pi / (h mu)
+  // on Im theta = -a the error is e^(mu (1 + a)^2 - c - 2 pi a / h), least at 1 + a = pi / (h mu)
   const Long half_turns = mu + std::sqrt(mu * (rise + width));
   const Long top = std::max(0.0L, mu * (1.0L - found.above) * (1.0L - found.above) - c);
   found.step = std::min(turn * found.above / (width + top), turn / 2.0L / half_turns);
-  // the nearest line where that is below e^-width, and no farther: there is only more of it to be bounded
+  // the nearest line where this is below e^-width: a farther one takes more discs in log_bound()
   const Long slack = turn / 2.0L / found.step - mu;
   found.below = (slack - std::sqrt(std::max(0.0L, slack * slack - mu * (rise + width + 3.0L)))) / mu;
   found.nodes = std::sqrt((rise + width) / mu) / found.step;
@@ -79,7 +79,7 @@ void EnclosingContour::choose(const std::vector<Point>& enclosed, Long width, Lo
     low = std::min(low, s.imag());
     high = std::max(high, s.imag());
   }
-  constexpr Long in_pairs = 1e-9L;  // but for rounding
+  constexpr Long in_pairs = 1e-9L;  // up to rounding
   y_ = std::abs(low + high) <= in_pairs * (high - low) ? 0.0L : (low + high) / 2.0L;
   const Long margin = std::min(0.3L, std::max(order, 2.0L) / width), half_height = (high - low) / 2.0L;
   Shape best;
@@ -108,7 +108,7 @@ void EnclosingContour::choose(const std::vector<Point>& enclosed, Long width, Lo
   count_ = static_cast<int>(std::ceil(best.nodes));
 }
 
-// Whether a singularity that was left out is within the rectangle, or near it.
+// Whether an omitted singularity is inside the rectangle or near it.
 bool EnclosingContour::in_reach(const Point& singularity) const {
   const Point root = std::sqrt(Point(singularity.real() - sigma_ + c_, singularity.imag() - y_) / mu_);
   return std::abs(root.imag()) <= (static_cast<Long>(count_) + 2.0L) * step_;
@@ -129,7 +129,7 @@ std::vector<EnclosingContour::Node> EnclosingContour::nodes_from(int first) cons
     const BigReal theta = k * step;
     const BigComplex root(BigReal(1), theta);
     const BigComplex s(BigReal(left + mu * (1 - theta * theta)), BigReal(y + 2 * mu * theta));
-    // with its own conjugate counted twice, where only one half is wanted
+    // node 0 is its own conjugate: half its weight in the sum over the upper half
     const BigReal share = first == 0 && k == 0 ? BigReal(scale / 2) : scale;
     nodes.push_back({s, log(s), share * root * exp(s)});
   }

@@ -8,32 +8,33 @@ namespace fde {
 
 // Inverse Laplace transform at time 1,
 //   f = 1/(2 pi i) int e^s F(s) ds,
-// by the trapezoidal rule on one parabola that has every singularity of F that matters on its left:
+// by the trapezoidal rule on one parabola that has every relevant singularity of F on its left:
 //   s(theta) = sigma + i y - c + mu (1 + i theta)^2,  theta_k = k h,  sigma = largest real part.
-// Singularities of any kind will do (poles of any order, branch points), each with a cut to the left; 0 is
-// the usual one. What is e^-depth smaller than e^sigma may be left out. The work grows linearly with the
-// distance of the singularities in imaginary direction.
+// The singularities may be of any kind (poles of any order, branch points), each with a cut to the left; 0 is
+// the usual one. A singularity whose e^(Re s*) is negligible against e^sigma may be left out. The work grows
+// linearly with the distance of the singularities in imaginary direction.
 class EnclosingContour {
  public:
   using Point = std::complex<long double>;
 
   struct Hints {
     long double order = 1.0L;   // of the strongest singularity, |s - s*|^-order
-    long double growth = 0.0L;  // |F| grows like |s|^growth, or residues do with |s*|; not negative
+    long double growth = 0.0L;  // |F| grows like |s|^growth, or residues like |s*|^growth; not negative
   };
 
-  // Good to about that many decimal digits against e^sigma times the size of F. Singularities are needed to
-  // some digits only. Throws std::runtime_error where there would be more than most_nodes on each side.
+  // The error is about 10^-digits relative to e^sigma times the size of F. The singularities need only a few
+  // correct digits. Throws std::invalid_argument if there are none, std::runtime_error if the contour takes
+  // more than most_nodes nodes on each side.
   EnclosingContour(const std::vector<Point>& singularities, int digits, const Hints& hints);
   EnclosingContour(const std::vector<Point>& singularities, int digits)
       : EnclosingContour(singularities, digits, Hints{}) {}
 
   static constexpr int most_nodes = 200000;
 
-  using Node = Contour<BigReal>::Node;  // s, its principal logarithm, weight with e^s in it
-  // f ~ sum of weight F(s). Work with working_digits() digits.
+  using Node = Contour<BigReal>::Node;  // s, its principal logarithm, weight including e^s
+  // f ~ sum of weight F(s), evaluated with working_digits() digits.
   [[nodiscard]] std::vector<Node> nodes() const { return nodes_from(-count_); }
-  // f ~ 2 Re sum of weight F(s), for F(conj s) = conj F(s) and singularities in pairs.
+  // f ~ 2 Re sum of weight F(s), for F(conj s) = conj F(s) and singularities in conjugate pairs.
   [[nodiscard]] std::vector<Node> upper_nodes() const { return nodes_from(0); }
   [[nodiscard]] int count() const { return count_; }  // of nodes on each side
   [[nodiscard]] int working_digits() const { return working_digits_; }
@@ -49,11 +50,12 @@ class EnclosingContour {
   // Logarithm of an upper bound of |F| on a disc; infinity where there is none: the disc is then split.
   using Majorant = std::function<long double(const Disc&)>;
 
-  // Logarithm of a bound of |f - sum|, rounding aside, but for one part that is an estimate. By the residue
-  // theorem the trapezoidal rule on |theta| <= L = (K + 1/2) h is off by int |e^s F ds| / |e^(2 pi |Im theta|
-  // / h) -+ 1| round a rectangle of the theta-plane, free of singularities; it is covered with discs. The
-  // integral beyond L is taken as 4 e^(Re s(L)) |F(s(L))|, and singularities that were left out as nothing:
-  // neither is a bound. Throws std::runtime_error where a disc as small as can be has no bound.
+  // Logarithm of a bound of |f - sum| without rounding, except that two parts are estimates. By the residue
+  // theorem the error of the trapezoidal rule on |theta| <= L = (K + 1/2) h is at most
+  // int |e^s F ds| / |e^(2 pi |Im theta| / h) -+ 1| around a rectangle of the theta-plane free of
+  // singularities, whose boundary is covered with discs. The integral beyond L is estimated by 4 e^(Re s(L))
+  // |F(s(L))|, and omitted singularities by 0. Throws std::runtime_error where the smallest disc has no bound
+  // or there are too many discs.
   [[nodiscard]] long double log_bound(const Majorant& majorant) const;
 
  private:

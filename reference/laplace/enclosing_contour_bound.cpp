@@ -20,7 +20,8 @@ Long log_of_sum(Long a, Long b) {
 
 }  // namespace
 
-// The integral of |e^s F ds| over an edge of the rectangle, relative to e^sigma: pieces inside discs.
+// Logarithms of bounds of (1/2 pi) int |e^s F ds| over an edge of the rectangle, relative to e^sigma. The
+// edge is split into pieces, each inside a disc.
 class EnclosingContour::Boundary {
  public:
   Boundary(const EnclosingContour& contour, const Majorant& majorant)
@@ -60,7 +61,7 @@ class EnclosingContour::Boundary {
     const Point middle = contour_.at((a + b) / 2.0L);
     const Long exponent = largest_exponent(a, b, with_factor);
     const bool steep = exponent - exponent_at((a + b) / 2.0L, with_factor) > 1.0L;
-    // a hair more than half the length, for rounding
+    // slightly more than half the length, for rounding
     const Long size = steep ? infinity : majorant_({middle, 0.5001L * length});
     if (size == -infinity) return size;
     const Long centre = steep ? 0.0L : majorant_({middle, 0.0L});
@@ -81,7 +82,7 @@ class EnclosingContour::Boundary {
     const Long factor = with_factor ? turn * std::abs(theta.imag()) / contour_.step_ : 0.0L;
     return contour_.at(theta).real() - contour_.sigma_ - factor;
   }
-  // Re s falls with |Re theta| and with Im theta < 1; the factor with |Im theta|.
+  // Re s decreases with |Re theta| and with Im theta < 1; the factor decreases with |Im theta|.
   [[nodiscard]] Long largest_exponent(const Point& a, const Point& b, bool with_factor) const {
     const Long x = a.real() * b.real() < 0.0L ? 0.0L : std::min(std::abs(a.real()), std::abs(b.real()));
     const Long nearest = std::min(std::abs(a.imag()), std::abs(b.imag()));

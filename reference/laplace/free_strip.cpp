@@ -10,15 +10,16 @@ namespace {
 
 constexpr double pi_double = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-7;  // more than that of the places r*, also next to r* = 0
+constexpr double rounding = 1e-7;  // an upper bound of the error of r*, also next to r* = 0
 
 double log_sum(double a, double b) {
   const double larger = std::max(a, b);
   return std::isinf(larger) ? larger : larger + std::log1p(std::exp(std::min(a, b) - larger));
 }
 
-// max(|s|^alpha, |z_i|) is at least either, so that of the first factors one, of the others the other is
-// taken, at whatever place gives least: log_of_power(e) stands for |s|^e.
+// log of a bound of |F| without the clearances. As max(|s|^alpha, |z_i|) is at least either argument, the
+// first k factors take |s|^alpha and the others |z_i|, with the k that gives the smallest bound.
+// log_of_power(e) is the log of |s|^e.
 template <class LogOfPower>
 double least_size(const FreeStrip::Product& product, double exponent, const LogOfPower& log_of_power) {
   double constant = 0.0;
@@ -32,7 +33,7 @@ double least_size(const FreeStrip::Product& product, double exponent, const LogO
   return least;
 }
 
-// |s|^e is at most what it is for the least and for the most exponent together.
+// For an exponent between the least and the largest, |s|^e is at most the sum of its values for these two.
 template <class LogOfPower>
 double log_size(const FreeStrip::Product& product, const LogOfPower& log_of_power) {
   const double least = least_size(product, product.exponent, log_of_power);
@@ -70,7 +71,7 @@ double FreeStrip::place_of(std::complex<double> root) const {
   return std::sqrt((root * root - shape_.offset) / shape_.mu).real();
 }
 
-// Where the s* of a product are as the contour sees them.
+// The positions r* of the singularities s* of a product relative to the contour.
 class FreeStrip::Places {
  public:
   Places(const FreeStrip& strip, const Product& product) : strip_(strip), product_(product) {
@@ -91,7 +92,7 @@ class FreeStrip::Places {
     }
   }
 
-  // Of those on the principal sheet.
+  // Calls function(Re r*) for every s* on the principal sheet.
   template <class Function>
   void for_each(const Function& function) const {
     for (const auto& places : places_) {
@@ -129,8 +130,8 @@ class FreeStrip::Places {
   std::vector<std::vector<Place>> places_;
 };
 
-// A geometric series from the first node that is left out, as in ContourBound: |s| grows by at most
-// e^(2 step / theta) from one to the next.
+// A geometric series from the first truncated node on, as in ContourBound: |s| grows by at most the factor
+// e^(2 step / theta) from one node to the next.
 double FreeStrip::log_left_out(const Product& product) const {
   const auto& [offset, mu, omega, depth] = shape_;
   const double step = 2.0 * pi_double / omega, theta = std::sqrt(1.0 + depth / mu);
@@ -156,7 +157,7 @@ double FreeStrip::log_line(const Line& line, const Product& product) {
 }
 
 std::optional<FreeStrip::Result> FreeStrip::at(const Product& product) const {
-  constexpr double most_size = 1e100;  // its square is a double
+  constexpr double most_size = 1e100;  // its square does not overflow
   for (const Factor& factor : product.factors) {
     for (const auto& root : factor.roots) {
       if (!(std::abs(root) < most_size)) return std::nullopt;

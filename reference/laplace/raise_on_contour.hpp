@@ -5,21 +5,21 @@
 
 #include "numbers/raise_digits.hpp"
 
-// Working digits raised at the precision of the contours that contour_for() gives. Extra digits are carried
-// beyond those the contour needs, for the phase of e^s at poles far out. Call these under a Precision.
+// raise_digits() for sums on contour_for(). `extra` working digits are added to contour_precision(), for the
+// phase of e^s at poles with large |s|. Precondition of both functions: a Precision is in force.
 namespace fde {
 
-// Values at so many working digits, under a Precision that the caller has set.
+// Values on contour_for(digits); called with the Precision for it in force.
 using EvaluateAt = std::function<std::vector<Sum<BigReal>>(int digits)>;
 
-// Raises the working digits until every value has the wanted relative accuracy, or there are no more. The
-// bound is by comparison: the same values at clearly more digits, which is another contour, plus rounding. A
-// value more than 40 digits smaller than what it was put together from counts as zero: its accuracy is then
-// relative to that size.
+// Raises the working digits until every value has the wanted relative accuracy or most_digits() is reached.
+// The bounds are estimates: 4 times the difference of two contours, for `digits` and for clearly more digits,
+// plus rounding. A value more than 40 digits smaller than its summands counts as zero: its accuracy is then
+// relative to their size.
 std::vector<Bounded<BigReal>> raise_by_comparison(int wanted_digits, int extra, const EvaluateAt& evaluate);
 
-// The same for a value whose error is a bound that needs no comparison, and which never counts as zero.
-// Throws std::runtime_error where the most digits do not do.
+// The same for one value whose Sum::error is a bound of the whole error, and which never counts as zero.
+// Throws std::runtime_error where most_digits() does not suffice.
 Bounded<BigReal> raise_by_bound(int wanted_digits, int extra,
                                 const std::function<Sum<BigReal>(int digits)>& evaluate);
 

@@ -16,7 +16,7 @@ void require(bool holds, const char* message) {
   if (!holds) throw std::invalid_argument(fmt::format("{}: {}", name, message));
 }
 
-// The equation without its zero terms, which would otherwise count as unknown orders.
+// The equation without its zero terms, whose orders would otherwise count. Throws std::invalid_argument.
 LinearEquation checked(LinearEquation equation, const std::vector<double>& orders) {
   double top = -1.0;
   for (const auto& [coefficient, order, time_scale] : equation.terms) {
@@ -38,12 +38,12 @@ LinearEquation checked(LinearEquation equation, const std::vector<double>& order
   return equation;
 }
 
-// The transforms of the derivatives D^delta u,
+// The Laplace transforms of the derivatives D^delta u,
 //   s^delta U - sum_{k < ceil(delta)} s^(delta-1-k) u_k = s^delta [G + sum_k u_k N_k] / P,
 //   P = sum_i c_i s^(o_i),  G = sum of loads coefficient Gamma(power+1) s^(-power-1),
 //   N_k = -sum_{ceil(o_i) <= k} c_i s^(o_i-1-k) for k < ceil(delta), sum_{ceil(o_i) > k} c_i s^(o_i-1-k) for
 //   the others.
-// Written so, and not as the difference on the left, nothing cancels for large s.
+// Unlike the difference on the left, this form has no cancellation for large s.
 LinearTransform transform_of(const LinearEquation& equation, const std::vector<double>& orders) {
   LinearTransform transform;
   for (const auto& [coefficient, order, time_scale] : equation.terms) {

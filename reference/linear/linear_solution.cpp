@@ -44,7 +44,7 @@ LinearValues<Real> nothing(std::size_t outputs) {
   return {std::vector<Sum<Real>>(outputs), std::vector<Complex<Real>>(outputs, Complex<Real>(0))};
 }
 
-// What there is besides the real part is what a conjugate node cancels.
+// The terms of the conjugate nodes cancel the imaginary part.
 template <class Real>
 void drop_imaginary_parts(std::vector<Sum<Real>>& sums) {
   for (auto& sum : sums) sum.value = Complex<Real>(real_part<Real>(sum.value));
@@ -64,7 +64,7 @@ LinearValues<long double> LinearSolution::in_long_double(double t) const {
     LinearResponse<long double> response(rounded_, group, time);
     response.add_to(part, zeros_, contour);
     response.add_discretisation(part, contour);
-    // A difference of decimals near each other is known less well: that is an error of the time.
+    // Cancellation in t - from is an error of the time.
     const long double time_ulps = since_start / time;
     for (std::size_t j = 0; j < size(); ++j) {
       const long double rate = std::abs(part.rates[j].real());
@@ -91,7 +91,7 @@ std::vector<Sum<BigReal>> LinearSolution::in_digits(double t, int digits) const 
   return values.sums;
 }
 
-// Digits by which the phase of e^(s* t) exceeds one turn.
+// Decimal digits by which the phase of e^(s* t) exceeds one turn.
 int LinearSolution::phase_digits(double t) const {
   constexpr double most = 400.0;
   double digits = 0.0;
@@ -126,7 +126,7 @@ std::optional<std::vector<DoubleBounded>> LinearSolution::quick(double t) const 
   return values;
 }
 
-// Made when first asked for: a scene that is only solved needs no zeros of its characteristic function.
+// Constructed at the first use: a scene that is only solved needs no zeros of its characteristic function.
 class LazySolution {
  public:
   explicit LazySolution(std::function<LinearTransform()> transform) : transform_(std::move(transform)) {}

@@ -55,7 +55,7 @@ LinearSystem checked(LinearSystem system) {
   return system;
 }
 
-// For each component the set of those that it depends on, itself among them, as bits.
+// For each component the set of the components that it depends on, itself included, as bits.
 std::vector<unsigned> dependences(const Matrix& matrix) {
   const auto size = static_cast<std::size_t>(matrix.rows());
   std::vector<unsigned> on(size);
@@ -71,14 +71,14 @@ std::vector<unsigned> dependences(const Matrix& matrix) {
   return on;
 }
 
-// Outputs whose components depend on the same ones, and what is known about them.
+// Outputs whose components depend on the same set of components, and their evaluation.
 struct Part {
-  std::vector<std::size_t> places;  // among the outputs
+  std::vector<std::size_t> places;  // indices of the outputs
   Evaluation evaluation;
 };
 
-// Of the outputs that depend on the components of the set, all of which it contains: its rows have no other
-// unknowns. The determinant of the whole is the product of those of the parts, so none of them is singular.
+// The part of the outputs that depend on exactly the components of `set`, whose rows have no other unknowns.
+// The determinant of the system is the product of the determinants of the parts, so none of them is singular.
 Part part_of(const LinearSystem& system, unsigned set, const std::vector<unsigned>& on) {
   std::vector<std::size_t> kept, places;
   for (std::size_t i = 0; i < on.size(); ++i)
@@ -98,8 +98,8 @@ Part part_of(const LinearSystem& system, unsigned set, const std::vector<unsigne
   return {places, linear_evaluation(name, [part = std::move(part)] { return transform_of(part); })};
 }
 
-// Components that do not depend on others are solved without them: a mode that grows elsewhere would have to
-// cancel.
+// Components that do not depend on others are solved without them; otherwise growing modes of the others
+// would have to cancel.
 std::vector<Part> parts_of(const LinearSystem& system) {
   const auto on = dependences(system.matrix);
   std::vector<unsigned> sets;
@@ -110,7 +110,7 @@ std::vector<Part> parts_of(const LinearSystem& system) {
   return parts;
 }
 
-// What each part gives for its outputs, in the order of the outputs.
+// The columns of all parts, in the order of the outputs.
 template <class Column, class Evaluate>
 std::vector<Column> gathered(const std::vector<Part>& parts, std::size_t size, const Evaluate& evaluate) {
   std::vector<Column> columns(size);

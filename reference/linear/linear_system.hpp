@@ -8,23 +8,23 @@
 
 namespace fde {
 
-// D^(orders[i]) x_i = sum_j matrix(i, j) x_j + sum_k loads[i][k](t): Caputo derivatives from 0, x_i^(k)(0) =
-// initial[i][k] for k < ceil(orders[i]); loads may be empty. Up to 12 components.
+// D^(orders[i]) x_i = sum_j matrix(i, j) x_j + sum_k loads[i][k](t): Caputo derivatives from 0,
+// x_i^(k)(0) = initial[i][k] for k < ceil(orders[i]); loads may be empty. Up to 12 components.
 //
-// Order 0 is an algebraic row, D^0 x_i = x_i, without initial values: matrix(i, i) = 1 leaves the constraint
-// 0 = sum of the others, which determines x_i as a multiplier in other rows. Where initial values contradict
-// the constraints the solution is what it is after the jump at 0.
+// Order 0 is an algebraic row, D^0 x_i = x_i, without initial values: matrix(i, i) = 1 gives the constraint
+// 0 = sum of the other terms, which determines x_i as a multiplier in other rows. For initial values that are
+// inconsistent with the constraints, the solution is the one after the jump at 0.
 struct LinearSystem {
   std::vector<double> orders;
   std::vector<std::vector<double>> initial;
   Matrix matrix;
   std::vector<std::vector<Load>> loads{};
-  std::vector<std::size_t> outputs{};  // the components that are asked for, in this order; empty: all
+  std::vector<std::size_t> outputs{};  // the requested components, in this order; empty: all
 };
 
-// The outputs, as a reference; see linear_solution.hpp for what it is good to. A multiplier may be
-// infinite at t = 0, where velocities start like t^(1-order). Throws std::invalid_argument for a system that
-// is not posed like this, also where algebraic rows do not determine every unknown.
+// The requested components; see linear_solution.hpp for their accuracy. A multiplier may be infinite at t =
+// 0, where velocities start like t^(1-order). Throws std::invalid_argument for a system not of this form, and
+// where the algebraic rows do not determine every unknown.
 Reference linear_reference(const LinearSystem& system);
 
 }  // namespace fde

@@ -5,8 +5,9 @@
 namespace fde {
 namespace {
 
-// (diag(s^g) - A) X = R with R_j = sum_k s^(g_j-1-k) x_j^(k)(0) + sum of loads c Gamma(power+1)
-// s^(-power-1), by Cramer's rule: X_i = N_i / P, where P is the determinant and N_i that with R for column i.
+// The matrix diag(s^g) - A of (diag(s^g) - A) X = R,
+// R_j = sum_k s^(g_j-1-k) x_j^(k)(0) + sum of loads c Gamma(power+1) s^(-power-1). By Cramer's rule X_i = N_i
+// / P, where P is the determinant and N_i the determinant with R in column i.
 PolynomialMatrix matrix_of(const LinearSystem& system) {
   const std::size_t size = system.orders.size();
   PolynomialMatrix matrix(size, std::vector<GeneralizedPolynomial>(size));
@@ -20,7 +21,7 @@ PolynomialMatrix matrix_of(const LinearSystem& system) {
   return matrix;
 }
 
-// R for each time at which something starts, 0 first.
+// R for each time at which a load starts, 0 first.
 struct RightSide {
   Rational from;
   std::vector<GeneralizedPolynomial> rows;

@@ -5,11 +5,11 @@
 
 namespace fde {
 
-// The Laplace transforms of the outputs of a system that is posed as linear_system.hpp says, by Cramer's rule
-// with exact determinants.
+// The Laplace transforms of the outputs, by Cramer's rule with exact determinants. Precondition: the system
+// has the form of linear_system.hpp, with one list of loads per row and explicit outputs.
 LinearTransform transform_of(const LinearSystem& system);
 
-// Whether the determinant of the transformed system is other than zero: whether it has one solution.
+// Whether the determinant of the transformed system is nonzero: whether the solution is unique.
 bool is_regular(const LinearSystem& system);
 
 }  // namespace fde

@@ -5,15 +5,15 @@
 
 namespace fde {
 
-// A load coefficient * t^power (power > -1) that acts from t = from on, as coefficient * (t - from)^power.
-// Power 0 is a constant; a second one with the opposite sign switches it off.
+// The load coefficient * (t - from)^power for t >= from, power > -1. Power 0 is a constant; a second load
+// with the opposite sign switches it off.
 struct Load {
   double coefficient;
   double power = 0.0;
   double from = 0.0;
 };
 
-// Why it is no load, if it is none.
+// The error message for an invalid load; nullopt for a valid one.
 inline std::optional<const char*> fault_of(const Load& load) {
   if (!std::isfinite(load.coefficient)) return "loads have to be finite";
   if (!(load.power > -1.0 && std::isfinite(load.power))) return "powers of loads have to be above -1";

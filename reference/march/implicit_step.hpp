@@ -8,38 +8,40 @@
 
 namespace fde {
 
-// The equations y_i = past_i + W_i f_i(t, y) of an implicit step, and 0 = f_i(t, y) in algebraic rows, where
-// y_i and f_i are the values of a component at its nodes, linearised at some y. Matrices of values have a row
-// a node and a column a component; unknowns are numbered component by component.
+// The equations y_i = past_i + W_i f_i(t, y) of an implicit step (past_i: the history term), and 0 = f_i(t,
+// y) in algebraic rows, linearised at some y; y_i and f_i are the values of a component at the nodes.
+// Matrices of values have one row per node and one column per component; unknowns are numbered component by
+// component.
 struct LinearisedStep {
   LinearisedStep() = default;
-  // weights: W_i, of algebraic rows 1.
+  // weights: W_i for each component, the identity for algebraic rows; of_nodes: df/dy at each node.
   LinearisedStep(const Problem& problem, const std::vector<Matrix>& weights, std::vector<Matrix> of_nodes);
 
   std::vector<Matrix> jacobians{};       // df/dy at each node
-  Eigen::PartialPivLU<Matrix> newton{};  // of 1 - W df/dy, without the 1 in algebraic rows
-  Vec mass{};                            // a component: 1, and 0 in algebraic rows
+  Eigen::PartialPivLU<Matrix> newton{};  // of mass - W df/dy
+  Vec mass{};                            // one number per component: 1, or 0 for algebraic rows
 
-  // The correction of y that makes up for a residual.
+  // The Newton correction of y for a residual.
   [[nodiscard]] Matrix solve(const Matrix& residual) const;
-  // How large an f is whose terms df/dy y are all of one sign.
+  // The sum |df/dy| y_size: the size of f if all its terms had the same sign.
   [[nodiscard]] Matrix terms_of(const Matrix& y_size) const;
 };
 
-// What y leaves of the equations, where `next` is past + W f: next - y, and f in algebraic rows.
+// The residual of the equations: next - y with next = past + W f, and f in algebraic rows.
 Matrix residual_of(const Problem& problem, const Matrix& next, const Matrix& y, const Matrix& rhs);
 
-// How much of each component of y and f is rounding, at most.
+// Largest rounding error of each component of y and f.
 struct Noise {
   Vec values, rhs;
 };
 
-// Rounding as it arrives in y and f: each is off by its last digit, f_i also by that of the terms that it is
-// made of and of further_i. Newton's matrix passes that on from component to component: it is more than the
-// last digit of y_i where y_i is small and driven, through other components, by an f of large terms.
+// Rounding errors of y and f after the solution of the equations: each is perturbed in its last digit, f_i
+// also in the last digits of its terms and of further_i, and the iteration matrix couples the components. The
+// result exceeds the last digit of y_i where y_i is small and depends, through other components, on an f of
+// large terms.
 //
-// integral: what an f at the nodes adds to y. with_signs: gives sizes random signs, the same ones each time.
-// Two methods that are compared have signs of their own.
+// integral: the contribution to y of values of f at the nodes. with_signs: multiplies sizes by random signs,
+// the same in each call; the two methods of a reference use different signs.
 Noise passed_on_noise(const LinearisedStep& step, const std::function<Matrix(const Matrix& rhs)>& integral,
                       const Matrix& y, const Matrix& rhs, In further,
                       Matrix (*with_signs)(const Matrix& sizes));

@@ -4,27 +4,29 @@
 
 namespace fde {
 
-// Where f jumps a march stops and starts anew, as at t = 0: the solution goes on with powers of the time
-// since.
+// At the times where f is discontinuous a panel or step ends, and the integration restarts as at t = 0: the
+// solution continues with fractional powers of the time since the jump.
 
-// The first jump of f after this time, or the end.
+// The first jump of f after this time, or the end if that is earlier.
 double next_stop(const Problem& problem, double after);
 
 // Whether f jumps at this time.
 bool jumps_at(const Problem& problem, double t);
 
-// The latest jump that is not after this time, or 0.
+// The latest jump at or before this time, or 0.
 double last_jump(const Problem& problem, double t);
 
-// The times from + length nodes, 0 < nodes <= 1, of a piece that goes on to the next stop at most; for one
-// that f jumps at the time just before it, at which f is what it was.
+// The times from + length nodes, 0 < nodes <= 1, of a piece (panel or step). A time at which f jumps is
+// replaced by the double before it, where f has its left limit. Precondition: the piece ends at next_stop()
+// or before.
 Vec times_of_piece(const Problem& problem, double from, double length, In nodes);
 
-// The length of the first piece behind a jump, relative to its time. As short as its nodes allow, which have
-// to be different doubles.
+// The length of the first piece after a jump, relative to the time of the jump: as short as possible with
+// nodes that are different doubles.
 inline constexpr double first_after_jump = 1e-11;
 
-// Whether a piece is so close behind a jump that pieces just double: what the first misses has not died out.
+// Whether a piece is so soon after a jump that the error of the first piece has not decayed: lengths then
+// only double.
 bool just_after_jump(const Problem& problem, double from, double to);
 
 }  // namespace fde

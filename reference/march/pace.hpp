@@ -4,8 +4,9 @@
 
 namespace fde {
 
-// Whether a march that went from one time to another in a number of steps, and has so many left, gets
-// nowhere: its time did not double, as it does where steps grow, and at its pace the end is far out of reach.
+// Whether an integration that went from `before` to `now` in `steps` steps, with `steps_left` more allowed,
+// will not reach the end: its time has not doubled, as it does while steps grow, and at this pace the end is
+// far out of reach.
 constexpr bool hopeless(double before, double now, std::size_t steps, double end, std::size_t steps_left) {
   constexpr double far = 3.0;
   const double pace = (now - before) / static_cast<double>(steps);

@@ -6,7 +6,7 @@ namespace fde {
 
 Vec rhs_at(const Problem& problem, double t, In y);
 
-// A row each time: of y what is given, of f what is returned.
+// y and the returned f have one row per time.
 Matrix rhs_at(const Problem& problem, const Vec& times, const Matrix& y);
 
 }  // namespace fde

@@ -9,13 +9,13 @@ namespace fde {
 namespace {
 
 constexpr double largest_noise = 1e-12;  // relative to the scale
-constexpr double matters = 1.0 / 16;     // of what is negligible
+constexpr double matters = 1.0 / 16;     // relative to `negligible`
 constexpr double safety = 2.0;
 
 // Each number or one of its neighbours.
 Vec varied(const Vec& y, std::minstd_rand& generator) {
   constexpr double rounding = std::numeric_limits<double>::epsilon();
-  constexpr unsigned low_bits = 7;  // are poor in this generator
+  constexpr unsigned low_bits = 7;  // of poor quality in this generator
   return y.unaryExpr([&](double value) {
     return value * (1.0 + rounding * (static_cast<double>((generator() >> low_bits) % 3) - 1.0));
   });
@@ -25,7 +25,8 @@ Vec varied(const Vec& y, std::minstd_rand& generator) {
 
 Vec rhs_noise(const Problem& problem, double from, In y_from, double to, In y_to) {
   constexpr Eigen::Index intervals = 16, order = 10;
-  constexpr double gain = 429.8;  // of independent errors: the root of the binomial coefficient (20, 10)
+  constexpr double gain =
+      429.8;  // for independent errors: the square root of the binomial coefficient (20, 10)
   Matrix values(intervals + 1, problem.size());
   Vec f(problem.size());
   std::minstd_rand generator(5);

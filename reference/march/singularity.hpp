@@ -4,7 +4,7 @@
 
 namespace fde {
 
-// The solution leaves the domain of its problem before the time asked for.
+// The solution leaves the domain of its problem before the requested time.
 struct Singularity : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -4,7 +4,7 @@
 
 namespace fde {
 
-// What f_i = 1 adds to y_i over a step: int_0^length (length - s)^(order-1) / Gamma(order) ds.
+// The increment of y_i over a step for f_i = 1: int_0^length (length - s)^(order-1) / Gamma(order) ds.
 Vec unit_increment(const Problem& problem, double length);
 
 }  // namespace fde

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-// Vectors of unknown length cannot be members.
+// Vectors whose length is unknown at compile time cannot be members.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mittag_leffler/contour_kernels.cpp"
@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace fde::HWY_NAMESPACE {
 
-// Errors below are counted in this unit: sums and products are good to a quarter of it, exponentials to four.
+// Unit of the errors below: sums and products have an error of at most a quarter of it, exponentials of four.
 constexpr double unit_roundoff = 0x1p-103;
 
 HWY_INLINE Real load(const ContourNodes::Column& column, std::size_t i) {
@@ -35,12 +35,13 @@ HWY_INLINE DoubleDouble sum_of_lanes(const Real& x) {
 
 HWY_INLINE double sum_of_lanes(Vector x) { return hn::GetLane(hn::SumOfLanes(tag, x)); }
 
-// What the nodes have added up to, one sum a lane.
+// Partial sums over the nodes, one per lane.
 struct Sums {
   Pair value;
   Vector error;
 
-  // weight / (power - z) or its conjugate; z has a real part and sign * its imaginary part.
+  // Adds weight / (power - z) for sign = 1, or the term of the conjugate node for sign = -1: the conjugate of
+  // weight / (power - conj z).
   HWY_INLINE void add(const Pair& weight, const Pair& power, const PowerQuotient& quotient, double sign) {
     const Pair difference{power.re + constant(-quotient.scaled.real()),
                           power.im + constant(-sign * quotient.scaled.imag())};
@@ -56,7 +57,7 @@ struct Sums {
   }
 };
 
-// Of a sum over one half where the other is its conjugate.
+// Completes a sum over one half of the contour whose other half gives the conjugate.
 HWY_INLINE void double_real_part(QuotientSum& sum) {
   sum.value.re = {2.0 * sum.value.re.hi, 2.0 * sum.value.re.lo};
   sum.value.im = {0.0, 0.0};
@@ -86,7 +87,7 @@ QuotientSum sum_kernel(const ContourNodes& nodes, const PowerQuotient& quotient)
   return result;
 }
 
-// log z by one Newton step for e^w = z from a logarithm in double; what that is off by is below 2^-40.
+// log z by one Newton step for e^w = z from a logarithm in double, whose error is below 2^-40.
 HWY_INLINE Pair logarithm(const Pair& z) {
   std::array<double, double_double_lanes> re{}, im{};
   hn::StoreU(z.re.hi, tag, re.data());
@@ -106,10 +107,11 @@ HWY_INLINE Pair logarithm(const Pair& z) {
   return {square_re + log_re, square_im + log_im};
 }
 
-// What is summed over the nodes of one half of the contour.
+// Partial sums over the nodes, one per lane.
 struct PowerSums {
   Pair value;
-  Vector terms, differences;  // sizes of the terms, plain and by what the difference has lost
+  Vector terms,
+      differences;  // sizes of the terms, times those of their exponents or times the cancellation in 1 - q
 
   HWY_INLINE void add(const Pair& node_weight, const Pair& log, const PowerOfDifference& power, double sign) {
     const ComplexDoubleDouble& z = power.log_z;
@@ -156,7 +158,7 @@ struct PolynomialSums {
   std::array<Vector, most_degree> errors;
   Vector largest_loss;
 
-  // What p may be off by, against p, is counted in unit_roundoff, and so are the ulps.
+  // The relative error of p and the ulps are counted in units of unit_roundoff.
   HWY_INLINE void add(const Pair& weight, const Pair& x, const PolynomialQuotient& quotient,
                       double power_ulps, double weight_ulps, double sign) {
     const std::size_t degree = quotient.coefficients.size();
@@ -220,7 +222,7 @@ std::array<QuotientSum, most_degree> polynomial_kernel(const ContourNodes& nodes
 
 HWY_INLINE DoubleDouble first_lane(const Real& x) { return {hn::GetLane(x.hi), hn::GetLane(x.lo)}; }
 
-// One Newton step for e^w = z, with the remainder in double-double: it is below 2^-50.
+// One Newton step for e^w = z, with the remainder, which is below 2^-50, in double-double.
 ComplexDoubleDouble logarithm_kernel(std::complex<double> z) {
   const double re = std::log(std::abs(z)), im = std::arg(z);
   const Pair there{constant(DoubleDouble{z.real(), 0.0}), constant(DoubleDouble{z.imag(), 0.0})};
@@ -280,7 +282,7 @@ Residues residues_kernel(const PoleArguments& poles, const std::array<double, do
     const Pair exponent = pole + log * power;
     const Exponential growth = exponential(exponent.re);
     const Pair residue = unit(exponent.im) * (growth.mantissa * per_alpha);
-    // The logarithm of z is good to a few 2^-104, that of s* to 1/alpha times as much.
+    // The error of log z is a few 2^-104, the error of log s* 1/alpha times as much.
     const Vector log_error = hn::Add(size_of(log), constant(4.0 + 2.0 / poles.alpha));
     const Vector pole_error = hn::Add(size_of(pole), constant(1.0 + std::abs(poles.power.hi)));
     const Vector error = hn::MulAdd(hn::Add(pole_error, seen.sensitivity), log_error, constant(8.0));

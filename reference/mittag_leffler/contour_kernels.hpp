@@ -14,14 +14,14 @@ struct ComplexDoubleDouble {
   DoubleDouble re, im;
 };
 
-// The nodes of a contour, all of them moved by `offset`, as arrays, each column filled up with nodes of
-// weight 0 to whole vectors.
+// The nodes of a contour, shifted by `offset`, as columns log s and weight (hi and lo parts), each padded
+// with nodes of weight 0 to a multiple of double_double_lanes.
 struct ContourNodes {
   struct Column {
     std::vector<double> hi, lo;
   };
   Column log_re, log_im, weight_re, weight_im;
-  double largest_log = 0.0;  // |Re| + |Im| of log s
+  double largest_log = 0.0;  // of |Re| + |Im| of log s
 
   explicit ContourNodes(const Contour<BigReal>& contour, double offset = 0.0);
   [[nodiscard]] std::size_t size() const { return log_re.hi.size(); }
@@ -35,22 +35,22 @@ struct PowerQuotient {
   double scale;
 };
 
-// Sum over nodes and their conjugates of weight times the quotient, times 1 / scale, and what rounding may
-// have done to it.
+// Sum over nodes and their conjugates of weight times the quotient, times 1 / scale, and a bound of its
+// rounding error.
 struct QuotientSum {
   ComplexDoubleDouble value;
   double error;
 };
 QuotientSum sum_over_nodes(const ContourNodes& nodes, const PowerQuotient& quotient);
 
-// s^exponent (1 - q)^-strength in double-double, q = z s^-alpha or, outward, 1 / q in place of q. The power
-// is the principal one: its cut runs from each s*^alpha = z to 0, outward to infinity.
+// s^exponent (1 - q)^-strength in double-double, q = z s^-alpha, or s^alpha / z if outward. The power is the
+// principal one: its cuts run from each s* with s*^alpha = z to 0, or to infinity if outward.
 struct PowerOfDifference {
   double alpha;
   DoubleDouble exponent;
   double strength;
   ComplexDoubleDouble log_z;
-  bool real;  // z is: the lower half is the conjugate of the upper one
+  bool real;  // z is real: the lower half of the contour gives the conjugates
   bool outward;
 };
 QuotientSum sum_over_nodes(const ContourNodes& nodes, const PowerOfDifference& power);
@@ -59,19 +59,19 @@ QuotientSum sum_over_nodes(const ContourNodes& nodes, const PowerOfDifference& p
 struct PolynomialQuotient {
   double alpha;
   DoubleDouble exponent;
-  std::span<const ComplexDoubleDouble> coefficients;  // of p from 1 on, but for the leading one
-  std::span<const double> errors;                     // of them
+  std::span<const ComplexDoubleDouble> coefficients;  // of p by ascending powers, without the leading 1
+  std::span<const double> errors;                     // absolute, of the coefficients
 };
 inline constexpr std::size_t most_degree = 4;
-// The errors are infinite where p comes too near to 0 for those of its coefficients.
+// The errors are infinite where |p| is too small at a node for the errors of its coefficients.
 std::array<QuotientSum, most_degree> sum_over_nodes(const ContourNodes& nodes,
                                                     const PolynomialQuotient& quotient);
 
 // log z on the principal sheet for 1 <= |z| < 4.
 ComplexDoubleDouble complex_logarithm(std::complex<double> z);
 
-// The poles s*^alpha = z, log s* = (log z + 2 pi i sheet) / alpha, and the contour they are seen from
-// (contour.hpp).
+// The poles s*^alpha = z, log s* = (log z + 2 pi i sheet) / alpha, and the contour that determines their
+// factors m (laplace/contour.hpp).
 struct PoleArguments {
   double alpha;
   DoubleDouble power;  // 1 - beta
@@ -81,13 +81,14 @@ struct PoleArguments {
   bool half_step_shift = false;
 };
 
-// e^s* s*^(1-beta) / alpha times the factor of the contour = value * 2^exponent, with a relative error.
+// e^s* s*^(1-beta) / alpha times the factor m = value * 2^exponent, with a bound of its relative error.
 struct Residue {
   ComplexDoubleDouble value;
   double exponent, relative_error;
 };
 using Residues = std::array<Residue, double_double_lanes>;
-// For so many sheets at a time; those beyond the first count are filled up with copies. |s*| < 2^39.
+// The residues for the first `count` sheets; the other entries of `sheets` are padding, copies of one of
+// them. Precondition: |s*| < 2^39.
 Residues residues_at(const PoleArguments& poles, const std::array<double, double_double_lanes>& sheets,
                      std::size_t count);
 

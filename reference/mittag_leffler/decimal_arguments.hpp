@@ -7,21 +7,21 @@
 #include "mittag_leffler/mittag_leffler.hpp"
 #include "numbers/bounded.hpp"
 
-// What the Mittag-Leffler functions share: their arguments checked and read, their values written.
+// Parsing and checks of arguments and output of values, shared by the Mittag-Leffler functions.
 namespace fde {
 
-// The number that a decimal text names, rounded once. Throws std::invalid_argument "function: name: ..."
-// where it names no finite number.
+// The decimal number in text, rounded once. Throws std::invalid_argument "function: name: ..." unless text is
+// a finite number.
 BigReal read_argument(const std::string& function, const std::string& name, const std::string& text);
-// z from its two parts.
+// z = re + i im; throws as read_argument() does.
 BigComplex read_complex(const std::string& function, const std::string& re, const std::string& im);
 
-// The double that a decimal text names exactly: of "0.5", not of "0.1", which lies between two. Nothing where
-// there is none, or the text is no number.
+// The double equal to the decimal number in text: 0.5 for "0.5". nullopt where no double is equal to it, as
+// for "0.1", or text is no number.
 std::optional<double> exact_double(const std::string& text);
 
-// Throw std::invalid_argument naming the function, the argument and its value: alpha outside (0, 5], beta (or
-// another parameter) outside [-10000, 10000], z not finite, digits below 1.
+// Throw std::invalid_argument naming the function, the argument and its value if alpha is outside (0, 5],
+// beta (or another parameter) outside [-10000, 10000], z not finite, or digits < 1.
 void require_order(const std::string& function, double alpha);
 void require_order(const std::string& function, const BigReal& alpha);
 void require_parameter(const std::string& function, const char* argument, double value);
@@ -29,14 +29,15 @@ void require_parameter(const std::string& function, const char* argument, const 
 void require_finite(const std::string& function, std::complex<double> z);
 void require_digits(const std::string& function, int digits);
 
-// Of a decimal text after its point: "1.25e-3" has 5. Of doubles, as many as make both and their sums exact.
+// Number of digits after the decimal point: 5 for "1.25e-3". For doubles, the additional working digits that
+// hold a, b and their sums exactly.
 int decimal_places(const std::string& text);
 int decimal_places(double a, double b);
 
-// In decimal, with the rounding of the texts in the bound. Of a real function the imaginary part is "0".
+// x as decimal text; the bound includes the rounding of the texts. If real, the imaginary part is "0".
 DecimalComplex write_complex(const Bounded<BigReal>& x, bool real, int digits);
 
-// The nearest double to what is written, with that rounding in the bound.
+// The nearest double, with that rounding in the bound; infinite if written.bound is "inf".
 MittagLefflerValue rounded_to_double(const DecimalComplex& written);
 
 }  // namespace fde

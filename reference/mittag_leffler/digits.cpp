@@ -15,10 +15,10 @@ namespace {
 
 using Arguments = MittagLefflerArguments;
 
-// log s* > 0 for which e^s* is beyond all exponents, however s* is rounded.
+// For real s* with log s* above this, e^s* overflows however s* is rounded.
 constexpr double beyond_exponents = 50.0;
 
-// e^-nothing is less than any number of digits asks for.
+// e^-nothing is negligible at every number of digits.
 constexpr double nothing = 1e6;
 
 // Adds Res(e^s F, s*) = (1/alpha) e^(s* + (1-beta) log s*) times a factor known to that many ulps.
@@ -28,7 +28,7 @@ void add_residue(Sum<BigReal>& sum, const Arguments& x, const BigComplex& log_po
     return sum.add_infinite(BigComplex(1), exp(BigReal(real_part<BigReal>(log_pole))));
   const BigComplex pole = x.alpha == 1 ? x.z : BigComplex(exp(log_pole));
   if (real_part<BigReal>(pole) < -8 / epsilon<BigReal>())
-    return;  // e^s* is nothing, and s* may have overflowed
+    return;  // e^s* is negligible, and s* may have overflowed
   const BigReal power = 1 - x.beta;
   const BigReal pole_ulps = x.alpha == 1 ? BigReal(1) : BigReal(1 + size_of(log_pole));
   const BigComplex exponent = pole + power * log_pole;
@@ -42,7 +42,7 @@ void add_residue(Sum<BigReal>& sum, const Arguments& x, const BigComplex& log_po
   sum.add(residue * factor, ulps * epsilon<BigReal>());
 }
 
-// All there is for Form::residues_only.
+// The value for Form::residues_only.
 Sum<BigReal> sum_of_residues(const Arguments& x) {
   const BigComplex log_z = log(x.z);
   Sum<BigReal> sum;
@@ -53,7 +53,7 @@ Sum<BigReal> sum_of_residues(const Arguments& x) {
   return sum;
 }
 
-// s^-beta at a node, from s where a product or a quotient does.
+// s^-beta at a node, without an exponential for beta = 0, 1 and 2.
 BigComplex power_minus_beta(const Arguments& x, const Contour<BigReal>::Node& node) {
   if (x.beta == 0) return {1};
   if (x.beta == 1) return 1 / node.s;
@@ -72,7 +72,7 @@ void add_nodes(Sum<BigReal>& sum, const Arguments& x, const Contour<BigReal>& co
     const BigComplex weight =
         equal ? node.weight : BigComplex(node.weight * s_alpha * power_minus_beta(x, node));
     const BigReal ulps = 3 + powers * size_of(node.log_s);
-    const auto loss = [&](const BigComplex& difference) {  // in s^alpha - z
+    const auto loss = [&](const BigComplex& difference) {  // by cancellation in s^alpha - z
       return BigReal(ulps * (1 + size_of(s_alpha) / size_of(difference)) * epsilon<BigReal>());
     };
     const BigComplex denominator = s_alpha - x.z, term = weight / denominator;
@@ -87,8 +87,8 @@ void add_nodes(Sum<BigReal>& sum, const Arguments& x, const Contour<BigReal>& co
   }
 }
 
-// The point theta of a pole on a contour, as 1 + i theta = sqrt(s* / mu). Far out a root as large as a double
-// stands for it.
+// 1 + i theta = sqrt(s* / mu) for the point theta of a pole on a contour, with its modulus clamped to the
+// range of double.
 std::complex<double> root_on(double mu, const BigComplex& log_pole) {
   constexpr double most_log = 600.0;
   const double log_size = real_part<BigReal>(log_pole).convert_to<double>() - std::log(mu);
@@ -96,9 +96,9 @@ std::complex<double> root_on(double mu, const BigComplex& log_pole) {
   return std::polar(modulus, imag_part<BigReal>(log_pole).convert_to<double>() / 2.0);
 }
 
-// The residues that are beyond all exponents; then nothing else matters.
+// The sum of the residues that overflow. If there are any, everything else is negligible.
 Sum<BigReal> overflowing_residues(const Arguments& x) {
-  constexpr double least_log = 40.0;  // of |s*|: to overflow
+  constexpr double least_log = 40.0;  // log |s*| below which e^s* does not overflow
   Sum<BigReal> sum;
   for (const auto& [sheet, log_pole] : poles_of(x.alpha, BigComplex(log(x.z))).seen) {
     if (real_part<BigReal>(log_pole) < least_log ||
@@ -131,7 +131,7 @@ Sum<BigReal> on_contour(const Arguments& x, int digits) {
     const BigComplex& log_pole = poles.seen[i].log;
     const BigComplex factor = contour.pole_factor(log_pole);
     const BigReal off = size_of(BigComplex(factor - 1));
-    // Beyond both lines the factor should be 1.
+    // To the right of both far lines of ContourBound the exact factor is 1.
     const BigReal beyond =
         roots[i].real() > shape.nearer_far_line() ? BigReal(off / epsilon<BigReal>()) : BigReal(0);
     add_residue(sum, x, log_pole, factor, BigReal(contour.omega() * off + beyond));
@@ -146,8 +146,8 @@ void scale(Sum<BigReal>& sum, const BigComplex& factor) {
   sum.error = size_of(factor) * sum.error + 8 * epsilon<BigReal>() * size_of(sum.value);
 }
 
-// With two terms of the head of the asymptotic expansion peeled off (forms.hpp). Far out they are most of the
-// value; where beta = alpha the first is 0 and the second is all of it.
+// With the first two terms of the asymptotic expansion peeled off (forms.hpp). For large |z| they are most of
+// the value; for beta = alpha the first is 0 and the second is most of it.
 Sum<BigReal> peeled(const Arguments& x, int digits) {
   const BigComplex inverse = 1 / x.z, square = inverse * inverse;
   const BigReal first = x.beta - x.alpha, second = first - x.alpha;
@@ -179,8 +179,8 @@ Sum<BigReal> evaluate(const Arguments& x, int digits) {
   return size_of(x.z) < far ? on_contour(x, digits) : peeled(x, digits);
 }
 
-// Digits by which the phases of e^s* exceed one turn, of those that are not far on the left. Where e^s*
-// overflows and takes that many or more, nothing can be known of the value.
+// Decimal digits by which the phases of e^s* exceed one turn, for the poles that are not far in the left half
+// plane. Throws std::runtime_error if e^s* overflows and its phase takes `most` digits or more.
 int phase_digits(const Arguments& x, int most) {
   if (x.z == 0) return 0;
   constexpr double left = -1e-3, next_to_the_axis = -1e-10, log_of_far = 40.0,
@@ -203,7 +203,7 @@ int phase_digits(const Arguments& x, int most) {
 
 Bounded<BigReal> mittag_leffler_to(int digits, int places,
                                    const std::function<MittagLefflerArguments()>& read) {
-  constexpr int most_turns = 2000;  // more digits than these are for the value
+  constexpr int most_turns = 2000;  // the digits allowed for phases, beyond those for the value
   const int extra = phase_digits(read(), most_digits(digits) + most_turns) + places;
   return raise_by_bound(digits, extra, [&](int working) { return evaluate(read(), working); });
 }

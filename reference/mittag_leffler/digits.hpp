@@ -14,10 +14,11 @@ struct MittagLefflerArguments {
   [[nodiscard]] bool real() const { return imag_part<BigReal>(z) == 0; }
 };
 
-// The value to a relative accuracy of so many digits, with a bound of its error: the contour neglects at most
-// what ContourBound says, and every term counts its rounding. Call under
-// Precision(contour_precision(digits)); read gives the arguments at the precision of the moment. Places: of
-// alpha and beta after the decimal point. Throws std::runtime_error where that accuracy is out of reach.
+// E_{alpha,beta}(z) to a relative accuracy of `digits` digits, with a bound of its error: the discretisation
+// error by ContourBound plus the rounding errors of all terms. read() returns the arguments rounded to the
+// current precision; places: decimal_places() of alpha and beta. Precondition:
+// Precision(contour_precision(digits)) is in force. Throws std::runtime_error if that accuracy is out of
+// reach.
 Bounded<BigReal> mittag_leffler_to(int digits, int places,
                                    const std::function<MittagLefflerArguments()>& read);
 

@@ -2,19 +2,19 @@
 
 #include "numbers/double_double.hpp"
 
-// What every evaluation of E_{alpha,beta}(z), the inverse Laplace transform at time 1 of
+// The cases in the evaluation of E_{alpha,beta}(z), the inverse Laplace transform at time 1 of
 //   F(s) = s^(alpha-beta) / (s^alpha - z),
-// has to tell apart, whatever its numbers are.
+// for every number type.
 namespace fde {
 
 enum class Form {
   at_zero,        // z = 0: 1 / Gamma(beta)
-  residues_only,  // all powers of s in F are whole: no branch cut, and the poles are everything
+  residues_only,  // all powers of s in F are integers: no branch cut, only residues
   times_z,        // 1 / Gamma(beta) = 0, the first term of the series: z E_{alpha,alpha+beta}(z) cancels less
-  on_contour      // a contour round the cut with the residues of the poles beyond it
+  on_contour      // a contour around the cut, and the residues of the poles outside it
 };
 
-// Far out the head of the asymptotic expansion may be peeled off, which is exact with what is left:
+// For large |z| the first terms of the asymptotic expansion may be split off ("peeled"), which is exact:
 //   E_{alpha,beta}(z) = -sum_{k=1}^m z^-k / Gamma(beta - alpha k) + z^-m E_{alpha,beta-m alpha}(z).
 
 inline bool is_whole(const DoubleDouble& x) { return x.lo == 0.0 && std::floor(x.hi) == x.hi; }

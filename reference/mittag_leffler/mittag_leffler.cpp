@@ -20,7 +20,7 @@ using Arguments = MittagLefflerArguments;
 
 constexpr const char* function_name = "mittag_leffler";
 
-// |z E'| from below: alpha z E'_{alpha,beta}(z) = E_{alpha,beta-1}(z) - (beta-1) E_{alpha,beta}(z).
+// A lower bound of |z E'|, by alpha z E'_{alpha,beta}(z) = E_{alpha,beta-1}(z) - (beta-1) E_{alpha,beta}(z).
 long double least_slope(double alpha, double beta, std::complex<double> z, const QuickValue& value) {
   const auto before = mittag_leffler_quick(alpha, exact_sum(beta, -1.0), z);
   if (!before) return 0.0L;
@@ -49,9 +49,9 @@ MittagLefflerValue upper_half_plane(double alpha, double beta, std::complex<doub
   return {real ? std::complex(value.real()) : value, bound};
 }
 
-// Whether E of an order below 1e-30 is proportional to it, as at a zero beta of 1/Gamma:
+// Whether alpha is below 1e-30 and E proportional to it, as it is if beta is a zero of 1/Gamma,
 //   E_{alpha,beta}(z) = alpha (1/Gamma)'(beta) z/(1-z)^2 (1 + O(alpha)),
-// where no pole s^alpha = z is near. The rounding of the order is then that of the value.
+// and no pole s^alpha = z is near. The value then has the relative rounding error of alpha.
 bool is_proportional_to_order(double alpha, double beta, std::complex<double> z) {
   return alpha <= 1e-30 && beta <= 0.0 && beta >= -170.0 && std::floor(beta) == beta &&
          (z.real() <= 0.5 || std::abs(z) <= 0.5);

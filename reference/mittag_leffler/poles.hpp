@@ -13,18 +13,20 @@ struct Pole {
   Complex<Real> log;
 };
 
-// A circle is 2 pi: the poles with |arg s*| < 2 pi are on sheets that alpha, of at most 5, can reach.
+// As alpha <= 5, the poles with |arg s*| < 2 pi are on the sheets -most_sheet, ..., most_sheet.
 inline constexpr int most_sheet = 6;
 template <class T>
 using EachSheet = boost::container::static_vector<T, 2 * most_sheet + 1>;
 
 template <class Real>
 struct Poles {
-  EachSheet<Pole<Real>> seen{};                                    // those with |arg s*| < 2 pi
-  double nearest_sheet = std::numeric_limits<double>::infinity();  // of the others, as in ContourBound
+  EachSheet<Pole<Real>> seen{};  // those with |arg s*| < 2 pi
+  double nearest_sheet =
+      std::numeric_limits<double>::infinity();  // of the others, as in ContourBound::Quotient
 };
 
-// From the first sheet on. Next to 0, beyond the range of a double, poles are as good as on another sheet.
+// The poles on the sheets first_sheet, ..., most_sheet. Poles nearer to 0 than the range of double count as
+// poles on another sheet.
 template <class Real>
 Poles<Real> poles_of(const Real& alpha, const Complex<Real>& log_z, int first_sheet = -most_sheet) {
   using std::abs;

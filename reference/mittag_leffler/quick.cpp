@@ -12,7 +12,7 @@ namespace {
 
 using Value = std::complex<long double>;
 
-// So many terms of the head of the asymptotic expansion (forms.hpp).
+// The first `count` terms of the asymptotic expansion (forms.hpp).
 QuickValue head(const QuickArguments& x, int count) {
   const Value inverse = 1.0L / Value(x.z);
   QuickValue sum{0.0L, 0.0L};
@@ -41,7 +41,7 @@ DoubleDouble exponent_after(const QuickArguments& x, int peeled) {
   return exact_product(peeled + 1, x.alpha) + DoubleDouble{-x.beta.hi, -x.beta.lo};
 }
 
-// The points theta of the poles on a contour, as 1 + i theta = sqrt(s* / mu).
+// 1 + i theta = sqrt(s* / mu) for the point theta of each pole on a contour.
 EachSheet<std::complex<double>> roots_on(const QuickArguments& x, double mu) {
   EachSheet<std::complex<double>> roots;
   const double modulus = std::exp(0.5 * (x.log_size() / x.alpha - std::log(mu)));
@@ -49,7 +49,7 @@ EachSheet<std::complex<double>> roots_on(const QuickArguments& x, double mu) {
   return roots;
 }
 
-// The head, what is left of the function on the contour, and the poles that the contour has not seen.
+// The peeled terms, the contour sum of the remainder, and the residues with their factors.
 std::optional<QuickValue> on_contour(const QuickArguments& x, const QuickContours& contours, int peeled) {
   const DoubleDouble exponent = exponent_after(x, peeled);
   const auto roots = roots_on(x, contours.twins.front().shape.mu);
@@ -73,8 +73,8 @@ std::optional<QuickValue> on_contour(const QuickArguments& x, const QuickContour
 
 bool is_good(const QuickValue& value) { return value.error <= quick_tolerance * std::abs(value.value); }
 
-// Next to beta = 0 and z = 0, where on a contour everything cancels: the first terms of the power series. As
-// |1/Gamma(x)| <= 1.13 |x| for x >= -2^-30, the rest is at most 1.2 |z|^m (alpha (m+1) + |beta|).
+// The first terms of the power series next to beta = 0 and z = 0, where the terms on a contour cancel. As
+// |1/Gamma(x)| <= 1.13 |x| for x >= -2^-30, the remainder is at most 1.2 |z|^m (alpha (m+1) + |beta|).
 std::optional<QuickValue> first_terms(const QuickArguments& x) {
   constexpr long double near = 0x1p-30L;
   constexpr int count = 3;
@@ -92,9 +92,10 @@ std::optional<QuickValue> first_terms(const QuickArguments& x) {
   return is_good(sum) ? std::optional(sum) : std::nullopt;
 }
 
-// One contour after the other, with and without peeling, until the bound is small enough; otherwise the best.
+// Tries the contours in turn, without and with peeled terms, until the bound is small enough; otherwise
+// returns the value with the smallest bound.
 std::optional<QuickValue> on_contours(const QuickArguments& x) {
-  constexpr int moderate = 4, large = 16;  // log2 |z|: peeling may help, and nothing else does
+  constexpr int moderate = 4, large = 16;  // log2 |z| from which peeling may help, and is needed
   std::optional<QuickValue> best;
   const auto try_with = [&](const QuickContours& contours, int peeled) {
     const auto value = on_contour(x, contours, peeled);

@@ -32,8 +32,9 @@ const QuickContour& QuickContours::farther_from(std::span<const std::complex<dou
   return clearance(plain) >= clearance(shifted) ? plain : shifted;
 }
 
-// mu near -exponent keeps the terms as small as 1/Gamma(-exponent), a large depth waits for s^exponent e^s to
-// fall off. The last one has terms of the size of the value and three times as many: rounding there is least.
+// mu near -exponent keeps the terms as small as 1/Gamma(-exponent); with a large depth the sum extends until
+// s^exponent e^s has decayed. The last contour has terms of the size of the value, and three times as many:
+// its rounding error is the smallest.
 const std::array<QuickContours, 6>& quick_contours() {
   const auto both = [](double mu, double omega, double depth) {
     return std::array{QuickContour({mu, omega, depth, false}), QuickContour({mu, omega, depth, true})};

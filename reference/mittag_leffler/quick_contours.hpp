@@ -6,10 +6,10 @@
 #include "laplace/contour_bound.hpp"
 #include "mittag_leffler/contour_kernels.hpp"
 
-// The contours of the quick evaluation, made once.
+// The contours of mittag_leffler_quick(), computed once.
 namespace fde {
 
-// A contour with what its bound and its kernels want to know.
+// A contour with its error bound and its nodes in the form that the kernels take.
 struct QuickContour {
   explicit QuickContour(const ContourShape& of);
 
@@ -19,8 +19,8 @@ struct QuickContour {
   ContourNodes nodes;
 };
 
-// Two contours with nodes half a step apart, and the exponents of F = s^exponent / (s^alpha - z) that they
-// are meant for: how F behaves for small s, and for large s.
+// Two contours with nodes half a step apart, for F = s^exponent / (s^alpha - z) with exponent - alpha (F for
+// large s) at least least_exponent and exponent (F for small s) at most most_exponent.
 struct QuickContours {
   double least_exponent, most_exponent;
   std::array<QuickContour, 2> twins;
@@ -28,11 +28,11 @@ struct QuickContours {
   [[nodiscard]] bool fit(double least, double most) const {
     return least >= least_exponent && most <= most_exponent;
   }
-  // The twin whose nodes stay farther away from the poles; roots as in ContourBound.
+  // The contour whose nodes are farther from the poles; roots as in ContourBound::Quotient.
   [[nodiscard]] const QuickContour& farther_from(std::span<const std::complex<double>> roots) const;
 };
 
-// In the order in which they are worth a try.
+// In the order in which they are tried.
 const std::array<QuickContours, 6>& quick_contours();
 
 }  // namespace fde

@@ -6,14 +6,14 @@
 namespace fde {
 namespace {
 
-// Those of the poles that matter; empty where the phase of a large one is not to be had.
+// The poles whose residues are not negligible; nullopt where the phase of a large one cannot be computed.
 std::optional<EachSheet<Pole<double>>> within_reach(const EachSheet<Pole<double>>& counted) {
   constexpr double most_log = 26.0, clear = 1e-7;
   EachSheet<Pole<double>> poles;
   for (const auto& pole : counted) {
     if (pole.log.real() < most_log) {
       poles.push_back(pole);
-    } else if (std::cos(pole.log.imag()) > -clear) {  // otherwise e^s* is nothing
+    } else if (std::cos(pole.log.imag()) > -clear) {  // otherwise e^s* is negligible
       return std::nullopt;
     }
   }
@@ -63,7 +63,8 @@ QuickArguments::QuickArguments(double order, const DoubleDouble& parameter, std:
       poles(poles_of(alpha, std::complex(scaled.log.re.hi, scaled.log.im.hi), real() ? 0 : -most_sheet)) {}
 
 bool QuickArguments::is_paired(const Pole<double>& pole) const {
-  const int half_turns = 2 * pole.sheet + (z.real() < 0.0 ? 1 : 0);  // of z, if it is real
+  const int half_turns =
+      2 * pole.sheet + (z.real() < 0.0 ? 1 : 0);  // arg z / pi on the sheet of the pole, for real z
   return real() && half_turns != 0 && half_turns != alpha;
 }
 
@@ -76,7 +77,8 @@ std::optional<QuickValue> residue_sum(const QuickArguments& x, const QuickContou
   const auto residues = residues_of(kernel_arguments(x, contour), *poles);
   double largest = -std::numeric_limits<double>::infinity();
   for (const auto& residue : residues) {
-    if (std::isnan(residue.exponent)) return std::nullopt;  // log z / alpha, of 0 and the smallest alpha
+    if (std::isnan(residue.exponent))
+      return std::nullopt;  // log z / alpha with log z = 0 and 1 / alpha infinite
     largest = std::max(largest, residue.exponent);
   }
   QuickValue sum{0.0L, 0.0L};

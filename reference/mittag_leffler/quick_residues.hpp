@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// z = scaled * 2^exponent with 1 <= |scaled| < 4; |z| may be as small or large as a double can be.
+// z = value * 2^exponent with 1 <= |value| < 4, for every z other than 0.
 struct ScaledArgument {
   std::complex<double> value;
   int exponent;
@@ -28,7 +28,7 @@ struct QuickArguments {
   [[nodiscard]] bool real() const { return z.imag() == 0.0; }
   // log|z|
   [[nodiscard]] double log_size() const { return scaled.log.re.hi; }
-  // The pole stands for its conjugate as well.
+  // Whether the pole represents its conjugate as well.
   [[nodiscard]] bool is_paired(const Pole<double>& pole) const;
 };
 
@@ -36,12 +36,12 @@ inline std::complex<long double> to_long(const ComplexDoubleDouble& z) {
   return {static_cast<long double>(z.re.hi) + z.re.lo, static_cast<long double>(z.im.hi) + z.im.lo};
 }
 
-// The sum of residues of the poles that are counted, each times its factor on the contour (nullptr: 1). Empty
-// where the phase of e^s* is not to be had for one of them.
+// The sum of the residues at the poles in `counted`, each times its factor m on the contour (nullptr: 1).
+// nullopt where the phase of e^s* is too large to compute for one of them.
 std::optional<QuickValue> residue_sum(const QuickArguments& x, const QuickContour* contour,
                                       const EachSheet<Pole<double>>& counted);
 
-// E_{alpha,beta}(z) where that is all there is of it (Form::residues_only).
+// E_{alpha,beta}(z) as a sum of residues, for Form::residues_only.
 std::optional<QuickValue> from_residues_only(const QuickArguments& x);
 
 }  // namespace fde

@@ -9,10 +9,10 @@ namespace {
 
 using Value = std::complex<long double>;
 
-constexpr double most_beta = 1600.0;  // Gamma, and what it is multiplied with, are long doubles
+constexpr double most_beta = 1600.0;  // up to which Gamma and its products do not overflow in long double
 
-// 1/Gamma(beta) and its slope (1/Gamma)'(beta), both over a scale that is positive, Gamma(1-beta) for beta <=
-// 1/2 and 1/Gamma(beta) above. At the distance epsilon <= 1/2 from a zero -n of 1/Gamma they are
+// 1/Gamma(beta) and its derivative, both divided by a positive scale: Gamma(1-beta) for beta <= 1/2,
+// 1/Gamma(beta) above. At the distance epsilon <= 1/2 from a zero -n of 1/Gamma they are
 //   (-1)^n epsilon + beyond,   (-1)^n + slope_beyond.
 class ReciprocalGamma {
  public:
@@ -21,7 +21,7 @@ class ReciprocalGamma {
   [[nodiscard]] long double value() const { return sign_ * epsilon_ + beyond_; }
   [[nodiscard]] long double slope() const { return sign_ + slope_beyond_; }
   [[nodiscard]] long double slope_error() const { return slope_error_; }
-  // value - alpha slope, where epsilon - alpha may be all that is left of it
+  // value - alpha slope; epsilon - alpha first, as the two may cancel.
   [[nodiscard]] long double less(long double alpha) const {
     return sign_ * (epsilon_ - alpha) + (beyond_ - alpha * slope_beyond_);
   }
@@ -42,16 +42,16 @@ ReciprocalGamma::ReciprocalGamma(const DoubleDouble& beta) {
     const long double angle = pi<long double>() * epsilon_, sine = std::sin(angle / 2.0L);
     beyond_ = sign_ * (std::abs(epsilon_) < near ? -angle * angle * epsilon_ / 6.0L
                                                  : std::sin(angle) / pi<long double>() - epsilon_);
-    slope_beyond_ = -2.0L * sign_ * sine * sine;  // of the cosine
+    slope_beyond_ = -2.0L * sign_ * sine * sine;  // cos(angle) - 1, with the sign
   }
   slope_beyond_ -= value() * (std::log(x) - 0.75L / x);
   slope_error_ = std::abs(value()) / (4.0L * x);
 }
 
-// (1/2 pi) int |e^s s^-beta log^2 s| |ds| over the same scale, at most, on Hankel's contour: round 0 with the
-// radius r = max(1, beta), and along the cut. The circle has e^r r^(1-beta) (log^2 r + pi^2), by Stirling's
-// series at most 2.8 sqrt(beta) (log^2 beta + pi^2) / Gamma(beta) for beta >= 1. As log^2 t <= t, the cut has
-// less than that, or at most Gamma(1-beta) (|beta| + 11) / pi.
+// An upper bound of (1/2 pi) int |e^s s^-beta log^2 s| |ds|, divided by the same scale, on Hankel's contour:
+// a circle around 0 with radius r = max(1, beta), and both sides of the cut. The circle contributes e^r
+// r^(1-beta) (log^2 r + pi^2), by Stirling's series at most 2.8 sqrt(beta) (log^2 beta + pi^2) / Gamma(beta)
+// for beta >= 1. As log^2 t <= t, the cut contributes less, or at most Gamma(1-beta) (|beta| + 11) / pi.
 long double moment(double beta) {
   constexpr long double pi_squared = 9.87L;
   if (beta <= 0.5) return 42.0L + std::abs(beta);
@@ -59,8 +59,8 @@ long double moment(double beta) {
   return 10.0L * std::sqrt(static_cast<long double>(beta)) * (log * log + pi_squared);
 }
 
-// Whether no s with alpha |log s| > |1-z| / 4 counts: e^s is nothing there, or the contour is round it; but
-// for a pole to the right.
+// Whether every s with alpha |log s| > |1-z| / 4 is negligible: e^s is negligible there, or the contour goes
+// around it. False if there is a pole with |s*| > 1 in the right half plane.
 bool is_small(long double alpha, const Value& z, long double distance) {
   constexpr long double small = 1e-14L,
                         right_angle = std::numbers::pi_v<long double> / 2.0L * (1.0L + 1e-15L);
@@ -68,7 +68,7 @@ bool is_small(long double alpha, const Value& z, long double distance) {
   return alpha <= small * std::min(1.0L, distance) && !grows;
 }
 
-// E over the scale. With x = alpha log s
+// E divided by the scale. With x = alpha log s
 //   s^alpha / (s^alpha - z) = 1/(1-z) - x z/(1-z)^2 + O(x^2),
 //   E_{alpha,beta}(z) = 1/Gamma(beta) / (1-z) + alpha (1/Gamma)'(beta) z/(1-z)^2 + rest,
 // where O(x^2) is at most 2.5 |x|^2 |z| (1+|z|) / |1-z|^3 for |x| <= min(1, |1-z|) / 4.
@@ -78,7 +78,7 @@ std::optional<QuickValue> over_scale(double order, const DoubleDouble& beta, std
   const long double alpha = order, size = std::abs(z), distance = std::abs(rest);
   if (size == 0.0L || !is_small(alpha, z, distance)) return std::nullopt;
   const ReciprocalGamma gamma(beta);
-  // As z/(1-z)^2 is 1/(1-z)^2 - 1/(1-z), what cancels for large z is put together.
+  // By z/(1-z)^2 = 1/(1-z)^2 - 1/(1-z), terms that cancel for large z are combined.
   const Value first = (size > far ? gamma.less(alpha) : gamma.value()) / rest,
               second = alpha * gamma.slope() / rest * ((size > far ? Value(1.0L) : z) / rest);
   const long double linear = alpha / distance * (size / distance),
@@ -101,7 +101,7 @@ std::optional<QuickValue> of_tiny_order(double alpha, const DoubleDouble& beta, 
   return QuickValue{value, scale * sum->error + few_ulps * std::abs(value)};
 }
 
-// The scale is at least 1e4400, or at most 1e-4400, and beside that all doubles are moderate.
+// The scale is at least 1e4400 or at most 1e-4400: no double factor leads back into the range of double.
 std::optional<DoubleBounded> beyond_double_of_tiny_order(double alpha, double beta, std::complex<double> z) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (std::abs(beta) <= most_beta) return std::nullopt;

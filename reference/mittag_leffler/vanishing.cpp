@@ -11,9 +11,9 @@ namespace {
 
 constexpr double log_of_nothing = -750.0;  // half the smallest double is e^-745.1
 
-// For beta >= 2 is Gamma(beta + x) >= Gamma(beta) (beta-1)^x, so |E| <= 1/Gamma(beta) / (1-q), q = |z| /
-// (beta-1)^alpha. Up to order 1 it is int e^(z u) d mu(u) with a positive mu (Schneider 1996: complete
-// monotonicity), so |E(z)| <= E(Re z), which grows with Re z.
+// For beta >= 2, Gamma(beta + x) >= Gamma(beta) (beta-1)^x, so |E| <= 1/Gamma(beta) / (1-q) with
+// q = |z| / (beta-1)^alpha. For alpha <= 1, E is int e^(z u) d mu(u) with a positive measure mu (Schneider
+// 1996: complete monotonicity), so |E(z)| <= E(Re z), which increases with Re z.
 bool vanishes_by_series(double alpha, double beta, std::complex<double> z) {
   const double size = alpha <= 1.0 ? std::max(z.real(), 0.0) : std::abs(z);
   return size <= 0.5 * std::pow(beta - 1.0, alpha);
@@ -27,7 +27,7 @@ double log_residue(const QuickArguments& x, const Pole<double>& pole) {
          std::log(x.alpha);
 }
 
-// The integral along the parabola s = mu (1 + i x)^2 and the residues to its right.
+// Whether the integral along the parabola s = mu (1 + i x)^2 and the residues to its right are negligible.
 bool vanishes_on(const QuickArguments& x, double mu) {
   constexpr double most_log = 600.0, log_of_poles = 3.0;
   EachSheet<std::complex<double>> roots;
@@ -54,7 +54,7 @@ bool vanishes(double alpha, double beta, std::complex<double> z) {
   if (beta < smallest) return false;
   if (z == 0.0 || vanishes_by_series(alpha, beta, z)) return true;
   const QuickArguments x(alpha, {beta, 0.0}, z);
-  // e^s s^-beta is smallest at s = beta; a pole may stand beside one of these parabolas.
+  // For s > 0, e^s s^-beta is smallest at s = beta. A pole may be too near one of these parabolas.
   return std::ranges::any_of(std::array{1.0, 0.25, 4.0},
                              [&](double part) { return vanishes_on(x, part * beta); });
 }

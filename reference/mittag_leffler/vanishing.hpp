@@ -4,8 +4,8 @@
 
 namespace fde {
 
-// Whether E_{alpha,beta}(z), Im z >= 0, is for certain below half the smallest double, as 1/Gamma(beta) is
-// for a large beta.
+// Whether |E_{alpha,beta}(z)|, Im z >= 0, is certainly below half the smallest positive double, as
+// 1/Gamma(beta) is for a large beta.
 bool vanishes(double alpha, double beta, std::complex<double> z);
 
 }  // namespace fde

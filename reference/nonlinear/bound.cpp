@@ -9,8 +9,7 @@ namespace fde {
 
 namespace {
 
-constexpr double window =
-    10.0;  // earlier differences do not count: the first panels are the worst and die out
+constexpr double window = 10.0;  // ratio of times: the larger errors of earlier panels have decayed
 
 Vec difference_on(const Panel& panel, const PiecewiseSolution& solution, const PiecewiseSolution& other) {
   constexpr int samples = 40;
@@ -22,9 +21,10 @@ Vec difference_on(const Panel& panel, const PiecewiseSolution& solution, const P
   return largest;
 }
 
-// The largest differences on each panel to the second method, at the ends of its steps.
+// The largest differences from the second method on each panel, at the ends of the steps of that method.
 std::vector<Vec> differences_to(const DiffusiveSolution& second, const PiecewiseSolution& solution) {
-  constexpr double started = 1e-12;  // of the end: where the second method's first steps have died out
+  constexpr double started =
+      1e-12;  // relative to the end: the errors of the first steps of the second method have decayed
   const auto& panels = solution.panels();
   std::vector<Vec> largest(panels.size(), Vec::Zero(panels.front().values.cols()));
   for (std::size_t k = 0; k < second.times.size(); ++k) {
@@ -37,13 +37,13 @@ std::vector<Vec> differences_to(const DiffusiveSolution& second, const Piecewise
   return largest;
 }
 
-// Whether the panel is among the first behind a jump, seen from a later time.
+// Whether the panel is one of the first after a jump, compared with the later time `now`.
 bool died_out(const Problem& problem, const Panel& panel, double now) {
   const double jump = last_jump(problem, panel.from);
   return jump > 0.0 && panel.to - jump < (now - jump) / window;
 }
 
-// How fast each component changes on a panel.
+// Mean rate of change of each component on a panel.
 Vec slope_on(const Panel& panel) {
   return (panel.values.colwise().maxCoeff() - panel.values.colwise().minCoeff()).transpose() / panel.length();
 }

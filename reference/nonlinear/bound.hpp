@@ -7,11 +7,11 @@
 
 namespace fde {
 
-// An estimate of the error of a solution on each of its panels: twice the larger of its differences to
-// another resolution and to a second method, with an allowance for the rounding of f, which all three share.
-// Errors change sign, so differences count over the last decade of time, and of
-// the time since a jump; the second method's, as errors of
-// phase, in proportion to how fast the solution changes.
+// An estimate of the error of a solution on each of its panels: twice the larger of its differences from
+// another resolution and from a second method, plus an allowance for the rounding of f, which all three
+// share. As errors change sign, the largest difference over the last decade of time, and of the time since a
+// jump, counts; differences from the second method on earlier panels, as errors of phase, count in proportion
+// to the rate of change of the solution.
 std::vector<Vec> error_estimates(const Problem& problem, const PiecewiseSolution& solution,
                                  const PiecewiseSolution& other, const DiffusiveSolution& second);
 

@@ -21,8 +21,8 @@ namespace fde {
 
 namespace {
 
-// Both methods solve dense equations with all values of a panel or a step: a minute at 100 unknowns, eight
-// times as long at twice as many.
+// Both methods solve dense linear systems for all values of a panel or a step: one minute for 100 unknowns,
+// eight times as long for 200.
 void require_affordable(const Problem& problem) {
   constexpr Eigen::Index most_unknowns = 200;
   if (problem.size() <= most_unknowns) return;
@@ -30,16 +30,16 @@ void require_affordable(const Problem& problem) {
                                        most_unknowns, problem.size()));
 }
 
-// Where the two methods start, as parts of the end.
+// Lengths of the first panel and the first step, and MarchOptions::weightless, relative to the end.
 struct Starts {
   double panel = 1e-32, step = 1e-20, weightless = 1e-18;
 };
 
-// A solution starts like t^g, g the smallest order, of which the first panel makes a polynomial. What that
-// misses is rounding where the panel is short enough, or dies out within some decades: before the first step
-// of a grid, which is not below N^-10 of the end, 6e-58 with 2^19 steps. With multipliers it has to be
-// rounding: the constraint passes it on to all. Beyond the reaction, which the second method's constraint
-// takes care of, t^(2 g) is left.
+// A solution starts like t^g, g the smallest order, and the first panel approximates it by a polynomial. That
+// error is below rounding if the panel is short enough, or it decays within some decades: before the first
+// step of a grid, which is at least N^-10 of the end, 6e-58 for 2^19 steps. With multipliers it must be below
+// rounding, since the constraint propagates it to all components. For the second method, whose constraint
+// determines the reaction, t^(2 g) remains.
 Starts starts_of(const Problem& problem) {
   constexpr double rounding = 1e-17, before_grids = 1e-66, early = 1e-6, shortest = 1e-270;
   double order = 1.0;
@@ -63,7 +63,8 @@ Starts starts_of(const Problem& problem) {
   return starts;
 }
 
-// Multipliers are in no algebraic row, and what is off in these may be any of their unknowns.
+// Bound of the initial values: infinite for the multipliers, which are in no algebraic row, or, where the
+// algebraic rows do not hold at t = 0, for the unknowns of all algebraic rows.
 Vec bound_of_start(const Problem& problem) {
   constexpr double infinity = std::numeric_limits<double>::infinity(), rounding = 1e-14;
   Vec bound = Vec::Zero(problem.size());

@@ -6,20 +6,21 @@
 
 namespace fde {
 
-// A panel of a solution: y is the polynomial through its values at 0, at Gauss points and at 1 of the panel.
+// A panel of a solution: y is the polynomial through its values at the start of the panel, at the
+// Gauss-Legendre points and at the end.
 struct ReferencePanel {
   double from, to;
-  Matrix values;  // a row a point, a column a component
+  Matrix values;  // one row per point, one column per component
   Vec bound;      // of the error on the panel
 };
 
-// A solution from 0 to the end of the last panel: all that a reference is evaluated from, to be kept.
+// A solution from 0 to the end of the last panel, in a form that can be stored.
 struct PanelTable {
   std::vector<ReferencePanel> panels;
 };
 
-// At t = 0 its bound is that of the start. Throws std::invalid_argument from Reference::at for a time outside
-// the panels. There is a panel at least.
+// The Reference of a table; at t = 0 its bound is bound_of_start. Reference::at throws std::invalid_argument
+// for a time outside the panels. Precondition: at least one panel, all with the same number of points.
 Reference panel_reference(PanelTable table, Vec bound_of_start);
 
 }  // namespace fde

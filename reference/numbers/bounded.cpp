@@ -8,7 +8,7 @@ namespace {
 
 std::string scientific(const BigReal& x, int digits) { return text_of(x, "%.*Re", digits - 1); }
 
-// A number of significant digits, with an exponent only where the number would be hard to read without.
+// x to `digits` significant digits, with an exponent only below 1e-5 and from 10^digits on.
 std::string in_decimal(const BigReal& x, int digits) {
   constexpr int most_zeros = 5;
   const std::string text = scientific(x, digits);
@@ -18,7 +18,7 @@ std::string in_decimal(const BigReal& x, int digits) {
              : text_of(x, "%.*Rf", digits - 1 - static_cast<int>(exponent));
 }
 
-// A bound that was rounded to nearest, made one again.
+// The next double: an upper bound again, for a bound that was rounded to nearest.
 double upwards(double bound) { return std::nextafter(bound, std::numeric_limits<double>::infinity()); }
 
 }  // namespace
@@ -26,7 +26,7 @@ double upwards(double bound) { return std::nextafter(bound, std::numeric_limits<
 std::string write_bound(const BigReal& bound) {
   if (!isfinite(bound)) return "inf";
   return bound == 0 ? "0"
-                    : scientific(BigReal(bound * 1.06), 2);  // two digits are then never below the bound
+                    : scientific(BigReal(bound * 1.06), 2);  // so that two digits are never below the bound
 }
 
 DecimalText write_decimal(const BigReal& value, const BigReal& bound, int digits) {

@@ -14,16 +14,17 @@ struct Bounded {
   Real bound;
 };
 
-// A real number in decimal, with as many digits as its bound supports but at most that many, and the bound
-// with the rounding of the text included. A value within its bound is written as 0.
+// A real number as decimal text, with as many significant digits as its bound supports but at most `digits`.
+// The bound includes the rounding of the text. A value not larger than its bound is written as 0.
 struct DecimalText {
   std::string value;
   BigReal bound;
 };
 DecimalText write_decimal(const BigReal& value, const BigReal& bound, int digits);
-std::string write_bound(const BigReal& bound);  // rounded up
+std::string write_bound(const BigReal& bound);  // two digits, rounded up
 
-// The nearest double and a bound that includes the rounding to it. A value within its bound becomes 0.
+// The nearest double and a bound that includes the rounding to it; the bound is infinite where the value
+// overflows. A multiprecision value not larger than its bound becomes 0.
 struct DoubleBounded {
   std::complex<double> value;
   double bound;

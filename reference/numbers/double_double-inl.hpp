@@ -1,5 +1,6 @@
-// Vectors of double-doubles: unevaluated sums hi + lo, about 2^-104 relative (Dekker, Numer. Math. 18, 1971;
-// Hida, Li & Bailey 2001), and their exponential, sine and cosine. Included once for each vector target.
+// Vectors of double-doubles (unevaluated sums hi + lo, relative error about 2^-104; Dekker, Numer. Math. 18,
+// 1971; Hida, Li & Bailey 2001), and their exponential, sine and cosine. Included once for each vector
+// target.
 
 #if defined(FDE_DOUBLE_DOUBLE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef FDE_DOUBLE_DOUBLE_INL
@@ -30,7 +31,7 @@ struct Pair {
 HWY_INLINE Vector constant(double x) { return hn::Set(tag, x); }
 HWY_INLINE Real constant(const DoubleDouble& x) { return {constant(x.hi), constant(x.lo)}; }
 
-// |a| >= |b|, or a = 0.
+// Precondition: |a| >= |b|, or a = 0.
 HWY_INLINE Real quick_two_sum(Vector a, Vector b) {
   const Vector sum = hn::Add(a, b);
   return {sum, hn::Sub(b, hn::Sub(sum, a))};
@@ -111,12 +112,12 @@ HWY_INLINE Pair operator*(const Pair& a, Vector b) { return {a.re * b, a.im * b}
 // |Re| + |Im| of the leading parts.
 HWY_INLINE Vector size_of(const Pair& a) { return hn::Add(hn::Abs(a.re.hi), hn::Abs(a.im.hi)); }
 
-// x times 2^exponent, where neither over- nor underflows.
+// x times a power of two. Precondition: no overflow or underflow.
 HWY_INLINE Real scale(const Real& x, Vector power_of_two) {
   return {hn::Mul(x.hi, power_of_two), hn::Mul(x.lo, power_of_two)};
 }
 
-// The whole number next to x, as a double and in the low bits of a word; |x| < 2^50.
+// The integer nearest to x, as a double and in the low bits of a word. Precondition: |x| < 2^50.
 struct Rounded {
   Vector value;
   hn::Vec<hn::RebindToSigned<Tag>> bits;
@@ -128,7 +129,7 @@ HWY_INLINE Rounded round(Vector x) {
   return {hn::Sub(shifted, magic), hn::BitCast(integers, shifted)};
 }
 
-// 2^n for whole -1022 <= n <= 1023.
+// 2^n for integers -1022 <= n <= 1023.
 HWY_INLINE Vector power_of_two(Vector n) {
   const auto biased = round(hn::Add(n, constant(1023.0))).bits;
   return hn::BitCast(tag, hn::ShiftLeft<52>(biased));
@@ -142,8 +143,8 @@ HWY_INLINE Vector polynomial(const std::array<double, N>& c, Vector x) {
   return sum;
 }
 
-// The same with double-double coefficients that dominate the sums, from the rest of the series on. Normalised
-// only at the end: until then lo is a few units in the last place of hi.
+// c[0] + x (c[1] + ... + x (c[N-1] + x rest)) with double-double coefficients, each larger than the sum that
+// is added to it. Normalised only at the end: until then lo is a few units in the last place of hi.
 template <std::size_t N>
 HWY_INLINE Real polynomial(const std::array<DoubleDouble, N>& c, const Real& x, Vector rest) {
   Vector hi = rest, lo = hn::Zero(tag);
@@ -199,7 +200,7 @@ HWY_INLINE Pair unit(const Real& y) {
   return turned * Pair{cosine, sine};
 }
 
-// e^z where neither over- nor underflows.
+// e^z. Precondition: no overflow or underflow.
 HWY_INLINE Pair exponential(const Pair& z) {
   const Exponential size = exponential(z.re);
   return unit(z.im) * scale(size.mantissa, power_of_two(size.exponent));

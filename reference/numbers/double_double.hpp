@@ -11,22 +11,23 @@ struct DoubleDouble {
   double hi, lo;
 };
 
-// The two doubles next to x; call under a Precision of at least 40 digits.
+// x rounded to a double-double. Precondition: a Precision of at least 40 digits is in force.
 DoubleDouble to_double_double(const BigReal& x);
 
-// Exact: a + b, and a b.
+// a + b and a b without error.
 DoubleDouble exact_sum(double a, double b);
 DoubleDouble exact_product(double a, double b);
+// Rounded to a double-double.
 DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b);
 
-// Vectors of double-doubles have at most so many of them.
+// Largest number of double-doubles in a vector.
 inline constexpr std::size_t double_double_lanes = 8;
 
 inline constexpr DoubleDouble ln2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 inline constexpr DoubleDouble pi_double_double{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
 
-// Series of e^r for |r| <= ln 2 / 128, and of sin r / r and cos r in r^2 for |r| <= pi / 256: the head in
-// double-double, the rest in double.
+// Series of e^r for |r| <= ln 2 / 128, and of sin r / r and cos r in r^2 for |r| <= pi / 256: the first
+// coefficients in double-double, the others in double.
 inline constexpr std::array<DoubleDouble, 6> exponential_head{
     {{1.0, 0.0},
      {1.0, 0.0},
@@ -47,12 +48,12 @@ inline constexpr std::array<DoubleDouble, 4> cosine_head{{{1.0, 0.0},
                                                           {-0x1.6c16c16c16c17p-10, 0x1.f49f49f49f49fp-65}}};
 inline constexpr std::array<double, 3> cosine_tail{1.0 / 40320.0, -1.0 / 3628800.0, 1.0 / 479001600.0};
 
-// 2^(j/64), and cosine and sine of 2 pi j / 256, with the steps themselves; made once, from mpfr.
+// Tables of 2^(j/64) and of cosine and sine of 2 pi j / 256, and their steps; computed once, by MPFR.
 struct ElementaryTables {
   static constexpr int exponential_steps = 64, angles = 256;
 
   DoubleDouble exponential_step, angle_step;  // ln 2 / 64, 2 pi / 256
-  double angle_step_rest;                     // what angle_step leaves
+  double angle_step_rest;                     // 2 pi / 256 - angle_step
   std::array<double, exponential_steps> exponentials_hi, exponentials_lo;
   std::array<double, angles> cosines_hi, cosines_lo, sines_hi, sines_lo;
 

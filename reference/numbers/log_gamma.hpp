@@ -4,7 +4,7 @@
 
 namespace fde {
 
-// log|Gamma(x)|. std::lgamma leaves the sign in a global variable, where threads race.
+// log|Gamma(x)|. std::lgamma stores the sign in a global variable, a data race between threads.
 inline double log_gamma(double x) {
   int sign = 0;
   return lgamma_r(x, &sign);

@@ -5,11 +5,11 @@
 namespace fde {
 namespace {
 
-// How many decimal digits the bound is above the target; 0 where it is met.
+// Number of decimal digits by which the bound exceeds the target; 0 where the target is met.
 int missing_digits(const WorkingEstimate& estimate, const DigitSearch& search, int digits) {
   if (estimate.settled) return 0;
   const auto& [value, bound] = estimate.known;
-  if (!isfinite(bound)) return digits;  // a difference came out as 0 and was divided by
+  if (!isfinite(bound)) return digits;  // a divisor was computed as 0
   if (bound == 0) return 0;
   const BigReal zero = estimate.scale * pow(BigReal(10), -search.zero_digits);
   const BigReal size = std::max(size_of(value), zero);

@@ -9,42 +9,44 @@
 
 namespace fde {
 
-// Digits to ask for so that a double comes out rounded almost correctly.
+// Decimal digits of a value that rounds almost correctly to double.
 inline constexpr int double_digits = 17;
-// The relative error that an evaluation in long double may leave to the rounding of its value to double.
+// Largest relative error of an evaluation in long double whose result is accepted and rounded to double.
 inline constexpr long double double_tolerance = 5e-16L;
 
-// What an evaluation with some working digits comes to.
+// Result of an evaluation with a certain number of working digits.
 struct WorkingEstimate {
   Bounded<BigReal> known;
-  BigReal scale =
-      BigReal(0);        // size of what the value was put together from; 0: the value never counts as zero
-  bool settled = false;  // more digits would not tell more: the value is infinite, or 0 by structure
+  BigReal scale = BigReal(0);  // size of the summands of the value; 0: the value never counts as zero
+  bool settled = false;        // more digits change nothing: the value is infinite, or structurally 0
 };
 
+// Parameters of raise_digits().
 struct DigitSearch {
-  int wanted;                                        // decimal digits of relative accuracy
-  int guard;                                         // working digits beyond those, at first
-  std::function<int(int digits, int missing)> next;  // the working digits after these, which lacked so many
-  int zero_digits = 40;                              // a value so many digits below its scale counts as zero
+  int wanted;  // decimal digits of relative accuracy
+  int guard;   // working digits beyond those in the first evaluation
+  std::function<int(int digits, int missing)>
+      next;              // the next working digits, `missing` being those that lacked
+  int zero_digits = 40;  // a value this many digits below its scale counts as zero
 };
 
-// The values at the last working digits.
+// The values of the last evaluation, and its working digits.
 struct Raised {
   std::vector<Bounded<BigReal>> values;
   int digits;
-  std::optional<BigReal> too_large{};  // the largest bound of those that are; empty: no bound is too large
+  std::optional<BigReal> too_large{};  // the largest bound that misses the target, if one does
 };
 
-// The working digits are raised to so many at most.
+// Largest number of working digits.
 constexpr int most_digits(int wanted) { return 4 * wanted + 1000; }
 
-// Raises the working digits until every bound is 10^-wanted of its value, or of what of its scale counts as
-// zero; or until there are most_digits(wanted) of them. Call under a Precision; evaluate sets its own.
+// Raises the working digits until every bound is at most 10^-wanted max(|value|, 10^-zero_digits scale), or
+// until there are most_digits(wanted). Precondition: a Precision is in force; evaluate() sets its own.
 Raised raise_digits(const DigitSearch& search,
                     const std::function<std::vector<WorkingEstimate>(int digits)>& evaluate);
 
-// For values that are not accurate at the most digits: "no accurate value in reach: bound ... at ... digits".
+// The exception to throw if raised.too_large has a value: "no accurate value in reach: bound ... at ...
+// digits".
 std::runtime_error out_of_digits(const Raised& raised);
 
 }  // namespace fde

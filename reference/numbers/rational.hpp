@@ -10,14 +10,14 @@ namespace fde {
 using Rational =
     boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
-// The shortest decimal that names x: 0.1 becomes one tenth. Throws std::invalid_argument unless x is finite.
+// The shortest decimal that rounds to x: 0.1 becomes 1/10. Throws std::invalid_argument unless x is finite.
 Rational exact_decimal(double x);
 
-// The nearest Real.
+// x rounded to the nearest Real.
 template <class Real>
 Real rounded(const Rational& x);
 
-// The smallest whole number that is not below x.
+// The smallest integer >= x.
 int ceiling(const Rational& x);
 
 }  // namespace fde

@@ -27,7 +27,7 @@ void set_default_precision(unsigned digits) {
 
 Precision::Precision(int digits) : lock_(precision_mutex()), before_(BigReal::default_precision()) {
   set_default_precision(static_cast<unsigned>(digits));
-  mpfr_set_emax(mpfr_get_emax_max());  // of this thread: by default e^(7e8) is infinite
+  mpfr_set_emax(mpfr_get_emax_max());  // the exponent range is per thread; by default e^(7e8) overflows
   mpfr_set_emin(mpfr_get_emin_min());
 }
 
@@ -50,10 +50,10 @@ BigReal parse<BigReal>(const std::string& text) {
   return value;
 }
 
-// Not Boost's conversion: it takes "no digit after the point" for "all digits".
+// Not Boost's conversion: it writes all digits where 0 digits after the point are requested.
 std::string text_of(const BigReal& x, const char* format, int precision) {
   const int length = mpfr_snprintf(nullptr, 0, format, precision, x.backend().data());
-  std::string text(static_cast<std::size_t>(length) + 1, '\0');  // and the 0 that ends it
+  std::string text(static_cast<std::size_t>(length) + 1, '\0');  // with the terminating null
   mpfr_snprintf(text.data(), text.size(), format, precision, x.backend().data());
   text.pop_back();
   return text;

@@ -25,8 +25,8 @@ using BigComplex = boost::multiprecision::number<boost::multiprecision::mpc_comp
 template <class Real>
 using Complex = std::conditional_t<std::is_same_v<Real, BigReal>, BigComplex, std::complex<Real>>;
 
-// Sets the decimal digits of new BigReal and BigComplex while it lives. Boost keeps that number in one place
-// for all threads, so the scope also holds a lock: multiprecision work of several threads takes turns.
+// Scope guard that sets the decimal digits of newly constructed BigReal and BigComplex. Boost stores that
+// number once for all threads, so the guard also holds a lock: only one thread at a time computes with them.
 class Precision {
  public:
   explicit Precision(int digits);
@@ -41,8 +41,8 @@ class Precision {
   unsigned before_;
 };
 
-// A table made when it is first asked for, under Precision(digits). Only here does a static need the lock: it
-// is taken before the guard of the static, so that no two threads wait for each other's.
+// A table computed at its first use, under Precision(digits). The lock of Precision is taken before the guard
+// of the static variable, so that two threads cannot deadlock on the two.
 template <int digits, auto make>
 const auto& made_once() {
   using Table = decltype(make());
@@ -98,7 +98,7 @@ Real reciprocal_gamma(const Real& x) {
   return x <= 0 && is_whole(x) ? Real(0) : Real(1) / gamma(x);
 }
 
-// |Re| + |Im|: as good as the modulus where only the size of an error is asked for, and much cheaper.
+// |Re z| + |Im z|, in [|z|, sqrt(2) |z|]: replaces the modulus in error bounds, and is much cheaper.
 template <class Real>
 Real size_of(const std::complex<Real>& z) {
   return std::abs(z.real()) + std::abs(z.imag());
@@ -114,7 +114,7 @@ Real imag_part(const Complex<Real>& z) {
   return Real(z.imag());
 }
 
-// The number that a decimal text names, rounded once; std::invalid_argument where it names no finite number.
+// The decimal number in text, rounded once. Throws std::invalid_argument unless text is a finite number.
 template <class Real>
 Real parse(const std::string& text);
 template <>
@@ -122,26 +122,27 @@ long double parse<long double>(const std::string& text);
 template <>
 BigReal parse<BigReal>(const std::string& text);
 
-// x in decimal with at most so many significant digits, as %g of printf writes it.
+// x in decimal with at most `digits` significant digits, as %g of printf writes it.
 std::string text_of(const BigReal& x, int digits);
-// The same by a format of mpfr's printf, with its precision.
+// The same by a format of mpfr_snprintf that takes a precision.
 std::string text_of(const BigReal& x, const char* format, int precision);
 
-// The shortest decimal that names x, read as a Real: 0.1 becomes one tenth.
+// The shortest decimal that rounds to x, as a Real: 0.1 becomes one tenth.
 template <class Real>
 Real decimal(double x);
 
-// A sum of complex terms, what its terms may have lost to rounding, and the size of what it was put together
-// from (without the factor e^mu, by which the terms on a contour exceed what they stand for).
+// A sum of complex terms, a bound of its rounding error, and its scale: the sum of the sizes of the terms
+// (without the factor e^mu by which the terms on a contour exceed their contribution to the value).
 template <class Real>
 struct Sum {
   Complex<Real> value = Complex<Real>(0);
   Real error = Real(0);
   Real scale = Real(0);
-  bool infinite = false;  // for certain
+  bool infinite = false;  // the sum certainly overflows
   Real largest_exponent = Real(0);
 
-  // relative_error: of the term, against size, which is its own unless it is what is left of larger ones.
+  // relative_error is relative to size: the size of the term, or a larger one if the term comes from
+  // cancellation. share times size is added to the scale.
   void add(const Complex<Real>& term, const Real& relative_error, const Real& share = Real(1)) {
     add(term, size_of(term), relative_error, share);
   }
@@ -159,7 +160,7 @@ struct Sum {
       value += other.value;
     }
   }
-  // Adds direction * e^exponent, which is beyond all exponents: what is larger still hides what is smaller.
+  // Adds direction * e^exponent, which overflows. Only the terms with the largest exponent count.
   void add_infinite(const Complex<Real>& direction, const Real& exponent) {
     constexpr double same = 1.0 + 1e-9;
     const auto part = [](const Real& x) {
@@ -174,12 +175,11 @@ struct Sum {
   }
 };
 
-// e^z is for certain beyond the exponents of Real, and its direction is known, for a z with that relative
-// error.
+// Whether e^z certainly overflows in Real and its argument is known, for a z with that relative error.
 template <class Real>
 bool exp_overflows(const Complex<Real>& z, const Real& relative_error) {
   const Real error = size_of(z) * relative_error;
-  // Not quite the largest exponents: factors come to it.
+  // Below the largest exponent, since e^z is multiplied by factors.
   const double most = std::is_same_v<Real, BigReal> ? 0.6 * static_cast<double>(mpfr_get_emax()) : 11000.0;
   return real_part<Real>(z) - error > most && (imag_part<Real>(z) == 0 || error < 0.1);
 }

@@ -5,12 +5,12 @@
 namespace fde {
 namespace {
 
-// Gamma on [1, 2] to about the digits of the moment, from the series of the lower incomplete function,
+// Gamma on [1, 2] to about the current precision, from the series of the lower incomplete gamma function,
 //   gamma(x, N) = N^x e^-N sum_k N^k / (x (x+1) ... (x+k)),   Gamma(x) - gamma(x, N) <= 2 N^(x-1) e^-N.
 // All terms are positive.
 BigReal gamma_by_series(const BigReal& x) {
   const auto many = static_cast<unsigned>(std::numbers::ln10 * BigReal::default_precision()) + 1;
-  constexpr unsigned terms = 4;  // times N at most: they fall from the N-th on
+  constexpr unsigned terms = 4;  // upper limit of their number / N: they decrease from the N-th on
   const auto smallest = epsilon<BigReal>();
   BigReal term = 1 / x, sum = term;
   for (unsigned k = 1; k < many || term > smallest * sum; ++k) {
@@ -22,10 +22,10 @@ BigReal gamma_by_series(const BigReal& x) {
   return sum * exp(BigReal(x * log(BigReal(many)) - many));
 }
 
-// Beyond these mpfr's own Gamma takes minutes and cannot be ended.
+// Above this precision mpfr_gamma takes minutes and cannot be cancelled.
 constexpr unsigned few_digits = 2000;
 
-// Gamma of x >= 1/2.
+// Gamma(x), x >= 1/2; can be cancelled at any precision.
 BigReal patient_gamma(const BigReal& x) {
   constexpr int guard_digits = 25;
   const unsigned digits = BigReal::default_precision();
@@ -47,7 +47,7 @@ BigReal patient_gamma(const BigReal& x) {
   return result;
 }
 
-// With Gamma(x) Gamma(1-x) sin(pi x) = pi.
+// 1/Gamma(x), for x <= 1/2 by Gamma(x) Gamma(1-x) sin(pi x) = pi.
 BigReal patient_reciprocal_gamma(const BigReal& x) {
   if (BigReal::default_precision() <= few_digits) return reciprocal_gamma(x);
   if (x > 0.5) return 1 / patient_gamma(x);
@@ -66,7 +66,7 @@ void add_reciprocal_gamma(Sum<BigReal>& sum, const BigComplex& factor, const Big
   sum.add(BigComplex(factor * patient_reciprocal_gamma(x)),
           BigReal((factor_ulps + 12 + 4 * size) * epsilon<BigReal>()));
   if (x > 0.5) return;
-  // The slope of 1/Gamma is at most this; next to a pole of Gamma it makes nearly all of the error.
+  // An upper bound of |(1/Gamma)'|; next to a pole of Gamma this part is nearly all of the error.
   const BigReal slope = patient_gamma(BigReal(1 - x)) * (2 + log(BigReal(2 + abs(x))));
   sum.error += size_of(factor) * slope * rounding;
 }

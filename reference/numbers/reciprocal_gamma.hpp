@@ -4,9 +4,9 @@
 
 namespace fde {
 
-// Adds factor / Gamma(x), x being put together from numbers of that size. Arguments have as many decimal
-// places as the working precision has digits at most, so that an x within rounding of a whole number is that
-// number.
+// Adds factor / Gamma(x) and its rounding error to sum. size: the sum of the moduli from which x was
+// computed; factor_ulps: the relative error of factor, in ulps. Precondition: x has at most as many decimal
+// places as the working precision has digits, so that an x within rounding of an integer is that integer.
 void add_reciprocal_gamma(Sum<BigReal>& sum, const BigComplex& factor, const BigReal& x, const BigReal& size,
                           const BigReal& factor_ulps = BigReal(0));
 

@@ -17,9 +17,9 @@ ContourNodes nodes_of(const ShiftedShape& shape) {
 
 FreeContour::FreeContour(const ShiftedShape& of) : shape(of), strip(of), nodes(nodes_of(of)) {}
 
-// Without singularities far up the first ones do. Those with mu = 16, 30, 60, 100 enclose some farther and
-// farther up, the one with mu = 64 some on the positive axis; the one with mu = 2 leaves outside what is far
-// to the left.
+// The first ones suffice unless singularities have a large imaginary part. Those with mu = 16, 30, 60, 100
+// enclose singularities of increasing imaginary part, the one with mu = 64 some on the positive axis; the one
+// with mu = 2 leaves singularities far to the left outside.
 const std::array<FreeContour, 8>& free_contours() {
   static const std::array<FreeContour, 8> all{
       FreeContour({0.0, 6.0, 52.0, 43.5}),     FreeContour({0.0, 7.0, 64.0, 60.0}),

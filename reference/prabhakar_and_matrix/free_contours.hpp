@@ -7,7 +7,7 @@
 #include "mittag_leffler/contour_kernels.hpp"
 #include "mittag_leffler/quick_residues.hpp"
 
-// The contours of the quick evaluations for singularities of any kind, made once.
+// The contours of the quick evaluations for singularities of any kind (FreeStrip), computed once.
 namespace fde {
 
 struct FreeContour {
@@ -18,13 +18,13 @@ struct FreeContour {
   ContourNodes nodes;
 };
 
-// Of what a contour neglects, against the largest that the value may be: no more will do.
+// Largest accepted logarithm of the discretisation error, relative to the largest possible value.
 inline constexpr double most_log_neglected = -33.0;
 
-// In the order in which they are worth a try.
+// In the order in which they are tried.
 const std::array<FreeContour, 8>& free_contours();
 
-// The singularities s*^alpha = z as FreeStrip has them.
+// The singularities s*^alpha = z in the form that FreeStrip takes.
 struct FreeRoots {
   FreeRoots(double alpha, const std::complex<double>& log_z, int first_sheet);
 
@@ -32,7 +32,7 @@ struct FreeRoots {
   Poles<double> poles;
   EachSheet<std::complex<double>> roots;
 
-  // The largest Re s* on the principal sheet, at least 0: the function does not grow faster than e to that.
+  // max(0, largest Re s* on the principal sheet): the logarithm of the possible size of the function.
   [[nodiscard]] double growth() const;
   [[nodiscard]] FreeStrip::Factor factor(double strength) const {
     return {log_size, poles.nearest_sheet, {roots.data(), roots.size()}, strength};

@@ -37,7 +37,7 @@ using Read = std::function<Arguments()>;
 
 Long to_long(const BigReal& x) { return x.convert_to<Long>(); }
 
-// s^(alpha-beta) (s^alpha - A)^-1 at the nodes.
+// Adds weight s^(alpha-beta) (s^alpha - A)^-1 at a node.
 void add_node(const Arguments& x, const Node& node, std::vector<Sum<BigReal>>& sums) {
   sums.resize(x.matrix.entries.size());
   const BigComplex s_alpha = exp(BigComplex(x.alpha * node.log_s));
@@ -48,7 +48,7 @@ void add_node(const Arguments& x, const Node& node, std::vector<Sum<BigReal>>& s
   const BoundedInverse resolvent = bounded_inverse(shifted);
   const BigReal unit = epsilon<BigReal>(),
                 ulps = 8 + 4 * size_of(node.s) + (4 * x.alpha + 4 * abs(x.beta)) * (1 + size_of(node.log_s));
-  // s^alpha is off by so much
+  // a bound of the error of s^alpha
   const BigReal shift = (4 + 4 * x.alpha * (1 + size_of(node.log_s))) * unit * size_of(s_alpha);
   const BigReal off = size_of(weight) * (resolvent.bound + 2 * shift * resolvent.norm * resolvent.norm);
   for (std::size_t i = 0; i < sums.size(); ++i) {
@@ -57,13 +57,13 @@ void add_node(const Arguments& x, const Node& node, std::vector<Sum<BigReal>>& s
   }
 }
 
-// Of s^(alpha-beta) |(s^alpha - A)^-1| on a disc.
+// Majorant of |s^(alpha-beta)| |(s^alpha - A)^-1| on a disc.
 EnclosingContour::Majorant majorant_of(const SchurForm& schur, Long alpha, Long power) {
   return [=](const Disc& disc) {
     const Long size = std::abs(disc.centre), nearest = size - disc.radius, farthest = size + disc.radius;
     const bool whole = is_whole(alpha);
     if (nearest <= 0.0L && (!whole || power < 0.0L)) return infinity;
-    // how far s^alpha goes, and a hair for rounding
+    // a bound of |s^alpha - centre^alpha| on the disc; the allowance for rounding follows
     const Long moved = whole ? std::pow(farthest, alpha) - std::pow(size, alpha)
                              : std::pow(size, alpha) * std::expm1(-alpha * std::log1p(-disc.radius / size));
     const Point z = std::exp(alpha * std::log(disc.centre));
@@ -74,7 +74,8 @@ EnclosingContour::Majorant majorant_of(const SchurForm& schur, Long alpha, Long 
   };
 }
 
-// Eigenvalues are as far off as the last digit of the largest entry: to 60 digits of what is of size 1.
+// Working digits for the eigenvalues, whose error is of the size of the last digit of the largest entry: at
+// least 60 correct digits for eigenvalues of size 1.
 int digits_of_eigenvalues(const Read& read) {
   constexpr int enough = 70, most = 1000;
   BigReal largest(1);

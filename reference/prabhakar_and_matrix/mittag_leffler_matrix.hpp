@@ -18,18 +18,19 @@ struct MatrixValue {
 // The Mittag-Leffler function of a square matrix, defective ones included,
 //   E_{alpha,beta}(A) = sum_k A^k / Gamma(alpha k + beta)
 //                     = 1/(2 pi i) int e^s s^(alpha-beta) (s^alpha - A)^-1 ds,
-// alpha in (0, 5], real beta, up to 64 rows; arguments are taken for the doubles they are. Every entry is
-// almost correctly rounded; an entry 40 digits smaller than the integrand counts as 0. Up to 4 rows take some
-// ten microseconds where double-doubles are enough. Else, in multiprecision, the bounds are
-// computed from norms of the resolvent and need no diagonalisation, but that the contour encloses all
-// eigenvalues rests on eigenvalues computed to 60 digits and more, and the part beyond the last node is an
-// estimate. Throws std::invalid_argument naming the argument; std::runtime_error when an entry overflows, no
-// digits in reach make it accurate, or eigenvalues are so large that the contour has too many nodes.
+// alpha in (0, 5], real |beta| <= 10000, 1 to 64 rows; the doubles are taken exactly. Every entry is almost
+// correctly rounded; an entry 40 digits smaller than the integrand counts as 0. Up to 4 rows take some ten
+// microseconds where double-doubles are accurate enough. Otherwise, in multiprecision, the bounds follow from
+// norms of the resolvent and need no diagonalisation, with two exceptions: that the contour encloses all
+// eigenvalues relies on eigenvalues computed to 60 digits or more, and the part beyond the last node is
+// estimated. Throws std::invalid_argument naming an argument outside its range; std::runtime_error if an
+// entry overflows, the digits do not suffice, or the contour takes too many nodes because of large
+// eigenvalues.
 MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matrix);
 MatrixValue mittag_leffler(double alpha, double beta, const Eigen::MatrixXd& matrix);
 
-// The same in decimal, as mittag_leffler() of a number has it. Row by row; bounds of the arguments are not
-// read.
+// The same in decimal, like the mittag_leffler() of decimal numbers. Entries row by row;
+// DecimalComplex::bound of the arguments is ignored.
 std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::string& beta,
                                            const std::vector<DecimalComplex>& matrix, int digits);
 

@@ -19,7 +19,7 @@ using Value = std::complex<Long>;
 template <class T>
 using Small = boost::container::static_vector<T, std::size_t{most_quick_rows} * std::size_t{most_quick_rows}>;
 
-// More than what an operation in double-double is off by, relative to the sizes of its operands.
+// Upper bound of the error of an operation in double-double, relative to the sizes of its operands.
 constexpr double unit = 0x1p-98;
 
 DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
@@ -59,7 +59,8 @@ Number number_of(const std::complex<double>& x) {
   }
 }
 
-// det(x - A) and the N_j with their errors; of p without the leading coefficient, from 1 on.
+// The N_j and the coefficients of p(x) = det(x - A), by ascending powers without the leading 1, with their
+// errors.
 struct Adjugate {
   int rows;
   std::vector<Small<ComplexDoubleDouble>> parts;
@@ -115,7 +116,7 @@ Adjugate adjugate_of(const ComplexMatrix& matrix) {
   return result;
 }
 
-// Of two rows by the formula, the smaller one without cancellation.
+// Zeros of x^2 + linear x + constant, the smaller one without cancellation.
 std::vector<Value> zeros_of_square(const Value& constant, const Value& linear) {
   const Value mean = -0.5L * linear, off = std::sqrt(mean * mean - constant);
   const Value larger = std::real(std::conj(mean) * off) < 0.0L ? mean - off : mean + off;
@@ -134,8 +135,8 @@ std::vector<Value> by_iteration(const ComplexMatrix& matrix, bool real) {
   return {found.begin(), found.end()};
 }
 
-// Approximate eigenvalues by size, the least one first. Those of p to more digits than a matrix in double
-// tells, by two of Weierstrass' steps, where they are apart.
+// Approximate eigenvalues by ascending modulus. Two Weierstrass (Durand-Kerner) steps on p improve those that
+// are separated beyond the accuracy of the eigenvalue solver in double.
 std::vector<Value> eigenvalues_of(const ComplexMatrix& matrix, const Adjugate& adjugate, bool real) {
   const auto n = static_cast<std::size_t>(matrix.rows());
   const auto& p = adjugate.coefficients;
@@ -161,10 +162,10 @@ std::vector<Value> eigenvalues_of(const ComplexMatrix& matrix, const Adjugate& a
   return eigenvalues;
 }
 
-// |p_j - q_j| for the polynomial q that has the approximate eigenvalues.
+// Bounds of |p_j - q_j| for the polynomial q whose zeros are the approximate eigenvalues.
 std::vector<Long> distances(const Adjugate& adjugate, const std::vector<Value>& eigenvalues) {
   const std::size_t n = eigenvalues.size();
-  std::vector<Value> known{1.0L};  // from the constant term on
+  std::vector<Value> known{1.0L};  // by ascending powers
   std::vector<Long> sizes{1.0L};
   for (const Value& eigenvalue : eigenvalues) {
     known.insert(known.begin(), 0.0L);
@@ -182,7 +183,7 @@ std::vector<Long> distances(const Adjugate& adjugate, const std::vector<Value>& 
   return off;
 }
 
-// p as a contour sees it, through its approximate zeros.
+// Bounds for p on a contour, from its approximate zeros.
 class Spectrum {
  public:
   Spectrum(double alpha, const Adjugate& adjugate, std::vector<Value> eigenvalues)
@@ -198,17 +199,18 @@ class Spectrum {
     return growth;
   }
 
-  // Of what the contour neglects of s^exponent x^j / p(x), for every j; empty where it does not do.
+  // log of a bound of the discretisation error for s^exponent x^j / p(x), for every j; nullopt where there is
+  // none.
   [[nodiscard]] std::optional<double> log_bound(const FreeContour& contour, double exponent) const {
     const double more = alpha_ * (static_cast<double>(eigenvalues_.size()) - 1.0);
     const auto strip =
         contour.strip.at({.exponent = exponent, .alpha = alpha_, .factors = factors_, .more = more});
     if (!strip || strip->outside || !is_near(*strip)) return std::nullopt;
-    return strip->log_bound + std::log(2.0);  // |p| is at least half of what the bound was made for
+    return strip->log_bound + std::log(2.0);  // |p| >= |q| / 2, and the bound is for q
   }
 
  private:
-  // Whether |p| >= |q| / 2 in the strip and right of it: with v_i = max(|z_i|, least |x|) and c of the strip
+  // Whether |p| >= |q| / 2 in the strip and right of it: with v_i = max(|z_i|, least |x|) and the clearance c
   //   |x|^j <= prod_i max(|x|, |z_i|) / prod of the n - j largest v_i
   //         <= |q| / (c prod of the n - j largest v_i).
   [[nodiscard]] bool is_near(const FreeStrip::Result& strip) const {
@@ -222,7 +224,7 @@ class Spectrum {
   }
 
   double alpha_;
-  std::vector<Value> eigenvalues_;  // the least one first
+  std::vector<Value> eigenvalues_;  // by ascending modulus
   std::vector<Long> off_;
   std::vector<FreeRoots> roots_;
   std::vector<FreeStrip::Factor> factors_;
@@ -261,7 +263,7 @@ bool all_good(const std::vector<QuickValue>& entries) {
       entries, [](const QuickValue& x) { return x.error <= quick_tolerance * std::abs(x.value); });
 }
 
-// Products of as many entries as there are rows neither over- nor underflow.
+// Whether products of as many entries as there are rows neither overflow nor underflow.
 bool is_moderate(const ComplexMatrix& matrix) {
   constexpr double largest = 1e30, smallest = 1e-30;
   const auto good = [](double x) { return x == 0.0 || (std::abs(x) > smallest && std::abs(x) < largest); };

@@ -14,8 +14,8 @@ namespace {
 
 using Arguments = PrabhakarArguments;
 
-// A function of the family with a name for messages, the decimal places of the parameters, and the factor k!
-// of derivatives.
+// An evaluation: name for messages, arguments, decimal places of the parameters, and k of the factor k! of
+// derivatives.
 struct Request {
   std::string name;
   ReadPrabhakar read;
@@ -34,8 +34,8 @@ bool ends_or_is_small(const Arguments& x) {
          size_of(x.z) <= 0.4 * pow(std::max(BigReal(1), x.beta), x.alpha);
 }
 
-// The terms of the series may cancel: digits are doubled until they leave enough of the value. Where nothing
-// is left of the terms even with the most digits, it counts as zero.
+// The terms of the series may cancel: the working digits are doubled until the value is accurate. If the
+// terms cancel completely even with most_digits(), the value counts as zero.
 Bounded<BigReal> sum_series(const Request& request, int wanted) {
   const DigitSearch search{
       .wanted = wanted, .guard = 10, .next = [](int digits, int /*missing*/) { return 2 * digits; }};
@@ -72,10 +72,10 @@ MittagLefflerValue in_double(const Request& request) {
   return {request.read().real() ? std::complex(re) : std::complex(re, im), bound};
 }
 
-// Of a quick evaluation for Im z >= 0, conjugate for others, times k!; empty where it has none.
+// k! times a quick evaluation for Im z >= 0, or its conjugate for Im z < 0; nullopt where it gives none.
 template <class Quick>
 std::optional<MittagLefflerValue> quickly(const Quick& quick, std::complex<double> z, int k) {
-  constexpr int most_exact = 25;  // of k! in long double
+  constexpr int most_exact = 25;  // largest k for which k! is exact in long double
   if (k > most_exact) return std::nullopt;
   const bool mirrored = z.imag() < 0.0;
   const auto known = quick(mirrored ? std::conj(z) : std::complex(z.real(), std::abs(z.imag())));

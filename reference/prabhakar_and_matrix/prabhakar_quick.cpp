@@ -17,7 +17,8 @@ long double to_long(const DoubleDouble& x) { return static_cast<long double>(x.h
 
 bool is_good(const QuickValue& x) { return x.error <= quick_tolerance * std::abs(x.value); }
 
-// As in prabhakar_series.cpp: a bound of the terms from `next` on, whose factor beside 1/Gamma has that size.
+// A bound of the sum of the terms from `next` on, as in prabhakar_series.cpp; size: the modulus of the first
+// of them without 1/Gamma.
 std::optional<long double> tail(double alpha, long double argument, double gamma, int next, long double size,
                                 long double modulus) {
   constexpr long double slow = 0.9L, largest_reciprocal = 1.13L;
@@ -35,7 +36,7 @@ QuickValue with_factor(const QuickValue& x, const Value& factor, long double rel
 }
 
 // The coefficients of E_{alpha,beta-j} in z^k d^k/dz^k E_{alpha,beta} = theta (theta - 1) ... (theta - k + 1)
-// E, theta = z d/dz; and of what rounding may add up to.
+// E, theta = z d/dz; and the sums of the moduli of their terms.
 struct Shifts {
   std::vector<long double> coefficients, sizes;
 };
@@ -81,10 +82,11 @@ struct PrabhakarParameters {
   double gamma;
 };
 
-// Logarithm of a bound of what is left out with an s* right of the strip, infinite where it grows: the
-// integral of e^s F round a cut from s* radially outward. With u = alpha (log s - log s*) the path is at a
-// distance delta from u >= 0, so |s^alpha - z| >= max(|s|^alpha, |z|) delta / 10 and |F| <= |s|^-beta
-// (delta/10)^-gamma, and Re s <= -kappa |s|. A path next to the cut is as good for e^s, a wide one for F.
+// Logarithm of a bound of the contribution of an s* right of the strip, which is neglected; infinite in the
+// right half-plane. The contribution is the integral of e^s F around a cut from s* radially outward. With u =
+// alpha (log s - log s*) the path is at a distance delta from u >= 0, so |s^alpha - z| >= max(|s|^alpha, |z|)
+// delta / 10 and |F| <= |s|^-beta (delta/10)^-gamma, and Re s <= -kappa |s|. The smallest bound over several
+// delta: e^s favours a path next to the cut, F a wide one.
 double log_beyond(const PrabhakarParameters& x, const std::complex<double>& log_pole) {
   constexpr double quarter = std::numbers::pi / 2.0, infinity = std::numeric_limits<double>::infinity();
   const double turn = std::abs(log_pole.imag()), beta = x.beta.hi;
@@ -103,7 +105,7 @@ double log_beyond(const PrabhakarParameters& x, const std::complex<double>& log_
   return least;
 }
 
-// With the cuts of (1 - z s^-alpha)^-gamma inward, from each s* to 0, or outward, where
+// The sum over the nodes, with the cuts of (1 - z s^-alpha)^-gamma inward, from each s* to 0, or outward:
 //   F = (-z)^-gamma s^(alpha gamma - beta) (1 - s^alpha / z)^-gamma.
 QuickValue power_sum(const PrabhakarParameters& x, const QuickArguments& argument, const FreeContour& contour,
                      bool outward) {
@@ -123,7 +125,8 @@ QuickValue power_sum(const PrabhakarParameters& x, const QuickArguments& argumen
                      few_ulps * (1.0L + std::abs(gamma) * (1.0L + size_of(log))));
 }
 
-// What the singularities of F have to do with a contour; empty where it does not do.
+// The error bound for F on a contour and the direction of the cuts; nullopt where the contour is not
+// suitable.
 struct Placed {
   double log_bound;
   bool outward;
@@ -175,7 +178,7 @@ std::optional<QuickValue> prabhakar_series_quick(double alpha, const DoubleDoubl
   for (int j = 0; j < most_terms; ++j) {
     const DoubleDouble argument = beta + exact_product(j, alpha);
     const Value term = factor * reciprocal_gamma_of(argument);
-    // Gamma of a large argument turns its rounding into as many more ulps.
+    // Condition number of Gamma for large arguments.
     const long double size = 1.0L + std::abs(to_long(argument)), condition = size * (2.0L + std::ilogb(size));
     sum =
         sum + QuickValue{term, (few_ulps + (static_cast<long double>(j) + condition) * ulps) * size_of(term)};

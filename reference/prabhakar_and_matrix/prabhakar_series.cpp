@@ -11,10 +11,9 @@ namespace fde {
 namespace {
 
 // A bound of the sum of the terms after the k-th, infinite where there is none yet; next is
-// (gamma)_{k+1} z^{k+1} / (k+1)!. From there on |(gamma + k) / (k + 1)| is at most what it is there, or 1.
-// And
-//   Gamma(x + alpha) / Gamma(x) >= (x - 1)^alpha, for psi(x) >= log x - 1/x >= log(x - 1);  1/Gamma(x)
-//   <= 1.13, x >= 0.
+// (gamma)_{k+1} z^{k+1} / (k+1)!. From there on |(gamma + k) / (k + 1)| is at most its value there, or 1. And
+//   Gamma(x + alpha) / Gamma(x) >= (x - 1)^alpha, for psi(x) >= log x - 1/x >= log(x - 1);
+//   1/Gamma(x) <= 1.13, x >= 0.
 BigReal tail(const PrabhakarArguments& x, int k, const BigComplex& next) {
   const BigReal argument = x.alpha * (k + 1) + x.beta, growing = x.gamma + k + 1;
   const BigReal power = abs(x.z) * std::max(BigReal(1), BigReal(abs(growing) / (k + 2)));
@@ -36,11 +35,11 @@ Sum<BigReal> prabhakar_series(const PrabhakarArguments& x) {
   BigReal factor_ulps(0);
   for (int k = 0; k < most_terms; ++k) {
     report_work(static_cast<std::size_t>(k));
-    // beta of a derivative is itself beta + (gamma - 1) alpha
+    // for derivatives, x.beta is itself a sum beta + (gamma - 1) alpha
     const BigReal argument = x.alpha * k + x.beta, size = x.alpha * (k + 2 * abs(x.gamma)) + abs(x.beta);
     const BigReal ulps = factor_ulps + abs(argument) * (2 + 2 * log1p(abs(argument)));
     add_reciprocal_gamma(sum, factor, argument, size, ulps);
-    // As arguments of Gamma: within rounding of 0 it is 0.
+    // As for the arguments of Gamma, gamma + k within rounding of 0 is 0.
     const BigReal growing = x.gamma + k, rounding = 2 * (abs(x.gamma) + k);
     if (abs(growing) <= rounding * epsilon<BigReal>() || x.z == 0) return sum;
     factor *= x.z * growing / BigReal(k + 1);

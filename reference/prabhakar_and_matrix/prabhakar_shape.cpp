@@ -10,23 +10,24 @@ using Point = PrabhakarShape::Point;
 using Disc = EnclosingContour::Disc;
 
 constexpr Long infinity = std::numeric_limits<Long>::infinity();
-constexpr Long hair = 1e-9L;  // more than all rounding in the majorants
+constexpr Long hair = 1e-9L;  // an upper bound of all rounding errors in the majorants
 
-// A bound of |s|^power on a disc, its logarithm.
+// Logarithm of a bound of |s|^power on a disc.
 Long log_power(const Disc& disc, Long power) {
   const Long size = std::abs(disc.centre);
   if (power >= 0.0L) return power == 0.0L ? 0.0L : power * std::log(size + disc.radius);
   return size > disc.radius ? power * std::log(size - disc.radius) : infinity;
 }
 
-// Whole alpha: F = s^(alpha gamma - beta) product of (s - s*)^-gamma.
+// For integer alpha: F = s^(alpha gamma - beta) product of (s - s*)^-gamma.
 Long majorant_by_roots(const PrabhakarShape& x, const Disc& disc) {
   Long sum = log_power(disc, (x.alpha * x.gamma - x.beta));
   for (const auto& root : x.roots) sum += log_power({disc.centre - root, disc.radius}, -x.gamma);
   return sum + hair;
 }
 
-// With u = alpha log s - log z, 1 - z s^-alpha = 1 - e^-u; of 1 - e^-u and e^u - 1 the one that is not large.
+// With u = alpha log s - log z, 1 - z s^-alpha = 1 - e^-u; uses the one of 1 - e^-u and e^u - 1 that is not
+// large.
 Long majorant_by_logarithm(const PrabhakarShape& x, const Disc& disc) {
   const Long size = std::abs(disc.centre);
   if (disc.radius >= 0.5L * size) return infinity;
@@ -42,8 +43,8 @@ Long majorant_by_logarithm(const PrabhakarShape& x, const Disc& disc) {
   return log_power(disc, -x.beta) + log_factor + other + hair * (1.0L + std::abs(x.gamma));
 }
 
-// Without the head (-z)^-gamma s^power: |(1 - x)^-gamma - 1| <= e^(|gamma| |x| / (1 - |x|)) - 1, x = s^alpha
-// / z.
+// For F without the term (-z)^-gamma s^power: |(1 - x)^-gamma - 1| <= e^(|gamma| |x| / (1 - |x|)) - 1,
+// x = s^alpha / z.
 Long majorant_without_head(const PrabhakarShape& x, const Disc& disc) {
   const Long log_ratio = log_power(disc, x.alpha) - x.log_z.real();
   if (log_ratio > std::log(0.5L)) return infinity;

@@ -4,28 +4,30 @@
 
 namespace fde {
 
-// Where the singularities of Prabhakar's transform are, which form of it to take, and how large it is: what
-// needs no more than long double. z may be beyond its exponents.
+// Properties of Prabhakar's transform for which long double suffices: its singularities, the form in which to
+// evaluate it, and a bound of its size. z may overflow in long double.
 struct PrabhakarShape {
   using Point = EnclosingContour::Point;
 
-  // At a precision of 120 digits: sums of the arguments are whole if they are to 100.
+  // Precondition: a Precision of 120 digits is in force. Sums of the arguments that are integers up to 1e-100
+  // count as integers.
   explicit PrabhakarShape(const PrabhakarArguments& x);
 
   long double alpha, beta, gamma;
   Point log_z;
   bool whole_alpha;
-  bool whole_power;                         // alpha gamma - beta is whole and not negative
-  std::vector<Point> log_roots{}, roots{};  // s*, on the sheet
+  bool whole_power;                         // alpha gamma - beta is an integer >= 0
+  std::vector<Point> log_roots{}, roots{};  // s* on the sheet |arg s*| <= pi
 
-  // alpha gamma - beta, of s beside (s^alpha - z)^-gamma.
+  // The exponent alpha gamma - beta of the factor s^(alpha gamma - beta) of F.
   [[nodiscard]] BigReal power_of(const PrabhakarArguments& x) const;
 
-  // 0 is no singularity.
+  // Whether 0 is no singularity.
   [[nodiscard]] bool cut_free() const { return whole_alpha && whole_power; }
-  // Far from all s* a whole power leaves little of F but s^power, which has nothing to contribute.
+  // Whether F is close to its term in s^power, power an integer, on the contour: that term contributes
+  // nothing and is subtracted. So for s* far in the left half-plane.
   [[nodiscard]] bool peeled() const;
-  // Logarithm of an upper bound of |F|, or of what is left of it, on a disc.
+  // Logarithm of an upper bound of |F|, or if peeled() of the remainder, on a disc.
   [[nodiscard]] long double log_majorant(const EnclosingContour::Disc& disc) const;
 };
 

@@ -16,9 +16,9 @@ Point long_point(const BigComplex& s) {
   return {real_part<BigReal>(s).convert_to<Long>(), imag_part<BigReal>(s).convert_to<Long>()};
 }
 
-// The logarithm of 1 - z s^-alpha with cuts from the s* to the left. The principal one is cut along the lines
-// from 0 to the s* instead: between these and the negative axis it is a turn off. (Points of the contour
-// are there only for s* that were left out.)
+// The logarithm of 1 - z s^-alpha with cuts from the s* to the left. The principal logarithm has its cuts
+// from 0 to the s* instead: between these and the negative axis it differs by 2 pi i. (Only for omitted s*
+// does the contour have points there.)
 BigComplex log_with_cuts_to_the_left(const PrabhakarShape& x, const Point& s, const BigComplex& argument) {
   BigComplex value = log(argument);
   const Long height = std::abs(s.imag()), angle = std::arg(s);
@@ -26,14 +26,14 @@ BigComplex log_with_cuts_to_the_left(const PrabhakarShape& x, const Point& s, co
     const Long root_angle = x.log_roots[k].imag(), sign = root_angle > 0.0L ? 1.0L : -1.0L;
     if (sign * s.imag() <= 0.0L || height >= std::abs(x.roots[k].imag())) continue;
     const Long beyond = sign * x.alpha * (angle - root_angle);
-    constexpr Long unsure = 0.1L;  // there the logarithm itself says on which side of its cut it is
+    constexpr Long unsure = 0.1L;  // near its cut the imaginary part of the logarithm decides
     const bool crossed = std::abs(beyond) < unsure ? sign * imag_part<BigReal>(value) > 0 : beyond > 0.0L;
     if (crossed) value -= BigComplex(BigReal(0), BigReal(2 * sign * pi<BigReal>()));
   }
   return value;
 }
 
-// F at the nodes, at one precision.
+// Evaluation of F at the nodes, at one precision.
 class Evaluation {
  public:
   Evaluation(const Arguments& x, const PrabhakarShape& shape)
@@ -55,7 +55,7 @@ class Evaluation {
   }
 
  private:
-  // Whole alpha: F = s^(alpha gamma - beta) product of (s - s*)^-gamma.
+  // For integer alpha: F = s^(alpha gamma - beta) product of (s - s*)^-gamma.
   BigComplex by_roots(const Node& node, BigReal& ulps) const {
     BigComplex exponent = power_ * node.log_s;
     const BigReal root_ulps = 2 + 2 * size_of(log_z_);
@@ -79,8 +79,8 @@ class Evaluation {
     return exp(BigComplex(-x_.beta * node.log_s - x_.gamma * logarithm));
   }
 
-  // F - (-z)^-gamma s^power = (-z)^-gamma s^power ((1 - s^alpha / z)^-gamma - 1): power is whole and not
-  // negative, so that what is taken away contributes nothing.
+  // F - (-z)^-gamma s^power = (-z)^-gamma s^power ((1 - s^alpha / z)^-gamma - 1): power is an integer >= 0,
+  // so that the subtracted term contributes nothing.
   BigComplex without_head(const Node& node, BigReal& ulps) const {
     const BigComplex ratio = exp(BigComplex(x_.alpha * node.log_s - log_z_));
     BigComplex power = -x_.gamma * log_of_one_minus(ratio);
@@ -90,7 +90,8 @@ class Evaluation {
     return exp(head) * exponential_less_one(power);
   }
 
-  // log(1 - x) = -2 artanh(x / (2 - x)) = -2 sum y^(2k+1) / (2k+1), and e^x - 1 by its series: |x| is small.
+  // log(1 - x) = -2 artanh(y) = -2 sum y^(2k+1) / (2k+1), y = x / (2 - x), and e^x - 1 by its series, for
+  // small |x|.
   static BigComplex log_of_one_minus(const BigComplex& x) {
     const BigComplex y = x / (2 - x), square = y * y;
     BigComplex sum(0), power = y;
@@ -128,7 +129,8 @@ EnclosedTransform prabhakar_transform(const ReadPrabhakar& read) {
                 .growth = std::abs(shape.beta) + std::abs(shape.gamma) * (1.0L + shape.alpha)},
       .real = x.real()};
   if (!shape.cut_free()) transform.singularities.emplace_back(0.0L);
-  // e^s s^-beta is least at s = beta: left of it the terms would exceed their sum by far.
+  // On the real axis e^s s^-beta is smallest at s = beta: far left of it the terms would exceed their sum by
+  // far.
   constexpr Long large = 30.0L;
   if (shape.beta > large) transform.singularities.emplace_back(shape.beta / 2.0L);
   transform.zero_digits += static_cast<int>(2.0L * std::abs(shape.beta));

@@ -13,16 +13,16 @@ struct PrabhakarArguments {
   [[nodiscard]] bool real() const { return imag_part<BigReal>(z) == 0; }
 };
 
-// Reads the arguments at the precision in force.
+// Returns the arguments rounded to the current precision.
 using ReadPrabhakar = std::function<PrabhakarArguments()>;
 
-// Its branch points are 0, unless all powers of s are whole and positive, and the s* with s*^alpha = z on the
-// sheet |arg s*| <= pi, each with a cut to the left. z is not 0.
+// The transform F. Its branch points are 0, unless all powers of s are nonnegative integers, and the s* with
+// s*^alpha = z on the sheet |arg s*| <= pi, each with a cut to the left. Precondition: z != 0.
 EnclosedTransform prabhakar_transform(const ReadPrabhakar& read);
 
-// sum_k (gamma)_k z^k / (k! Gamma(alpha k + beta)), and what rounding and the terms left out may be off by.
-// For gamma = 0, -1, -2, ... a polynomial; else |z| below 0.4 max(1, beta)^alpha, for terms that fall. Throws
-// std::runtime_error when there are too many.
+// sum_k (gamma)_k z^k / (k! Gamma(alpha k + beta)), with a bound of the rounding and truncation errors. A
+// polynomial for gamma = 0, -1, -2, ...; otherwise the terms decay for |z| <= 0.4 max(1, beta)^alpha. Throws
+// std::runtime_error if it takes too many terms.
 Sum<BigReal> prabhakar_series(const PrabhakarArguments& x);
 
 }  // namespace fde

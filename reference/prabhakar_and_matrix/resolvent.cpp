@@ -29,7 +29,7 @@ void subtract_row(BigMatrix& matrix, int a, int b, const BigComplex& factor) {
   }
 }
 
-// By Gauss-Jordan elimination with row pivots; a singular matrix leaves nothing finite.
+// By Gauss-Jordan elimination with partial pivoting; the result for a singular matrix is not finite.
 BigMatrix inverse(BigMatrix matrix) {
   BigMatrix result = identity(matrix.size);
   for (int k = 0; k < matrix.size; ++k) {
@@ -51,7 +51,7 @@ BigMatrix inverse(BigMatrix matrix) {
   return result;
 }
 
-// |I - M X|, the rounding of its own evaluation included.
+// The row norm of I - M X, including the rounding of its evaluation.
 BigReal residual_norm(const BigMatrix& matrix, const BigMatrix& inverse) {
   BigReal largest(0);
   for (int i = 0; i < matrix.size; ++i) {
@@ -70,7 +70,7 @@ BigReal residual_norm(const BigMatrix& matrix, const BigMatrix& inverse) {
   return largest;
 }
 
-// Largest sum of sizes in a row.
+// Maximum row sum of size_of(entry).
 BigReal row_norm(const BigMatrix& matrix) {
   BigReal largest(0);
   for (int i = 0; i < matrix.size; ++i) {

@@ -18,8 +18,8 @@ struct BigMatrix {
   }
 };
 
-// An approximate inverse X of M and a bound of the row norm (largest sum of sizes in a row) of its error, |X|
-// |R| / (1 - |R|) with R = I - M X; infinite where |R| is not below 1.
+// An approximate inverse X of M, its row norm (maximum row sum), and a bound of the row norm of its error,
+// |X| |R| / (1 - |R|) with R = I - M X; infinite unless |R| < 1.
 struct BoundedInverse {
   BigMatrix value;
   BigReal norm, bound;

@@ -16,7 +16,7 @@ bool is_real(const BigMatrix& matrix) {
   return std::ranges::all_of(matrix.entries, [](const BigComplex& x) { return imag_part<BigReal>(x) == 0; });
 }
 
-// A + iB as the real matrix [A -B; B A], which has the conjugate eigenvalues as well.
+// A + iB as the real matrix [A -B; B A], or A if B = 0.
 WideMatrix as_real(const BigMatrix& matrix) {
   const int n = matrix.size, size = is_real(matrix) ? n : 2 * n;
   WideMatrix real(size, size);
@@ -78,8 +78,8 @@ SchurForm::SchurForm(const BigMatrix& matrix) {
   }
 }
 
-// The resolvent of a block on the disc, entry by entry: of two rows it is
-// [z - d, b; c, z - a] / ((z - first) (z - second)). All that follows adds what is positive.
+// Entrywise bound of the resolvent of a diagonal block on the disc: for two rows
+// [z - d, b; c, z - a] / ((z - first) (z - second)). All later operations add nonnegative numbers.
 std::optional<Eigen::Matrix<Long, 2, 2>> SchurForm::block_resolvent(const Block& block, const Point& z,
                                                                     Long radius) const {
   constexpr Long rounding = 1e-16L;

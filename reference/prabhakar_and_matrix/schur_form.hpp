@@ -8,8 +8,8 @@
 
 namespace fde {
 
-// The real Schur form T = U^T A U of a square matrix, at the precision in force; of a complex A + iB that of
-// the real matrix [A -B; B A], which has the conjugate eigenvalues as well.
+// The real Schur form T = U^T A U of a square matrix, at the current precision; for a complex A + iB, the
+// Schur form of the real matrix [A -B; B A], which has the conjugate eigenvalues as well.
 class SchurForm {
  public:
   using Point = std::complex<long double>;
@@ -20,8 +20,8 @@ class SchurForm {
   [[nodiscard]] const std::vector<Point>& log_eigenvalues() const { return log_eigenvalues_; }
 
   // An upper bound of the Euclidean norm of (z' - A)^-1 for |z' - z| <= radius; infinity where there is none.
-  // With |z' - t_ii| bounded from below, a triangular solve on moduli bounds every entry of (z' - T)^-1, and
-  // U changes no norm. Defects and stiffness do no harm to it.
+  // With lower bounds of |z' - t_ii|, a triangular solve on moduli bounds every entry of (z' - T)^-1, and U
+  // changes no norm. Valid for defective and stiff matrices as well.
   [[nodiscard]] long double resolvent_norm(const Point& z, long double radius) const;
 
  private:

@@ -21,7 +21,7 @@ GaussRule gauss_jacobi(int count, long double power) {
   return {(eigen.eigenvalues().array() + 1) / 2, first.array().square() / (power + 1)};
 }
 
-// The other nodes are those of the Gauss-Jacobi rule with weight 1 - x.
+// The nodes other than 1 are the nodes of the Gauss-Jacobi rule with weight 1 - x.
 GaussRule gauss_radau(int count) {
   const GaussRule inner = gauss_jacobi(count - 1, 1);
   GaussRule rule{LongVec(count), LongVec(count)};

@@ -4,7 +4,7 @@
 
 namespace fde {
 
-// Weights that every panel uses are made once in extended precision and rounded to double afterwards.
+// Weights that every panel uses are computed once in extended precision and then rounded to double.
 using LongVec = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
@@ -21,9 +21,8 @@ GaussRule gauss_radau(int count);
 // (i, j): the Lagrange polynomial of nodes[j], which is 1 there and 0 at the other nodes, at points[i].
 LongMatrix lagrange_matrix(const LongVec& nodes, const LongVec& points);
 
-// (k, j): weight of p(nodes[j]) in the coefficient of the Legendre polynomial P_k(2x-1) of p, degree p <
-// count.
-// The rule is Gauss-Legendre or Gauss-Radau.
+// (k, j): weight of p(nodes[j]) in the coefficient of the Legendre polynomial P_k(2x-1) of p, deg p < count.
+// Precondition: the rule is Gauss-Legendre or Gauss-Radau.
 LongMatrix legendre_analysis(const GaussRule& rule);
 
 // The weights prod_{k != j} 1 / (nodes[j] - nodes[k]) of the barycentric interpolation formula.

@@ -22,7 +22,7 @@ long double legendre_integral(int degree, long double x) {
                            static_cast<long double>(2 * (2 * degree + 1));
 }
 
-// The zeros interlace well enough with those of a Chebyshev polynomial for Newton's method to find each.
+// The zeros are close enough to zeros of a Chebyshev polynomial for Newton's method to find each.
 Stages radau_nodes(int count) {
   constexpr int iterations = 12;
   Stages nodes(count);

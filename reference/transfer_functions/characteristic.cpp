@@ -42,7 +42,7 @@ std::vector<Zero<Real>> polished(const Characteristic<Real>& characteristic,
       const Complex<Real> step = characteristic.newton_step(w);
       const Real length = size_of(step);
       w -= step;
-      // Quadratic convergence is over when the steps stop shrinking: what is left is rounding.
+      // Quadratic convergence has ended when the steps no longer decrease: they are rounding errors.
       if (length == 0 || (length < Real(1e-9) && length > before / 16)) break;
       before = length;
     }

@@ -11,10 +11,10 @@ namespace {
 using Point = Rectangle::Point;
 constexpr long double pi_long = std::numbers::pi_v<long double>;
 
-// Change of arg P on the straight way from a to b, where |P| is shown to stay clear of 0: arg P turns by
-// order Im(b - a) and less than pi/4 besides. Far out, where one term or terms of nearly one order are all
-// there is, the way may be as long as it likes. Two values alone tell too little: next to two zeros close to
-// each other arg P turns twice by nearly pi.
+// Change of arg P on the straight path from a to b; nullopt unless |P| is shown to stay away from 0, where
+// arg P changes by order Im(b - a) plus less than pi/4. For large |w|, where one term or terms of nearly the
+// same order dominate, the path may have any length. The values at a and b do not suffice: next to two close
+// zeros, arg P turns twice by nearly pi.
 std::optional<long double> clear_turn(const CharacteristicFunction& function, const Point& a,
                                       const Point& b) {
   const auto [at_a, order, change] = function.way(a, b);
@@ -24,7 +24,7 @@ std::optional<long double> clear_turn(const CharacteristicFunction& function, co
   return turned + std::arg(at_b * std::conj(at_a) * std::polar(1.0L, -turned));
 }
 
-// Change of arg P from a to b in pieces; nothing where a zero is next to the way, as far as rounding tells.
+// Change of arg P from a to b, by bisection; nullopt where a zero is on the path up to rounding.
 std::optional<long double> turn(const CharacteristicFunction& function, const Point& a, const Point& b) {
   constexpr long double shortest = 1e-11L;
   if (const auto there = clear_turn(function, a, b)) return there;

@@ -16,7 +16,7 @@ struct Rectangle {
   }
 };
 
-// Number of zeros inside, by the argument principle; nothing where one is next to the sides.
+// Number of zeros inside, by the argument principle; nullopt where a zero is too close to the sides.
 std::optional<int> count_zeros(const CharacteristicFunction& function, const Rectangle& box);
 
 }  // namespace fde

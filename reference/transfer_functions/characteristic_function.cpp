@@ -7,7 +7,7 @@ namespace {
 
 using Point = CharacteristicFunction::Point;
 
-// Digits of which some are left wherever orders make P small: each gap below 1 takes as many as it has zeros.
+// Enough digits for the cancellation of terms of close orders: a gap of 10^-n between two orders takes n.
 int most_digits_for(const std::vector<Characteristic<long double>::Term>& terms) {
   constexpr long double least = 40.0L, most = 400.0L;
   long double digits = least;
@@ -29,7 +29,7 @@ Point long_point(const Complex<Real>& z) {
   return {static_cast<long double>(real_part<Real>(z)), static_cast<long double>(imag_part<Real>(z))};
 }
 
-// e^x differs from 1 by at most the first, and from the first terms of its series by at most the second.
+// Upper bounds of |e^x - 1|, and of the remainder of the series of e^x after the first `terms` terms.
 long double off_one(const Point& x) {
   const long double size = std::abs(x);
   return x.real() > 0.0L ? size * std::exp(x.real()) : std::min(size, 2.0L);
@@ -40,7 +40,7 @@ long double off_series(const Point& x, std::size_t terms) {
   return rest;
 }
 
-constexpr long double clear = 1e3L;  // of noise: a few digits are left
+constexpr long double clear = 1e3L;  // in units of the noise: a few digits are correct
 
 }  // namespace
 
@@ -89,8 +89,8 @@ long double CharacteristicFunction::noise_at(const Point& w, int digits) const {
   return unit * (2.0L + 2.0L * (largest_log_ + rounded_.terms.back().order * std::abs(w)));
 }
 
-// Enough digits are those with which a zero is known well, at a distance of noise over slope; or with which
-// it is known that there are several together; or with which there is something left of value and slope.
+// The digits suffice if a zero is determined well (noise over slope is small), or if a cluster of zeros is
+// established, or if value and slope have a few correct digits.
 CharacteristicFunction::Derivatives CharacteristicFunction::derivatives(const Point& w) const {
   constexpr long double known_well = 1e-9L;
   long double size = 0.0L, slopes = 0.0L, bends = 0.0L;
@@ -119,8 +119,8 @@ CharacteristicFunction::Direction CharacteristicFunction::direction(const Point&
   }
 }
 
-// By the series of e^(d (b-a)) for orders at a small distance d from that of the largest term, whose sums may
-// cancel; the others count with their moduli.
+// By the series of e^(d (b-a)) for orders at a small distance d from the order of the largest term, whose
+// terms may cancel; the other terms are bounded by their moduli.
 CharacteristicFunction::Way CharacteristicFunction::way(const Point& a, const Point& b) const {
   constexpr long double near = 0.5L;
   const auto sizes = rounded_.log_sizes(a);

@@ -7,9 +7,9 @@
 
 namespace fde {
 
-// P(e^w) of a linear problem (characteristic.hpp) for those who look for its zeros: in long double, and where
-// too little is left of the terms, from exact coefficients with as many digits as that takes. Orders delta
-// apart make P as small as a power of delta wherever their terms cancel. For one thread.
+// P(e^w) of a linear problem (characteristic.hpp) for the search for its zeros: in long double and, where the
+// terms cancel, from exact coefficients with as many digits as needed. For orders at a distance delta, P is
+// as small as a power of delta wherever their terms cancel. Not thread-safe.
 class CharacteristicFunction {
  public:
   using Point = Complex<long double>;
@@ -18,20 +18,20 @@ class CharacteristicFunction {
 
   [[nodiscard]] const std::vector<Characteristic<long double>::Term>& terms() const { return rounded_.terms; }
 
-  // P and its derivatives in w, relative to the sum of the moduli of its terms, and what rounding leaves of
-  // that sum.
+  // P and its derivatives in w, relative to the sum of the moduli of the terms of P, and the relative
+  // rounding error of that sum.
   struct Derivatives {
     Point value, first, second;
     long double noise;
 
-    // dP/dw is as small against its own change as two zeros closer than that make it.
+    // flat(): |dP/dw| is as small, compared with its derivative, as between two zeros closer than this.
     static constexpr long double too_close = 1e-6L;
     [[nodiscard]] bool flat() const { return std::abs(first) < 10.0L * too_close * std::abs(second); }
   };
   [[nodiscard]] Derivatives derivatives(const Point& w) const;
 
-  // P scaled by a positive number, with which its largest term is 1 in modulus; what rounding leaves of that;
-  // and the digits it was summed with, none for long double.
+  // P scaled such that its largest term has modulus 1; the rounding error of that value; and the number of
+  // digits of the summation, 0 for long double.
   struct Direction {
     Point value;
     long double noise;
@@ -39,8 +39,8 @@ class CharacteristicFunction {
   };
   [[nodiscard]] Direction direction(const Point& w) const;
 
-  // On the straight way from a to b, P(w) e^(-order (w - a)) stays within change of its value at a, all
-  // scaled by one positive number.
+  // On the straight path from a to b, P(w) e^(-order (w - a)) differs from its value `start` at a by at most
+  // `change`; all are scaled by the same positive number.
   struct Way {
     Point start;
     long double order, change;
@@ -50,18 +50,18 @@ class CharacteristicFunction {
  private:
   static constexpr std::size_t most_moments = 12;
   using Moments = std::array<Point, most_moments>;
-  // sum_i t_i (o_i - origin)^k, k < count, over the terms t_i of the chosen orders o_i, the largest of all
-  // terms being 1 in modulus; digits as in Direction.
+  // sum_i t_i (o_i - origin)^k, k < count, over the terms t_i of the chosen orders o_i, scaled such that the
+  // largest of all terms has modulus 1; digits as in Direction.
   struct Chosen {
     std::size_t count = 1;
-    std::optional<std::size_t> origin{};  // a term; without one 0
+    std::optional<std::size_t> origin{};  // the order of this term; 0 by default
     std::vector<bool> terms{};            // empty: all
   };
   template <class Real>
   [[nodiscard]] static Moments moments(const Characteristic<Real>& characteristic, const Point& w,
                                        const Chosen& chosen);
   [[nodiscard]] Moments moments(int digits, const Point& w, const Chosen& chosen) const;
-  // What rounding leaves of log c + order w of a term, relative to the term.
+  // Relative rounding error of a term, from log c + order w.
   [[nodiscard]] long double noise_at(const Point& w, int digits) const;
   [[nodiscard]] int more(int digits) const { return std::min(std::max(2 * digits, 40), most_digits_); }
 

@@ -11,13 +11,13 @@ namespace {
 using Point = Rectangle::Point;
 constexpr long double pi_long = std::numbers::pi_v<long double>;
 
-// log |s| where the terms i and j are of one size.
+// log |s| where the terms i and j have the same modulus.
 long double balance(const CharacteristicFunction& function, std::size_t i, std::size_t j) {
   const auto &a = function.terms()[i], &b = function.terms()[j];
   return (a.log_coefficient.real() - b.log_coefficient.real()) / (b.order - a.order);
 }
 
-// Outside left and right a single term dominates P.
+// Left and right of the rectangle a single term dominates P.
 Rectangle rectangle_of(const CharacteristicFunction& function, long double height) {
   const std::size_t last = function.terms().size() - 1;
   const long double margin = std::log(2.0L * static_cast<long double>(function.terms().size()));
@@ -32,8 +32,8 @@ Rectangle rectangle_of(const CharacteristicFunction& function, long double heigh
   return box;
 }
 
-// Beyond this log |s|, reached by orders next to each other, a zero is nothing at any time that a double has:
-// next to the branch point, or decaying at once. One that grows is infinite at once.
+// Above this |log |s||, which close orders can lead to, a zero contributes nothing at any time in the range
+// of double: it is next to the branch point or its mode decays at once. A growing mode overflows at once.
 constexpr long double farthest = 800.0L;
 
 Rectangle within_reach(const CharacteristicFunction& function, const Rectangle& box) {
@@ -43,19 +43,18 @@ Rectangle within_reach(const CharacteristicFunction& function, const Rectangle& 
   return {std::max(box.left, -farthest), std::min(box.right, farthest), box.height};
 }
 
-// Zeros closer than this are treated together.
+// Zeros closer than this are treated as a cluster.
 constexpr long double too_close = CharacteristicFunction::Derivatives::too_close;
 
-// A zero as well as it can be told: P is rounding noise within about the distance blur.
+// A zero and its uncertainty: P is rounding noise within about the distance blur.
 struct Found {
   Point zero;
   long double blur;
 };
 
-// Newton's method with the zeros found so far divided out, so that it leads elsewhere. Right at one of them
-// what is left after the division is noise: a second zero there is believed only where dP/dw is as small
-// against its own change as two zeros make it. Steps are short against the distance at which terms change, as
-// far as that is known.
+// Newton's method, deflated by the zeros found so far. At one of them the deflated function is noise: a
+// second zero there is accepted only where dP/dw is as small, compared with its derivative, as between two
+// zeros. Steps are limited to a fraction of |P'/P''|.
 std::optional<Found> newton(const CharacteristicFunction& function, const std::vector<Found>& found,
                             Point w) {
   constexpr long double most_blurred = 0.05L, longest = 100.0L;
@@ -80,12 +79,12 @@ std::optional<Found> newton(const CharacteristicFunction& function, const std::v
   return std::nullopt;
 }
 
-// The search for as many zeros of a rectangle as it has.
+// The search for a given number of zeros of a rectangle.
 class Search {
  public:
   explicit Search(const CharacteristicFunction& function) : function_(function) {}
 
-  // First near the radii where two terms are of one size, and if that does not do, everywhere.
+  // First near the radii where two terms have the same modulus; if that does not find all, everywhere.
   bool finds_all(const Rectangle& box, int count) {
     for (std::size_t j = 1; j < function_.terms().size(); ++j) {
       for (std::size_t i = 0; i < j; ++i) {
@@ -110,7 +109,7 @@ class Search {
            count;
   }
 
-  // Newton's method from points of a column.
+  // Newton's method from `rows` starting points with Re w = column. True if `count` zeros of box are known.
   bool starts_in(const Rectangle& box, long double column, int rows, int count) {
     for (int k = 0; k < rows; ++k) {
       if (complete(box, count)) return true;
@@ -120,7 +119,7 @@ class Search {
     return complete(box, count);
   }
 
-  // In the half that has zeros left, by their count there, down to a width within which Newton's method finds
+  // Bisects the box, with a count of the zeros of each half, down to a width at which Newton's method finds
   // them.
   bool halves(const Rectangle& box, int count) {
     constexpr long double narrow = 1.0L;
@@ -154,7 +153,7 @@ std::vector<Found> all_zeros(const CharacteristicFunction& function) {
   throw std::runtime_error("linear problem: not all zeros of the characteristic function were found");
 }
 
-// The indices of those that hang together with the first by distances at which they cannot be told apart.
+// Indices of the zeros connected to `first` by steps too short to separate two zeros.
 std::vector<std::size_t> cluster_of(const std::vector<Found>& found, std::size_t first) {
   std::vector<std::size_t> cluster{first};
   for (std::size_t k = 0; k < cluster.size(); ++k) {
@@ -183,7 +182,7 @@ Zero<long double> merged(const std::vector<Found>& found, const std::vector<std:
   return zero;
 }
 
-// A simple zero to the last digit: the steps are of quadratic convergence.
+// A simple zero to the last digit: Newton's method converges quadratically.
 Point polished(const CharacteristicFunction& function, Point zero) {
   for (int i = 0; i < 2; ++i) {
     const auto known = function.derivatives(zero);

@@ -10,7 +10,7 @@ bool is_fraction(const Coefficient& coefficient) {
   return coefficient.size() == 1 && factor.power == 0 && factor.gamma == 1;
 }
 
-// Adds sign * a * b; of two coefficients one at least is a fraction.
+// Adds sign * a * b. Precondition: of two coefficients at least one is rational.
 void add_product(GeneralizedPolynomial& sum, const GeneralizedPolynomial& a, const GeneralizedPolynomial& b,
                  int sign) {
   for (const auto& [left, of_left] : a) {
@@ -25,7 +25,7 @@ void add_product(GeneralizedPolynomial& sum, const GeneralizedPolynomial& a, con
 }  // namespace
 
 GeneralizedPolynomial determinant(const PolynomialMatrix& matrix) {
-  // Minors of the first rows, by the set of their columns.
+  // Minors of the rows so far, by the bit set of their columns.
   std::map<unsigned, GeneralizedPolynomial> minors{{0U, {}}}, next;
   add_term(minors[0U], 0, Rational(1));
   for (const auto& row : matrix) {

@@ -8,8 +8,8 @@ namespace fde {
 
 using PolynomialMatrix = std::vector<std::vector<GeneralizedPolynomial>>;  // rows
 
-// The determinant of a square matrix of sums of powers, exactly, by expansion along the rows with every minor
-// made once: quick where rows have few entries. Only one column may have coefficients that are not fractions.
+// The exact determinant of a square matrix of sums of powers, by expansion along the rows with every minor
+// computed once: fast for sparse rows. Precondition: only one column has coefficients that are not rational.
 GeneralizedPolynomial determinant(const PolynomialMatrix& matrix);
 
 }  // namespace fde

@@ -3,7 +3,7 @@
 namespace fde {
 namespace {
 
-constexpr int most_folded = 40;  // whole powers and arguments beyond are not multiplied out
+constexpr int most_folded = 40;  // larger integer powers and arguments are not multiplied out
 
 bool is_whole_up_to(const Rational& x, int most) {
   return denominator(x) == 1 && x >= Rational(-most) && x <= Rational(most);

@@ -7,8 +7,8 @@
 
 namespace fde {
 
-// What a fraction may be multiplied by in the coefficient of a power: base^power * Gamma(gamma). Whole powers
-// and whole arguments of Gamma are fractions themselves, see coefficient_of_power and coefficient_of_gamma.
+// The irrational factor base^power * Gamma(gamma) of a coefficient. Integer powers and integer arguments of
+// Gamma give rational numbers instead, see coefficient_of_power and coefficient_of_gamma.
 struct Factor {
   Rational base{1}, power{0}, gamma{1};
 
@@ -17,7 +17,7 @@ struct Factor {
   }
 };
 
-// sum of fractions times factors, exactly: what cancels is gone, and an empty one is zero.
+// Exact sum of rational numbers times factors. Terms that cancel are removed; an empty sum is zero.
 using Coefficient = std::map<Factor, Rational>;
 
 // sum of coefficients times s^exponent, by exponent.
@@ -31,7 +31,7 @@ void add_term(GeneralizedPolynomial& sum, const Rational& exponent, const Coeffi
               const Rational& scale);
 void add_term(GeneralizedPolynomial& sum, const Rational& exponent, const Rational& coefficient);
 
-// A number with the sum of the moduli it was put together from.
+// A number and the sum of the moduli of its summands.
 template <class Real>
 struct Sized {
   Real value, size;

@@ -5,14 +5,14 @@
 namespace fde {
 namespace {
 
-// In long double all of them take no time.
+// Long double evaluations are too short to report progress.
 template <class Real>
 void report_step(std::size_t done, std::size_t total) {
   if constexpr (std::is_same_v<Real, BigReal>) report_work(done, total);
 }
 
-// Whether e^p of a pole far on the left is less than any number of digits asks for, log p being off by that
-// at most.
+// Whether e^p of a pole far in the left half plane is negligible at every number of digits; off: a bound of
+// the error of log p.
 template <class Real>
 bool is_nothing(const Complex<Real>& log_p, const Real& off) {
   using std::cos, std::exp;
@@ -21,14 +21,15 @@ bool is_nothing(const Complex<Real>& log_p, const Real& off) {
   return cosine < 0 && exp(real_part<Real>(log_p)) * cosine < -least;
 }
 
-// Of log p, from a zero that Newton's method ends at.
+// Rounding error of log p for a zero found by Newton's method.
 template <class Real>
 Real rounding_of(const Complex<Real>& log_p) {
   return Real(64 * (1 + size_of(log_p)) * epsilon<Real>());
 }
 
-// Of a circle in the plane of log p round zeros that cannot be told apart: off the others, and e^p changes
-// moderately on it. It encloses them where they are closer together than this part of it.
+// Largest radius of a circle in the plane of log p around a cluster of zeros: it stays away from other zeros,
+// and e^p varies moderately on it. The circle encloses a cluster whose spread is at most largest_spread of
+// it.
 template <class Real>
 Real largest_radius(const Zero<Real>& zero, const Complex<Real>& center) {
   using std::abs, std::exp, std::min;
@@ -91,8 +92,8 @@ typename LinearResponse<Real>::Value LinearResponse<Real>::sum_of(const Polynomi
     sum.value += coefficient * powers_[power];
     sum.error += size * errors_[power];
   }
-  sum.error *=
-      1.0 + static_cast<double>(polynomial.size()) / 8.0;  // additions: terms are off by 4 ulps and more
+  sum.error *= 1.0 + static_cast<double>(polynomial.size()) /
+                         8.0;  // additions, relative to terms with errors of at least 4 ulps
   return sum;
 }
 
@@ -108,7 +109,7 @@ typename LinearResponse<Real>::Slope LinearResponse<Real>::slope() const {
   return slope;
 }
 
-// Adds factor, known to that many ulps, times every numerator.
+// Adds factor, with a relative error of `ulps`, times every numerator.
 template <class Real>
 void LinearResponse<Real>::add_terms(LinearValues<Real>& values, const Complex<Real>& factor,
                                      const Real& ulps, const Real& share) const {
@@ -129,14 +130,13 @@ void LinearResponse<Real>::add_nodes(LinearValues<Real>& values, const Contour<R
     report_step<Real>(k, nodes.size());
     evaluate(node.log_s, node.s);
     const Real ulps = 3 + size_of(node.s) + characteristic_.error / size_of(characteristic_.value);
-    // The real part of twice the term is its sum with that of the conjugate node.
+    // The real part of twice the term is its sum with the term of the conjugate node.
     add_terms(values, Real(2) * node.weight / characteristic_.value, ulps, contour.share());
   }
 }
 
-// log s* + log t may be what is left of two large logarithms, each rounded: e^p would amplify that. One
-// Newton step on the scaled denominator, where nothing large cancels, leaves only what its own evaluation is
-// off by.
+// log s* + log t may cancel, and e^p amplifies the rounding of the two. After one Newton step on the scaled
+// denominator, where nothing large cancels, only the error of its own evaluation remains.
 template <class Real>
 typename LinearResponse<Real>::Pole LinearResponse<Real>::at_pole(const Complex<Real>& estimate) {
   using std::exp;
@@ -168,7 +168,7 @@ void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex
       const auto [value, error] = sum_of(numerators_[j]);
       if (size_of(value) > 16 * epsilon<Real>() * error) {
         values.sums[j].add_infinite(direction * value, real_part<Real>(pole));
-      } else {  // whether this pole has a part in it is lost in rounding
+      } else {  // the residue may be 0: its numerator is lost in rounding
         values.sums[j].error = std::numeric_limits<double>::infinity();
       }
     }
@@ -180,9 +180,9 @@ void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex
   add_terms(values, count * exp(pole) * factor * pole / slope, ulps, Real(1));
 }
 
-// Poles that cannot be told apart: the sum of their residues, by the trapezoidal rule on a circle round them
-// in the plane of log p. It stays clear of the other poles, and of the nodes, where the factor of the contour
-// has poles.
+// Adds the sum of the residues of a cluster of poles, by the trapezoidal rule on a circle around them in the
+// plane of log p. The circle stays away from the other poles and from the nodes, where the factor m of the
+// contour has poles.
 template <class Real>
 void LinearResponse<Real>::add_circle(LinearValues<Real>& values, const Zero<Real>& zero,
                                       const Contour<Real>& contour, const Real& count) {
@@ -195,11 +195,12 @@ void LinearResponse<Real>::add_circle(LinearValues<Real>& values, const Zero<Rea
     const Complex<Real> upper = center - node.log_s, lower = center - conj(node.log_s);
     radius = min(radius, Real(min(Real(abs(upper)), Real(abs(lower))) / 2));
   }
-  if (zero.spread > Real(largest_spread) * radius) {  // the bound then sends for more digits, and other nodes
+  if (zero.spread >
+      Real(largest_spread) * radius) {  // the infinite bound leads to more digits and other nodes
     for (auto& sum : values.sums) sum.error = std::numeric_limits<double>::infinity();
     return;
   }
-  // Zeros at that fraction of the radius, others at twice the radius and more: what n points leave is
+  // The zeros are within fraction * radius, others at twice the radius or more: the error of n points is
   // fraction^n.
   const Real fraction = std::clamp(Real(zero.spread / radius), Real(0.5), Real(largest_spread));
   const int points = 8 + static_cast<int>(log(epsilon<Real>()) / log(fraction));
@@ -217,7 +218,7 @@ void LinearResponse<Real>::add_circle(LinearValues<Real>& values, const Zero<Rea
 template <class Real>
 void LinearResponse<Real>::add_to(LinearValues<Real>& values, const std::vector<Zero<Real>>& zeros,
                                   const Contour<Real>& contour) {
-  constexpr double on_the_axis = 1e-7;  // closer pairs are one zero of multiplicity two
+  constexpr double on_the_axis = 1e-7;  // closer conjugate pairs are one zero of multiplicity 2
   add_nodes(values, contour);
   for (const auto& zero : zeros) {
     const Real height = imag_part<Real>(zero.log);

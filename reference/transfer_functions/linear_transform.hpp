@@ -6,32 +6,31 @@
 
 namespace fde {
 
-// The Laplace transforms of the outputs of a linear problem, exactly: each is a numerator over one
-// denominator,
+// The exact Laplace transforms of the outputs of a linear problem, with a common denominator:
 //   X_j(s) = N_j(s) / P(s),  sums of powers with real coefficients.
-// What sets in later makes a response of its own, shifted: there is one group of numerators for each such
-// time. Orders, times and coefficients are the decimals that name them.
+// A load that starts later adds a shifted response: there is one group of numerators per start time. Orders,
+// times and coefficients are taken as their shortest decimal representations.
 struct LinearTransform {
   struct Group {
     Rational from;
-    std::vector<GeneralizedPolynomial> numerators;  // one for each output
+    std::vector<GeneralizedPolynomial> numerators;  // one per output
   };
   GeneralizedPolynomial characteristic;  // P
   std::vector<Group> groups;
-  std::vector<Rational> generators;  // exponents that the others are sums of, as far as is known
+  std::vector<Rational> generators;  // exponents of which the others are sums, as far as known
 
-  Group& group_from(const Rational& time, std::size_t outputs);  // added if it is new
+  Group& group_from(const Rational& time, std::size_t outputs);  // added if there is none yet
 };
 
-// The same rounded to Real, with all powers in one table.
+// The same rounded to Real, with all powers in one PowerTable.
 template <class Real>
 class RoundedTransform {
  public:
   explicit RoundedTransform(const LinearTransform& exact);
 
-  // coefficient * s^exponent, with the sum of moduli that the coefficient was put together from.
+  // coefficient * s^exponent, and the sum of the moduli of the summands of coefficient.
   struct Monomial {
-    std::size_t power;  // place in the table
+    std::size_t power;  // index in the table
     Real coefficient, size;
   };
   using Polynomial = std::vector<Monomial>;  // increasing exponents
@@ -46,8 +45,8 @@ class RoundedTransform {
   PowerTable table;
   std::vector<Real> exponents;  // of the table
 
-  // Adds the limits from the right of a group's outputs at the time it starts, by the initial value theorem:
-  // what stands at s^0 in s X(s) as s -> infinity. They are infinite where a higher power is left.
+  // Adds the limits from the right of a group's outputs at its start time, by the initial value theorem: the
+  // coefficient of s^0 in s X(s) as s -> infinity. The limit is infinite where a higher power remains.
   void add_start_values(const Group& group, std::vector<Sum<Real>>& sums) const;
 
  private:

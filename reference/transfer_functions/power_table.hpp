@@ -6,16 +6,16 @@
 
 namespace fde {
 
-// The powers s^e for a set of exponents e. Exponentials are what an evaluation costs: a power that is the
-// product of two others is made so.
+// The powers s^e for a set of exponents e. Exponentials dominate the cost of an evaluation, so a power that
+// is the product of two others is computed as the product.
 class PowerTable {
  public:
   PowerTable();
 
-  // Place of s^exponent, which is added if it is new.
+  // Index of s^exponent, which is added if it is new.
   std::size_t index(const Rational& exponent);
 
-  // How a power is made. Its relative error is then at most fixed + growing * |log s| ulps.
+  // How a power is computed. Its relative error is at most fixed + growing * |log s| ulps.
   struct Entry {
     Rational exponent;
     enum class Made { one, itself, inverse, exponential, product } made;
@@ -24,7 +24,7 @@ class PowerTable {
   };
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
 
-  // All of them at one s, real or complex; exponents are those of the entries, rounded.
+  // All powers at one s, real or complex; `exponents` are the exponents of the entries, rounded.
   template <class Real, class Number>
   void evaluate(const std::vector<Real>& exponents, const Number& log_s, const Number& s,
                 std::vector<Number>& powers) const {

@@ -17,9 +17,9 @@ constexpr std::size_t most_iterations = 60;
 constexpr int most_halvings = 20;
 constexpr double rounding = 1e-13, small = 1e-9;
 
-// Takes the largest of the increment, its half, ... that brings the residual down, and returns the size of
-// the whole increment: with parts of it no iteration has come to its end. Increments that are small are taken
-// whole: what they do to the residual is rounding.
+// Damped Newton step: adds the increment, or the largest of its half, quarter, ... that decreases the
+// residual. Returns the size of the full increment, since damped iterations have not converged. Small
+// increments are always added in full: their effect on the residual is rounding.
 double advance(const NodalEquations& equations, NodalValues& values) {
   const NodalResidual residual = equations.residual(values);
   const NodalValues increment = equations.increment(values, residual);
@@ -80,7 +80,7 @@ NodalSolution smallest_solution(const Problem& problem, const NodalBasis& basis)
       least = size;
       smallest.emplace(std::move(found));
     } catch (const std::runtime_error&) {
-      continue;  // this start leads to no solution
+      continue;  // no convergence from these initial values
     }
   }
   if (!smallest) throw std::runtime_error("two-sided reference: no start of Newton's method converges");

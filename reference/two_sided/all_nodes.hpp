@@ -7,18 +7,18 @@
 
 namespace fde {
 
-// A problem with both sides, unknown initial values and conditions, solved at all nodes of a basis at once by
-// Newton's method. Both must live as long.
+// Solution of a problem with left and right derivatives, unknown initial values and conditions, at all nodes
+// of a basis at once by Newton's method. The problem and the basis must outlive this object.
 class NodalSolution {
  public:
-  // From y at the nodes, or from the Taylor part. Throws std::runtime_error where Newton's method does not
-  // converge, std::invalid_argument for algebraic rows.
+  // Newton's method starts from y = start(t) at the nodes, or from the Taylor part. Throws std::runtime_error
+  // where it does not converge, std::invalid_argument for algebraic rows.
   NodalSolution(const Problem& problem, const NodalBasis& basis,
                 const std::function<Vec(BothShares t)>& start = {});
 
-  // y at the nodes, a row a node.
+  // y at the nodes, one row per node.
   [[nodiscard]] const Matrix& at_nodes() const { return values_.y; }
-  // y between them, by the integral of f.
+  // y at any time, by the integral of f.
   [[nodiscard]] Vec at(BothShares t) const { return equations_.at(t, f_, values_.unknown); }
 
  private:
@@ -27,8 +27,9 @@ class NodalSolution {
   Matrix f_;
 };
 
-// The smallest solution, by the mean of |y|^2 over time, to which Newton's method comes from other_starts.
-// Throws std::runtime_error where it comes to none.
+// The smallest, by the mean of |y|^2 over time, of the solutions that Newton's method finds from
+// other_starts(). Throws std::runtime_error where it finds none. The problem and the basis must outlive the
+// result.
 NodalSolution smallest_solution(const Problem& problem, const NodalBasis& basis);
 
 }  // namespace fde

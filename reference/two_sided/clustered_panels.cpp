@@ -7,17 +7,17 @@ namespace fde {
 namespace {
 
 constexpr int quadrature_points = 24;
-constexpr double same_place = 1e-12;  // what is closer in x is one point
+constexpr double same_place = 1e-12;  // points closer in x than this are the same
 
-// The distance between two times with its digits: the one is before the other.
+// after - before without cancellation. Precondition: before <= after.
 double distance(BothShares before, BothShares after) {
   return after.from_start < 0.5 ? after.from_start - before.from_start : before.from_end - after.from_end;
 }
 
 BothShares share(double x) { return {x, 1.0 - x}; }
 
-// Nodes and weights on [0, 1] in double, for the weight (1-u)^power: at the end of the interval the kernel
-// has another one than inside.
+// Nodes and weights on [0, 1] in double, for the weight (1-u)^power. For a target at the end of the interval
+// the kernel has another exponent than for a target inside.
 struct Rule {
   explicit Rule(double of_end)
       : Rule(of_end, gauss_jacobi(quadrature_points, static_cast<long double>(of_end))) {}
@@ -58,8 +58,8 @@ class ClusteredPanels {
   }
 
  private:
-  // The part of a panel between two x. What ends at the target takes the singular rule; what is close to it
-  // for its length is halved.
+  // Adds the integral over the part [from, to] of a panel. A part that ends at the target takes the singular
+  // rule; a part closer to the target than its length is bisected.
   void add(double order, BothShares t, double x, int panel, double from, double to, const Rule& singular,
            Vec& row) const {
     const double length = to - from, gap = x - to;
@@ -117,7 +117,7 @@ BothShares ClusteredTime::at(BothShares x) const {
   return {start / (start + end), end / (start + end)};
 }
 
-// Newton's method for the nearer end's share, from which v is convex upwards: it comes from below.
+// Newton's method for the share of the nearer end, where v is convex.
 BothShares ClusteredTime::undone(BothShares t) const {
   const double start = std::pow(t.from_start, 1.0 / power_), end = std::pow(t.from_end, 1.0 / power_);
   const double nearer = std::min(start, end) / (start + end);

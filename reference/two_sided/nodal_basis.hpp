@@ -6,15 +6,15 @@
 
 namespace fde {
 
-// A time in [0, end] as its distances from both ends, each a share of the whole: they sum to 1. Next to an
-// end the distance from it keeps its digits.
+// A time in [0, end] as its distances from both ends, relative to end: they sum to 1. Near an end the
+// distance from it keeps its relative accuracy.
 struct BothShares {
   double from_start, from_end;
   [[nodiscard]] BothShares reversed() const { return {from_end, from_start}; }
 };
 
-// Functions on [0, 1] known by their values at nodes, 0 and 1 among them as the first and the last. The nodes
-// are symmetric: those in reverse order are the same seen from the end.
+// A basis of functions on [0, 1] given by their values at nodes, of which the first is 0 and the last 1. The
+// nodes are symmetric under t -> 1 - t.
 struct NodalBasis {
   std::vector<BothShares> nodes;
   // rows(order)(t): the weights of the values at the nodes in 1/Gamma(order) int_0^t (t-s)^(order-1) f(s) ds.

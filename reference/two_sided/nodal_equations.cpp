@@ -103,14 +103,15 @@ Vec NodalEquations::conditions(const Matrix& y) const {
   return result;
 }
 
-// By central differences: conditions are functions of a few numbers.
+// The derivative of the conditions in the direction `change`, by central differences.
 Vec NodalEquations::conditions_along(const Matrix& y, const Matrix& change) const {
   const double size = std::max(1.0, y.cwiseAbs().maxCoeff());
   const double part = 0x1p-20 * size / std::max(1e-300, change.cwiseAbs().maxCoeff());
   return (conditions(y + part * change) - conditions(y - part * change)) / (2.0 * part);
 }
 
-// The rows are solved for the residual and for each unknown value alone; the conditions say how much of each.
+// Block elimination: the rows are solved for the residual and for a unit change of each unknown initial
+// value; the conditions then determine the unknown initial values.
 NodalValues NodalEquations::increment(const NodalValues& values, const NodalResidual& residual) const {
   std::vector<Matrix> jacobians;
   for (Eigen::Index m = 0; m < nodes(); ++m)

@@ -8,27 +8,27 @@
 
 namespace fde {
 
-// Values of y at all nodes, a row a node, and of the unknown initial values of a problem.
+// Values of y at all nodes, one row per node, and the unknown initial values of a problem.
 struct NodalValues {
   Matrix y;
   Vec unknown;
 
-  // The largest modulus of all.
+  // The largest modulus of all entries.
   [[nodiscard]] double size() const;
 };
 
-// By how far they miss the equations at the nodes and the conditions.
+// The residuals of the equations at the nodes, one row per node, and of the conditions.
 struct NodalResidual {
   Matrix rows;
   Vec conditions;
 
-  [[nodiscard]] double norm() const;  // root of the mean square over the nodes, beside the conditions
+  [[nodiscard]] double norm() const;  // sqrt(|rows|^2 / nodes + |conditions|^2)
 };
 
 // The Volterra form of a problem at all nodes of a basis at once,
 //   y_i = start_i + 1/Gamma(g_i) int (t-s)^(g_i-1) f_i ds,
-// right rows from the end; start_i is the Taylor part with the unknown initial values. Both must live as
-// long.
+// with the integral from the end for right derivatives; start_i is the Taylor part with the unknown initial
+// values. The problem and the basis must outlive this object.
 class NodalEquations {
  public:
   // Throws std::invalid_argument for algebraic rows.
@@ -38,14 +38,14 @@ class NodalEquations {
   [[nodiscard]] NodalValues start() const;
   [[nodiscard]] Matrix rhs(const Matrix& y) const;
   [[nodiscard]] NodalResidual residual(const NodalValues& values) const;
-  // Newton's increment.
+  // The Newton increment.
   [[nodiscard]] NodalValues increment(const NodalValues& values, const NodalResidual& residual) const;
 
   // y at any time, from f at the nodes.
   [[nodiscard]] Vec at(BothShares t, const Matrix& f, In unknown) const;
 
  private:
-  using Kind = std::pair<double, Side>;  // rows of one order and side share their weights
+  using Kind = std::pair<double, Side>;  // rows of the same order and side share their weights
 
   [[nodiscard]] Eigen::Index nodes() const { return std::ssize(basis_.nodes); }
   [[nodiscard]] BothShares node(Eigen::Index m) const { return basis_.nodes[static_cast<std::size_t>(m)]; }
@@ -57,7 +57,7 @@ class NodalEquations {
   [[nodiscard]] Vec conditions(const Matrix& y) const;
   [[nodiscard]] Vec conditions_along(const Matrix& y, const Matrix& change) const;
 
-  // The power of its own time that an unknown initial value belongs to.
+  // An unknown initial value: the coefficient of (time from the side of the component)^power / power!.
   struct Unknown {
     Eigen::Index component;
     int power;

@@ -8,8 +8,8 @@ namespace fde {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double last = 5.5;              // a power 0.1 of t is 1e-16 there
-constexpr double quadrature_step = 0.02;  // resolves what f does next to the end of the interval
+constexpr double last = 5.5;              // t^0.1 is 1e-16 there
+constexpr double quadrature_step = 0.02;  // resolves f next to the end of the interval
 
 BothShares mapped(double x) {
   const double exponent = pi * std::sinh(x);
@@ -38,8 +38,9 @@ class SincNodes {
 
   [[nodiscard]] const std::vector<BothShares>& nodes() const { return nodes_; }
 
-  // With s = t u: t^order / Gamma(order) int_0^1 (1-u)^(order-1) f(t u) du. Beyond the last point u is 1, and
-  // small orders have a share of the integral there, of all of it 1 / order: f is f(t) for that.
+  // With s = t u: t^order / Gamma(order) int_0^1 (1-u)^(order-1) f(t u) du. Beyond the last point u is 1 up
+  // to rounding; for small orders that part of int (1-u)^(order-1) du = 1 / order is not negligible, and
+  // takes f(t).
   [[nodiscard]] Vec row(double order, BothShares t) const {
     Vec row = Vec::Zero(std::ssize(nodes_));
     if (t.from_start == 0.0) return row;

@@ -19,8 +19,8 @@ constexpr int few_points = 6, few_panels = 6;
 constexpr double sinc_step = 0.08;
 constexpr double roundings = 64 * 0x1p-53;
 
-// What starts like the smallest order g starts like x^4; below g = 1/8 less, since more would take its panels
-// from the middle.
+// A solution that starts like t^g, g the smallest order, starts like x^4 (g >= 1/8), or like a lower power: a
+// stronger clustering would leave too few panels for the middle.
 ClusteredTime time_of(const Problem& problem) {
   constexpr double smooth = 4.0, usual = 8.0, most = 32.0;
   double smallest = 1.0;
@@ -29,13 +29,13 @@ ClusteredTime time_of(const Problem& problem) {
   return ClusteredTime(std::clamp(smooth / smallest, usual, most));
 }
 
-// Panels, 9 of them or 8 of another resolution for the usual power 8: between the ends and the middle t is
-// the steeper the larger the power is.
+// Number of panels, `usual` for the power 8: for a larger power t(x) is steeper between the ends and the
+// middle.
 int count_of(int usual, const ClusteredTime& time) {
   return static_cast<int>(std::ceil(usual * std::sqrt(time.power() / 8.0)));
 }
 
-// The times of the points that the table keeps of a panel.
+// The times of the points that the table stores for a panel.
 std::vector<BothShares> dense_times(const PanelBasis& basis, int panel, int panels,
                                     const ClusteredTime& time) {
   std::vector<BothShares> times;
@@ -48,7 +48,7 @@ std::vector<BothShares> dense_times(const PanelBasis& basis, int panel, int pane
   return times;
 }
 
-// The largest on a panel and its neighbours: errors change sign.
+// The largest difference on a panel and its neighbours, since errors change sign.
 std::vector<Vec> spread(const std::vector<Vec>& differences) {
   std::vector<Vec> result = differences;
   for (std::size_t k = 0; k < differences.size(); ++k) {
@@ -58,7 +58,8 @@ std::vector<Vec> spread(const std::vector<Vec>& differences) {
   return result;
 }
 
-// From the Taylor part, or from the smallest of the solutions that other starts lead to on few nodes.
+// Newton's method from the Taylor part or, if that fails for a nonlinear problem, from smallest_solution() on
+// a coarse basis.
 NodalSolution solution_on(const Problem& problem, const NodalBasis& basis, const ClusteredTime& time) {
   try {
     return {problem, basis};
@@ -97,7 +98,7 @@ PanelTable two_sided_table(const Problem& problem) {
       difference = difference.cwiseMax((y - second.at(times[j])).cwiseAbs());
     }
     differences.push_back(difference);
-    // The last edge is the end itself: (end * panels) / panels need not be.
+    // The last edge has to be the end exactly: (end * panels) / panels may differ.
     const auto edge = [&](double number) { return problem.end * (number / panels); };
     table.panels.push_back({edge(k), edge(k + 1.0), values, {}});
   }
@@ -108,7 +109,7 @@ PanelTable two_sided_table(const Problem& problem) {
 }
 
 Reference two_sided_reference(PanelTable table, const Problem& problem) {
-  // At the start a reference that is stepped from there is exact. Here right rows are not.
+  // The bound at t = 0 is not 0: components with right derivatives are not given there.
   Vec at_start = table.panels.front().bound;
   return {[clustered_times = panel_reference(std::move(table), std::move(at_start)), end = problem.end,
            time = time_of(problem)](double t) -> ReferenceValue {

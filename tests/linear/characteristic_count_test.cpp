@@ -1,4 +1,4 @@
-// How many zeros of a characteristic function a rectangle of log s has.
+// The number of zeros of a characteristic function in a rectangle of log s.
 
 #include "transfer_functions/characteristic_count.hpp"
 
@@ -19,8 +19,8 @@ CharacteristicFunction two_pairs(const Rational& apart) {
 }
 
 // Zeros at log s = +-i pi/2 and +-i pi/2 + log(1 + apart)/2: four left of a side that passes all of them on
-// the right, none left of one that passes them on the left. At each pair arg P turns by nearly 2 pi within a
-// length of a few distances, which a look at the ends of a longer piece takes for nothing.
+// the right, none left of a side that passes them on the left. At each pair arg P changes by nearly 2 pi
+// within a length of a few distances, which the values at the ends of a longer piece do not show.
 TEST(CharacteristicCount, TwoZerosCloseToEachOtherNextToASideAreTwo) {
   for (const int digits : {3, 5, 7}) {
     long double distance = 1.0L;

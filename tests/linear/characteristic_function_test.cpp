@@ -1,4 +1,4 @@
-// The characteristic function of a linear problem: its value with what rounding leaves of it.
+// The characteristic function of a linear problem: its value and its rounding error.
 
 #include "transfer_functions/characteristic_function.hpp"
 
@@ -9,9 +9,9 @@
 namespace fde {
 namespace {
 
-// 10^k (s - 3) over its largest term at log s = 1.0986122886682 (a double): 1 - 3/s
-// is 9.02408225719086546797918e-14 there (mpmath, 60 digits). Of log 10^4900 = 11283 long double has 15
-// digits behind the point.
+// 10^k (s - 3) divided by its largest term at log s = 1.0986122886682 (a double): 1 - 3/s is
+// 9.02408225719086546797918e-14 there (mpmath, 60 digits). In long double log 10^4900 = 11283 has 15 digits
+// after the point.
 TEST(CharacteristicFunction, ItsNoiseKnowsTheRoundingOfLargeCoefficients) {
   constexpr long double exact = 9.02408225719086546797918e-14L;
   for (int k = 4800; k <= 4900; k += 10) {

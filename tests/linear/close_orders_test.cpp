@@ -1,5 +1,5 @@
-// Linear systems whose characteristic function cancels to 20 digits and more, since its orders are next to
-// each other.
+// Linear systems whose characteristic function loses 20 digits or more by cancellation, since its orders are
+// close.
 
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ void expect_value(const Reference& reference, const Vec& exact) {
 // mpmath 1.3: E_g(z) = e^(z^(1/g)) / g + int_0^infinity e^-r K(r) dr, the jump of s^(g-1) / (s^g - z) at the
 // cut, by quadrature in log r down to -1e13 with 45 digits.
 
-// The zeros of s^2g - 2 s^g + 1 + g^2 are at log s = +-i, near enough, where the terms leave 1e-20 of
-// themselves.
+// The zeros of s^2g - 2 s^g + 1 + g^2 are at about log s = +-i, where the terms cancel to 1e-20 of their
+// size.
 TEST(CloseOrders, TwoZerosOfATinyOrderAreFound) {
   constexpr double gamma = 1e-10;
   const Matrix turning = (Matrix(2, 2) << 1.0, -gamma, gamma, 1.0).finished();
@@ -38,9 +38,9 @@ TEST(CloseOrders, ADoubleZeroOfATinyOrderIsFound) {
                (Vec(2) << 140388512124091313338.5, 11332672538.749244175).finished());
 }
 
-// (s^g - 1)(s^(2-g) + 4) = -1: zeros where s^2 balances what s^g - 1 leaves, at s = 825.44406994956 +-
+// (s^g - 1)(s^(2-g) + 4) = -1: zeros where s^2 balances the small s^g - 1, at s = 825.44406994956 +-
 // 10301.7085936548 i (mpmath's findroot, 30 digits). The values at t = 1e-3 are from the transforms by
-// Talbot's contour with 60, 100 and 140 points and 80 digits, which agree to all that is written here.
+// Talbot's contour with 60, 100 and 140 points and 80 digits, which agree to all digits given here.
 TEST(CloseOrders, AZeroFarFromTheRadiiOfEqualTermsIsFound) {
   const Reference solution = linear_reference({.orders = {1e-9, 2.0 - 1e-9},
                                                .initial = {{1.0}, {0.5, 0.0}},

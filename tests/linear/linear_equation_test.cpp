@@ -17,7 +17,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// One assertion over a table: the row that is worst against what is allowed.
+// The row of a table with the largest ratio of error to tolerance, for one assertion over all rows.
 struct Worst {
   double ratio = 0.0;
   std::string row;
@@ -46,8 +46,7 @@ struct Relaxation {
 
 class RelaxationEquation : public testing::TestWithParam<Relaxation> {};
 
-// D^gamma u = lambda u: u = E_gamma(lambda t^gamma), and D^gamma u is lambda times that. The argument is
-// rounded.
+// D^gamma u = lambda u: u = E_gamma(lambda t^gamma). The tolerance includes the rounding of the argument.
 TEST_P(RelaxationEquation, IsSolvedByTheMittagLefflerFunction) {
   const auto& [name, gamma, lambda] = GetParam();
   std::vector<double> initial{1.0};
@@ -79,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(LinearEquation, RelaxationEquation,
                                          Relaxation{"NearlyHarmonic", 1.99, -1.0}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// With a zero missed or found twice, the two functions differ by a term e^(s* t).
+// If a zero were missed or found twice, the two functions would differ by a term e^(s* t).
 TEST(LinearEquation, FindsEveryZero) {
   std::mt19937_64 random(
       20240517);  // NOLINT(bugprone-random-generator-seed,cert-msc51-cpp): the same rows each time

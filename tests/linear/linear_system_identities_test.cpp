@@ -1,4 +1,4 @@
-// Linear systems against each other and against equations.
+// Linear systems compared with each other and with linear equations.
 
 #include "support/linear_system_testing.hpp"
 
@@ -23,7 +23,7 @@ TEST(LinearSystem, DiagonalSystemIsItsScalars) {
   }
 }
 
-// A component that does not feel a growing one keeps its value and its digits.
+// A component that does not depend on a growing one keeps its value and its digits.
 TEST(LinearSystem, ComponentsAreSolvedWithoutWhatTheyDoNotDependOn) {
   const auto precision = test_precision();
   const Reference both = linear_reference({.orders = {0.5, 0.5},
@@ -68,7 +68,8 @@ TEST(LinearSystem, DampedOscillatorAsAChain) {
   }
 }
 
-// The response to a load that acts until T is that of one that stays, minus the same T later.
+// The response to a load that acts until T is the response to a permanent load minus the same response
+// shifted by T.
 TEST(LinearSystem, PiecewiseConstantLoadsSuperpose) {
   const auto precision = test_precision();
   constexpr double until = 0.75;

@@ -1,4 +1,4 @@
-// Linear systems at their start, beyond double, and posed wrongly.
+// Linear systems at the start, with overflow in double, and with invalid input.
 
 #include <cmath>
 #include <limits>
@@ -26,7 +26,7 @@ TEST(LinearSystem, StartsWithItsInitialValuesAndGrowsBeyondDouble) {
   for (const double t : {0.0, 0.1, 1e6}) EXPECT_EQ(steady.at(t).value, (Vec(2) << 1.0, 2.0).finished()) << t;
 }
 
-// (s^g - re)^2 + im^2, whose zeros s* are one to all digits of a long double.
+// P = (s^g - re)^2 + im^2; for small im the zeros s* agree to all digits of long double.
 LinearSystem pair(double order, double re, double im) {
   return {.orders = {order, order},
           .initial = order > 1.0 ? std::vector{std::vector{1.0, 0.0}, std::vector{0.0, 0.0}}
@@ -34,7 +34,8 @@ LinearSystem pair(double order, double re, double im) {
           .matrix = (Matrix(2, 2) << re, -im, im, re).finished()};
 }
 
-// s* = 1e97 e^(162 degrees i): what is left is the head -1 / (z Gamma(1-g)) of E_g(z), z = re + i im.
+// s* = 1e97 e^(162 degrees i) is negligible: the value is the leading term -1 / (z Gamma(1-g)) of E_g(z),
+// z = re + i im.
 TEST(LinearSystem, HasNothingOfDoubleZerosFarOnTheLeft) {
   const auto [value, bound] = linear_reference(pair(1.11, -1e108, 3.0)).at(1.0);
   const double head = 1e-108 / std::tgamma(1.0 - 1.11);
@@ -43,7 +44,7 @@ TEST(LinearSystem, HasNothingOfDoubleZerosFarOnTheLeft) {
   EXPECT_LE(bound[0], 1e-15 * std::abs(head));
 }
 
-// s* = 1e33 on the right is known to 17 digits, so e^s* is not known, and more digits do not help.
+// s* = 1e33 in the right half-plane has 17 correct digits, so e^s* has none, and more digits do not help.
 TEST(LinearSystem, RefusesAtOnceDoubleZerosFarOnTheRight) {
   std::size_t work = 0;
   const ListeningToWork listening([&](std::size_t, std::size_t) { ++work; });

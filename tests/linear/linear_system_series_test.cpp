@@ -1,4 +1,4 @@
-// Linear systems against their power series, an inversion that knows nothing of determinants, and their own
+// Linear systems compared with their power series, with an inversion without determinants, and with their own
 // bounds.
 
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace fde {
 namespace {
 
-// x_i = x_i(0) + J^(g_i) [A x + b]_i, solved term by term: with t^e / Gamma(e+1) as the unit, J^g only shifts
-// the exponent m g_1 + n g_2.
+// x_i = x_i(0) + J^(g_i) [A x + b]_i, solved term by term: in the basis t^e / Gamma(e+1), J^g only shifts the
+// exponent m g_1 + n g_2.
 TEST(LinearSystem, IsItsPowerSeries) {
   const auto precision = test_precision();
   constexpr std::size_t most = 160;
@@ -44,7 +44,8 @@ TEST(LinearSystem, IsItsPowerSeries) {
   expect_equal(values[1], sum_y, "y");
 }
 
-// Long double or not, stiff, growing or both: the bound holds, and is small against max(|x|, |t x'|).
+// In long double and in multiprecision, for stiff and growing systems: the bound holds, and is small compared
+// with max(|x|, |t x'|).
 TEST(LinearSystem, DoublesAreWithinTheirBounds) {
   const auto precision = test_precision();
   std::mt19937 random(3);
@@ -73,13 +74,12 @@ TEST(LinearSystem, DoublesAreWithinTheirBounds) {
       }
     }
   }
-  EXPECT_LE(worst, 7e-16);  // 5e-16 and the rounding of the value
+  EXPECT_LE(worst, 7e-16);  // 5e-16 plus the rounding of the value
 }
 
 using BigMatrix = std::vector<std::vector<BigComplex>>;
 
-// Gaussian elimination without a pivot search: fine for the matrices below on a contour away from their
-// zeros.
+// Gaussian elimination without pivoting: accurate for the matrices below on a contour away from their zeros.
 std::vector<BigComplex> solve(BigMatrix m, std::vector<BigComplex> r) {
   const std::size_t size = r.size();
   for (std::size_t k = 0; k < size; ++k) {
@@ -96,8 +96,8 @@ std::vector<BigComplex> solve(BigMatrix m, std::vector<BigComplex> r) {
   return r;
 }
 
-// (diag(s^g) - A)^-1 diag(s^(g-1)) x0 on a parabola round everything: |s| <= the norm of the matrix, if that
-// is 1 at least and no order is below 1.
+// (diag(s^g) - A)^-1 diag(s^(g-1)) x0 on a parabola around all singularities: |s| <= the norm of the matrix,
+// if that is at least 1 and no order is below 1.
 TEST(LinearSystem, AgreesWithEliminationOnAnEnclosingContour) {
   const auto precision = test_precision();
   std::mt19937 random(7);

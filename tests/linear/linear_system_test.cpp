@@ -1,4 +1,4 @@
-// Linear systems against closed forms.
+// Linear systems compared with closed forms.
 
 #include "support/linear_system_testing.hpp"
 
@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Single{"VeryStiffOscillating", 1.5, -1e8}, Single{"VeryStiffNearlyHarmonic", 1.99, -1e8}),
     [](const auto& test) { return std::string(test.param.name); });
 
-// E_{1/2}(l sqrt(t)) ~ -sum_k l^-k t^(-k/2) / Gamma(1 - k/2): at l = -1e8 seven terms are 48 digits and more.
+// E_{1/2}(l sqrt(t)) ~ -sum_k l^-k t^(-k/2) / Gamma(1 - k/2): at l = -1e8 seven terms give 48 digits or more.
 TEST(LinearSystem, VeryStiffRelaxationHasItsAsymptoticExpansion) {
   const auto precision = test_precision();
   const Reference solution = linear_reference({.orders = {0.5}, .initial = {{1.0}}, .matrix = scalar(-1e8)});
@@ -56,7 +56,7 @@ TEST(LinearSystem, VeryStiffRelaxationHasItsAsymptoticExpansion) {
   }
 }
 
-// Within the fast transient: e^(-1e8 t) at t = 1e-7, and 1/l where only a load is left.
+// The fast transient e^(-1e8 t) at t = 1e-7, and the level 1e-8 of the load after it.
 TEST(LinearSystem, VeryStiffExponentialHasItsTransient) {
   const auto precision = test_precision();
   const Reference solution =

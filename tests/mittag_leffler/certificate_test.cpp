@@ -28,7 +28,7 @@ TEST(Points, FillTheRegionsOneAfterTheOther) {
   EXPECT_EQ(point(point_count - 1).region, region_names().back());
 }
 
-// One point of each region; the command fde_certificate goes through all of them.
+// One point of each region; the command fde_certificate checks all of them.
 TEST(Judge, FindsNoFault) {
   for (int i = 3; i < point_count; i += points_in_a_region) {
     const Judgement row = judge(point(i), 50);
@@ -36,7 +36,7 @@ TEST(Judge, FindsNoFault) {
   }
 }
 
-// The double nearest to the value, off by some ulp, and a bound that covers it.
+// Results with an error of `ulps` ulp and a stated bound of `stated_ulps` ulp.
 Faces off_by(double ulps, double stated_ulps) {
   Faces faces = library_faces();
   faces.in_double = [=](const Point& x) {
@@ -74,7 +74,7 @@ TEST(Judge, MeasuresAgainstTheSlopeNextToAZero) {
   EXPECT_THAT(judge(far, 0, off_by(9, 20)).faults, ElementsAre("error above 8 ulp"));
 }
 
-// E_{2,3}(-x) = (1 - cos sqrt x)/x is 0 twice at (2 pi)^2.
+// E_{2,3}(-x) = (1 - cos sqrt x)/x has a double zero at (2 pi)^2.
 TEST(Judge, MeasuresAgainstTheSlopeNextToADoubleZero) {
   const Point close{"", 2.0, 3.0, -4.0 * M_PI * M_PI * (1.0 + 1e-4)};
   EXPECT_THAT(judge(close, 0, off_by(1e3, 2e3)).faults, IsEmpty());

@@ -37,7 +37,7 @@ class OnCoarseContours : public testing::TestWithParam<Case> {
   }
 };
 
-// The trapezoidal sum with its residues at 60 digits, so that what is off is what the contour neglects.
+// The trapezoidal sum with its residues at 60 digits, so that its error is the discretisation error.
 BigComplex sum_with_residues(const Case& x, const Contour<BigReal>& contour,
                              const std::vector<std::complex<double>>& roots, double distance) {
   const BigReal alpha(x.alpha), beta(x.beta);
@@ -83,7 +83,7 @@ TEST_P(OnCoarseContours, WhatIsNeglectedIsBounded) {
   }
 }
 
-// The function is its integral along a line and the residues of the poles to the right of it.
+// The function is the integral along a line plus the residues of the poles to the right of it.
 TEST_P(OnCoarseContours, TheIntegralAlongALineIsBounded) {
   constexpr double rounding = 1e-13;  // of large residues
   const Case& x = GetParam();
@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"LargeBeta", 1.25, 9.5, -2.0}),
     [](const testing::TestParamInfo<Case>& test) { return test.param.name; });
 
-// Jensen: the logarithm of a line integral is convex in the exponent, and so below its chords.
+// The logarithm of a line integral is convex in the exponent, and so lies below its chords.
 TEST(LineIntegrals, InterpolationIsAnUpperBound) {
   for (const double distance : {0.02, 0.3, 4.0}) {
     const LineIntegrals table(7.0, distance);

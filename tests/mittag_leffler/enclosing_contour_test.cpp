@@ -10,7 +10,7 @@ namespace {
 
 using Point = EnclosingContour::Point;
 
-// F(s) = product of (s - s_j)^-order_j, and the function with that transform at time 1.
+// F(s) = product of (s - s_j)^-order_j, and its inverse Laplace transform at time 1.
 struct Case {
   const char* name;
   std::vector<Point> singularities;
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                return BigComplex(BigReal(1) / (pole * pole) +
                                  exp(pole) * (BigReal(1) / pole - BigReal(1) / (pole * pole)));
              }},
-        // e^-1000 is beyond all digits asked for
+        // e^-1000 is negligible at all requested digits
         Case{"LeavesOutWhatDoesNotMatter",
              {0.0L, -1000.0L},
              {1.0, 1.0},
@@ -125,7 +125,7 @@ TEST(EnclosingContour, RefusesWhatIsTooFarApart) {
   EXPECT_THROW(EnclosingContour({}, 16), std::invalid_argument);
 }
 
-// A majorant beyond all numbers on the discs' centres as well bounds nothing, nor does one that is NaN.
+// A majorant that overflows or is NaN also at the centres of the discs gives no bound.
 TEST(EnclosedTransform, SaysWhereThereIsNoBound) {
   for (const long double off : {std::numeric_limits<long double>::max(), std::nanl("")}) {
     EnclosedTransform transform{.singularities = {0.0L}, .real = true};

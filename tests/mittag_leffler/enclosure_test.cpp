@@ -20,13 +20,13 @@ std::string name_of(double alpha, double beta, Value z) {
 struct Elementary {
   const char* name;
   double alpha, beta;
-  Ball (*value)(const Ball& root);  // of a root s with z = s^alpha
+  Ball (*value)(const Ball& root);  // as a function of a root s, z = s^alpha
   Ball (*argument)(const Ball& root);
 };
 
 class EnclosureOf : public testing::TestWithParam<Elementary> {};
 
-// All three methods, each where it applies, against Arb's own functions.
+// All three methods against Arb's own functions.
 TEST_P(EnclosureOf, MeetsTheElementaryFunction) {
   const auto& [name, alpha, beta, value, argument] = GetParam();
   const WorkingBits scope(bits);
@@ -65,7 +65,7 @@ struct Sample {
   Value z;
 };
 
-// The formulas share nothing but arithmetic, so a common member of small balls is no accident.
+// The two formulas share only the arithmetic, so that an overlap of small balls is evidence for both.
 TEST(Enclosure, OfTheSeriesAndOfTheIntegralOverlap) {
   for (const auto& [alpha, beta, z] :
        {Sample{0.3, 0.3, {1.5, -0.5}}, Sample{0.01, 1.0, -0.875}, Sample{0.7, -10.0, -3.0},
@@ -80,7 +80,8 @@ TEST(Enclosure, OfTheSeriesAndOfTheIntegralOverlap) {
   }
 }
 
-// E_{alpha,beta}(z) = 1/Gamma(beta) + z E_{alpha,alpha+beta}(z), where no series can be summed.
+// E_{alpha,beta}(z) = 1/Gamma(beta) + z E_{alpha,alpha+beta}(z), for arguments too large for the power
+// series.
 TEST(Enclosure, SatisfiesTheRecurrenceFarOut) {
   const WorkingBits scope(bits);
   for (const auto& [alpha, beta, z] :

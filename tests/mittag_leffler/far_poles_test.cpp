@@ -1,5 +1,5 @@
-// Poles of s^alpha = z far out on the left, next to every contour there: e^s is nothing, and the value is
-// that of the expansion -sum_k z^-k / Gamma(beta - k alpha).
+// Poles s^alpha = z of large modulus in the left half-plane, close to every contour there: e^s is negligible,
+// and the value is the asymptotic expansion -sum_k z^-k / Gamma(beta - k alpha).
 
 #include <gtest/gtest.h>
 

@@ -21,7 +21,7 @@ struct Case {
 
 class OnCoarseShiftedContours : public testing::TestWithParam<Case> {};
 
-// The trapezoidal sum at 60 digits, so that what is off is what the contour neglects.
+// The trapezoidal sum at 60 digits, so that its error is the discretisation error.
 BigComplex trapezoidal_sum(const Case& x, const ShiftedShape& shape) {
   const Contour<BigReal> contour(shape.mu, shape.omega, shape.depth, false);
   const BigReal alpha(x.alpha), beta(x.beta), gamma(x.gamma), offset(shape.offset);
@@ -38,7 +38,7 @@ BigComplex trapezoidal_sum(const Case& x, const ShiftedShape& shape) {
   return sum;
 }
 
-// All singularities are inside, so that nothing but the rule is off.
+// All singularities are inside, so that the only error is the discretisation error.
 TEST_P(OnCoarseShiftedContours, WhatIsNeglectedIsBounded) {
   const Case& x = GetParam();
   const auto text = [](double number) { return fmt::format("{}", number); };

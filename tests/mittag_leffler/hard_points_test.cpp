@@ -12,7 +12,7 @@ namespace {
 
 using Value = std::complex<double>;
 
-// Where codes in print lose digits or return NaN, or where the methods that they choose from meet.
+// Points where published codes lose digits or return NaN, or where they switch between methods.
 struct Hard {
   const char* name;
   std::vector<Point> points;
@@ -61,10 +61,11 @@ std::vector<Point> near_zeros() {
 
 class HardPoints : public testing::TestWithParam<Hard> {};
 
-// At most 8 ulp in double and inside the stated bound; 50 digits inside theirs (judge.hpp).
+// In double the error is at most 8 ulp and within the stated bound; for 50 digits within its bound
+// (judge.hpp).
 TEST_P(HardPoints, AreRight) {
   for (const Point& point : GetParam().points) {
-    if (point.z == 0.0) continue;  // 1/Gamma(beta), which Arb's integral does not take
+    if (point.z == 0.0) continue;  // the value is 1/Gamma(beta); Arb's integral does not apply
     const Judgement row = judge(point, 50);
     EXPECT_THAT(row.faults, testing::IsEmpty())
         << fmt::format("E_{{{},{}}}({}{:+}i)", point.alpha, point.beta, point.z.real(), point.z.imag());

@@ -22,7 +22,7 @@ using Precise = boost::multiprecision::number<boost::multiprecision::mpfr_float_
 
 void expect_near(const MatrixValue& a, const ComplexMatrix& b, double off, const std::string& name) {
   EXPECT_LE((a.value - b).cwiseAbs().maxCoeff(), off) << name << ":\n" << a.value << "\nfor\n" << b;
-  // entries that vanish are known to what they were put together from
+  // entries that vanish are accurate relative to the largest entry
   const Eigen::ArrayXXd sizes = a.value.cwiseAbs();
   EXPECT_TRUE((a.bound.array() <= 1e-15 * (sizes == 0.0).select(sizes.maxCoeff(), sizes)).all())
       << name << "\n"
@@ -44,7 +44,7 @@ TEST(MittagLefflerOfAMatrix, OfOrderOneIsTheExponential) {
   expect_near(mittag_leffler(1.0, 1.0, a), a.exp().cast<Value>(), 1e-13, "exp");
 }
 
-// A = s (P - I) 4 with a projector P: E(A) = P + E(-4 s) (I - P), for any s. Eigenvalues are 0 and -4 s.
+// A = 4 s (P - I) with a projector P: E(A) = P + E(-4 s) (I - P), for any s. Eigenvalues are 0 and -4 s.
 TEST(MittagLefflerOfAMatrix, OfASingularMatrixOfAnySize) {
   MatrixXd a(2, 2), projector(2, 2);
   a << -2.0, 1.0, 4.0, -2.0;
@@ -55,14 +55,14 @@ TEST(MittagLefflerOfAMatrix, OfASingularMatrixOfAnySize) {
   }
 }
 
-// E_2(-2 s) = cos sqrt(2 s) turns 1e50 times: refused, not left out.
+// E_2(-2 s) = cos sqrt(2 s) has an argument of 1e50: an exception, not a neglected contribution.
 TEST(MittagLefflerOfAMatrix, RefusesEigenvaluesTooFarUp) {
   MatrixXd a(2, 2);
   a << -1.0, 1.0, 1.0, -1.0;
   EXPECT_THROW(mittag_leffler(2.0, 1.0, MatrixXd(1e100 * a)), std::runtime_error);
 }
 
-// V f(D) V^-1 with a V of small whole numbers whose inverse is exact.
+// V f(D) V^-1 with a V of small integers whose inverse is exact.
 TEST(MittagLefflerOfAMatrix, ActsOnEigenvalues) {
   MatrixXd v(3, 3);
   v << 1.0, 2.0, 0.0, 0.0, 1.0, -3.0, 0.0, 0.0, 1.0;
@@ -92,7 +92,7 @@ TEST(MittagLefflerOfAMatrix, OfAJordanBlockHasItsDerivatives) {
   }
 }
 
-// f[x, y] = (f(x) - f(y)) / (x - y) beside the diagonal, stiff, and far from normal.
+// f[x, y] = (f(x) - f(y)) / (x - y) off the diagonal; stiff and highly nonnormal matrices.
 TEST(MittagLefflerOfAMatrix, OfATriangleHasDividedDifferences) {
   struct Triangle {
     double first, second, beside;
@@ -124,7 +124,7 @@ TEST(MittagLefflerOfAMatrix, OfARotationIsAComplexNumber) {
   EXPECT_NEAR(value(0, 1).real(), exact.imag(), 2e-16);
 }
 
-// Defective, 3 x 3, not triangular: P J P^-1 with exact P. To 40 digits the bound holds against 70.
+// Defective, 3 x 3, not triangular: P J P^-1 with exact P. The bound at 40 digits holds against 70 digits.
 TEST(MittagLefflerOfAMatrix, BoundsItsErrorWhereItIsDefective) {
   std::vector<DecimalComplex> matrix;
   for (const char* entry : {"-2", "1", "0", "-1", "0", "1", "1", "-1", "-1"}) {
@@ -142,7 +142,7 @@ struct KnownMatrix {
   std::vector<Value> matrix, value;
 };
 
-// mpmath 1.3: the power series at 200 digits. Far from normal, defective, complex, next to singular.
+// mpmath 1.3: the power series at 200 digits. Highly nonnormal, defective, complex, nearly singular matrices.
 const std::vector<KnownMatrix> by_power_series{
     {0.75,
      1.0,
@@ -210,7 +210,7 @@ TEST(MittagLefflerOfASmallMatrix, MeetsValuesFromAnIndependentSummation) {
   }
 }
 
-// What the quick way states and what 30 digits have, for matrices of many sizes: small whole numbers over 4,
+// The bounds of the quick evaluation against 30 digits, for matrices of many sizes: small integers over 4,
 // times a power of two. (Their decimals are exact.)
 TEST(MittagLefflerOfASmallMatrix, StatesBoundsThatHold) {
   int quick_ones = 0;

@@ -21,8 +21,8 @@ struct Point {
   Value z;
 };
 
-// One of each kind that has a way of its own: no pole, poles left and right, peeled, other contours, cut
-// free, 1/Gamma(beta) = 0, next to whole orders.
+// One point for each branch of the code: no pole, poles left and right, peeled terms, other contours, no
+// branch cut, 1/Gamma(beta) = 0, nearly integer orders.
 const std::vector<Point> points{{0.5, 1.0, -1.0},
                                 {0.25, 0.25, -40.0},
                                 {0.75, 0.75, -1e7},
@@ -53,7 +53,7 @@ std::string name_of(const Point& x) {
   return fmt::format("E_{{{},{}}}({}{:+}i)", x.alpha, x.beta, x.z.real(), x.z.imag());
 }
 
-// To 40 digits.
+// The value to 40 digits.
 Bounded<BigReal> exact_value(const Point& x) {
   const Precision precision(60);
   return mittag_leffler_to(40, 60, [&] {
@@ -87,7 +87,7 @@ TEST(MittagLefflerQuick, IsNotThereWhereThePhaseOfAPoleIsUnknown) {
   EXPECT_FALSE(mittag_leffler_quick(0.5, {100.0, 0.0}, -1.0));
 }
 
-// Next to the zeros of 1/Gamma with an order that is next to nothing: power series for |z| < 1, otherwise
+// Tiny orders next to the zeros of 1/Gamma: power series for |z| < 1, otherwise
 // -sum z^-k / Gamma(beta - alpha k), in mpmath with 420 digits.
 TEST(MittagLefflerQuick, TakesTinyOrdersNextToTheZerosOfTheReciprocalGammaFunction) {
   struct Known {
@@ -127,7 +127,7 @@ TEST(ComplexLogarithm, HasThirtyDigits) {
   }
 }
 
-// Between from and to E changes its sign. At the zero the bound is 8 ulp of |z E'|, and a little farther off
+// E changes sign between `from` and `to`. At the zero the bound is 8 ulp of |z E'|, and a little farther off
 // 8 ulp of |E| again.
 struct Bracket {
   double alpha, beta, from, to;

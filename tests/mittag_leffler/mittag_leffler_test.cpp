@@ -25,8 +25,7 @@ std::string name_of(double alpha, double beta, Value z) {
   return fmt::format("E_{{{},{}}}({}{:+}i)", alpha, beta, z.real(), z.imag());
 }
 
-// The row of a table that is worst against what is allowed, for the message of one assertion over all of
-// them.
+// The row of a table with the largest ratio of error to tolerance, for one assertion over all rows.
 struct Worst {
   double ratio = 0.0;
   std::string row;
@@ -45,8 +44,7 @@ struct Known {
 };
 
 // mpmath 1.3: the power series summed at 60 to 300 digits, and for E_0.05 and the last two, where it cannot
-// be summed, 400 terms of the asymptotic series at 60 digits. The doubles are taken for what they are, not
-// for decimals.
+// be summed, 400 terms of the asymptotic series at 60 digits. The doubles are taken exactly, not as decimals.
 const std::vector<Known> known_values{
     {0.5, 1.0, -1.0, 0.42758357615580700441},
     {0.125, 1.0, -1.2, 0.43641412131788405507},
@@ -83,7 +81,7 @@ TEST(MittagLeffler, BoundsItsError) {
   for (const auto& [alpha, beta, z, value] : known_values) {
     const auto [computed, bound] = mittag_leffler(alpha, beta, z);
     EXPECT_LE(bound, 1e-15 * std::abs(value)) << name_of(alpha, beta, z);
-    // The table is rounded to double itself.
+    // The values of the table are themselves rounded to double.
     worst.see(std::abs(computed - value), bound + 2e-16 * std::abs(value), name_of(alpha, beta, z));
   }
   expect_within(worst);
@@ -140,7 +138,7 @@ struct Sample {
   Value z;
 };
 
-// Real negative arguments up to 1e4 in modulus and complex ones, with the betas that come up in equations.
+// Real negative arguments up to 1e4 in modulus and complex ones, with the betas that occur in equations.
 std::vector<Sample> samples(int count) {
   std::mt19937_64 random(
       20240517);  // NOLINT(bugprone-random-generator-seed,cert-msc51-cpp): the same rows each time
@@ -153,7 +151,7 @@ std::vector<Sample> samples(int count) {
     const double exponent = unit(random), angle = std::numbers::pi * unit(random);
     if (i % 2 == 0) {
       rows.push_back({alpha, beta, -std::pow(10.0, 7.0 * exponent - 3.0)});
-    } else {  // moderate, or the exponential takes over
+    } else {  // moderate, or the exponential dominates
       rows.push_back(
           {alpha, beta, std::polar(std::pow(10.0, 3.0 * exponent - 2.0) * std::min(1.0, alpha), angle)});
     }
@@ -161,7 +159,7 @@ std::vector<Sample> samples(int count) {
   return rows;
 }
 
-// All digits of a double: the decimal face then has the same argument.
+// All digits of a double, so that the overload for decimal texts has the same argument.
 std::string exactly(double x) { return Wide(x).str(0, std::ios_base::scientific); }
 
 TEST(MittagLeffler, FacesAgree) {
@@ -213,8 +211,8 @@ TEST(MittagLeffler, SatisfiesTheDuplicationFormula) {
   expect_within(worst);
 }
 
-// alpha z E'_{alpha,beta}(z) = E_{alpha,beta-1}(z) - (beta-1) E_{alpha,beta}(z), with E' by a difference of
-// 4th order.
+// alpha z E'_{alpha,beta}(z) = E_{alpha,beta-1}(z) - (beta-1) E_{alpha,beta}(z), with E' by a central
+// difference of rate 4.
 TEST(MittagLeffler, HasTheRightDerivative) {
   Worst worst;
   constexpr double alpha = 0.75, beta = 1.25, h = 0x1p-9;
@@ -241,8 +239,8 @@ TEST(MittagLeffler, OverflowsOnlyWhereTheValueDoes) {
   EXPECT_DOUBLE_EQ(mittag_leffler(1.0, 1.0, -700.0), std::exp(-700.0));
 }
 
-// s* = z^(1/alpha) has 1e300 digits before its point: e^s* is infinite for a positive s*, and has no phase
-// that could be known for any other.
+// s* = z^(1/alpha) has 1e300 digits before the point: e^s* overflows for a positive s*, and its phase cannot
+// be computed for any other.
 TEST(MittagLeffler, OverflowsAtOnceForTheSmallestOrders) {
   EXPECT_EQ(mittag_leffler(1e-300, 1.0, 8.3), std::numeric_limits<double>::infinity());
   EXPECT_EQ(mittag_leffler(1.1e-311, -3.0, 8.3e299), std::numeric_limits<double>::infinity());
@@ -250,10 +248,11 @@ TEST(MittagLeffler, OverflowsAtOnceForTheSmallestOrders) {
   EXPECT_THROW(mittag_leffler(1e-20, 0.5, Value(8.3, 1e-20)), std::runtime_error);
 }
 
-// e^s* with s* of 1633 digits before its point: only the signs of its parts are left. mpmath, 3600 digits.
+// e^s* with an s* of 1633 digits before the point: only the signs of its parts are representable. mpmath,
+// 3600 digits.
 TEST(MittagLeffler, OverflowsWithoutAContourWhereThePhaseIsKnown) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  mittag_leffler(0.5, 1.0, -1.0);  // makes the tables
+  mittag_leffler(0.5, 1.0, -1.0);  // computes the tables
   std::size_t work = 0;
   const ListeningToWork listening([&](std::size_t, std::size_t) { ++work; });
   EXPECT_EQ(mittag_leffler(0.05625, 1.0, {6.5e91, 1e-231}).value, Value(infinity, infinity));
@@ -285,8 +284,8 @@ TEST(MittagLefflerDigits, BoundIncludesTheRoundingOfTheText) {
   }
 }
 
-// 1/Gamma next to a pole, and a first asymptotic term that vanishes there, in arguments of more digits than
-// are asked for. mpmath 1.3: rgamma and three terms of the asymptotic series at 80 digits.
+// 1/Gamma next to a pole, and a first asymptotic term that vanishes there, for arguments with more digits
+// than requested. mpmath 1.3: rgamma and three terms of the asymptotic series at 80 digits.
 TEST(MittagLefflerDigits, ArgumentsHaveAllTheirDigits) {
   EXPECT_EQ(mittag_leffler("0.5", "-1.9999999999999999999999999999999999999999", "0", "0", 20).re,
             "2.0000000000000000000e-40");
@@ -316,8 +315,8 @@ TEST(MittagLeffler, TakesTheSmallestOrders) {
   EXPECT_NEAR(mittag_leffler(1e-60, -1.0, -0.5) / 1e-60, 0.5 / 2.25, 1e-15);
 }
 
-// |E| <= 2 / Gamma(beta), which is nothing beside the smallest double; for large arguments the same by the
-// integral along s = beta (1 + i x)^2, with s* on another sheet, to the left of it, or where e^s* is nothing.
+// |E| <= 2 / Gamma(beta), far below the smallest double; for large arguments the same by the integral along
+// s = beta (1 + i x)^2, with s* on another sheet, to the left of it, or with a negligible e^s*.
 TEST(MittagLeffler, VanishesWithoutWorkForALargeBeta) {
   std::size_t work = 0;
   const ListeningToWork listening([&](std::size_t, std::size_t) { ++work; });

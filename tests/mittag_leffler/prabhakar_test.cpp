@@ -19,7 +19,7 @@ using Value = std::complex<double>;
 using Precise = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<100>,
                                               boost::multiprecision::et_off>;
 
-// |a - b| within the bounds of both and an error of reference, relative.
+// |a - b| is within the bounds of both, and a.bound is below 1e-15 relative.
 void expect_same(const MittagLefflerValue& a, Value b, double bound, const std::string& name) {
   EXPECT_LE(std::abs(a.value - b), a.bound + bound) << name << ": " << a.value << " for " << b;
   EXPECT_LE(a.bound, 1e-15 * std::abs(a.value)) << name;
@@ -36,7 +36,7 @@ std::string name_of(double alpha, double beta, double gamma, Value z) {
   return fmt::format("E^{}_{{{},{}}}({}{:+}i)", gamma, alpha, beta, z.real(), z.imag());
 }
 
-// mpmath 1.3: the power series at 60 digits and as many more as its largest term has.
+// mpmath 1.3: the power series at 60 digits plus the number of digits of its largest term.
 const std::vector<Known> by_power_series{
     {0.7, 1.0, 1.5, -3.0, 0.02218924634849091735},
     {0.7, 1.0, 1.5, {-3.0, 4.0}, {-0.0081601223865187107174, -0.00050076425239855378033}},
@@ -61,9 +61,9 @@ TEST(Prabhakar, MeetsValuesFromAnIndependentSummation) {
   }
 }
 
-// mpmath 1.3: the power series at 200 digits. Of each kind that a contour in double-double has: no
-// singularity on the sheet, one far up inside, one on the positive axis, one so far to the left that it adds
-// nothing.
+// mpmath 1.3: the power series at 200 digits. One point for each case of the contours in double-double: no
+// singularity on the sheet, one of large imaginary part inside, one on the positive axis, one so far to the
+// left that it is negligible.
 const std::vector<Known> on_a_contour{
     {0.75, 1, 1.5, -20.0, -0.0011599938916278277578},
     {0.5, 0.5, 0.25, -3.0, 0.32428117250747484299},
@@ -92,7 +92,7 @@ TEST(PrabhakarOnContour, MeetsValuesFromAnIndependentSummation) {
   }
 }
 
-// mpmath 1.3, as above: beyond the orders that the recurrence in z takes, and at a small z.
+// mpmath 1.3, as above: beyond most_quick_derivative, and at a small z.
 TEST(MittagLefflerDerivative, OfHighOrderMeetsAnIndependentSummation) {
   struct Row {
     int k;
@@ -107,7 +107,7 @@ TEST(MittagLefflerDerivative, OfHighOrderMeetsAnIndependentSummation) {
   }
 }
 
-// 1/Gamma(beta), and beta is far below the last digit of alpha.
+// The value is 1/Gamma(beta), and beta is far below the last digit of alpha.
 TEST(Prabhakar, KeepsASmallSecondParameter) {
   EXPECT_DOUBLE_EQ(prabhakar(0.7, 1e-30, 4.0, 0.0).value.real(), 1e-30);
 }
@@ -143,7 +143,7 @@ TEST(Prabhakar, OfExponentOneIsTheMittagLefflerFunction) {
   }
 }
 
-// alpha z E' = E_{alpha,beta-1} - (beta - 1) E_{alpha,beta}, to 40 digits: what is left is what cancelled.
+// alpha z E' = E_{alpha,beta-1} - (beta - 1) E_{alpha,beta}, to 40 digits, relative to the terms.
 TEST(MittagLefflerDerivative, ObeysItsDifferentialRelation) {
   for (const auto& [alpha, beta, z] : places) {
     const auto text = [](double x) { return fmt::format("{:.12g}", x); };  // 0.9 - 1 is -0.1
@@ -199,7 +199,8 @@ TEST(Prabhakar, OfANegativeWholeExponentIsAPolynomial) {
   expect_same(prabhakar(a, b, 0.0, z), 1.0 / std::tgamma(b), 1e-15, "constant");
 }
 
-// (-z)^-gamma / Gamma(beta - alpha gamma); where that vanishes, (-z)^-gamma gamma / (z Gamma(-alpha)).
+// The leading term is (-z)^-gamma / Gamma(beta - alpha gamma); where that vanishes,
+// (-z)^-gamma gamma / (z Gamma(-alpha)).
 TEST(Prabhakar, FallsOffAlgebraically) {
   const double z = -0x1p200;
   for (const double gamma : {0.5, 1.5, 2.0}) {
@@ -212,8 +213,8 @@ TEST(Prabhakar, FallsOffAlgebraically) {
   }
 }
 
-// beta far out on both sides; the first two terms of the series are nearly everything, Gamma by its
-// recurrence.
+// Large positive and negative beta. For 120 the first two terms of the series dominate; -99.5 is compared at
+// 60 digits.
 TEST(Prabhakar, TakesLargeBeta) {
   const double leading = 1.0 / std::tgamma(120.0), next = 1.5 * 2.0 / std::tgamma(124.0);
   expect_same(prabhakar(4.0, 120.0, 1.5, 2.0), leading + next, 1e-14 * leading, "beta = 120");
@@ -241,7 +242,7 @@ TEST(Prabhakar, TakesDecimalsAtTheirWord) {
             "0.02218924634849090674171230883293524631421468329457");
 }
 
-// Texts longer than the digits asked for, next to poles of Gamma and zeros of (gamma)_k.
+// Texts longer than the requested digits, next to poles of Gamma and zeros of (gamma)_k.
 TEST(Prabhakar, HoldsItsBoundForLongTexts) {
   const auto expect_held = [](const auto& evaluate, const char* name) {
     const DecimalComplex rough = evaluate(20), fine = evaluate(70);
@@ -266,7 +267,7 @@ TEST(Prabhakar, HoldsItsBoundForLongTexts) {
   EXPECT_LE(abs(Precise(Precise(value.re) - exact)), Precise(value.bound));
 }
 
-// 1 - z at z = 1.
+// The function is 1 - z, at z = 1.
 TEST(Prabhakar, OfAZeroIsZeroWithASmallBound) {
   const auto zero = prabhakar("1", "1", "-1", "1", "0", 20);
   EXPECT_EQ(zero.re, "0");

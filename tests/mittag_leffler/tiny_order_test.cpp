@@ -1,5 +1,5 @@
-// Orders so small that E_{alpha,beta}(z) is 1 / ((1-z) Gamma(beta)), or, at a zero of 1/Gamma, alpha
-// (1/Gamma)'(beta) z/(1-z)^2, however large |beta| is and however small what is left.
+// Orders so small that E_{alpha,beta}(z) is 1 / ((1-z) Gamma(beta)) or, at a zero of 1/Gamma,
+// alpha (1/Gamma)'(beta) z/(1-z)^2, for every |beta|.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ struct Known {
   Value z, value;
 };
 
-// The steps of work that a call reports: none where no contour of many digits is needed.
+// The number of progress reports of a call: 0 where no contour in multiprecision is needed.
 template <class Call>
 std::size_t work_of(const Call& call) {
   std::size_t work = 0;
@@ -52,7 +52,7 @@ TEST(TinyOrders, MeetSeriesWithoutWork) {
   }
 }
 
-// Beyond |beta| = 180 the value is below or above all doubles, with the sign of 1/Gamma(beta) / (1-z).
+// For |beta| > 180 the value underflows or overflows, with the sign of 1/Gamma(beta) / (1-z).
 TEST(TinyOrders, OverflowOrVanishWithoutWorkForLargeParameters) {
   const auto value = [](double alpha, double beta, Value z) { return mittag_leffler(alpha, beta, z).value; };
   const auto work = work_of([&] {
@@ -69,14 +69,14 @@ TEST(TinyOrders, OverflowOrVanishWithoutWorkForLargeParameters) {
   EXPECT_EQ(work, 0U);
 }
 
-// s* = z^(1/alpha) is beyond all exponents: e^s* is nothing beyond a right angle, and below it has no phase
-// that could be known.
+// s* = z^(1/alpha) overflows: e^s* is 0 for arg s* above a right angle, and below it its phase cannot be
+// computed.
 TEST(TinyOrders, TellPolesOnBothSidesOfTheImaginaryAxis) {
   constexpr double alpha = 1e-209, beyond = 1.0 + 1e-14, below = 1.0 - 1e-14;
   const auto at = [&](double part) {
     return mittag_leffler(alpha, 21.5, Value(3.0, 3.0 * alpha * part * std::numbers::pi / 2.0)).value;
   };
-  mittag_leffler(0.5, 1.0, -1.0);  // makes the tables
+  mittag_leffler(0.5, 1.0, -1.0);  // computes the tables
   const auto work = work_of([&] {
     EXPECT_NEAR(at(beyond).real() * std::tgamma(21.5), -0.5, 1e-14);
     EXPECT_THROW(at(below), std::runtime_error);
