@@ -50,7 +50,7 @@ bool is_at_floor(const SearchedWay& of);
 double next_seconds(const SearchedWay& of);
 
 // Expected seconds of a run within the accuracy, for the given end (`low`, `value`, `high`) of the interval
-// of its steps. Infinity while neither the errors are asymptotic (has_begun) nor the cost of a step settled.
+// of its steps. Infinity unless the errors are asymptotic (has_begun) and the cost of a step is settled.
 double expected_seconds(const SearchedWay& of, double accuracy, double Expected::*steps);
 
 // A lower estimate of the seconds of a run within the accuracy: from expected_seconds() where that is finite,
