@@ -6,6 +6,7 @@
 
 namespace fde {
 
+// The error of a run with this number of steps.
 struct ErrorWith {
   int steps = 0;
   double error = 0.0;

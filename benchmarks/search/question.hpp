@@ -20,6 +20,7 @@ struct Question {
 // Progress callback: `what` is being run, `part` in [0, 1] is the elapsed fraction of the time.
 using Tell = std::function<void(const std::string& what, double part)>;
 
+// The indices of all columns of the scene.
 inline std::vector<Eigen::Index> all_columns(const Scene& scene) {
   std::vector<Eigen::Index> columns(scene.outputs.names.size());
   std::iota(columns.begin(), columns.end(), Eigen::Index{0});

@@ -17,6 +17,7 @@ class SampledRun {
   // Whether the run reached the end time with finite values. Precondition of at().
   [[nodiscard]] bool finished() const { return columns_.cols() > 0; }
 
+  // The columns at a time in [0, T]; at several times one row a column, one column a time.
   [[nodiscard]] Vec at(double t) const;
   [[nodiscard]] Rows at(const std::vector<double>& times) const;
 

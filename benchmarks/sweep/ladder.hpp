@@ -45,6 +45,7 @@ struct Rung {
   bool wall_clock = false;          // `seconds` is the time of a whole process
 };
 using ErrorOfRung = FallingError Rung::*;
+// The data of a recorded run; the steps are those of its setup.
 Rung rung_of(const Setup& setup, const RecordedRun& run);
 
 // The runs so far of one scheme on a scene, from coarse to fine.

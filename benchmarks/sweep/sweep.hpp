@@ -44,19 +44,21 @@ struct SweepEvent {
   RunKey run;
 };
 
+// Callbacks of run_sweep(): lookup of recorded runs, output of rows, progress. `append` and `tell` are called
+// by one thread at a time.
+struct SweepHooks {
+  std::function<RecordedRun(const RunKey&)> recorded;
+  std::function<void(const std::vector<Record>&)> append;
+  std::function<void(const SweepEvent&)> tell;
+};
+
 // Makes each run that is not recorded yet, once. For each resolution of the ladder in turn: the runs of all
 // scenes are examined, one thread per scene; their solves are timed, one at a time; then has_ended() decides
 // which refinements go on, from recorded and new runs alike, so that a resumed sweep makes the same runs.
 // Rows are passed to `append` as soon as they are computed, in one call per examination and one per timing.
 // At one resolution the runs of a scene keep the order of the schemes; those of different scenes interleave,
 // the scene with the longest forecast first. The number of threads and the forecast change no row except the
-// times. `append` and `tell` are called by one thread at a time. An exception of `append` ends the sweep and
-// is rethrown.
-struct SweepHooks {
-  std::function<RecordedRun(const RunKey&)> recorded;
-  std::function<void(const std::vector<Record>&)> append;
-  std::function<void(const SweepEvent&)> tell;
-};
+// times. An exception of `append` ends the sweep and is rethrown.
 void run_sweep(const Sweep& asked, const SweepHooks& hooks, const Forecast& expected = {});
 
 }  // namespace fde

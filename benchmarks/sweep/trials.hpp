@@ -16,6 +16,7 @@ struct Trial {
   bool thorough = false;  // takes too long for the default sweep
 };
 
+// Relative and absolute tolerance of the trials with adaptive step size.
 inline constexpr Accuracy trial_accuracy{1e-6, 1e-300};
 
 // All trials, each scene once; trials of one kind are adjacent.

@@ -28,6 +28,7 @@ struct RateRow {
   NormRate end{}, maximum{};
 };
 
+// Precondition: the line is not empty.
 RateRow rate_of(RunSpan line);
 
 // The observed rate of a quantity with respect to the step size, over the same numbers of steps.

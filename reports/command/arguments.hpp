@@ -22,6 +22,7 @@ struct ComplexText {
 };
 ComplexText split_complex(std::string_view text);
 
+// The scheme with this id.
 const Scheme& scheme_named(std::string_view id);
 
 // The scene of a command, SCENE or SCENE:NAME=VALUE,..., and the texts of --set.

@@ -44,6 +44,7 @@ struct Section {
   bool folded = false;          // initially collapsed
 };
 
+// Date, machine, compiler and flags of each session.
 Table sessions_table(const PageInput& page);
 // The cheapest run of each scene and accuracy, as a map (scenes by accuracies).
 Section answers_section(const PageInput& page);
@@ -61,6 +62,8 @@ std::string reason_it_leads(const PageInput& page, const SceneSettings& scene, c
                             const Option& second, Norm norm);
 // The changes since earlier results, by compare().
 Section compared_section(const PageInput& page, const Runs& before);
+// Observed and theoretical rates; drift from constraints; trials; cost at the finest step; decoupled chain
+// against commensurate expansion; bounds of the references; refused and failed runs; the list of schemes.
 Section rates_section(const PageInput& page);
 Section drift_section(const PageInput& page);
 Section stability_section(const PageInput& page);

@@ -26,6 +26,7 @@ SparseMatrix step_matrix(Eigen::Index n, Eigen::Index m, double strength, Diffus
   return sparse(matrix);
 }
 
+// The same matrix with a = 1 and r = 0.
 inline SparseMatrix step_matrix(Eigen::Index n, Eigen::Index m, double strength) {
   const auto one = [](double, double) { return 1.0; };
   const auto none = [](double, double) { return 0.0; };

@@ -30,6 +30,7 @@ inline Vec power_coefficients(double a, double b, double power, int count) {
   return c;
 }
 
+// The weights w_0, ..., w_(count-1) for order g.
 inline Vec multistep_weights(Multistep rule, double g, int count) {
   if (rule == Multistep::bdf2)
     return std::pow(1.5, -g) * power_coefficients(-4.0 / 3.0, 1.0 / 3.0, -g, count);
