@@ -28,9 +28,9 @@ namespace fde {
 namespace {
 
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 28;
-constexpr int does_not_take = 77;  // the exit code of a program that does not take the scene
+constexpr int does_not_take = 77;  // exit code of a program that refuses the scene
 
-// What a program says may hold any bytes; a detail of an ending prints.
+// Replaces bytes that are not printable ASCII: the output of a program becomes part of a message.
 std::string printable(std::string_view text) {
   constexpr std::size_t most = 200;
   std::string shown;
@@ -38,7 +38,7 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
-// The last line of a file that is not empty, of its end.
+// The last line of a file that is not blank, among its last 4096 bytes.
 std::string last_line(const std::filesystem::path& file) {
   constexpr std::streamoff most = 4096;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
@@ -54,7 +54,7 @@ std::string with(std::string reason, const std::string& said) {
   return said.empty() ? std::move(reason) : fmt::format("{}: {}", reason, said);
 }
 
-// nullopt: it came to its end.
+// nullopt: exit code 0.
 std::optional<RunEnding> failure_of(const CommandEnd& end, const std::string& said, double budget) {
   switch (end.how) {
     case CommandEnd::How::out_of_time:
@@ -64,7 +64,7 @@ std::optional<RunEnding> failure_of(const CommandEnd& end, const std::string& sa
     case CommandEnd::How::killed: {
       const char* known = sigdescr_np(end.code);
       const std::string name = known != nullptr ? known : "unknown";
-      // The shell may have said no more than this.
+      // The shell prints the name of the signal too: no need to say it twice.
       return RunEnding{Ending::program_failed, with(fmt::format("ended by signal {} ({})", end.code, name),
                                                     said.starts_with(name) ? "" : said)};
     }
@@ -78,7 +78,7 @@ std::optional<RunEnding> failure_of(const CommandEnd& end, const std::string& sa
   return std::nullopt;
 }
 
-// The rows at these times. Throws std::invalid_argument where one is missing.
+// The rows at these times, matched to a relative 1e-12. Throws std::invalid_argument if one is missing.
 WrittenPath at_times(const WrittenPath& path, const std::vector<double>& times) {
   constexpr double rounding = 1e-12;
   std::vector<Eigen::Index> rows;
@@ -94,8 +94,8 @@ WrittenPath at_times(const WrittenPath& path, const std::vector<double>& times) 
 // One run of a program.
 struct ProgramRun {
   std::optional<RunEnding> failure{};
-  WrittenPath path{};  // at the times that were asked for; as far as it is finite where it is not
-  std::optional<double> told_seconds{};
+  WrittenPath path{};                    // at the output times; all printed rows if a value is not finite
+  std::optional<double> told_seconds{};  // of the solve, as printed by the program
   double wall_seconds = 0.0;
 };
 

@@ -10,25 +10,28 @@
 
 namespace fde {
 
-// Another program that solves scenes: what its runs are called, and the command of the shell that starts it.
-// docs/external_solvers.md says what it is given and what it is to print.
+// An external solver: the name of its runs, and the shell command that starts it. docs/external_solvers.md
+// specifies its input and output.
 struct ExternalProgram {
   std::string name, command;
 };
 
-// "NAME=COMMAND". Throws std::invalid_argument where it is no such thing, or NAME is no name of a program.
+// Parses "NAME=COMMAND". Throws std::invalid_argument if the text has another form or NAME is not allowed.
 ExternalProgram parse_external(std::string_view text);
 
-// Its run of a scene, without rows: named as in results, with no more of the setup than its steps and grid.
+// The key of the program's run of a scene in results; of the setup it contains the number of steps and the
+// grading only.
 RunKey key_of(const ExternalProgram& program, const SceneSettings& scene, const Setup& setup);
 
-// As of a scheme: runs it once within the budget and judges what it prints. What goes wrong with it is how
-// the run ended. Throws std::system_error where the temporary files cannot be written.
+// Runs the program once within the budget and measures its printed trajectory, like examine() of a scheme. A
+// failure of the program is the status of the run. Throws std::system_error if the temporary files cannot be
+// written. Precondition: setup.resolution is a number of steps.
 std::vector<Record> examine(const SceneVariant& variant, const Scene& scene, WatchedReference& reference,
                             const ExternalProgram& program, const Setup& setup);
 
-// Runs it again, at most `most` times and no more after so many seconds. The time rows: of its solves, where
-// it says what they took, otherwise of the whole processes. Where it fails now the rows of an examination.
+// Repeats the run up to `most` times, until `enough_seconds` have passed, and returns the time rows: of the
+// solves if the program prints their seconds every time, otherwise of the whole processes. If a run fails,
+// returns the rows of an examination instead.
 std::vector<Record> time_runs(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
                               const Setup& setup, int most, double enough_seconds);
 

@@ -28,7 +28,7 @@ void require(int error, const char* what) {
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
 }
 
-// A pipe. A process that is started inherits an end only where it is duplicated into it.
+// A pipe, close-on-exec: a child process inherits only an end that is duplicated explicitly.
 class Pipe {
  public:
   Pipe() { require(pipe2(ends_.data(), O_CLOEXEC) == 0 ? 0 : errno, "pipe"); }
@@ -45,7 +45,7 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
-// In a process group of its own, with nothing to read, and no signal blocked.
+// Attributes of the child: its own process group, standard input from release_, no signal blocked.
 class SpawnSettings {
  public:
   SpawnSettings(int out, int err) {
@@ -67,7 +67,7 @@ class SpawnSettings {
     posix_spawnattr_destroy(&attributes_);
   }
 
-  // The shell waits for release() before it starts the command, and ends where this process ends before that.
+  // The shell waits for release() before it starts the command, and exits if this process ends before that.
   [[nodiscard]] pid_t start(std::string command, std::string argument) const {
     command = "read -r _ || exit; exec </dev/null; " + command + " \"$@\"";
     std::string shell = "sh", option = "-c", name = "sh";
@@ -91,11 +91,11 @@ std::uint64_t bytes_in(int file) {
   return fstat(file, &found) == 0 ? static_cast<std::uint64_t>(found.st_size) : 0;
 }
 
-// A descriptor that can be read when the process has ended. (The C library's own function for it has no C++
-// declaration in Debian 12.)
+// A file descriptor that becomes readable when the process has ended. (Debian 12 declares no pidfd_open in
+// C++.)
 int opened(pid_t child) { return static_cast<int>(syscall(SYS_pidfd_open, child, 0)); }
 
-// A process that was started and is killed with its group and waited for when this goes.
+// A child process. The destructor kills its process group and waits for it.
 class Child {
  public:
   Child(const SpawnSettings& settings, const std::string& command, const std::string& argument) {
@@ -118,7 +118,7 @@ class Child {
     if (descriptor_ >= 0) close(descriptor_);
   }
 
-  // Whether it has ended within so many milliseconds.
+  // Waits up to this many milliseconds; returns whether the child has ended.
   [[nodiscard]] bool ends_within(int milliseconds) const {
     struct pollfd watched {
       .fd = descriptor_, .events = POLLIN, .revents = 0
@@ -126,7 +126,7 @@ class Child {
     return poll(&watched, 1, milliseconds) > 0;
   }
 
-  // Kills what is left of its group, which keeps its number until the child is waited for.
+  // Kills what is left of the group, then waits for the child: until then its id cannot be reused.
   int end() {
     kill(-child_, SIGKILL);
     trace_.reset();
@@ -145,7 +145,8 @@ class Child {
   bool ended_ = false;
 };
 
-// Of the shell, which tells a signal that killed its command as an exit code.
+// From the wait status of the shell, which reports a signal that killed its command as exit code 128 +
+// signal.
 CommandEnd end_of(int status, double seconds) {
   constexpr int signal_code = 128, last_signal = 64;
   if (WIFSIGNALED(status)) return {CommandEnd::How::killed, WTERMSIG(status), seconds};
@@ -159,7 +160,7 @@ CommandEnd end_of(int status, double seconds) {
 
 CommandEnd run_command(const std::string& command, const std::string& argument, int out, int err,
                        const CommandLimits& limits) {
-  constexpr double look = 0.02;  // seconds between looks at its outputs
+  constexpr double look = 0.02;  // seconds between checks of the output sizes
   const SpawnSettings settings(out, err);
   const auto start = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };

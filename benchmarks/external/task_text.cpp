@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int format = 1;
 
-// All of them; one that follows from others is their formula.
+// All parameters, defaults included. One that follows from others is given as its formula.
 Json parameters_of(const SceneVariant& variant) {
   Json parameters = Json::object();
   for (const Parameter& parameter : variant.maker->parameters) {

@@ -8,8 +8,8 @@
 
 namespace fde {
 
-// What another program is asked to solve, as JSON: docs/external_solvers.md lists its fields. The scene is
-// that of the variant, the times are those at which its columns are wanted.
+// The input of an external program as JSON; docs/external_solvers.md lists the fields. `times` are the output
+// times. Preconditions: `scene` was made from `variant`, and setup.resolution is a number of steps.
 std::string task_text(const SceneVariant& variant, const Scene& scene, const Setup& setup,
                       const std::vector<double>& times);
 

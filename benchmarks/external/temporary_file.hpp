@@ -9,16 +9,16 @@
 
 namespace fde {
 
-// A file that nobody else has, among the temporary ones of the system; it goes with this object.
+// A unique file in the folder of temporary files, removed by the destructor.
 class TemporaryFile {
  public:
-  // Throws std::system_error naming it where it cannot be made.
+  // Throws std::system_error naming the file if it cannot be created.
   explicit TemporaryFile(std::string_view suffix);
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile();
 
-  // Throws std::system_error naming it where the disk is full.
+  // Appends the text. Throws std::system_error naming the file if it cannot be written (disk full).
   void write(std::string_view text) const;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }

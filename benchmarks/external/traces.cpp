@@ -21,12 +21,12 @@ namespace {
 
 constexpr std::size_t most = 256, none = most;
 
-// Of a place: free, about to be written, to be removed.
+// State of a slot: free, being written, registered for cleanup.
 enum class State { free, claimed, noted };
 
 struct File {
   std::atomic<State> state = State::free;
-  std::array<char, PATH_MAX> path{};  // its own memory: a handler may read it while the owner ends
+  std::array<char, PATH_MAX> path{};  // a copy: a signal handler may read it while the owner is destroyed
 };
 struct Group {
   std::atomic<State> state = State::free;
@@ -38,7 +38,7 @@ struct Places {
 };
 std::atomic<bool> is_ending = false;
 std::atomic<int> noting = 0;
-std::atomic<Places*> known = nullptr;  // once something was noted
+std::atomic<Places*> known = nullptr;  // set at the first registration
 static_assert(std::atomic<State>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
 void remove_all(const Places& places) {
@@ -50,9 +50,10 @@ void remove_all(const Places& places) {
   }
 }
 
-// A process that removes what is noted in memory that both share when this one has ended, in whatever way: no
-// handler receives SIGKILL. It reads a pipe whose other end only this process has. Where it cannot be started
-// there is none. It calls only what may be called between fork and exec.
+// A child process that cleans up the registered files and groups, in shared memory, when this process has
+// ended in whatever way: SIGKILL cannot be handled. It detects the end by reading a pipe whose other end only
+// this process holds. If it cannot be started, there is no such cleanup. It calls async-signal-safe functions
+// only, as is required after fork without exec.
 class Watcher {
  public:
   explicit Watcher(const Places& places) {
@@ -142,7 +143,7 @@ NotingTraces::NotingTraces() {
   ++noting;
 }
 
-// A signal that was held back arrives with the mask.
+// A blocked signal is delivered when the mask is restored.
 NotingTraces::~NotingTraces() {
   --noting;
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);

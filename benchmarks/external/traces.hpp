@@ -8,8 +8,9 @@
 
 namespace fde {
 
-// What must not outlive this process: a file is removed and a process group killed, at the latest where a
-// signal ends the process, SIGKILL as well. Beyond some hundreds at a time they are no longer noted.
+// Registers a temporary file or a process group for cleanup: while the object exists, a signal that ends this
+// process (SIGKILL included) removes the file or kills the group. At most 256 of each at a time; further ones
+// are not registered.
 class FileTrace {
  public:
   explicit FileTrace(const std::string& path);
@@ -31,8 +32,8 @@ class GroupTrace {
   std::size_t place_;
 };
 
-// While it lives remove_traces waits: what this thread begins is noted before anything is removed. Signals
-// reach other threads.
+// Guard for the time between the creation of a file or group and its registration: remove_traces() waits
+// while an object exists, and all signals are blocked in this thread.
 class NotingTraces {
  public:
   NotingTraces();
@@ -44,10 +45,12 @@ class NotingTraces {
   sigset_t before_{};
 };
 
-// Kills and removes all that there is, because this process is about to end. A signal handler may call it.
+// Kills all registered groups and removes all registered files. To be called when this process is about to
+// end; async-signal-safe.
 void remove_traces();
 
-// Returns only where remove_traces has not been called: what it has killed has come to no end of its own.
+// Blocks forever if remove_traces() has been called: the end of a child that it killed must not be reported
+// as a result.
 void wait_if_ending();
 
 }  // namespace fde

@@ -30,7 +30,7 @@ BigReal power_of_ten(int exponent) { return pow(BigReal(10), exponent); }
 
 std::string shown(const BigReal& x) { return x == 0 ? "0" : text_of(x, "%.*Re", 2); }
 
-// Half a unit of the last place of the double nearest to x.
+// Half a unit in the last place of the double nearest to x.
 BigReal rounding_to_double(const BigReal& x) {
   constexpr int digits = std::numeric_limits<double>::digits;
   int exponent = std::numeric_limits<double>::min_exponent;
@@ -45,7 +45,8 @@ std::optional<double> double_of(std::string_view text) {
   return value;
 }
 
-// Without a bound: half a unit of the last place that a value has, and what a double adds.
+// The value and its tolerance without a bound: half a unit of the last place, plus the rounding to double for
+// 16 or 17 digits.
 std::pair<BigReal, BigReal> meant_by(const std::string& text, const WrittenNumber& written, int digits,
                                      int last_place) {
   const int place = written.digits == 0 ? last_place : std::max(written.first_place - digits + 1, last_place);
@@ -112,7 +113,7 @@ RowVerdict TableComparison::operator()(std::size_t row, const std::vector<Decima
     const auto& [value, bound] = recomputed[column.value];
     const auto [given, own] = meant(row, column);
     const BigReal error = abs(BigReal(given - parse<BigReal>(value))), allowed = own + parse<BigReal>(bound);
-    // A ratio just above 1 must not become 1 in double.
+    // A ratio just above 1 must not round to 1 in double.
     double ratio = error == 0 ? 0.0 : BigReal(error / allowed).convert_to<double>();
     if (error > allowed) ratio = std::max(ratio, 1.0 + std::numeric_limits<double>::epsilon());
     if (worst.column.empty() || ratio > worst.ratio)

@@ -10,46 +10,46 @@
 
 namespace fde {
 
-// One row against what was recomputed: the column with the largest ratio of error to what is allowed.
+// The comparison of one row with recomputed values: its column with the largest ratio of error to tolerance.
 struct RowVerdict {
   std::string column{};
   std::string error{}, allowed{};  // decimals of three digits
   double ratio = 0.0;              // error / allowed
-  std::string failure{};           // why there is nothing to compare with; empty: there is
+  std::string failure{};           // why there is no recomputed value; empty if there is one
   [[nodiscard]] bool holds() const { return failure.empty() && ratio <= 1.0; }
 };
 
-// Compares the values of a table with recomputed ones. A written value may be off by the bound in its row and
-// the bound of the recomputed value together. Without a column `bound` the writing decides: half a unit of
-// the last place, which is that of the most significant digits that any value of the column has, or of the
-// most decimals, whichever is coarser (so 0.5 among values of twelve digits counts as 0.500000000000). 17
-// digits mean the nearest double, which may be off by half a unit of its own last place; 16 are off by that
-// besides.
+// Compares the values of a table with recomputed values. The tolerance of a value is the bound in its row
+// plus the bound of the recomputed value. Without a column `bound` the decimal text gives the tolerance: half
+// a unit of the last place. This place is given by the largest number of significant digits, or of decimals,
+// of any value in the column, whichever is coarser (so 0.5 among values of twelve digits counts as
+// 0.500000000000). 17 digits denote the nearest double, with a tolerance of half a unit of its last place;
+// with 16 digits that half unit is added.
 class TableComparison {
  public:
-  // Of those value columns that the table has; the table must live as long. Throws std::invalid_argument
-  // where there is none, and naming the cell that is not a number of at most 1000 digits, or a negative
-  // bound.
+  // Compares those of `value_columns` that the table has; the table must outlive this object. Throws
+  // std::invalid_argument if it has none of them, or naming a cell that is not a number of at most 1000
+  // digits or is a negative bound.
   TableComparison(const DataTable& given, const std::vector<std::string>& value_columns);
 
-  // The most significant digits of any value.
+  // Largest number of significant digits of any value.
   [[nodiscard]] int digits() const { return digits_; }
 
-  // recomputed: one a value column, in their order, as are those below. Both throw std::runtime_error where
-  // the bound in the row is beyond double.
+  // `recomputed`: one element per value column, in the order of the constructor's argument. Throws
+  // std::runtime_error if the bound in the row overflows double.
   [[nodiscard]] RowVerdict operator()(std::size_t row, const std::vector<Decimal>& recomputed) const;
 
-  // What is known too badly decides nothing. Throws std::runtime_error where the bound of a recomputed value
-  // is larger than what the given one may be off by, and than 10^-digits of the largest recomputed value.
+  // Throws std::runtime_error if a recomputed value is too inaccurate for a comparison: its bound exceeds
+  // both the tolerance of the given value and 10^-digits times the largest recomputed value.
   void require_known(std::size_t row, const std::vector<Decimal>& recomputed, int digits) const;
 
  private:
   struct Column {
-    std::size_t at, value;  // in the table, in the recomputed values
-    int digits = 0;         // the most of any row
-    int last_place;         // the lowest of any row
+    std::size_t at, value;  // index in the table, index in the recomputed values
+    int digits = 0;         // largest number of any row
+    int last_place;         // lowest of any row
   };
-  struct Meant;  // a value, and what it may be off by
+  struct Meant;  // a value and its tolerance
   void read(Column& column) const;
   [[nodiscard]] Meant meant(std::size_t row, const Column& column) const;
 

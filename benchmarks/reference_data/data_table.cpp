@@ -14,7 +14,8 @@
 namespace fde {
 namespace {
 
-// The cell that starts at `begin`, which moves behind it and its comma; past the end after the last one.
+// The cell that starts at `begin`; advances `begin` past the cell and its comma, beyond the line after the
+// last.
 std::string next_cell(std::string_view line, std::size_t& begin) {
   std::string cell;
   bool quoted = false, was_quoted = false;
@@ -75,7 +76,7 @@ std::string read_file(const std::filesystem::path& file) {
     return std::invalid_argument(fmt::format("{}: cannot be read: {}", file.string(), reason));
   };
   std::error_code problem;
-  const auto status = std::filesystem::status(file, problem);  // to open a pipe would wait for its writer
+  const auto status = std::filesystem::status(file, problem);  // opening a pipe would block
   if (std::filesystem::is_directory(status))
     throw cannot(std::make_error_code(std::errc::is_a_directory).message());
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))

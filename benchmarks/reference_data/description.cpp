@@ -44,7 +44,7 @@ Json schema_of(const TableKind& kind, const TableFacts& facts) {
   return {{"id", schema_id(kind)}, {"version", schema_version}, {"columns", columns}};
 }
 
-// All parameters of the scene, the defaults too.
+// All parameters of the scene, defaults included.
 Json parameters_of(const SceneVariant& of) {
   Json parameters = Json::object();
   for (const auto& parameter : of.maker->parameters) {
@@ -63,13 +63,13 @@ ParameterValue parameter_value(const Json& value) {
 
 std::string text_of(const Json& json) { return json.dump(2) + "\n"; }
 
-// "[json.exception.type_error.302] type must be number, but is string" without what is in the brackets.
+// The message of a JSON exception without its prefix "[json.exception.type_error.302] ".
 std::string in_short(std::string_view message) {
   const auto end = message.find("] ");
   return std::string(end == std::string_view::npos ? message : message.substr(end + 2));
 }
 
-// A parsed file; the answer of `read`, with its complaints put in our words.
+// The result of `read` for the parsed text. JSON exceptions become std::invalid_argument naming the file.
 template <typename Read>
 auto with_json(const std::string& name, std::string_view text, const Read& read) {
   try {

@@ -10,11 +10,12 @@
 
 namespace fde {
 
-// The JSON beside a table: schema, parameters, digits, bound, method, source, generator, rows and checksum.
+// The JSON that describes a table: schema, parameters, digits, bound, method, source, generator, rows,
+// checksum.
 std::string write_description(const TableKind& kind, const SceneVariant& of, const MadeTable& made,
                               std::string_view checksum);
 
-// What such a file of any program says; what it does not say is empty.
+// The parsed description of a table, by any program; missing fields are empty.
 struct Description {
   std::string schema{}, scene{}, checksum{};
   ParameterValues parameters{};
@@ -22,7 +23,8 @@ struct Description {
   std::optional<std::size_t> rows{};
 };
 
-// Throws std::invalid_argument naming the file when it is not JSON, or a field is of another type.
+// Throws std::invalid_argument naming the file if it is not JSON, a field has another type, or the schema
+// version is not supported.
 Description parse_description(const std::string& name, std::string_view text);
 
 // The list of all tables, index.json.
@@ -32,10 +34,10 @@ struct IndexEntry {
 };
 std::string write_index(const std::vector<IndexEntry>& tables);
 
-// The tables that an index names.
+// The table files listed in an index. Throws like parse_description().
 std::vector<std::string> parse_index(const std::string& name, std::string_view text);
 
-// "fdebench.mittag_leffler": what the description of a kind has as the id of its schema.
+// Schema id in the descriptions of a kind: "fdebench.mittag_leffler".
 std::string schema_id(const TableKind& kind);
 
 }  // namespace fde

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A table as it stands in the folder, with what else the folder says about it.
+// A table of the folder with its description and checksum.
 struct GivenTable {
   DataTable table;
   Description description{};
@@ -55,7 +55,7 @@ const TableKind& kind_of(const DataTable& table) {
          fmt::format("line 1: must have a column {}, by which a table is known", fmt::join(known, " or ")));
 }
 
-// Tables of fdebench 0.1 give a choice by its place among the words.
+// fdebench 0.1 wrote a choice parameter as an index into its words: replaces the index by the word.
 ParameterValues with_words(ParameterValues values, const SceneMaker& maker) {
   for (const auto& parameter : maker.parameters) {
     const auto given = values.find(parameter.name);
@@ -66,7 +66,7 @@ ParameterValues with_words(ParameterValues values, const SceneMaker& maker) {
   return values;
 }
 
-// The scene of the description, or else the one that the file is named after.
+// The scene named in the description, otherwise the scene that the file is named after.
 SceneVariant scene_of(const GivenTable& given, const fs::path& file) {
   const auto& name = given.description.scene.empty() ? file.stem().string() : given.description.scene;
   std::vector<std::string_view> ids;
@@ -109,7 +109,7 @@ GivenTable read_table(const fs::path& file) {
     require_columns(given);
   } catch (const BadTable&) {
     throw;
-  } catch (const std::invalid_argument& error) {  // of a parameter
+  } catch (const std::invalid_argument& error) {  // for a bad parameter
     reject(description.string(), error.what());
   }
   auto& verdict = given.verdict;
@@ -136,20 +136,20 @@ std::string cells_of(const DataTable& table, std::size_t row) {
   return fmt::format("{}", fmt::join(cells, " "));
 }
 
-// A row without a value to compare with is wrong: it claims one.
+// A row whose value cannot be recomputed counts as wrong: the table states a value.
 RowVerdict verdict_of(const DataTable& table, const RowCheck& check, std::size_t row) {
   try {
     return check(row);
   } catch (const BadTable&) {
     throw;
-  } catch (const std::invalid_argument& error) {  // of an argument
+  } catch (const std::invalid_argument& error) {  // for an argument out of range
     reject(table.name, fmt::format("line {}: {}", row + 2, error.what()));
   } catch (const std::runtime_error& failure) {
     return {.ratio = std::numeric_limits<double>::infinity(), .failure = failure.what()};
   }
 }
 
-// A scene without a reference has no value for any row.
+// If the scene has no reference, the check of every row throws.
 RowCheck check_of(const GivenTable& given) {
   try {
     return given.kind->check(given.of, given.table);
@@ -176,7 +176,7 @@ void recompute(GivenTable& given, std::size_t every) {
   if (!table.find("bound")) verdict.absent.emplace_back("bound: half a unit of the last digit is allowed");
 }
 
-// The files that SHA256SUMS names have to be there; those whose checksum is another.
+// The files whose checksum differs from SHA256SUMS. Throws if a listed file cannot be read.
 std::set<std::string> changed_files(const fs::path& folder, const Checksums& checksums) {
   std::set<std::string> changed;
   for (const auto& [name, digest] : checksums) {

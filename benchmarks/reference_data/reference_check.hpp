@@ -11,26 +11,27 @@
 
 namespace fde {
 
-// What a check found about one table.
+// The result of a check of one table.
 struct TableVerdict {
   std::string table{};  // file name in the folder
   std::size_t rows = 0, recomputed = 0, wrong = 0;
-  std::size_t worst_line = 0;  // in the file, of the row with the largest ratio
-  std::string worst_row{};     // its cells
-  RowVerdict worst{};
-  bool described = false;             // by a JSON; without it what the table is of is a guess
-  std::vector<std::string> absent{};  // what the folder does not say, and what was taken for it
+  std::size_t worst_line = 0;         // line in the file of the row with the largest ratio
+  std::string worst_row{};            // cells of that row
+  RowVerdict worst{};                 // comparison of that row
+  bool described = false;             // has a JSON description; without it scene and parameters are assumed
+  std::vector<std::string> absent{};  // missing information, and the assumption made instead
 };
 
 struct FolderVerdict {
   std::vector<TableVerdict> tables{};
-  std::set<std::string> changed{};  // files whose checksum, of those that are there, is another
+  std::set<std::string> changed{};  // files that differ from a given checksum
 };
 
-// Recomputes each `every`-th row of every table in a folder, from the first one on. The folder may come from
-// another program: tables are known by their columns and named after their scene; descriptions, index and
-// checksums may be absent. Throws std::invalid_argument naming the file, and line and column where there is
-// one, for whatever is not well-formed.
+// Recomputes every `every`-th row of every table (.csv) in a folder, starting with the first. The folder may
+// come from another program: the kind of a table follows from its columns, its scene from the description or
+// the file name; descriptions, index and checksums are optional. `tell` is called after each table, by one
+// thread at a time. Throws std::invalid_argument naming the file, with line and column where applicable, for
+// a malformed file.
 FolderVerdict check_folder(const std::filesystem::path& folder, std::size_t every, const TellProgress& tell);
 
 }  // namespace fde

@@ -30,7 +30,7 @@ constexpr auto checksums_name = "SHA256SUMS";
   throw std::invalid_argument(fmt::format("{}: cannot be written: {}", folder.string(), reason));
 }
 
-// "data/" and "data" are the same folder, but only one of them has a name; a link is followed.
+// The canonical path without a trailing slash; symbolic links are followed.
 fs::path normal(const fs::path& folder) {
   const fs::path path = fs::weakly_canonical(fs::absolute(folder));
   return path.has_filename() ? path : path.parent_path();
@@ -42,7 +42,7 @@ std::set<std::string> names_of(const std::vector<PlannedTable>& tables) {
   return names;
 }
 
-// The closest folder above that exists already.
+// The nearest ancestor that exists.
 fs::path existing_parent(fs::path path) {
   do path = path.parent_path();
   while (!fs::exists(path) && path.has_relative_path());
@@ -61,20 +61,20 @@ fs::path beside(const fs::path& target, const char* what) {
   return target.string() + fmt::format(".{}.{}", getpid(), what);
 }
 
-// What was at the target is old after that; where the partial folder cannot take its place, it is put back.
+// Renames `target` to `old` and `partial` to `target`; if the second fails, tries to rename `old` back.
 void put_in_place(const fs::path& partial, const fs::path& target, const fs::path& old) {
   const bool replaced = fs::exists(target);
   if (replaced) fs::rename(target, old);
   try {
     fs::rename(partial, target);
   } catch (const std::system_error&) {
-    std::error_code ignored;  // then it stays aside, and replace_folder says so
+    std::error_code ignored;  // on failure `old` remains, and replace_folder reports it
     if (replaced) fs::rename(old, target, ignored);
     throw;
   }
 }
 
-// Ctrl-C waits while this lives.
+// Blocks SIGINT, SIGTERM and SIGHUP in this thread until destruction.
 class SignalsHeld {
  public:
   SignalsHeld() {
@@ -96,7 +96,7 @@ class SignalsHeld {
 std::string PlannedTable::stem() const {
   if (!kind->of_scenes()) return std::string(kind->id);
   std::string name = of.label();
-  std::ranges::replace(name, ':', ',');  // no file name everywhere
+  std::ranges::replace(name, ':', ',');  // ':' is not allowed in file names on all systems
   return fmt::format("{}/{}", kind->folder, name);
 }
 

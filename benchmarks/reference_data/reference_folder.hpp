@@ -11,33 +11,33 @@
 
 namespace fde {
 
-// One table of the reference data, before it is made.
+// One table of the reference data, before it is computed.
 struct PlannedTable {
   const TableKind* kind;
   SceneVariant of{.maker = nullptr};
 
-  // "trajectories/pendulum,alpha=1.9": where it lies, without .csv or .json.
+  // Path in the folder without .csv or .json: "trajectories/pendulum,alpha=1.9".
   [[nodiscard]] std::string stem() const;
 };
 
-// The tables of functions, and those of these scenes.
+// All tables of functions and all tables of these scenes.
 std::vector<PlannedTable> planned_tables(const std::vector<SceneVariant>& scenes);
 
-// Hears (done, total, what was done), from one thread at a time.
+// Progress callback: `done` of `total` tables, `what` is the last one. Called by one thread at a time.
 using TellProgress = std::function<void(std::size_t done, std::size_t total, const std::string& what)>;
 
-// Texts by file name: of each table the .csv and the .json, then index.json and SHA256SUMS. The same bytes
-// from the same build, on any number of threads.
+// File contents by file name: a .csv and a .json per table, index.json and SHA256SUMS. The same build gives
+// the same bytes with any number of threads.
 using FolderFiles = std::map<std::string, std::string>;
 FolderFiles make_files(const std::vector<PlannedTable>& tables, const TellProgress& tell);
 
-// Throws std::invalid_argument naming the folder where it is something else than a folder, holds files that
-// the tables would not replace, or cannot be made.
+// Throws std::invalid_argument naming the folder if it is not a folder, contains a file that is not among the
+// files of these tables, or cannot be created.
 void require_replaceable(const std::filesystem::path& folder, const std::vector<PlannedTable>& tables);
 
-// Writes the files beside the folder and puts them in its place when all are complete; what was there is
-// removed last. Throws std::invalid_argument naming the folder where that fails; then what was there is there
-// again and nothing else, or else the message names where it is.
+// Replaces the folder: writes all files to a sibling folder, renames it into place, and removes the old
+// folder last. Throws std::invalid_argument naming the folder on failure; the old folder is then restored, or
+// the message names its new path.
 void replace_folder(const std::filesystem::path& folder, const FolderFiles& files);
 
 }  // namespace fde

@@ -18,17 +18,17 @@ struct TableColumn {
   std::string name, meaning;
   std::string unit = "1";  // scenes and functions here are dimensionless
   ColumnType type = ColumnType::number;
-  bool required = true;  // in tables of other programs
+  bool required = true;  // a table without this column is rejected
 };
 
-// What a table is, besides its rows.
+// Metadata of a table.
 struct TableFacts {
   std::string title, method, source, bound;
   int digits = 0;
   std::vector<TableColumn> columns{};
 };
 
-// What has no row although it was to be computed, and why.
+// A run without a row in the table, and why.
 struct LeftOut {
   std::string run, reason;
 };
@@ -38,23 +38,23 @@ struct MadeTable {
   std::vector<LeftOut> left_out{};
 };
 
-// Recomputes one row. Throws std::invalid_argument for arguments outside what is allowed, and
-// std::runtime_error where there is no value.
+// Recomputes one row and compares it. Throws std::invalid_argument for arguments out of range, and
+// std::runtime_error if the value cannot be computed.
 using RowCheck = std::function<RowVerdict(std::size_t row)>;
 
-// One kind of table of the reference data: what its columns mean, how its rows are made and how a row is
-// verified. `of` is the scene and its parameters; tables of functions have none (maker = nullptr).
+// One kind of table of the reference data: the meaning of its columns, how to compute its rows and how to
+// check a row. `of` is the scene and its parameters; tables of functions have none (maker = nullptr).
 struct TableKind {
   std::string_view id;
-  std::string_view folder;    // of its tables, one a scene; empty: one table named after the kind
-  std::string_view known_by;  // a column that no other kind has
+  std::string_view folder;    // of the tables, one per scene; empty: one table, named after the kind
+  std::string_view known_by;  // name of a column that no other kind has
   TableFacts (*facts)(const SceneVariant& of);
   MadeTable (*make)(const SceneVariant& of);
-  // The table must live as long. Throws std::invalid_argument for malformed cells, std::runtime_error where
+  // `given` must outlive the result. Throws std::invalid_argument for malformed cells, std::runtime_error if
   // the scene has no reference.
   RowCheck (*check)(const SceneVariant& of, const DataTable& given);
 
-  // Of which scenes there are tables; empty: of all.
+  // Whether there is a table for this scene; nullptr: for all scenes.
   bool (*has_table)(const SceneVariant& of) = nullptr;
 
   [[nodiscard]] bool of_scenes() const { return !folder.empty(); }

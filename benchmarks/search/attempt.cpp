@@ -14,7 +14,7 @@
 namespace fde {
 namespace {
 
-// Of the rows that are no algebraic ones, at most 1.
+// Smallest order of the differential (not algebraic) rows, at most 1.
 double smallest_order(const Problem& problem) {
   double order = 1.0;
   for (const auto& component : problem.components)
@@ -144,7 +144,7 @@ void Examiner::judge_end(Attempt& attempt) {
   if (difference.size() == 1) attempt.signed_error = difference[0];
 }
 
-// The scale of a value needs those shortly before it, what is trivial the first one.
+// Times: t = 0 for the baseline y = y(0), and the last tenth of the interval for the relative scale.
 const Examiner::AtEnd& Examiner::at_end() {
   if (at_end_) return *at_end_;
   constexpr int nearby = 64;

@@ -13,8 +13,8 @@
 
 namespace fde {
 
-// One way to solve a scene: with any number of steps over grids of one grading, or to any accuracy by a
-// scheme that chooses its steps.
+// A configuration of a search: a scheme with a grading of its grid, or a scheme with adaptive step size.
+// The number of steps or the tolerance is free.
 struct Way {
   const Scheme* scheme = nullptr;
   double grading = 1.0;
@@ -22,51 +22,52 @@ struct Way {
   [[nodiscard]] bool chooses_steps() const { return !scheme->needs.takes_grid; }
 };
 
-// One run of a way.
+// One run of a configuration, compared with the reference.
 struct Attempt {
-  int steps = 0;                                           // of the grid, or those taken
-  std::optional<double> asked{};                           // accuracy, of a scheme that chooses its steps
-  double error = std::numeric_limits<double>::infinity();  // infinite: it did not come to its end
-  double trivial = 0.0;     // that y = 0 or y = y(0) has; infinity where the solution is constant
-  Eigen::Index column = 0;  // of the scene, the one with the largest error, at this time
-  double time = 0.0;
-  double signed_error = 0.0;  // at the end, of the column that counts, where it is one
-  bool within =
-      false;  // the accuracy, what is not known of the reference included; better than what is trivial
-  double seconds = 0.0;  // of the solve, roughly
+  int steps = 0;                                           // of the grid, or taken by an adaptive step size
+  std::optional<double> asked{};                           // requested tolerance, with adaptive step size
+  double error = std::numeric_limits<double>::infinity();  // infinity: the run did not reach the end time
+  double trivial = 0.0;  // error of the baseline y = 0 or y = y(0); infinity where the solution is constant
+  Eigen::Index column = 0;    // index of the scene's column with the largest error
+  double time = 0.0;          // of the largest error
+  double signed_error = 0.0;  // at the end time, where exactly one column is compared
+  bool within = false;        // error + bound of the reference <= accuracy, and error < trivial
+  double seconds = 0.0;       // wall time of one solve
   RunEnding ending{};
-  Rows values{};  // the columns that count, at the watched times
+  Rows values{};  // the compared columns at the comparison times, one row a column
 };
 
-// With which the attempt was made.
+// The number of steps or the tolerance of the run.
 StepsOrAccuracy resolution_of(const Attempt& attempt);
 
-// Makes attempts at a scene and judges them by its reference. The scene must live as long.
+// Runs configurations on a scene and measures their errors against its reference. The scene must outlive
+// this object.
 class Examiner {
  public:
   Examiner(const Scene& scene, Question question);
 
-  // The run is compared at `watched` steps or less, at the last one only where the norm is the end, and
-  // ends after so many seconds. Throws std::runtime_error where there is no finite reference.
+  // Compares the run with the reference at about `watched` times, for Norm::end at the end time only. The run
+  // stops after `budget` seconds. Throws std::runtime_error if there is no finite reference.
   Attempt examine(const Way& way, const StepsOrAccuracy& resolution, int watched, double budget);
 
-  // Whether runs of two ways over grids give the same values, bit for bit.
+  // Whether both configurations, on grids with this number of steps, give the same bits at the comparison
+  // times.
   bool same_values(const Way& one, const Way& other, int steps);
 
-  // Only solves.
+  // Solves without a comparison or a budget, for timing.
   void solve_to_end(const Way& way, const StepsOrAccuracy& resolution) const;
 
-  // Evaluates the reference at so many times, spread evenly.
+  // Evaluates the reference at this number of equally spaced times; later comparisons reuse the values.
   void know_reference(int times);
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const Question& question() const { return question_; }
 
-  // Whether the solution is y(0) at all times, as far as that is known: then y = y(0) is right, not trivial.
+  // Whether the solution equals y(0) at all sampled times, to rounding and the bounds of the reference. The
+  // baseline y = y(0) is then correct, so `trivial` does not apply.
   bool is_constant();
 
-  // What is not known of the reference at the end, on the scale asked for. An error is taken to be more by
-  // this.
+  // Error bound of the reference at the end time, on the scale of the question. It is added to every error.
   double reference_bound() { return at_end().bound; }
 
  private:
@@ -89,7 +90,7 @@ class Examiner {
   const AtEnd& at_end();
   std::optional<AtEnd> at_end_{};
   std::optional<bool> is_constant_{};
-  // On the scale asked for, at times that no grid has.
+  // Of the reference, on the scale of the question, at times that are independent of any grid.
   const TotalVariation& variation();
   std::optional<TotalVariation> variation_{};
 };

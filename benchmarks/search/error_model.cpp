@@ -11,14 +11,14 @@ namespace fde {
 namespace {
 
 constexpr std::size_t most_fitted = 5;
-// Powers are multiples of a step: those of a curve, and by how much its second one is larger.
+// The grid of powers, as multiples of power_step: p, and the gap q - p.
 constexpr double power_step = 0.05;
 constexpr std::size_t least_power = 1, most_power = 160, least_gap = 4, most_gap = 60, gap_step = 4;
 
-// What a curve may miss beside what the best one misses: errors are no exact sums of two powers.
+// Misfit allowed beyond twice the best curve's: measured errors are no exact sums of two powers.
 constexpr double tolerated = 0.01;
 
-// The errors with their steps relative to the finest, coarsest first.
+// The positive errors with N relative to the finest run, from coarse to fine.
 struct Point {
   double n, error;
 };
@@ -43,7 +43,7 @@ std::vector<Column> columns_of(const std::vector<Point>& points) {
   return columns;
 }
 
-// The a and b with the least sum of (a u + b v - 1)^2.
+// Least squares: the a and b that minimise sum (a u + b v - 1)^2; b = 0 for fewer than 3 points.
 struct Coefficients {
   double a = 0.0, b = 0.0;
 };
@@ -61,7 +61,7 @@ Coefficients fitted(const Column& u, const Column& v) {
   return {(u1 * vv - v1 * uv) / determinant, (uu * v1 - uv * u1) / determinant};
 }
 
-// The root of the mean square of a u + b v - 1.
+// Root mean square of a u + b v - 1.
 double misfit_of(const Coefficients& with, const Column& u, const Column& v) {
   double sum = 0.0;
   for (std::size_t i = 0; i < u.size(); ++i) sum += std::pow(with.a * u[i] + with.b * v[i] - 1.0, 2);
@@ -89,7 +89,7 @@ ErrorModel::ErrorModel(std::span<const ErrorWith> measured) {
   for (std::size_t p = least_power; p <= most_power; ++p) {
     for (std::size_t gap = least_gap; gap <= most_gap; gap += gap_step) {
       const auto with = fitted(columns[p], columns[p + gap]);
-      if (!(with.a > 0.0) || !(with.a + with.b > 0.0)) continue;  // not an error beyond the finest
+      if (!(with.a > 0.0) || !(with.a + with.b > 0.0)) continue;  // not positive for all N > scale_
       const double misfit = misfit_of(with, columns[p], columns[p + gap]);
       best = std::min(best, misfit);
       curves_.push_back({.p = power_step * static_cast<double>(p),
@@ -97,7 +97,7 @@ ErrorModel::ErrorModel(std::span<const ErrorWith> measured) {
                          .a = with.a,
                          .b = with.b,
                          .misfit = misfit});
-      if (points.size() < 3) break;  // one power
+      if (points.size() < 3) break;  // b = 0: q does not matter
     }
   }
   std::erase_if(curves_, [&](const Curve& curve) { return curve.misfit > 2.0 * best + tolerated; });
@@ -115,7 +115,7 @@ Expected ErrorModel::error(double steps) const {
   return error;
 }
 
-// Newton's method in the logarithms, in which a curve is nearly straight, kept between both ends.
+// Newton's method in log N and log e, where a curve is nearly straight, safeguarded by a bracket.
 double ErrorModel::steps_of(const Curve& curve, double error) const {
   constexpr double most = 1e30, stride = 32.0, close = 1e-6;
   constexpr int most_steps = 60;

@@ -6,39 +6,40 @@
 
 namespace fde {
 
+// The error of a run with this number of steps.
 struct ErrorWith {
   int steps = 0;
   double error = 0.0;
 };
 
-// A number that is expected, and between which it is uncertain.
+// A predicted number and its interval of uncertainty.
 struct Expected {
   double value = 0.0, low = 0.0, high = 0.0;
 };
 
-// The slope of the finest of these errors, at most five, by the fit of all rates; nullopt: too few above
-// rounding.
+// The observed rate: slope of the fit_rate() line through the finest five (or fewer) of these errors. nullopt
+// if too few errors are above rounding.
 std::optional<double> observed_rate(std::span<const ErrorWith> measured);
 
-// How the error of a line falls with its steps: e(N) = a N^-p + b N^-q, p < q. All pairs of powers whose
-// curve goes through the measured errors about as well as the best are kept; what they differ by is the
-// uncertainty.
+// The error as a function of the number of steps, e(N) = a N^-p + b N^-q with p < q, fitted by least squares
+// in the relative error. All pairs (p, q) whose misfit is close to the smallest are kept; their spread is the
+// uncertainty of a prediction.
 class ErrorModel {
  public:
-  // Of the finest of these errors, at most five. Fewer than two that are above 0, or none that falls: no
-  // model.
+  // Fits the finest five (or fewer) of these errors, given from coarse to fine. The model is empty if fewer
+  // than two errors are finite and above 0, or no decreasing curve fits.
   explicit ErrorModel(std::span<const ErrorWith> measured);
 
   [[nodiscard]] bool empty() const { return curves_.empty(); }
 
-  // Preconditions: not empty.
+  // Precondition: not empty().
   [[nodiscard]] Expected error(double steps) const;
-  [[nodiscard]] Expected steps(double error) const;  // the fewest with this error
+  [[nodiscard]] Expected steps(double error) const;  // the smallest N with e(N) <= error
 
  private:
   struct Curve {
-    double p = 0.0, q = 0.0, a = 0.0, b = 0.0;  // of N / scale_
-    double misfit = 0.0;                        // relative to the errors, root of the mean square
+    double p = 0.0, q = 0.0, a = 0.0, b = 0.0;  // as a function of N / scale_
+    double misfit = 0.0;                        // root mean square of the relative residuals
 
     [[nodiscard]] double at(double n) const;
   };

@@ -28,11 +28,11 @@ using Clock = std::chrono::steady_clock;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_compared = 2048;
 
-// The largest difference of two finished runs, at times of the second.
+// The difference of two runs at the grid times of the second.
 struct Difference {
   double largest = infinity;
-  double rounding = 0.0;  // what both runs may be off by alike, and no number of steps makes smaller
-  Vec divisors{};         // of the scene's columns at the end
+  double rounding = 0.0;  // rounding errors, which more steps do not reduce
+  Vec divisors{};         // one entry a column of the scene, at the end time
 };
 
 Difference difference_of(const SampledRun& first, const SampledRun& second, const Question& question) {
@@ -57,7 +57,7 @@ std::string name_of(const Way& way, int steps) {
   return fmt::format("{}{} with N = {}", way.scheme->id, grid, steps);
 }
 
-// Looks for two ways that agree.
+// Searches for two configurations whose results agree.
 class Estimator {
  public:
   Estimator(const Scene& scene, const Question& question, double seconds, const Tell& tell)
@@ -80,7 +80,7 @@ class Estimator {
     return std::make_shared<const SampledRun>(scene_, way, steps, std::max(0.1, seconds_ - elapsed()));
   }
 
-  // A way, and by how much its results move when its steps are halved.
+  // A configuration, and the change of its result from N to N/2 steps.
   struct Moving {
     Way way{};
     double moves = infinity;
@@ -106,7 +106,7 @@ class Estimator {
 
   void choose_ways() {
     constexpr int fewest = 256, most = 16384;
-    constexpr double far = 1e3;  // a scheme whose results move so much more is not stable here
+    constexpr double far = 1e3;  // a result that changes this much more indicates instability
     for (int steps = fewest; steps <= most; steps *= 4) {
       const auto all = ways_with(steps);
       if (all.empty()) continue;
@@ -115,7 +115,7 @@ class Estimator {
       const auto other_kind = [&](const Moving& of) {
         return of.way.scheme->needs.implicit != first.needs.implicit && of.moves < far * all.front().moves;
       };
-      // Between two times a solution that starts like t^g is not known as well as at them.
+      // Equal gradings avoid interpolation, which is inaccurate for a solution ~ t^g near 0.
       const auto at_the_same_times = [&](const Moving& of) {
         return other_kind(of) && question_.kind.norm == Norm::maximum &&
                of.way.grading == all.front().way.grading;
@@ -132,8 +132,8 @@ class Estimator {
     throw no_estimate("no two schemes come to their end");
   }
 
-  // So many steps, or as many more that the coarser run has some between any two jumps of the right-hand
-  // side: what no step meets both runs would leave out alike.
+  // The steps, doubled until the coarser run has some between any two jumps of the right-hand side: both runs
+  // would miss a shorter feature alike, and agree.
   [[nodiscard]] int steps_seeing_jumps(int steps) const {
     constexpr int between = 8, most = 1 << 20;
     double shortest = scene_.problem.end, before = 0.0;
@@ -144,7 +144,7 @@ class Estimator {
   }
 
   void climb() {
-    constexpr double next_takes = 2.5;  // times what the runs at hand take
+    constexpr double next_takes = 2.5;  // time of the next pair of runs over the time of this pair
     constexpr double most_values = 2e7;
     double before = infinity, ratio = 0.0;
     for (int steps = steps_;; steps *= 2) {
@@ -165,8 +165,7 @@ class Estimator {
     }
   }
 
-  // By how much the difference has fallen; 0 where there is none before it. What is rounding has come to its
-  // end.
+  // Ratio of the previous difference to this one; 0 if there is no previous one, infinity at rounding level.
   [[nodiscard]] double fall(double before) const {
     if (between_.largest <= between_.rounding) return infinity;
     return std::isfinite(before) ? before / between_.largest : 0.0;
@@ -189,7 +188,7 @@ class Estimator {
 
   [[nodiscard]] Reference made() const {
     const Vec bound = estimate_.error() * between_.divisors.unaryExpr([](double by) {
-      return std::isfinite(by) ? by : 0.0;  // what does not count
+      return std::isfinite(by) ? by : 0.0;  // an infinite divisor excludes the value
     });
     return {[run = first_, bound](double t) -> ReferenceValue { return {run->at(t), bound}; }};
   }

@@ -9,43 +9,44 @@
 
 namespace fde {
 
-// What stands for a reference where none can be had: the finer of two runs of different schemes, the second
-// with half the steps, so that an error that both rules share shows in their difference too. It is no bound.
+// An error estimate for a scene without a reference: two runs of different schemes, the second with half the
+// steps, so that an error common to both rules shows in their difference too. The first, finer run replaces
+// the reference. The estimate is no bound.
 struct Estimate {
   std::string missing{};  // why there is no reference
-  Way first{}, second{};  // the first is the one whose values stand for the solution
+  Way first{}, second{};  // `first` replaces the reference
   int first_steps = 0, second_steps = 0;
-  double difference = 0.0;  // the largest of the columns that count, on the scale asked for
-  double factor = 0.0;      // times the difference: what is taken for the error of the first run
+  double difference = 0.0;  // largest over the compared columns, on the scale of the question
+  double factor = 0.0;      // estimated error of the first run = factor * difference
 
   [[nodiscard]] double error() const { return factor * difference; }
 };
 
-// The factor where the difference has become `ratio` times smaller with each doubling of the steps: an error
-// like N^-p that moves by d from N/2 to N is d / (2^p - 1), and no less than d is taken; four times that.
-// Infinite where it does not fall.
+// Factor between error and difference where the difference d decreased by `ratio` with each doubling of N. An
+// error ~ N^-p that changes by d from N/2 to N is d / (2^p - 1), ratio = 2^p; at least d is taken, times a
+// safety factor of 4. Infinity for ratio <= 1.
 double estimate_factor(double ratio);
 
-// The part of an accuracy that the error of an estimate may be.
+// Largest estimated error of the replaced reference, as a fraction of the requested accuracy.
 inline constexpr double estimate_part = 0.1;
 
-// What a search measures errors against: known, or estimated.
+// The reference of a search, with the estimate it rests on if it is not a known reference.
 struct SearchReference {
   Reference reference{};
   std::optional<Estimate> estimate{};
 };
 
-// The reference of the scene, or, where that cannot be had, an estimate that is far enough below the accuracy
-// asked for, made within so many seconds. Of all schemes and gradings that come to their end with few steps
-// the two of different schemes, an implicit and an explicit one where there are both, are taken whose results
-// move least with their steps. They double their steps until they agree, the slower of the last two falls of
-// their difference counting. For errors at the end they are compared in the last tenth of the times. Throws a
-// Singularity where that is why there is no reference, and std::runtime_error with both reasons where the two
-// do not agree in time.
+// The reference of the scene; if there is none, an estimate with error <= estimate_part * accuracy, computed
+// within `seconds`. Two configurations of different schemes are chosen whose results change least from N/2 to
+// N among those that reach the end time with few steps, one implicit and one explicit if possible. Both
+// double their steps until the estimated error is small enough; the factor uses the smaller of the last two
+// ratios of successive differences. For Norm::end they are compared over the last tenth of the interval.
+// Throws Singularity if a singularity is the reason for the missing reference, and std::runtime_error with
+// both reasons if the two runs do not agree in time.
 SearchReference reference_or_estimate(const Scene& scene, const Question& question, double seconds,
                                       const Tell& tell);
 
-// The same of a scene without a reference for this reason.
+// The estimate alone, for a scene that has no reference for the reason `missing`.
 SearchReference estimated_reference(const Scene& scene, const Question& question, const std::string& missing,
                                     double seconds, const Tell& tell);
 

@@ -8,7 +8,7 @@ namespace {
 
 using Try = std::function<Attempt(int steps)>;
 
-// A number that is easy to read, at most a hundredth above; a multiple of the unit.
+// The next multiple of `unit` above the steps rounded up to about three digits.
 int rounded_up(double steps, int unit) {
   constexpr double digits_kept = 100.0;
   const double place = std::max(1.0, std::pow(10.0, std::floor(std::log10(steps / digits_kept))));
@@ -16,7 +16,7 @@ int rounded_up(double steps, int unit) {
   return static_cast<int>(std::ceil(whole / unit) * unit);
 }
 
-// Where the straight line through both errors, in logarithms, meets the accuracy.
+// Secant in log N and log e: the N at which the line through both errors equals the accuracy.
 double steps_between(const Attempt& low, const Attempt& high, double accuracy) {
   const double middle = std::sqrt(static_cast<double>(low.steps) * high.steps);
   if (!std::isfinite(low.error) || !(low.error > high.error) || !(high.error > 0.0)) return middle;
@@ -25,7 +25,7 @@ double steps_between(const Attempt& low, const Attempt& high, double accuracy) {
   return low.steps * std::pow(low.error / accuracy, 1.0 / rate);
 }
 
-// Closes the bracket to a hundredth and a half.
+// Narrows the bracket to 1.5 %: secant steps, every third one a bisection.
 Attempt between(Attempt low, Attempt high, double accuracy, int unit, const Try& attempt) {
   constexpr int most_tries = 8;
   constexpr double close = 1.015, more = 1.003;

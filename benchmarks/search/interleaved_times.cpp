@@ -14,14 +14,14 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The seconds of one of so many solves, one after the other.
+// Mean seconds of a solve over `times` successive solves.
 double seconds_each(const std::function<void()>& solve, int times) {
   const auto start = Clock::now();
   for (int i = 0; i < times; ++i) solve();
   return seconds_since(start) / times;
 }
 
-// So many take what a clock can tell.
+// The number of solves that takes 1 ms, long enough for the clock.
 int times_in_a_round(const std::function<void()>& solve) {
   constexpr double least = 1e-3;
   constexpr int most = 1000;

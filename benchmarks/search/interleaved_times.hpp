@@ -7,9 +7,9 @@
 
 namespace fde {
 
-// Times solves against each other: each once a round, so that what slows the machine slows all alike, for
-// this many seconds, but in three rounds at least. A solve that is too short for the clock is repeated within
-// its round.
+// Times several solves in interleaved rounds, each solve once per round, so that other load on the machine
+// affects all alike. Runs for `seconds` and at least three rounds; a solve shorter than 1 ms is repeated
+// within its round.
 std::vector<TimeSpread> time_interleaved(const std::vector<std::function<void()>>& solves, double seconds);
 
 }  // namespace fde

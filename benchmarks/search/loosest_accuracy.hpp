@@ -7,9 +7,10 @@
 
 namespace fde {
 
-// The attempt with the loosest accuracy asked, to a factor of two, that is within the accuracy wanted, of a
-// scheme that delivers about what it is asked for. The first asks for what is wanted; then ten times more, or
-// less down to a millionth, until the answer changes. nullopt: none is within.
+// The run with the largest tolerance, to a factor of two, whose error is within the accuracy `wanted`, for a
+// scheme whose error is about its tolerance; `attempt` makes a run. The first tolerance is `wanted`; it is
+// then multiplied or divided by 10 (down to wanted / 1e6) until the result changes, and bisected. nullopt if
+// no run is within the accuracy.
 std::optional<Attempt> loosest_accuracy(double wanted, const std::function<Attempt(double asked)>& attempt);
 
 }  // namespace fde

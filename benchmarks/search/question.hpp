@@ -14,12 +14,13 @@ namespace fde {
 struct Question {
   ErrorKind kind{};
   double accuracy = 1e-6;
-  std::vector<Eigen::Index> columns{};  // of the scene, those that count
+  std::vector<Eigen::Index> columns{};  // indices of the scene's columns that are compared
 };
 
-// Hears what is tried, and which part of the time has gone.
+// Progress callback: `what` is being run, `part` in [0, 1] is the elapsed fraction of the time.
 using Tell = std::function<void(const std::string& what, double part)>;
 
+// The indices of all columns of the scene.
 inline std::vector<Eigen::Index> all_columns(const Scene& scene) {
   std::vector<Eigen::Index> columns(scene.outputs.names.size());
   std::iota(columns.begin(), columns.end(), Eigen::Index{0});

@@ -5,17 +5,19 @@
 
 namespace fde {
 
-// A run over a grid as a function of time. Between the times t_n = T (n/N)^R the columns of the scene are
-// cubics in n, in which the grid is even: through the four nearest steps, so exact at each of them. Where the
-// solution is smooth in n this is off by N^-4, less than any scheme here.
+// A run on a grid as a function of time. Between the times t_n = T (n/N)^R each column of the scene is
+// interpolated by a cubic in n, the variable in which the grid is uniform, through the four nearest steps.
+// Its error is O(N^-4) where the solution is smooth in n, less than the error of any scheme here.
 class SampledRun {
  public:
-  // Preconditions: four steps at least; the scheme takes the problem over this grid.
+  // Solves the scene; stops after `budget` seconds. Preconditions: steps >= 4, and the scheme accepts the
+  // problem on this grid.
   SampledRun(const Scene& scene, const Way& way, int steps, double budget);
 
-  // Whether it came to its end, with finite values: only then it has values.
+  // Whether the run reached the end time with finite values. Precondition of at().
   [[nodiscard]] bool finished() const { return columns_.cols() > 0; }
 
+  // The columns at a time in [0, T]; at several times one row a column, one column a time.
   [[nodiscard]] Vec at(double t) const;
   [[nodiscard]] Rows at(const std::vector<double>& times) const;
 
@@ -23,7 +25,7 @@ class SampledRun {
 
  private:
   Grid grid_;
-  Rows columns_{};  // at all of its times
+  Rows columns_{};  // one row a column of the scene, one column a grid time; empty: not finished
 };
 
 }  // namespace fde

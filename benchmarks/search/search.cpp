@@ -24,21 +24,21 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int first_rung = 4;
-constexpr std::size_t rungs_to_compare = 5;  // after which two ways are one
+constexpr std::size_t rungs_to_compare = 5;  // equal bits in so many runs: both schemes are one algorithm
 
-// How far a way may be behind the quickest by one solve of each and still be timed against it.
+// Configurations within this factor of the quickest, by one solve of each, are timed against it.
 constexpr double margin = 1.5;
 
-// The part of the time left that one run may take.
+// The fraction of the time left that one run may take.
 constexpr double most_of_rest = 0.3;
 
-// By how much a way may be expected to exceed the time that is left and still go on.
+// A configuration is refined while its expected time is below this multiple of the time left.
 constexpr double far = 10.0;
 
 bool is_hopeless(Ending ending) { return ending == Ending::singular || ending == Ending::out_of_budget; }
 
-// The least number of equal steps whose times are those at which the right-hand side jumps; 1 where there is
-// none up to a thousand.
+// The smallest number of equal steps whose times contain all jumps of the right-hand side; 1 if there is none
+// up to 1000.
 int meeting_jumps(const Problem& problem) {
   constexpr int most = 1000;
   for (int steps = 1; steps <= most; ++steps) {
@@ -93,8 +93,8 @@ class Search {
     }
   }
 
-  // How often runs are compared with a reference that takes its time. Those that choose their steps are all
-  // compared at the same times.
+  // Sets at how many times runs are compared, from the measured cost of one reference value. All runs with
+  // adaptive step size are compared at the same times.
   void watch() {
     constexpr int most = 512, least = 64, most_at_last = most_watched;
     const auto start = Clock::now();
@@ -109,7 +109,7 @@ class Search {
   [[nodiscard]] double elapsed() const {
     return std::chrono::duration<double>(Clock::now() - start_).count();
   }
-  // Of the part of the time that is there to look for runs.
+  // Seconds left for runs: 70 % of the time is for them, the rest for timing.
   [[nodiscard]] double left() const { return std::max(0.0, 0.7 * seconds_ - elapsed()); }
 
   [[nodiscard]] double accuracy() const { return examiner_.question().accuracy; }
@@ -120,7 +120,7 @@ class Search {
     return examiner_.examine(of.way, steps, watched, std::max(1.0, left()));
   }
 
-  // A run that is far slower than the quickest so far is of no use.
+  // The budget is a multiple of the quickest run so far: a slower run cannot be the best.
   Attempt examine_asked(const SearchedWay& of, double asked) {
     constexpr double shortest = 0.05, part = 0.1;
     tell_(fmt::format("{} accuracy = {:.1e}", of.way.scheme->id, asked), std::min(1.0, elapsed() / seconds_));
@@ -128,7 +128,8 @@ class Search {
     return examiner_.examine(of.way, Accuracy{asked, asked}, watched_by_all_, budget);
   }
 
-  // One more rung for those who climb and are not expected to be slower than another; false: nobody climbs.
+  // One more run for each active configuration that is not expected to be slower than another. Returns
+  // whether any is still active.
   bool climb() {
     double expected = quickest_;
     for (std::size_t i = 0; i < ways_.size(); ++i) {
@@ -148,7 +149,7 @@ class Search {
     return std::ranges::find(climbing_, true) != climbing_.end();
   }
 
-  // Whether it climbs on.
+  // Makes the next run of the ladder, or all runs with adaptive step size. Returns whether to go on refining.
   bool climb(SearchedWay& of) {
     if (of.way.chooses_steps()) {
       ask(of);
@@ -177,7 +178,7 @@ class Search {
     return least_seconds(of, accuracy()) < far * left();
   }
 
-  // The first solve makes start weights, which are kept: runs are compared by what they cost after it.
+  // The first solve computes the start weights, which are cached; the time without them is compared.
   void leave_out_start_weights(SearchedWay& of) const {
     Attempt& first = of.ladder.front();
     const double whole = first.seconds;
@@ -185,7 +186,7 @@ class Search {
     of.once_seconds = whole - first.seconds;
   }
 
-  // All attempts of a scheme that chooses its steps.
+  // All runs of a scheme with adaptive step size.
   void ask(SearchedWay& of) {
     auto found = loosest_accuracy(accuracy(), [&](double asked) {
       of.ladder.push_back(examine_asked(of, asked));
@@ -204,8 +205,8 @@ class Search {
     of.reason = sentence(last);
   }
 
-  // Whether the error is within the accuracy at some number of steps between the last two rungs, where it
-  // changes its sign.
+  // If the error changes its sign between the last two runs, searches there for a run within the accuracy.
+  // Returns whether there is one.
   bool passes_zero(SearchedWay& of) {
     const auto& ladder = of.ladder;
     if (ladder.size() < 2 || ladder.back().signed_error * ladder[ladder.size() - 2].signed_error >= 0.0)
@@ -220,8 +221,9 @@ class Search {
   }
 
   void find_fewest(SearchedWay& of) {
-    constexpr double runs_of_scan = 25.0, part_of_scan = 0.1;  // as long as the longest
-    constexpr int few_steps = 64;  // with so few an error need not fall from one to the next
+    // A scan costs about 25 times the longest run and may take a tenth of the time left.
+    constexpr double runs_of_scan = 25.0, part_of_scan = 0.1;
+    constexpr int few_steps = 64;  // with so few steps the error need not be monotone in N
     const auto attempt = [&](int steps) { return examine(of, steps, watched_); };
     const bool may_pass_zero = examiner_.question().kind.norm == Norm::end;
     const bool is_short = runs_of_scan * of.ladder.back().seconds < part_of_scan * left();
@@ -238,7 +240,7 @@ class Search {
 
   void time_again(const Way& way, Attempt& attempt) const {
     constexpr int more_solves = 2;
-    constexpr double part = 0.1;  // of the time left
+    constexpr double part = 0.1;  // largest fraction of the time left for one solve
     for (int i = 0; i < more_solves && attempt.seconds < part * left(); ++i)
       attempt.seconds = std::min(attempt.seconds, seconds_to_end(way, attempt));
   }
@@ -249,7 +251,7 @@ class Search {
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
-  // A way that gives the bits of one before it counts with that one.
+  // Merges a configuration into an earlier one that gives the same bits.
   void merge_repeats(std::size_t second) {
     for (std::size_t first = 0; first < second && ways_[second].found != Found::repeats; ++first) {
       if (!is_repeated(ways_[first], ways_[second])) continue;
@@ -276,7 +278,7 @@ class Search {
            examiner_.same_values(first.way, second.way, second.ladder[common - 1].steps);
   }
 
-  // What the ladder says of the error at `best`, or of the steps that were not taken.
+  // Predicts the error of `best`, or the steps needed, by the error model of the ladder.
   void conclude(SearchedWay& of) const {
     if (of.way.chooses_steps()) return;
     const auto errors = errors_of(of);
@@ -289,8 +291,8 @@ class Search {
       of.steps_needed = model.steps(accuracy());
   }
 
-  // Times the quickest against each other and compares the first with the reference at more steps; false: it
-  // needs more steps than it had.
+  // Times the quickest configurations against each other and compares the best with the reference at more
+  // times. Returns false if `best` needed more steps for that, so that the timing has to be repeated.
   bool settle() {
     std::vector<SearchedWay*> quick;
     for (SearchedWay& of : ways_) {
@@ -308,7 +310,8 @@ class Search {
     return is_verified(first);
   }
 
-  // Ways that were left behind and would be quicker than the first turned out to be climb on.
+  // Resumes configurations given up as slower whose lower estimate is below the measured time of the best.
+  // Returns whether any is active again.
   bool revive() {
     quickest_ = infinity;
     for (const SearchedWay& of : ways_) {
@@ -323,12 +326,12 @@ class Search {
     return std::ranges::find(climbing_, true) != climbing_.end();
   }
 
-  // As an attempt was made, at more of its steps.
+  // Repeats a run with a comparison at more times.
   Attempt examine_again(const SearchedWay& of, const Attempt& as) {
     return as.asked ? examine_asked(of, *as.asked) : examine(of, as.steps, watched_at_last_);
   }
 
-  // A little finer.
+  // The same run with 1 % more steps or 0.8 times the tolerance.
   [[nodiscard]] Attempt next(Attempt attempt) const {
     constexpr double tighter = 0.8;
     if (attempt.asked) {
@@ -339,6 +342,8 @@ class Search {
     return attempt;
   }
 
+  // Refines `first.best` until it is within the accuracy at more comparison times. Returns whether it was so
+  // without refinement.
   bool is_verified(SearchedWay& first) {
     if (first.best.steps == verified_steps_ && &first == verified_) return true;
     Attempt attempt = examine_again(first, first.best);
@@ -353,7 +358,7 @@ class Search {
     return within;
   }
 
-  // The quickest first, those without a time behind those with one.
+  // Sort key: timed configurations first, by time; then by outcome.
   static std::pair<int, double> rank(const SearchedWay& of) {
     if (of.time) return {-1, of.time->median};
     return {static_cast<int>(of.found), of.best.seconds};
@@ -362,13 +367,13 @@ class Search {
   static constexpr int most_steps_ = 1 << 30;
   static constexpr double timing_part = 0.05;
   Examiner examiner_;
-  int unit_;  // of which all numbers of steps are multiples
+  int unit_;  // all numbers of steps are multiples of it
   double seconds_;
   const Tell& tell_;
   Clock::time_point start_ = Clock::now();
   std::vector<SearchedWay> ways_{};
-  std::vector<bool> climbing_{};  // beside ways_
-  double quickest_ = infinity;    // of those within, by one solve
+  std::vector<bool> climbing_{};  // active, one entry for each of ways_
+  double quickest_ = infinity;    // least seconds of a run within the accuracy
   int watched_ = 0, watched_at_last_ = 0, watched_by_all_ = 0;
   const SearchedWay* verified_ = nullptr;
   int verified_steps_ = 0;

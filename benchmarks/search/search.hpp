@@ -6,12 +6,13 @@
 
 namespace fde {
 
-// Looks for the cheapest run of a scene that answers a question, over all schemes, gradings and numbers of
-// steps, for so many seconds. Every way doubles its steps until it is within the accuracy, or is known to be
-// slower than another. Then the fewest steps are found between the last two by the error model, each taken by
-// a run; at the end, where an error may pass through 0, all numbers below them in steps of a twentieth. The
-// quickest are timed against each other, and the first of them is compared with the reference at as many
-// steps as records are. First those within the accuracy, the quickest first.
+// Searches for `seconds` for the cheapest run of a scene within the accuracy of the question, over all
+// schemes, gradings and numbers of steps. Every configuration doubles its steps until its error is within the
+// accuracy or it is expected to be slower than another. fewest_steps() then closes the bracket of the last
+// two runs; for Norm::end, where an error may pass through 0, it also scans smaller numbers of steps. The
+// quickest configurations are timed against each other, and the best is compared with the reference at as
+// many steps as a record is. Returns all configurations: first those within the accuracy, the quickest first.
+// Throws std::runtime_error if the reference is missing or less accurate than requested.
 std::vector<SearchedWay> search(const Scene& scene, const Question& question, double seconds,
                                 const Tell& tell);
 

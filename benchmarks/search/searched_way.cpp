@@ -10,7 +10,7 @@
 namespace fde {
 namespace {
 
-// With so many steps the history has taken its long form, from which on a step costs the same.
+// From this number of steps on the history uses sums of exponentials, and the cost of a step is constant.
 constexpr int settled_steps = 8192;
 
 }  // namespace

@@ -10,54 +10,56 @@
 
 namespace fde {
 
-// What became of a way to solve a scene.
+// The outcome of the search for one configuration.
 enum class Found {
-  within,       // reaches the accuracy, with `best`
-  slower,       // would take longer than another way does
-  at_floor,     // its error falls no more
-  out_of_time,  // there was no time to go on
-  repeats,      // gives the bits of another way, which counts for both
+  within,       // `best` is within the accuracy
+  slower,       // expected to take longer than another configuration
+  at_floor,     // the error no longer decreases
+  out_of_time,  // the time of the search ended first
+  repeats,      // gives the same bits as another configuration, whose entry names both
   refused,
   failed,
 };
 
-// All runs of one way, and what came of it.
+// All runs of one configuration and their outcome.
 struct SearchedWay {
   Way way{};
   Found found = Found::out_of_time;
-  std::string reason{};                    // of a refusal, or how its last run ended
-  std::vector<std::string> names{};        // its scheme, then those that give the same bits
-  std::vector<Attempt> ladder{};           // with doubled numbers of steps
-  Attempt best{};                          // the cheapest within the accuracy
-  std::optional<Expected> predicted{};     // its error, by the ladder alone
-  std::optional<TimeSpread> time{};        // of `best`, against the others that are as quick
+  std::string reason{};                    // why the scheme refused, or how the last run ended
+  std::vector<std::string> names{};        // this scheme, then the schemes that give the same bits
+  std::vector<Attempt> ladder{};           // runs with doubled numbers of steps
+  Attempt best{};                          // the cheapest run within the accuracy
+  std::optional<Expected> predicted{};     // error of `best` by the error model of `ladder`
+  std::optional<TimeSpread> time{};        // of `best`, interleaved with the other quick configurations
   std::optional<double> rate{};            // observed
-  std::optional<Expected> steps_needed{};  // to the accuracy, of one that was not there
-  double step_seconds = 0.0;               // a step takes, with as many as it came to
-  double once_seconds = 0.0;               // more for the first solve, which makes start weights
+  std::optional<Expected> steps_needed{};  // to reach the accuracy, where no run did
+  double step_seconds = 0.0;               // per step, in the run with the most steps
+  double once_seconds = 0.0;               // extra time of the first solve, which computes start weights
 };
 
-// The errors of its ladder that are numbers, the coarsest first.
+// The finite errors of the ladder, from coarse to fine.
 std::vector<ErrorWith> errors_of(const SearchedWay& of);
 
-// Whether its errors have begun to fall as they will go on.
+// Whether the asymptotic range is reached: the last error is below a tenth of the baseline's error.
 bool has_begun(const SearchedWay& of);
 
-// Whether its errors, far below the size of the solution, fall no more.
+// Whether the last three errors, far below the size of the solution, no longer decrease.
 bool is_at_floor(const SearchedWay& of);
 
-// That the next rung is expected to take.
+// Expected seconds of the next run of the ladder.
 double next_seconds(const SearchedWay& of);
 
-// That a run within the accuracy is expected to take, with fewer steps or more as the errors leave it open;
-// infinity where its errors have not begun to fall as they will go on, or its steps to cost what they will.
+// Expected seconds of a run within the accuracy, for the given end (`low`, `value`, `high`) of the interval
+// of its steps. Infinity unless the errors are asymptotic (has_begun) and the cost of a step is settled.
 double expected_seconds(const SearchedWay& of, double accuracy, double Expected::*steps);
 
-// The least that it takes, as far as can be told: more than the last rung where errors and steps tell.
+// A lower estimate of the seconds of a run within the accuracy: from expected_seconds() where that is finite,
+// otherwise a fraction of the last run's.
 double least_seconds(const SearchedWay& of, double accuracy);
 
-// The gradings over which a scheme that takes the scene's problem is tried: the uniform grid, some usual
-// ones, and the least that has the best rate in theory.
+// The gradings to try with a scheme: 1 (uniform), 1.5, 2, 3, and the smallest with the best theoretical rate;
+// 1 alone for a scheme that needs a uniform grid or takes no grid. Precondition: the scheme accepts the
+// scene's problem.
 std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm);
 
 }  // namespace fde

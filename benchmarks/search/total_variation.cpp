@@ -20,7 +20,7 @@ double TotalVariation::hidden_by(const Grid& grid, double smallest_order) const 
   constexpr double nine_tenths = 0.9;
   double hidden = 0.0;
   for (Eigen::Index column = 0; column < variation_.rows(); ++column) {
-    // Only the step in which the column is half way can have more than half of its variation.
+    // Only the step that contains the median of the variation can have more than half of it.
     const double place = grid.steps * std::pow(half_way(column) / grid.end, 1.0 / grid.grading);
     const int step = std::clamp(static_cast<int>(std::ceil(place)), 1, grid.steps);
     const double from = grid.time(step - 1), to = grid.time(step);
@@ -31,7 +31,7 @@ double TotalVariation::hidden_by(const Grid& grid, double smallest_order) const 
   return hidden;
 }
 
-// By a line between the times that are known.
+// Linear interpolation between the given times.
 double TotalVariation::up_to(double t, Eigen::Index column) const {
   const auto next = std::ranges::upper_bound(times_, t);
   if (next == times_.end()) return variation_(column, variation_.cols() - 1);
@@ -40,7 +40,7 @@ double TotalVariation::up_to(double t, Eigen::Index column) const {
   return std::lerp(variation_(column, c - 1), variation_(column, c), part);
 }
 
-// The first time at which the column has half of its variation behind it.
+// The first given time (after 0) with at least half of the column's variation.
 double TotalVariation::half_way(Eigen::Index column) const {
   const auto row = variation_.row(column);
   const auto found = std::ranges::lower_bound(row, 0.5 * row[row.size() - 1]);

@@ -7,16 +7,17 @@
 
 namespace fde {
 
-// The total variation of each column of a solution up to a time: the sum of its changes, each over a divisor.
+// The scaled total variation of each column y of a solution up to a time: sum_k |y_k - y_{k-1}| / divisor.
 class TotalVariation {
  public:
-  // values, divisors: a row a column of the scene, a column for each of the times, which increase from 0.
+  // values, divisors: one row a column of the scene, one column a time. Precondition: the times increase
+  // from 0.
   TotalVariation(std::vector<double> times, const Rows& values, const Rows& divisors);
 
-  // Half of the variation of a column within one step of the grid, where that step has most of it; 0 where
-  // there is no such step. A maximum over the times of the grid does not see it. A solution that moves as
-  // t^g, g the smallest order, has the part h^g of its variation within a first step h of an interval 1,
-  // which is no transient: a step has most where it has more than (1 + h^g)/2 of it, at most nine tenths.
+  // Error that a maximum over the grid times misses: if one step of the grid contains most of a column's
+  // variation (a transient inside the step), half of that variation; otherwise 0. The largest over columns.
+  // A solution ~ t^g, g the smallest order, has the fraction h^g of its variation in a first step h of an
+  // interval 1, which is no transient; "most" is therefore more than min(0.9, (1 + h^g)/2).
   [[nodiscard]] double hidden_by(const Grid& grid, double smallest_order) const;
 
  private:

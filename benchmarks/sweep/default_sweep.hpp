@@ -8,20 +8,21 @@
 
 namespace fde {
 
-// All scenes, and some with orders that change the answer: a small one, one above 1, a solution that starts
-// like a root, and pendulums whose commensurate expansion has many states.
+// All scenes, and some again with other parameters that change the ranking of the schemes: a small order, an
+// order above 1, a solution ~ t^0.7 near 0, pendulums whose commensurate expansion has many states.
 std::vector<SceneVariant> default_scenes();
 
-// What a sweep takes: the default scenes, and some mechanical ones in all formulations that are well posed
-// for them. These share a solution and differ in what they do to the constraint.
+// The scenes of a sweep: default_scenes(), and some mechanical scenes in all formulations that are well
+// posed. The formulations of a scene have the same solution and differ in the drift from the constraint.
 std::vector<SceneVariant> sweep_scenes();
 
-// The numbers of steps and the accuracies of a thorough sweep, and as many of these steps as answers need.
+// The numbers of steps (64, 128, ..., 2^19) and tolerances (1e-2, ..., 1e-13) of a thorough sweep; and the
+// same with a Goal that ends each refinement early.
 Ladder thorough_ladder();
 Ladder default_ladder();
 
-// Every scheme, and those that climb on the grid which the orders ask for as well, where solutions start
-// singular.
+// Every scheme; and the schemes that also run on the grid of optimal_grading() where solutions are not smooth
+// at 0.
 std::vector<const Scheme*> sweep_schemes();
 std::vector<const Scheme*> graded_schemes();
 

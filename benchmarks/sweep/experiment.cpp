@@ -20,7 +20,7 @@ namespace fde {
 
 namespace {
 
-// What hears every step of a run.
+// The observers of a scene: energy balance and drift from the constraint. Called after every step.
 class Observers {
  public:
   Observers(const Scene& scene, const std::optional<Grid>& grid) : scene_(scene) {
@@ -49,7 +49,7 @@ class Observers {
   std::optional<DriftObserver> drift_{};
 };
 
-// A run and its columns at path.times. Of a run over a grid only these are kept, and the last state.
+// A run and its columns at path.times. A run on a grid stores only these columns and the last state.
 struct ShownRun {
   Trajectory path;
   Rows columns;
@@ -76,7 +76,8 @@ ShownRun solve_shown(const Scene& scene, const Scheme& scheme, const Problem& pr
   return run;
 }
 
-// The columns of a run, computed in other units; none where that takes other steps.
+// The columns of the run repeated in other units, whose rounding errors differ; empty if it takes other
+// steps.
 Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Resolution& resolution,
                        const Options& options, const Trajectory& path) {
   constexpr double unit = 0.7;
@@ -94,7 +95,7 @@ void tell_rates(const Scene& scene, const Scheme& scheme, const Grid& grid, Obse
   observed.expected_rate_maximum = rate(Norm::maximum);
 }
 
-// How a run was made, and what is said of it.
+// The steps of a run and its measures.
 struct Examined {
   std::int64_t steps = 0;
   Judgement judgement{};
@@ -113,7 +114,7 @@ Examined solve_and_judge(const Scene& scene, WatchedReference& reference, const 
   Observers observers(scene, observed.grid);
   if (!observers.empty()) observing.observer = [&](double t, In y) { observers.observe(t, y); };
   auto [path, columns] = solve_shown(scene, scheme, scene.problem, resolution, observing, 1.0);
-  if (!scheme.needs.implicit) path.cost.newton_iterations.reset();  // it has none to count
+  if (!scheme.needs.implicit) path.cost.newton_iterations.reset();  // an explicit scheme has none
   if (path.ending == Ending::finished) {
     observed.rounded = rounded_otherwise(scene, scheme, resolution, options, path);
     observers.tell(observed);
@@ -122,7 +123,7 @@ Examined solve_and_judge(const Scene& scene, WatchedReference& reference, const 
   return {path.steps, judge(scene, path, columns, reference, observed)};
 }
 
-// A row without its number. The steps of a run over a grid are those asked for, also where it stopped.
+// A row without its value. For a grid `steps` is the requested number, also if the run stopped earlier.
 Record row_of(const SceneSettings& name, const Scene& scene, const Scheme& scheme, const Setup& setup,
               std::int64_t made) {
   const auto* asked = std::get_if<int>(&setup.resolution);
@@ -163,7 +164,7 @@ std::vector<Record> examine(const SceneSettings& name, const Scene& scene, Watch
 std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
                                 const Setup& setup, const Repeats& repeats) {
   Options options = setup.options();
-  options.budget = std::numeric_limits<double>::infinity();  // the run is known to come to its end
+  options.budget = std::numeric_limits<double>::infinity();  // the examined run has finished
   options.at = {scene.problem.end};
   const auto [steps, seconds] =
       solve_repeatedly(scheme, scene.problem, resolution_of(setup, scene.problem.end), options, repeats);

@@ -9,20 +9,21 @@
 
 namespace fde {
 
-// Everything of one run but its time: solves once within the budget, judges the run at watched_times by the
-// reference, and makes a row of every measure and the last one of the ending. The name is that of the scene
-// in the rows. May go on side by side, each scene with a WatchedReference of its own.
+// All records of one run except its time: solves once within the budget, compares the run with the reference
+// at watched_times, and returns one row per measure, the status of the run last. `name` is the scene's key in
+// the rows. Thread safe if each thread has its own WatchedReference.
 std::vector<Record> examine(const SceneSettings& name, const Scene& scene, WatchedReference& reference,
                             const Scheme& scheme, const Setup& setup);
 
-// How often a run is timed: `most` times, more where that takes less than the least seconds, no more once it
-// has taken enough of them.
+// The number of timed repeats of a run: `most`; more while they take less than `least_seconds` in total, no
+// more once they have taken `enough_seconds`.
 struct Repeats {
   int most = 3;
   double least_seconds = 0.01, enough_seconds = 10.0;
 };
 
-// The time rows of a run that is_compared, storing the last step only. To be called while nothing else runs.
+// The time records of a run; the solves store the last step only. Preconditions: is_compared(ending) of the
+// run, and no other work on the machine during the call.
 std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
                                 const Setup& setup, const Repeats& repeats);
 

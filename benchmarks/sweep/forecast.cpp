@@ -19,7 +19,7 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// What two or three solves say of the runs of one scheme on one scene.
+// Times and errors of two or three solves of one scheme on one scene, extrapolated to other resolutions.
 class Probe {
  public:
   Probe(const Scene& scene, const Scheme& scheme, const Setup& setup, const Ladder& ladder) {
@@ -39,7 +39,7 @@ class Probe {
     maximum_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grid, Norm::maximum);
   }
 
-  // A run with so many steps, or of an accuracy.
+  // The predicted run with this number of steps or tolerance.
   [[nodiscard]] Rung rung(const StepsOrAccuracy& resolution) const {
     if (const auto* asked = std::get_if<Accuracy>(&resolution)) return rung_of(*asked);
     const int steps = std::get<int>(resolution);
@@ -57,7 +57,7 @@ class Probe {
   }
 
  private:
-  // Four times as many are at most 512, and at most a quarter of the most steps of the ladder.
+  // The finest solve has four times these steps: at most 512, and a quarter of the ladder's largest number.
   static int fewest_steps(const Ladder& ladder) {
     constexpr int most = 128, part = 16;
     int steps = 0;
@@ -83,7 +83,7 @@ class Probe {
     return rung;
   }
 
-  // The columns at the end of a solve.
+  // Solves and returns the columns at the end time.
   Vec solve(const Scene& scene, const Scheme& scheme, Setup setup, const StepsOrAccuracy& asked) {
     constexpr double most_seconds = 2.0;
     setup.resolution = asked;
@@ -104,24 +104,24 @@ class Probe {
   static constexpr double coarse_ = 1e-3, fine_ = 1e-5;
 
   int steps_ = 1;
-  double longer_ = 1.0;  // that a run takes for a tenth of the error
+  double longer_ = 1.0;  // ratio of the times for a tolerance ten times smaller
   bool refused_ = false, failed_ = false;
   double seconds_ = 0.0, error_ = 0.0;  // with steps_
   std::optional<double> end_rate_{}, maximum_rate_{};
 };
 
-// Seconds that the reference of a scene takes to be evaluated at one time.
+// Seconds to evaluate the reference of a scene at one time.
 double seconds_of_reference(const Scene& scene) {
   if (!scene.reference.at) return 0.0;
   try {
-    scene.reference.at(scene.problem.end);  // what is made once
+    scene.reference.at(scene.problem.end);  // computes what later evaluations reuse
     return seconds_of([&] { scene.reference.at(0.7 * scene.problem.end); });
   } catch (const std::runtime_error&) {
     return 0.0;
   }
 }
 
-// The seconds of the repeated solves of a run; 0 where none is timed.
+// The seconds of the timed solves of a run; 0 if it is not timed.
 double seconds_of_timing(const Rung& rung, const Repeats& repeats) {
   if (!rung.seconds) return 0.0;
   const double once = *rung.seconds;
@@ -129,7 +129,7 @@ double seconds_of_timing(const Rung& rung, const Repeats& repeats) {
   return std::max({wanted, once, repeats.least_seconds});
 }
 
-// A scene that is climbed in thought.
+// Simulates the refinement of all schemes on one scene.
 class ForecastScene {
  public:
   ForecastScene(const SceneVariant& variant, const Sweep& sweep,
@@ -180,7 +180,7 @@ class ForecastScene {
     return rung;
   }
 
-  // Programs are not started for a forecast: a second stands for each of their runs.
+  // Programs are not started for a forecast: one second per run is assumed.
   Rung take(const ExternalProgram& program, const StepsOrAccuracy& resolution) {
     constexpr double guess = 1.0;
     RunKey key = key_of(program, name_, sweep_.setup);
@@ -191,7 +191,8 @@ class ForecastScene {
     return {.steps = std::get<int>(resolution)};
   }
 
-  // The examination: its two solves and what is new of the reference, a part of what goes on side by side.
+  // The seconds of an examination, divided by the number of scenes in parallel: its two solves and the
+  // reference at times not evaluated before.
   double seconds_of(const Rung& rung) {
     constexpr double least = 0.002, computed_reference = 0.5;
     double seconds = least + 2.0 * rung.seconds.value_or(0.0);
@@ -208,7 +209,7 @@ class ForecastScene {
   const Sweep& sweep_;
   const std::function<RecordedRun(const RunKey&)>& recorded_;
   double reference_ = 0.0;
-  int known_ = 0;  // times at which the reference is known
+  int known_ = 0;  // number of times at which the reference has been evaluated
   Forecast expected_{};
 };
 

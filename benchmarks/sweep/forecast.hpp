@@ -8,10 +8,10 @@ namespace fde {
 
 double total_seconds(const Forecast& forecast);
 
-// Three solves with few steps say how long the steps of each scheme on each scene take and how fast its
-// result converges. With these errors and times the ladder is climbed as the sweep climbs it; what is
-// recorded is taken as it is and not expected. Without a goal the runs are all those of the sweep; what they
-// take is a guess in any case, also for the references.
+// Predicts which runs the sweep will make, and their seconds. Three solves with few steps measure the time of
+// a step and the error of each scheme on each scene; the refinement is then simulated with has_ended(). Runs
+// for which `recorded` returns all measures are not forecast. Without a goal the runs are exactly those of
+// the sweep; the seconds, those of references included, are a rough estimate.
 Forecast forecast(const Sweep& sweep, const std::function<RecordedRun(const RunKey&)>& recorded);
 
 }  // namespace fde

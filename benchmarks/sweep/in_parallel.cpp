@@ -23,7 +23,7 @@ void in_parallel(std::size_t count, unsigned threads, const std::function<void(s
       if (!failure) failure = std::current_exception();
       next = count;
     }
-    mpfr_free_cache();  // of this thread: MPFR frees no constants that it keeps when a thread ends
+    mpfr_free_cache();  // MPFR does not free its cached constants of a thread when the thread ends
   };
   {
     std::vector<std::jthread> workers;

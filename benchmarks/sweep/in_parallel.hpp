@@ -5,8 +5,8 @@
 
 namespace fde {
 
-// Calls task(0), ..., task(count - 1), each once, on that many threads. After a failure no new task starts;
-// the first one is thrown again when all threads have ended.
+// Calls task(0), ..., task(count - 1), each once, on up to `threads` threads. After a task throws no new task
+// starts; the first exception is rethrown when all threads have ended.
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task);
 
 }  // namespace fde

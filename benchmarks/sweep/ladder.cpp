@@ -26,7 +26,7 @@ bool is_hopeless(Ending ending) {
   }
 }
 
-// The rates at which the error fell last and at which theory expects it to, the smaller first.
+// The observed rate of the last two runs and the theoretical rate, the smaller first.
 std::optional<std::pair<double, double>> rates_of(const Climb& climb, ErrorOfRung of) {
   const Rung& last = climb.back();
   if (last.steps == 0) return std::nullopt;
@@ -50,13 +50,13 @@ std::optional<double> measured_seconds(const Climb& climb, ErrorOfRung of, doubl
   return least < infinity ? std::optional(least) : std::nullopt;
 }
 
-// Of whole processes: what they take to start is taken to be what the first of them took.
+// The time to start a process: the time of the first run, 0 unless times are of whole processes.
 double start_up(const Climb& climb) {
   return climb.back().wall_clock ? climb.front().seconds.value_or(0.0) : 0.0;
 }
 
-// The seconds with so many steps. A step costs what it did at the cheapest of the last rungs: a time is at
-// times too long, where the machine did something else, but not too short.
+// The forecast seconds for this number of steps, from the least time per step of the last three runs: other
+// load on the machine makes a measured time too long, never too short.
 double seconds_with(const Climb& climb, int steps) {
   constexpr std::size_t trusted = 3;
   if (const double start = start_up(climb); start > 0.0)
@@ -72,8 +72,7 @@ int steps_of(const StepsOrAccuracy& rung) {
   return steps != nullptr ? *steps : 0;
 }
 
-// The seconds that the next rung takes. That of an accuracy takes as many times as long as the last one took
-// of the one before.
+// The forecast seconds of the next run. Between tolerances the ratio of the last two times is kept.
 double next_seconds(const Ladder& ladder, const Climb& climb) {
   if (const int steps = steps_of(ladder.rungs[climb.size()]); steps > 0) return seconds_with(climb, steps);
   const double last = climb.back().seconds.value_or(0.0);
@@ -81,8 +80,8 @@ double next_seconds(const Ladder& ladder, const Climb& climb) {
   return before > 0.0 ? last * std::max(1.0, last / before) : last;
 }
 
-// Whether another climb, listed before this one, had the same errors to the last bit on every rung: it is the
-// same algorithm on this scene.
+// Whether a scheme listed earlier has the same errors bit for bit at every resolution: it is the same
+// algorithm on this scene.
 bool is_repeated(std::span<const Climb> of_scene, const Climb& climb) {
   const auto same = [](const Rung& rung, const Rung& other) {
     return rung.steps == other.steps && rung.end.error && rung.end == other.end &&
@@ -96,7 +95,7 @@ bool is_repeated(std::span<const Climb> of_scene, const Climb& climb) {
   return false;
 }
 
-// Whether the climb, going on, could not be the answer of a grid within this error.
+// Whether finer runs of this scheme cannot be the cheapest within this error.
 bool is_answered(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb, ErrorOfRung of,
                  double error) {
   if (measured_seconds(climb, of, error)) return true;
@@ -109,7 +108,7 @@ bool is_answered(const Ladder& ladder, std::span<const Climb> of_scene, const Cl
   });
 }
 
-// Whether more steps have nothing to add to the answers to this kind of error.
+// Whether more steps cannot change the cheapest run for any error of the goal, in this norm.
 bool is_settled(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb, ErrorOfRung of) {
   const Rung& last = climb.back();
   const auto& errors = ladder.goal->errors;
@@ -119,7 +118,8 @@ bool is_settled(const Ladder& ladder, std::span<const Climb> of_scene, const Cli
          });
 }
 
-// Whether each error of the goal is another climb's in far less time than this one, of accuracies, takes.
+// Whether for each error of the goal another scheme takes far less time than this one with adaptive step
+// size.
 bool is_outrun(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb, ErrorOfRung of) {
   const double last = climb.back().seconds.value_or(0.0);
   return std::ranges::all_of(ladder.goal->errors, [&](double error) {

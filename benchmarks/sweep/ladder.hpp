@@ -9,63 +9,67 @@
 
 namespace fde {
 
-// What a ladder is climbed for: the cheapest run within each of some errors, at the end and as maxima.
+// The purpose of a refinement: to find the cheapest run within each of these errors, in both norms (at the
+// end time and maximum).
 struct Goal {
   std::vector<double> errors{1e-2, 1e-4, 1e-6, 1e-8};
-  double most_seconds = 0.3;  // of a solve: what takes longer is no answer
-  double margin = 2.0;        // by which the forecast of another scheme's time may be wrong
+  double most_seconds = 0.3;  // of a solve; slower runs are not considered
+  double margin = 2.0;        // safety factor for the forecast time of another scheme
 };
 
-// The numbers of steps, and the accuracies, that schemes get on a scene, the coarsest first: all of them, or
-// as many steps as a goal needs.
+// The resolutions (numbers of steps, tolerances) of the runs of a scheme on a scene, from coarse to fine.
+// With a goal the refinement ends by has_ended().
 struct Ladder {
   std::vector<StepsOrAccuracy> rungs{};
   std::optional<Goal> goal{};
 };
 
-// What is on it for schemes over a grid, or for those that choose their steps: the rungs of that kind. Where
-// it has none, all rungs: each is refused.
+// The resolutions of the kind that a scheme takes: numbers of steps for grids, tolerances for adaptive step
+// size. If there is none of that kind, the whole ladder: the scheme refuses each.
 Ladder ladder_for(const Ladder& ladder, const Needs& needs);
 
-// An error, and the rate that theory expects of it.
+// A measured error and its theoretical rate.
 struct FallingError {
   std::optional<double> error{}, rate{};
-  bool at_floor = false;  // it is that of rounding, or of the reference
+  bool at_floor = false;  // the error is dominated by rounding or by the error of the reference
 
   bool operator==(const FallingError&) const = default;
 };
 
-// What a run says of those with more steps.
+// The data of one run from which finer runs are forecast.
 struct Rung {
-  int steps = 0;
-  bool hopeless = false;            // more steps end in the same way: refused, without a reference, ...
-  FallingError end{}, maximum{};    // absolute; those on the mixed scale are no larger
-  std::optional<double> seconds{};  // of a solve
-  bool wall_clock = false;          // of a whole process
+  int steps = 0;                    // 0: the run has a tolerance instead
+  bool hopeless = false;            // more steps would fail alike: refused, no reference, overflow, ...
+  FallingError end{}, maximum{};    // absolute errors; on the mixed scale they are no larger
+  std::optional<double> seconds{};  // of one solve
+  bool wall_clock = false;          // `seconds` is the time of a whole process
 };
 using ErrorOfRung = FallingError Rung::*;
+// The data of a recorded run; the steps are those of its setup.
 Rung rung_of(const Setup& setup, const RecordedRun& run);
 
-// The rungs that one scheme has taken on a scene, the coarsest first.
+// The runs so far of one scheme on a scene, from coarse to fine.
 using Climb = std::vector<Rung>;
 
-// The seconds of the first rung that is within the error: measured, or as the error is forecast to fall. The
-// forecast takes the observed rate or the expected one: the smaller, or where it is `hopeful` the larger and
-// a half more. nullopt: no rung is, or nothing is known.
+// The seconds of the cheapest run with an error <= `error`: measured, otherwise forecast from the last run's
+// error and a rate. The rate is the smaller of the observed and the theoretical one; if `hopeful`, the larger
+// plus 1/2. nullopt if no number of steps on the ladder suffices, or error, time or rate is unknown.
 std::optional<double> seconds_needed(const Ladder& ladder, const Climb& climb, ErrorOfRung of, double error,
                                      bool hopeful);
 
-// Whether the rungs that are left cannot change an answer, so that the climb ends. One of all climbs of a
-// scene ends
-//   - at the top, or where its rung is hopeless;
-//   - where the next rung is forecast to take more than most_seconds, the start of a process not counted.
-// One of steps ends, too,
-//   - within the least error of the goal, or at the floor, in both norms;
-//   - from the fifth rung on, with which a rate is known, where each error not reached is out of its hopeful
-//     reach, or another climb is within it in less time, by its measured or its forecast seconds;
-//   - from the fifth rung on, where a climb listed before has the same errors to the last bit: both schemes
-//     are one algorithm on this scene.
-// Without a goal only at the top.
+// Whether finer runs of `climb`, an element of `of_scene`, cannot change the result of the sweep, so that the
+// refinement ends. Without a goal it ends at the last resolution of the ladder. With a goal it also ends
+//   - if the last run is hopeless;
+//   - if the next run is forecast to take more than most_seconds (the start of a process not counted).
+// With numbers of steps it also ends
+//   - if the error is within the least error of the goal or at the floor, in both norms;
+//   - from the fifth run on, if each error not reached yet is out of reach (hopeful forecast) or another
+//   scheme
+//     reaches it in less time, measured or forecast, divided by the margin;
+//   - from the fifth run on, if a scheme listed earlier has the same errors bit for bit: both schemes are the
+//     same algorithm on this scene.
+// With tolerances it also ends from the third run on, if for each error of the goal another scheme's measured
+// time is less by the margin.
 bool has_ended(const Ladder& ladder, std::span<const Climb> of_scene, const Climb& climb);
 
 }  // namespace fde

@@ -31,7 +31,7 @@ void Remaining::hear(const SweepEvent& event) {
   }
 }
 
-// Runs that were expected and do not come.
+// Removes the runs that were forecast but are not made, because the refinement has ended.
 void Remaining::leave_out(const RunKey& last) {
   std::erase_if(left_, [&](const auto& run) {
     const auto& [key, seconds] = run;
@@ -48,7 +48,7 @@ double Remaining::part_done() const {
 }
 
 double Remaining::seconds_left(double elapsed) const {
-  constexpr double trusted = 10.0;  // seconds by which the pace at the start is taken to be as expected
+  constexpr double trusted = 10.0;  // seconds; the weight of the forecast against the observed pace
   return std::max(0.0, seconds_left_) * (elapsed + trusted) / (seconds_done_ + trusted);
 }
 

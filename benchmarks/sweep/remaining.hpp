@@ -7,30 +7,32 @@
 
 namespace fde {
 
-// How far a sweep is, told by its events and the seconds since it began.
+// Progress of a sweep, from its events and the elapsed seconds.
 class Remaining {
  public:
   explicit Remaining(Forecast forecast);
 
+  // To be called with every event of the sweep.
   void hear(const SweepEvent& event);
 
   [[nodiscard]] std::size_t runs_done() const { return done_; }
   [[nodiscard]] std::size_t runs_expected() const { return done_ + left_.size(); }
 
-  // Of the whole, by expected seconds: between 0 and 1.
+  // Finished fraction of the sweep in [0, 1], weighted by expected seconds.
   [[nodiscard]] double part_done() const;
 
-  // What is left, at the pace so far, which counts the more the longer the sweep has gone on.
+  // Expected seconds left: the forecast times the observed ratio of elapsed to forecast time, which gets more
+  // weight as the sweep goes on.
   [[nodiscard]] double seconds_left(double elapsed) const;
 
-  // The run at hand: "pendulum l1 N = 64", and whether it is timed.
+  // The current run: "pendulum l1 N = 64", with ", time" while it is timed.
   [[nodiscard]] const std::string& at_hand() const { return at_hand_; }
 
  private:
   void leave_out(const RunKey& last);
 
   Forecast left_;
-  double seconds_left_, seconds_done_ = 0.0;  // as expected
+  double seconds_left_, seconds_done_ = 0.0;  // forecast seconds
   std::size_t done_ = 0;
   std::string at_hand_{};
 };

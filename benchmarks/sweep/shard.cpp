@@ -17,7 +17,7 @@ Shard parse_shard(std::string_view text) {
 }
 
 std::vector<Sweep> shard_of(std::vector<Sweep> sweeps, const Shard& shard) {
-  std::map<SceneSettings, std::size_t> numbers;  // of the scenes, as they are dealt
+  std::map<SceneSettings, std::size_t> numbers;  // of the scenes in the order of first appearance
   const auto is_of_another = [&](const SceneVariant& scene) {
     const auto number = numbers.try_emplace(scene.key(), numbers.size()).first->second;
     return number % static_cast<std::size_t>(shard.count) != static_cast<std::size_t>(shard.number) - 1;

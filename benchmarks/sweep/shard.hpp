@@ -7,17 +7,17 @@
 
 namespace fde {
 
-// One of `count` parts of sweeps, from 1 on.
+// Part `number` (from 1) of `count` parts of a list of sweeps.
 struct Shard {
   int number = 1, count = 1;
 };
 
-// "2/3". Throws std::invalid_argument naming the text and what is allowed.
+// Parses "2/3". Throws std::invalid_argument naming the text and what is allowed.
 Shard parse_shard(std::string_view text);
 
-// The sweeps with the scenes of one shard, those without any left out. Scenes are dealt one after the other,
-// in the order in which they first stand in the sweeps; a scene goes to one shard with all its runs. So the
-// shards depend on nothing of each other, and are all of the sweeps together.
+// The sweeps restricted to the scenes of one shard, without empty sweeps. Scenes are assigned round robin in
+// the order of their first appearance; a scene belongs to one shard with all its runs. The shards are
+// independent of each other, and their union is all of the sweeps.
 std::vector<Sweep> shard_of(std::vector<Sweep> sweeps, const Shard& shard);
 
 }  // namespace fde

@@ -15,17 +15,17 @@ namespace fde {
 
 namespace {
 
-// The runs of one scheme or program on a scene, the coarsest first.
+// The runs of one scheme (with one grading) or program on a scene, from coarse to fine.
 struct Line {
   std::variant<const Scheme*, const ExternalProgram*> solver;
-  RunKey key;  // of the run at hand
+  RunKey key;  // of the current run
   Ladder ladder{};
-  Setup setup{};      // of it, with all means that a program is run with
-  RecordedRun run{};  // the run at hand
+  Setup setup{};      // of the current run; a program's key has fewer settings
+  RecordedRun run{};  // the current run
   bool ended = false;
 };
 
-// One scene, examined by one thread.
+// A scene with all its runs. Examined by one thread.
 struct SweptScene {
   SweptScene(SceneVariant swept, const Sweep& sweep)
       : variant(std::move(swept)), name(variant.key()), scene(make_scene(variant)) {
@@ -50,16 +50,17 @@ struct SweptScene {
   Scene scene;
   WatchedReference reference{scene};
   std::vector<Line> lines{};
-  std::vector<Climb> climbs{};  // of the lines
+  std::vector<Climb> climbs{};  // one entry for each of `lines`
 };
 
-// Whether every row is of a fractional order, and none is the link of a chain: whose unknown starts smoothly.
+// Whether solutions are not smooth at 0: every row has a fractional order and belongs to no multi-term chain
+// (whose first unknown is smooth).
 bool starts_singular(const Problem& problem) {
   return problem.equations.empty() &&
          std::ranges::none_of(problem.components, [](const auto& row) { return whole(row.order); });
 }
 
-// The hooks as threads may call them. A failure to append ends the work of all.
+// The hooks, guarded by a mutex. After append() has thrown, all threads stop.
 class SweepLog {
  public:
   explicit SweepLog(const SweepHooks& hooks) : hooks_(hooks) {}
@@ -121,7 +122,7 @@ void time_rung(SweptScene& of, const Repeats& repeats, SweepLog& log) {
   }
 }
 
-// All lines of the scene have taken the rung: who climbs on?
+// After all runs at one resolution: decides which refinements of the scene end.
 void climb(SweptScene& of, SweepLog& log) {
   for (std::size_t i = 0; i < of.lines.size(); ++i) {
     if (!of.lines[i].ended) of.climbs[i].push_back(rung_of(of.lines[i].key.setup, of.lines[i].run));
@@ -134,7 +135,7 @@ void climb(SweptScene& of, SweepLog& log) {
   }
 }
 
-// The seconds that the rung at hand is expected to take.
+// The forecast seconds of the scene's runs at the current resolution.
 double seconds_of_rung(const SweptScene& of, const Forecast& expected) {
   double seconds = 0.0;
   for (const Line& line : of.lines) {
@@ -144,7 +145,7 @@ double seconds_of_rung(const SweptScene& of, const Forecast& expected) {
   return seconds;
 }
 
-// What takes longest begins, so that the threads end together.
+// Longest forecast first, so that the threads finish at about the same time.
 std::vector<std::size_t> longest_first(const std::deque<SweptScene>& scenes, const Forecast& expected) {
   std::vector<double> seconds;
   for (const auto& of : scenes) seconds.push_back(seconds_of_rung(of, expected));

@@ -15,47 +15,50 @@
 
 namespace fde {
 
-// Which runs: every scheme, and every program behind them, climbs the ladder on every scene. Programs take
-// numbers of steps only.
+// The runs of a sweep: every scheme, and after these every external program, takes the resolutions of the
+// ladder on every scene. Programs take numbers of steps only.
 struct Sweep {
   std::vector<SceneVariant> scenes;
   std::vector<const Scheme*> schemes;
   std::vector<ExternalProgram> programs{};
   Ladder ladder;
-  Setup setup{.budget = 600.0};  // of all runs, but for the resolution
-  bool optimal_grids = false;    // each scheme on the grid that the orders ask for, not on that of the setup
-  std::vector<const Scheme*> graded{};  // these on both, where solutions start singular
+  Setup setup{.budget = 600.0};         // settings of all runs except the resolution
+  bool optimal_grids = false;           // each scheme with optimal_grading() instead of the setup's grading
+  std::vector<const Scheme*> graded{};  // these with both gradings, where solutions are not smooth at 0
   Repeats repeats{};
-  unsigned threads = std::thread::hardware_concurrency();  // of the part that is not timed
+  unsigned threads = std::thread::hardware_concurrency();  // for the untimed part
 };
 
-// The setups of the lines that a scheme climbs on a problem: one, or two where it is graded.
+// The settings of a scheme's runs on a problem, one element per grading: one, or two for a scheme of
+// sweep.graded on a problem whose solution is not smooth at 0.
 std::vector<Setup> setups_of(const Sweep& sweep, const Scheme& scheme, const Problem& problem);
 
-// The runs that a sweep is expected to take, and the seconds that each adds to it.
+// The runs that a sweep is expected to make, and the seconds of each.
 using Forecast = std::map<RunKey, double>;
 
-// What a sweep is about to do to a run, or that it is done; or that its line ends: no other run of the scene
-// and the scheme is to come.
+// Progress of a sweep: it starts to examine or to time a run, a run is done, or the refinement has ended (no
+// further run of this scene, scheme and grading follows).
 struct SweepEvent {
   enum class Kind { examines, times, is_done, line_ends };
   Kind kind;
   RunKey run;
 };
 
-// Runs what is not recorded yet, each once. The rungs are taken one after the other: first those of all
-// scenes are examined, as many scenes side by side as there are threads, then their solves are timed, each
-// alone on the machine; then it is decided who climbs on, from what is recorded and what was measured alike.
-// So a sweep that is continued takes the same runs. Rows go to `append` as soon as they are made: a call for
-// each examination and one for each run's times. The runs of a scene and a rung keep the order of the
-// schemes; those of scenes side by side mix, and the scene that is expected to take longest begins. Neither
-// the number of threads nor the forecast changes a bit of the rows but the times. `append` and `tell` are
-// called by one thread at a time.
+// Callbacks of run_sweep(): lookup of recorded runs, output of rows, progress. `append` and `tell` are called
+// by one thread at a time.
 struct SweepHooks {
   std::function<RecordedRun(const RunKey&)> recorded;
   std::function<void(const std::vector<Record>&)> append;
   std::function<void(const SweepEvent&)> tell;
 };
+
+// Makes each run that is not recorded yet, once. For each resolution of the ladder in turn: the runs of all
+// scenes are examined, one thread per scene; their solves are timed, one at a time; then has_ended() decides
+// which refinements go on, from recorded and new runs alike, so that a resumed sweep makes the same runs.
+// Rows are passed to `append` as soon as they are computed, in one call per examination and one per timing.
+// At one resolution the runs of a scene keep the order of the schemes; those of different scenes interleave,
+// the scene with the longest forecast first. The number of threads and the forecast change no row except the
+// times. An exception of `append` ends the sweep and is rethrown.
 void run_sweep(const Sweep& asked, const SweepHooks& hooks, const Forecast& expected = {});
 
 }  // namespace fde

@@ -35,7 +35,7 @@ std::vector<Trial> all_trials() {
       {"relaxation:until=1e-100", "relaxation:until=1e100", "diethelm:until=1e-10"});
   add("Long", 1 << 17,
       {"relaxation:until=1e4", "pendulum:until=1e4", "pendulum:lambda=0,mu=0,nu=0,until=1e4"});
-  // The reference of the damped oscillator alone takes a minute.
+  // The reference of damped_oscillator alone takes a minute.
   add("Long", 1 << 20,
       {"relaxation:until=1e5", "damped_oscillator:until=1e5", "pendulum:until=1e5",
        "pendulum:lambda=0,mu=0,nu=0,until=1e3", "pendulum:lambda=0,mu=0,nu=0,until=1e5"},

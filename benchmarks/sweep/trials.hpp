@@ -8,7 +8,7 @@
 
 namespace fde {
 
-// A scene where schemes break, and how many steps they get; those that choose their steps get an accuracy.
+// A scene on which schemes fail, with a number of steps. Schemes with adaptive step size get trial_accuracy.
 struct Trial {
   std::string kind;  // a heading: "Stiff", "Extreme orders", ...
   SceneVariant scene;
@@ -16,13 +16,14 @@ struct Trial {
   bool thorough = false;  // takes too long for the default sweep
 };
 
+// Relative and absolute tolerance of the trials with adaptive step size.
 inline constexpr Accuracy trial_accuracy{1e-6, 1e-300};
 
-// All of them, each label once; those of a kind are neighbours.
+// All trials, each scene once; trials of one kind are adjacent.
 std::span<const Trial> trials();
 
-// The trials as sweeps with these schemes and means, those with the same number of steps together; the
-// thorough ones where they are asked for.
+// The trials as sweeps with the schemes and settings of `like`, one sweep per number of steps. Trials with
+// `thorough` are included on request.
 std::vector<Sweep> sweeps_of_trials(Sweep like, bool thorough);
 
 }  // namespace fde

@@ -23,29 +23,29 @@
 #include "mittag_leffler/mittag_leffler.hpp"
 #include "scenes/variant.hpp"
 
-// What the package `fdebench` is written with: texts and arrays in, texts and arrays out. The functions that
-// people call, with what they say of themselves, are in ../fdebench.
+// The extension module of the package `fdebench`; arguments and results are texts and arrays. The public
+// functions with their docstrings are in ../fdebench.
 namespace py = pybind11;
 
 namespace fde::python {
 namespace {
 
-// What names a scene: SCENE and its settings NAME=VALUE, or a problem of Python's.
+// Selects a scene: SCENE with its settings NAME=VALUE, or a problem defined in Python (if not nullptr).
 struct Named {
   std::string name;
   std::vector<std::string> settings;
   const Scene* problem;
 };
 
-// Files are read anew each time, as they may have changed.
+// Equation files are read at every call, as they may have changed.
 Scenes named_scenes() { return with_equation_files(scenes()); }
 
 SceneVariant variant_of(const Named& named, const Scenes& known) {
   return read_variant(SceneArguments{named.name, named.settings}, known);
 }
 
-// The command with these arguments; what it prints. Throws std::invalid_argument and NumericalFailure with
-// the line that it complains with.
+// Runs the command with these arguments and returns its standard output. Throws std::invalid_argument (exit
+// code 2) or NumericalFailure (any other but 0) with the last line of its standard error.
 std::string command(const std::vector<std::string>& arguments, const Scene* problem) {
   std::ostringstream out, err;
   const int code = released([&] {
@@ -63,7 +63,7 @@ std::string command(const std::vector<std::string>& arguments, const Scene* prob
   throw NumericalFailure(line);
 }
 
-// id, columns, orders and end.
+// Tuple of id, column names, orders and end time.
 py::tuple facts(const Named& named) {
   const auto [id, scene] = released([&]() -> std::pair<std::string, Scene> {
     const Scenes all = named_scenes();
@@ -77,8 +77,7 @@ py::tuple facts(const Named& named) {
   return py::make_tuple(id, scene.outputs.names, orders, scene.problem.end);
 }
 
-// Names, times, values with a row for each time, a warning, the cost as JSON, and the names of events or
-// None.
+// Tuple of names, times, values (one row a time), warning, cost as JSON, and the names of events or None.
 py::tuple solve(const Named& named, const RunArguments& arguments) {
   const SolvedTable table = released([&] {
     const Scenes all = named_scenes();
@@ -90,7 +89,7 @@ py::tuple solve(const Named& named, const RunArguments& arguments) {
   return py::make_tuple(table.names, times, values, table.warning, table.cost, table.events);
 }
 
-// E_{alpha,beta}(z) of arrays of one length, and bounds of the errors.
+// E_{alpha,beta}(z) and error bounds, elementwise. Precondition: the arrays have equal lengths.
 using Reals = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Complexes = py::array_t<std::complex<double>, py::array::c_style | py::array::forcecast>;
 py::tuple mittag_leffler_of(const Reals& alpha, const Reals& beta, const Complexes& z) {
@@ -118,7 +117,7 @@ py::tuple mittag_leffler_in_digits(const std::string& alpha, const std::string& 
   return py::make_tuple(value.re, value.im, value.bound);
 }
 
-// The command's options are arguments here: "--steps = 0: must be ..." without the dashes.
+// Removes the dashes of options in a message, "--steps = 0: must be ...": in Python they are arguments.
 std::string without_dashes(std::string text) {
   for (auto at = text.find("--"); at != std::string::npos; at = text.find("--", at)) {
     const bool begins_option = at == 0 || text[at - 1] == ' ';
@@ -128,7 +127,7 @@ std::string without_dashes(std::string text) {
   return text;
 }
 
-// fdebench.NumericalFailure, with what is known of the step.
+// Raises fdebench.NumericalFailure with scheme, step and time, or None for each.
 void raise_failure(const std::string& message, const py::object& scheme, const py::object& step,
                    const py::object& time) {
   const auto type = py::module_::import("fdebench").attr("NumericalFailure");

@@ -17,7 +17,7 @@ namespace py = pybind11;
 namespace fde::python {
 namespace {
 
-// Copies of a Python object that are made and dropped without the interpreter's lock.
+// A Python object that may be copied and destroyed without holding the interpreter lock.
 using Shared = std::shared_ptr<const py::object>;
 Shared shared(const py::object& object) {
   return {new py::object(object), [](const py::object* held) {
@@ -26,8 +26,8 @@ Shared shared(const py::object& object) {
           }};
 }
 
-// What function(t, y) returns, as numbers. Throws what it raises, and ValueError where the shape is another;
-// no std::runtime_error, which would be taken for a failure of the solve.
+// The result of function(t, y) as an array. Throws error_already_set with the exception that the function
+// raises, or with ValueError for a wrong shape; never std::runtime_error, which means a failure of the solve.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 Numbers call(const py::object& function, const char* name, double t, In y,
              const std::vector<py::ssize_t>& shape) {
@@ -62,7 +62,7 @@ DenseJacobian jacobian_of(const py::object& function) {
   }};
 }
 
-// A reference that is computed when a time is asked for, once.
+// A reference that is computed once, at the first evaluation.
 class OnceComputed {
  public:
   explicit OnceComputed(Problem problem) : problem_(std::move(problem)) {}

@@ -10,21 +10,22 @@
 
 namespace fde::python {
 
-// What Python says of a problem, besides its functions.
+// The data of a problem given from Python, without its functions.
 struct ProblemFacts {
   std::vector<double> orders;
-  std::vector<std::vector<double>> initial;
+  std::vector<std::vector<double>> initial;  // y_i(0), and y_i'(0) for an order above 1
   double end;
   std::vector<std::string> names;  // of the unknowns
-  std::vector<double> jumps;
+  std::vector<double> jumps;       // times at which the right-hand side is discontinuous
 };
 
-// A problem whose right-hand side, and Jacobian unless that is None, are functions of Python:
-// rhs(t, y) and jacobian(t, y), y and what they return as NumPy arrays. Schemes call them without the
-// interpreter's lock, which they take. Its reference is computed when first asked for, and kept.
+// A scene whose right-hand side rhs(t, y) and Jacobian jacobian(t, y) (or None) are Python functions of NumPy
+// arrays, with results of shape (n,) and (n, n). The C++ functions acquire the interpreter lock themselves.
+// The reference is computed at the first evaluation and cached. Exceptions of a Python function propagate as
+// error_already_set; a result of another shape raises ValueError.
 Scene python_scene(const ProblemFacts& facts, const pybind11::object& rhs, const pybind11::object& jacobian);
 
-// The scenes that there are and this one under the id "problem".
+// All scenes of the list, and this one under the id "problem".
 Scenes with_problem(const Scene& scene);
 
 }  // namespace fde::python

@@ -9,8 +9,8 @@
 
 namespace fde::python {
 
-// Hears of work, and every twentieth of a second lets Python handle its signals. Throws what the handler of
-// one raised: KeyboardInterrupt for Ctrl-C.
+// Progress callback that lets Python handle its signals, at most every 50 ms. Throws the exception of the
+// signal handler: KeyboardInterrupt for Ctrl-C.
 class Signals {
  public:
   void operator()(std::size_t done, std::size_t total);
@@ -19,7 +19,8 @@ class Signals {
   std::chrono::steady_clock::time_point looked_ = std::chrono::steady_clock::now();
 };
 
-// Does work of ours while other threads of Python run; signals end it wherever it says how far it is.
+// Runs `work` without the interpreter lock, so that other Python threads run. Signals cancel it where it
+// reports progress.
 template <typename Work>
 auto released(const Work& work) {
   const pybind11::gil_scoped_release other_threads_run;

@@ -9,16 +9,16 @@
 namespace fde {
 namespace {
 
-// What is not known of an error of a run, on the absolute scale.
+// The uncertainty of an error of a run, on the absolute scale.
 double doubt(const MeasuredRun& run, std::string_view quantity) {
   constexpr double samples = 4.0;
-  const double at_end = run["reference_bound"].value_or(0.0);  // all that results of older versions have
+  const double at_end = run["reference_bound"].value_or(0.0);  // older results have this bound only
   const double bound =
       quantity.starts_with("error_maximum") ? run["reference_bound_maximum"].value_or(at_end) : at_end;
   return samples * run["rounding"].value_or(0.0) + bound;
 }
 
-// The unit of an error of this quantity in one run: by how much it is more than the absolute one at the end.
+// The ratio of an error of this quantity to the absolute error at the end; 1 for absolute errors.
 double unit_of(const MeasuredRun& run, std::string_view quantity, double error) {
   const double at_end = run["error_end"].value_or(0.0);
   const bool is_absolute = quantity == "error_end" || quantity == "error_maximum";
@@ -68,7 +68,7 @@ void compare_endings(const CommonRun& run, std::vector<ChangedEnding>& all) {
     all.push_back({.run = run, .before = before, .now = now});
 }
 
-// The better verdict is more; those between say nothing of each other.
+// Larger is better. The verdicts with rank 1 are not comparable with each other.
 int rank(const Verdict& verdict) {
   if (verdict == survives || verdict == stops) return 2;
   return verdict == fails ? 0 : 1;
@@ -81,7 +81,7 @@ void put_worst_first(Comparison& comparison) {
   std::ranges::stable_sort(comparison.times, std::ranges::greater{}, &TimeRatio::ratio);
 }
 
-// The runs by their keys, finished and failed alike, in the order of the keys.
+// All runs, finished and failed, by key.
 std::map<RunKey, const MeasuredRun*> by_key(const Runs& runs) {
   std::map<RunKey, const MeasuredRun*> all;
   for (const auto* some : {&runs.finished, &runs.failed}) {

@@ -11,13 +11,13 @@
 
 namespace fde {
 
-// A run that two sets of results have.
+// A run that is in both sets of results.
 struct CommonRun {
   const MeasuredRun *before, *now;
 };
 
-// The ratio of two times, now to before, and between which it is by the intervals of both medians. What
-// differs between two sessions as a whole (another load, another clock) is not in these.
+// The ratio of two times, now / before, with the interval that follows from the intervals of both medians. A
+// difference between the sessions as a whole (load, clock frequency) is not included.
 struct TimeRatio {
   CommonRun run;
   TimeSpread before{}, now{};
@@ -28,9 +28,9 @@ struct TimeRatio {
   [[nodiscard]] bool faster() const { return high < 1.0; }
 };
 
-// An error that moved: by more than a hundredth, and by more than what is not known of it. That is four times
-// the measured `rounding`, which is one sample of what rounding does, and the bound of the reference, in the
-// scale of the error: both are absolute and at the end, so an error of another scale takes its part of them.
+// An error that changed by more than 1 % and by more than its uncertainty: four times the measured `rounding`
+// (one sample of the effect of rounding) plus the bound of the reference. Both are absolute and at the end;
+// for an error of another kind they are multiplied by its ratio to the absolute error at the end.
 struct MovedError {
   CommonRun run;
   std::string_view quantity;
@@ -39,8 +39,8 @@ struct MovedError {
   [[nodiscard]] bool grew() const { return now > before; }
 };
 
-// A run that ends in another way, or has another verdict. A verdict falls from `survives` or `stops rightly`
-// to anything else, and from `inaccurate`, `refuses` or `not judged` to `fails`.
+// A run with another ending or another verdict. A verdict falls from `survives` or `stops rightly` to any
+// other, and from `inaccurate`, `refuses` or `not judged` to `fails`.
 struct ChangedEnding {
   CommonRun run;
   Verdict before, now;
@@ -48,30 +48,29 @@ struct ChangedEnding {
   [[nodiscard]] bool fell() const;
 };
 
-// What two sets of results say of the runs that both have, the worst first.
+// The comparison of two sets of results over their common runs, each list sorted from the worst change on.
 struct Comparison {
   std::size_t common = 0, only_before = 0, only_now = 0;  // runs
-  std::size_t timed_before = 0;                           // runs of both that only the first has timed
-  std::vector<TimeRatio> times{};                         // of all runs that both have timed
+  std::size_t timed_before = 0;                           // common runs with a time in the first set only
+  std::vector<TimeRatio> times{};                         // of all runs with a time in both sets
   std::vector<MovedError> errors{};
   std::vector<ChangedEnding> endings{};
 
   // Whether an error grew or a verdict fell.
   [[nodiscard]] bool is_worse() const;
 
-  // How many runs take more than this many times as long, by the least ratio that the spreads of their
-  // repeats leave open.
+  // The number of runs whose time grew by more than `factor`, by the lower end of the interval of the ratio.
   [[nodiscard]] std::ptrdiff_t slower_than(double factor) const;
 
-  // Whether the second has all runs and times of the first.
+  // Whether the second set contains all runs and times of the first.
   [[nodiscard]] bool has_all() const { return only_before == 0 && timed_before == 0; }
 };
 
-// Runs are the same where scene, scheme and setup are. The comparison points into them. Errors are all
-// quantities whose names begin with error_; of those of a run that moved it has the worst.
+// Runs are equal if scene, scheme and setup are. Compares all quantities whose names begin with error_ and
+// lists the worst change of each run. `before` and `now` must outlive the result, which points into them.
 Comparison compare(const Runs& before, const Runs& now);
 
-// As lines of text: a table of each kind of change, its first rows, and sums.
+// Text with a table of each kind of change (its first rows) and totals.
 std::string comparison_text(const Comparison& comparison, const LineNames& names);
 
 }  // namespace fde

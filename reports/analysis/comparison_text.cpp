@@ -13,7 +13,7 @@
 namespace fde {
 namespace {
 
-constexpr std::size_t most_rows = 20;  // of a table
+constexpr std::size_t most_rows = 20;  // per table
 
 std::string label(const CommonRun& run, const LineNames& names) {
   const RunKey& key = run.now->key;
@@ -21,7 +21,7 @@ std::string label(const CommonRun& run, const LineNames& names) {
                      key.external ? fmt::format("{} rows", run.now->steps) : resolution_text(key.setup));
 }
 
-// A heading and the first rows, each with its run behind it.
+// A heading and the first rows, each followed by the name of its run.
 template <typename Row>
 std::string table(const std::string& heading, const std::vector<Row>& rows, const LineNames& names,
                   std::string (*text)(const Row&)) {

@@ -17,7 +17,7 @@ SceneSettings without_formulation(SceneSettings scene) {
   return scene;
 }
 
-// Of a scene that does not say it the default; empty: the scene has no choice of it.
+// The formulation in the settings of a scene, or the default; empty if the scene has one formulation only.
 std::string formulation_of(const SceneSettings& scene) {
   const auto said = scene.values.find(std::string(choice_of_form));
   if (said != scene.values.end()) {
@@ -53,7 +53,7 @@ int finest_common(const ConstrainedScene& scene) {
   return finest;
 }
 
-// What runs are ranked by.
+// Sort key of runs: drift, then error.
 std::pair<double, double> rank_of(const MeasuredRun& run) {
   return {std::max(judged_drift(run), drift_of_rounding),
           run["error_end"].value_or(std::numeric_limits<double>::infinity())};

@@ -7,38 +7,39 @@
 
 namespace fde {
 
-// The runs of one scene in one formulation that have a drift: also those that came to their end without a
-// reference to compare with.
+// The runs of one scene in one formulation for which the drift was measured, runs without a reference
+// included.
 struct FormulationRuns {
-  std::string formulation;  // empty: the scene has no choice of it
+  std::string formulation;  // empty: the scene has one formulation only
   std::vector<MeasuredRun> runs{};
 };
 
-// A scene in all its formulations, which its settings do not name.
+// A scene in all its formulations.
 struct ConstrainedScene {
-  SceneSettings scene;
+  SceneSettings scene;  // without the formulation
   std::vector<FormulationRuns> formulations{};
-  int steps = 0;  // the finest step count that all lines have; 0: there is none
+  int steps = 0;  // the largest number of steps common to all lines; 0: there is none
 };
 
-// In the order of the runs; the formulation that is a scene's default first.
+// The scenes with a drift, in the order of the runs; the default formulation of a scene first.
 std::vector<ConstrainedScene> constrained_scenes(const Runs& runs);
 
-// The drift that a run is judged by: the independent one, or the internal one where there is no other.
+// The independent drift of a run, or the internal one if the independent one was not measured. Precondition:
+// one of them was measured.
 double judged_drift(const MeasuredRun& run);
 
-// Drifts below are rounding, and all the same.
+// Drifts below this are rounding and compare as equal.
 inline constexpr double drift_of_rounding = 1e-12;
 
-// A formulation's run with the least drift among those that take at most a given time, in seconds; of those
-// at rounding the one with the least error.
+// The run of a formulation with the least drift within a time limit; among drifts of rounding, the least
+// error.
 struct BestInTime {
   std::string formulation;
   MeasuredRun run;
 };
 
-// Such runs within the largest time that every formulation was given, the least drift and error first. Empty
-// where fewer than two formulations were timed.
+// The best run of each formulation within `seconds`, the longest time up to which every formulation has runs;
+// the least drift and error first. Empty if fewer than two formulations have times.
 struct BestInTimes {
   double seconds = 0.0;
   std::vector<BestInTime> ranked{};

@@ -18,7 +18,7 @@ std::array<std::string, 4> means_of(const Setup& setup, bool one_grading = false
           std::isfinite(setup.budget) ? fmt::format("budget {:g} s", setup.budget) : "no budget"};
 }
 
-// Those means that are told, behind each other.
+// The selected settings, joined by commas.
 std::string told(const Setup& setup, const std::array<bool, 4>& which, bool one_grading) {
   const auto means = means_of(setup, one_grading);
   std::vector<std::string> words;
@@ -28,7 +28,7 @@ std::string told(const Setup& setup, const std::array<bool, 4>& which, bool one_
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// Whether a scheme's grading differs from scene to scene and nowhere within a scene.
+// Whether the grading of some scheme differs between scenes, and of no scheme within a scene.
 bool differ_by_scene_only(const Runs& runs) {
   std::map<std::pair<SceneSettings, std::string>, double> gradings;
   std::map<std::string, double> of_schemes;

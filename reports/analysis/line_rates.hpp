@@ -19,7 +19,7 @@ struct NormRate {
   [[nodiscard]] std::optional<double> deviation() const;
 };
 
-// The rates of one line, observed over its finest step counts, five at most.
+// The rates of one line, observed over its finest numbers of steps, at most five.
 struct RateRow {
   SceneSettings scene;
   std::string scheme;
@@ -28,12 +28,13 @@ struct RateRow {
   NormRate end{}, maximum{};
 };
 
+// Precondition: the line is not empty.
 RateRow rate_of(RunSpan line);
 
-// How fast a quantity falls with the step, over the same step counts.
+// The observed rate of a quantity with respect to the step size, over the same numbers of steps.
 Fit observed_rate(RunSpan line, std::string_view quantity);
 
-// A row for each line, in the order of the runs. Schemes that choose their steps have no rate in them.
+// One row per line, in the order of the runs. Lines with adaptive step size are left out: they have no rate.
 std::vector<RateRow> rates(const Runs& runs);
 
 }  // namespace fde

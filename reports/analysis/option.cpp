@@ -10,7 +10,7 @@
 namespace fde {
 namespace {
 
-// nullopt: it has no such error.
+// nullopt if the run has no error of this kind.
 std::optional<Option> option_of(const MeasuredRun& run, const ErrorKind& kind) {
   const auto error = run[error_measure(kind)];
   if (!error) return std::nullopt;
@@ -31,10 +31,10 @@ bool is_quicker(const Option& a, const Option& b) {
   return std::tie(a.time.median, a.error) < std::tie(b.time.median, b.error);
 }
 
-// Better than what is trivial. A run has that measure only where it is not.
+// Whether the run is better than the baseline: the baseline's error is recorded only if it is not.
 bool counts(const MeasuredRun& run, const ErrorKind& kind) { return !run[trivial_measure(kind)]; }
 
-// None where the runs chose their steps themselves: these have no rate.
+// The errors with fewer than `below` steps; empty with adaptive step size, which has no rate.
 std::vector<ErrorWith> errors_of(RunSpan line, const ErrorKind& kind, int below) {
   std::vector<ErrorWith> errors;
   for (const MeasuredRun& run : line) {
@@ -55,7 +55,7 @@ std::optional<Option> quickest_within(RunSpan line, const ErrorKind& kind, doubl
   return best;
 }
 
-// Whether both have the same errors, to the last bit, with all numbers of steps that both have.
+// Whether both lines have bitwise equal errors for all common numbers of steps, at least five.
 bool is_same_algorithm(RunSpan a, RunSpan b) {
   constexpr int fewest = 5;
   if (!same_line(a.front().key.setup, b.front().key.setup)) return false;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr auto end_name = "until";
 
-// With the defaults of what is not said, where this build knows the scene.
+// Adds the defaults of missing parameters, if this build has the scene.
 SceneSettings with_defaults(SceneSettings scene) {
   if (const auto* maker = find_scene(scene.id)) {
     for (const auto& parameter : maker->parameters) scene.values.try_emplace(parameter.name, parameter.value);
@@ -24,7 +24,7 @@ SceneSettings with_defaults(SceneSettings scene) {
   return scene;
 }
 
-// The numbers of a scene by their names.
+// The numeric parameters of a scene by name, the end time included.
 std::map<std::string, double> numbers_of(const SceneSettings& scene) {
   std::map<std::string, double> numbers;
   for (const auto& [name, value] : scene.values) {
@@ -43,10 +43,10 @@ SceneSettings without(SceneSettings scene, const std::string& name) {
   return scene;
 }
 
-// Scenes by their value of the parameter in which alone they differ.
+// Runs of scenes that differ in one parameter, by its value.
 using Family = std::map<double, RunSpan>;
 
-// A scheme with its setup but for the resolution.
+// A scheme with its setup except the resolution.
 using Line = std::pair<std::string, Setup>;
 
 Line line_of(const RunKey& run) {
@@ -55,8 +55,8 @@ Line line_of(const RunKey& run) {
   return line;
 }
 
-// The steps that each line has at all its values; lines with too few values are left out, and those that
-// choose their steps themselves.
+// The numbers of steps that each line has at all its values. Lines with too few values and lines with
+// adaptive step size are left out.
 std::map<Line, std::set<int>> common_steps(const Family& family) {
   std::map<Line, std::set<int>> steps;
   std::map<Line, std::size_t> values;
@@ -75,7 +75,7 @@ std::map<Line, std::set<int>> common_steps(const Family& family) {
   return steps;
 }
 
-// The largest number that is in all sets.
+// The largest number common to all sets.
 std::optional<int> largest_common(const std::map<Line, std::set<int>>& steps) {
   if (steps.empty()) return std::nullopt;
   const auto& first = steps.begin()->second;

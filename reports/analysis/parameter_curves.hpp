@@ -7,23 +7,23 @@
 
 namespace fde {
 
-// A run at a value of the parameter.
+// A run at one value of the parameter.
 struct CurvePoint {
   double value = 0.0;
   const MeasuredRun* run = nullptr;
 };
 
-// The runs of scenes that differ in one number only, with the same number of steps: the largest that each
-// line has at all values at which it has runs.
+// The runs of scenes that differ in one parameter, all with the same number of steps: the largest that every
+// line has at all its values of the parameter.
 struct ParameterCurves {
-  SceneSettings scene;    // what they share
-  std::string parameter;  // or "until", of their ends
+  SceneSettings scene;    // the common settings
+  std::string parameter;  // or "until" for the end time
   int steps = 0;
-  std::vector<CurvePoint> points{};  // the values increase, those of one scene keep the order of the lines
+  std::vector<CurvePoint> points{};  // by increasing value; within a scene in the order of the lines
 };
 
-// One for each parameter that has at least three values; lines with fewer are left out. A scene that does not
-// say it has the default of its parameter. The runs have to live as long.
+// One element for each parameter with at least three values; lines with fewer values are left out. A scene
+// without a value has the default of the parameter. `runs` must outlive the result.
 inline constexpr std::size_t fewest_values = 3;
 std::vector<ParameterCurves> parameter_curves(const Runs& runs);
 

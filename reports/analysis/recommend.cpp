@@ -34,7 +34,7 @@ std::string name_of(const SearchedWay& of) {
   return name_of(Option{.schemes = of.names, .setup = setup_of(of.way, 1)});
 }
 
-// The finest run that has an error; nullptr: none has.
+// The finest run with a finite error; nullptr if there is none.
 const Attempt* finest(const SearchedWay& of) {
   const auto found = std::find_if(of.ladder.rbegin(), of.ladder.rend(),
                                   [](const Attempt& attempt) { return std::isfinite(attempt.error); });
@@ -50,7 +50,7 @@ std::string so_far(const SearchedWay& of, std::string_view error) {
   return of.ladder.empty() ? "no run" : sentence(of.ladder.back().ending);
 }
 
-// What became of a way that has no steps to go on to.
+// The outcome of a configuration that gives no option, as text.
 std::string fate(const SearchedWay& of, std::string_view error) {
   switch (of.found) {
     case Found::at_floor:
@@ -66,7 +66,8 @@ std::string fate(const SearchedWay& of, std::string_view error) {
   }
 }
 
-// The run that would be within the accuracy; nullopt: none would, as far as can be told.
+// The predicted run within the accuracy; nullopt if there is no prediction or it needs too many steps or
+// seconds.
 std::optional<Option> expected_of(const SearchedWay& of, double accuracy) {
   if (!of.steps_needed || of.steps_needed->value > most_steps_told ||
       of.steps_needed->high * of.step_seconds > most_seconds_told)
@@ -86,8 +87,8 @@ bool is_told(const Recommendation& made, const SearchedWay& of) {
   return std::ranges::any_of(made.options, same) || std::ranges::any_of(made.expected, same);
 }
 
-// The best way of each scheme that is no option, as expected, and what became of those schemes that have
-// none.
+// Adds to made.expected the best prediction of each scheme that gives no option, and to made.others the
+// outcome of each scheme without a prediction.
 void tell_others(const std::vector<SearchedWay>& searched, Recommendation& made) {
   std::vector<Option> expected;
   for (const SearchedWay& of : searched) {
@@ -105,7 +106,7 @@ void tell_others(const std::vector<SearchedWay>& searched, Recommendation& made)
   }
 }
 
-// What there is to say without options: the smallest error, and the least time that another run would take.
+// Without options: adds to made.others the smallest error, and the prediction that takes the least time.
 void tell_shortfall(const std::vector<SearchedWay>& searched, const std::vector<std::string>& columns,
                     Recommendation& made) {
   const SearchedWay* best = nullptr;

@@ -15,7 +15,7 @@ bool same_scheme(const Option& a, const Option& b) { return a.schemes == b.schem
 
 bool meet(const TimeSpread& a, const TimeSpread& b) { return a.low <= b.high && b.low <= a.high; }
 
-// Why the first is quicker than the second: fewer steps or cheaper ones.
+// Why the first option is quicker than the second: fewer steps or cheaper steps.
 std::string reason(const Option& first, const Option& second, std::string_view error) {
   const double steps = static_cast<double>(second.steps) / first.steps,
                cost = first.step_seconds() / second.step_seconds();
@@ -43,7 +43,7 @@ std::string way_text(const Way& way, int steps) {
   return fmt::format("{}{} with N = {}", way.scheme->id, grid, count_text(steps));
 }
 
-// What follows the first option.
+// The lines after the first option.
 std::string comparison(const Recommendation& made) {
   const Option& first = made.options.front();
   std::string text;

@@ -17,40 +17,41 @@ struct Recommendation {
   SceneSettings scene{};
   ErrorKind kind{};
   double accuracy = 0.0;
-  std::vector<std::string> columns{};  // that count; empty: all
+  std::vector<std::string> columns{};  // the compared columns; empty: all
   std::vector<Option> options{};       // within the accuracy, the quickest first
-  std::vector<Option> expected{};      // of other schemes, by their errors so far: slower, and not made
-  std::vector<std::string> others{};   // a line for each other scheme: what became of it
-  bool constant = false;               // the solution is its initial value at all times
-  std::optional<Estimate> estimate{};  // by which all errors are estimated; empty: they are known
+  std::vector<Option> expected{};      // predictions for other schemes, which are slower and were not run
+  std::vector<std::string> others{};   // one text per other scheme: its outcome
+  bool constant = false;               // the solution equals its initial value at all times
+  std::optional<Estimate> estimate{};  // the basis of all errors; nullopt: there is a reference
 };
 
-// Of the results of a sweep. Without options `others` say what is missing.
+// A recommendation from recorded runs. If no run is within the accuracy, `others` explain what is missing.
 Recommendation recommend(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
                          double accuracy);
 
-// Of a search in a scene with these columns, whose errors may be estimated.
+// A recommendation from the result of search(). `columns` are the names of the scene's columns; `estimate` is
+// given if the errors are estimated.
 Recommendation recommend(const std::vector<SearchedWay>& searched, const SceneSettings& scene,
                          const std::vector<std::string>& columns, const Question& question,
                          const std::optional<Estimate>& estimate = {});
 
-// What its errors are called: "error" or "estimated error".
+// The word for its errors: "error" or "estimated error".
 std::string_view error_word(const Recommendation& made);
 
-// Schemes other than the first option's whose interval of time meets its own.
+// Other schemes whose time interval overlaps the first option's. Precondition: there is an option.
 std::vector<std::string> within_noise(const Recommendation& made);
 
-// The first option of another scheme than the first, or the first that is expected; nullptr: there is none.
+// The first option of another scheme, otherwise the first expected one; nullptr if there is none.
+// Precondition: there is an option.
 const Option* runner_up(const Recommendation& made);
 
-// The options of `fdebench solve` that, behind the scheme's, make the run again; empty for one of another
-// program.
+// The options of `fdebench solve`, after --scheme, that repeat the run; empty for an external program.
 std::string options_of(const Option& option);
 
-// The command that makes the run again; empty for one of another program.
+// The command that repeats the run; empty for an external program.
 std::string command_of(const SceneSettings& scene, const Option& option);
 
-// What estimated errors stand on, as a sentence.
+// A sentence that says how the errors were estimated.
 std::string estimate_text(const Estimate& estimate);
 
 // "maximum over all steps, mixed scale".
@@ -59,10 +60,10 @@ std::string kind_text(const ErrorKind& kind);
 // "l1 = commensurate_l1, graded:2".
 std::string name_of(const Option& option);
 
-// All of it as lines for people. Preconditions of both: there is an option.
+// The recommendation as text. Precondition: there is an option.
 std::string text_of(const Recommendation& made);
 
-// As one JSON object: docs/command.md lists its fields.
+// The recommendation as one JSON object; docs/command.md lists the fields. Precondition: there is an option.
 std::string json_of(const Recommendation& made);
 
 }  // namespace fde

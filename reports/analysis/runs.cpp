@@ -16,20 +16,20 @@
 namespace fde {
 namespace {
 
-// Where an id stands in a list; one that this build does not know comes last.
+// Index of an id in a list; its length for an unknown id, which is sorted last.
 template <class List, class Id>
 std::ptrdiff_t position(const List& list, Id id, const std::string& of) {
   return std::ranges::find(list, of, id) - list.begin();
 }
 
-// The coarser resolution is less: fewer steps, or a larger tolerance.
+// Increases with resolution: more steps, or a smaller tolerance.
 std::tuple<int, double, double> fineness(const Setup& setup) {
   if (const auto* steps = std::get_if<int>(&setup.resolution)) return {*steps, 0.0, 0.0};
   const auto& [relative, absolute] = std::get<Accuracy>(setup.resolution);
   return {0, -relative, -absolute};
 }
 
-// What runs are ordered by: those of a line are neighbours.
+// Sort key of runs. The runs of a line are contiguous.
 auto order_of(const RunKey& key) {
   Setup line = key.setup;
   line.resolution = std::holds_alternative<int>(line.resolution) ? StepsOrAccuracy(0) : Accuracy{};
@@ -38,14 +38,14 @@ auto order_of(const RunKey& key) {
 }
 using Order = decltype(order_of({}));
 
-// One run as one build made it.
+// A run made by one build.
 struct MadeRun {
   MeasuredRun run{};
   bool begun = false, ended = false;
 };
 
-// The times of a run may be of a later session than its examination. Any other row of a later session begins
-// the run again.
+// Adds a row to a run. Times may be from a later session than the examination; any other row of a later
+// session restarts the run.
 void add(MadeRun& made, const Record& row) {
   auto& run = made.run;
   if (!made.begun || (row.session != run.session && !is_time(row)))
@@ -59,7 +59,7 @@ void add(MadeRun& made, const Record& row) {
   }
 }
 
-// One run as each build made it, the latest last.
+// The run as made by each build, the latest last.
 using Made = std::vector<std::pair<std::size_t, MadeRun>>;
 
 MadeRun& run_of(Made& made, std::size_t build) {
@@ -72,7 +72,7 @@ MadeRun& run_of(Made& made, std::size_t build) {
   return made.emplace_back(std::move(one)).second;
 }
 
-// Makes runs of rows that come one after the other.
+// Collects runs from a sequence of rows.
 class Collector {
  public:
   void begin(const Session& session) {
@@ -89,7 +89,7 @@ class Collector {
   Runs runs() && {
     Runs runs;
     for (auto& [order, made] : all_) {
-      std::erase_if(made, [](const auto& one) { return !one.second.ended; });  // times of no run
+      std::erase_if(made, [](const auto& one) { return !one.second.ended; });  // without an examination
       if (made.empty()) continue;
       auto& run = made.back().second.run;
       (run.ending.kind == Ending::finished ? runs.finished : runs.failed).push_back(std::move(run));
@@ -99,7 +99,7 @@ class Collector {
 
  private:
   std::vector<Session> sessions_{};
-  std::vector<std::size_t> builds_{};  // for each session the first one of the same build on the same machine
+  std::vector<std::size_t> builds_{};  // for each session the first session of the same build and machine
   std::map<Order, Made> all_{};
 };
 

@@ -16,7 +16,8 @@ struct Unit {
 
 double power_of_ten_in(double value) { return std::floor(std::log10(value)); }
 
-// Three significant digits in the largest unit that leaves at least 1; the last unit takes what is smaller.
+// Three significant digits, in the largest unit in which the number is at least 1, otherwise in the last
+// unit.
 template <std::size_t count>
 std::string scaled(double value, const std::array<Unit, count>& units) {
   const auto fits = [&](const Unit& unit) { return value >= unit.size; };
@@ -31,7 +32,7 @@ std::string scaled(double value, const std::array<Unit, count>& units) {
 
 std::string error_text(double error) {
   if (error == 0.0) return "0";
-  const std::string text = fmt::format("{:.1e}", error);  // its exponent has two digits or more, and a plus
+  const std::string text = fmt::format("{:.1e}", error);  // with an exponent like e-07 or e+02
   const auto exponent = text.find('e');
   return fmt::format("{}e{}", text.substr(0, exponent), std::stoi(text.substr(exponent + 1)));
 }

@@ -7,7 +7,7 @@
 
 namespace fde {
 
-// Numbers as a reader wants them, the same in the report and on the command line.
+// Number formats of the report and the command line.
 
 // 1.2e-7; 0 for 0.
 std::string error_text(double error);
@@ -15,7 +15,7 @@ std::string error_text(double error);
 // 12.3 µs, 4.56 ms, 78.9 s; three significant digits.
 std::string time_text(double seconds);
 
-// Behind a time of a whole process: " of the wall clock"; otherwise nothing.
+// Suffix for the time of a whole process: " of the wall clock"; otherwise empty.
 std::string_view clock_note(bool wall_clock);
 
 // 123 B, 4.56 kB, 78.9 MB; powers of 1000.

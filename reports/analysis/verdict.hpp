@@ -7,9 +7,8 @@
 
 namespace fde {
 
-// What the page says of a trial in a word. A run survives when every value at the end is within a hundredth
-// of its size of the reference, the bound of the reference included; it stops where the solution has a
-// singularity.
+// The result of a trial in a word. `survives`: the relative error of every column at the end, bound of the
+// reference included, is at most 1/100. `stops rightly`: the run ended at a singularity of the solution.
 struct Verdict {
   std::string_view word;
 
@@ -20,7 +19,7 @@ inline constexpr Verdict survives{"survives"}, inaccurate{"inaccurate"}, stops{"
 
 Verdict verdict(const MeasuredRun& run);
 
-// The sentence that says why, with error, rounding and time where they were measured.
+// A sentence that explains the verdict, with error, rounding and time if they were measured.
 std::string because(const MeasuredRun& run);
 
 }  // namespace fde

@@ -14,7 +14,7 @@ ComplexText split_complex(std::string_view text) {
     return {std::string(text.substr(0, comma)), std::string(text.substr(comma + 1))};
   if (!text.ends_with('i')) return {std::string(text), "0"};
   text.remove_suffix(1);
-  // the last sign that begins a number and not an exponent
+  // The last sign that does not belong to an exponent separates the parts.
   auto sign = text.find_last_of("+-");
   while (sign != std::string_view::npos && sign > 0 && (text[sign - 1] == 'e' || text[sign - 1] == 'E'))
     sign = text.find_last_of("+-", sign - 1);

@@ -12,18 +12,20 @@
 
 namespace fde {
 
-// Texts of the command line into values. Each throws std::invalid_argument naming the argument, the text and
-// what is allowed.
+// Parsers of command-line arguments. Each throws std::invalid_argument naming the argument, the text and what
+// is allowed.
 
-// "1", "1,2", "-2.5i", "1e-3+i" into the texts of real and imaginary part; the parts are not checked.
+// Splits "1", "1,2", "-2.5i", "1e-3+i" into the texts of real and imaginary part; the parts are not
+// validated.
 struct ComplexText {
   std::string re, im;
 };
 ComplexText split_complex(std::string_view text);
 
+// The scheme with this id.
 const Scheme& scheme_named(std::string_view id);
 
-// The scene of a command: SCENE or SCENE:NAME=VALUE,... with more of its settings.
+// The scene of a command, SCENE or SCENE:NAME=VALUE,..., and the texts of --set.
 struct SceneArguments {
   std::string scene;
   std::vector<std::string> settings;
@@ -31,28 +33,28 @@ struct SceneArguments {
 void add_scene(Subcommand& command, SceneArguments& arguments, const std::string& what = "id of the scene");
 SceneVariant read_variant(const SceneArguments& arguments, const Scenes& known);
 
-// What `solve` and `run` say of how a scheme runs.
+// Options of `solve` and `run` that set how a scheme runs.
 struct MeansArguments {
   std::string grid = "uniform", history = "auto", budget;
   std::optional<std::string> tolerance{};
 };
 void add_options(Subcommand& command, MeansArguments& arguments);
-// The grading is 1 where the grid is graded:auto, which depends on scheme and scene (optimal_grading).
+// For --grid graded:auto the grading is 1 here: it depends on scheme and scene (optimal_grading).
 Setup parse_means(const MeansArguments& arguments);
 bool asks_optimal_grading(const MeansArguments& arguments);
 
-// Throws where the text is no decimal number; it may be beyond double.
+// Throws if the text is no decimal number; its value may exceed the range of double.
 void require_decimal(std::string_view name, std::string_view text);
 
-// The seconds of --budget; none where it is not given.
+// The seconds of --budget; nullopt if it is not given.
 std::optional<double> parse_budget(const std::optional<std::string>& text);
 
-// "2,1,2" into 1, 2: times that are not negative, in increasing order, each once.
+// Times >= 0, sorted, without repetitions: "2,1,2" gives 1, 2.
 std::vector<double> sorted_times(std::string_view name, std::string_view text);
 
 Accuracy parse_accuracy(std::string_view text);  // one number, relative and absolute
 
 inline constexpr int most_digits = 100'000;
-inline constexpr int most_steps = 1'000'000'000;  // weights are checked up to this lag
+inline constexpr int most_steps = 1'000'000'000;  // the weights are tested up to this lag
 
 }  // namespace fde

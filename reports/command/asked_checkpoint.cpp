@@ -11,7 +11,7 @@
 namespace fde {
 namespace {
 
-// The times to print, as they were asked for.
+// The option that selects the output times.
 std::string times_text(const RunArguments& arguments) {
   if (arguments.at) return "--at " + *arguments.at;
   if (arguments.every) return "--every " + *arguments.every;

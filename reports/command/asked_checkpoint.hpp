@@ -10,9 +10,10 @@
 
 namespace fde {
 
-// The file of --checkpoint, which keeps the columns too, and says what it cannot write; nullopt: none was
-// asked for. It belongs to runs of this scene, scheme, resolution, history, tolerance and times by this
-// program. Throws std::invalid_argument naming the argument, the text and what is allowed.
+// The file of --checkpoint, with the columns `kept` as part of the state; nullopt without --checkpoint. `say`
+// is called with a message if the file cannot be written. The file is valid for runs with the same scene,
+// scheme, resolution, history, tolerance and times by the same build. Throws std::invalid_argument naming the
+// argument, the text and what is allowed.
 std::optional<CheckpointFile> asked_checkpoint(const Scene& scene, const AskedRun& run,
                                                const RunArguments& arguments, KeptColumns& kept,
                                                const std::function<void(const std::string&)>& say);

@@ -15,7 +15,7 @@
 namespace fde {
 namespace {
 
-constexpr int most_direct_steps = 1 << 21;  // beyond, hours
+constexpr int most_direct_steps = 1 << 21;  // more steps take hours
 constexpr int most_rows = 10'000'000;
 constexpr int most_threads = 1024;
 
@@ -35,7 +35,7 @@ Setup parse_setup(const RunArguments& arguments) {
   return setup;
 }
 
-// Throws std::invalid_argument where the run would take hours or print too much.
+// Throws std::invalid_argument if direct sums would take hours.
 void require_affordable(const Grid& grid, HistoryKind history) {
   if (resolve(history, step_plan(grid)) == HistoryKind::direct && grid.steps > most_direct_steps) {
     throw std::invalid_argument(
@@ -44,8 +44,8 @@ void require_affordable(const Grid& grid, HistoryKind history) {
   }
 }
 
-// The time of the grid that is t to rounding. Throws std::invalid_argument naming the neighbours of a time
-// off the grid.
+// The grid time that equals t up to rounding. Throws std::invalid_argument naming the neighbours if t is not
+// a grid time.
 double time_at(const Grid& grid, double t) {
   const int nearest = grid.number(t);
   if (std::abs(grid.time(nearest) - t) <= rounding * t) return grid.time(nearest);
@@ -67,8 +67,8 @@ std::vector<double> parse_times(const std::string& text, const Resolution& resol
   return times;
 }
 
-// Every K-th time of the grid and the last, or so many of them from 0 to the end, evenly spread over the
-// steps.
+// The grid times of --every K (every K-th and the last) or --points K (K times from 0 to the end, equally
+// spaced in the step number).
 std::vector<double> spread_times(const RunArguments& arguments, const Grid& grid) {
   int count = 0;
   double stride = 0.0;
@@ -88,14 +88,14 @@ std::vector<double> spread_times(const RunArguments& arguments, const Grid& grid
   return times;
 }
 
-// So many times, evenly spread from 0 to the end.
+// `count` equally spaced times from 0 to the end.
 std::vector<double> spread_times(int count, double end) {
   std::vector<double> times;
   for (int i = 0; i < count; ++i) times.push_back(i == count - 1 ? end : end * i / (count - 1));
   return times;
 }
 
-// The times to print; none: all.
+// The output times; empty: all.
 std::vector<double> times_of(const RunArguments& arguments, const Resolution& resolution, double end) {
   if (arguments.at) return parse_times(*arguments.at, resolution, end);
   const auto* grid = std::get_if<Grid>(&resolution);
@@ -120,7 +120,7 @@ std::optional<Grid> grid_of(const Resolution& resolution) {
   return grid == nullptr ? std::nullopt : std::optional(*grid);
 }
 
-// Throws std::invalid_argument where there are no events to print.
+// Throws std::invalid_argument if --events is given and the run or the scene has no events.
 void require_events(const Scene& scene, const RunArguments& arguments) {
   if (!arguments.events) return;
   if (!arguments.accuracy) throw std::invalid_argument("--events: is only taken with --accuracy");
@@ -130,8 +130,8 @@ void require_events(const Scene& scene, const RunArguments& arguments) {
     throw std::invalid_argument("--events: the scene has none; those of a file stand under [event.NAME]");
 }
 
-// Throws std::invalid_argument where the states at the times to print are too many, or would have to be kept
-// elsewhere too.
+// Throws std::invalid_argument if --field is given with more than 2e8 values, or with an option that excludes
+// it.
 void require_field(const Scene& scene, const RunArguments& arguments, const std::vector<double>& times,
                    const std::optional<Grid>& grid) {
   if (!arguments.field) return;
@@ -146,7 +146,8 @@ void require_field(const Scene& scene, const RunArguments& arguments, const std:
                           most_values, values));
 }
 
-// Throws std::invalid_argument where there is one solution, or its rows would not be told from others.
+// Throws std::invalid_argument if --all is given for an initial value problem, or with an option that
+// excludes it.
 void require_several(const Scene& scene, const RunArguments& arguments) {
   if (!arguments.all) return;
   if (!two_sided(scene.problem)) throw std::invalid_argument("--all: is only taken of problems at both ends");

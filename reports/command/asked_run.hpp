@@ -10,26 +10,26 @@
 
 namespace fde {
 
-// What `solve` is told of a run, as texts; --until belongs to the scene.
+// The options of `solve` for a run, as texts. --until is part of the scene.
 struct RunArguments {
   std::string scheme;
   std::optional<std::string> steps, accuracy, at, every, points, threads, checkpoint, checkpoint_every, field;
   MeansArguments means{.budget = "3600"};
   bool check = false;
-  bool events = false;  // the events in place of times
-  bool all = false;     // all solutions of a problem at both ends that a search finds
+  bool events = false;  // print the events instead of output times
+  bool all = false;     // all solutions that a search finds, of a problem at both ends
 };
 
-// The same, read: one run of a scheme that does not refuse it.
+// The parsed options: one run, accepted by its scheme.
 struct AskedRun {
   const Scheme& scheme;
   Setup setup;
   Resolution resolution;
-  std::optional<Grid> grid;   // over which it steps; empty: it chooses its times
-  std::vector<double> times;  // to print; empty: all
-  Options options;            // but for the times
-  bool keeps_states = false;  // at the times to print, for the field
-  std::string chosen_grid{};  // by graded:auto; empty: it was not asked
+  std::optional<Grid> grid;   // nullopt: adaptive step size
+  std::vector<double> times;  // output times; empty: all
+  Options options;            // without the output times
+  bool keeps_states = false;  // stores the states at the output times, for --field
+  std::string chosen_grid{};  // the grid chosen by graded:auto; empty without graded:auto
 };
 
 // Throws std::invalid_argument naming the argument, the text and what is allowed.

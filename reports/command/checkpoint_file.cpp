@@ -30,7 +30,7 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, none);
 }
 
-// Bytes on their way to a file, in pieces, with their checksum at the end.
+// Buffered output to a file; appends the SHA-256 of the bytes at the end.
 class CheckedBytes {
  public:
   explicit CheckedBytes(const fs::path& path) : file_(path) {}
@@ -51,7 +51,7 @@ class CheckedBytes {
     file_.finish();
   }
 
-  // So many will be in the file.
+  // Number of bytes in the file after the buffer is flushed.
   [[nodiscard]] std::uintmax_t count() const { return count_; }
 
  private:
@@ -71,7 +71,7 @@ class CheckedBytes {
   std::string gathered_;
 };
 
-// Whether the last bytes of a file are the checksum of those before.
+// Whether the last bytes of a file are the checksum of the bytes before them.
 bool is_whole(std::ifstream& stream, std::uintmax_t size) {
   if (size < digest_size) return false;
   Sha256 sum;

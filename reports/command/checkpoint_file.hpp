@@ -12,36 +12,36 @@
 
 namespace fde {
 
-// What a run is, as names and values: runs that agree in all of them have the same bits.
+// What identifies a run, as names and values: runs with equal facts have the same bits.
 using RunFacts = std::vector<std::pair<std::string, std::string>>;
 
-// The state of a run in a file. Its first line is JSON with the facts of the run; then come the bytes of the
-// state and the SHA-256 of all of it. It appears whole, in place of the one before.
+// The state of a run in a file: a line of JSON with the facts of the run, the bytes of the state, and the
+// SHA-256 of all of that. The file is replaced atomically.
 class CheckpointFile final : public Checkpoints {
  public:
-  // Writes the state when so many seconds have passed since the last one, with what observers have kept of
-  // the run. A file that cannot be written does not end the run: `say` hears of it once.
-  // Throws std::invalid_argument naming the path where nothing can be written there, or where there is
-  // something that is no checkpoint, is damaged, or is of another run: with what differs.
+  // Writes the state, and the state of `observers`, when `between` seconds have passed since the last write.
+  // If a write fails, the run goes on and `say` is called once. Throws std::invalid_argument naming the path
+  // if the file cannot be written, is no checkpoint, is damaged, or is of another run (the message names the
+  // difference).
   CheckpointFile(std::filesystem::path path, std::chrono::duration<double> between, RunFacts facts,
                  State observers, std::function<void(const std::string&)> say);
 
-  // Throws std::invalid_argument naming the path where the file holds no state of the run.
+  // Throws std::invalid_argument naming the path if the file contains no state of this run.
   bool resume(const State& state) override;
   void offer(const State& state) override;
 
-  // Whether the run goes on from a state that was there.
+  // Whether the run continues from a stored state.
   [[nodiscard]] bool resumed() const { return resumed_; }
 
-  // What the states written since the start have cost.
+  // The cost of the states written since the start.
   struct Spent {
     std::int64_t count = 0;
-    std::uintmax_t bytes = 0;  // of the last
-    double seconds = 0.0;      // of all
+    std::uintmax_t bytes = 0;  // of the last state
+    double seconds = 0.0;      // of all writes
   };
   [[nodiscard]] const Spent& spent() const { return spent_; }
 
-  // The run has ended.
+  // Removes the file. To be called when the run has ended.
   void remove() const;
 
  private:

@@ -43,7 +43,7 @@ SceneVariant chosen_scene(const ChooseArguments& arguments, const Scenes& known)
   return parse_variant(arguments.scene.scene, settings_of(arguments), known);
 }
 
-// Those named, or all.
+// The columns named in `asked`, or all.
 std::vector<Eigen::Index> chosen_columns(const Scene& scene, const std::optional<std::string>& asked) {
   if (!asked) return all_columns(scene);
   const auto& names = scene.outputs.names;
@@ -56,7 +56,7 @@ std::vector<Eigen::Index> chosen_columns(const Scene& scene, const std::optional
   return columns;
 }
 
-// Of the time a third at most is for an estimate, where there is no reference.
+// Without a reference, an error estimate may take up to a third of the time.
 Recommendation searched(const SceneVariant& variant, Scene scene, const Question& question, double seconds,
                         const Streams& streams) {
   constexpr double part_of_estimate = 1.0 / 3.0;
@@ -75,7 +75,7 @@ Recommendation searched(const SceneVariant& variant, Scene scene, const Question
   return recommend(found, variant.key(), scene.outputs.names, question, known.estimate);
 }
 
-// The scenes of which there are runs.
+// The scenes that have runs.
 std::set<SceneSettings> scenes_of(const Runs& runs) {
   std::set<SceneSettings> scenes;
   for (const auto* some : {&runs.finished, &runs.failed})
@@ -83,14 +83,15 @@ std::set<SceneSettings> scenes_of(const Runs& runs) {
   return scenes;
 }
 
-// The settings of a scene whose file is not there; nothing of all others.
+// The settings of a scene whose equation file does not exist; nullopt otherwise.
 std::optional<SceneSettings> settings_without_file(const ChooseArguments& arguments) {
   const auto file = equation_file_in(arguments.scene.scene);
   if (!file || std::filesystem::exists(*file)) return std::nullopt;
   return read_settings(arguments.scene.scene, settings_of(arguments));
 }
 
-// The scene asked for, one of these. That of a file need not be at hand: then it is the one of its name.
+// The requested scene among `scenes`. If its equation file does not exist, the scene with the same name
+// matches, whatever its checksum.
 SceneSettings scene_among(const std::set<SceneSettings>& scenes, const ChooseArguments& arguments,
                           const Scenes& known) {
   auto asked = settings_without_file(arguments);
@@ -114,7 +115,7 @@ SceneSettings scene_among(const std::set<SceneSettings>& scenes, const ChooseArg
           : fmt::format(" as it is, only of another file of this name ({})", short_checksum(*other))));
 }
 
-// Results say nothing of single columns and take no time.
+// A recommendation from recorded runs: these have no errors of single columns and need no search time.
 Recommendation recorded(const ErrorKind& kind, double accuracy, const ChooseArguments& arguments,
                         const Scenes& known) {
   if (arguments.columns)

@@ -20,7 +20,7 @@ constexpr int worse_results = 1;
 constexpr int bad_input = 2;
 constexpr int numerical_failure = 3;
 
-// One line that changes nothing on a terminal, whatever the arguments held.
+// The message as one line without control characters: arguments in it may contain any bytes.
 std::string printable(std::string_view message) {
   constexpr unsigned char first_printable = ' ', erase = 0x7f;
   std::string line;
@@ -42,15 +42,15 @@ int complain(const Streams& streams, int code, std::string_view message) {
   return code;
 }
 
-// CLI11 takes an empty argument for the name of a group of options, without end. No argument of ours may be
-// empty.
+// CLI11 takes an empty argument for the name of an option group and does not terminate. No argument of
+// fdebench may be empty.
 void check_none_empty(const std::vector<std::string>& arguments) {
   const auto found = std::ranges::find(arguments, "");
   if (found == arguments.end()) return;
   throw std::invalid_argument(fmt::format("argument {} is empty", found - arguments.begin() + 1));
 }
 
-// CLI11 only says that a subcommand is missing.
+// CLI11's own message only says that a subcommand is missing.
 void check_subcommand(const CommandLine& program, const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front().starts_with('-')) return;
   const auto names = program.subcommands();

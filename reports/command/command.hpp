@@ -11,12 +11,12 @@ namespace fde {
 
 class CommandLine;
 
-// A scheme or a reference that did not come to its end: exit code 3.
+// A scheme or a reference failed before the end time: exit code 3.
 struct NumericalFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Results that are worse than those before them: exit code 1.
+// Results are worse than earlier results: exit code 1.
 struct WorseResults : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -25,16 +25,16 @@ struct WorseResults : std::runtime_error {
 struct Streams {
   std::ostream& out;
   std::ostream& err;
-  int columns = 0;  // of the terminal that err is; 0: it is none
+  int columns = 0;  // width of the terminal; 0: err is no terminal
 };
 
-// The command `fdebench` without its process: arguments after the program's name. Returns the exit code: 0
-// done, 1 worse results, 2 bad input or output that cannot be written, 3 numerical failure; all but 0 with
-// one line on err. known: the scenes that arguments may name, beside those of equation files.
+// Runs the command `fdebench` within this process, with the arguments after the program's name. Returns the
+// exit code: 0 done, 1 worse results, 2 bad input or output that cannot be written, 3 numerical failure; all
+// but 0 with one line on err. `known`: the scenes that arguments may name besides equation files.
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams,
                  const Scenes& known = scenes());
 
-// Each file of list.def adds its subcommands to the program; scenes are named among those known.
+// Each file of list.def defines add_<file>(), which adds its subcommands to the program.
 #define FDE_COMMAND(file) void add_##file(CommandLine& program, const Streams& streams, const Scenes& known);
 #include "command/list.def"
 #undef FDE_COMMAND

@@ -11,7 +11,7 @@ namespace fde {
 
 namespace {
 
-// CLI11 takes a minus before a digit for a number, before a point for an option.
+// CLI11 parses "-1" as a number, but "-.1" as an option.
 std::string with_leading_zero(const std::string& argument) {
   constexpr std::string_view digits = "0123456789";
   const bool number = argument.starts_with("-.") && argument.find_first_of(digits) == 2;
@@ -34,7 +34,7 @@ std::vector<std::string> CommandLine::subcommands() const {
   return names;
 }
 
-// CLI11 takes the arguments from the last to the first.
+// CLI11 expects the arguments in reverse order.
 void CommandLine::run(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   try {
     std::vector<std::string> backwards;

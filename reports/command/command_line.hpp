@@ -14,8 +14,8 @@ class Option;
 
 namespace fde {
 
-// A program with subcommands. It stands before CLI11, which takes ten seconds to compile in each file that
-// uses it: only command_line.cpp does.
+// A program with subcommands. Hides CLI11, which takes ten seconds to compile: only command_line.cpp includes
+// it.
 class CommandLine {
  public:
   CommandLine(const std::string& name, const std::string& what, const std::string& version);
@@ -27,9 +27,9 @@ class CommandLine {
 
   [[nodiscard]] std::vector<std::string> subcommands() const;  // their names
 
-  // Runs the subcommand that these arguments, after the program's name, ask for, or prints the help or the
-  // version. Throws std::invalid_argument, before it runs anything, for arguments that no subcommand takes;
-  // what a subcommand throws is passed on.
+  // Runs the subcommand selected by the arguments (after the program's name), or prints the help or the
+  // version. Throws std::invalid_argument for invalid arguments before anything runs; exceptions of a
+  // subcommand propagate.
   void run(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);
 
  private:
@@ -37,8 +37,8 @@ class CommandLine {
   std::unique_ptr<CLI::App> app_;
 };
 
-// What a subcommand takes and does. Values are texts; they are parsed when the subcommand runs. An argument's
-// name begins with dashes, or it is taken by its place.
+// The arguments and the action of a subcommand. Values are texts, parsed when the subcommand runs. An
+// argument whose name does not begin with dashes is positional. The referenced values must outlive run().
 class Subcommand {
  public:
   using Option = CLI::Option*;
@@ -48,17 +48,17 @@ class Subcommand {
   Option required(const std::string& name, std::string& value, const std::string& what);
   Option option(const std::string& name, std::string& value, const std::string& what);
   Option option(const std::string& name, std::optional<std::string>& value, const std::string& what);
-  // May be given again.
+  // An option that may be repeated.
   Option list(const std::string& name, std::vector<std::string>& values, const std::string& what);
   Option flag(const std::string& name, bool& value, const std::string& what);
 
-  // Exactly one of the options that are added to what this returns must be given.
+  // A group of options of which exactly one must be given: options added to the returned object.
   [[nodiscard]] Subcommand one_of();
 
   static void exclude(Option one, Option other);
-  static void need(Option one, Option other);  // one is only taken with the other
+  static void need(Option one, Option other);  // `one` requires `other`
 
-  // Called after all arguments have been taken.
+  // The action, called after all arguments have been parsed.
   void callback(std::function<void()> action);
 
  private:

@@ -7,8 +7,8 @@
 
 namespace fde {
 
-// What a run took, as one JSON object: docs/command.md lists its keys. What was not counted or is not known
-// is left out, and the grid where it was named.
+// The cost of a run as one JSON object; docs/command.md lists the keys. Counts that are unknown are left out,
+// and the grid unless graded:auto chose it. `checkpoints` may be nullptr.
 std::string cost_text(const Scene& scene, const AskedRun& run, const Cost& cost, double seconds,
                       const CheckpointFile* checkpoints);
 

@@ -45,7 +45,7 @@ void print(const TableVerdict& verdict, std::ostream& out) {
   for (const auto& what : verdict.absent) out << fmt::format("  absent: {}\n", what);
 }
 
-// Of tables without a wrong row. Only one that says what it is of can hold.
+// The summary if no row is wrong. Without a description, scene and parameters of a table are assumed.
 std::string outcome(const std::vector<TableVerdict>& tables) {
   const auto guessed = std::ranges::count(tables, false, &TableVerdict::described);
   if (guessed == 0) return "all hold";
@@ -62,7 +62,7 @@ std::string summary(const std::vector<TableVerdict>& tables) {
                      outcome(tables), worst->worst.ratio, worst->table, worst->worst_line);
 }
 
-// A wrong number weighs more than a checksum, which it changes too.
+// Wrong values are reported first: a wrong value also changes the checksum.
 void check_tables(const std::string& folder, std::size_t every, const Streams& streams) {
   const auto [tables, changed] = check_folder(folder, every, progress_line(streams));
   for (const auto& table : tables) print(table, streams.out);

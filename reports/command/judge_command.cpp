@@ -33,8 +33,8 @@ struct JudgeArguments {
   std::optional<std::string> seconds, name, out;
 };
 
-// A trajectory that ends before the scene is one of that scene with another end: its last error is not that
-// at the end of the scene.
+// Sets the end of the scene to the last time of the trajectory, so that the error at the end is at that time.
+// Throws std::invalid_argument for a two-sided problem, whose solution depends on its end.
 void end_with(const WrittenPath& path, const std::string& file, SceneVariant& variant, Scene& scene) {
   const double last = path.times.back(), end = scene.problem.end;
   if (last == end) return;
@@ -48,7 +48,7 @@ void end_with(const WrittenPath& path, const std::string& file, SceneVariant& va
 
 constexpr std::uintmax_t most_bytes_of_pipe = std::uintmax_t{1} << 30;
 
-// What comes through a pipe as a file, which can be read as any other; none where it is one.
+// Copies a pipe to a temporary file; nullptr if the name is not a pipe.
 std::unique_ptr<const TemporaryFile> file_of_pipe(const std::string& name) {
   const std::filesystem::path path = name == "-" ? "/dev/stdin" : name;
   std::error_code ignored;
@@ -73,10 +73,10 @@ WrittenPath path_in(const std::string& file, const Scene& scene) {
   return file == "-" ? read_path("/dev/stdin", scene, "standard input") : read_path(file, scene);
 }
 
-// So long another process may hold the results file: each `judge` holds it only to append.
+// How long to wait for the lock of the results file: each `judge` locks it only to append.
 constexpr std::chrono::seconds longest_wait{60};
 
-// Its row without a number: nothing is known of its setup.
+// A row without its value. The settings of the other program are unknown.
 Record row_of(const SceneVariant& scene, const std::string& name, const WrittenPath& path) {
   const auto steps = static_cast<int>(path.times.size());
   return {.key = {.scene = scene.key(), .scheme = name, .setup = {.resolution = steps}, .external = true},

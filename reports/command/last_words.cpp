@@ -13,8 +13,8 @@ namespace {
 std::atomic<const std::string*> words = nullptr;
 static_assert(std::atomic<const std::string*>::is_always_lock_free);
 
-// Nothing but what a signal handler may call. The action is the default again (SA_RESETHAND), and the signal
-// raised here arrives when the handler has returned.
+// Async-signal-safe. SA_RESETHAND has restored the default action; the signal raised here is delivered after
+// the handler has returned.
 void say_and_end(int signal) {
   remove_traces();
   if (const auto* text = words.load()) {

@@ -7,9 +7,9 @@
 
 namespace fde {
 
-// While it lives, a signal that asks the process to end (SIGINT, SIGTERM, SIGHUP) first kills the programs
-// that were started, writes this text on standard error and then ends it as it would without. Signals that
-// are ignored stay so. One at a time.
+// Signal handler guard: while the object exists, SIGINT, SIGTERM and SIGHUP first call remove_traces() (kill
+// started programs, remove temporary files) and write `text` to standard error, then end the process as by
+// default. Ignored signals stay ignored. Precondition: at most one object at a time.
 class LastWords {
  public:
   explicit LastWords(std::string text);

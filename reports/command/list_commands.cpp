@@ -27,7 +27,7 @@ std::string column_text(const std::vector<std::string>& names) {
   return fmt::format("{}, {}, ..., {}", names[0], names[1], names.back());
 }
 
-// What a scene declares beyond its problem.
+// What a scene defines besides its problem.
 std::vector<std::string> capabilities(const Scene& scene) {
   std::vector<std::string> names;
   if (scene.reference.at) names.emplace_back("exact");
@@ -38,7 +38,7 @@ std::vector<std::string> capabilities(const Scene& scene) {
   return names;
 }
 
-// Names one by one; many that count on, u1, u2, ..., as their pattern.
+// The list of names; many consecutive names u1, u2, ... as a pattern with a range.
 Json describe(const std::vector<std::string>& names) {
   if (names.size() <= few_names) return names;
   const std::string& first = names.front();
@@ -101,7 +101,7 @@ void print_json(const Entries& entries, std::ostream& out) {
   out << all.dump(2) << '\n';
 }
 
-// Columns as wide as their widest cell.
+// Prints rows with columns aligned to their widest cell.
 void print_table(const std::vector<Row>& rows, std::ostream& out) {
   constexpr std::size_t gap = 3;
   std::vector<std::size_t> widths;
@@ -152,7 +152,7 @@ std::vector<Row> needs_of_all(std::span<const Scheme> known) {
   return rows;
 }
 
-// Everything about one: a fact a line, the parameters as in the list of all.
+// Prints all data of one scene, one item a line.
 void print_one(const SceneMaker& maker, std::ostream& out) {
   const Scene scene = make_known_scene(maker);
   std::vector<std::string> over_grids, to_accuracies;
@@ -199,7 +199,8 @@ struct ListArguments {
   bool json = false, detail = false;
 };
 
-// A command that lists what there is: id and title, or what the flag `detail` asks for; or tells all of one.
+// A command that lists entries: id and title, or `details` with the flag `detail`, or JSON; or one entry in
+// full.
 template <typename Entries, typename Named, typename Details>
 void add_list(Subcommand command, const std::string& detail, const std::string& help, Entries entries,
               Named named, Details details, std::ostream& out) {

@@ -7,7 +7,7 @@
 
 namespace {
 
-// Those of the terminal that standard error is, 80 where it does not tell; 0: it is none.
+// Width of the terminal of standard error; 80 if unknown, 0 if standard error is no terminal.
 int columns_of_terminal() {
   constexpr int usual = 80;
   if (isatty(STDERR_FILENO) == 0) return 0;

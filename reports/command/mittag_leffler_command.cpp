@@ -26,8 +26,8 @@ struct Arguments {
   std::optional<std::string> z, derivative, gamma, matrix, digits, budget;
 };
 
-// Without --digits values are doubles; then these are enough to round one, with a bound of hardly more than
-// half its last place.
+// Digits computed before rounding to double, when --digits is not given: the bound stays close to half a unit
+// in the last place.
 constexpr int digits_of_doubles = 20;
 
 [[noreturn]] void reject_option(std::string_view name, const std::string& value, std::string_view allowed) {
@@ -44,7 +44,7 @@ void check(const Arguments& x) {
     throw std::invalid_argument("Z is missing: must be RE, RE,IM or RE+IMi, or --matrix in its place");
 }
 
-// What can be said of the parameters before z is looked at.
+// Checks the parameters without z.
 void check_parameters(const Arguments& x) {
   parse_number("ALPHA", x.alpha, {.low = 0.0, .high = 5.0, .open_low = true});
   require_decimal("BETA", x.beta);
@@ -56,7 +56,7 @@ std::optional<int> digits_of(const Arguments& x) {
   return parse_count("--digits", *x.digits, 1, most_digits);
 }
 
-// A value of digits without a finite bound is beyond the exponents of the multiprecision type.
+// A multiprecision value without a finite bound exceeds the exponent range of its type.
 void require_known(const DecimalComplex& value) {
   if (!is_finite_bound(value.bound)) throw NumericalFailure("the value is beyond all exponents of --digits");
 }
@@ -84,7 +84,7 @@ DecimalComplex in_digits(const Arguments& x, const ComplexText& z, int digits) {
                  : mittag_leffler(x.alpha, x.beta, z.re, z.im, digits);
 }
 
-// The same in double, in microseconds where each argument is a double: 0.5, not 0.1.
+// The value in double. Takes microseconds if every argument is exactly a double (0.5, not 0.1).
 MittagLefflerValue in_double(const Arguments& x, const ComplexText& text) {
   if (!x.derivative && !x.gamma) return mittag_leffler_in_double(x.alpha, x.beta, text.re, text.im);
   const auto alpha = exact_double(x.alpha), beta = exact_double(x.beta),
@@ -107,7 +107,7 @@ void of_number(const Arguments& x, std::ostream& out) {
   print(value, bound, out);
 }
 
-// "1,2;3,4" row by row.
+// The entries of "1,2;3,4", row by row.
 std::vector<DecimalComplex> entries_of(const std::string& text) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -157,7 +157,7 @@ void print(const MatrixValue& matrix, std::ostream& out) {
   }
 }
 
-// The entries where all are doubles, and with them the parameters.
+// The matrix in double; nullopt if an entry is not exactly a double.
 std::optional<ComplexMatrix> exact_matrix(const std::vector<DecimalComplex>& entries, Eigen::Index size) {
   ComplexMatrix matrix(size, size);
   for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -37,11 +37,11 @@ struct PlotArguments {
   std::vector<std::string> schemes;
 };
 
-// What a figure shows, and from where its data are.
+// The source of a figure's data.
 enum class Of { runs, drifts, solution, regions };
 struct Kind {
   std::string_view name, chart,
-      family;  // the charts of the page that it is; of several values of a parameter
+      family;  // the charts of the page that it draws: for one scene; for several values of a parameter
   Of of;
   bool of_columns = false;
 };
@@ -101,14 +101,15 @@ nlohmann::json data_of(const PlotArguments& arguments, const Kind& kind, const S
   return {};
 }
 
-// Throws std::invalid_argument where a scheme that is to be drawn is none of those that there are to draw.
+// Throws std::invalid_argument if a requested scheme is not among the schemes with data.
 void require_schemes(const std::vector<std::string>& asked, const std::set<std::string>& there) {
   for (const auto& name : asked) {
     if (!there.contains(name)) reject_text("--scheme", name, fmt::format("of {}", fmt::join(there, ", ")));
   }
 }
 
-// Of lines of the page, such as "l1, graded:2", and of the schemes of this build, external ones included.
+// The schemes of the page's lines, such as "l1, graded:2", external ones included; without lines the schemes
+// of this build.
 std::set<std::string> schemes_in(const nlohmann::json& data) {
   std::set<std::string> names;
   for (const std::string line : data["lines"]) names.insert(line.substr(0, line.find(',')));
@@ -124,7 +125,7 @@ std::vector<std::string> columns_in(const PlotArguments& arguments, const Kind& 
   return names;
 }
 
-// The first line that is not empty.
+// The first line that is not blank.
 std::string first_line_of(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::string line;
@@ -133,7 +134,8 @@ std::string first_line_of(const std::filesystem::path& file) {
   return line;
 }
 
-// Runs a program with one argument; its first complaint is ours.
+// Runs a drawing program with one argument. Throws std::invalid_argument with its first error line if it
+// fails.
 void draw(const std::string& program, const std::string& command, const std::filesystem::path& argument,
           const std::string& out, const TemporaryFile& said) {
   const TemporaryFile complained(".txt");

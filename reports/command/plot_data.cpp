@@ -17,8 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_members = 24;  // of a family that a chart can show
-constexpr int points = 48;                // of a curve of stability
+constexpr std::size_t most_members = 24;  // of a family in one chart
+constexpr int points = 48;                // of a stability curve
 
 json page_of(json section) {
   return {{"lines", json::array()}, {"kinds", json::array()}, {"sections", {std::move(section)}}};
@@ -34,7 +34,7 @@ json solution(const SceneVariant& of) {
   }
 }
 
-// The settings in which scenes differ: one, as the first of them has it or another one does.
+// The parameter in which the scenes differ. Throws std::invalid_argument unless it is exactly one.
 std::string parameter_of(const std::vector<SceneVariant>& scenes) {
   std::set<std::string> differing;
   for (const SceneVariant& scene : scenes) {

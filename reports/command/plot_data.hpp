@@ -8,8 +8,8 @@
 
 namespace fde {
 
-// The page's data with one section: of what a figure shows. All throw std::invalid_argument where there is
-// nothing to show.
+// The JSON data of the page, restricted to one section, for a figure. All throw std::invalid_argument if
+// there is nothing to draw.
 
 // The runs of a scene in a results file.
 nlohmann::json data_of_runs(const std::string& results, const SceneVariant& of, const Scenes& known);
@@ -17,10 +17,10 @@ nlohmann::json data_of_runs(const std::string& results, const SceneVariant& of, 
 // The drifts of a scene in all its formulations.
 nlohmann::json data_of_drifts(const std::string& results, const SceneVariant& of, const Scenes& known);
 
-// The reference; of several scenes, which differ in one parameter, a family of them.
+// The reference solution; for several scenes a family over the one parameter in which they differ.
 nlohmann::json data_of_solutions(const std::vector<SceneVariant>& scenes);
 
-// The regions of stability of all schemes at the order of the scene.
+// The stability regions of all schemes for the order of the scene.
 nlohmann::json data_of_regions(const SceneVariant& of);
 
 }  // namespace fde

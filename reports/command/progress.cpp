@@ -12,7 +12,7 @@ namespace {
 
 using std::chrono::duration;
 
-// One that is overwritten on a terminal, another one elsewhere.
+// On a terminal overwrites the current line, otherwise prints a new line.
 void show_line(const Streams& streams, const std::string& text) {
   if (streams.columns > 0) {
     streams.err << fmt::format("\r{0:<{1}.{1}}", text, streams.columns - 1);

@@ -29,12 +29,12 @@ struct ExactArguments {
 
 std::string time_text(double t) { return fmt::format("t = {}", t); }
 
-// The columns may be finite, and what is said of them not.
+// Throws NumericalFailure unless `finite`. An energy or a bound may overflow where the columns do not.
 void require_finite(bool finite, std::string_view what, std::string_view range, double t) {
   if (!finite) throw NumericalFailure(fmt::format("the {} is beyond {} at t = {}", what, range, t));
 }
 
-// "t,x,y,bound" with, where asked for, ",bound_x,bound_y": of the columns that have one.
+// "t,x,y,bound", with ",bound_x,bound_y" if `bounds`; `bounded` are the columns with a bound.
 std::string header(const std::vector<std::string>& names, const std::vector<std::string>& bounded,
                    bool bounds) {
   std::vector<std::string> all = names;
@@ -44,14 +44,15 @@ std::string header(const std::vector<std::string>& names, const std::vector<std:
   return fmt::format("t,{}\n", csv_names(all));
 }
 
-// The largest of the bounds, and where asked for each of them.
+// The largest bound, followed by all bounds if `each`.
 std::string bounds_text(const std::vector<std::string>& all, bool each) {
   std::string largest = "0";
   for (const auto& bound : all) largest = larger_bound(largest, bound);
   return each ? fmt::format("{},{}", largest, fmt::join(all, ",")) : largest;
 }
 
-// Of the values that have one, as they are printed.
+// The bounds of the printed values, including the rounding of their texts; `values` may be longer than
+// `bounds`.
 std::vector<std::string> bound_texts(In values, In bounds, double t) {
   std::vector<std::string> texts;
   for (Eigen::Index c = 0; c < bounds.size(); ++c) {
@@ -84,7 +85,7 @@ std::string rows_in_double(const Scene& scene, const std::vector<double>& times,
   return rows;
 }
 
-// Energies and constraints are doubles, so with digits they have no columns.
+// Energies and constraints are computed in double only, so --digits has no columns for them.
 std::string rows_in_digits(const Scene& scene, const std::vector<double>& times, int digits, bool each_bound,
                            ReferenceWork& work) {
   std::string rows = header(scene.outputs.names, scene.outputs.names, each_bound);
@@ -104,7 +105,7 @@ std::string rows_in_digits(const Scene& scene, const std::vector<double>& times,
   return rows;
 }
 
-// The digits asked for, none for doubles.
+// The number of --digits; nullopt for double.
 std::optional<int> parse_digits(const ExactArguments& arguments, const Scene& scene, std::string_view id) {
   if (!arguments.digits) return std::nullopt;
   const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);

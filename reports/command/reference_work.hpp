@@ -10,19 +10,20 @@
 
 namespace fde {
 
-// Listens to evaluations while it lives: shows on err how far they are, on a terminal after a second in one
-// line, otherwise in a line a minute, and ends them with WorkEnded when the budget is spent.
+// Monitors evaluations of references while the object exists: shows progress on streams.err (on a terminal
+// after a second in one line, otherwise a line per minute) and cancels them with WorkEnded when the budget is
+// spent.
 class ReferenceWork {
  public:
-  // sought: what is evaluated, "the reference".
+  // sought: name of the evaluated quantity in messages, "the reference".
   ReferenceWork(const Streams& streams, std::optional<double> budget, std::string sought);
   ReferenceWork(const ReferenceWork&) = delete;
   ReferenceWork& operator=(const ReferenceWork&) = delete;
-  ~ReferenceWork();  // takes the line away
+  ~ReferenceWork();  // erases the progress line
 
-  // Evaluations from now on are for this, "t = 1".
+  // Sets the place of the following evaluations for messages, "t = 1".
   void begin(std::string place) { place_ = std::move(place); }
-  // Throws NumericalFailure: what ran out, and where.
+  // Throws NumericalFailure: the budget ran out, at which place.
   [[noreturn]] void fail() const;
 
  private:

@@ -21,7 +21,7 @@
 namespace fde {
 namespace {
 
-// "machine, compiler, commit" of each build, once.
+// "machine, compiler, commit" of each build, without repetitions.
 std::set<std::string> builds_of(const std::vector<Session>& sessions) {
   std::set<std::string> builds;
   for (const Session& s : sessions)
@@ -41,7 +41,7 @@ struct CompareArguments {
   bool require_all = false;
 };
 
-// What is worse in the second, as it is asked for.
+// The requested checks that the second file fails.
 std::vector<std::string> complaints(const Comparison& comparison, const std::optional<double>& max_slowdown,
                                     bool require_all) {
   std::vector<std::string> all;

@@ -37,7 +37,7 @@ void print_rows(const SolvedTable& table, std::ostream& out) {
   }
 }
 
-// One row a time: t and all unknowns of the problem.
+// Writes CSV, one row a time: t and all unknowns of the problem.
 void write_field(const SolvedTable& table, const std::string& name) {
   WholeFile file(name);
   std::string line = "t";

@@ -21,7 +21,7 @@ struct Arguments {
   std::optional<std::string> boundary;
 };
 
-// Those asked for; otherwise all that take this order.
+// The requested schemes; by default all that accept this order.
 std::vector<const Scheme*> schemes_of(const Arguments& arguments, double gamma) {
   std::vector<const Scheme*> some;
   for (const auto& id : arguments.schemes) some.push_back(&scheme_named(id));

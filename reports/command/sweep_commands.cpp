@@ -29,8 +29,9 @@ namespace {
 constexpr int most_repeats = 1000;
 constexpr Repeats of_default_sweep{.least_seconds = 0.003, .enough_seconds = 0.1};
 
-// Seconds after which a run ends: where steps or accuracies are listed; in a thorough sweep; in another,
-// times what an answer may take. Schemes that choose their steps may take very many where they do not fit.
+// Budgets of a run: in seconds with --steps or --accuracy; in seconds in a thorough sweep; otherwise as a
+// multiple of the goal's most_seconds. Schemes with adaptive step size may need very many steps on unsuitable
+// problems.
 constexpr auto usual_budget = "600";
 constexpr double thorough_budget = 60.0, far_from_an_answer = 5.0;
 
@@ -54,7 +55,7 @@ std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts,
   return variants;
 }
 
-// Those named; where none is, all, but beside programs none.
+// The named schemes. If none is named: all, or none if external programs are given.
 std::vector<const Scheme*> chosen_schemes(const SweepArguments& arguments) {
   const auto& ids = arguments.schemes;
   if (ids.empty()) return arguments.externals.empty() ? sweep_schemes() : std::vector<const Scheme*>{};
@@ -76,8 +77,7 @@ std::vector<ExternalProgram> chosen_programs(const SweepArguments& arguments) {
   return programs;
 }
 
-// The numbers of steps and the accuracies asked for; where none are, as many steps as the answers need, or
-// all of a thorough sweep.
+// The requested numbers of steps and tolerances; by default default_ladder() or thorough_ladder().
 Ladder chosen_ladder(const SweepArguments& arguments) {
   if (!arguments.steps && !arguments.accuracies)
     return arguments.thorough ? thorough_ladder() : default_ladder();
@@ -113,7 +113,7 @@ Sweep sweep_of(const SweepArguments& arguments, const Scenes& known) {
   return sweep;
 }
 
-// The sweep that is asked for; the trials where no scene and no steps are, alone where they are asked for.
+// The requested sweep. With --trials the trials only; without scenes and steps the trials as well.
 std::vector<Sweep> sweeps_of(const SweepArguments& arguments, const Scenes& known) {
   const bool listed = arguments.steps || arguments.accuracies;
   if (arguments.trials && (listed || !arguments.scenes.empty()))
@@ -130,7 +130,7 @@ std::vector<Sweep> sweeps_of(const SweepArguments& arguments, const Scenes& know
   return arguments.shard ? shard_of(std::move(sweeps), parse_shard(*arguments.shard)) : sweeps;
 }
 
-// Another number of steps may be reached than is expected.
+// Whether the forecast number of runs is exact: with a goal the refinement may end elsewhere than forecast.
 bool count_is_exact(const std::vector<Sweep>& sweeps) {
   return std::ranges::none_of(sweeps, [](const auto& sweep) { return sweep.ladder.goal.has_value(); });
 }
@@ -151,7 +151,7 @@ void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams,
   for (const auto& sweep : sweeps) run_sweep(sweep, hooks, expected);
 }
 
-// The runs that are left, with the seconds that each is expected to add, and their sum.
+// Prints the remaining runs with their expected seconds, and the total.
 void list_runs(const std::vector<Sweep>& sweeps, const SweepArguments& arguments, const Streams& streams,
                const Scenes& known) {
   const auto recorded = arguments.out ? read_recorded(*arguments.out, known) : RecordedByKey();

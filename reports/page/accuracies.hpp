@@ -4,7 +4,7 @@
 
 namespace fde {
 
-// Those that the page has answers to.
+// The accuracies for which the page gives the cheapest run.
 inline constexpr std::array accuracies{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
 
 }  // namespace fde

@@ -1,6 +1,6 @@
 #include "page/assets.hpp"
 
-// Where assets.S puts each file: its first byte and the one behind its last.
+// The symbols of assets.S for each file: its first byte, and one past its last.
 #define FDE_ASSET(id)                                             \
   extern "C" const char fde_asset_##id[], fde_asset_##id##_end[]; \
   std::string_view fde::assets::id() { return {fde_asset_##id, fde_asset_##id##_end}; }

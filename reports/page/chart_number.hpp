@@ -2,7 +2,7 @@
 
 namespace fde {
 
-// As many significant digits as a chart can show: a page has thousands of these numbers.
+// Rounds to the significant digits that a chart can show: a page contains thousands of these numbers.
 inline constexpr int chart_digits = 5;
 double in_chart(double value, int digits = chart_digits);
 

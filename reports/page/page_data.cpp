@@ -31,14 +31,14 @@ json to_json(const Section& section) {
   return shown;
 }
 
-// Of each session.
+// The machine of each session.
 std::vector<std::string> machines_of(const PageInput& page) {
   std::vector<std::string> machines;
   for (const Session& session : page.sessions) machines.push_back(session.machine);
   return machines;
 }
 
-// The kinds of error that the controls choose from.
+// The kinds of error that the page's controls offer.
 json kinds() {
   json all = json::array();
   for (const ErrorKind& kind : error_kinds()) {
@@ -50,8 +50,8 @@ json kinds() {
   return all;
 }
 
-// The labels of all lines, each once, those that win most cells of the map first, otherwise in the order of
-// the list of schemes. The order gives them their colours: the first few have one of their own.
+// The labels of all lines, without repetitions: sorted by the cells of the map that they win, then in the
+// order of the list of schemes. The order determines the colours: only the first few lines have a unique one.
 std::vector<std::string> line_labels(const PageInput& page) {
   std::vector<std::string> labels;
   const auto add = [&](const MeasuredRun& run) {
@@ -63,7 +63,7 @@ std::vector<std::string> line_labels(const PageInput& page) {
       if (run.key.scheme == scheme.id) add(run);
     }
   }
-  std::ranges::for_each(page.runs.finished, add);  // those of schemes that this build does not know
+  std::ranges::for_each(page.runs.finished, add);  // lines of schemes that this build does not have
   auto won = cells_won(page, {});
   std::ranges::stable_sort(labels, std::greater{}, [&](const std::string& label) { return won[label]; });
   return labels;
@@ -77,7 +77,7 @@ bool is_trial(const MeasuredRun& run) {
   });
 }
 
-// The runs of trials; scenes that have no others leave the rest of the page to those that have.
+// Returns the runs of trials, and removes those of scenes without other runs from `runs`.
 std::vector<MeasuredRun> take_trials(Runs& runs) {
   std::vector<MeasuredRun> taken;
   std::set<SceneSettings> swept;
@@ -91,7 +91,7 @@ std::vector<MeasuredRun> take_trials(Runs& runs) {
   return taken;
 }
 
-// Whether no run strays by more than rounding.
+// Whether every run keeps the constraint to rounding.
 bool at_rounding(const ConstrainedScene& scene) {
   return std::ranges::all_of(scene.formulations, [](const FormulationRuns& of) {
     return std::ranges::all_of(of.runs,
@@ -99,7 +99,7 @@ bool at_rounding(const ConstrainedScene& scene) {
   });
 }
 
-// Where schemes are stable, of any results: computed once.
+// The stability regions, which depend on no results and are computed in advance.
 json regions_section() {
   return {
       {"id", "regions"},
@@ -126,7 +126,7 @@ SceneName name_of_scene(const SceneSettings& scene) {
       .source = std::string(found->source)};
 }
 
-// Scenes of files are not at hand.
+// The equation files of scenes are not read here.
 std::optional<Scene> known_scene(const SceneSettings& settings) {
   const SceneMaker* maker = settings.checksum.empty() ? find_scene(settings.id) : nullptr;
   if (maker == nullptr) return std::nullopt;

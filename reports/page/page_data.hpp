@@ -15,52 +15,55 @@
 
 namespace fde {
 
-// All that the page shows, as its script takes it: lines, sessions, sections. Numbers in tables are text
-// already. before: results that these are set against, a section of their own.
+// The data of the page as JSON for its script: lines, sessions, sections. Numbers in tables are formatted
+// text. `before`: earlier results, compared with these in a separate section.
 nlohmann::json page_data(ReadRuns read, const std::optional<ReadRuns>& before = {});
 
-// What the sections are made from.
+// The input of the sections.
 struct PageInput {
   std::vector<Session> sessions{};
-  Runs runs{};                        // but for those that only a trial asked for
+  Runs runs{};                        // without runs that belong to trials only
   std::vector<MeasuredRun> trials{};  // the runs of trials, finished or not
   std::vector<RateRow> rates{};
   LineNames names;
 
-  // What the run's line is called on the page.
+  // The name of the run's line on the page.
   [[nodiscard]] std::string label(const RunKey& run) const { return names.name(run.scheme, run.setup); }
   [[nodiscard]] std::string label(const Option& of) const { return names.name(of.schemes.front(), of.setup); }
   [[nodiscard]] std::string label(const RateRow& of) const { return names.name(of.scheme, of.setup); }
-  // The line's grid where its name does not tell it; otherwise nothing.
+  // The line's grid if its name omits it; otherwise empty.
   [[nodiscard]] std::string grid(const Setup& setup) const { return names.grid(setup); }
 };
 
-// A titled part of the page; what is empty is left out.
+// A titled part of the page. Empty parts are not shown.
 struct Section {
   std::string id, title;
   std::vector<std::string> paragraphs{};
   Table table{};
-  std::vector<Table> tables{};  // in its place one for each of error_kinds()
-  bool folded = false;          // shown when asked for
+  std::vector<Table> tables{};  // instead of `table`: one for each of error_kinds()
+  bool folded = false;          // initially collapsed
 };
 
+// Date, machine, compiler and flags of each session.
 Table sessions_table(const PageInput& page);
-// The cheapest run of each scene and accuracy, as a map.
+// The cheapest run of each scene and accuracy, as a map (scenes by accuracies).
 Section answers_section(const PageInput& page);
-// How many cells of the map each line wins.
+// The number of cells of the map in which each line is the cheapest.
 std::map<std::string, int> cells_won(const PageInput& page, const ErrorKind& kind);
-// Of each scheme a row, the one that wins most cells first: where it is cheapest, and where it fails, is
-// inaccurate or refuses.
+// One row per line, sorted by the cells it wins: where it is cheapest, and where it fails, is inaccurate or
+// refuses.
 Table scheme_verdicts(const PageInput& page, const ErrorKind& kind);
-// The cheapest run of each accuracy of one scene, with all that is known of the run.
+// The cheapest run of one scene for each accuracy, with the data of the run.
 Table scene_answers(const PageInput& page, const SceneSettings& scene, const SceneLines& lines,
                     const ErrorKind& kind);
-// Why the first of two lines of a scene is quicker than the second, as the records show it: fewer steps, by
-// its rate, or cheaper ones.
+// Why the first of two lines of a scene is quicker than the second by the records: fewer steps (because of
+// its rate) or cheaper steps.
 std::string reason_it_leads(const PageInput& page, const SceneSettings& scene, const Option& first,
                             const Option& second, Norm norm);
-// What changed since other results, as `compare` has it.
+// The changes since earlier results, by compare().
 Section compared_section(const PageInput& page, const Runs& before);
+// Observed and theoretical rates; drift from constraints; trials; cost at the finest step; decoupled chain
+// against commensurate expansion; bounds of the references; refused and failed runs; the list of schemes.
 Section rates_section(const PageInput& page);
 Section drift_section(const PageInput& page);
 Section stability_section(const PageInput& page);
@@ -70,35 +73,36 @@ Section reference_section(const PageInput& page);
 Section failures_section(const PageInput& page);
 Section schemes_section(const PageInput& page);
 
-// In words which line of a scene is cheapest to which accuracy and why, what no run reaches, who does not
-// solve it.
+// A text for one scene: which line is cheapest for which accuracy and why, the accuracies that no run
+// reaches, and the schemes that do not solve it.
 std::string conclusion(const PageInput& page, const SceneLines& lines, RunSpan runs, const ErrorKind& kind);
-// What a scene says of itself: its equations as formulas, values and meanings of its parameters; and its
-// solution for drawing: times, columns, values, the largest bound. Each empty where there is none.
+// The equations of a scene as formulas, the values and meanings of its parameters, and its solution for
+// charts: times, columns, values, the largest bound. Each is empty if there is none.
 nlohmann::json equations_of(const SceneSettings& scene);
 Table parameters_table(const SceneSettings& scene);
 nlohmann::json solution_of(const SceneSettings& settings);
-// The scene itself; nullopt where this build does not know it, as that of a file, or cannot make it.
+// The scene with these settings; nullopt for a scene from a file or one that this build cannot make.
 std::optional<Scene> known_scene(const SceneSettings& settings);
-// The same of a scene that is at hand: t, columns, values, bound; energy, reactions and motion as columns and
-// values too. Throws where there is no reference.
+// The solution of a given scene: t, columns, values, bound; energy, reactions and motion with their own
+// columns and values. Throws std::runtime_error if there is no reference.
 nlohmann::json solution_of(const Scene& scene);
-// The drifts of a constrained scene by formulation: those of all runs, and in the course of time of the run
-// that keeps the constraint best within a time that all were given, solved anew.
+// The drifts of a constrained scene by formulation: of all runs, and as a function of t for the run of
+// best_in_time(), which is solved again.
 nlohmann::json drift_charts(const PageInput& page, const ConstrainedScene& scene);
 
-// A section for each scene with its runs and the rates of its lines.
+// One section per scene, with its runs and the rates of its lines.
 nlohmann::json scene_sections(const PageInput& page);
 
-// A section for each parameter in which alone at least three scenes differ: errors and times over it.
+// One section per parameter with at least three scenes that differ in it alone: errors and times over its
+// values.
 nlohmann::json curve_sections(const PageInput& page);
 
-// Title and source of a scene; the id alone for one that this build does not know.
+// Title and source of a scene; the label alone for a scene that this build does not have.
 struct SceneName {
   std::string title, source{};
 };
 SceneName name_of_scene(const SceneSettings& scene);
-// The id of its section.
+// The id of the scene's section.
 std::string section_of(const SceneSettings& scene);
 
 }  // namespace fde

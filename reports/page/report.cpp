@@ -36,11 +36,12 @@ std::string as_html(std::string_view text) {
   return replaced(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}});
 }
 
-// JSON within a script element: "<" occurs in strings only, and escaped it can neither end the element nor
-// open a comment.
+// JSON inside a script element. "<" occurs in strings only; escaped, it can neither end the element nor start
+// a comment.
 std::string as_script_data(const nlohmann::json& data) { return replaced(data.dump(), {{'<', "\\u003c"}}); }
 
-// The template with each {{name}} replaced by its part, in one pass: what a part holds is not looked at.
+// Replaces each {{name}} of the template by its part, in one pass: placeholders inside a part are not
+// replaced.
 std::string fill(std::string_view page, const std::map<std::string_view, std::string_view>& parts) {
   std::string filled;
   while (true) {

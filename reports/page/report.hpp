@@ -7,10 +7,10 @@
 
 namespace fde {
 
-// Writes <directory>/index.html, one file that needs no network: the answer, the charts and tables of each
-// scene, and what was refused or failed. Makes the directory where it is missing; a reader of an older page
-// never sees half a page. Returns the path. Throws std::invalid_argument naming the path that cannot be
-// written, or where the charts' scripts were missing when this was built. before: as in page_data.
+// Writes <directory>/index.html, a self-contained file: the cheapest runs, charts and tables of each scene,
+// refused and failed runs. Creates the directory if necessary and replaces an older page atomically. Returns
+// the path. Throws std::invalid_argument naming a path that cannot be written, or if this build has no chart
+// scripts. `before`: as in page_data().
 std::filesystem::path write_report(ReadRuns read, const std::filesystem::path& directory,
                                    const std::optional<ReadRuns>& before = {});
 

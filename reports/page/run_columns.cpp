@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-// Beside the errors: those that charts show, and those that only their tooltips do, to fewer digits.
+// Besides the errors: quantities of charts, and quantities of tooltips only, with fewer digits.
 constexpr std::array<std::string_view, 5> drawn{"time_minimum", "time_median", "energy_residual",
                                                 "drift_internal", "drift_independent"};
 constexpr std::array<std::string_view, 6> told{"rhs_calls",      "newton_iterations",
@@ -27,7 +27,7 @@ constexpr int few_digits = 3;
 
 json number(const std::optional<double>& value) { return value ? json(in_chart(*value)) : json(); }
 
-// What h times the steps is of all runs; nullopt: not the same.
+// h * steps if it is equal for all runs; otherwise nullopt.
 std::optional<double> common_end(const std::vector<const MeasuredRun*>& runs) {
   std::optional<double> end;
   for (const MeasuredRun* run : runs) {

@@ -18,7 +18,7 @@ double rounded(double x) { return std::round(1e4 * x) / 1e4; }
 json pieces_of(const Scheme& scheme, double order, int points) {
   if (refusal(scheme, scalar_problem(scheme, order, -1.0), {})) return {};
   json pieces = json::array();
-  // Curves of implicit rules reach further, and cost little.
+  // The curves of implicit rules are longer, and cheap to compute.
   for (const auto& piece : region_boundary(scheme, order, scheme.needs.implicit ? 2 * points : points)) {
     json flat = json::array();
     for (const auto& [theta, z] : piece) {

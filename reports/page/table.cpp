@@ -18,7 +18,8 @@ bool has_text(const Table& table, std::size_t column) {
   });
 }
 
-// A text alone; with more a record of what there is, without a text that is the line's.
+// A string if the cell has text only; otherwise an object of its nonempty fields, without the text if it
+// equals the line's label.
 json to_json(const Cell& cell) {
   json shown = json::object();
   if (!cell.detail.empty()) shown["detail"] = cell.detail;

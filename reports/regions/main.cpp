@@ -1,4 +1,4 @@
-// Prints reports/page/regions.json, the regions of linear stability on the page: a line for each scheme.
+// Prints reports/page/regions.json, the linear stability regions on the page, one line per scheme.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Programs beside our schemes in a sweep. The scene `power` with p = 2 has the solution t^2.
+// External programs in a sweep. The scene `power` with p = 2 has the solution t^2.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -22,18 +22,18 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// The times that the task in $1 asks for, one a line.
+// Shell code: prints the output times of the task file $1, one a line.
 constexpr auto times = R"(sed -n '/"times"/,/]/p' "$1" | tr -d ' ],' | grep '^[0-9]')";
 
 class ExternalRuns : public testing::Test {
  protected:
-  // A program that is this script.
+  // A program that runs this script.
   [[nodiscard]] std::string program(const std::string& script, const std::string& name = "mine") const {
     folder_.write(name + ".sh", script);
     return fmt::format("{}=sh '{}'", name, (folder_.path() / (name + ".sh")).string());
   }
 
-  // Prints t^2 and more of it, behind these lines; counts its starts.
+  // A program that runs the lines `first`, then prints t^2 + 1e-3 at the output times; it counts its starts.
   [[nodiscard]] std::string square(const std::string& first = "", const std::string& name = "mine") const {
     return program(fmt::format("echo >> '{}'; {}\n{} | awk 'BEGIN {{ print \"t,y\" }} {{ printf "
                                "\"%s,%.17g\\n\", $1, $1 * $1 + 1e-3 }}'\n",
@@ -58,7 +58,7 @@ class ExternalRuns : public testing::Test {
     return found;
   }
 
-  // How the only run of a script ends.
+  // The ending of the single run of a script.
   [[nodiscard]] std::string ending(const std::string& script,
                                    const std::vector<std::string>& more = {}) const {
     std::filesystem::remove(results_);
@@ -96,7 +96,7 @@ TEST_F(ExternalRuns, AreJudgedAndTimedLikeSchemes) {
   EXPECT_DOUBLE_EQ(last->h, 0.125);
   EXPECT_TRUE(last->wall_clock);
   EXPECT_GT(last->value, 0.0);
-  EXPECT_EQ(starts(), 3U);  // judged once, timed twice
+  EXPECT_EQ(starts(), 3U);  // examined once, timed twice
 }
 
 TEST_F(ExternalRuns, TellTheTimeOfTheirSolve) {
@@ -135,7 +135,7 @@ TEST_F(ExternalRuns, AreListedByADryRunAndNotStarted) {
   EXPECT_THAT(run(square(), {"--dry-run"}).out, HasSubstr("0 runs"));
 }
 
-// Another grid is another run, and other times are wanted.
+// Another grid is another run, with other output times.
 TEST_F(ExternalRuns, AreAskedForTheGrid) {
   ASSERT_EQ(run(square()).code, 0);
   ASSERT_EQ(run(square(fmt::format("grep -q '\"grid\": \"graded:2.0\"\\|\"grid\": \"graded:2\"' \"$1\" && "
@@ -208,7 +208,7 @@ TEST_F(ExternalRuns, LeaveTheOtherRunsAlone) {
   EXPECT_THAT(finished, ElementsAre("l1", "good"));
 }
 
-// Beside l1 with a larger error the program is the only answer, and its time is said to be of the wall clock.
+// The scheme has a larger error, so the program is the only option; its time is marked as wall time.
 TEST_F(ExternalRuns, AreChosenFromResults) {
   ASSERT_EQ(run(square(), {"--scheme", "grunwald_letnikov"}).code, 0);
   const auto answer = fdebench({"choose", "power:p=2", "--error", "2e-3", "--results", results_});

@@ -1,4 +1,4 @@
-// Commands of the shell as processes: how they end, and that nothing of them is left.
+// Shell commands as processes: how they end, and that no child process is left.
 
 #include "external/shell_command.hpp"
 
@@ -35,14 +35,14 @@ class ShellCommands : public testing::Test {
     return run_command(command, R"(a 'b' "c" $d\)", out_.descriptor(), err_.descriptor(), {seconds, bytes});
   }
 
-  // Whether the process of this number is there and not dead.
+  // Whether the process with this id exists and is no zombie.
   static bool is_alive(long pid) {
     const auto facts = text_of(fmt::format("/proc/{}/stat", pid));
     const auto name_end = facts.rfind(") ");
     return name_end != std::string::npos && facts[name_end + 2] != 'Z';
   }
 
-  // The process whose number stands in this file ends within ten seconds.
+  // Expects that the process whose id is in this file ends within ten seconds.
   static void expect_gone(const std::filesystem::path& file) {
     const long pid = std::stol(text_of(file));
     ASSERT_GT(pid, 1);
@@ -72,7 +72,7 @@ TEST_F(ShellCommands, TellTheirExitCodeAndTheirTime) {
   EXPECT_EQ(run("no_such_program_here").code, 127);
 }
 
-// Of the shell itself, and of a command of it, which the shell tells as an exit code.
+// A signal that kills the shell itself, or a command of the shell, which is reported as an exit code.
 TEST_F(ShellCommands, TellTheSignalThatKilledThem) {
   for (const auto* command : {"kill -SEGV $$ #", "sh -c 'kill -SEGV $$'; exit $? #"}) {
     const auto end = run(command);

@@ -1,4 +1,4 @@
-// `solve --all`: the extremals of one action between the same ends.
+// `solve --all`: several extremals of one action with the same boundary values.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using testing::StartsWith;
 const std::string extremals =
     "solve fractional_hamilton --set motion=given --set T=3 --scheme product_trapezoidal --steps 256";
 
-// (q1, q2)(T/2) of two of them, from a collocation that shares nothing with this.
+// (q1, q2)(T/2) of two solutions, from an independent collocation code.
 TEST(AllSolutions, AreThoseOfAnIndependentSearch) {
   const auto answer = fdebench(extremals + " --at 1.5 --all");
   ASSERT_EQ(answer.code, 0) << answer.err;
@@ -34,7 +34,7 @@ TEST(AllSolutions, AreThoseOfAnIndependentSearch) {
   for (std::size_t k = 0; k < rows.size(); ++k) EXPECT_EQ(rows[k][0], static_cast<double>(k + 1));
 }
 
-// Without it one of them is printed.
+// Without --all one of the solutions is printed.
 TEST(AllSolutions, HaveTheOneThatIsPrintedAmongThem) {
   const auto one = csv_rows(fdebench(extremals + " --at 1.5").out).front();
   bool found = false;

@@ -1,4 +1,4 @@
-// fdebench choose: that what it says holds.
+// fdebench choose: its statements are checked by running the recommended command.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Choose, MakesTheRunThatItNames) {
     const double exact = std::pow(row[0], 1.83);
     worst = std::max(worst, std::abs(row[1] - exact) / (1.0 + exact));
   }
-  // A run that chose its steps is printed at these, and is judged between them too.
+  // With adaptive step size the error is measured between the printed steps too.
   EXPECT_LE(worst, (1.0 + 1e-6) * json["error"].get<double>());
   if (json["asked"].is_null()) {
     EXPECT_NEAR(worst / json["error"].get<double>(), 1.0, 1e-6);
@@ -50,7 +50,7 @@ TEST(Choose, SaysWhatWouldBeNeeded) {
   EXPECT_EQ(std::ranges::count(choice.err, '\n'), 1);
 }
 
-// dy starts like the root of t, y does not.
+// dphi has a term t^(1/2) near 0, phi has none: errors of phi are smaller.
 TEST(Choose, CountsTheColumnsThatAreNamed) {
   const auto chosen = nlohmann::json::parse(
       fdebench("choose pendulum --until 2 --error 1e-4 --scale absolute --columns phi --max-time 5 --json")

@@ -1,6 +1,5 @@
-// What `choose` says of scenes whose reference cannot be had: Robertson's equations up to 1e10, where the
-// collocation ends at 1.5e7, and a constraint whose solution begins with powers next to each other, for which
-// there is no method.
+// `choose` for scenes without a reference: Robertson's equations up to 1e10, where the collocation fails
+// at 1.5e7, and a constraint whose solution has nearly equal powers of t at 0, for which there is no method.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,7 +46,8 @@ TEST(ChoiceWithoutReference, IsAnEstimateInJson) {
   EXPECT_LE(json.at("error").get<double>() + estimate.at("error").get<double>(), 1e-3);
 }
 
-// The difference falls by 2 % with a doubling: what is left of it is fifty times more.
+// The difference decreases by 2 % with a doubling of the steps, so that the error is fifty times the
+// difference.
 TEST(ChoiceWithoutReference, IsRefusedWhereTheTwoDoNotAgree) {
   const auto answer = fdebench(constraint + " --error 1e-4 --max-time 3");
   EXPECT_EQ(answer.code, 3);
@@ -57,7 +57,7 @@ TEST(ChoiceWithoutReference, IsRefusedWhereTheTwoDoNotAgree) {
   EXPECT_THAT(answer.err, ContainsRegex("and no estimate: product_trapezoidal.* and .* differ by "));
 }
 
-// Scenes with a reference say nothing of estimates.
+// With a reference the output does not mention estimates.
 TEST(ChoiceWithReference, IsNoEstimate) {
   EXPECT_THAT(fdebench("choose relaxation --error 1e-3 --max-time 5").out,
               testing::Not(HasSubstr("estimate")));

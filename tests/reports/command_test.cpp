@@ -1,4 +1,4 @@
-// The command line from the outside, in this process: what it prints, where, and its exit code.
+// The command line, run within this process: its output, its messages and its exit code.
 
 #include "command/command.hpp"
 
@@ -258,7 +258,8 @@ TEST(Run, TakesVariantsOfScenes) {
   std::filesystem::remove(file);
 }
 
-// A graded grid, another history and another tolerance are other runs: they are measured beside the first.
+// Runs with another grid, history or tolerance are different runs: they are measured in addition to the
+// first.
 TEST(Run, WritesTheWholeSetupAndContinuesByIt) {
   const auto file =
       (std::filesystem::temp_directory_path() / ("fdebench_setup_" + std::to_string(getpid()))).string();

@@ -24,7 +24,7 @@ TEST(Exact, PrintsTheColumnsAndABound) {
   EXPECT_LT(csv_rows(answer.out)[1][2], 1e-15);
 }
 
-// The turn rate is exact, the place of 1e20 turns is not known.
+// At t = 1e20 the angular velocity is exact, but the position after so many turns is not known.
 TEST(Exact, PrintsTheBoundOfEachColumn) {
   for (const std::string digits : {"", " --digits 30"}) {
     const auto answer = fdebench("exact knife_edge --at 1e20 --bounds" + digits);
@@ -52,7 +52,7 @@ TEST(Exact, TellsTheReactions) {
   EXPECT_THAT(fdebench("exact fractional_knife_edge --at 1").out, Not(HasSubstr("lambda")));
 }
 
-// The form that a.b = 0 refuses to solve.
+// The reference exists although the default formulation refuses this scene, where a.b = 0.
 TEST(Exact, DoesNotDependOnTheFormulation) {
   const std::string scene =
       "exact fractional_constraint_2d --at 3 --set alpha=1.5 --set b1=0.6 --set b2=-0.3";
@@ -66,8 +66,6 @@ TEST(Exact, GivesAnyNumberOfDigits) {
               HasSubstr("0.42758357615580700441075034449051518082015950316"));
 }
 
-// nu tau^beta and its like are put together at the precision asked for. By mpmath's Talbot inversion at 60
-// digits.
 TEST(Exact, SortsTimesAndTakesEachOnceAsSolveDoes) {
   for (const std::string digits : {"", " --digits 20"}) {
     const auto sorted = fdebench("exact relaxation --at 0,1,2" + digits);
@@ -77,6 +75,8 @@ TEST(Exact, SortsTimesAndTakesEachOnceAsSolveDoes) {
   EXPECT_EQ(csv_rows(solved).size(), 3U);
 }
 
+// Coefficients such as nu tau^beta are computed at the requested precision. Values by mpmath's Talbot
+// inversion with 60 digits.
 TEST(Exact, TakesDecimalsAtTheirWord) {
   EXPECT_THAT(fdebench("exact damped_oscillator --at 1 --digits 40").out,
               HasSubstr("0.33194262273616016761353451367782687069"));
@@ -96,7 +96,7 @@ TEST(Exact, BeyondDoubleIsANumericalFailure) {
   EXPECT_EQ(answer.err, "fdebench: the exact solution is beyond double at t = 50\n");
 }
 
-// Linear scenes to many digits, and a march.
+// Linear scenes with many digits, and a nonlinear scene.
 TEST(Exact, EndsWithItsBudgetAndPrintsNothingElse) {
   for (const auto& [arguments, time] : {std::pair{"relaxation --at 1 --digits 3000", "1"},
                                         {"extensible_pendulum --at 7.125", "7.125"},

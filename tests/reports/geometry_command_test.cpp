@@ -1,4 +1,4 @@
-// `fdebench geometry`: what it prints, and what it refuses.
+// `fdebench geometry`: its output and its refusals.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace fde {
 namespace {
 
-// The value in the line that begins like this.
+// The value in the line with this beginning.
 double value_of(const std::string& text, const std::string& beginning) {
   const auto at = text.find("\n" + beginning + ",");
   if (at == std::string::npos) return std::nan("");
@@ -32,7 +32,8 @@ TEST(GeometryCommand, PrintsTheSymbolsOfTheSphere) {
   EXPECT_NEAR(value_of(answer.out, "semispray,phi,,"), 2.0 * c / s * 0.06, 1e-15);
 }
 
-// At rest the blade slides down along itself: no reaction, x'' = g sin(theta).
+// From rest the blade slides along its edge: no reaction, x'' = g sin(theta), and the semispray is 2G* =
+// -x''.
 TEST(GeometryCommand, TakesTheStartOfTheSceneWhereNoStateIsGiven) {
   const auto answer = fdebench({"geometry", "knife_edge", "--set", "theta=0.3"});
   EXPECT_EQ(answer.code, 0);
@@ -40,7 +41,7 @@ TEST(GeometryCommand, TakesTheStartOfTheSceneWhereNoStateIsGiven) {
   EXPECT_NEAR(value_of(answer.out, "constrained_semispray,x,,"), -9.81 * std::sin(0.3), 1e-15);
 }
 
-// With memory the reaction is no function of a state.
+// With a memory term the reaction is not a function of the state.
 TEST(GeometryCommand, LeavesTheReactionOutWhereItRemembers) {
   const auto answer = fdebench({"geometry", "fractional_knife_edge"});
   EXPECT_EQ(answer.code, 0);
@@ -48,7 +49,7 @@ TEST(GeometryCommand, LeavesTheReactionOutWhereItRemembers) {
   EXPECT_EQ(answer.out.find("constrained_semispray"), std::string::npos);
 }
 
-// From alpha = 1/2 on the acceleration form, the default, does not exist.
+// The default, the acceleration formulation, does not exist for alpha >= 1/2.
 TEST(GeometryCommand, DoesNotDependOnTheFormulation) {
   EXPECT_EQ(fdebench({"geometry", "fractional_constraint_nonlinear", "--set", "alpha=0.7"}).code, 0);
 }

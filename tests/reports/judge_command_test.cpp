@@ -1,4 +1,4 @@
-// Trajectories of other programs: y(t) = t^2 is the solution of `power` for p = 2, up to t = 1.
+// Trajectories of external programs. The solution of `power` for p = 2 is y(t) = t^2, up to t = 1.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ class Judging : public testing::Test {
     return fdebench(words);
   }
 
-  // What is said of a file that is refused, behind its name.
+  // The message for a refused file, after the name of the file.
   [[nodiscard]] std::string refusal(const std::string& csv, const std::string& scene = "power:p=2") const {
     const auto answer = judge(csv, {}, scene);
     EXPECT_EQ(answer.code, 2) << csv;
@@ -43,7 +43,7 @@ class Judging : public testing::Test {
     return answer.err.substr(std::min(begin.size(), answer.err.size()));
   }
 
-  // The number behind a name.
+  // The number printed after a name.
   static double number(const Answer& answer, const std::string& name) {
     const auto at = ("\n" + answer.out).find("\n" + name + " ");
     EXPECT_NE(at, std::string::npos) << answer.out << answer.err;
@@ -55,7 +55,7 @@ class Judging : public testing::Test {
   const std::string results_ = (folder_.path() / "results.jsonl").string();
 };
 
-// At times of no grid, off by 0.01 and at the end by 0.02; |error| / (1 + |y|) is 0.01 there.
+// Times that form no grid; errors of 0.01, and at the end 0.02, where |error| / (1 + |y|) is 0.01.
 TEST_F(Judging, TakesAnyTimes) {
   const auto answer = judge("t,y\n0,0\n0.1,0.02\n0.77,0.5929\n1,1.02\n");
   EXPECT_EQ(answer.code, 0) << answer.err;
@@ -76,13 +76,13 @@ TEST_F(Judging, TakesTheFilesThatOtherProgramsWrite) {
   }
 }
 
-// What is said of a NUL would end there.
+// A message that contained the NUL would end there.
 TEST_F(Judging, NamesANul) {
   const std::string csv{"t,y\n0,0\n1,\0", 11};
   EXPECT_EQ(refusal(csv + "5\n"), ": line 3: has a NUL byte, which no CSV has\n");
 }
 
-// A pipe holds so few bytes before anybody reads.
+// So few bytes fit in the buffer of the pipe: the write does not block before the read.
 TEST_F(Judging, ReadsFromAPipe) {
   const std::string csv = "# t,y\n0,0\n1,1.5\n";
   std::array<int, 2> ends{};
@@ -95,7 +95,7 @@ TEST_F(Judging, ReadsFromAPipe) {
   EXPECT_EQ(answer.out, judge(csv).out);
 }
 
-// A first line says how long the other program took, where the command does not.
+// The time in the first line of the file is used unless --seconds is given.
 TEST_F(Judging, TakesTheTimeThatAFileSays) {
   const std::string csv = "# seconds: 0.125\nt,y\n0,0\n1,1.5\n";
   EXPECT_EQ(number(judge(csv), "time_minimum"), 0.125);
@@ -104,7 +104,7 @@ TEST_F(Judging, TakesTheTimeThatAFileSays) {
   EXPECT_THAT(refusal("# seconds: 1\n"), HasSubstr(": line 2: there is no header"));
 }
 
-// What solve prints is judged as run judges it, the energy behind the columns passed over.
+// The output of solve has the same errors as the run in a sweep; the column `energy` is ignored.
 TEST_F(Judging, SaysOfOurOwnRunWhatRunSays) {
   const auto solved = fdebench("solve damped_oscillator --scheme l1 --steps 64").out;
   const auto judged = judge(solved, {}, "damped_oscillator");
@@ -129,7 +129,7 @@ TEST_F(Judging, IsOfTheColumnsThatAreThere) {
   EXPECT_LE(number(one, "error_end"), number(all, "error_end"));
 }
 
-// Many rows are compared where a run of as many steps is; the last always is.
+// Many rows are compared at the same times as a run of as many steps; the last row always is.
 TEST_F(Judging, ComparesManyRowsAtSomeTimes) {
   constexpr int rows = 50'000;
   std::string csv = "t,y\n";
@@ -142,7 +142,7 @@ TEST_F(Judging, ComparesManyRowsAtSomeTimes) {
   EXPECT_NEAR(number(answer, "error_end"), 0.25, 1e-15);
 }
 
-// A last error before the end is one of the scene with another end, not of this one.
+// A trajectory that ends early is compared with the scene up to its last time.
 TEST_F(Judging, NamesTheEndOfAShorterTrajectory) {
   const auto answer = judge("t,y\n0.25,0.0625\n0.5,0.26\n", {"--out", results_});
   EXPECT_EQ(answer.code, 0) << answer.err;

@@ -1,4 +1,4 @@
-// The lists of scenes and schemes, and scenes made at run time among them.
+// The lists of scenes and schemes, scenes added at run time included.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(Lists, NameEverySceneAndScheme) {
   EXPECT_THAT(fdebench("schemes").out, HasSubstr("decoupled_multi_order"));
 }
 
-// Where the title begins in each line.
+// The positions of the titles in the lines.
 std::set<std::size_t> title_places(const std::string& table) {
   std::set<std::size_t> places;
   std::istringstream lines(table);
@@ -67,7 +67,7 @@ TEST(Lists, TellAllOfOne) {
   EXPECT_THAT(fdebench("schemes l1").out, testing::ContainsRegex("implicit +yes\n"));
 }
 
-// A closed form and an inverse Laplace transform vouch by themselves.
+// The method of the reference of each scene.
 TEST(Lists, SayWhatVouchesForEveryScene) {
   std::map<std::string, std::set<std::string>> of;
   for (const auto& scene : nlohmann::json::parse(fdebench("scenes --json").out))
@@ -104,7 +104,7 @@ TEST(Lists, GiveManyColumnsAsAPattern) {
   }
 }
 
-// D^g y = -k y, or + k y, made while the program runs.
+// D^g y = -k y or + k y, a scene defined at run time.
 SceneMaker decay() {
   return {.id = "decay",
           .title = "Made at run time",
@@ -119,7 +119,8 @@ SceneMaker decay() {
           }};
 }
 
-// How its solution starts is not declared: no rate is expected of any scheme, and everything else is done.
+// The smoothness of the solution at 0 is not declared: there is no theoretical rate, and everything else
+// works.
 TEST(ScenesMadeAtRunTime, NeedNoSmoothness) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "r.jsonl").string();
@@ -170,7 +171,7 @@ TEST(ScenesMadeAtRunTime, AreListedSolvedAndKnown) {
               HasSubstr("sign = maybe: must be one of minus, plus"));
   const auto known = fde::fdebench({"exact", "decay", "--at", "1"}, mine).out;
   EXPECT_THAT(known, HasSubstr("0.42758357615580"));
-  EXPECT_EQ(fdebench("solve decay --scheme l1 --steps 8").code, 2);  // not of the list
+  EXPECT_EQ(fdebench("solve decay --scheme l1 --steps 8").code, 2);  // not in the list of scenes
 }
 
 TEST(ScenesMadeAtRunTime, HaveIdsOfTheirOwn) {

@@ -6,7 +6,7 @@
 
 #include "records/record.hpp"
 
-// Results made by hand, for what is said of results.
+// Synthetic results for tests of reports.
 namespace fde {
 
 inline constexpr double end_time = 8.0;
@@ -49,7 +49,7 @@ inline void add_run(Results& results, const MadeRun& run, double error, double s
   add_ending(results, run, end_time);
 }
 
-// Errors 0.01 h^rate at the end and h in the maximum norm, a time proportional to the steps.
+// Adds runs with errors 0.01 h^rate at the end and h in the maximum norm, and times proportional to N.
 inline void add_line(Results& results, const std::string& scheme, double rate, double seconds_a_step) {
   for (const int steps : all_steps) {
     const MadeRun run{"pendulum", scheme, steps};
@@ -63,7 +63,7 @@ inline void add_line(Results& results, const std::string& scheme, double rate, d
   }
 }
 
-// At the end l1 has 4.4e-4, 1.6e-4, 5.5e-5, 2.0e-5 and adams_pc 1.6e-4, 3.9e-5, 9.8e-6, 2.4e-6.
+// Errors at the end: l1 4.4e-4, 1.6e-4, 5.5e-5, 2.0e-5; adams_pc 1.6e-4, 3.9e-5, 9.8e-6, 2.4e-6.
 inline Results two_lines() {
   Results results = empty_results();
   add_line(results, "l1", 1.5, 1e-6);

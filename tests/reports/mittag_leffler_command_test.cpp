@@ -1,4 +1,4 @@
-// fdebench mittag-leffler: what it prints.
+// fdebench mittag-leffler: its output.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(MittagLeffler, TakesDerivativesAndAThirdParameter) {
   EXPECT_EQ(fdebench("mittag-leffler 2 1 -1e13 --gamma 1.5").code, 3);
 }
 
-// Of a nilpotent one, of (e^z - 1) / z, and of cosh of a root of -i.
+// A nilpotent matrix, (e^z - 1) / z, and cosh of a square root of -i.
 TEST(MittagLeffler, PrintsAMatrixEntryByEntry) {
   EXPECT_THAT(
       fdebench("mittag-leffler 1 1 --matrix 0,1;0,0 --digits 9").out,
@@ -60,7 +60,7 @@ Printed printed(const std::string& words) {
   return read;
 }
 
-// Far within long double, whose rounding of the digits of `exact` is far below a bound of doubles.
+// Compares in long double, whose rounding of the digits of `exact` is far below a bound for doubles.
 void expect_within_bound(const Printed& value, const std::string& exact_re, const std::string& exact_im) {
   const long double re = std::stold(value.re) - std::stold(exact_re),
                     im = std::stold(value.im) - std::stold(exact_im);
@@ -71,8 +71,8 @@ void expect_within_bound(const Printed& value, const std::string& exact_re, cons
       << value.what;
 }
 
-// Of the decimals as they are typed; values by mpmath at 60 digits. Those of the nearest doubles differ by
-// the condition of the function times 1e-16: of e^700.1 by 180 times the bound.
+// Arguments are the decimals as typed; values by mpmath with 60 digits. The values at the nearest doubles
+// differ by the condition number times 1e-16: for e^700.1 by 180 times the bound.
 TEST(MittagLeffler, TakesDecimalsAtTheirWord) {
   expect_within_bound(printed("1 1 700.1"), "1.12089977107323542639748742623e+304", "0.0");
   expect_within_bound(printed("0.3 1 -3.3"), "0.195844229563348205878287964199", "0.0");
@@ -85,7 +85,7 @@ TEST(MittagLeffler, TakesDecimalsAtTheirWord) {
   expect_within_bound(printed("1 1 300.3 --gamma 1"), "2.62200137768451584865814656789e+130", "0.0");
 }
 
-// e^A = e^0.1 (1 b; 0 1) of A = (0.1 b; 0 0.1), b = 700.1, by mpmath.
+// e^A = e^0.1 (1 b; 0 1) for A = (0.1 b; 0 0.1), b = 700.1, by mpmath.
 TEST(MittagLeffler, TakesTheEntriesOfAMatrixAtTheirWord) {
   std::istringstream lines(fdebench("mittag-leffler 1 1 --matrix 0.1,700.1;0,0.1").out);
   std::string row, column;
@@ -97,7 +97,8 @@ TEST(MittagLeffler, TakesTheEntriesOfAMatrixAtTheirWord) {
   }
 }
 
-// Beyond double, but within the decimals: E_{1/2}(x) = 1 + 2 x / sqrt(pi) + ..., and -1/(x sqrt(pi)) far out.
+// Arguments beyond the range of double: E_{1/2}(x) = 1 + 2 x / sqrt(pi) + ..., and ~ -1/(x sqrt(pi)) for x ->
+// -inf.
 TEST(MittagLeffler, TakesArgumentsBeyondDouble) {
   EXPECT_THAT(fdebench("mittag-leffler 0.5 1 1e-400").out, StartsWith("1 0 "));
   EXPECT_THAT(fdebench("mittag-leffler 0.5 1 -1e400").out, StartsWith("0 0 "));

@@ -1,4 +1,4 @@
-// --grid graded:auto, as solve and run take it.
+// --grid graded:auto of solve and run.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -46,8 +46,8 @@ TEST(OptimalGrid, ResultsNameTheGradingOfEachScheme) {
   std::filesystem::remove(file);
 }
 
-// Of the graded schemes of a sweep: two lines where every order is fractional, one where a chain starts
-// smoothly, a row is whole, or the scheme is not among them.
+// A scheme of Sweep::graded runs on two grids if every order is fractional; on one for a multi-term chain, a
+// row of integer order, or another scheme.
 TEST(OptimalGrid, OfASweepIsBesideTheUniformOne) {
   Sweep sweep;
   sweep.graded = graded_schemes();

@@ -36,7 +36,7 @@ TEST(ProgressTexts, OfNoTerminalHaveNoBar) {
   EXPECT_EQ(progress_text(quarter, 0), " 25 %  530/2120  2 min 31 s left");
 }
 
-// What work without a known end shows.
+// The progress line of work with an unknown total.
 std::string shown_work(const std::string& what, int columns) {
   std::ostringstream out, err;
   show_work({.out = out, .err = err, .columns = columns}, 42, 0, what);
@@ -59,7 +59,7 @@ TEST(Durations, AreTextsOfTwoUnits) {
 
 RunKey run_with(int steps) { return {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = steps}}; }
 
-// What a sweep of two runs, expected to take so long together, writes on err.
+// The standard error of a sweep of two runs with this expected total time.
 std::string shown(double seconds, int columns) {
   std::ostringstream out, err;
   const Streams streams{.out = out, .err = err, .columns = columns};
@@ -84,7 +84,7 @@ TEST(SweepsProgress, OverwritesOneLineOfATerminalAndEndsIt) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
 }
 
-// A run may take longer than lines are apart: they do not wait for it.
+// Progress lines also appear during a run that takes longer than their interval.
 TEST(SweepsProgress, GoesOnDuringALongRunWhereThereIsNoTerminal) {
   std::ostringstream out, err;
   {

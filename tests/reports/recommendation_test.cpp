@@ -1,4 +1,4 @@
-// What measured runs recommend.
+// Recommendations from measured runs.
 
 #include "analysis/recommendation.hpp"
 
@@ -92,7 +92,7 @@ TEST(Shortfall, NamesTheBestErrorAndTheStepsThatAreNeeded) {
   EXPECT_FALSE(SceneLines(runs, {"brusselator"}).shortfall(at_end, 1e-9, {}));
 }
 
-// A run that is examined but not timed is no answer, and not missing either.
+// A run that is examined but not timed is no option; it is counted as untimed.
 TEST(Shortfall, CountsRunsThatAreNotTimedYet) {
   Results results = empty_results();
   const MadeRun run{"pendulum", "l1", 64};
@@ -104,7 +104,8 @@ TEST(Shortfall, CountsRunsThatAreNotTimedYet) {
               testing::Contains(HasSubstr("not timed yet")));
 }
 
-// The errors of adams_pc under another name, on fewer rungs: one line, which its longest runs stand for.
+// The errors of adams_pc under another name, for fewer numbers of steps: one line, with the runs of the
+// longer one.
 TEST(Options, OfOneAlgorithmAreOneWithSeveralNames) {
   Results results = empty_results();
   for (const auto* scheme : {"adams_pc", "decoupled_multi_order"}) {
@@ -130,7 +131,7 @@ Option option(const std::string& scheme, int steps, const TimeSpread& time) {
   return {.schemes = {scheme}, .setup = {.resolution = steps}, .steps = steps, .error = 1e-7, .time = time};
 }
 
-// Intervals [9, 11], [10.5, 13] and [20, 21].
+// Time intervals [9, 11], [10.5, 13] and [20, 21].
 TEST(Recommendation, TellsWhatIsWithinNoise) {
   const Recommendation made{
       .scene = {"pendulum"},

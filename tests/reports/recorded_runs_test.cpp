@@ -38,7 +38,7 @@ class RecordedRuns : public testing::Test {
   }
   void write(const std::string& content) const { std::ofstream(file_) << content; }
 
-  // Another commit in the file's session number `session`.
+  // Changes the commit of the file's session number `session`.
   void change_build(int session) const {
     const std::string commit = R"("commit":")";
     auto changed = text();
@@ -64,7 +64,7 @@ TEST_F(RecordedRuns, ThatDidNotFinishHaveNoTimes) {
   EXPECT_EQ(recorded(), Recorded::everything);
 }
 
-// A continued run examines it, so that the file ends complete.
+// A continued sweep examines such a run, so that the file becomes complete.
 TEST_F(RecordedRuns, WithTimesAloneAreNotRecorded) {
   ResultsFile(file_).append(times());
   EXPECT_EQ(recorded(), Recorded::nothing);
@@ -72,7 +72,7 @@ TEST_F(RecordedRuns, WithTimesAloneAreNotRecorded) {
   EXPECT_EQ(recorded(), Recorded::all_but_times);
 }
 
-// What a kill leaves is a prefix of the file: the rows of whole writes are kept, whatever they are.
+// A killed sweep leaves a prefix of the file: the rows of complete writes are kept.
 TEST_F(RecordedRuns, OfAFileCutAnywhereAreThoseOfItsWholeWrites) {
   {
     ResultsFile file(file_);
@@ -102,7 +102,7 @@ TEST_F(RecordedRuns, TimesOfALaterSessionJoinTheirExamination) {
   EXPECT_EQ(runs.finished[0].session, 0U);
 }
 
-// A time stands beside the error of the program that took it.
+// Time and error of a run must be from the same build.
 TEST_F(RecordedRuns, TimesOfAnotherBuildDoNotJoin) {
   ResultsFile(file_).append(examination());
   ResultsFile(file_).append(times());

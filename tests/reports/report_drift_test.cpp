@@ -20,7 +20,8 @@ using testing::Not;
 
 constexpr double end_time = 8.0;
 
-// One line of four step counts whose drifts fall like h^rate, and times that double.
+// A line of four numbers of steps whose drifts are proportional to h^rate and whose times are proportional to
+// N.
 struct Line {
   SceneSettings scene;
   double internal, independent, rate, seconds_a_step;
@@ -102,7 +103,7 @@ TEST(DriftSection, SetsTheFormulationsOfASceneSideBySide) {
 
 TEST(DriftSection, SaysWhichFormulationIsBestInTheSameTime) {
   const std::string text = section_of(three_formulations())["paragraphs"].dump();
-  // The multiplier form affords 128 steps in 512 µs.
+  // The multiplier formulation makes 128 steps in 512 µs.
   EXPECT_THAT(text, HasSubstr("within 512 µs, the constraint is kept best by integrated with l1 (2.0e-6, "
                               "error 1.6e-4 at N = 512); "
                               "then multiplier with l1 (1.6e-5, error 6.3e-4 at N = 128), acceleration with "
@@ -134,7 +135,7 @@ TEST(DriftSection, TakesRunsWithoutAReference) {
   EXPECT_TRUE(column(section, "largest", "independent drift").empty());
 }
 
-// Of each run a point; the best run of each formulation solved anew.
+// One point per run; the best run of each formulation is solved again.
 TEST(DriftSection, DrawsDriftsOverStepAndTime) {
   const auto drifts = section_of(three_formulations())["drifts"];
   ASSERT_EQ(drifts.size(), 1U);

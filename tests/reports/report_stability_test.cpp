@@ -12,7 +12,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// A run of a scene: its ending and, where it came to its end, its error and time.
+// Adds a run of a scene: its ending and, if it finished, its error and time.
 void add_run(Results& results, const SceneSettings& scene, const std::string& scheme, int steps,
              const RunEnding& ending, double error) {
   const Record row{.key = {.scene = scene, .scheme = scheme, .setup = {.resolution = steps}},

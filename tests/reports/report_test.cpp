@@ -49,7 +49,7 @@ TEST(Text, RoundsForReaders) {
   EXPECT_EQ(rough_count_text(34567), "35\u202f000");
 }
 
-// A folder of this test alone that does not exist yet.
+// A folder for this test only, which does not exist yet.
 fs::path fresh_folder() {
   auto folder = fs::path(testing::TempDir()) / "fdebench_report_test" /
                 testing::UnitTest::GetInstance()->current_test_info()->name();
@@ -63,7 +63,7 @@ std::string written(const Results& results) {
   return text.str();
 }
 
-// The data of a page, as its script reads it.
+// The JSON data embedded in a page.
 nlohmann::json data_of(const std::string& page) {
   const std::string open = R"(<script type="application/json" id="data">)";
   const auto start = page.find(open) + open.size();
@@ -76,14 +76,14 @@ std::vector<std::string> section_ids(const nlohmann::json& data) {
   return ids;
 }
 
-// Runs of relaxation with errors gamma / N, and of no other scheme beyond 128 steps.
+// Runs of l1 and adams_pc on relaxation with errors gamma / N; only l1 has more than 128 steps.
 Results over_gamma(const std::vector<double>& values) {
   Results results = empty_results();
   for (const double gamma : values) {
     for (const auto& [scheme, most] : {std::pair{"l1", 256}, std::pair{"adams_pc", 128}}) {
       for (int steps = 64; steps <= most; steps *= 2) {
         add_run(results, {"relaxation", scheme, steps}, gamma / steps, 1e-6 * steps);
-        constexpr std::ptrdiff_t rows = 3;  // of each run
+        constexpr std::ptrdiff_t rows = 3;  // per run
         for (auto row = results.records.end() - rows; row != results.records.end(); ++row)
           if (gamma != 0.5) row->key.scene.values = {{"gamma", gamma}};
       }
@@ -92,7 +92,7 @@ Results over_gamma(const std::vector<double>& values) {
   return results;
 }
 
-// Half is the default of gamma. N = 256 is not common to both lines.
+// 1/2 is the default of gamma. N = 256 is not common to both lines.
 TEST(Report, DrawsErrorAndTimeOverAParameterOfThreeValues) {
   const auto data = data_of(written(over_gamma({0.9, 0.1, 0.5})));
   ASSERT_THAT(section_ids(data), testing::Contains("curve-relaxation-gamma"));
@@ -132,8 +132,7 @@ TEST(Report, HoldsEverySceneSchemeSessionAndFailure) {
                                    "cost", "reference", "failures", "schemes"));
 }
 
-// At the end l1 is within 1e-4 after 256 steps of 1 us, adams_pc after 128 of 3 us: one and a half times as
-// long.
+// At the end l1 is within 1e-4 with 256 steps of 1 us, adams_pc with 128 steps of 3 us: 1.5 times as long.
 TEST(Report, MapsTheCheapestRunAndLeadsToItsScene) {
   const auto data = data_of(written(two_lines()));
   const auto map = section(data, "answer")["tables"]["error_end"];
@@ -150,8 +149,8 @@ TEST(Report, MapsTheCheapestRunAndLeadsToItsScene) {
             "1.5 times as quick as adams_pc: a step takes 1.00 µs where one of adams_pc takes 3.00 µs");
 }
 
-// What is not reached by any run has no colour, and says how near they come.
-// l1 of the map above reaches accuracies in less time; what ended early and what refuses speaks against it.
+// l1 is the quickest within the accuracies that are reached; early endings and refusals are listed against a
+// scheme.
 TEST(Report, SaysOfEachSchemeWhereItWinsAndWhatSpeaksAgainstIt) {
   Results results = two_lines();
   add_ending(results, {"brusselator", "l1", 64}, 1.5, {Ending::not_finite, "at step 13, t = 1.5"});
@@ -159,7 +158,7 @@ TEST(Report, SaysOfEachSchemeWhereItWinsAndWhatSpeaksAgainstIt) {
   const auto rows =
       section(data_of(written(results)), "answer")["verdicts"]["error_end"]["groups"][0]["rows"];
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(text_of(rows[0][0]), "l1");  // who wins most comes first
+  EXPECT_EQ(text_of(rows[0][0]), "l1");  // sorted by the cells won
   EXPECT_THAT(text_of(rows[0][1]), HasSubstr("Cheapest in 2 of 2 cells: pendulum. The next takes"));
   EXPECT_EQ(text_of(rows[0][2]), "Fails on brusselator.");
   EXPECT_EQ(text_of(rows[1][0]), "adams_pc");
@@ -177,7 +176,7 @@ TEST(Report, SaysHowFarTheBestRunIsFromAnAccuracy) {
   EXPECT_THAT(text_of(rows[2][3]), HasSubstr("would need about N = "));
 }
 
-// The same runs with another grid, history or tolerance are other lines, and say so.
+// The same runs with another grid, history or tolerance are other lines, with names that say so.
 TEST(Report, NamesALineByWhatTellsItsSetupFromOthers) {
   Results results = two_lines();
   for (const auto& row : two_lines().records) {
@@ -194,7 +193,7 @@ TEST(Report, NamesALineByWhatTellsItsSetupFromOthers) {
   EXPECT_THAT(lines(two_lines()), testing::UnorderedElementsAre("adams_pc", "l1"));
 }
 
-// Gradings that follow from the orders of scenes make one line, whose rows name them.
+// Gradings that depend on the orders of the scenes give one line; its rows name the grading.
 TEST(Report, NamesALineOnceWhoseGradingDiffersFromSceneToScene) {
   Results results = two_lines();
   for (const auto& [scene, grading] : {std::pair{"pendulum", 2.0}, std::pair{"brusselator", 3.0}}) {
@@ -213,7 +212,7 @@ TEST(Report, NamesALineOnceWhoseGradingDiffersFromSceneToScene) {
   EXPECT_THAT(rates, HasSubstr(R"("detail":"graded:3","line":"l1, graded")"));
 }
 
-// A scheme that is asked for an accuracy has no step to have a rate in.
+// With adaptive step size there is no step size h, hence no rate.
 TEST(Rates, AreOfRunsOverGridsOnly) {
   Results results = two_lines();
   for (auto& row : results.records) {
@@ -224,7 +223,7 @@ TEST(Rates, AreOfRunsOverGridsOnly) {
   EXPECT_EQ(rows[0].scheme, "adams_pc");
 }
 
-// The pendulum's reference is what two methods agree on, and takes a while.
+// The reference of the pendulum is computed by two methods, which takes time.
 TEST(Report, SaysWhatAReferenceRestsOnAndTakes) {
   const auto of = section(data_of(written(two_lines())), "reference");
   const auto cell = of["table"]["groups"][0]["rows"][0][1];
@@ -238,7 +237,7 @@ TEST(Report, MarksRatesThatDeviate) {
   EXPECT_THAT(data_of(written(two_lines())).dump(), HasSubstr("1.00 below theory"));
 }
 
-// adams_pc has twice its errors and a fifth of its time in the second.
+// In the second results adams_pc has twice the errors and a fifth of the time.
 TEST(Report, SetsTwoResultsSideBySide) {
   Results now = empty_results();
   add_line(now, "l1", 1.5, 1e-6);

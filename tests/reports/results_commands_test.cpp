@@ -1,4 +1,4 @@
-// Two sets of results beside each other, and files of several machines in one.
+// Comparison of two sets of results, and merging of the files of several machines.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A run of l1 on `power` and what is measured of it.
+// A run of l1 on `power` with its measures.
 struct Made {
   int steps = 64;
   double error = 1e-3, relative = 1e-3, rounding = 1e-15;
@@ -101,8 +101,7 @@ TEST_F(Comparisons, EndWithOneWhereAnErrorGrew) {
   EXPECT_EQ(compare({{.error = 1e-3}}, {{.error = 1.009e-3}}).code, 0) << "within a hundredth";
 }
 
-// Ten times as long is more than twice as long, and no more than ten times; a run that is not there took
-// none.
+// A slowdown by a factor of 10 exceeds the limit 2, but not the limit 10; a missing run has no time.
 TEST_F(Comparisons, EndWithOneWhereMoreIsAskedOfTimesAndRuns) {
   const auto before = write("before", {{}, {.steps = 128}});
   const auto slow = write("slow", {{.least = 10.0, .median = 11.0}, {.steps = 128}}),
@@ -122,7 +121,7 @@ TEST_F(Comparisons, EndWithOneWhereMoreIsAskedOfTimesAndRuns) {
   EXPECT_EQ(fdebench({"compare", before, before, "--max-slowdown", "0.5"}).code, 2);
 }
 
-// Errors of 1e-15 where rounding moves them by 1e-15 have not grown before they are above 5e-15.
+// Errors of 1e-15 with rounding effects of 1e-15 count as grown from 5e-15 on.
 TEST_F(Comparisons, TakeRoundingForNoChange) {
   const Made before{.error = 1e-15, .relative = 1e-12, .rounding = 1e-15};
   EXPECT_EQ(compare({before}, {{.error = 4.9e-15, .relative = 4.9e-12, .rounding = 1e-15}}).code, 0);
@@ -131,8 +130,8 @@ TEST_F(Comparisons, TakeRoundingForNoChange) {
   EXPECT_EQ(compare({{.error = 0.0, .rounding = 0.0}}, {{.error = 1e-16, .rounding = 0.0}}).code, 1);
 }
 
-// An error over all times may be off by the largest bound of the reference; older results have that at the
-// end only.
+// The uncertainty of a maximum error includes the largest bound of the reference; older results have the
+// bound at the end only.
 TEST_F(Comparisons, TakeWhatTheReferenceLeavesOpenForNoChange) {
   const auto made = [](double error, double bound, std::optional<double> largest_bound) {
     return Made{.rounding = 0.0, .largest_error = error, .bound = bound, .largest_bound = largest_bound};
@@ -157,7 +156,7 @@ TEST_F(Comparisons, EndWithOneWhereAVerdictFell) {
               HasSubstr("fell     survives (finished) -> fails (not finite) :  power l1 N = 64\n"));
 }
 
-// 1.0 to 1.1 s before, 2.0 to 2.3 s now: between 2 / 1.1 and 2.3 times as long, by the medians 2.3 / 1.1.
+// Before 1.0 to 1.1 s, now 2.0 to 2.3 s: the ratio is between 2 / 1.1 and 2.3, by the medians 2.3 / 1.1.
 TEST_F(Comparisons, TellARatioOfTimesWithItsNoise) {
   const auto slower = compare({{.least = 1.0, .median = 1.1}}, {{.least = 2.0, .median = 2.3}});
   EXPECT_EQ(slower.code, 0) << "a time is no error";
@@ -194,7 +193,7 @@ TEST_F(Comparisons, SayWhereTheMachinesDiffer) {
   EXPECT_THAT(answer.out, HasSubstr("times are of different machines"));
 }
 
-// Neither the header of a session nor rows of an examination that has no end are a run.
+// A session header, or rows of an examination without its ending, are no run.
 TEST_F(Comparisons, PagesAndComparisonsNeedARun) {
   folder_.write("empty", "");
   const auto empty = (folder_.path() / "empty").string(), session = write("session", {});
@@ -224,7 +223,7 @@ TEST_F(Comparisons, AreOfMergedFilesToo) {
   EXPECT_EQ(fdebench({"merge", one, "--out", "/nonexistent/all"}).code, 2);
 }
 
-// All rows but the times, without their order.
+// All rows except the times, sorted.
 std::vector<std::string> rows_of(const std::string& file) {
   std::vector<std::string> rows;
   for (const Record& row : read_results(file).records) {

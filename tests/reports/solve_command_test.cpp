@@ -1,4 +1,4 @@
-// `fdebench solve`: which rows it prints, what of their columns, and how it ends.
+// `fdebench solve`: its rows and columns, and its exit codes.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -39,8 +39,8 @@ TEST(Solve, PrintsTheTimesAskedForAndTheEnergy) {
   EXPECT_NEAR(row[5], 0.5 * row[3] * row[3] + 1.0 - std::cos(row[1]), 1e-15);
 }
 
-// Reactions behind the columns that were there before. They need neighbouring steps, which are not printed,
-// and have no value at a start where they are unbounded.
+// Reactions are the last columns. They need adjacent steps, which are not printed, and are nan at t = 0 where
+// they are unbounded.
 TEST(Solve, PrintsTheReactionsBehindAllOtherColumns) {
   const std::string run = "solve fractional_constraint_2d --scheme product_trapezoidal --steps 64";
   const auto all = fdebench(run), some = fdebench(run + " --at 0,2.5,10");
@@ -93,7 +93,7 @@ TEST(Solve, DoesNotPrintAnInfiniteEnergy) {
   EXPECT_THAT(answer.err, StartsWith("fdebench: adams_pc: energy not finite at step "));
 }
 
-// The unknown of a relaxation is its column.
+// The only unknown of a relaxation is its column, so that the field equals the printed rows.
 TEST(Solve, WritesTheFieldAtTheTimesThatItPrints) {
   const TemporaryFolder folder;
   const auto file = (folder.path() / "field.csv").string();

@@ -1,4 +1,4 @@
-// The regions of stability on the page: a table that is kept, and what would be computed today.
+// The stability regions on the page: the stored table against the curves computed now.
 
 #include "page/stability_curves.hpp"
 
@@ -24,7 +24,7 @@ TEST(PageRegions, AreThoseOfTheSchemes) {
   }
 }
 
-// A scheme that is new has none until the table is made anew.
+// A new scheme has no curves until the table is regenerated.
 TEST(PageRegions, HaveEverySchemeWithASymbolOnce) {
   const auto kept = json::parse(assets::regions());
   for (const auto& [id, curves] : kept["curves"].items()) EXPECT_NE(find_scheme(id), nullptr) << id;

@@ -6,7 +6,7 @@
 
 namespace fde {
 
-// A scene with what is asked of it, as a parameter of tests.
+// A scene with a kind of error and an accuracy, as a test parameter.
 struct Asked {
   const char* scene;
   ErrorKind kind;
@@ -16,7 +16,7 @@ inline std::ostream& operator<<(std::ostream& out, const Asked& asked) {
   return out << asked.scene << " " << error_measure(asked.kind) << " " << asked.accuracy;
 }
 
-// Of all columns.
+// The question over all columns.
 inline Question question_of(const Scene& scene, const Asked& asked) {
   return {asked.kind, asked.accuracy, all_columns(scene)};
 }

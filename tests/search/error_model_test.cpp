@@ -1,4 +1,4 @@
-// The fit of two powers to errors that are two powers, and to others.
+// The fit of two powers to errors that are sums of two powers, and to other errors.
 
 #include "search/error_model.hpp"
 
@@ -54,7 +54,7 @@ TEST(ErrorModel, OfOneErrorOrOfNoneIsEmpty) {
   EXPECT_TRUE(ErrorModel(errors([](double) { return 0.0; })).empty());
 }
 
-// Two errors tell one power, and nothing of its uncertainty.
+// Two errors determine one power without an uncertainty.
 TEST(ErrorModel, OfTwoErrorsIsTheirPower) {
   const ErrorModel model(errors([](double n) { return 7.0 / (n * n); }, 64, 2));
   EXPECT_NEAR(model.error(1280.0).value, 7.0 / (1280.0 * 1280.0), 1e-9);

@@ -1,4 +1,4 @@
-// Where no reference can be had errors are estimated. Here scenes have one, which the estimate is not told.
+// Error estimates without a reference. The scenes here have one, which is withheld and used as a check.
 
 #include "search/estimated_reference.hpp"
 
@@ -39,7 +39,7 @@ class EstimatedErrors : public testing::TestWithParam<Asked> {
   const SearchReference found_ = estimated_reference(unknown_, question_, "it is taken away", 30.0, silence);
 };
 
-// What stands for the solution is as near to it as it says.
+// The error of the run that replaces the reference is at most the estimate.
 TEST_P(EstimatedErrors, AreAgainstARunThatIsAsAccurateAsItSays) {
   ASSERT_TRUE(found_.estimate);
   const Estimate& estimate = *found_.estimate;
@@ -52,7 +52,7 @@ TEST_P(EstimatedErrors, AreAgainstARunThatIsAsAccurateAsItSays) {
   EXPECT_LE(run.error, estimate.error());
 }
 
-// A run that is chosen by estimated errors is within the accuracy, without any factor.
+// A run selected by estimated errors is within the accuracy.
 TEST_P(EstimatedErrors, ChooseRunsWithinTheAccuracy) {
   Scene estimated = unknown_;
   estimated.reference = found_.reference;
@@ -90,7 +90,7 @@ std::string refusal(const Scene& scene, double accuracy, double seconds) {
   return "none";
 }
 
-// An error e N^-p moves by e (2^p - 1) N^-p from N/2 to N.
+// An error e N^-p changes by e (2^p - 1) N^-p from N/2 to N.
 TEST(Estimates, TakeMoreForTheErrorTheSlowerItFalls) {
   EXPECT_EQ(estimate_factor(4.0), 4.0);
   EXPECT_EQ(estimate_factor(2.0), 4.0);
@@ -108,7 +108,7 @@ TEST(Estimates, AreRefusedWhereTwoSchemesDoNotAgree) {
               testing::AllOf(HasSubstr(begin), HasSubstr(" differ by "), HasSubstr("of 1.0e-14")));
 }
 
-// y' = y^2 has no solution at t = 1: nothing comes to its end.
+// y' = y^2 has no solution at t = 1: no run reaches the end time.
 TEST(Estimates, AreRefusedWhereNothingComesToItsEnd) {
   const Scene scene{.problem = {.components = {{1.0, {1.0}}},
                                 .rhs = [](double, In y, Out f) { f = y.cwiseProduct(y); },
@@ -117,7 +117,7 @@ TEST(Estimates, AreRefusedWhereNothingComesToItsEnd) {
   EXPECT_THAT(refusal(scene, 1e-3, 5.0), HasSubstr("and no estimate: "));
 }
 
-// A load between the first steps of a few hundred: both runs would leave it out and agree.
+// A load between two of the first steps: with a few hundred steps both runs would miss it and agree.
 TEST(Estimates, SeeALoadThatFewStepsMiss) {
   Scene scene{.problem = {.components = {{1.0, {0.0}}},
                           .rhs = [](double t, In, Out f) { f[0] = t > 1e-4 && t < 3e-4 ? 1e4 : 0.0; },
@@ -129,7 +129,7 @@ TEST(Estimates, SeeALoadThatFewStepsMiss) {
   EXPECT_NEAR(found.reference.at(1.0).value[0], 2.0, question.accuracy);
 }
 
-// Over the times t = T (n/N)^(3/2) the solution t^2 is a cubic in n.
+// At the times t = T (n/N)^(3/2) the solution t^2 is a cubic in n.
 TEST(SampledRuns, AreCubicsBetweenTheirSteps) {
   const Scene scene{.problem = {.components = {{1.0, {0.0}}},
                                 .rhs = [](double t, In, Out f) { f[0] = 2.0 * t; },

@@ -1,4 +1,4 @@
-// The fewest steps within an accuracy, found with errors that are known functions of the number of steps.
+// fewest_steps() with errors that are given functions of the number of steps.
 
 #include "search/fewest_steps.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double accuracy = 1e-6;
 
-// Attempts whose error at the end is this function of the steps, and how many were made.
+// Makes runs whose error at the end is a given function of the steps, and counts them.
 struct Errors {
   std::function<double(int steps)> signed_error;
   int made = 0;
@@ -26,7 +26,7 @@ struct Errors {
             .signed_error = error,
             .within = std::abs(error) <= accuracy};
   }
-  // Doubled numbers of steps up to the first within.
+  // Runs with doubled numbers of steps, up to the first within the accuracy.
   std::vector<Attempt> ladder() {
     std::vector<Attempt> rungs{(*this)(4)};
     while (!rungs.back().within) rungs.push_back((*this)(2 * rungs.back().steps));
@@ -58,8 +58,8 @@ TEST(FewestSteps, AreAMultipleOfTheUnit) {
   EXPECT_LE(found.steps, 1.02 * 1e5 + 20.0);
 }
 
-// The error passes through 0 at 300 steps. From there to nearly 1000 it is not within the accuracy, and
-// numbers of steps a twentieth apart would miss it.
+// The error passes through 0 at 300 steps and exceeds the accuracy from there to nearly 1000 steps. Numbers
+// of steps in a ratio of 1.05 miss the zero.
 TEST(FewestSteps, AreFoundWhereTheErrorChangesItsSign) {
   Errors errors{[](int steps) { return 1e-3 * (1.0 - 300.0 / steps) * std::pow(100.0 / steps, 3.0); }};
   ASSERT_GT(errors.fewest(1, false).steps, 800);

@@ -1,4 +1,4 @@
-// The loosest accuracy that a scheme may be asked for, with delivered errors that are known functions of it.
+// loosest_accuracy() with errors that are given functions of the tolerance.
 
 #include "search/loosest_accuracy.hpp"
 

@@ -1,4 +1,4 @@
-// What a search finds is held against runs that it did not make.
+// The results of search() are compared with independent runs.
 
 #include "search/search.hpp"
 
@@ -26,8 +26,8 @@ std::vector<SearchedWay> found_for(const Scene& scene, const Asked& asked) {
 
 class SearchFor : public testing::TestWithParam<Asked> {};
 
-// Compared with all its steps, and no run over the same grids with fewer is. At a fixed time an error may be
-// small by chance, and grows with the steps before it falls.
+// The best run is within the accuracy at all its steps, and no run with clearly fewer steps on the same grids
+// is. At a fixed time an error may be small by chance, and may grow with the steps before it decreases.
 void expect_the_fewest_steps(const Asked& asked) {
   const Scene scene = make_scene(parse_variant(asked.scene));
   const auto found = found_for(scene, asked);
@@ -47,14 +47,14 @@ void expect_the_fewest_steps(const Asked& asked) {
 
 TEST_P(SearchFor, FindsARunWithinTheAccuracy) { expect_the_fewest_steps(GetParam()); }
 
-// No scheme that chooses its steps takes conditions at both ends.
+// No scheme with adaptive step size accepts conditions at both ends.
 TEST(SearchOverGrids, FindsTheFewestSteps) {
   expect_the_fewest_steps({"fractional_hamilton", {Norm::maximum, Scale::mixed}, 1e-3});
   expect_the_fewest_steps({"two_sided_constraint", {Norm::end, Scale::mixed}, 1e-4});
 }
 
-// What a model of five runs says of one between the last two. One error may be small by chance: the middle
-// one of all schemes.
+// The error model of five runs predicts the error of a run between the last two. A single error may be small
+// by chance, so the median over all schemes is compared.
 TEST_P(SearchFor, KnowsErrorsBetweenTheRunsItHasMade) {
   const Scene scene = make_scene(parse_variant(GetParam().scene));
   Examiner examiner(scene, question_of(scene, GetParam()));
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SearchFor,
                                          Asked{"diethelm", {Norm::end, Scale::mixed}, 1e-4},
                                          Asked{"linear_system", {Norm::maximum, Scale::mixed}, 1e-3}));
 
-// A scheme that is asked for an accuracy is tried too, and is asked for what is loose enough to be quick.
+// Schemes with adaptive step size are tried too, with the largest tolerance that suffices.
 TEST(Search, TriesSchemesThatChooseTheirSteps) {
   const auto found = found_for(scene_of("pendulum"), {"", {Norm::maximum, Scale::mixed}, 1e-9});
   const auto way = std::ranges::find(found, "spectral_collocation",
@@ -102,8 +102,8 @@ TEST(Search, TriesSchemesThatChooseTheirSteps) {
   EXPECT_GT(way->best.asked, 1e-9);
 }
 
-// Start weights of orders that no run before had take milliseconds to make, and four steps some microseconds:
-// the rule is not left behind for what it pays once.
+// Start weights for a new order take milliseconds to compute, four steps some microseconds: the cost of the
+// first solve must not exclude the scheme.
 TEST(Search, ComparesRunsByWhatTheyCostOnceStartWeightsAreMade) {
   const Scene scene = scene_of("relaxation", {{"gamma", 0.4321}});
   const auto found = found_for(scene, {"", {Norm::end, Scale::mixed}, 1e-10});
@@ -112,7 +112,7 @@ TEST(Search, ComparesRunsByWhatTheyCostOnceStartWeightsAreMade) {
   EXPECT_GT(rule->ladder.size(), 1U);
 }
 
-// At rest every scheme is right, and y = y(0) is no trivial answer.
+// For a constant solution every scheme is exact, and the baseline y = y(0) does not apply.
 TEST(Search, TakesAConstantSolutionForOne) {
   const auto found =
       found_for(scene_of("relaxation", {{"y0", 0.0}}), {"", {Norm::maximum, Scale::mixed}, 1e-4});
@@ -123,8 +123,8 @@ TEST(Search, TakesAConstantSolutionForOne) {
   EXPECT_TRUE(std::isfinite(moving.front().best.trivial));
 }
 
-// E_{1/2}(-1e6 t^{1/2}) falls from 1 to 1e-6 within a millionth of the interval: the times 0 and 1 do not
-// tell.
+// E_{1/2}(-1e6 t^{1/2}) decreases from 1 to 1e-6 within a millionth of the interval: a comparison at t = 0
+// and 1 misses this.
 TEST(Search, SeesMotionBetweenTheTimesOfAGrid) {
   const Scene scene = scene_of("relaxation", {{"lambda", -1e6}});
   for (const auto& [norm, within] : {std::pair{Norm::end, true}, {Norm::maximum, false}}) {
@@ -142,7 +142,8 @@ TEST(Search, GivesOneAlgorithmAllItsNames) {
   EXPECT_THAT(adams->names, ElementsAre("adams_pc", "decoupled_multi_order", "commensurate_adams_pc"));
 }
 
-// y decays to 5.6e-7 at once: y = 0 has that absolute error, and a run needs a smaller one.
+// y decays to 5.6e-7 immediately: the baseline y = 0 has this absolute error, and a run must have a smaller
+// one.
 TEST(Search, CreditsNoRunThatIsNoBetterThanZero) {
   const Scene scene = scene_of("stiff_relaxation");
   const auto found = found_for(scene, {"", {Norm::end, Scale::absolute}, 1e-3});
@@ -151,7 +152,7 @@ TEST(Search, CreditsNoRunThatIsNoBetterThanZero) {
   EXPECT_LT(found.front().best.trivial, 1e-6);
 }
 
-// No error can be shown to be below what the reference is known to.
+// No error can be verified below the bound of the reference.
 TEST(Search, RefusesAnAccuracyThatTheReferenceDoesNotHave) {
   Scene scene = scene_of("relaxation");
   scene.reference = {[](double) { return ReferenceValue{Vec::Ones(1), Vec::Constant(1, 1e-5)}; }};
@@ -176,8 +177,8 @@ TEST(Search, CountsWhatIsNotKnownOfTheReferenceAsError) {
   EXPECT_TRUE(within(0.99 * (1e-4 - exactly.error)).within);
 }
 
-// D^g y starts like t^g, and the trapezoidal rule is off by h^(2g) at the first step of a uniform grid, by
-// h^(1+g) at the end: graded 1/g or 2/(1+g), both have rate 2.
+// D^g y ~ t^g near 0, and the error of the trapezoidal rule on a uniform grid is h^(2g) at the first step and
+// h^(1+g) at the end: with the gradings 1/g and 2/(1+g) the rate is 2.
 TEST(Gradings, AreUsualOnesAndTheLeastWithTheBestRate) {
   const Scene scene = scene_of("relaxation", {{"gamma", 0.2}});
   const Scheme &rule = *find_scheme("product_trapezoidal"), &uniform = *find_scheme("grunwald_letnikov");

@@ -1,4 +1,4 @@
-// A judge needs no scheme: what a run is worth is said by its times and values beside the reference.
+// judge() needs no scheme: the measures of a run follow from its times, its values and the reference.
 
 #include "measures/judge.hpp"
 
@@ -27,7 +27,7 @@ std::vector<std::string_view> ids(const Judgement& judgement) {
   return all;
 }
 
-// y(t) = t^2 is the solution of `power` for p = 2. The written values are off by 0.01 and by 0.02.
+// y(t) = t^2 is the solution of `power` for p = 2. The given values have errors of 0.01 and 0.02.
 TEST(Judge, TakesWhatAnotherProgramWrote) {
   const auto table = parse_csv("written.csv", "t,y\n0,0\n0.5,0.26\n1,1\n2,3.98\n");
   std::vector<double> times;
@@ -50,7 +50,7 @@ TEST(Judge, TakesWhatAnotherProgramWrote) {
                                    "reference_bound", "reference_bound_maximum"));
 }
 
-// As of an integral equation's solution, which is known less well beside 0.
+// As for the solution of an integral equation, which is known less accurately near 0.
 TEST(Judge, SaysHowWellTheReferenceIsKnownAtTheEndAndAtItsWorst) {
   const Trajectory path{.times = {0.0, 0.5, 1.0}, .y = Rows::Zero(2, 3)};
   const Rows reference = Rows::Ones(2, 3), bounds{{0.0, 1e-3, 1e-9}, {0.0, 1e-5, 1e-8}};

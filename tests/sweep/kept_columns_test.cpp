@@ -1,4 +1,4 @@
-// Columns are kept while a run steps, so that its states need not be.
+// Columns are stored after each step, so that the states need not be stored.
 
 #include "observers/kept_columns.hpp"
 

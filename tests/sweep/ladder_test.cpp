@@ -16,7 +16,7 @@ namespace {
 
 const Ladder ladder{{64, 128, 256, 512, 1024, 2048, 4096, 8192}, Goal{}};
 
-// A climb whose error and seconds are C N^-rate and s N.
+// A refinement with errors C N^-rate and seconds s N.
 Climb climb_of(int rungs, double constant, double rate, double seconds_a_step = 1e-7) {
   Climb climb;
   for (int i = 0; i < rungs; ++i) {
@@ -42,7 +42,7 @@ TEST(Ladders, EndWhereTheErrorIsRounding) {
   EXPECT_TRUE(ends({climb}));
 }
 
-// At the end it is within 1e-8 long before it is at the first steps.
+// The error at the end is within 1e-8 long before the maximum error, which is at the first steps.
 TEST(Ladders, EndWhereBothNormsHaveTheirAnswers) {
   auto climb = climb_of(2, 1e-4, 2.0);
   climb.back().maximum = {1e-5, 1.0};
@@ -57,7 +57,7 @@ TEST(Ladders, EndBeforeARungOfMoreThanTheMostSeconds) {
   EXPECT_TRUE(ends({climb_of(2, 10.0, 2.0, 1.1 * seconds / 256)}));
 }
 
-// Half a second to start and 1 ms a step, on the clock on the wall: the steps count, up to 256 of them.
+// Wall time with 0.5 s to start the process and 1 ms a step: only the steps count, up to 256 of them.
 TEST(Ladders, DoNotCountTheStartOfAProcess) {
   auto climb = climb_of(2, 10.0, 2.0);
   for (Rung& rung : climb) {
@@ -78,7 +78,7 @@ TEST(Ladders, DoNotCountTheStartOfAProcess) {
 
 TEST(Ladders, ForecastTheSecondsOfAStepByTheCheapestOfTheLastRungs) {
   auto climb = climb_of(3, 10.0, 2.0, 1e-6);
-  *climb.back().seconds *= 1e6;  // the machine did something else
+  *climb.back().seconds *= 1e6;  // other load on the machine
   EXPECT_FALSE(ends({climb}));
 }
 
@@ -87,7 +87,7 @@ TEST(Ladders, EndWhereMoreStepsEndInTheSameWay) {
   EXPECT_FALSE(ends({{{.steps = 64}}})) << "a run that failed may succeed with more steps";
 }
 
-// Of rate 1 from 1e-2 on: at most 1e-2 / 128^1.5 = 7e-6 at the top.
+// Rate 1 from an error of 1e-2 on: at best 1e-2 / 128^1.5 = 7e-6 at the last number of steps.
 TEST(Ladders, EndWhereNoErrorLeftIsWithinReach) {
   EXPECT_FALSE(ends({climb_of(4, 0.64, 1.0)})) << "a rate is not known from fewer rungs";
   const auto slow = climb_of(5, 0.64, 1.0), fast = climb_of(5, 1.0, 2.0);
@@ -101,8 +101,7 @@ TEST(Ladders, EndWhereAnotherSchemeIsWithinEachErrorInLessTime) {
   EXPECT_TRUE(ends({climb, climb_of(5, 0.1, 2.0, 1e-8)}));
 }
 
-// adams_pc and decoupled_multi_order are one algorithm where no order is above 1.
-// One that is asked for 1e-2, 1e-4, ... and delivers that, in so many seconds times 1, 10, ...
+// Tolerances 1e-2, 1e-4, ... with equal errors, and seconds first * 1, 10, ...
 Climb climb_of_accuracies(int rungs, double first) {
   Climb climb;
   for (int i = 0; i < rungs; ++i) {
@@ -160,12 +159,12 @@ TEST(Rungs, AreAtTheFloorOfRoundingOrOfTheReference) {
   EXPECT_TRUE(rung({{"error_maximum", 1e-3}, {"reference_bound_maximum", 1e-2}}).maximum.at_floor);
 }
 
-// What a sweep records, as a results file would.
+// Stores the records of a sweep in memory, like a results file.
 class Notebook {
  public:
   explicit Notebook(std::size_t most = 1'000'000) : left_(most) {}
 
-  // Takes so many writes at most.
+  // Runs the sweep; fails after the number of writes given to the constructor.
   void run(const Sweep& sweep) {
     try {
       run_sweep(sweep, hooks());
@@ -182,7 +181,7 @@ class Notebook {
                 },
             .tell = [](const auto&) {}};
   }
-  // The runs, by scheme.
+  // The numbers of steps of the runs, by scheme.
   [[nodiscard]] std::map<std::string, std::vector<int>> steps() const {
     std::map<std::string, std::vector<int>> steps;
     for (const auto& [key, run] : runs_) {
@@ -196,7 +195,7 @@ class Notebook {
   std::size_t left_;
 };
 
-// Errors decide, not times: nothing is too long, and nobody is left out for being slow.
+// Limits of time are disabled, so that only errors end the refinement.
 Sweep sweep_of_power() {
   return {.scenes = {{&scene_maker("power")}},
           .schemes = {find_scheme("product_trapezoidal"), find_scheme("adams_pc")},
@@ -253,7 +252,7 @@ TEST(Forecasts, ClimbAsTheSweepDoes) {
   Notebook book;
   const auto expected = forecast(sweep, book.hooks().recorded).size();
   EXPECT_GE(expected, 7U);
-  EXPECT_LE(expected, 9U);  // the sweep takes 8
+  EXPECT_LE(expected, 9U);  // the sweep makes 8 runs
 }
 
 RunKey run_with(int steps, const std::string& scheme = "l1") {

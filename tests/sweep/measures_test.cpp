@@ -45,8 +45,8 @@ TEST(Measures, OfValuesBesideAReference) {
   EXPECT_DOUBLE_EQ(error(Norm::maximum, Scale::mixed), 2.5 / 5.5);
 }
 
-// Size 1 within [0.9 t, t]: 0.95 counts as a thousandth of it. At 2 and before 0.9 nothing is near, and a
-// reference that is 0 says nothing of relative errors.
+// The size in [0.9 t, t] at t = 0.95 is 1, so the divisor is a thousandth of it. At t = 0 and t = 2 the
+// reference is 0 in all of [0.9 t, t]: relative errors are left out.
 TEST(RelativeErrors, TakeAZeroForAThousandthOfTheSizeNearby) {
   const std::vector<double> times{0.0, 0.9, 0.95, 2.0};
   const Rows reference = (Rows(1, 4) << 0.0, 1.0, 1e-6, 0.0).finished();
@@ -57,7 +57,7 @@ TEST(RelativeErrors, TakeAZeroForAThousandthOfTheSizeNearby) {
   EXPECT_EQ(by(0, 3), std::numeric_limits<double>::infinity());
 }
 
-// |y - 0| is 1, 2, 4 and |y - y(0)| is 0, 1, 3; at t = 0 nobody errs.
+// |y - 0| is 1, 2, 4 and |y - y(0)| is 0, 1, 3; t = 0 is left out.
 TEST(TrivialError, IsThatOfZeroOrOfTheInitialValue) {
   const Rows reference = (Rows(1, 3) << 1.0, 2.0, 4.0).finished(), one = Rows::Ones(1, 3);
   EXPECT_EQ(trivial_error(Norm::end, {0.0, 1.0, 2.0}, reference, one), 3.0);
@@ -84,7 +84,7 @@ TEST(Measures, OfTimes) {
   EXPECT_EQ(time_measure("time_median", {3.0, 1.0, 10.0, 2.0}), 2.5);
 }
 
-// Of 25 values the 8th and the 18th enclose the median with 95 % probability (any table of the sign test).
+// The 8th and the 18th of 25 values enclose the median with 95 % probability (any table of the sign test).
 TEST(TimeSpread, IsAnIntervalOfTheMedian) {
   std::vector<double> seconds(25);
   std::iota(seconds.rbegin(), seconds.rend(), 1.0);
@@ -107,8 +107,7 @@ TEST(WatchedSteps, AreAllUpToALimitAndThenSpread) {
   EXPECT_EQ(watched_times({.end = 0.75, .steps = 3}), (std::vector{0.0, 0.25, 0.5, 0.75}));
 }
 
-// Whether of these times some follow `start` by every power of ten and by three between, from `least` to
-// `most`.
+// Whether the distances t - start include four values per power of ten from `least` to `most`.
 bool meet_powers_of_ten(const std::vector<double>& times, double start, double least, double most) {
   for (double since = least; since < most; since *= 1.8) {
     const auto next = std::ranges::upper_bound(times, start + since);
@@ -117,8 +116,8 @@ bool meet_powers_of_ten(const std::vector<double>& times, double start, double l
   return true;
 }
 
-// The smallest order of a row with a derivative is 1/2: t^(1/2) is rounding at 1e-34. Next to 1.25 the
-// rounding of a time is that of y at 1e-6.
+// The smallest order of a differential row is 1/2: t^(1/2) is at rounding for t = 1e-34. Near the jump
+// at 1.25 the rounding of the time limits the distance.
 TEST(WatchedTimes, OfAProblemLieCloserTowardsItsStartAndItsJumps) {
   const Problem problem{
       .components = {{0.5, {1.0}}, {0.0, {0.0}}, {1.5, {0.0, 0.0}}}, .end = 2.0, .jumps = {1.25, 2.0}};
@@ -138,7 +137,7 @@ TEST(Measures, ANumberWithoutErrorHasSeventeenDigits) {
   EXPECT_EQ(mescd(Rows::Ones(1, 3), Rows::Ones(1, 3)), 17.0);
 }
 
-// What the balance makes of a path given as rows.
+// The residual of the energy balance along a given path.
 std::optional<double> residual(const Energy& energy, const Trajectory& path) {
   EnergyObserver balance(energy);
   for (Eigen::Index n = 0; n < path.y.cols(); ++n) {
@@ -165,7 +164,7 @@ TEST(EnergyResidual, IsTheDriftOfAConservedEnergy) {
   EXPECT_DOUBLE_EQ(residual(scene.energy, path).value(), drift);
 }
 
-// E = t^3 has the power 3 t^2, a parabola, on uneven times too.
+// E = t^3 has the power 3 t^2, a parabola, also at times that are not equally spaced.
 TEST(EnergyResidual, IsExactForAParabolicPower) {
   const Energy cubic{.value = [](In y) { return y[0] * y[0] * y[0]; },
                      .power = [](double t, In) { return 3.0 * t * t; }};
@@ -203,9 +202,9 @@ TEST(FitRate, StopsAtRounding) {
   EXPECT_EQ(fit_rate(std::span(points).first(2)).points, 0U);
 }
 
-// GSL as the judge: nothing of ours below.
+// Comparisons with GSL, which shares no code with fdebench.
 
-// A problem of whole orders by GSL's Runge-Kutta-Prince-Dormand (8,9).
+// Solves a problem of integer orders by GSL's Runge-Kutta-Prince-Dormand (8,9).
 Vec integrate_by_gsl(const Problem& problem) {
   const auto function = [](double t, const double* y, double* f, void* data) {
     const auto& of = *static_cast<const Problem*>(data);
@@ -249,7 +248,7 @@ TEST_P(WholeOrders, EverySchemeTendsToGslsSolution) {
       return (solve(scheme->id, scene().problem, steps).y.rightCols(1) - exact).cwiseAbs().maxCoeff();
     };
     const double expected = scheme->expected_rate(scene().problem, scene().smoothness, 1.0, Norm::end);
-    // Rules of high rate are at the error of GSL's solution before the others show their rate.
+    // Schemes with a high rate reach the error of GSL's solution at these numbers of steps.
     constexpr double of_gsl = 2e-11;
     const double coarse = error(4000), fine = error(8000);
     if (coarse < 100.0 * of_gsl) {
@@ -263,8 +262,8 @@ TEST_P(WholeOrders, EverySchemeTendsToGslsSolution) {
 INSTANTIATE_TEST_SUITE_P(, WholeOrders, testing::Values("pendulum", "extensible_pendulum", "brusselator"),
                          [](const auto& test) { return test.param; });
 
-// J^(1-beta) of phi', with GSL's quadrature for algebraic endpoint singularities on a spline of the
-// reference, is the chain's D^beta phi.
+// J^(1-beta) of phi', by GSL's quadrature for algebraic endpoint singularities, equals the chain's D^beta
+// phi.
 TEST(GslQuadrature, OfThePendulumsVelocityIsItsFractionalDerivative) {
   const double beta = 0.5, t = 3.0;
   const auto scene = scene_of("pendulum");

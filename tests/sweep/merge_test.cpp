@@ -1,4 +1,4 @@
-// Results of several machines in one file, and sweeps in several parts.
+// Merging the results of several machines, and splitting sweeps into shards.
 
 #include "records/merge.hpp"
 
@@ -24,7 +24,7 @@ namespace {
 
 class Merges : public testing::Test {
  protected:
-  // A file of one session on a machine with an examination for each number of steps.
+  // A file with one session on a machine and one examination for each number of steps.
   [[nodiscard]] std::filesystem::path file_of(const std::string& name, const std::string& machine,
                                               const std::vector<int>& steps) const {
     Session session{};
@@ -80,7 +80,7 @@ TEST_F(Merges, OfOneFileAreThatFile) {
   EXPECT_EQ(text_of(out_), text_of(file));
 }
 
-// Parts of a session that began in the same second on like machines have one session line.
+// Sessions that began in the same second on equal machines have equal session lines and count as one.
 TEST_F(Merges, TakeWhatStandsInSeveralFilesOnce) {
   const auto merged = merge_results(
       {file_of("a", "one", {8, 16}), file_of("b", "one", {16, 32}), file_of("c", "one", {8})}, out_);

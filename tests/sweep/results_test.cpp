@@ -74,7 +74,7 @@ TEST_F(ResultsFiles, ReturnWhatWasAppended) {
   EXPECT_FALSE(results.sessions.at(0).compiler.empty());
 }
 
-// A run is named by all that it was made with: another value of any member is another run.
+// Every setting is part of the key: another value of any member is another run.
 TEST_F(ResultsFiles, TellRunsApartByTheirWholeKey) {
   ResultsFile(file_).append(rows("l1", 64));
   const ResultsFile again(file_);
@@ -128,7 +128,7 @@ TEST_F(ResultsFiles, AreContinuedWithANewSession) {
   EXPECT_EQ(results.records.back().session, 1U);
 }
 
-// A number belongs to the program that made it: another commit measures again.
+// Records belong to one build: with another commit runs are measured again.
 TEST_F(ResultsFiles, OfAnotherBuildDoNotCount) {
   ResultsFile(file_).append(rows("l1", 64));
   auto other = text();
@@ -146,7 +146,7 @@ TEST_F(ResultsFiles, WithoutRunsAreLeftAsTheyAre) {
   EXPECT_EQ(text(), before);
 }
 
-// A sweep that dies may leave any prefix of its file: whole runs are kept, the run in flight is measured
+// A killed sweep may leave any prefix of its file: complete runs are kept, the interrupted run is measured
 // again.
 TEST_F(ResultsFiles, CutAnywhereKeepTheirWholeRuns) {
   {
@@ -178,7 +178,7 @@ TEST_F(ResultsFiles, BelongToOneRunAtATime) {
   EXPECT_EQ(message(file_), file_.string() + ": cannot be written: another run is writing to it");
 }
 
-// The second waits until the first is closed.
+// The second object waits for the lock until the first is destroyed.
 TEST_F(ResultsFiles, AreWaitedFor) {
   std::optional<ResultsFile> first(std::in_place, file_);
   std::jthread closes([&] {
@@ -200,7 +200,8 @@ TEST_F(ResultsFiles, WithImpossibleStepsAreRefused) {
   }
 }
 
-// What no run can have is named with its line, also in the middle of a file; a torn row in the middle is one.
+// A row that no run can have is refused with its line number, also in the middle of a file; so is an
+// incomplete row.
 TEST_F(ResultsFiles, WithImpossibleRowsAreRefused) {
   {
     ResultsFile file(file_);
@@ -244,7 +245,7 @@ TEST_F(ResultsFiles, HaveNoLineOfMoreThanAMebibyte) {
   EXPECT_EQ(message(file_), file_.string() + ": line 4 is longer than 1048576 bytes");
 }
 
-// Nothing is known of another program's setup, and its name may be any but ours.
+// The settings of an external program are unknown. Its name may be any but a scheme's.
 TEST_F(ResultsFiles, KeepTheTrajectoriesOfOtherPrograms) {
   auto some = rows("numpy λ", 64);
   for (auto& row : some) row.key.external = true;
@@ -265,7 +266,7 @@ TEST_F(ResultsFiles, ThatCannotBeWrittenAreNamed) {
   EXPECT_EQ(message(folder_), folder_.string() + ": cannot be read: is not a file");
 }
 
-// A limit on the size of files stands for a full disk.
+// A limit on the file size simulates a full disk.
 TEST_F(ResultsFiles, OnAFullDiskSaySoAndKeepTheirWholeRuns) {
   ResultsFile file(file_);
   file.append(rows("l1", 64));

@@ -1,4 +1,4 @@
-// What a sweep appends to its results.
+// The rows that a sweep appends to its results.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
                           all.insert(all.end(), rows.begin(), rows.end());
                         },
                     .tell = [](const auto&) {}});
-  EXPECT_EQ(calls, 6U);  // an examination and its times
+  EXPECT_EQ(calls, 6U);  // an examination and its times for each of three runs
   const auto count = [&](std::string_view quantity) {
     return std::ranges::count(all, quantity, &Record::quantity);
   };
@@ -51,7 +51,8 @@ TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
   EXPECT_EQ(count("energy_residual"), 0);
 }
 
-// f = -y of D^0.5 y = -y starts with the powers 0, 1/2 and 1 of t. BDF2 loses nothing on those that follow.
+// D^0.5 y = -y: f = -y has the powers 0, 1/2 and 1 of t at 0. The higher powers do not reduce the rate of
+// BDF2.
 TEST(Sweeps, RecordStartWeightsOfSchemesThatHaveThem) {
   std::vector<Record> all;
   run_sweep({.scenes = {{&scene_maker("relaxation")}},
@@ -75,7 +76,7 @@ TEST(Sweeps, MeasureOnceWhatIsAskedForTwice) {
             {.recorded = [](const auto&) { return RecordedRun(); },
              .append = [&](const auto&) { ++calls; },
              .tell = [](const auto&) {}});
-  EXPECT_EQ(calls, 2);  // its examination and its times
+  EXPECT_EQ(calls, 2);  // one examination and its times
 }
 
 TEST(Sweeps, StopAtTheFirstFailureToWrite) {
@@ -93,7 +94,7 @@ TEST(Sweeps, StopAtTheFirstFailureToWrite) {
   EXPECT_EQ(calls, 1);
 }
 
-// All but the times.
+// All rows except the times.
 std::vector<std::string> rows_with_threads(unsigned threads) {
   const Sweep sweep{
       .scenes = {{&scene_maker("relaxation")}, {&scene_maker("brusselator")}, {&scene_maker("pendulum")}},
@@ -116,7 +117,7 @@ std::vector<std::string> rows_with_threads(unsigned threads) {
   return rows;
 }
 
-// The rows of a scene keep their order, those of scenes side by side mix.
+// The rows of one scene keep their order; the rows of different scenes interleave.
 TEST(Sweeps, GiveTheSameBitsWithAnyNumberOfThreads) {
   const auto alone = rows_with_threads(1);
   EXPECT_GT(alone.size(), 100U);
@@ -128,7 +129,7 @@ TEST(Sweeps, RecordAMissingReferenceAndGoOn) {
   Scene scene = scene_of("brusselator");
   scene.problem.rhs = [rhs = scene.problem.rhs](double t, In y, Out f) {
     rhs(t, y, f);
-    if (t > 1.0) f[0] += 1.0;  // the collocation reference steps over no jump that it is not told of
+    if (t > 1.0) f[0] += 1.0;  // the collocation reference fails at a jump that is not in problem.jumps
   };
   WatchedReference reference(scene);
   for (int repeat = 0; repeat < 2; ++repeat) {

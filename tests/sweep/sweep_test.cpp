@@ -22,7 +22,7 @@ RecordedRun examined(const RunKey& key) {
   return run;
 }
 
-// A continued sweep times what was examined and examines it no more.
+// A continued sweep times the examined runs without a second examination.
 TEST(ContinuedSweeps, TimeWhatIsExamined) {
   std::vector<Record> rows;
   run_sweep({.scenes = {{&scene_maker("power")}},
@@ -66,7 +66,7 @@ TEST(Sweeps, TakeOneRungAfterTheOtherAndTellEachRun) {
                                            "time_high", "N = 32 is done", "line ends at N = 32"));
 }
 
-// While one thread is appending the others go on: nothing but a failure ends their scenes.
+// While one thread appends, the others continue; only a failure stops them.
 class SlowAppends : public testing::TestWithParam<int> {};
 
 TEST_P(SlowAppends, LoseNoExaminationAndNoTime) {

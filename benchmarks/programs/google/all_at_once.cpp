@@ -1,5 +1,5 @@
-// all_at_once/<scheme>/<N>: a nonlinear two-sided problem of six rows, three a side, with the error of the
-// solution, Newton iterations and memory beside each time.
+// all_at_once/<scheme>/<N>: a nonlinear two-sided problem of six rows, three with left and three with right
+// derivatives. Prints time, error of the solution, Newton iterations and memory.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

@@ -4,8 +4,8 @@
 
 namespace fde {
 
-// c += a b for a of 32 x inner, b of inner x columns, c of 32 x columns, by columns. Written as plainly as
-// possible and compiled for the wider vectors of the machine: the yardstick of the history.
+// c += a b for column-major a (32 x inner), b (inner x columns), c (32 x columns). A plain loop, vectorised
+// by the compiler for the widest vectors of the machine: the baseline for the history's kernels.
 void bare_multiply_add(Eigen::Index inner, Eigen::Index columns, const double* a, const double* b, double* c);
 
 }  // namespace fde

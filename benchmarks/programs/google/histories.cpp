@@ -1,6 +1,7 @@
-// One step of a history, pushed and convolved, for a predictor-corrector with four components of one order:
-// against the number of steps, the number of exponentials, the vector target, and the same multiply-adds in a
-// plain loop. per_step is the figure to read: a whole run, its tables included, over the number of steps.
+// The time of a step of the history (push and convolve) for a predictor-corrector with four components of
+// equal order, against the number of steps, the number of exponentials and the vector target; and of the same
+// multiply-adds in a plain loop. The result is per_step: a whole run, tables included, over the number of
+// steps.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ WeightTables predictor_corrector() {
           std::vector<WeightTable>(components, {&families::trapezoid, order})};
 }
 
-// Time per step of an iteration of so many.
+// Time of an iteration divided by `count`.
 benchmark::Counter per_iteration(Eigen::Index count) {
   return {static_cast<double>(count),
           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert};
@@ -50,8 +51,8 @@ Eigen::Index nodes(int count, double tolerance) {
   return exponential_sum(order, ExponentialMemory::shortest_lag, count + 2.0, tolerance).nodes.size();
 }
 
-// The multiply-adds that the history's step needs, in a loop the compiler vectorises by itself: what it could
-// reach at best. Rows of one block, columns of components, and as many inner products as make up the number.
+// The multiply-adds of a history step in a loop that the compiler vectorises: a lower bound of its time. A
+// matrix product of (block x inner) by (inner x components), with `inner` chosen to match their number.
 void bare_loop(benchmark::State& state, int count) {
   constexpr Eigen::Index block = ExponentialMemory::block, tables = 2;
   const MemoryTables made({{&families::rectangle, order}, {&families::trapezoid, order}},
@@ -69,7 +70,8 @@ void bare_loop(benchmark::State& state, int count) {
   state.counters["per_step"] = per_iteration(block);
 }
 
-// Steps of many components of one sum, each a column, or side by side.
+// Steps of many components that share one table. NarrowPast stores each component as a column, WidePast
+// components side by side.
 template <class Past, class... Rest>
 void many_components(benchmark::State& state, Eigen::Index count, Rest... rest) {
   constexpr int steps_of_run = 10 * MemoryTables::block;

@@ -1,5 +1,4 @@
-// The kernels under everything: one weight, one value of the Mittag-Leffler function. Histories have a
-// program of their own.
+// Time of one weight, and of one value of the Mittag-Leffler function. For histories: histories.cpp.
 
 #include <benchmark/benchmark.h>
 
@@ -24,7 +23,7 @@ BENCHMARK_CAPTURE(weights, trapezoid, &families::trapezoid);
 BENCHMARK_CAPTURE(weights, grunwald_letnikov, &families::grunwald_letnikov);
 BENCHMARK_CAPTURE(weights, l1, &families::l1);
 
-// E_{a,1}(-x), x from 0 to 100. The argument is a in tenths.
+// E_{a,1}(-x), x from 0 to 100. The argument of the benchmark is 10 a.
 void mittag_leffler_double(benchmark::State& state) {
   const double alpha = 0.1 * static_cast<double>(state.range(0));
   double x = 0.0;

@@ -1,6 +1,5 @@
-// solve/<scene>/<scheme>/<N> for every pair of the lists that fits, with the error of the solution beside
-// each time, and the iterations of Newton's method; history/<scene>/<scheme>/<engine>/<N> compares the
-// engines on whole solves.
+// solve/<scene>/<scheme>/<N> for every scene and every scheme that accepts it: time, error of the solution
+// and Newton iterations. history/<scene>/<scheme>/<engine>/<N> compares the history engines on whole solves.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -14,7 +13,7 @@ namespace {
 
 using namespace fde;
 
-// A scene with its reference, which is made once, when the first benchmark of the scene needs it.
+// A scene with its reference, which is computed once, by the first benchmark of the scene.
 struct Subject {
   explicit Subject(const SceneMaker& maker) : id(maker.id), scene(make_scene(maker)) {}
   std::string_view id;
@@ -45,7 +44,7 @@ void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int 
 }  // namespace
 
 int main(int count, char** arguments) {
-  std::list<Subject> subjects;  // stay where they are
+  std::list<Subject> subjects;  // stable addresses: the benchmarks keep references
   for (const auto& maker : scenes()) {
     auto& subject = subjects.emplace_back(maker);
     for (const auto& scheme : schemes()) {

@@ -1,8 +1,8 @@
-// How many exponentials stand for the kernel t^(a-1)/Gamma(a), and how well. CSV, one row a sum:
+// Number of terms and error of the sums of exponentials for the kernel t^(a-1)/Gamma(a). CSV, one row a sum:
 //
 //   exponent   a
-//   steps      the sum serves runs of so many steps: times from shortest_lag to steps + 2
-//   tolerance  relative error asked for
+//   steps      number of steps of a run: the sum is for times from shortest_lag to steps + 2
+//   tolerance  requested relative error
 //   nodes      number of exponentials
 //   bound      relative error of the construction, as computed with the sum
 //   error      worst relative error of the sum as stored, with nodes and coefficients rounded to double. That
@@ -28,8 +28,9 @@ struct Sample {
   Exact kernel;
 };
 
-// The kernel at times in geometric steps, the last of them `high`. The sum errs in waves of log t, a wave
-// about as long as the distance of two nodes: a factor of 1.29 or more, so that none slips through.
+// The kernel at geometrically spaced times from `low` to `high`. The error of the sum oscillates in log t
+// with a period of about the distance of two nodes, a factor of at least 1.29, so that a ratio of 1.02
+// resolves it.
 std::vector<Sample> sample_kernel(double exponent, double low, double high) {
   constexpr double ratio = 1.02;
   const Exact a = exponent, scale = 1 / boost::math::tgamma(a);

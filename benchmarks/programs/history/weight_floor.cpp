@@ -1,20 +1,20 @@
-// What the weights of the product trapezoidal rule cost when they are evaluated in double as they are
-// printed, as differences of nearly equal powers. The scene is relaxation: D^(1/2) y = -y up to t = 1. CSV,
-// one row a run; an optional argument is the largest number of steps, 1e7 otherwise. All errors are absolute,
-// at the end.
+// The error of the product trapezoidal rule when its weights are evaluated in double by the published
+// formula, a second difference of nearly equal powers. The scene is relaxation: D^(1/2) y = -y up to t = 1.
+// CSV, one row a run; the optional argument is the largest number of steps, default 1e7. All errors are
+// absolute, at the end.
 //
 //   grid            uniform, or graded:4 for the times (n/steps)^4
 //   steps           N
-//   error           of the scheme, with our weights and the past as exponentials
-//   naive_last_sum  what printed weights would add to y_N in the sum of step N alone; uniform grids
-//   naive_error     of the plain O(N^2) loop with printed weights in every step; N up to 2^14
+//   error           of the scheme with our weights and the history as exponentials
+//   naive_last_sum  change of y_N by the published weights in the sum of step N alone; uniform grids
+//   naive_error     of the plain O(N^2) loop with the published weights in every step; N up to 2^14
 //
-// Each printed weight is wrong by about u k^(g+1), u = 2^-53, but neighbours share their powers: summed by
-// parts, the error of a power meets a second difference of f. What is left comes from t = 0, where N^(g+1) in
-// the oldest plain weight faces (N-1-g) N^g in the start weight, which is rounded differently: about u N in
-// y_N. (Here g = 1/2: where N is a square, both are exact and even that is missing.) A better start weight
-// alone does not help, the oldest plain weight then stands without its counterpart. On a graded grid the same
-// mismatch is divided by t_1 = N^-4.
+// Each published weight has an error of about u k^(g+1), u = 2^-53, but adjacent weights contain the same
+// rounded powers: after summation by parts the error of a power is multiplied by a second difference of f.
+// The remaining error comes from t = 0, where N^(g+1) in the oldest weight and (N-1-g) N^g in the start
+// weight are rounded differently: about u N in y_N. (Here g = 1/2: if N is a square, both are exact and this
+// error vanishes too.) A more accurate start weight alone does not help, because the error of the oldest
+// weight is then not cancelled. On a graded grid the same mismatch is divided by t_1 = N^-4.
 
 #include <fmt/format.h>
 
@@ -67,7 +67,7 @@ double naive_last_sum(const Relaxation& equation, const Grid& grid, const Trajec
   return std::abs(step_factor(table, grid.step()) * equation.rate * sum);
 }
 
-// The rule with any weights: past(n, y) is the sum over the past of step n, in units of 1/Gamma(order + 2).
+// The rule with any weights. past(n, y) is the memory term of step n times Gamma(order + 2).
 template <typename Past>
 double error_of_loop(const Relaxation& equation, const Grid& grid, const Past& past) {
   const WeightTable table{&families::trapezoid, equation.order};
@@ -92,8 +92,9 @@ double naive_error_uniform(const Relaxation& equation, const Grid& grid) {
   });
 }
 
-// The same weights for any times: ((t-t_1)^(g+1) + t^g ((g+1) t_1 - t)) / t_1 for the start, and for the
-// others the slopes of (t-s)^(g+1) before and after t_j, subtracted. Neighbours share their powers.
+// The published weights for any times: the start weight is ((t-t_1)^(g+1) + t^g ((g+1) t_1 - t)) / t_1, the
+// weight of t_j is the difference of the slopes of (t-s)^(g+1) on the intervals before and after t_j.
+// Adjacent weights contain the same powers.
 double naive_error_graded(const Relaxation& equation, const Grid& grid) {
   const double g = equation.order;
   Vec times(grid.steps + 1);

@@ -1,12 +1,12 @@
-// What a step of a large problem costs: diffusion on a line and in a square, L1 of order 1/2, 1000 steps.
-// Each row is a process of its own, so that its memory is its own. Seconds of the run by the clock, then
-// nanoseconds of the processor and bytes, an unknown and step: of the whole run, of its parts made alone, and
-// of bare loops.
-//   fde_large             10^3 ... 10^6 unknowns of both
+// The cost of a step of a large problem: diffusion on a line and on a square, L1 with order 1/2, 1000 steps.
+// Each row is measured in a separate process, so that its memory is not mixed with other rows'. Prints the
+// wall time of the run in seconds, then CPU nanoseconds per unknown and step (whole run, its parts run
+// separately, bare loops) and bytes per unknown.
+//   fde_large             10^3 ... 10^6 unknowns, on the line and on the square
 //   fde_large D N [T]     one row: D = 1 or 2 dimensions, N unknowns, T threads
-//   fde_large solvers [N] what solves the equations of a step, in squares of up to N x N points
-//   fde_large transforms  sine transforms by products and by a fast Fourier transform
-//   fde_large direct      the sum over the whole past in place of exponentials
+//   fde_large solvers [N] solvers for the equations of a step, on squares of up to N x N points
+//   fde_large transforms  sine transforms by matrix products and by a fast Fourier transform
+//   fde_large direct      the history by direct sums instead of exponentials
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -49,7 +49,7 @@ double seconds_of(const auto& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Of all threads of this process, on a machine that others use too.
+// CPU time of all threads of this process: the machine may have other load.
 double processor_seconds_of(const auto& work) {
   const auto start = std::clock();
   work();
@@ -65,7 +65,7 @@ Scene scene_of(const Row& row) {
   return make_scene(*maker, {{"gamma", order}, {line ? "components" : "n", points}});
 }
 
-// A step of the history alone: a whole run of few unknowns, a number of blocks of many.
+// Mean CPU seconds of a step of the history alone, over `count` steps.
 double history_seconds(const Row& row, HistoryKind kind, int count) {
   const auto size = static_cast<std::size_t>(row.unknowns);
   const auto history = make_history(kind, {std::vector<WeightTable>(size, {&families::l1, order})},
@@ -82,7 +82,7 @@ double history_seconds(const Row& row, HistoryKind kind, int count) {
   return processor_seconds_of([&] { some(33, 33 + count); }) / count;
 }
 
-// 1 - kappa A of a step.
+// The matrix 1 - kappa A of a step.
 SparseMatrix matrix_of_step(const Scene& scene) {
   const auto& matrix = std::get<SparseLinearPart>(scene.problem.derivatives).matrix;
   StepFactors factors({WeightTable{&families::l1, order}});
@@ -98,7 +98,7 @@ int count_of_solves(Eigen::Index unknowns) {
 
 struct Solving {
   std::string_view method;
-  double once, each;  // seconds: to make the factors, and of a step
+  double once, each;  // CPU seconds: of the factorisation, and of a solve
 };
 
 Solving solving_seconds(const Scene& scene) {
@@ -117,7 +117,8 @@ Eigen::Index exponentials() {
   return exponential_sum(order, ExponentialMemory::shortest_lag, steps + 2.0, 1e-15).nodes.size();
 }
 
-// The states of a step and what is carried of their rounding, read and written once in a block of steps.
+// Lower bound by memory bandwidth, per step: the states of the exponentials and their compensation terms are
+// read and written once per block of steps.
 double streaming_seconds(Eigen::Index unknowns) {
   Vec states = Vec::Ones(2 * exponentials() * unknowns);
   const auto stream = [&] { states.array() += 1.0; };
@@ -129,7 +130,7 @@ double streaming_seconds(Eigen::Index unknowns) {
   return taken / count / ExponentialMemory::block;
 }
 
-// The multiply-adds of a step in a loop that the compiler vectorises, its numbers in the cache.
+// Lower bound by arithmetic: the multiply-adds of a step in a vectorised loop on data in the cache.
 double arithmetic_seconds(Eigen::Index unknowns) {
   constexpr Eigen::Index block = ExponentialMemory::block, columns = 8;
   const Eigen::Index near = ExponentialMemory::recent + block / 2, inner = 2 * exponentials() + near;
@@ -142,7 +143,7 @@ double arithmetic_seconds(Eigen::Index unknowns) {
   return taken / count / (block * columns) * static_cast<double>(unknowns);
 }
 
-// Of this process, the most so far.
+// Peak resident memory of this process.
 double bytes_in_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -178,7 +179,7 @@ void measure(const Row& row) {
       error);
 }
 
-// The sum over the whole past at 10^4 unknowns: linear in these, and quadratic in the steps.
+// Direct history sums for 10^4 unknowns; the cost is linear in the unknowns and quadratic in the steps.
 void measure_direct() {
   const Row row{1, 10'000, 1};
   const double mean = history_seconds(row, HistoryKind::direct, steps - 33);
@@ -186,7 +187,7 @@ void measure_direct() {
              1e9 * mean / 1e4, steps, 100.0 * mean * steps, 8e-9 * 1e6 * steps);
 }
 
-// In a process of its own.
+// Runs `work` in a child process.
 void apart(const auto& work) {
   std::fflush(stdout);
   if (const pid_t child = fork(); child == 0) {

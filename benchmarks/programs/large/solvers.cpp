@@ -23,7 +23,7 @@ namespace {
 
 constexpr double strength = 0.028;  // kappa of L1 of order 1/2 with 1000 steps
 
-// Of the processor; the least of some repetitions, as long as these take no second.
+// CPU time: the least of up to five repetitions, as many as start within one second.
 double nanoseconds(const std::function<void()>& work) {
   double least = std::numeric_limits<double>::infinity(), all = 0.0;
   for (int repetition = 0; repetition < 5 && all < 1.0; ++repetition) {
@@ -75,7 +75,7 @@ void print(const SparseMatrix& matrix, const char* of, std::string_view method, 
   std::fflush(stdout);
 }
 
-// Against an answer that a second solve with the residual has made better.
+// Measures solvers of one matrix. Errors are against a direct solution with one step of iterative refinement.
 class Compared {
  public:
   explicit Compared(const SparseMatrix& matrix) : load_(load(matrix.rows())) {}
@@ -94,7 +94,7 @@ class Compared {
     if (factors->name() == "cholesky") return;
     const double made = nanoseconds([&] { factors->factorise(matrix); });
     Vec x;
-    // Once a matrix: what comes next may be another method's.
+    // An iterative solver is factorised again before each solve: it may change its method after a solve.
     const bool iterates = factors->name() == "conjugate_gradients";
     double solved = 0.0;
     if (iterates) {
@@ -143,8 +143,8 @@ SparseMatrix line(Eigen::Index n) {
   return matrix;
 }
 
-// The sine transform of a column as the imaginary part of its odd continuation's, as Eigen has it (kissfft):
-// of real values where the length is a multiple of 4, otherwise of two columns as one of complex values.
+// The sine transform of a column by the FFT of its odd extension, with Eigen's kissfft: of real values if the
+// length is a multiple of 4, otherwise of two columns as the real and imaginary part of one.
 double fourier_nanoseconds(const Matrix& fields) {
   const Eigen::Index n = fields.rows(), length = 2 * (n + 1);
   Eigen::internal::kissfft_impl<double> fourier;

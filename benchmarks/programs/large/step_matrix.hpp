@@ -4,8 +4,8 @@
 
 namespace fde {
 
-// 1 - strength (d/dx a d/dx + d/dy a d/dy - r) by second differences on n x m points inside the unit square,
-// with a diffusivity a(x, y) and a reaction r(x, y).
+// The matrix of 1 - strength (d/dx a d/dx + d/dy a d/dy - r) by second differences on n x m interior points
+// of the unit square, with a diffusivity a(x, y) and a reaction r(x, y).
 template <class Diffusivity, class Reaction>
 SparseMatrix step_matrix(Eigen::Index n, Eigen::Index m, double strength, Diffusivity a, Reaction r) {
   const Eigen::Index size = n * m;
@@ -26,6 +26,7 @@ SparseMatrix step_matrix(Eigen::Index n, Eigen::Index m, double strength, Diffus
   return sparse(matrix);
 }
 
+// The same matrix with a = 1 and r = 0.
 inline SparseMatrix step_matrix(Eigen::Index n, Eigen::Index m, double strength) {
   const auto one = [](double, double) { return 1.0; };
   const auto none = [](double, double) { return 0.0; };

@@ -1,6 +1,6 @@
-// What one call of the Mittag-Leffler function in double takes at random points with z < 0: CSV, a row a
-// region, in microseconds. Of a call that took long the shortest of four times counts: the machine has other
-// work.
+// Time of one call of the Mittag-Leffler function in double at random points with z < 0. CSV, one row a
+// region, in microseconds. A slow call is repeated and the shortest of four times counts: the machine may
+// have other load.
 
 #include <fmt/core.h>
 
@@ -83,7 +83,8 @@ std::vector<Region> regions() {
            }}};
 }
 
-// Of a matrix of n rows, no two alike, whose eigenvalues are about z and smaller.
+// One entry of the function of an n x n matrix without symmetries, whose eigenvalues are about |z| or
+// smaller.
 template <int n>
 double of_matrix(const Arguments& x) {
   Eigen::MatrixXd matrix(n, n);
@@ -94,7 +95,7 @@ double of_matrix(const Arguments& x) {
   return fde::mittag_leffler(x.alpha, x.beta, matrix).value(0, n - 1).real();
 }
 
-// Of the last of the functions: with |z| up to `largest`.
+// Random arguments of the other functions, with |z| up to 10^largest.
 Arguments up_to(double largest, const Random& random) {
   const double alpha = 2.0 - 1.8 * random();
   return {alpha, any_beta(alpha, random), -power_of_ten(-3.0, largest, random)};
@@ -140,7 +141,7 @@ void print_row(const Region& region, int points) {
 
 int main() {
   constexpr int points = 20000;
-  fde::mittag_leffler(0.5, 1.0, -1.0);  // makes the tables
+  fde::mittag_leffler(0.5, 1.0, -1.0);  // computes the tables, not to be timed
   fmt::print("region,points,median,95 %,99.9 %,worst\n");
   fde::prabhakar(0.5, 1.0, 1.5, -1.0);
   for (const Region& region : regions()) print_row(region, points);

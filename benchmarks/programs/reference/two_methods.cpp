@@ -1,7 +1,7 @@
-// How far the two methods behind the references of nonlinear scenes agree, as CSV; what they cost on standard
-// error. `fde_two_methods --random N` draws N scenes and their parameters, prints a line for each whose
-// methods differ by more than the bound that is stated, and for each that has no reference, and is 1 after
-// the former.
+// Agreement of the two methods used for the references of nonlinear scenes, as CSV; their times on standard
+// error. `fde_two_methods --random N` draws N scenes with random parameters and prints a line for each whose
+// methods differ by more than the stated bound, and for each without a reference. The exit code is 1 in the
+// first case.
 
 #include <fmt/format.h>
 
@@ -35,7 +35,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Those with initial values alone: what is posed at both ends has two methods of its own.
+// The initial value problems among the nonlinear scenes: problems at both ends have two other methods.
 std::vector<const SceneMaker*> nonlinear_scenes() {
   std::vector<const SceneMaker*> found;
   for (const auto& maker : scenes()) {
@@ -45,8 +45,7 @@ std::vector<const SceneMaker*> nonlinear_scenes() {
   return found;
 }
 
-// Each number within a third of its default, where that is allowed; whole numbers, words and lists as they
-// are.
+// Draws each number within a third of its default, if allowed; integers, words and lists keep their defaults.
 ParameterValues drawn_values(const SceneMaker& maker, std::mt19937_64& generator) {
   std::uniform_real_distribution<double> factor(2.0 / 3.0, 4.0 / 3.0);
   ParameterValues values;
@@ -59,7 +58,8 @@ ParameterValues drawn_values(const SceneMaker& maker, std::mt19937_64& generator
   return values;
 }
 
-// The largest difference of the two methods over some times, in units of the bound; at most 1 is as stated.
+// The largest difference of the two methods over some times, divided by the stated bound: at most 1 if it
+// holds.
 double difference_in_bounds(const Problem& problem) {
   std::vector<double> at;
   for (const double part : {0.001, 0.03, 0.2, 0.5, 0.8, 1.0}) at.push_back(part * problem.end);
@@ -76,7 +76,7 @@ double difference_in_bounds(const Problem& problem) {
   return largest;
 }
 
-// How many of `count` random problems have methods that differ by more than the bound.
+// The number of `count` random problems whose methods differ by more than the bound.
 int random_problems(int count) {
   std::mt19937_64 generator(
       1);  // NOLINT(bugprone-random-generator-seed,cert-msc51-cpp): the same problems each time
@@ -108,7 +108,7 @@ void print_rows(const SceneMaker& maker, Scene scene) {
   scene.problem.end = times.back();
   const auto start = std::chrono::steady_clock::now();
   const auto [problem, outputs] = posed_for_reference(scene);
-  const Reference reference = reference_solution(problem);  // with its own run of the second method
+  const Reference reference = reference_solution(problem);  // runs the second method too
   const double both = seconds_since(start);
   const auto second = diffusive_solution(problem, {}, {times.begin(), times.end()});
   fmt::print(stderr, "{}: reference {:.2f} s, its second method {:.2f} s in {} steps\n", maker.id, both,

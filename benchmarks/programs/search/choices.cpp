@@ -1,6 +1,6 @@
-// Holds what `choose` recommends against all runs of all schemes with numbers of steps a tenth apart, over
-// five gradings: choices [SCENE...]. Prints CSV: the recommendation, the quickest of those runs that is
-// within the accuracy, and the ratio of their times, measured in turns.
+// choices [SCENE...]: compares the recommendation of `choose` with all runs of all schemes, numbers of steps
+// in a ratio of 1.1, on five gradings. Prints CSV: the recommendation, the quickest of these runs within the
+// accuracy, and the ratio of their times, measured interleaved.
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ struct Best {
   double seconds = std::numeric_limits<double>::infinity();
 };
 
-// Whether finer runs of a way may be quick enough.
+// Makes a run and updates `best`. Returns whether finer runs of the configuration may still be quick enough.
 bool try_one(Examiner& examiner, const Way& way, const StepsOrAccuracy& resolution, double most_seconds,
              Best& best) {
   constexpr int watched = 2048;
@@ -48,7 +48,7 @@ bool try_one(Examiner& examiner, const Way& way, const StepsOrAccuracy& resoluti
   return time.front().low <= most_seconds;
 }
 
-// The runs of one way with up to so many seconds.
+// Makes all runs of one configuration that take up to `most_seconds`.
 void try_all(Examiner& examiner, const Way& way, double most_seconds, Best& best) {
   constexpr double ratio = 1.1;
   const auto goes_on = [&](const StepsOrAccuracy& resolution) {

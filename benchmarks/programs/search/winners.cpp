@@ -1,5 +1,5 @@
-// Which scheme is quickest within each accuracy, and at which rate and cost of a step the schemes went there:
-// winners [SCENE...]. Prints the table of docs/which_scheme.md; errors are those at the end.
+// winners [SCENE...]: the quickest scheme within each accuracy, and the observed rate and cost of a step of
+// each scheme. Prints the table of docs/which_scheme.md. Errors are at the end time.
 
 #include <fmt/format.h>
 
@@ -29,8 +29,7 @@ std::string time_of(double seconds) {
   return seconds < 1e-3 ? fmt::format("{:.3g} µs", 1e6 * seconds) : fmt::format("{:.3g} ms", 1e3 * seconds);
 }
 
-// "`l1`, graded:3, 12: 12 µs"; the grid where it is not uniform, in place of steps the accuracy that a scheme
-// was asked for.
+// "`l1`, graded:3, 12: 12 µs": scheme, grid if not uniform, steps (or requested tolerance) and time.
 std::string cell(const SearchedWay& first) {
   if (first.found != Found::within) return "-";
   const auto grid = first.way.grading == 1.0 ? "" : ", " + grid_text(first.way.grading);
@@ -39,7 +38,7 @@ std::string cell(const SearchedWay& first) {
   return fmt::format("`{}`{}, {}: {}", first.names.front(), grid, asked, time_of(first.time->median));
 }
 
-// The rates and the cost of a step of each scheme, over the grid with which it came nearest.
+// The rate and the cost of a step of each scheme, on the grid with the largest rate.
 std::string reasons(std::vector<SearchedWay> found) {
   std::ranges::stable_sort(found, std::greater<>{},
                            [](const SearchedWay& way) { return way.rate.value_or(0.0); });
@@ -53,7 +52,7 @@ std::string reasons(std::vector<SearchedWay> found) {
   return text;
 }
 
-// The row of a scene; returns its reasons.
+// Prints the row of a scene; returns the text of reasons() for it.
 std::string tell(const char* label) {
   const Scene scene = make_scene(parse_variant(label));
   fmt::print("| `{}`", label);

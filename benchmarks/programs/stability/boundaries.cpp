@@ -1,11 +1,11 @@
-// Where the regions of linear stability end. CSV, one row a point of the boundary:
+// Boundaries of the regions of linear stability. CSV, one row a point of the boundary:
 //
 //   scheme, order    z = lambda h^order of D^order y = lambda y
 //   line             boundary, or sector for the rays |arg z| = order pi/2 of the exact equation
-//   piece            points of one piece are joined, in this order
-//   theta            a mode stands at exp(i theta) there, or at exp(-i theta) for the conjugate of z
-//   re, im           z. Of the curves on which a mode stands on the unit circle only what divides stable from
-//                    unstable is printed
+//   piece            the points of a piece form one curve, in this order
+//   theta            the scheme has a mode exp(i n theta) at z (exp(-i n theta) at the conjugate of z)
+//   re, im           z. Of the root locus curve (a mode on the unit circle) only those parts are printed that
+//                    separate stable from unstable z
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 // tau = 0.8, lambda = 0.1, w2 = 1), up to 50. CSV, one row a problem:
 //
 //   alpha, beta    orders of the damping
-//   mu, nu         its strengths
-//   step           the largest h such that all shorter ones, from 1e-5 on, are stable, or from 1e-12 or
-//                  1e-20 where that is not
+//   mu, nu         coefficients of the damping
+//   step           the largest h such that all step sizes from 1e-5 to h are stable; from 1e-12 or 1e-20 if
+//                  1e-5 is unstable
 
 #include <fmt/format.h>
 

@@ -6,12 +6,13 @@
 
 namespace fde {
 
-// The largest |y| of the last fifth of a run, and that over the largest of as many steps from the middle on;
-// both infinite when the run blew up.
+// `size`: the largest |y_n| of the last fifth of a run. `growth`: size divided by the largest |y_n| of a
+// fifth of the steps that starts at the middle. Both are infinite if the run overflowed.
 struct Late {
   double size, growth;
 };
 
+// Solves the problem with `steps` equal steps of this length.
 inline Late late(const Scheme& scheme, Problem problem, double length, int steps) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   problem.end = length * steps;

@@ -7,8 +7,8 @@
 
 namespace fde {
 
-// Fractional linear multistep rules of order 2 (Lubich, SIAM J. Math. Anal. 17 (1986)), to be compared with
-// on one linear equation; no scheme of the list.
+// Fractional linear multistep rules of rate 2 (Lubich, SIAM J. Math. Anal. 17 (1986)) for one linear
+// equation, for comparison only: not in the list of schemes.
 //
 //   y_n = T_n + h^g (sum_{0<=j<=n} w_(n-j) f_j + sum_{j=0,1,2} s_(n,j) f_j),   sum_k w_k zeta^k:
 //     bdf2            ((3 - 4 zeta + zeta^2)/2)^(-g)
@@ -30,6 +30,7 @@ inline Vec power_coefficients(double a, double b, double power, int count) {
   return c;
 }
 
+// The weights w_0, ..., w_(count-1) for order g.
 inline Vec multistep_weights(Multistep rule, double g, int count) {
   if (rule == Multistep::bdf2)
     return std::pow(1.5, -g) * power_coefficients(-4.0 / 3.0, 1.0 / 3.0, -g, count);
@@ -59,7 +60,7 @@ inline Vec multistep_relaxation(Multistep rule, double g, double z, int steps) {
     return Eigen::Vector3d(inverse.solve(missing));
   };
   Vec y = Vec::Ones(steps + 1);
-  Eigen::Matrix2d both = Eigen::Matrix2d::Identity();  // steps 1 and 2 know each other through their weights
+  Eigen::Matrix2d both = Eigen::Matrix2d::Identity();  // the start weights couple y_1 and y_2
   Eigen::Vector2d given;
   for (int n = 1; n <= 2; ++n) {
     const Eigen::Vector3d s = start_weights(n);

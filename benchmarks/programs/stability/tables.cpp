@@ -23,7 +23,7 @@ double growth(std::string_view id, double order, double x) {
   return late(scheme(id), scalar_equation(order, -x), 1.0, 20000).growth;
 }
 
-// Real intervals (-x, 0) of the schemes that have one, with the growth in runs 0.1 % inside and outside.
+// Real stability intervals (-x, 0), with the growth in runs 0.1 % inside and outside.
 void print_intervals() {
   fmt::print(
       "| order | adams_pc | inside, outside | decoupled_multi_order | inside, outside | "

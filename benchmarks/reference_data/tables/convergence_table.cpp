@@ -18,13 +18,13 @@ constexpr int double_digits = 17;
 constexpr std::array table_steps{64, 128, 256, 512, 1024, 2048, 4096};
 constexpr int most_steps = 1 << 20;
 
-// What another machine may change: its vectors add in another order. Of the error, and of 1 + max |y|. The
-// two engines of the past, which share no sum, differ by a tenth of it at most.
+// Tolerances for another machine, whose vector instructions sum in another order: relative to the error, and
+// to 1 + max |y|. The two history engines, which sum in different ways, differ by at most a tenth of this.
 constexpr double relative_tolerance = 1e-9;
 constexpr double rounding_tolerance = 1e-12;
-constexpr double least_accuracy = 1e-8;  // of a reference, to decide anything
+constexpr double least_accuracy = 1e-8;  // of a reference, for a check to be meaningful
 
-// The measured numbers of a row, by the names of the measures.
+// The measures that are columns of a row.
 const std::vector<std::string> measured{"h", "error_end", "error_maximum", "expected_rate_end",
                                         "expected_rate_maximum"};
 
@@ -52,7 +52,7 @@ TableFacts facts(const SceneVariant& of) {
           {.name = "bound", .meaning = "bound of the reference at the end", .required = false}}};
 }
 
-// The runs of one scene, with the reference kept between them.
+// The runs of one scene, which share cached reference values.
 class Runs {
  public:
   explicit Runs(const SceneVariant& of) : name_(of.key()), scene_(make_scene(of)), reference_(scene_) {}
@@ -60,7 +60,7 @@ class Runs {
   Runs& operator=(const Runs&) = delete;
 
   struct Run {
-    std::map<std::string, double> values;  // by the names of the measures
+    std::map<std::string, double> values;  // by name of the measure
     RunEnding ending;
   };
 
@@ -72,7 +72,7 @@ class Runs {
     return run;
   }
 
-  // max |y| over the time of the scene.
+  // max |y| over the time interval of the scene.
   double size() {
     const Grid grid{.end = scene_.problem.end, .steps = table_steps.front()};
     return reference_.at(watched_times(grid)).cwiseAbs().maxCoeff();

@@ -19,7 +19,7 @@ constexpr int argument_digits = 20;
 
 std::string argument(const BigReal& x) { return text_of(x, argument_digits); }
 
-// E_{1/8}(-x^(1/8)), 0 <= x <= 2: all of the singular start of a relaxation of small order.
+// E_{1/8}(-x^(1/8)), 0 <= x <= 2: the whole singular layer at 0 of a relaxation of small order.
 void add_small_order(Points& points) {
   const Precision precision(2 * argument_digits);
   for (int k = 0; k <= 200; ++k) {
@@ -28,13 +28,13 @@ void add_small_order(Points& points) {
   }
 }
 
-// E_{1/2}(-x), 20 <= x <= 40: e^(x^2) erfc(x), where e^(x^2) leaves the doubles at 26.6.
+// E_{1/2}(-x) = e^(x^2) erfc(x), 20 <= x <= 40; e^(x^2) overflows double at 26.6.
 void add_scaled_error_function(Points& points) {
   for (int k = 40; k <= 80; ++k) points.push_back({"0.5", "1", fmt::format("{}", -0.5 * k), "0"});
 }
 
-// On the rays |arg z| = alpha pi/2, where the exponential part neither grows nor decays, and alpha pi, where
-// it sets in; beta = alpha is the kernel of linear equations.
+// On rays up to |arg z| = alpha pi/2, where the exponential term neither grows nor decays, and alpha pi,
+// where it appears; beta = alpha is the kernel of linear equations.
 void add_rays(Points& points) {
   const Precision precision(2 * argument_digits);
   for (const auto* alpha : {"0.3", "0.7", "0.9"}) {
@@ -61,11 +61,11 @@ void add_hard_points(Points& points) {
   add_small_order(points);
   add_scaled_error_function(points);
   add_rays(points);
-  // Very small order, and oscillation that hardly decays, far out.
+  // Very small order, and slowly decaying oscillation, at large |z|.
   add_all(points, {"0.05", "1.999"}, {"1", "alpha"}, {"-1e4", "-100", "-1"});
   // Poles of Gamma: the first terms of the series and of the asymptotic expansion vanish.
   add_all(points, {"0.5", "1", "1.5"}, {"0", "-1", "-2", "-5"}, {"-20", "-2", "-0.5", "0", "0.5", "2"});
-  // The order next to a whole number, where a pole meets the branch cut.
+  // Orders close to an integer, where a pole approaches the branch cut.
   add_all(points, {"0.99", "0.9999", "0.99999999", "1.00000001", "1.0001", "1.01"}, {"1", "alpha", "2"},
           {"-100", "-20", "-5", "-1", "1", "5"});
   add_all(points, {"1.99", "1.9999", "1.99999999", "2.00000001", "2.0001", "2.01"}, {"1", "alpha", "2"},

@@ -12,7 +12,7 @@ namespace fde {
 namespace {
 
 constexpr int table_digits = 50;
-constexpr int more_digits = 3;  // of a recomputed value than of the written one
+constexpr int more_digits = 3;  // extra digits of a recomputed value
 
 TableFacts facts(const SceneVariant& /*of*/) {
   return {.title = "Mittag-Leffler function E_{alpha,beta}(z) of two parameters",

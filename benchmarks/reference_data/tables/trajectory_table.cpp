@@ -16,11 +16,11 @@
 namespace fde {
 namespace {
 
-constexpr int table_digits = 50;          // where there is an exact solution
-constexpr int double_digits = 17;         // where there is a reference in double only
-constexpr int more_digits = 3;            // of a recomputed value than of the written one
-constexpr int least_digits = 8;           // of a reference in double, to decide anything
-constexpr std::size_t most_columns = 32;  // a table of hundreds of columns is nothing to read
+constexpr int table_digits = 50;          // with an exact solution
+constexpr int double_digits = 17;         // with a reference in double only
+constexpr int more_digits = 3;            // extra digits of a recomputed value
+constexpr int least_digits = 8;           // of a reference in double, for a check to be meaningful
+constexpr std::size_t most_columns = 32;  // wider tables are unreadable
 constexpr double latest_time = 1000.0;
 
 constexpr std::array stated_times{0.0,  0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1,  0.2,
@@ -57,7 +57,7 @@ TableFacts facts(const SceneVariant& of) {
   return facts;
 }
 
-// The columns of a scene at one time, with so many digits where they are to be had.
+// The columns of the solution, with the requested digits if there is an exact solution, otherwise in double.
 class TrueColumns {
  public:
   TrueColumns(const SceneVariant& of, double end) : scene_(make_scene(of)) {
@@ -74,7 +74,7 @@ class TrueColumns {
     return columns;
   }
 
-  // A two-sided problem ends where it is posed.
+  // A two-sided problem has no solution after the end of its interval.
   [[nodiscard]] bool known_at(double t) const {
     return !two_sided(scene_.problem) || t <= scene_.problem.end;
   }
@@ -82,7 +82,7 @@ class TrueColumns {
   [[nodiscard]] const std::vector<std::string>& names() const { return scene_.outputs.names; }
 
  private:
-  // The shortest text that names the double; two digits of the bound, rounded up.
+  // The shortest decimal that identifies the double; the bound includes its rounding, two digits rounded up.
   [[nodiscard]] std::vector<Decimal> in_double(double t) const {
     constexpr double half_ulp = 0x1p-53;
     const auto [value, bound] = reference_.at(t);

@@ -15,22 +15,22 @@ namespace {
 
 std::string accuracy_text(double accuracy) { return fmt::format("≤ 1e{:.0f}", std::log10(accuracy)); }
 
-// Times of different sessions may come from different machines: say whose they are.
+// The session of a time, if there are several: they may be from different machines.
 std::string session_note(const PageInput& page, const Option& option) {
   return page.sessions.size() > 1 ? fmt::format(", session {}", option.session + 1) : "";
 }
 
-// The other names of one algorithm.
+// The other schemes that are the same algorithm on this scene.
 std::string names_note(const Option& option) {
   if (option.schemes.size() < 2) return "";
   return fmt::format("here the same as {}",
                      fmt::join(option.schemes.begin() + 1, option.schemes.end(), ", "));
 }
 
-// Behind the quickest line: how far the others are.
+// The distance of the other lines from the quickest one.
 struct Margin {
-  double ratio = 1.0;               // the time of the second line to that of the first
-  std::vector<std::string> ties{};  // lines whose time meets that of the first
+  double ratio = 1.0;               // time of the second line / time of the first
+  std::vector<std::string> ties{};  // lines whose time interval overlaps the first's
 };
 
 Margin margin_of(const PageInput& page, std::span<const Option> ranked) {
@@ -43,7 +43,7 @@ Margin margin_of(const PageInput& page, std::span<const Option> ranked) {
   return margin;
 }
 
-// The first few, and how many there are behind them.
+// The first few names, and the number of further names.
 std::string first_names(const std::vector<std::string>& names) {
   constexpr std::size_t most = 3;
   const std::span first(names.data(), std::min(names.size(), most));
@@ -51,7 +51,7 @@ std::string first_names(const std::vector<std::string>& names) {
   return fmt::format("{}{}", fmt::join(first, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
-// The smallest error of the lines that are not the algorithm of this one.
+// A text with the smallest error of other algorithms than the first.
 std::string next_best(const PageInput& page, const SceneSettings& scene, const Option& first,
                       const ErrorKind& kind) {
   const MeasuredRun* next = nullptr;
@@ -75,8 +75,8 @@ std::string margin_text(const PageInput& page, const SceneSettings& scene, std::
                      reason_it_leads(page, scene, ranked[0], ranked[1], kind.norm));
 }
 
-// From 0, where another line may be as quick, to 1, where the second takes ten times as long or there is
-// none.
+// Strength of the winner's colour: 0 if another line may be as quick, 1 if the second takes ten times as long
+// or there is no second.
 double strength(const PageInput& page, std::span<const Option> ranked) {
   if (ranked.size() == 1) return 1.0;
   const Margin margin = margin_of(page, ranked);
@@ -93,8 +93,7 @@ std::string best_text(const PageInput& page, const Option& best) {
   return fmt::format("{}, {}", page.label(best), run_note(page, best));
 }
 
-// What the map says where nothing is within the accuracy. More is said by the row of the scene's own table,
-// which the page shows where a pointer rests on the cell.
+// The cell of the map if no run is within the accuracy. The tooltip shows the row of the scene's own table.
 Cell missing_cell(const std::optional<Shortfall>& missed) {
   if (!missed) return {.text = "", .detail = "not measured"};
   if (missed->untimed > 0) return {.text = "", .detail = "not timed yet"};
@@ -136,7 +135,7 @@ std::vector<Cell> answer_row(const PageInput& page, const SceneSettings& scene, 
   return cells;
 }
 
-// A scene of the map.
+// One scene of the map.
 struct MapRow {
   std::string title, section;
   SceneLines lines;

@@ -12,7 +12,7 @@
 namespace fde {
 namespace {
 
-constexpr std::size_t most_rows = 200;  // of a kind of change
+constexpr std::size_t most_rows = 200;  // per kind of change
 
 std::vector<Cell> row(const PageInput& page, const CommonRun& run, std::string before, std::string now,
                       std::string change, bool worse) {
@@ -25,7 +25,7 @@ std::vector<Cell> row(const PageInput& page, const CommonRun& run, std::string b
           {.text = std::move(change), .marked = worse}};
 }
 
-// The first rows of a kind of change, under a title that counts them all.
+// Adds the first rows of a kind of change, under a title with the total number.
 template <typename Change>
 void add(Table& table, const std::string& title, const std::vector<Change>& changes, const auto& row_of) {
   if (changes.empty()) return;

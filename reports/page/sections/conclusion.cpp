@@ -16,7 +16,7 @@ namespace {
 
 std::string accuracy_name(double accuracy) { return fmt::format("1e{:.0f}", std::log10(accuracy)); }
 
-// Neighbouring accuracies with the same cheapest line.
+// Consecutive accuracies with the same cheapest line.
 struct Stretch {
   Option first, last;
   double from = 0.0, to = 0.0;
@@ -46,7 +46,7 @@ std::string stretch_text(const PageInput& page, const Stretch& of) {
       first == last ? first : fmt::format("{} to {}", first, last));
 }
 
-// Why no run is within the first accuracy that none reaches.
+// Why no run is within this accuracy, the first that none reaches.
 std::string limit(const PageInput& page, const SceneLines& lines, RunSpan runs, const ErrorKind& kind,
                   double accuracy) {
   const auto missed = lines.shortfall(kind, accuracy, {});
@@ -63,7 +63,7 @@ std::string limit(const PageInput& page, const SceneLines& lines, RunSpan runs, 
   return text + ".";
 }
 
-// The lines that do not solve the scene, of those that ran.
+// The lines with failed or refused runs on the scene.
 std::string left_out(const PageInput& page, const SceneSettings& scene) {
   std::set<std::string> refused, ended;
   for (const MeasuredRun& run : of_scene(page.runs.failed, scene))

@@ -27,7 +27,7 @@ json runs_of_curves(const PageInput& page, const ParameterCurves& curves) {
   return columns;
 }
 
-// What of the scene is not its default, but for the parameter.
+// The common settings without those that equal their defaults.
 SceneSettings told(const ParameterCurves& curves) {
   SceneSettings told = curves.scene;
   if (const auto* maker = find_scene(told.id)) {

@@ -57,7 +57,8 @@ std::string with_run(const PageInput& page, const BestInTime& best) {
                      count_text(best.run.steps));
 }
 
-// Which formulation keeps the constraint best in the same time; empty: there is no choice, or no time.
+// A text: which formulation has the least drift in the same time; empty with one formulation or without
+// times.
 std::string advice(const PageInput& page, const ConstrainedScene& scene) {
   const auto [seconds, ranked] = best_in_time(scene);
   if (ranked.size() < 2) return {};
@@ -75,7 +76,7 @@ bool at_rounding(const FormulationRuns& of) {
   });
 }
 
-// The formulations with a choice of which every run keeps the constraint to rounding; empty: none.
+// The formulations whose runs all keep the constraint to rounding, on every scene; empty if there are none.
 std::string on_rounding(const std::vector<ConstrainedScene>& scenes) {
   std::vector<std::string> names;
   for (const auto& scene : scenes) {

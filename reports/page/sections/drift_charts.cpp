@@ -23,7 +23,7 @@ using nlohmann::json;
 constexpr int digits = 3;
 constexpr int times_an_octave = 8, octaves = 10;
 
-// The largest drift so far, at times that double eight at a time up to the end.
+// The running maximum of the drift, sampled at eight times per factor of 2 in t, from end/1024 on.
 class LargestSoFar {
  public:
   explicit LargestSoFar(double end) : next_(std::ldexp(end, -octaves)) {}
@@ -48,8 +48,8 @@ class LargestSoFar {
   std::vector<double> t_{}, drift_{};
 };
 
-// The columns of a run's steps, with D^order of the velocities by another rule than the scheme's where that
-// is known.
+// The columns at the steps of a run. D^order of the velocities is computed by a rule other than the scheme's
+// where that is possible (IndependentMemory).
 class SeenColumns {
  public:
   SeenColumns(const Scene& scene, const Grid& grid, Matrix columns)
@@ -59,7 +59,7 @@ class SeenColumns {
       memories_.emplace_back(grid, order, powers);
   }
 
-  // Whether each costs a sum over the past.
+  // Whether at() is expensive: it then computes a history sum.
   [[nodiscard]] bool dear() const { return !memories_.empty(); }
 
   [[nodiscard]] Vec at(int step) const {
@@ -77,7 +77,7 @@ class SeenColumns {
   std::vector<IndependentMemory> memories_{};
 };
 
-// The run's drift in the course of time, solved anew; nothing where it ends early.
+// The drift of the run as a function of t, from a new solve; nullopt if the solve does not finish.
 std::optional<json> course_of(const PageInput& page, const BestInTime& best) {
   const RunKey& key = best.run.key;
   const auto* maker = find_scene(key.scene.id);
@@ -108,21 +108,21 @@ json courses_of(const PageInput& page, const ConstrainedScene& scene) {
   for (const auto& best : best_in_time(scene).ranked) {
     try {
       if (auto course = course_of(page, best)) courses.push_back(std::move(*course));
-    } catch (const std::exception&) {  // a scene that this build does not solve has no picture
+    } catch (const std::exception&) {  // this build cannot solve the scene: no curve
       continue;
     }
   }
   return courses;
 }
 
-// The place of a name in a list, at whose end it is put where it is new.
+// Index of a name in a list; appends the name if it is new.
 std::size_t place_in(std::vector<std::string>& names, const std::string& name) {
   const auto found = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
   if (found == names.size()) names.push_back(name);
   return found;
 }
 
-// Columns of equal length, an entry a run.
+// Columns of equal length with one entry per run.
 json points_of(const PageInput& page, const ConstrainedScene& scene) {
   std::vector<std::string> formulations, lines;
   json points;

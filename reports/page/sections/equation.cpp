@@ -17,7 +17,7 @@ std::string value_text(const Parameter& parameter, const SceneSettings& scene) {
 
 }  // namespace
 
-// As formulas: the page sets them.
+// The formulas as text; the page typesets them.
 json equations_of(const SceneSettings& scene) {
   json all = json::array();
   const SceneMaker* maker = find_scene(scene.id);

@@ -9,14 +9,14 @@
 namespace fde {
 namespace {
 
-// The scheme that solves the expansion of another's chains, or nullptr.
+// The scheme that solves the commensurate expansion of another scheme's chains; nullptr if there is none.
 const Scheme* expansion_scheme() {
   const auto found =
       std::ranges::find_if(schemes(), [](const Scheme& scheme) { return !scheme.expansion_of.empty(); });
   return found == schemes().end() ? nullptr : &*found;
 }
 
-// The same scene and steps solved both ways.
+// Runs of the same scene and steps by the chain and by the expansion.
 struct Pair {
   const MeasuredRun *chain, *expansion;
 };
@@ -27,7 +27,7 @@ const MeasuredRun* find(RunSpan runs, std::string_view scheme, const Setup& setu
   return found == runs.end() ? nullptr : &*found;
 }
 
-// At the finest step count that both have, otherwise set up alike.
+// The pair with the largest common number of steps and equal settings.
 std::optional<Pair> finest_pair(const Scheme& expansion, RunSpan scene) {
   std::optional<Pair> finest;
   for (const MeasuredRun& run : scene) {
@@ -42,7 +42,7 @@ Cell states(const MeasuredRun& run) {
   return {.text = count ? count_text(*count) : ""};
 }
 
-// A time is worth nothing without its error.
+// A time is shown only together with its error.
 Cell time_and_error(const MeasuredRun& run) {
   const auto seconds = run["time_minimum"], error = run["error_end"];
   if (!seconds || !error) return {};

@@ -15,7 +15,7 @@
 namespace fde {
 namespace {
 
-// Runs that end in one way: lines with the same numbers of steps.
+// Runs with the same ending: lines with the same numbers of steps.
 struct Shared {
   std::vector<std::string> lines, steps;
   RunEnding first, last;
@@ -26,7 +26,8 @@ struct Shared {
   }
 };
 
-// What is refused is refused for a reason; where the rest ends differs from one number of steps to the next.
+// Refusals must have the same reason. Other endings may differ in step and time, which depend on the number
+// of steps.
 bool alike(const RunEnding& one, const RunEnding& other) {
   return one.kind == other.kind && (one.kind != Ending::refused || one.detail == other.detail);
 }
@@ -36,7 +37,7 @@ std::string steps_or_accuracy(const MeasuredRun& run) {
   return asked != nullptr ? error_text(asked->relative) : count_text(run.steps);
 }
 
-// Neighbouring step counts of a line that end alike.
+// Consecutive numbers of steps of a line with the same ending.
 std::vector<Shared> endings_of(const PageInput& page, RunSpan line) {
   std::vector<Shared> found;
   for (const MeasuredRun& run : line) {
@@ -50,7 +51,7 @@ std::vector<Shared> endings_of(const PageInput& page, RunSpan line) {
 
 }  // namespace
 
-// Runs that end in the same way with the same numbers of steps share a row.
+// Lines with the same endings for the same numbers of steps share a row.
 Section failures_section(const PageInput& page) {
   Section section{
       .id = "failures",
@@ -85,7 +86,7 @@ Section failures_section(const PageInput& page) {
   return section;
 }
 
-// Our schemes, and other programs behind them.
+// The schemes of this build, then external programs.
 Section schemes_section(const PageInput& page) {
   Section section{.id = "schemes",
                   .title = "The schemes",

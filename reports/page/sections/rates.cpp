@@ -47,7 +47,7 @@ std::vector<Cell> row(const PageInput& page, const RateRow& rate) {
           correlation(rate.maximum)};
 }
 
-// How many fits there are, and how many of them deviate.
+// A text with the number of fits and the number of deviating fits.
 std::string summary(const std::vector<RateRow>& rates) {
   std::ptrdiff_t fits = 0, deviating = 0;
   for (const auto norm : {&RateRow::end, &RateRow::maximum}) {
@@ -62,13 +62,13 @@ std::string summary(const std::vector<RateRow>& rates) {
       deviating, fits, largest_deviation);
 }
 
-// Whether the scheme shows its rate at the end of this scene and, by theory, not in the maximum norm.
+// Whether the scheme has its rate at the end of this scene, but by theory not in the maximum norm.
 bool speaks_of_a_theorem(const RateRow& rate) {
   return rate.end.deviation() && !deviates(rate.end) && *rate.end.expected > 1.0 &&
          rate.maximum.expected.value_or(2.0) <= 1.0;
 }
 
-// What the rates say about the theorem on a scheme, with the scenes that show it; empty: none.
+// What the rates imply for the theorem on a scheme, with the scenes that show it; empty if there are none.
 std::string on_the_theorem(const Scheme& scheme, const std::vector<RateRow>& rates) {
   std::vector<std::string> scenes;
   for (const RateRow& rate : rates) {

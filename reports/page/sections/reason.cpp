@@ -22,7 +22,7 @@ std::optional<double> observed_rate_of(const PageInput& page, const SceneSetting
 
 }  // namespace
 
-// Time is steps times what a step costs: which of the two sets the first line apart from the second.
+// Time = steps * time per step: says which factor distinguishes the first line from the second.
 std::string reason_it_leads(const PageInput& page, const SceneSettings& scene, const Option& first,
                             const Option& second, Norm norm) {
   const double fewer = static_cast<double>(second.steps) / first.steps;

@@ -22,8 +22,8 @@ namespace {
 constexpr double largest_share = 0.1;
 constexpr auto errors_at_end = "error at the end", errors_over_all = "largest error over all times";
 
-// The smallest error of a scene in one norm beside the reference's own: three cells, empty ones where no run
-// has both.
+// The smallest error of a scene in one norm, the bound of the reference, and their ratio: three cells, empty
+// if no run has both.
 std::vector<Cell> reference_cells(const PageInput& page, RunSpan scene, std::string_view error_id,
                                   std::string_view bound_id) {
   const MeasuredRun* best = nullptr;
@@ -46,11 +46,11 @@ std::vector<Cell> reference_cells(const PageInput& page, RunSpan scene, std::str
           share};
 }
 
-// What a reference on which two methods agree takes to be computed anew, as `fdebench exact` does, in seconds
-// of the processor; nullopt: it rests on a formula, or is not known.
+// CPU seconds to compute a reference by two methods without the cache, as `fdebench exact` does; nullopt if
+// the reference is a formula or cannot be computed.
 std::optional<double> seconds_to_compute(Scene scene) {
   if (evidence_of(scene) != "two methods") return std::nullopt;
-  scene.name.clear();  // those on disk go by it
+  scene.name.clear();  // the cache on disk is keyed by the name
   const auto start = std::clock();
   try {
     reference_of(scene);
@@ -65,14 +65,14 @@ struct Basis {
   std::optional<double> seconds{};
 };
 
-// Timed is the first only of the scenes that differ in their settings.
+// Of scenes that differ in their settings only the first is timed.
 Basis basis_of(const SceneSettings& settings, bool is_first) {
   const auto scene = known_scene(settings);
   if (!scene) return {};
   return {.evidence = evidence_of(*scene), .seconds = is_first ? seconds_to_compute(*scene) : std::nullopt};
 }
 
-// Empty: nothing is known of this scene.
+// Empty if no run of the scene has an error and a bound.
 std::vector<Cell> reference_row(const PageInput& page, RunSpan scene, const Basis& basis) {
   const auto& of = scene.front().key.scene;
   std::vector<Cell> row{{.text = name_of_scene(of).title, .detail = label_of(of)}};
@@ -95,8 +95,8 @@ bool takes_accuracy(const Option& option) {
   return std::holds_alternative<Accuracy>(option.setup.resolution);
 }
 
-// What the quickest plain scheme over a grid takes within 1e-12, by its errors so far where none was run that
-// far. Plain: it has no start weights, so that its rate is low.
+// The time of the quickest plain scheme on a grid within 1e-12, extrapolated by the error model if no run
+// reaches it. Plain: without start weights, hence with a low rate.
 struct OverGrid {
   double seconds = INFINITY;
   bool is_forecast = false;
@@ -127,7 +127,8 @@ double middle(std::vector<double> values) {
   return *place;
 }
 
-// What computing the references takes, and what schemes take to come as near; empty: nothing is timed.
+// Times to compute the references, and times of schemes with a comparable accuracy; empty if nothing is
+// timed.
 class CostOfReferences {
  public:
   void add(const SceneLines& lines, RunSpan runs, double seconds) {

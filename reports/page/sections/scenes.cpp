@@ -27,7 +27,7 @@ json runs_of_scene(const PageInput& page, RunSpan scene) {
   return run_columns(page, runs);
 }
 
-// The slopes that theory promises the lines that can show one.
+// The theoretical rates of the lines with at least two runs.
 json rates_of_scene(const PageInput& page, RunSpan scene) {
   json shown = json::array();
   for (const RunSpan line : by_line(scene)) {
@@ -41,7 +41,7 @@ json rates_of_scene(const PageInput& page, RunSpan scene) {
   return shown;
 }
 
-// Runs that a logarithmic chart cannot show are named, not dropped in silence.
+// A note that names the runs with error 0, which a logarithmic chart cannot show.
 std::string not_drawn(const PageInput& page, RunSpan scene) {
   std::vector<std::string> names;
   for (const MeasuredRun& run : scene) {
@@ -54,7 +54,7 @@ std::string not_drawn(const PageInput& page, RunSpan scene) {
                      fmt::join(names, ", "));
 }
 
-// Times that are not of solves alone.
+// A note that names the lines whose times are of whole processes.
 std::string on_wall_clock(const PageInput& page, RunSpan scene) {
   std::set<std::string> names;
   for (const MeasuredRun& run : scene) {
@@ -65,14 +65,14 @@ std::string on_wall_clock(const PageInput& page, RunSpan scene) {
                      fmt::join(names, ", "));
 }
 
-// What the scene itself is.
+// Adds the equations and parameters of the scene to its section.
 void add_scene(json& section, const SceneSettings& scene) {
   if (auto equations = equations_of(scene); !equations.empty()) section["equations"] = std::move(equations);
   if (const auto parameters = parameters_table(scene); !parameters.empty())
     section["parameters"] = to_json(parameters);
 }
 
-// Scenes that differ in their form have one solution, which stands in the first of their sections.
+// Formulations of one scene have the same solution: it is stored in the first of their sections only.
 void share_solutions(json& sections) {
   std::map<std::string, std::string> seen;
   for (auto& section : sections) {

@@ -21,14 +21,14 @@ namespace {
 
 constexpr std::size_t most_named = 3;  // scenes in a sentence
 
-// What a line is worth in the map of answers.
+// The results of a line in the map of answers.
 struct Standing {
-  std::vector<double> margins{};        // of the second line's time to its own, in the cells that it wins
-  std::map<std::string, int> won_on{};  // scenes
-  double nearest = INFINITY;            // the least of its time to the winner's
-  std::string nearest_on{};             // the scene of that
-  double nearest_accuracy = 0.0;
-  int reached = 0;  // cells
+  std::vector<double> margins{};        // time of the second line / own time, in each cell that it wins
+  std::map<std::string, int> won_on{};  // number of cells won, by scene
+  double nearest = INFINITY;            // smallest ratio of its time to the winner's
+  std::string nearest_on{};             // scene of `nearest`
+  double nearest_accuracy = 0.0;        // accuracy of `nearest`
+  int reached = 0;                      // number of cells in which it is within the accuracy
 
   [[nodiscard]] int won() const {
     int cells = 0;
@@ -38,8 +38,8 @@ struct Standing {
 };
 
 struct Standings {
-  std::map<std::string, Standing> of{};  // by the labels of lines
-  int cells = 0;                         // that some line wins
+  std::map<std::string, Standing> of{};  // by label of the line
+  int cells = 0;                         // number of cells with a winner
 };
 
 Standings standings_of(const PageInput& page, const ErrorKind& kind) {
@@ -68,7 +68,7 @@ Standings standings_of(const PageInput& page, const ErrorKind& kind) {
   return found;
 }
 
-// The names that count most, and how many more there are.
+// The names with the largest counts, and the number of further names.
 std::string named(const std::map<std::string, int>& counts) {
   std::vector<std::pair<std::string, int>> all(counts.begin(), counts.end());
   std::ranges::stable_sort(all, std::greater{}, &std::pair<std::string, int>::second);
@@ -96,12 +96,12 @@ std::string where_it_wins(const Standings& all, const std::string& line) {
   return text;
 }
 
-// The runs of a line that a verdict speaks against, by scene and by reason.
+// The runs of a line with one bad verdict, counted by scene and by reason.
 struct Counted {
   std::map<std::string, int> scenes{}, reasons{};
 };
 
-// Without what is of one scene: "takes no algebraic rows: component 6 is one".
+// The reason without its detail for one scene, as in "takes no algebraic rows: component 6 is one".
 std::string general(const std::string& reason) { return reason.substr(0, reason.find(": component")); }
 
 std::string against(const PageInput& page, const std::string& line) {
@@ -141,7 +141,8 @@ std::string against(const PageInput& page, const std::string& line) {
   return text;
 }
 
-// Of finished runs, failed ones and trials, each once, in the order of the list of schemes.
+// The labels of finished runs, failed runs and trials, without repetitions, in the order of the list of
+// schemes.
 std::vector<std::string> labels_of(const PageInput& page) {
   std::vector<std::string> labels;
   const auto add = [&](std::string_view id) {

@@ -18,11 +18,11 @@ namespace {
 using nlohmann::json;
 
 constexpr int first_times = 120, most_times = 400;
-constexpr double allowed = 0.004;         // of a column's range, between a curve and the lines that draw it
-constexpr Eigen::Index most_columns = 8;  // of hundreds of a diffusion
+constexpr double allowed = 0.004;         // distance of curve and polyline, as a fraction of a column's range
+constexpr Eigen::Index most_columns = 8;  // a diffusion has hundreds
 constexpr int digits = 4;
 
-// All columns of the solution, at times that are close together where the first few bend.
+// The solution at adaptively chosen times, dense where one of the first `columns` columns is curved.
 class Samples {
  public:
   Samples(const Scene& scene, Eigen::Index columns)
@@ -49,7 +49,8 @@ class Samples {
     return values_.insert_or_assign(t, value).first;
   }
 
-  // The place to go on from: the same, where a time was put behind it, or the next.
+  // Bisects the interval after `left` if its polyline is too coarse. Returns the left end of the next
+  // interval to check.
   Place refined(Place left) {
     const auto right = std::next(left);
     const double width = right->first - left->first;
@@ -69,7 +70,7 @@ class Samples {
 
 using Path = std::map<double, Vec>;
 
-// Values along the path as a column for each name, null where they are unbounded.
+// Values along the path, one column per name; null where a value is not finite.
 json columns_along(const Path& path, const std::vector<std::string>& names,
                    const std::function<Vec(double t, In columns)>& of) {
   std::vector<json> values(names.size(), json::array());
@@ -83,7 +84,7 @@ json columns_along(const Path& path, const std::vector<std::string>& names,
   return {{"columns", names}, {"values", values}};
 }
 
-// Nothing of an energy that is kept.
+// Adds the energy, unless it is constant.
 void add_energy(json& shown, const Scene& scene, const Path& path) {
   if (!scene.energy) return;
   json energy = columns_along(
@@ -102,7 +103,7 @@ void add_reactions(json& shown, const Scene& scene, const Path& path) {
   });
 }
 
-// Coordinates that are columns are not said twice.
+// Adds the coordinates of the motion; by name only if they are columns of the scene.
 void add_motion(json& shown, const Scene& scene, const Path& path) {
   const auto& names = scene.motion.names;
   if (names.empty()) return;
@@ -138,7 +139,7 @@ json solution_of(const SceneSettings& settings) {
   if (!scene) return {};
   try {
     return solution_of(*scene);
-  } catch (const std::exception&) {  // where there is no reference, a scene has no picture of it
+  } catch (const std::exception&) {  // without a reference there is no chart
     return {};
   }
 }

@@ -15,8 +15,7 @@
 namespace fde {
 namespace {
 
-// One line for each scheme of the trials' runs, and each way it is set up, in the order of the list of
-// schemes.
+// The labels of the trials' lines, without repetitions, in the order of the list of schemes.
 std::vector<std::string> lines_of(const PageInput& page) {
   std::vector<std::string> lines;
   for (const auto& scheme : schemes()) {
@@ -36,7 +35,7 @@ Cell cell(const PageInput& page, const SceneSettings& scene, const std::string& 
   if (found == page.trials.end()) return {.text = "not run"};
   const std::string word(verdict(*found).word);
   const auto error = (*found)["error_relative"];
-  // Of an error that is nothing 1, of one that is as large as the value 0.
+  // Digits of agreement: 16 for an error at rounding, 0 for an error as large as the value.
   const double correct = error && word == survives.word ? -std::log10(std::max(*error, 1e-16)) : 0.0;
   return {.text = word,
           .detail = error ? error_text(*error) : "",
@@ -45,7 +44,7 @@ Cell cell(const PageInput& page, const SceneSettings& scene, const std::string& 
           .strength = std::clamp(correct / 16.0, 0.0, 1.0)};
 }
 
-// "5 of 12", and how many it refuses or stops at rightly.
+// "5 of 12", with the numbers of refusals and of runs that stop rightly.
 Cell survivals(const PageInput& page, const std::string& line) {
   std::map<Verdict, int> counts;
   int total = 0;
