@@ -102,7 +102,7 @@ double integrated_orders(const Problem& problem) {
 }
 
 std::optional<Eigen::Index> row_off_at_start(const Problem& problem) {
-  constexpr double off = 1e-8;  // of the terms of a row: initial values are written with so many digits
+  constexpr double off = 1e-8;  // of the terms of a row: initial values may be given with 8 digits only
   constexpr double once = 1.0 - 1e-6;
   const auto constraints = algebraic_rows(problem);
   const auto drivers = multipliers(problem);

@@ -26,7 +26,7 @@ enum class Ending {
   singular,        // the state left the domain of the problem
   out_of_budget,
   event,               // an event with Event::ends ended the run
-  accuracy_lost,       // finished, but see accuracy_lost()
+  accuracy_lost,       // finished with an error as large as the value up to the end
   overflow,            // finished where the solution itself is infinite
   no_reference,        // finished, without a reference to compare with
   passed_singularity,  // finished after a singularity of the solution
