@@ -56,6 +56,7 @@ std::unique_ptr<TrapezoidalSolver> correct_predictions(int corrections);
 // those of one order. The error over all steps is the first result times a / (r + a (1 - r)).
 class TrapezoidalSteps final : public AdaptiveSteps {
  public:
+  // shortest: a lower bound of all step sizes. The problem must outlive this object.
   TrapezoidalSteps(const Problem& problem, const Accuracy& accuracy, const Options& options, Run& run,
                    double shortest, std::unique_ptr<TrapezoidalSolver> solver);
 

@@ -30,6 +30,7 @@ class ConjugateGradients final : public SparseFactors {
 
   explicit ConjugateGradients(const SparseMatrix& /*matrix*/) {}
 
+  // Whether the matrix is large enough for iterations to be cheaper than factors.
   static bool fits(const SparseMatrix& matrix);
   bool factorise(const SparseMatrix& matrix) override;
   [[nodiscard]] int determinant_sign() override { return 1; }
