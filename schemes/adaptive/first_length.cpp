@@ -8,8 +8,8 @@ namespace fde {
 namespace {
 
 // As parts of the end. A component that starts from 0 has no correct digits after a first step, however
-// short. None are required while the component is so small a part of its later size, estimated as (length /
-// end)^order.
+// short. None are required while (length / end)^order, which estimates its size relative to its later size,
+// is below short_enough.
 constexpr double short_enough = 1e-14;
 constexpr double shortest_first = 1e-290;
 

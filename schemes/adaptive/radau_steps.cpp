@@ -92,7 +92,7 @@ RadauSteps::RadauSteps(const Problem& problem, const Accuracy& accuracy, const O
     auto found = std::ranges::find(kernels_, order, &Kernel::order);
     if (found == kernels_.end()) {
       const Square weights = integral_weights(order);
-      // The memory term is evaluated no nearer to the past steps than the first point of a step.
+      // The memory term is evaluated no nearer to the earlier steps than the first point of a step.
       kernels_.push_back({order,
                           KernelIntegrals(ExponentialKernel(order, points().front() * shortest, problem.end,
                                                             options.tolerance)),

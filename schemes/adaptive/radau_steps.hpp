@@ -20,6 +20,7 @@ namespace fde {
 // the mean of such an error over its step matters for the memory term, and the mean is 0.
 class RadauSteps final : public AdaptiveSteps {
  public:
+  // shortest: a lower bound of all step sizes. The problem must outlive this object.
   RadauSteps(const Problem& problem, const Accuracy& accuracy, const Options& options, Run& run,
              double shortest);
 

@@ -51,11 +51,12 @@ std::unique_ptr<TrapezoidalSolver> correct_predictions(int corrections);
 // (t/h)^g, t the time since the last jump of f, and for orders above 1 up to t end^(g-1) / h^g.
 //
 // Their decay is estimated from the equations of the step: (1 - kappa df/dy)^(-1) is applied to the error
-// twice. The first result is the error of one step. r is the part of it that the second application leaves: 1
-// / (1 - kappa df/dy) for one component, otherwise a ratio of root mean squares over all components or over
+// twice. The first result is the error of one step. The second application leaves the part r of it: for one
+// component r = 1 / (1 - kappa df/dy), otherwise a ratio of root mean squares over all components or over
 // those of one order. The error over all steps is the first result times a / (r + a (1 - r)).
 class TrapezoidalSteps final : public AdaptiveSteps {
  public:
+  // shortest: a lower bound of all step sizes. The problem must outlive this object.
   TrapezoidalSteps(const Problem& problem, const Accuracy& accuracy, const Options& options, Run& run,
                    double shortest, std::unique_ptr<TrapezoidalSolver> solver);
 

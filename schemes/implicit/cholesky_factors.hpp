@@ -13,6 +13,7 @@ class CholeskyFactors final : public SparseFactors {
 
   explicit CholeskyFactors(const SparseMatrix& matrix) { factors_.analyzePattern(matrix); }
 
+  // Whether the matrix is symmetric.
   static bool fits(const SparseMatrix& matrix);
   bool factorise(const SparseMatrix& matrix) override;
   [[nodiscard]] int determinant_sign() override { return 1; }

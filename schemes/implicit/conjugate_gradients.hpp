@@ -12,7 +12,7 @@ namespace fde {
 //
 // The matrix M is scaled to a unit diagonal, S M S. For smooth variable diffusivities its stencil then hardly
 // varies (Concus & Golub, SIAM J. Numer. Anal. 10 (1973)). The preconditioner P is FastSine with the mean
-// stencil, its diagonal chosen such that the lowest sine mode x has the same x^T P x = x^T S M S x. Where the
+// stencil, its diagonal chosen such that x^T P x = x^T S M S x for the lowest sine mode x. Where the
 // diffusivity jumps, S = 1, and the number of iterations grows like the square root of the ratio of its
 // largest to its smallest value. In neither case does it grow with the number of points.
 //
@@ -30,6 +30,7 @@ class ConjugateGradients final : public SparseFactors {
 
   explicit ConjugateGradients(const SparseMatrix& /*matrix*/) {}
 
+  // Whether the matrix is large enough for iterations to be cheaper than factors.
   static bool fits(const SparseMatrix& matrix);
   bool factorise(const SparseMatrix& matrix) override;
   [[nodiscard]] int determinant_sign() override { return 1; }

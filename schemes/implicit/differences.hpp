@@ -10,7 +10,7 @@
 namespace fde {
 
 // df/dy at y by one-sided differences: evaluate(y) returns f; f: its value at y. The increment of component i
-// is sqrt(eps) max(|y_i|, sizes_i); where both are 0, the largest |y_j| takes their place, or 1. It is
+// is sqrt(eps) max(|y_i|, sizes_i); where both are 0, the largest |y_j| is used, or 1. It is
 // positive, or negative where smooth(y) is false at the shifted point.
 template <class Evaluate, class Smooth>
 void differences(Evaluate evaluate, Smooth smooth, Vec y, In f, In sizes, OutMatrix result) {

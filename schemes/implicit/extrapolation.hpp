@@ -13,6 +13,7 @@ class Extrapolation {
  public:
   explicit Extrapolation(Eigen::Index size) : values_(size, most) {}
 
+  // Appends a point; the oldest of five is dropped.
   void push(double t, In y);
   [[nodiscard]] bool empty() const { return known_ == 0; }
 

@@ -57,8 +57,8 @@ class NewtonSolver {
   // the step is too large for a growing mode.
   Ending solve(Run& run, const StepEquations& step, Out y);
 
-  // Replaces an error of the equations by its effect on the solution, about that of the last step solved: (1
-  // - kappa df/dy)^(-1) error.
+  // Replaces an error of the equations by its effect on the solution, (1 - kappa df/dy)^(-1) error. The
+  // matrix is about that of the last step solved.
   void respond(Vec& error) const { matrix_->solve(error); }
 
   // Saves or restores the state between two steps: the values to extrapolate, and the matrix with whose

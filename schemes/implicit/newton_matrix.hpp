@@ -27,6 +27,7 @@ class NewtonMatrix {
   // 1 or -1, of the factorised matrix; 0 where it is singular or not finite.
   virtual int determinant_sign() = 0;
 
+  // Adds to the diagonal of the matrix of linearise(), before it is factorised.
   virtual void add_to_diagonal(const Vec& values) = 0;
   virtual void factorise() = 0;
 

@@ -8,7 +8,8 @@
 namespace fde {
 
 // The equations of one step of an implicit rule: y_i = past_i + kappa_i f_i(t, y), and 0 = f_i(t, y) in
-// algebraic rows.
+// algebraic rows. past is the part that does not depend on y: the Taylor part and the memory term. kappa is
+// the weight of f(t, y).
 struct StepEquations {
   double t;
   const Vec& kappa;

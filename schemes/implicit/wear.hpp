@@ -13,8 +13,10 @@ class Wear {
   // price: cost of a factorisation, in iterations.
   explicit Wear(int price) : price_(price) {}
 
+  // Whether the factors are to be recomputed.
   [[nodiscard]] bool worn() const { return worn_; }
   void wear_out() { worn_ = true; }
+  // The factors have been recomputed.
   void renew() {
     worn_ = false;
     steps_ = taken_ = fewest_ = 0;

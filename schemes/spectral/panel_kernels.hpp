@@ -21,6 +21,7 @@ struct Lie {
 // are a power of 2 times each other, a few positions recur.
 class PanelKernels {
  public:
+  // The rule must outlive this object.
   PanelKernels(const PanelRule& rule, const DrivenRows& driven);
 
   // The distinct orders of the rows, without 0; and the index of the order of a row among them, -1 for order

@@ -18,6 +18,7 @@ namespace fde {
 // segment begins as after a jump. The memory term of a panel is computed from the tree (PastSum).
 class PanelMarch {
  public:
+  // Problem and options must outlive this object.
   PanelMarch(const Problem& problem, const Accuracy& accuracy, const Options& options);
 
   Trajectory solve();

@@ -28,6 +28,7 @@ struct PanelValues {
 // decay.
 class PanelSolver {
  public:
+  // Problem, rows and kernels must outlive this object.
   PanelSolver(const Problem& problem, const DrivenRows& driven, const PanelKernels& kernels,
               const Accuracy& accuracy);
 

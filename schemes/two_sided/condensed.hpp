@@ -14,8 +14,10 @@ namespace fde {
 // residual shows this.
 class Condensed {
  public:
+  // The linearisation must outlive this object.
   explicit Condensed(const Linearisation& linearisation);
 
+  // The increment of Newton's method for this residual.
   [[nodiscard]] Guess solution(const Residual& residual) const;
   // Memory of the vectors of GMRES.
   [[nodiscard]] std::size_t bytes() const;

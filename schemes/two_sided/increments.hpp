@@ -12,6 +12,7 @@ namespace fde {
 class Increments {
  public:
   enum class First { condensed, two_grid };
+  // The equations must outlive this object. first: the method to begin with.
   explicit Increments(const AllTimes& equations, First first = First::condensed);
 
   // The increment at a guess with this residual; its values are not finite where there is none.

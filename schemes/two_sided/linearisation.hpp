@@ -11,6 +11,7 @@ namespace fde {
 // without the x in algebraic rows.
 class Linearisation {
  public:
+  // The equations must outlive this object.
   explicit Linearisation(const AllTimes& equations) : equations_(equations) {}
 
   // Computes the Jacobians at a guess with this residual.

@@ -32,10 +32,12 @@ class DenseLinearisation {
 // interpolated linearly. Unlike Condensed it is not impaired by solutions that grow.
 class TwoGrid {
  public:
+  // The equations must outlive this object.
   TwoGrid(const AllTimes& equations, int coarse_steps);
 
   // Linearises the equations of the coarse grid at this guess.
   void update(Run& run, const Guess& guess);
+  // The increment of Newton's method with the linearisation `fine`, for this residual.
   [[nodiscard]] Guess solution(const Linearisation& fine, const Residual& residual) const;
   [[nodiscard]] std::size_t bytes() const;
 

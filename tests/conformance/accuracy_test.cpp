@@ -19,7 +19,7 @@ TEST(Accuracy, IsLostFromWhereTheErrorStaysAboveTheValue) {
   Rows values = ones();
   values.rightCols(3).setConstant(2.5);
   EXPECT_EQ(accuracy_lost(values, ones()), 7);
-  values(0, 9) = 1.5;  // comes back
+  values(0, 9) = 1.5;  // accurate again
   EXPECT_EQ(accuracy_lost(values, ones()), std::nullopt);
 }
 

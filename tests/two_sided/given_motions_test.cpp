@@ -119,7 +119,7 @@ TEST(PropositionTwo, HoldsWhereAllWeightsAreAlongTheVelocitys) {
 }
 
 // For other weights the motion from the same position with the same velocity across a differs from the
-// extremum, and the momentum across a differs by the column `defect`: e.v - e.v(0) + int e.grad u dt = defect
+// extremum, and the momentum across a by the column `defect`: e.v - e.v(0) + int e.grad u dt = defect
 // - defect(0).
 TEST(PropositionTwo, IsMissedByTheDefectElsewhere) {
   const Reference least = reference_of(scene_of("fractional_vakonomic"));
