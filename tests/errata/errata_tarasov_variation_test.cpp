@@ -49,8 +49,8 @@ TEST(ErrataTarasov, Equation70KeepsTheLeftDerivative) {
       },
       0.0, 1.0);
   EXPECT_NEAR(exact, 0.0707355302631, 1e-12);
-  // The right Riemann-Liouville derivative; the direction vanishes at 1 and cancels its singularity (1 -
-  // t)^(-1/2).
+  // The right Riemann-Liouville derivative; the direction vanishes at 1 and cancels its singularity
+  // (1 - t)^(-1/2).
   const auto slope = [](double t) { return 1.0 / (2.0 * gamma(1.5) * std::sqrt(t)); };
   const double adjoint = integral(
       [&](double t) { return direction(t) * right_riemann_liouville(slope, momentum(1.0), order, t, 1.0); },

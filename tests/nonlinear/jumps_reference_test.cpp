@@ -55,8 +55,8 @@ TEST(JumpsReference, TurnsANonlinearEquation) {
     expect_exact(reference, t, Vec::Constant(1, t < 1.0 ? 1.0 / (2.0 - t) : 1.0 / t), 1e-12);
 }
 
-// An algebraic row z = (t < 1) as the right-hand side of D^(1/2) y = z: y = 2 (sqrt(t) - sqrt(t - 1)) /
-// sqrt(pi).
+// An algebraic row z = (t < 1) as the right-hand side of D^(1/2) y = z:
+// y = 2 (sqrt(t) - sqrt(t - 1)) / sqrt(pi).
 TEST(JumpsReference, TakesAlgebraicRowsThatJump) {
   const Problem problem{.components = {{0.5, {0.0}}, {0.0, {1.0}}},
                         .rhs =
