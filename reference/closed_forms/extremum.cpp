@@ -29,8 +29,9 @@ BigReal ulps_of_power(const BigReal& base, const BigReal& exponent) {
   return base == 0 ? BigReal(4) : BigReal(4 + 3 * abs(exponent) * (1 + abs(BigReal(log(base)))));
 }
 
-// Adds factor * (1 + first * sum_{k>0} c_k), c_1 = z, c_{k+1} = c_k z (top + k) / (bottom + k) for top <=
-// bottom and 0 <= z <= 1/2: the remainder after a term is at most that term. ulps: relative error of factor.
+// Adds factor * (1 + first * sum_{k>0} c_k), c_1 = z, c_{k+1} = c_k z (top + k) / (bottom + k) for
+// top <= bottom and 0 <= z <= 1/2: the remainder after a term is at most that term. ulps: relative error of
+// factor.
 void add_series(Sum<BigReal>& sum, const BigReal& factor, const BigReal& ulps, const BigReal& first,
                 const BigReal& top, const BigReal& bottom, const BigReal& z) {
   BigReal series(1), term = first * z;

@@ -42,8 +42,8 @@ class LineIntegrals {
 //   I(d) / (e^(omega (1-d)) - 1) + I(b) / (e^(omega (b-1)) - 1),  I = (1/2 pi) int |e^s F ds| on the line,
 // plus the truncated nodes. With u = alpha (log s - log s*) the denominator is bounded from below by
 //   |s^alpha - z| = |z| |e^u - 1| >= max(|s|^alpha, |z|) min(1, |u mod 2 pi i|) / 10,
-// and |log s - log s*| >= 2 log(1 + |r - r*| / |r*|), r = sqrt(s / mu) = 1 + i theta, as |e^x - 1| <= e^|x|
-// - 1.
+// and |log s - log s*| >= 2 log(1 + |r - r*| / |r*|), r = sqrt(s / mu) = 1 + i theta, as
+// |e^x - 1| <= e^|x| - 1.
 class ContourBound {
  public:
   explicit ContourBound(const ContourShape& shape);

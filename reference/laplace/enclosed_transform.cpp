@@ -10,7 +10,7 @@
 namespace fde {
 namespace {
 
-// Largest Re s for e^s, as in exp_overflows(); above 1e9 long double is too coarse for the distances between
+// Largest Re s of e^s, as in exp_overflows(); above 1e9 long double is too coarse for the distances between
 // the contour and the singularities. Precondition: a Precision is in force.
 long double largest_exponent() { return std::min(1e9L, 0.6L * static_cast<long double>(mpfr_get_emax())); }
 

@@ -53,9 +53,9 @@ class EnclosingContour {
   // Logarithm of a bound of |f - sum| without rounding, except that two parts are estimates. By the residue
   // theorem the error of the trapezoidal rule on |theta| <= L = (K + 1/2) h is at most
   // int |e^s F ds| / |e^(2 pi |Im theta| / h) -+ 1| around a rectangle of the theta-plane free of
-  // singularities, whose boundary is covered with discs. The integral beyond L is estimated by 4 e^(Re s(L))
-  // |F(s(L))|, and omitted singularities by 0. Throws std::runtime_error where the smallest disc has no bound
-  // or there are too many discs.
+  // singularities, whose boundary is covered with discs. The integral beyond L is estimated by
+  // 4 e^(Re s(L)) |F(s(L))|, and omitted singularities by 0. Throws std::runtime_error where the smallest
+  // disc has no bound or there are too many discs.
   [[nodiscard]] long double log_bound(const Majorant& majorant) const;
 
  private:

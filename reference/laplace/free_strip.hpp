@@ -25,8 +25,8 @@ struct ShiftedShape {
 // is between its values on the parabolas without offset for Re r - r_0 and Re r + r_0, and so are the line
 // integrals. The distance from s* is
 //   |log s - log s*| >= log(1 + |s - s*| / |s*|),  |s - s*| = mu |r - r*| |r + r*| >= mu gap max(gap, |r*|),
-// gap = |Re r - Re r*|; for an s* on another sheet it is at least 2 log(1 + gap / |q*|) with q = sqrt(s /
-// mu), where Re q >= sqrt((Re r)^2 - r_0^2).
+// gap = |Re r - Re r*|; for an s* on another sheet it is at least 2 log(1 + gap / |q*|) with
+// q = sqrt(s / mu), where Re q >= sqrt((Re r)^2 - r_0^2).
 class FreeStrip {
  public:
   explicit FreeStrip(const ShiftedShape& shape);
@@ -45,7 +45,7 @@ class FreeStrip {
   };
   struct Result {
     double log_bound;
-    double log_clearance;  // on both edges of the strip the product of |s^alpha - z_i|^strength_i is at least
+    double log_clearance;  // in the strip the product of |s^alpha - z_i|^strength_i is at least
     // e^log_clearance times the product of max(|s|^alpha, |z_i|)^strength_i
     double least_size;     // least |s| in the strip
     bool inside, outside;  // whether there are s* on the principal sheet left of the strip, right of it

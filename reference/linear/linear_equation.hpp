@@ -15,8 +15,8 @@ struct LinearTerm {
   double time_scale = 1.0;
 };
 
-// sum_i c_i D^(order_i) u = sum_k load_k(t): Caputo derivatives from 0, orders in [0, 2], u^(k)(0) =
-// initial[k]. Terms with coefficient 0 are ignored; ceil(highest order) initial values are needed.
+// sum_i c_i D^(order_i) u = sum_k load_k(t): Caputo derivatives from 0, orders in [0, 2],
+// u^(k)(0) = initial[k]. Terms with coefficient 0 are ignored; ceil(highest order) initial values are needed.
 struct LinearEquation {
   std::vector<LinearTerm> terms;
   std::vector<double> initial;

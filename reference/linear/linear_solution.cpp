@@ -64,7 +64,7 @@ LinearValues<long double> LinearSolution::in_long_double(double t) const {
     LinearResponse<long double> response(rounded_, group, time);
     response.add_to(part, zeros_, contour);
     response.add_discretisation(part, contour);
-    // Cancellation in t - from is an error of the time.
+    // Cancellation in t - from gives an error of the time.
     const long double time_ulps = since_start / time;
     for (std::size_t j = 0; j < size(); ++j) {
       const long double rate = std::abs(part.rates[j].real());

@@ -22,9 +22,9 @@ struct LinearSystem {
   std::vector<std::size_t> outputs{};  // the requested components, in this order; empty: all
 };
 
-// The requested components; see linear_solution.hpp for their accuracy. A multiplier may be infinite at t =
-// 0, where velocities start like t^(1-order). Throws std::invalid_argument for a system not of this form, and
-// where the algebraic rows do not determine every unknown.
+// The requested components; see linear_solution.hpp for their accuracy. A multiplier may be infinite
+// at t = 0, where velocities start like t^(1-order). Throws std::invalid_argument for a system not of this
+// form, and where the algebraic rows do not determine every unknown.
 Reference linear_reference(const LinearSystem& system);
 
 }  // namespace fde

@@ -5,9 +5,9 @@
 namespace fde {
 namespace {
 
-// The matrix diag(s^g) - A of (diag(s^g) - A) X = R,
-// R_j = sum_k s^(g_j-1-k) x_j^(k)(0) + sum of loads c Gamma(power+1) s^(-power-1). By Cramer's rule X_i = N_i
-// / P, where P is the determinant and N_i the determinant with R in column i.
+// The matrix diag(s^g) - A of (diag(s^g) - A) X = R, R_j = sum_k s^(g_j-1-k) x_j^(k)(0) + sum of loads c
+// Gamma(power+1) s^(-power-1). By Cramer's rule X_i = N_i / P, where P is the determinant and N_i the
+// determinant with R in column i.
 PolynomialMatrix matrix_of(const LinearSystem& system) {
   const std::size_t size = system.orders.size();
   PolynomialMatrix matrix(size, std::vector<GeneralizedPolynomial>(size));

@@ -8,10 +8,10 @@
 
 namespace fde {
 
-// The equations y_i = past_i + W_i f_i(t, y) of an implicit step (past_i: the history term), and 0 = f_i(t,
-// y) in algebraic rows, linearised at some y; y_i and f_i are the values of a component at the nodes.
-// Matrices of values have one row per node and one column per component; unknowns are numbered component by
-// component.
+// The equations y_i = past_i + W_i f_i(t, y) of an implicit step (past_i: the history term), and
+// 0 = f_i(t, y) in algebraic rows, linearised at some y; y_i and f_i are the values of a component at the
+// nodes. Matrices of values have one row per node and one column per component; unknowns are numbered
+// component by component.
 struct LinearisedStep {
   LinearisedStep() = default;
   // weights: W_i for each component, the identity for algebraic rows; of_nodes: df/dy at each node.

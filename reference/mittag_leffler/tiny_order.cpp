@@ -49,9 +49,10 @@ ReciprocalGamma::ReciprocalGamma(const DoubleDouble& beta) {
 }
 
 // An upper bound of (1/2 pi) int |e^s s^-beta log^2 s| |ds|, divided by the same scale, on Hankel's contour:
-// a circle around 0 with radius r = max(1, beta), and both sides of the cut. The circle contributes e^r
-// r^(1-beta) (log^2 r + pi^2), by Stirling's series at most 2.8 sqrt(beta) (log^2 beta + pi^2) / Gamma(beta)
-// for beta >= 1. As log^2 t <= t, the cut contributes less, or at most Gamma(1-beta) (|beta| + 11) / pi.
+// a circle around 0 with radius r = max(1, beta), and both sides of the cut. The circle contributes
+// e^r r^(1-beta) (log^2 r + pi^2), by Stirling's series at most
+// 2.8 sqrt(beta) (log^2 beta + pi^2) / Gamma(beta) for beta >= 1. As log^2 t <= t, the cut contributes less,
+// or at most Gamma(1-beta) (|beta| + 11) / pi.
 long double moment(double beta) {
   constexpr long double pi_squared = 9.87L;
   if (beta <= 0.5) return 42.0L + std::abs(beta);

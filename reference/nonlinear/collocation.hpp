@@ -14,7 +14,7 @@ struct CollocationOptions {
   double tolerance = 1e-13;  // relative, of the resolution of the panels; rounding limits it to about 1e-14
 };
 
-// Orders are in [0, 2], those of algebraic rows 0; f is continuous except at problem.jumps and in the
+// Orders are in [0, 2], those of algebraic rows 0; f is continuous except at problem.jumps and for terms with
 // unknowns of algebraic rows, and smooth for other t > 0. ReferenceValue::bound is an estimate. Throws
 // std::runtime_error if one of the two methods does not converge (naming the method and the time), if an
 // order is too small for a problem with algebraic rows, or if there are more than 200 unknowns. Throws

@@ -15,8 +15,8 @@ namespace fde {
 // z^(1/alpha) is too far from the real axis (about 1e5), or the digits do not suffice.
 MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::complex<double> z);
 
-// The k-th derivative of E_{alpha,beta} at z, k! E^{k+1}_{alpha,beta + k alpha}(z), for 0 <= k <=
-// most_derivatives; accuracy and exceptions as for prabhakar().
+// The k-th derivative of E_{alpha,beta} at z, k! E^{k+1}_{alpha,beta + k alpha}(z), for
+// 0 <= k <= most_derivatives; accuracy and exceptions as for prabhakar().
 inline constexpr int most_derivatives = 1000;
 MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, std::complex<double> z);
 

@@ -83,10 +83,11 @@ struct PrabhakarParameters {
 };
 
 // Logarithm of a bound of the contribution of an s* right of the strip, which is neglected; infinite in the
-// right half-plane. The contribution is the integral of e^s F around a cut from s* radially outward. With u =
-// alpha (log s - log s*) the path is at a distance delta from u >= 0, so |s^alpha - z| >= max(|s|^alpha, |z|)
-// delta / 10 and |F| <= |s|^-beta (delta/10)^-gamma, and Re s <= -kappa |s|. The smallest bound over several
-// delta: e^s favours a path next to the cut, F a wide one.
+// right half-plane. The contribution is the integral of e^s F around a cut from s* radially outward. With
+// u = alpha (log s - log s*) the path is at a distance delta from u >= 0, so
+// |s^alpha - z| >= max(|s|^alpha, |z|) delta / 10 and |F| <= |s|^-beta (delta/10)^-gamma, and
+// Re s <= -kappa |s|. The smallest bound over several delta: e^s favours a path next to the cut, F a wide
+// one.
 double log_beyond(const PrabhakarParameters& x, const std::complex<double>& log_pole) {
   constexpr double quarter = std::numbers::pi / 2.0, infinity = std::numeric_limits<double>::infinity();
   const double turn = std::abs(log_pole.imag()), beta = x.beta.hi;

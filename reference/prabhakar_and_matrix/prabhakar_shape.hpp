@@ -24,8 +24,8 @@ struct PrabhakarShape {
 
   // Whether 0 is no singularity.
   [[nodiscard]] bool cut_free() const { return whole_alpha && whole_power; }
-  // Whether F is close to its term in s^power, power an integer, on the contour: that term contributes
-  // nothing and is subtracted. So for s* far in the left half-plane.
+  // Whether the term of F in s^power, power an integer, is subtracted: it contributes nothing, and F is close
+  // to it on the contour if all s* are far in the left half-plane.
   [[nodiscard]] bool peeled() const;
   // Logarithm of an upper bound of |F|, or if peeled() of the remainder, on a disc.
   [[nodiscard]] long double log_majorant(const EnclosingContour::Disc& disc) const;

@@ -11,8 +11,8 @@ namespace fde {
 // finite at both ends.
 //
 // The panels of the table are intervals of end * x with t = end * ClusteredTime(x), more clustered for a
-// smaller smallest order; Reference::at takes times t, and throws std::invalid_argument for t outside [0,
-// end]. Throws std::runtime_error where one of the methods does not converge, std::invalid_argument for
+// smaller smallest order; Reference::at takes times t, and throws std::invalid_argument for t outside
+// [0, end]. Throws std::runtime_error where one of the methods does not converge, std::invalid_argument for
 // algebraic rows.
 PanelTable two_sided_table(const Problem& problem);
 Reference two_sided_reference(PanelTable table, const Problem& problem);

@@ -8,7 +8,7 @@
 
 namespace fde::certificate {
 
-// Binary digits of the mid points that operations of this thread produce while it lives.
+// Scope guard that sets the working precision of this thread, in bits.
 class WorkingBits {
  public:
   explicit WorkingBits(long bits) : before_(std::exchange(current, bits)) {}
@@ -24,8 +24,9 @@ class WorkingBits {
   long before_;
 };
 
-// A complex number known to lie in a rectangle about a mid point: Arb's acb as a value. Every operation
-// encloses all results of all members of its operands. A ball is real when its imaginary part is exactly 0.
+// A rectangle around a mid point that encloses a complex number: Arb's acb with value semantics. The result
+// of every operation encloses the results for all members of its operands. A ball is real if its imaginary
+// part is exactly 0.
 class Ball {
  public:
   Ball() { acb_init(&x_); }
@@ -41,7 +42,7 @@ class Ball {
   }
   ~Ball() { acb_clear(&x_); }
 
-  // The number that decimal texts name; std::invalid_argument where they name none.
+  // The number with these decimal texts. Throws std::invalid_argument unless they are numbers.
   static Ball parse(const std::string& re, const std::string& im);
   static Ball pi();
   static Ball i();
@@ -57,9 +58,9 @@ class Ball {
   // Correct binary digits of the mid point, relative to the modulus.
   [[nodiscard]] long accuracy() const { return acb_rel_accuracy_bits(&x_); }
   [[nodiscard]] std::complex<double> mid() const;
-  // The parts as decimal texts, of at most that many digits: as many as are certain.
+  // The parts as decimal texts with at most `digits` digits, only correct ones.
   [[nodiscard]] std::pair<std::string, std::string> text(int digits) const;
-  // A number of 3 digits that no real part exceeds.
+  // An upper bound of the real part, with 3 digits.
   [[nodiscard]] std::string upper_bound_text() const;
 
   // Enlarges the rectangle, in both directions, by the upper bound of |error|.
@@ -88,11 +89,11 @@ Ball conj(const Ball& x);
 Ball real(const Ball& x);
 Ball imag(const Ball& x);
 
-// Of the real parts, certain for all members: a false answer may mean "not known".
+// Comparisons of the real parts: true if they hold for all members; false may mean "not known".
 bool operator<(const Ball& a, const Ball& b);
 bool operator>(const Ball& a, const Ball& b);
 
-// Upper and lower bound of log2 |x|, for estimates; far away from all numbers where x is 0 or not finite.
+// Upper and lower bound of log2 |x|, for estimates; infinite where x is 0 or not finite.
 double log2_above(const Ball& x);
 double log2_below(const Ball& x);
 

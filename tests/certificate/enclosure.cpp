@@ -12,7 +12,7 @@ namespace {
 
 bool is_whole(const Ball& x) { return acb_is_int(x.get()) != 0; }
 
-// A term of the series costs a value of Gamma, a point of the integral three complex exponentials.
+// A term of the series costs one evaluation of Gamma, a point of the integral three complex exponentials.
 constexpr double most_terms = 800.0;
 
 Method method_for(const Arguments& x, long bits) {

@@ -6,7 +6,7 @@
 
 namespace fde::certificate {
 
-// E_{alpha,beta}(z), each argument exact or itself a ball.
+// Arguments of E_{alpha,beta}(z), each exact or an enclosure.
 struct Arguments {
   Ball alpha, beta, z;
   [[nodiscard]] bool real() const { return beta.is_real() && z.is_real(); }
@@ -15,20 +15,21 @@ struct Arguments {
 enum class Method { automatic, power_series, residues, hankel };
 
 // Encloses E_{alpha,beta}(z) = sum_k z^k / Gamma(alpha k + beta), alpha in (0, 5], real beta, with at least
-// that many correct decimal digits relative to |E|. No formula is shared with the library: the power series
-// with a geometric bound of its tail, the finite sum of residues where alpha and beta are whole, and else two
-// rays and an arc in the logarithmic plane, integrated by Arb with a rigorous bound.
-// Throws std::runtime_error when the accuracy is out of reach of 20000 bits, as at a zero.
+// `digits` correct decimal digits relative to |E|. Shares no formula with the library: the power series with
+// a geometric bound of its tail, the finite sum of residues for integer alpha and beta, and otherwise
+// Hankel's integral over two rays and an arc in the logarithmic plane, integrated by Arb with a rigorous
+// bound. Throws std::runtime_error where 20000 bits do not suffice, as at a zero.
 Ball enclose(double alpha, double beta, std::complex<double> z, int digits,
              Method method = Method::automatic);
 Ball enclose(const Arguments& x, int digits, Method method = Method::automatic);
 
-// One attempt of each method at the working precision of this thread.
+// One evaluation by each method at the working precision of this thread.
 Ball power_series(const Arguments& x);
-Ball whole_residues(const Arguments& x);   // alpha and beta whole, z not 0
-Ball hankel_integral(const Arguments& x);  // z not 0
+Ball whole_residues(const Arguments& x);   // alpha and beta integers, z != 0
+Ball hankel_integral(const Arguments& x);  // z != 0
 
-// Estimates that choose the method: terms the series needs for those bits, and bits it loses.
+// Estimates for the choice of the method: terms that the series needs for `bits` bits, and bits lost by
+// cancellation.
 struct SeriesEffort {
   double terms, lost_bits;
 };

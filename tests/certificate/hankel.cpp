@@ -11,11 +11,11 @@
 namespace fde::certificate {
 namespace {
 
-// With s = e^u, Hankel's integral is E = 1/(2 pi i) int f(u) du, f(u) = e^(e^u + (1-beta) u) / (1 - z
-// e^(-alpha u)), from +infinity - i below, along the arc Re u = corner, to +infinity + i above. f is
-// meromorphic in the whole plane: there is no cut, and the rays may stand at any angle in (pi/2, 3 pi/2) as
-// long as the poles u* = (log z + 2 pi i k)/alpha between them and right of the arc are added, e^(s*)
-// s*^(1-beta)/alpha each.
+// With s = e^u, Hankel's integral is E = 1/(2 pi i) int f(u) du,
+// f(u) = e^(e^u + (1-beta) u) / (1 - z e^(-alpha u)), from +infinity - i below, along the arc Re u = corner,
+// to +infinity + i above. f is meromorphic in the whole plane: there is no cut, and the rays may have any
+// angle in (pi/2, 3 pi/2) if the residues e^(s*) s*^(1-beta)/alpha at the poles u* = (log z + 2 pi i k)/alpha
+// between them and right of the arc are added.
 struct Path {
   double corner, below, above;
 };
@@ -26,7 +26,7 @@ double clearance(double angle, double alpha, double turn) {
   return std::abs(std::remainder(angle - turn / alpha, spacing));
 }
 
-// Fast decay, and poles at a distance.
+// The angle with the best compromise of fast decay and distance from the poles.
 double best_angle(double alpha, double turn) {
   double best = 0.0, best_score = -1.0;
   for (double angle = 1.875; angle <= 4.5; angle += 0.125) {
@@ -45,7 +45,7 @@ Path path_for(const Arguments& x) {
   constexpr double room = 1.0;
   double corner = natural;
   if (std::abs(pole - natural) < room) corner = pole > natural ? pole - room : pole + room;
-  // Multiples of 1/8 are exact in doubles, and symmetric for real z.
+  // Multiples of 1/8 are exact in double, and symmetric for real z.
   return {std::round(8.0 * corner) / 8.0, best_angle(alpha, -turn), best_angle(alpha, turn)};
 }
 
@@ -54,13 +54,14 @@ int integrand(acb_ptr out, const acb_t u, void* parameters, slong /*order*/, slo
   const auto& x = *static_cast<const Arguments*>(parameters);
   Ball at;
   acb_set(at.get(), u);
-  // Where the denominator may be 0 the quotient is not finite, which tells Arb that f may not be holomorphic.
+  // Where the denominator may be 0 the quotient is not finite, the signal to Arb that f may not be
+  // holomorphic.
   Ball value = exp(exp(at) + (Ball(1.0) - x.beta) * at) / (Ball(1.0) - x.z * exp(-x.alpha * at));
   acb_swap(out, value.get());
   return 0;
 }
 
-// int f over the segment, to an absolute error of 2^tolerance at best.
+// int f over the segment, with an absolute error goal of 2^tolerance.
 Ball integrate(const Arguments& x, const Ball& from, const Ball& to, long tolerance) {
   Ball result;
   mag_t error;
@@ -73,7 +74,7 @@ Ball integrate(const Arguments& x, const Ball& from, const Ball& to, long tolera
   return result;
 }
 
-// Where e^(cos(angle) e^t) has fallen by that many bits below its size at the corner.
+// The t at which e^(cos(angle) e^t) has decayed by `bits` bits relative to the corner.
 double end_of(double angle, double corner, double beta, double bits) {
   const double fall = -std::cos(angle);
   double radius = std::max(std::exp(corner), 1.0);
@@ -85,8 +86,8 @@ double end_of(double angle, double corner, double beta, double bits) {
 }
 
 // Bound of int_end^infinity |f(t + i angle)| dt. With X = e^end and c = -cos(angle),
-// int_X^infinity e^(-c x) x^-beta dx <= e^(-c X) X^-beta / (c - max(0, -beta)/X), and 1 - z e^(-alpha u) runs
-// along a ray from 1 of fixed direction psi, so it is at least |sin psi|, or 1 where cos psi < 0.
+// int_X^infinity e^(-c x) x^-beta dx <= e^(-c X) X^-beta / (c - max(0, -beta)/X), and 1 - z e^(-alpha u) is
+// on a ray from 1 with the fixed direction psi, so its modulus is at least |sin psi|, or 1 where cos psi < 0.
 Ball tail(const Arguments& x, double angle, double end) {
   const Ball radius = exp(Ball(end)), c = -cos(Ball(angle)), psi = arg(x.z) - x.alpha * Ball(angle);
   const Ball rate = x.beta < Ball(0.0) ? c + x.beta / radius : c;
@@ -95,7 +96,7 @@ Ball tail(const Arguments& x, double angle, double end) {
   return exp(-c * radius - x.beta * Ball(end)) / (rate * denominator);
 }
 
-// From the corner along the ray at that angle, outwards.
+// The integral from the corner outwards along the ray at that angle.
 Ball ray(const Arguments& x, double corner, double angle, long tolerance) {
   const double end =
       end_of(std::abs(angle), corner, x.beta.mid().real(), static_cast<double>(WorkingBits::get()));

@@ -25,14 +25,14 @@ auto timed(double& seconds, Function function) {
   return result;
 }
 
-// Takes the lock of the library's multiprecision first, so that waiting for it is not timed.
+// Acquires the lock of the library's multiprecision first, so that waiting for it is not timed.
 template <class Function>
 auto timed_face(double& seconds, Function function) {
   const Precision lock(20);
   return timed(seconds, function);
 }
 
-// False only for certain: the enclosure and the statement contradict each other, or one is not finite.
+// False only if size > allowed is certain or one of the two is not finite.
 bool may_be_within(const Ball& size, const Ball& allowed) {
   return acb_is_finite(size.get()) != 0 && acb_is_finite(allowed.get()) != 0 && !(size > allowed);
 }
@@ -51,7 +51,7 @@ struct Slope {
   bool near_zero;
 };
 
-// From z E'_b = (E_{b-1} - (b-1) E_b)/alpha, and the same again for (z d/dz)^2 E = z^2 E'' + z E'.
+// By z E'_b = (E_{b-1} - (b-1) E_b)/alpha, and once more for (z d/dz)^2 E = z^2 E'' + z E'.
 Slope slope_at(const Arguments& x, const Ball& value) {
   constexpr int digits = 30;
   const Ball one(1.0), two(2.0);
@@ -64,7 +64,7 @@ Slope slope_at(const Arguments& x, const Ball& value) {
   return {abs(slope), like_a_zero && Ball(4.0) * abs(value) < abs(slope)};
 }
 
-// A component that is said to be infinite has to be beyond all doubles, on that side.
+// Whether each infinite part of `computed` is justified: the value overflows a double with that sign.
 bool overflows(const Ball& value, std::complex<double> computed) {
   const Ball largest(std::numeric_limits<double>::max());
   const auto holds = [&](const Ball& part, double said) {

@@ -58,7 +58,7 @@ std::vector<Judgement> judge_all(const std::vector<int>& chosen, const Options& 
     for (std::size_t i = next++; i < rows.size(); i = next++) {
       rows[i] = judge_or_fault(point(chosen[i]), options.digits);
     }
-    flint_cleanup();  // each thread has tables of its own
+    flint_cleanup();  // each thread has its own tables
   };
   std::vector<std::jthread> threads;
   for (unsigned i = 0; i < options.threads; ++i) threads.emplace_back(work);
@@ -135,7 +135,7 @@ void write_table(const std::vector<Judgement>& rows, const std::string& path) {
   if (!file) throw std::runtime_error(fmt::format("--out {}: cannot be written", path));
 }
 
-// Derivatives, then Prabhakar's function, a line each.
+// Checks derivatives, then Prabhakar's function; prints one line for each. Returns the exit code.
 int run_prabhakar(int points) {
   int faulty = 0;
   fmt::print("{:24} {:>6} {:>7} {:>10} {:>16}\n", "function", "points", "faulty", "worst ulp",

@@ -16,17 +16,17 @@ namespace {
 using std::numbers::pi;
 using Value = std::complex<double>;
 
-// The betas that equations lead to, and any between -2 and 4.
+// The betas that occur in equations, or any value between -2 and 4.
 double usual_beta(Random& random, double alpha) {
   return random.one_of(std::array{1.0, alpha, 2.0, 1.0 + alpha, 0.5, random.between(-2.0, 4.0)});
 }
 
-// |z| whose root |z|^(1/alpha) lies between those powers of ten.
+// |z| such that |z|^(1/alpha) is between 10^low and 10^high.
 double size_of_root(Random& random, double alpha, double low, double high) {
   return std::pow(random.power_of_ten(low, high), alpha);
 }
 
-// e^(s*) is far from overflow, also times s*^(1-beta).
+// Whether e^(s*) s*^(1-beta) is far from overflow.
 bool is_moderate(const Point& x) {
   double growth = 0.0;
   const double log_root = std::log(std::abs(x.z)) / x.alpha, turn = std::arg(x.z);
@@ -71,8 +71,8 @@ Point decaying_sector(Random& random) {
   return {{}, alpha, usual_beta(random, alpha), Polar{random.power_of_ten(-1, 3), turn}};
 }
 
-// |arg z| = alpha pi: the exponential is smallest against the powers, and the branch cut of s^alpha meets a
-// pole.
+// |arg z| = alpha pi: the exponential is smallest compared with the powers, and a pole is on the branch cut
+// of s^alpha.
 Point stokes_line(Random& random) {
   const double alpha = random.between(0.05, 1.0),
                off = random.one_of(std::array{0.0, 1e-15, 1e-12, 1e-8, 1e-3});
@@ -127,7 +127,7 @@ double zero_between(const std::function<double(double, int)>& f, double low, dou
   return high;
 }
 
-// A relative distance down to 1e-12 from a zero: the first one from a random place on.
+// At a relative distance down to 1e-12 from the first zero after a random point.
 Point near_zero(Random& random) {
   const double alpha = random.between(1.05, 2.0), beta = random.one_of(std::array{1.0, 1.0, alpha, 2.0, 0.5});
   const auto at = [&](double root, int digits) {

@@ -6,7 +6,7 @@
 
 namespace fde::certificate {
 
-// Arguments of E_{alpha,beta}(z); every number is the double it is.
+// Arguments of E_{alpha,beta}(z); the doubles are taken exactly.
 struct Point {
   std::string_view region;
   double alpha, beta;
@@ -18,7 +18,8 @@ std::vector<std::string_view> region_names();
 
 constexpr int points_in_a_region = 500, point_count = 20 * points_in_a_region;
 
-// Point 0 to point_count - 1, region after region; the same ones each time. |E| does not overflow a double.
+// The point with index 0 <= index < point_count, ordered by region; deterministic. |E| does not overflow a
+// double.
 Point point(int index);
 
 }  // namespace fde::certificate

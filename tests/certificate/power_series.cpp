@@ -8,9 +8,9 @@
 
 namespace fde::certificate {
 
-// |z^k / Gamma(alpha k + beta)| has the ratio r_k = |z| Gamma(x)/Gamma(x + alpha), x = alpha k + beta, which
-// falls with k once x > 0, because log Gamma is convex. So what follows a term t of ratio r < 1 is at most
-// |t| r/(1 - r).
+// Successive terms |z^k / Gamma(alpha k + beta)| have the ratio r_k = |z| Gamma(x)/Gamma(x + alpha),
+// x = alpha k + beta, which decreases with k once x > 0, because log Gamma is convex. So the remainder after
+// a term t of ratio r < 1 is at most |t| r/(1 - r).
 Ball power_series(const Arguments& x) {
   if (acb_is_zero(x.z.get()) != 0) return reciprocal_gamma(x.beta);
   constexpr int most_terms = 100'000;
@@ -18,7 +18,8 @@ Ball power_series(const Arguments& x) {
   double largest = -std::numeric_limits<double>::infinity();
   for (int k = 0; k < most_terms; ++k) {
     const Ball argument = x.alpha * Ball(k) + x.beta, head = reciprocal_gamma(argument);
-    // Squarings: a product with z for each k turns the rectangle each time, and wraps it in a larger one.
+    // By squarings: a product with z for each k would rotate the rectangle and enlarge it each time (wrapping
+    // effect).
     const Ball term = power(x.z, static_cast<unsigned long>(k)) * head;
     sum = sum + term;
     const double size = log2_above(term);

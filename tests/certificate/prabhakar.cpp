@@ -12,7 +12,7 @@
 namespace fde::certificate {
 namespace {
 
-// One attempt at the working precision of this thread.
+// The power series at the working precision of this thread.
 Ball series(const Ball& alpha, const Ball& beta, const Ball& gamma, const Ball& z) {
   constexpr int most_terms = 20'000;
   Ball sum, factor(1.0), last_head;

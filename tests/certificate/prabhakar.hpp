@@ -7,22 +7,23 @@
 
 namespace fde::certificate {
 
-// E^gamma_{alpha,beta}(z) or, with derivative > 0, that derivative of E_{alpha,beta}; every number is the
-// double it is.
+// E^gamma_{alpha,beta}(z) or, with derivative > 0, that derivative of E_{alpha,beta}; the doubles are taken
+// exactly.
 struct PrabhakarPoint {
   double alpha, beta, gamma;
   std::complex<double> z;
   int derivative = 0;
 };
 
-// The same each time: even ones are derivatives, 1 to 8, odd ones Prabhakar's function with any gamma.
-// |z|^(1/alpha), the size of the singularities s*, is at most 100, which the power series can do.
+// Deterministic: for even indices derivatives 1 to 8, for odd ones Prabhakar's function with any gamma. The
+// modulus |z|^(1/alpha) of the singularities s* is at most 100, within reach of the power series.
 constexpr double largest_pole = 100.0;
 PrabhakarPoint prabhakar_point(int index);
 
-// Encloses the value to at least that many digits by its power series: with r_j = |z| |gamma + j| / (j + 1)
-// Gamma(x) / Gamma(x + alpha), x = alpha j + beta, what follows a term t is at most |t| r/(1 - r), r the
-// larger of r_j and its limit in the first quotient. Throws std::runtime_error where 4000 bits do not do.
+// Encloses the value with at least `digits` digits by its power series: with
+// r_j = |z| |gamma + j| / (j + 1) Gamma(x) / Gamma(x + alpha), x = alpha j + beta, the remainder after a term
+// t is at most |t| r/(1 - r), r being r_j with the first quotient replaced by max(1, |gamma + j| / (j + 1)).
+// Throws std::runtime_error where 4000 bits do not suffice.
 Ball prabhakar_enclosure(const PrabhakarPoint& x, int digits);
 
 struct PrabhakarJudgement {
@@ -32,7 +33,8 @@ struct PrabhakarJudgement {
   std::vector<std::string> faults{};
 };
 
-// The double: inside its stated bound, and the bound at most 8 ulp of the value.
+// Checks the value in double: its error is within the stated bound, and the bound is at most 8 ulp of the
+// value.
 PrabhakarJudgement judge(const PrabhakarPoint& point);
 
 }  // namespace fde::certificate

@@ -8,7 +8,7 @@
 
 namespace fde::certificate {
 
-// The distributions of the standard library differ from one library to the next, this one does not.
+// Random numbers that do not depend on the implementation of the standard library, unlike its distributions.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -28,7 +28,8 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-// In braces the draws come in the order of the text; in a call of std::polar any compiler has its own.
+// Braced initialisation evaluates random draws from left to right; the order in a call of std::polar is
+// unspecified.
 struct Polar {
   double size, turn;
   operator std::complex<double>() const {

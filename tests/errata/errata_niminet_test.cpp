@@ -1,4 +1,4 @@
-// Niminet & Blanuta 2009 as printed and as it should be, on the particle z' = y x' (mass 1, flat metric).
+// Niminet & Blanuta 2009, as printed and corrected, for the particle z' = y x' (mass 1, flat metric).
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ double multiplier(const Vector3d& q, const Vector3d& v) {
   return v[0] * v[1] / constraint_at(q).squaredNorm();
 }
 
-// Free fall x'' = factor * F from rest, F = -g. The 1/2 of eq. 2.6 belongs to the L = g_ij y^i y^j of 1.2,
-// which is 2 T: a normalisation, not a misprint. With the T of mechanics it halves the forces.
+// Free fall x'' = factor * F from rest, F = -g. The 1/2 of eq. 2.6 belongs to L = g_ij y^i y^j of 1.2, which
+// is 2 T: a normalisation, not a misprint. With the kinetic energy T of mechanics it would halve the forces.
 TEST(NiminetNormalisation, TheHalfOfEquation26BelongsToTwiceTheKineticEnergy) {
   const double g = 9.81, t = 2.0;
   const auto falls = [&](double factor) -> Vec {
@@ -37,11 +37,11 @@ TEST(NiminetNormalisation, TheHalfOfEquation26BelongsToTwiceTheKineticEnergy) {
   EXPECT_NEAR(falls(1.0)[0], -0.5 * g * t * t, 1e-13);
   EXPECT_NEAR(energy(falls(1.0)), 0.0, 1e-12);
   EXPECT_NEAR(falls(0.5)[0], -0.25 * g * t * t, 1e-13);
-  EXPECT_NEAR(energy(falls(0.5)), -g * g * t * t / 8.0, 1e-12);  // lost on the way
+  EXPECT_NEAR(energy(falls(0.5)), -g * g * t * t / 8.0, 1e-12);  // not conserved
 }
 
-// The force of a multiplier lambda(q) = x + 2z in the Euler-Lagrange equations, both forms of 2.4: with A =
-// lambda a it is (dA_j/dq_i - dA_i/dq_j) v_j and does no work.
+// The force of a multiplier lambda(q) = x + 2z in the Euler-Lagrange equations, in both forms of 2.4: with
+// A = lambda a it is (dA_j/dq_i - dA_i/dq_j) v_j and does no work.
 TEST(ErrataNiminet, Equation24HasWrongIndicesInItsSecondForm) {
   const Vector3d q(0.3, 0.5, -0.2), v(1.0, 1.0, 0.5), a = constraint_at(q), slope(1.0, 0.0, 2.0);
   const double lambda = q[0] + 2.0 * q[2];
@@ -64,9 +64,9 @@ TEST(ErrataNiminet, Equation24HasWrongIndicesInItsSecondForm) {
   EXPECT_GT(std::abs(v.dot(printed * v)), 1.0);
 }
 
-// The paper gives 2.4 and 2.6 to two ends and does not say how they differ: conditional extremum, and
-// d'Alembert. y = y0 + t, x' = c / sqrt(1 + y^2), z' = y x': the motion under d'Alembert's principle
-// solves 2.6. For 2.4 the equation of y needs lambda x' = 0, and that of x then a constant x'.
+// The paper derives 2.4 (conditional extremum) and 2.6 (d'Alembert) without stating their difference. The
+// motion under d'Alembert's principle, y = y0 + t, x' = c / sqrt(1 + y^2), z' = y x', solves 2.6. In 2.4 the
+// equation of y requires lambda x' = 0, and the equation of x then a constant x'.
 TEST(NiminetNormalisation, Equation24IsNotEquation26) {
   const double c = 1.5, y = 0.7, root = std::sqrt(1.0 + y * y), dx = c / root;
   const Vector3d q(0.0, y, 0.0), v(dx, 1.0, y * dx);
@@ -79,14 +79,14 @@ TEST(NiminetNormalisation, Equation24IsNotEquation26) {
   EXPECT_GT(std::abs(acceleration[0] - lambda * v[1]), 0.5);
 }
 
-// The multiplier of the constraint is x' y' / (1 + y^2), no function of the position.
+// The multiplier of the constraint is x' y' / (1 + y^2), not a function of the position.
 TEST(ErrataNiminet, MultiplierDependsOnTheVelocity) {
   const Vector3d q(0.0, 0.5, 0.0);
   EXPECT_NEAR(multiplier(q, {1.0, 1.0, 0.5}), 0.8, 1e-15);
   EXPECT_NEAR(multiplier(q, {2.0, 1.0, 1.0}), 1.6, 1e-15);
 }
 
-// N_j^i = dG^i/dv^j, 2 G = -lambda a in a flat metric, where the connection of the space is 0.
+// N_j^i = dG^i/dv^j with 2 G = -lambda a in a flat metric, where the connection of the space is 0.
 TEST(ErrataNiminet, Theorem24FailsForTheMultiplierOfTheConstraint) {
   const Vector3d q(0.0, 0.5, 0.0), v(1.0, 1.0, 0.5);
   const auto connection = [&](const auto& lambda) {
@@ -101,7 +101,7 @@ TEST(ErrataNiminet, Theorem24FailsForTheMultiplierOfTheConstraint) {
   const Matrix3d enforcing = connection([&](const Vector3d& at) { return multiplier(q, at); });
   EXPECT_NEAR(enforcing(0, 0), 0.2, 1e-12);   // -1/2 * 0.8 * (-0.5)
   EXPECT_NEAR(enforcing(2, 1), -0.4, 1e-12);  // -1/2 * 0.8 * 1
-  // What the theorem speaks of: a multiplier given as a function of the position.
+  // The case of the theorem: a multiplier given as a function of the position.
   EXPECT_EQ(connection([&](const Vector3d&) { return q[0] + 2.0 * q[2]; }).norm(), 0.0);
 }
 

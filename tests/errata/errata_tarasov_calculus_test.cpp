@@ -1,4 +1,4 @@
-// Tarasov & Zaslavsky 2006, the calculus: eqs 22-28 as printed and as they should be.
+// Tarasov & Zaslavsky 2006, the calculus: eqs 22-28, as printed and corrected.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ TEST(ErrataTarasov, Equation22LacksTheSignAndTurnsTheKernel) {
   const std::complex<double> printed = std::pow(std::complex<double>(-1.0), -order) * size;
   EXPECT_NEAR(printed.real(), 0.0, 1e-12);
   EXPECT_NEAR(printed.imag(), exact, 1e-12);
-  // With the kernel turned round only, the sign is left.
+  // With only the kernel corrected, the sign is still wrong.
   EXPECT_NEAR(size, -exact, 1e-12);
 }
 
@@ -49,10 +49,10 @@ TEST(ErrataTarasov, Equation26HoldsOnlyForIntegralsFromZero) {
   EXPECT_GT(left - (inner + value_at_a * std::pow(t, order - 1.0) / gamma(order)), 0.1);
 }
 
-// (43) takes (23) over: D^(a+1) q lacks the same power of t - a.
+// (43) inherits the error of (23): D^(a+1) q lacks the same power of t - a.
 TEST(ErrataTarasov, Equation43TakesThePowerOfTOver) {
   const double a = 0.5, t = 1.7, x = t - a, order = 1.4, second_at_a = 2.0;
-  // q = x^2: D^1.4 q is a power, its derivative the power rule once more, D^2.4 q = J^0.6 q''' = 0.
+  // q = x^2: D^1.4 q is a power, its derivative follows by the power rule, D^2.4 q = J^0.6 q''' = 0.
   const double left = (2.0 - order) * caputo_of_power(2.0, order, x) / x;
   EXPECT_EQ(caputo_of_power(2.0, order + 1.0, x), 0.0);
   EXPECT_NEAR(second_at_a * std::pow(t - a, 1.0 - order) / gamma(2.0 - order), left, 1e-14);

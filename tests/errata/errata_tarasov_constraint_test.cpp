@@ -1,5 +1,5 @@
-// Tarasov & Zaslavsky 2006, the two-dimensional example: eqs 61-66 as printed and as they should be, on the
-// exact solution of eqs 59, 60.
+// Tarasov & Zaslavsky 2006, the two-dimensional example: eqs 61-66, as printed and corrected, for the exact
+// solution of eqs 59, 60.
 
 #include "support/caputo.hpp"
 #include "support/linear_system_testing.hpp"
@@ -7,8 +7,7 @@
 namespace fde {
 namespace {
 
-// x = (q1 + q2)/2 and y = (q1 - q2)/2 with what eqs 61-66 are made of, for u = (q1^2 - q2^2)/4, that is K =
-// x.
+// x = (q1 + q2)/2, y = (q1 - q2)/2 and the other terms of eqs 61-66, for u = (q1^2 - q2^2)/4, that is, K = x.
 struct State {
   double x, dx, ddx, ddy;
   double d_alpha_x, rate_of_d_alpha_x, rate_of_d_alpha_y;  // D^alpha x, D^1 D^alpha x, D^1 D^alpha y
@@ -18,8 +17,8 @@ struct State {
 
 constexpr double g = 0.8, x0 = 0.7, y0 = -0.2, dy0 = 0.5;  // x'(0) = 0: on the constraint with C0 = 0
 
-// Eqs 59, 60 once integrated: p2 = q2' + (g/2) D^alpha q2 has p2' = x/2, and p1 + p2 is constant. The last
-// four components are fractional integrals of x', y', both J^(2-alpha), of x, and J^(alpha-1) of x'.
+// Eqs 59, 60 integrated once: p2 = q2' + (g/2) D^alpha q2 has p2' = x/2, and p1 + p2 is constant. The last
+// four components are the fractional integrals J^(2-alpha) of x', y' and x, and J^(alpha-1) of x'.
 Reference solution_of_59_and_60(double alpha) {
   enum Row : Eigen::Index { q1, q2, v2, p2, of_dx, of_dy, of_x, rest_of_dx };
   const double total = 0.0;  // p1 + p2 = 2 x'(0)
@@ -39,7 +38,7 @@ Reference solution_of_59_and_60(double alpha) {
                    .loads = {{{total}}, {}, {}, {}, {}, {{-dy0}}, {}, {}}});
 }
 
-// Derivatives by differences of fourth order of values with 40 digits.
+// Derivatives by central differences of rate 4 of values with 40 digits.
 State state_at(double t, double alpha) {
   const auto precision = test_precision();
   const Reference solution = solution_of_59_and_60(alpha);
@@ -80,7 +79,7 @@ TEST(ErrataTarasov, Equation61LosesAHalf) {
       EXPECT_NEAR(std::abs(printed_x), 0.0942210, 1e-7);
       EXPECT_NEAR(std::abs(printed_y), 0.3397271, 1e-7);
     }
-    // g = b2/(2c) would repair the first, not the second, which has no g.
+    // g = b2/(2c) would correct the first equation, but not the second, which has no g.
     EXPECT_GT(std::abs(printed_x), 0.05);
     EXPECT_GT(std::abs(printed_y), 0.3);
   }
@@ -92,7 +91,7 @@ TEST(ErrataTarasov, Equation63LosesHalvesToo) {
   EXPECT_NEAR(std::abs(s.ddx + g * s.rate_of_d_alpha_x + g * s.rate_of_integral_of_k), 0.3012218, 1e-7);
 }
 
-// D^(1/2) y of y = y'(0) t + 0.3 t^2 is J^(3/2) y'' and a term of the velocity.
+// For y = y'(0) t + 0.3 t^2, D^(1/2) y is J^(3/2) y'' plus a term in y'(0).
 TEST(ErrataTarasov, Equation63NeedsAnOrderAboveOne) {
   const double alpha = 0.5, t = 2.0;
   const double left = dy0 * caputo_of_power(1.0, alpha, t) + 0.3 * caputo_of_power(2.0, alpha, t);
@@ -103,7 +102,7 @@ TEST(ErrataTarasov, Equation63NeedsAnOrderAboveOne) {
               1e-12);
 }
 
-// 1 < alpha < 2, and C = 0: where the printed 64 would want alpha > 2.
+// 1 < alpha < 2 and C = 0; the printed eq. 64 would require alpha > 2.
 TEST(ErrataTarasov, Equation64HasTheInverseOfG) {
   const State s = state_at(0.5, 1.5);
   EXPECT_NEAR(s.dx + g / 2 * s.d_alpha_x + g / 4 * s.integral_of_k, 0.0, rounding);
@@ -121,8 +120,8 @@ TEST(ErrataTarasov, Equation65LosesAnOrderOfItsDamping) {
   }
 }
 
-// The case 65 with m = 2, divided by g/2: x'' + K/2 + (2/g) D^(3-alpha) x = 0. With the damping repaired but
-// the factors of 62, x'' + K + (1/g) D^(3-alpha) x, it is still off.
+// Eq. 65 with m = 2, divided by g/2: x'' + K/2 + (2/g) D^(3-alpha) x = 0. With the damping corrected but the
+// factors of 62, x'' + K + (1/g) D^(3-alpha) x, the equation is still wrong.
 TEST(ErrataTarasov, Equation66LosesAnOrderOfItsDamping) {
   struct Off {
     double t, printed, with_factors_of_62;

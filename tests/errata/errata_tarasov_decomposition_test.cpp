@@ -1,5 +1,5 @@
-// Tarasov & Zaslavsky 2006, the decomposition of the one-dimensional example: eqs 52-54 as printed and as
-// they should be.
+// Tarasov & Zaslavsky 2006, the decomposition of the one-dimensional example: eqs 52-54, as printed and
+// corrected.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace fde {
 namespace {
 
-// The part of eq. 53 that decays like a power, by quadrature, and the one that oscillates.
+// The part f of eq. 53 that decays like a power, by quadrature, and the oscillating part g.
 double f(double nu, int k, double t) {
   constexpr double pi = std::numbers::pi;
   const auto rest = [=](double r) {
@@ -20,7 +20,7 @@ double f(double nu, int k, double t) {
   };
   const double power = nu - 1.0 - k;
   const auto whole = [&](double r) { return rest(r) * std::pow(r, power); };
-  const double far = 50.0 / t;  // e^-50 from there on
+  const double far = 50.0 / t;  // the integrand is below e^-50 beyond
   return (k == 0 ? 1.0 : -1.0) * std::sin(pi * nu) / pi *
          (integral(rest, 0.0, 0.5, power) + integral(whole, 0.5, far));
 }
@@ -49,7 +49,8 @@ TEST(ErrataTarasov, Equation52HoldsForOmegaOneOnly) {
               t * mittag_leffler(nu, 2.0, -w2 * std::pow(t, nu)), 1e-12);
 }
 
-// With the letter alpha, 2 < alpha < 3, it is the wrong function and g grows; below 1 there is no g.
+// With alpha as printed, 2 < alpha < 3, it is the wrong function and g grows; for orders below 1 there is no
+// g.
 TEST(ErrataTarasov, Equation53HoldsForTheOrderAlphaMinusOne) {
   const double t = 2.0, printed = f(2.5, 0, t) + g(2.5, 0, t);
   EXPECT_NEAR(printed, mittag_leffler(2.5, 1.0, -std::pow(t, 2.5)), 1e-12);
@@ -62,7 +63,7 @@ TEST(ErrataTarasov, Equation53HoldsForTheOrderAlphaMinusOne) {
   EXPECT_GT(f(0.5, 0, t) + g(0.5, 0, t), 29.0);
 }
 
-// D^(3/2) q + q = 1 with q(0) = 1, q'(0) = 0 stays at 1, which is not E_{3/2}(-t^(3/2)).
+// The solution of D^(3/2) q + q = 1 with q(0) = 1, q'(0) = 0 is 1, not E_{3/2}(-t^(3/2)).
 TEST(ErrataTarasov, Equation54HoldsWithoutItsMiddleMember) {
   const double nu = 1.5, t = 2.0, e = mittag_leffler(nu, 1.0, -std::pow(t, nu));
   const Reference solution =

@@ -1,4 +1,4 @@
-// Tarasov & Zaslavsky 2006, the one-dimensional example: eqs 47-50 as printed and as they should be.
+// Tarasov & Zaslavsky 2006, the one-dimensional example: eqs 47-50, as printed and corrected.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 constexpr double alpha = 2.5, ratio = 2.0, q0 = 1.0, q1 = 0.5, q2 = 0.3, time_of_test = 1.3, constant = q1;
 enum Row : Eigen::Index { position, velocity, d_three_halves, acceleration };
 
-// The system 46 itself, q' + (b/a) D^(5/2) q = C0, as a chain of D^(1/2) from q' on.
+// Eq. 46, q' + (b/a) D^(5/2) q = C0, as a chain of D^(1/2) from q' on.
 Vec one_dimensional_example() {
   Matrix links = Matrix::Zero(4, 4);
   links(position, velocity) = links(velocity, d_three_halves) = links(d_three_halves, acceleration) = 1.0;
@@ -59,7 +59,7 @@ TEST(ErrataTarasov, Equation48HasTheWrongForce) {
   const double line = ratio * (constant * t + q0);  // C1 t + C2, C2 from t = 0
   EXPECT_NEAR(boundary(3.0) + line, 4.41501017031399, 1e-13);
   EXPECT_NEAR(boundary(2.0) + line, 4.58655019651614, 1e-13);
-  // At rest q = 1 solves 44; printed 48 is then off by its boundary term.
+  // q = 1 solves 44; the error of the printed 48 is then its boundary term.
   EXPECT_NEAR(boundary(3.0), 1.115, 1e-3);
   EXPECT_NEAR(boundary(2.0), 1.287, 1e-3);
 }
@@ -78,7 +78,7 @@ TEST(ErrataTarasov, Equation50LacksTheFactorOneOverOmegaSquared) {
   EXPECT_NEAR(printed, 1.27242487890994, 1e-12);
 }
 
-// w2 = a1/b1 of 49 in another unit of time, t = c t': q(c t') has the frequency w2 c^nu.
+// w2 = a1/b1 of 49 in another unit of time, t = c t': q(c t') has the coefficient w2 c^nu.
 TEST(ErrataTarasov, Equation49HasAFrequencyWithADimension) {
   const auto at = [](double w2, double t) {
     return linear_reference(LinearEquation{{{1.0, 1.5}, {w2, 0.0}}, {1.0, 0.0}}, {0.0}).at(t).value[0];

@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Lambda = -grad u with u = q1^2/2 + q1 q2 + q2^2 has a potential; printed, its derivatives are added.
+// Lambda = -grad u with u = q1^2/2 + q1 q2 + q2^2 has a potential; the printed condition adds its
+// derivatives.
 TEST(ErrataTarasov, HelmholtzConditionHasAPlusForAMinus) {
   const Eigen::Matrix2d by_q = -(Eigen::Matrix2d() << 1.0, 1.0, 1.0, 2.0).finished();  // dLambda_k / dq_m
   const double right = 0.0;  // no velocity in Lambda
@@ -29,7 +30,7 @@ TEST(ErrataTarasov, HelmholtzConditionHoldsForMagneticForcesWithTheMinus) {
   EXPECT_GT(std::abs(by_q2 + by_q1 - right), 1.0);
 }
 
-// a.q' = C0 in a field: q'' = -grad u + R keeps it with R = lambda a, not with R = a.
+// a.q' = C0 in a potential u: q'' = -grad u + R conserves a.q' with R = lambda a, not with R = a.
 TEST(ErrataTarasov, ReactionOfEquation38LacksItsMultiplier) {
   const Vector2d a(1.0, 2.0), slope(0.3, -1.0);
   const double lambda = a.dot(slope) / a.squaredNorm();
@@ -48,7 +49,8 @@ TEST(ErrataTarasov, Equation70KeepsTheLeftDerivative) {
       },
       0.0, 1.0);
   EXPECT_NEAR(exact, 0.0707355302631, 1e-12);
-  // The right Riemann-Liouville derivative; the direction takes (1 - t)^(-1/2) at the end of it along.
+  // The right Riemann-Liouville derivative; the direction vanishes at 1 and cancels its singularity
+  // (1 - t)^(-1/2).
   const auto slope = [](double t) { return 1.0 / (2.0 * gamma(1.5) * std::sqrt(t)); };
   const double adjoint = integral(
       [&](double t) { return direction(t) * right_riemann_liouville(slope, momentum(1.0), order, t, 1.0); },
@@ -79,8 +81,8 @@ TEST(ErrataTarasov, Equation70KeepsTheRightDerivative) {
   EXPECT_GT(std::abs(printed - exact), 0.1);
 }
 
-// What 82 has of it: with mu A q' = mu D^a q q' the term of D^a q is mu q', and the action changes by the
-// right derivative of that. q = t^2, mu = 1, a = 1/2: int 2t D^(1/2) e.
+// Eq. 82 inherits the error: for mu A q' = mu D^a q q' the derivative with respect to D^a q is mu q', and the
+// variation of the action contains the right derivative of mu q'. q = t^2, mu = 1, a = 1/2: int 2t D^(1/2) e.
 TEST(ErrataTarasov, Equation82InheritsTheLeftDerivative) {
   const double order = 0.5;
   const auto direction = [](double t) { return t * (1.0 - t); };
@@ -98,7 +100,7 @@ TEST(ErrataTarasov, Equation82InheritsTheLeftDerivative) {
   EXPECT_GT(std::abs(printed - exact), 0.1);
 }
 
-// H = (p^2 + q^2)/2 from q = 1, p = 0: with p' = +q the oscillator runs away like cosh t.
+// H = (p^2 + q^2)/2 from q = 1, p = 0: with p' = +q the solution grows like cosh t.
 TEST(ErrataTarasov, Equation78HasTheWrongSignOfTheForce) {
   const auto at = [](double sign, double t) -> Vector2d {
     const Matrix flow = (Matrix(2, 2) << 0.0, 1.0, sign, 0.0).finished();
@@ -112,7 +114,7 @@ TEST(ErrataTarasov, Equation78HasTheWrongSignOfTheForce) {
   EXPECT_NEAR(at(1.0, t)[0], std::cosh(t), 1e-13);
 }
 
-// Eq. 85 projects p the same way for every length of A: A -> 0 does not lead to q' = p.
+// The projection of p in eq. 85 does not depend on the length of A: A -> 0 does not give q' = p.
 TEST(ErrataTarasov, Equation86HasNoLimitWithoutTheConstraint) {
   const Vector2d p(0.6, -0.8), direction(1.0, 3.0);
   const auto velocity = [&](double size) -> Vector2d {

@@ -1,5 +1,4 @@
-// Yin, Liu & Anh 2007, sections 5 and 6: the pendulums' steps, chain and energy, as printed and as they
-// should be.
+// Yin, Liu & Anh 2007, sections 5 and 6: steps, chain and energy of the pendulums, as printed and corrected.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +15,7 @@ namespace {
 
 double power(double x, double p) { return x > 0.0 ? std::pow(x, p) : 0.0; }
 
-// Eqs 3.4-3.7 to the letter, without the factor h^g: the weights of the prediction and of the correction.
+// Eqs 3.4-3.7 as printed, without the factor h^g: the weights of the predictor and of the corrector.
 double rectangle(int j, int k, double g) { return (power(k + 1 - j, g) - power(k - j, g)) / g; }
 double trapezoid(int j, int k, double g) {
   const double of_j =
@@ -25,8 +24,8 @@ double trapezoid(int j, int k, double g) {
   return of_j / (g * (g + 1.0));
 }
 
-// Steps of the predictor-corrector 5.6-5.9 or 6.9-6.16. row_of_old: whose correction takes phi' (component 2)
-// from the prediction of the step before, the last one that the index j reaches; -1: none.
+// Steps of the predictor-corrector 5.6-5.9 or 6.9-6.16. row_of_old: the row whose corrector takes phi'
+// (component 2) from the prediction of the previous step, the last one that the index j reaches; -1: no row.
 Vec predictor_corrector(const Problem& problem, int steps, Eigen::Index row_of_old) {
   const Eigen::Index size = problem.size();
   const Vec start = taylor_part(problem, 0.0);
@@ -64,7 +63,8 @@ Vec predictor_corrector(const Problem& problem, int steps, Eigen::Index row_of_o
   return y;
 }
 
-// The prediction of phi' has the index j of the sum in 5.9, and in 6.16, where it is squared; right is k + 1.
+// The prediction of phi' has the index j of the sum in 5.9, and in 6.16, where it is squared; k + 1 is
+// correct.
 TEST(ErrataYin, Equation59TakesAnOldPrediction) {
   Problem problem = scene_of("pendulum").problem;
   problem.end = 0.3;
@@ -86,7 +86,7 @@ constexpr double tau = 0.8;
 // mu tau^alpha D^alpha u + lambda tau u' + nu tau^beta D^beta u with the factors of example 2.
 double damping(In u) { return 0.1 * (std::pow(tau, 1.5) * u[3] + tau * u[2] + std::sqrt(tau) * u[1]); }
 
-// phi'' of eq. 6.1 is the last link; 6.5 multiplies two dampings and turns the sign of the third.
+// phi'' of eq. 6.1 is the last link; 6.5 multiplies two damping terms and has the wrong sign of the third.
 TEST(ErrataYin, Equation65LosesASignAndASum) {
   const Scene scene = scene_of("extensible_pendulum");
   const Vec y = (Vec(8) << 0.7, 0.3, -0.4, 0.5, 0.1, 0.2, 0.6, -0.3).finished();
@@ -120,10 +120,10 @@ TEST(ErrataYin, Equation64HasAStiffnessThatConservesNothing) {
   EXPECT_NEAR(printed, 1.49, 0.01);
 }
 
-// Section 7, example 1: "local energy minima at the extrema". E' = -phi' (damping) is 0 there, and E'' =
-// -phi'' (damping) has the sign of what is left of the damping, which is memory. At the fourth and sixth
-// extremum it is negative: these are maxima. The times and E'' are those of a solution by product trapezoids
-// in Python.
+// Section 7, example 1: "local energy minima at the extrema". E' = -phi' (damping) is 0 there, and
+// E'' = -phi'' (damping) has the sign of the remaining damping, which is a memory term. At the fourth and
+// sixth extremum it is negative: these are maxima. The times and E'' are from a solution by the product
+// trapezoidal rule in Python.
 TEST(ErrataYin, EnergyHasMaximaAtTheFourthAndSixthExtremum) {
   Scene scene = scene_of("pendulum");
   scene.problem.end = 20.0;

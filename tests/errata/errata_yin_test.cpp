@@ -1,5 +1,4 @@
-// Yin, Liu & Anh 2007, sections 2 to 4: the lemmas, the chain and the theorem, as printed and as they should
-// be.
+// Yin, Liu & Anh 2007, sections 2 to 4: the lemmas, the chain and the theorem, as printed and corrected.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +12,8 @@
 namespace fde {
 namespace {
 
-// u = t: D^(1/2) D^(3/4) u is a power of t, D^(5/4) u vanishes. A link of the chain that stops at u' holds.
+// u = t: D^(1/2) D^(3/4) u is a power of t, D^(5/4) u vanishes. A chain with a link that ends at u' is
+// correct.
 TEST(ErrataYin, DerivativesDoNotComposeAcrossAWholeOrder) {
   const double alpha = 1.25, beta = 0.75, t = 1.0;
   const double factor = caputo_of_power(1.0, beta, 1.0);  // D^beta t = factor t^(1 - beta)
@@ -26,7 +26,7 @@ TEST(ErrataYin, DerivativesDoNotComposeAcrossAWholeOrder) {
   EXPECT_NEAR(factor * caputo_of_power(1.0 - beta, 1.0 - beta, t), 1.0, 1e-15);
 }
 
-// m = 1, 1 < alpha < 2: the printed condition on f^(s)(0) for s = 2 ... 1 is no condition.
+// m = 1, 1 < alpha < 2: the printed condition on f^(s)(0) for s = 2 ... 1 is empty.
 TEST(ErrataYin, Lemma22NeedsInitialValuesUpToNPlusMMinusOne) {
   const double alpha = 1.5, t = 1.0;
   const auto rate_of_derivative = [&](double power) {  // d/dt D^alpha t^power
@@ -60,7 +60,7 @@ TEST(ErrataYin, Equation311ClosesItsBracketTooEarly) {
 }
 
 // The linearised example 1 with alpha = 1.5, beta = 0.5: D^beta u starts like t^(1/2), u'' like a constant
-// and t^(1/2). So u is in C^2, as 2.1 asks, but neither is D^gamma1 u_1 nor u in C^3.
+// plus t^(1/2). So u is in C^2, as 2.1 requires, but D^gamma1 u_1 is not, and u is not in C^3.
 TEST(ErrataYin, Theorem43DoesNotCoverItsOwnExample) {
   const double mu = 0.06, lambda = 0.1, nu = 0.1, tau = 0.8, u1 = -0.3;
   const LinearEquation pendulum{{{1.0, 2.0}, {mu, 1.5, tau}, {lambda, 1.0, tau}, {nu, 0.5, tau}, {1.0, 0.0}},
@@ -79,8 +79,8 @@ TEST(ErrataYin, Theorem43DoesNotCoverItsOwnExample) {
   }
 }
 
-// The bound 4.3 claims h^1.5 at every node for alpha = 1.5, beta = 0.5; u at t_1 = h is off by h. At a fixed
-// time the claim is right: EndRate in rate_test.cpp.
+// The bound 4.3 claims h^1.5 at every node for alpha = 1.5, beta = 0.5; the error of u at t_1 = h is O(h). At
+// a fixed time the claim is right: EndRate in rate_test.cpp.
 TEST(ErrataYin, Equation43FailsAtTheFirstStep) {
   Scene scene = scene_of("damped_oscillator");
   const Scheme* scheme = find_scheme("decoupled_multi_order");

@@ -1,4 +1,4 @@
-// docs/papers.md names tests: each of them exists, and no test of a printed error is left out.
+// Every test named in docs/papers.md exists, and the page names every test of a printed error.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ std::string text_of_the_page() {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// What stands in backquotes and looks like Suite.Test or Suite.Test/parameter.
+// Names in backquotes of the form Suite.Test or Suite.Test/parameter.
 std::set<std::string> tests_on_the_page() {
   const std::string page = text_of_the_page();
   const std::regex name("`([A-Z][A-Za-z0-9]*\\.[A-Z][A-Za-z0-9]*(/[a-z0-9_]+)?)`");
@@ -42,7 +42,7 @@ std::set<std::string> tests_of_this_program() {
   return names;
 }
 
-// Whether the tests of all scenes and schemes have one of this name, a rate among them.
+// Whether the conformance tests, which run over all scenes and schemes, contain this name.
 bool is_conformance_test(const std::string& name) {
   const std::string command = "'" FDE_CONFORMANCE_TESTS "' --gtest_list_tests --gtest_filter=" + name;
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
@@ -57,7 +57,7 @@ TEST(PapersPage, NamesTestsThatExist) {
   for (const auto& name : named) EXPECT_TRUE(existing.contains(name) || is_conformance_test(name)) << name;
 }
 
-// Suites of any room, as in `Modes.*`: a test of theirs stands in a source.
+// Suites as in `Modes.*`: each has a test in a source file of any folder of tests.
 TEST(PapersPage, NamesSuitesThatExist) {
   std::string sources;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(FDE_SOURCE_DIR "/tests")) {

@@ -38,9 +38,10 @@ TEST(CloseOrders, ADoubleZeroOfATinyOrderIsFound) {
                (Vec(2) << 140388512124091313338.5, 11332672538.749244175).finished());
 }
 
-// (s^g - 1)(s^(2-g) + 4) = -1: zeros where s^2 balances the small s^g - 1, at s = 825.44406994956 +-
-// 10301.7085936548 i (mpmath's findroot, 30 digits). The values at t = 1e-3 are from the transforms by
-// Talbot's contour with 60, 100 and 140 points and 80 digits, which agree to all digits given here.
+// (s^g - 1)(s^(2-g) + 4) = -1: zeros where s^2 balances the small s^g - 1, at
+// s = 825.44406994956 +- 10301.7085936548 i (mpmath's findroot, 30 digits). The values at t = 1e-3 are from
+// the transforms by Talbot's contour with 60, 100 and 140 points and 80 digits, which agree to all digits
+// given here.
 TEST(CloseOrders, AZeroFarFromTheRadiiOfEqualTermsIsFound) {
   const Reference solution = linear_reference({.orders = {1e-9, 2.0 - 1e-9},
                                                .initial = {{1.0}, {0.5, 0.0}},

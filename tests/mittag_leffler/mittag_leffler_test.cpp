@@ -307,8 +307,8 @@ TEST(MittagLefflerDigits, TakesLargeBeta) {
   }
 }
 
-// The order is far below the last digit of beta in double: E_{a,b}(z) = 1/((1-z) Gamma(b)) + O(a), and for b
-// = -1 the first term is 0.
+// The order is far below the last digit of beta in double: E_{a,b}(z) = 1/((1-z) Gamma(b)) + O(a), and for
+// b = -1 the first term is 0.
 TEST(MittagLeffler, TakesTheSmallestOrders) {
   EXPECT_NEAR(mittag_leffler(1e-60, 1.0, -0.5), 1.0 / 1.5, 1e-16);
   EXPECT_NEAR(mittag_leffler(5e-324, 0.5, 0.5), 2.0 / std::sqrt(std::numbers::pi), 1e-15);

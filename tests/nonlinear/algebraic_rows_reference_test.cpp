@@ -1,5 +1,4 @@
-// References of problems with algebraic rows: those that determine their own unknown, and those that
-// constrain others.
+// References of problems with algebraic rows that determine their own unknown, or that constrain others.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,12 +25,12 @@ void expect_within_bounds(const ReferenceValue& found, const Vec& exact) {
   }
 }
 
-// Power series in t^(1/10), 300 terms in 60 digits.
+// Against the power series in t^(1/10), 300 terms at 60 digits.
 TEST(AlgebraicRowsReference, OfASingularReactionIsThePowerSeries) {
   for (const auto& [alpha, t, columns] : series_values()) {
     auto scene =
         scene_of("fractional_constraint_nonlinear", {{"alpha", alpha}, {"formulation", "multiplier"}});
-    scene.name.clear();  // not from a cache
+    scene.name.clear();  // bypasses the cache
     scene.problem.end = t;
     expect_within_bounds(reference_of(scene).at(t), columns);
   }
@@ -48,8 +47,8 @@ TEST(AlgebraicRowsReference, OfAnUnknownThatCanBeEliminatedIsThatOfTheOthers) {
   }
 }
 
-// lambda(0) is minus infinity here, and 0 and 3 are guesses; all else is given. An unknown that its own row
-// holds at t = 0 is known there.
+// lambda(0) is minus infinity here, and 0 and 3 are guesses; the other initial values are exact. So is the
+// initial value of an unknown whose own algebraic row holds at t = 0.
 TEST(AlgebraicRowsReference, KnowsNothingOfAGuessedMultiplierAtTheStart) {
   const AlgebraicPlane plane{.alpha = 0.5};
   for (const double guess : {0.0, 3.0}) {
@@ -62,7 +61,7 @@ TEST(AlgebraicRowsReference, KnowsNothingOfAGuessedMultiplierAtTheStart) {
   EXPECT_EQ(reference_solution(decay_through(0.5)).at(0.0).bound, Vec::Zero(2));
 }
 
-// v' = -k q + a lambda under a.v + b.w = c0 against the form without multiplier.
+// v' = -k q + a lambda with the constraint a.v + b.w = c0, against the form without multiplier.
 TEST(AlgebraicRowsReference, OfALinearConstraintIsThatOfTheIntegratedForm) {
   const AlgebraicPlane plane{.alpha = 0.5};
   const Reference with = reference_solution(plane.multiplier(0.0)),

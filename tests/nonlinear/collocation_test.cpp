@@ -52,7 +52,8 @@ Problem pendulum(double alpha, double beta, double end) {
       .end = end};
 }
 
-// Grids graded like n^10 begin at 1e-57. A solution of order 0.05 has moved by 1e-3 there.
+// The first step of a grid graded like n^10 ends at 1e-57, where a solution of order 0.05 has changed by
+// 1e-3.
 TEST(Collocation, KnowsTheFirstStepsOfGradedGrids) {
   for (const double order : {0.05, 0.1, 0.3, 0.5}) {
     const Reference reference = reference_solution(relaxation(order, 1.0));
@@ -95,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(
         MittagLeffler{1.7, 0.001, 0.99999485767753155441}, MittagLeffler{1.7, 0.1, 0.98712227477595220906},
         MittagLeffler{1.7, 1.0, 0.44454443263222341465}, MittagLeffler{1.7, 5.0, 0.016646430823213578752}));
 
-// Diethelm, Ford and Freed (2004): nonlinear with a known solution that has t^(order/2) and t^order in it.
+// Diethelm, Ford and Freed (2004): a nonlinear equation with an exact solution that contains t^(order/2) and
+// t^order.
 class Manufactured : public testing::TestWithParam<double> {};
 
 TEST_P(Manufactured, MatchesItsExactSolutionWithinTheEstimate) {
@@ -112,7 +114,7 @@ TEST_P(Manufactured, MatchesItsExactSolutionWithinTheEstimate) {
     const double exact = std::pow(t, 8) - 3.0 * std::pow(t, 4.0 + g / 2) + 2.25 * std::pow(t, g);
     const ReferenceValue known = reference.at(t);
     EXPECT_NEAR(known.value[0], exact, 1e-12 * exact) << t;
-    // Coefficients and terms of the right-hand side are rounded too.
+    // 8e-15: the coefficients and terms of the right-hand side are rounded too.
     EXPECT_NEAR(known.value[0], exact, known.bound[0] + 8e-15) << t;
   }
 }
@@ -125,7 +127,7 @@ TEST(ReferenceSolution, ResolvesTheSpikesOfTheBrusselator) {
   EXPECT_LT(known.bound.maxCoeff(), 1e-12);
 }
 
-// Shares nothing with the solver but the solution: tanh-sinh quadrature of its Volterra integral.
+// An independent check of the solution: tanh-sinh and Gauss quadrature of its Volterra integral.
 TEST(ReferenceSolution, SatisfiesTheVolterraEquation) {
   const Problem problem = brusselator();
   const Reference reference = reference_solution(problem);
@@ -172,7 +174,7 @@ TEST(ReferenceSolution, SecondOrderIsTheCosine) {
   }
 }
 
-// The pendulum's chain of four orders that add up to 2, undamped and linear: D^2 y = -y.
+// The chain of four orders with sum 2 of the pendulum, undamped and linear: D^2 y = -y.
 TEST(ReferenceSolution, ComposesAChainOfOrders) {
   for (const auto& [alpha, beta] : {std::pair{1.5, 0.5}, {1.25, 0.75}, {1.9, 0.1}}) {
     Problem problem = pendulum(alpha, beta, 20.0);
@@ -188,7 +190,7 @@ TEST(ReferenceSolution, ComposesAChainOfOrders) {
   }
 }
 
-// Two horizons have different panels: the values agree within both estimates.
+// Different ends give different panels: the values agree within the sum of both estimates.
 TEST(ReferenceSolution, DoesNotDependOnTheEnd) {
   for (const auto& [alpha, beta] : {std::pair{1.5, 0.5}, {1.25, 0.75}, {1.9, 0.1}}) {
     const ReferenceValue shorter = reference_solution(pendulum(alpha, beta, 7.0)).at(5.0);
@@ -223,7 +225,7 @@ TEST(ReferenceSolution, FollowsAPermutationOfItsComponents) {
   EXPECT_LT((reference_solution(swapped).at(10.0).value.reverse() - straight).cwiseAbs().maxCoeff(), 1e-13);
 }
 
-// The noise of stiff terms is in the estimate: y = cos t - e^(-rate t) + O(1/rate).
+// The estimate includes the rounding noise of stiff terms: y = cos t - e^(-rate t) + O(1/rate).
 TEST(ReferenceSolution, EstimatesTheNoiseOfStiffTerms) {
   const double rate = 1e6, t = 5.0;
   const Reference reference =
@@ -234,7 +236,7 @@ TEST(ReferenceSolution, EstimatesTheNoiseOfStiffTerms) {
   EXPECT_LT(known.bound[0], 1e-8);
 }
 
-// 1 - cos t has no digits near 0.
+// 1 - cos t has no correct digits near 0.
 TEST(ReferenceSolution, TakesAForcingThatCancelsAtTheStart) {
   const auto forcing = [](double t, double) { return 1.0 - std::cos(t); };
   const Reference reference = reference_solution(scalar(1.0, {0.0}, 10.0, forcing));

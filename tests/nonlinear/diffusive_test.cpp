@@ -1,4 +1,4 @@
-// The second method behind nonlinear references: its parts, and the whole of it against exact solutions.
+// The second method of nonlinear references: its parts, and its results against exact solutions.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ class KernelOfOrder : public Order {};
 class SolutionOfOrder : public Order {};
 class RateOfOrder : public Order {};
 
-// t^(g-1) / Gamma(g), to a few units of long double's neighbour, double, over 26 decades.
+// t^(g-1) / Gamma(g), to 2e-16 over 26 decades.
 TEST_P(KernelOfOrder, IsASumOfExponentials) {
   const auto g = static_cast<long double>(GetParam());
   const double end = 50.0;
@@ -41,8 +41,8 @@ TEST_P(KernelOfOrder, IsASumOfExponentials) {
 
 INSTANTIATE_TEST_SUITE_P(, KernelOfOrder, testing::Values(1e-3, 0.1, 0.5, 0.9, 0.99, 1 - 1e-6));
 
-// Order 2s-1: the last row integrates x^(2s-2) exactly, and x^(2s-1) not. Collocation: row i integrates
-// x^(s-1).
+// Rate 2s-1: the last row integrates x^(2s-2) exactly, but not x^(2s-1). Collocation: every row integrates
+// x^(s-1) exactly.
 TEST(RadauRule, HasItsOrder) {
   for (const int stages : {1, 2, 3, 5, 8, 12, 16}) {
     const RadauRule rule(stages);
@@ -70,7 +70,7 @@ TEST(RadauRule, NamesTheStagesThatItHas) {
               testing::ThrowsMessage<std::invalid_argument>("Radau method: stages = 17: must be in [1, 16]"));
 }
 
-// E_g(-t^g), the relaxation y(0) = 1, at the ends of all steps from 1e-9 on.
+// E_g(-t^g), the relaxation with y(0) = 1, at the ends of all steps from 1e-9 on.
 TEST_P(SolutionOfOrder, IsTheMittagLefflerFunction) {
   const double g = GetParam();
   const Problem problem{.components = {{g, g > 1.0 ? std::vector{1.0, 0.0} : std::vector{1.0}}},
@@ -105,7 +105,8 @@ TEST_P(SolutionOfOrder, IsAPowerOfTime) {
 
 INSTANTIATE_TEST_SUITE_P(, SolutionOfOrder, testing::Values(0.1, 0.5, 1.0, 1.7, 2.0));
 
-// Two stages on equal steps: D^g y = -y^2 + (what makes y = t^5 + t^4), rate 3 = 2s-1 = s+1.
+// Two stages on equal steps: D^g y = -y^2 + forcing with the manufactured solution y = t^5 + t^4;
+// rate 3 = 2s-1 = s+1.
 TEST_P(RateOfOrder, IsThatOfTheMethod) {
   const double g = GetParam();
   const auto derivative = [g](double p, double t) {

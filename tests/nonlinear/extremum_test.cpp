@@ -1,4 +1,5 @@
-// Agrawal's extremum against quadrature of its integral, alpha = 1, and itself across the series.
+// Agrawal's extremum against quadrature of its integral and the case alpha = 1, and its smoothness where the
+// series changes.
 
 #include "closed_forms/extremum.hpp"
 
@@ -29,7 +30,7 @@ double quadrature(double a, double b, double p, double q, double (*f)(double, vo
 
 class OfOrder : public testing::TestWithParam<double> {};
 
-// The singular factor (t - s)^(alpha-1) is the weight, (1 - s)^(alpha-1) the function.
+// The singular factor (t - s)^(alpha-1) is the weight, (1 - s)^(alpha-1) the integrand.
 TEST_P(OfOrder, IsItsIntegral) {
   double alpha = GetParam();
   const Reference extremum = extremum_reference(alpha);
@@ -52,7 +53,7 @@ TEST_P(OfOrder, HasItsEndsAndBothSeriesMeet) {
   EXPECT_EQ(extremum.at(1.0).value[0], 1.0);
   EXPECT_EQ(extremum.at(1.0).value[1], std::numeric_limits<double>::infinity());
   EXPECT_EQ(extremum.digits(1.0, 30)[0].value, "1.00000000000000000000000000000");
-  // y(1/2 + h) - 2 y(1/2) + y(1/2 - h) ~ h^2: no jump where the series change.
+  // y(1/2 + h) - 2 y(1/2) + y(1/2 - h) ~ h^2: no jump where the series changes.
   const Precision precision(60);
   const auto value = [&](double t) { return BigReal(extremum.digits(t, 45)[0].value); };
   const BigReal h("1e-15"), second = value(0.500000000000001) - 2 * value(0.5) + value(0.499999999999999);

@@ -1,4 +1,4 @@
-// The pendulum without damping in closed form: first integrals, symmetries, limits, and its own digits.
+// The undamped pendulum in closed form: first integral, equation, limits, and its own digits.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,8 @@ Scene free_pendulum(double g, double phi0, double dphi0) {
 struct Start {
   double g, phi0, dphi0;
 };
-// Swings, turns either way, hangs or stands, starts turned around, near its top and on the edge.
+// Libration, rotation in both directions, inverted pendulums, starts beyond one turn, near the top and on the
+// separatrix.
 const std::vector<Start> starts{{1.0, 1.0, -0.3},   {1.0, 1.0, -3.0}, {-2.0, 10.0, 3.0}, {-2.0, 10.0, 1.0},
                                 {9.81, 3.0, 0.0},   {0.5, -7.0, 0.1}, {1.0, 0.0, 2.0},   {1.0, 0.0, -2.0},
                                 {1.0, 3.141, 1e-4}, {0.0, 1.0, -0.3}, {1e-3, 2.0, 1e3},  {1e6, 1e-3, 0.0}};
@@ -50,7 +51,7 @@ TEST_P(FreePendulum, KeepsItsEnergyToTheBound) {
   }
 }
 
-// phi' and phi'' by differences of order 4 of the values.
+// phi' and phi'' by central differences of rate 4.
 TEST_P(FreePendulum, SolvesItsEquation) {
   const auto [g, phi0, dphi0] = GetParam();
   const double pace = std::sqrt(std::abs(g)) + std::abs(dphi0) + 0.1;
@@ -66,7 +67,8 @@ TEST_P(FreePendulum, SolvesItsEquation) {
   }
 }
 
-// The doubles here and their decimals differ, so 1 unit in the last place of each, grown by the phase.
+// at() takes doubles and digits() decimals: the tolerance is 1 unit in the last place of each, amplified by
+// the phase.
 TEST_P(FreePendulum, IsWhatItIsInDigits) {
   const auto [g, phi0, dphi0] = GetParam();
   for (const double t : {0.3, 17.0, 1e5}) {
@@ -85,7 +87,7 @@ TEST_P(FreePendulum, IsWhatItIsInDigits) {
 INSTANTIATE_TEST_SUITE_P(, FreePendulum, testing::ValuesIn(starts),
                          [](const auto& test) { return std::to_string(test.index); });
 
-// sin(phi/2) = k sn(t + K, k) from rest at phi0, with k = sin(phi0/2): Boost's functions.
+// sin(phi/2) = k sn(t + K, k) from rest at phi0, with k = sin(phi0/2), by Boost's functions.
 TEST(FreePendulumAgainstBoost, SwingsFromRest) {
   const double phi0 = 2.0, k = std::sin(phi0 / 2);
   const Reference exact = free_pendulum(1.0, phi0, 0.0).reference;
@@ -95,7 +97,7 @@ TEST(FreePendulumAgainstBoost, SwingsFromRest) {
   }
 }
 
-// The period 4 K(k) of the swing: after 15,000 of them it is where it was.
+// The period is 4 K(k): after 15,000 periods the state is the initial state.
 TEST(FreePendulumAgainstBoost, HasItsPeriodForALongTime) {
   const double phi0 = 2.0;
   const long double period = 4.0L * boost::math::ellint_1(std::sin(1.0L));
@@ -103,11 +105,11 @@ TEST(FreePendulumAgainstBoost, HasItsPeriodForALongTime) {
   const ReferenceValue known = free_pendulum(1.0, phi0, 0.0).reference.at(t);
   EXPECT_GT(t, 1e5);
   EXPECT_NEAR(known.value[0], phi0, 1e-11);
-  EXPECT_NEAR(known.value[1], 0.0, 2e-11);  // half a unit in the last place of t
+  EXPECT_NEAR(known.value[1], 0.0, 2e-11);  // from half a unit in the last place of t
   EXPECT_LT(known.bound.maxCoeff(), 1e-9);
 }
 
-// The double nearest to pi is pi - d, d = 1.2246467991473515e-16: until it falls, phi = pi - d cosh t.
+// The double nearest to pi is pi - d, d = 1.2246467991473515e-16: near the top, phi = pi - d cosh t.
 TEST(FreePendulumAtItsTop, FallsFromTheDoubleAndNotFromPi) {
   constexpr double d = 1.2246467991473515e-16;
   const Reference exact = free_pendulum(1.0, std::numbers::pi, 0.0).reference;

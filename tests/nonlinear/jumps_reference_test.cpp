@@ -1,4 +1,4 @@
-// The reference of problems whose right-hand side jumps.
+// References of problems with a discontinuous right-hand side.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ void expect_exact(const Reference& reference, double t, const Vec& exact, double
   }
 }
 
-// The mean value at the jump, as schemes take it.
+// 1 before the jump, 0 after it, and the mean value at the jump, as for schemes.
 double before(double time, double t) { return t < time ? 1.0 : t > time ? 0.0 : 0.5; }
 
 class JumpOfOrder : public testing::TestWithParam<double> {};
@@ -55,7 +55,8 @@ TEST(JumpsReference, TurnsANonlinearEquation) {
     expect_exact(reference, t, Vec::Constant(1, t < 1.0 ? 1.0 / (2.0 - t) : 1.0 / t), 1e-12);
 }
 
-// An algebraic row z = (t < 1) that drives D^(1/2) y = z: 2 (sqrt(t) - sqrt(t - 1)) / sqrt(pi).
+// An algebraic row z = (t < 1) as the right-hand side of D^(1/2) y = z:
+// y = 2 (sqrt(t) - sqrt(t - 1)) / sqrt(pi).
 TEST(JumpsReference, TakesAlgebraicRowsThatJump) {
   const Problem problem{.components = {{0.5, {0.0}}, {0.0, {1.0}}},
                         .rhs =

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// No test reads or writes the cache of whoever runs it.
+// Tests must not read or write the cache of the user.
 class NoCacheOfTheUser : public testing::Environment {
   void SetUp() override { setenv("FDEBENCH_CACHE", "", 1); }
 };
@@ -45,7 +45,7 @@ class Cache : public testing::Test {
 
   [[nodiscard]] auto files() const { return std::distance(fs::directory_iterator(folder_), {}); }
 
-  // Whether the reference of the problem came from the cache: its key alone takes few evaluations.
+  // Whether the reference of the problem came from the cache: the key takes only a few evaluations.
   [[nodiscard]] bool hit(const Counted& counted, const std::string& name = "cubic") const {
     *counted.calls = 0;
     cached_reference(name, counted.problem, cache_);
@@ -76,7 +76,7 @@ TEST_F(Cache, GivesTheSameDoublesAgain) {
     EXPECT_EQ(known.at(t).value, solved.at(t).value);
     EXPECT_EQ(known.at(t).bound, solved.at(t).bound);
   }
-  EXPECT_EQ(files(), 1);  // no unfinished one is left
+  EXPECT_EQ(files(), 1);  // no unfinished file remains
 }
 
 TEST_F(Cache, KeepsProblemsApart) {

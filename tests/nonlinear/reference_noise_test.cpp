@@ -1,4 +1,4 @@
-// References of right-hand sides that are rounding, wholly or in part.
+// References for right-hand sides that consist of rounding errors, entirely or in part.
 
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(, Cancelling,
                          testing::Values(std::pair{0.5, 1.0}, std::pair{0.1, 1.0}, std::pair{1.0, 1.0},
                                          std::pair{1.6, 1.0}, std::pair{0.5, 1e-6}, std::pair{0.5, 50.0}));
 
-// The x that is rounding drives y'' = x - y, y = cos t.
+// x, which is rounding noise, enters y'' = x - y, y = cos t.
 TEST(ReferenceOfNoise, PassesItOnWithinTheBound) {
   Problem problem = cancelling(0.5, 1.0);
   problem.components.push_back({2.0, {1.0, 0.0}});
@@ -84,8 +84,8 @@ TEST(ReferenceOfNoise, PassesItOnWithinTheBound) {
 
 class SphericalKnifeEdge : public testing::TestWithParam<ParameterValues> {};
 
-// Without gravity and memory, or with all of it in the velocity, theta' and phi' sin theta / k are the same
-// constant: phi = k log(tan(theta / 2) / tan(theta(0) / 2)).
+// Without gravity, and without memory (b = 0) or with the derivative of order 1 (alpha = 1), theta' and
+// phi' sin theta / k are the same constant: phi = k log(tan(theta / 2) / tan(theta(0) / 2)).
 TEST_P(SphericalKnifeEdge, WithoutGravityIsALoxodrome) {
   auto values = GetParam();
   values.insert({{"surface", "sphere"}, {"g", 0.0}});
@@ -105,14 +105,14 @@ INSTANTIATE_TEST_SUITE_P(, SphericalKnifeEdge,
                                          ParameterValues{{"b", 0.0}, {"alpha", 0.3}},
                                          ParameterValues{{"alpha", 1.0}}));
 
-// The speed is not kept, but there is a reference.
+// The speed is not conserved, but a reference exists.
 TEST(ReferenceOfNoise, TakesMemoryOnASphereWithoutGravity) {
   const Reference reference =
       reference_of(scene_of("fractional_knife_edge", {{"surface", "sphere"}, {"g", 0.0}}));
   EXPECT_LT(reference.at(1.0).bound.maxCoeff(), 2e-14);
 }
 
-// A jump of f is no noise, however small f is: there is no reference, and that is known soon.
+// A jump of f does not count as noise: there is no reference, and the solver fails within 20 seconds.
 TEST(ReferenceOfNoise, TakesNoJumpForRounding) {
   const auto start = std::chrono::steady_clock::now();
   const Problem problem{.components = {{0.5, {0.0}}},

@@ -1,4 +1,4 @@
-// A reference of a nonlinear scene is believed because two methods that share nothing agree on it.
+// The evidence for the reference of a nonlinear scene: two methods with different discretisations agree.
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@ struct Agreement {
   const char* scene;
   ParameterValues values;
   double end;
-  double difference, bound;  // at most, relative to 1 + |y|
+  double difference, bound;  // largest allowed, relative to 1 + |y|
 };
 
 class TwoMethods : public testing::TestWithParam<Agreement> {};
 
-// With other steps and another degree than those that the bound is made from.
+// With another tolerance and number of stages than in the computation of the bound.
 TEST_P(TwoMethods, AgreeToTheStatedSizeAndTheBoundIsNotLarger) {
   const auto& [id, values, end, largest_difference, largest_bound] = GetParam();
   auto scene = scene_of(id, values);
@@ -45,8 +45,8 @@ TEST_P(TwoMethods, AgreeToTheStatedSizeAndTheBoundIsNotLarger) {
   EXPECT_EQ(compared, 4);
 }
 
-// To T = 50 these are t = 1, 5, 20, 50. A pendulum released within 3e-6 of the top is unstable: the last
-// digit of its angle grows a million times before it falls.
+// For the end 50 the times are t = 1, 5, 20, 50. A pendulum released within 3e-6 of the top is unstable: an
+// error in the last digit of its angle grows by a factor of a million before it falls.
 INSTANTIATE_TEST_SUITE_P(
     , TwoMethods,
     testing::Values(Agreement{"pendulum", {}, 50, 5e-15, 5e-14},
@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Agreement{"extensible_pendulum", {{"phi0", 3.14159}, {"dphi0", 0.0}}, 1.8, 1e-10, 2e-9}),
     [](const auto& test) { return std::string(test.param.scene) + "_" + std::to_string(test.index); });
 
-// At the spikes an error of time is largest, and the two resolutions of the collocation share it.
+// The effect of a phase error is largest at the spikes, and the two resolutions of the collocation share it.
 TEST(BoundOfAReference, IsSmallOnSpikesWhereTheMethodsDifferMost) {
   auto scene = scene_of("brusselator");
   const Reference reference = reference_solution(scene.problem);
@@ -77,7 +77,7 @@ struct Undamped {
 
 class Energies : public testing::TestWithParam<Undamped> {};
 
-// E is a constant of the motion, which neither method knows.
+// The energy E is a constant of the motion, which neither method uses.
 TEST_P(Energies, AreKeptByBothMethodsWithoutDamping) {
   auto [id, values] = GetParam();
   for (const auto* damping : {"mu", "lambda", "nu"}) values[damping] = 0.0;
@@ -100,8 +100,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Undamped{"extensible_pendulum", {{"mu1", 0.0}, {"lambda1", 0.0}, {"nu1", 0.0}}}),
     [](const auto& test) { return std::string(test.param.scene) + "_" + std::to_string(test.index); });
 
-// The damping of orders 3/2 and 1/2 takes what E loses: both sides come from one solution, but the power has
-// derivatives of fractional order in it, and the energy has none.
+// The energy lost equals the work of the damping of orders 3/2 and 1/2. Both sides come from one solution,
+// but the power contains derivatives of fractional order, and the energy does not.
 class EnergyBalances : public testing::TestWithParam<const char*> {};
 
 TEST_P(EnergyBalances, HoldAlongTheReferenceWithFractionalDamping) {

@@ -45,7 +45,7 @@ TEST(WholeFile, LeavesNothingWhereItIsNotFinished) {
   EXPECT_EQ(files_in(folder.path()), 0);
 }
 
-// Two files of one name at a time.
+// Two writers of the same file at a time.
 class WholeFiles : public testing::Test {
  protected:
   WholeFiles() {
@@ -68,7 +68,7 @@ TEST_F(WholeFiles, ThatMustBeNewAreTheFirstThatIsFinished) {
   EXPECT_EQ(content(folder_.path() / "page"), "one");
 }
 
-// No process has the largest number that a process can have here.
+// 2147483647 is not the id of a running process.
 TEST(WholeFile, RemovesWhatAKilledWriterHasLeft) {
   const TemporaryFolder folder;
   folder.write("page.2147483647.0.tmp", "half a ");
@@ -102,7 +102,7 @@ TEST(WholeFile, ReplacesTheTargetOfALinkAndTakesItsPermissions) {
   EXPECT_EQ(fs::status(target).permissions(), mine);
 }
 
-// Its reader is there before the writer: opening a pipe waits for the other end.
+// The reader starts before the writer: opening a pipe blocks until the other end is open.
 TEST(WholeFile, IsWrittenIntoAPipe) {
   const TemporaryFolder folder;
   const auto pipe = folder.path() / "pipe";

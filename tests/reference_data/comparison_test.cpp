@@ -1,4 +1,4 @@
-// A recomputed value decides about a given one only where it is known well enough.
+// A recomputed value is compared with a given one only if it is accurate enough.
 
 #include "reference_data/comparison.hpp"
 
@@ -19,7 +19,7 @@ void require_known(const DataTable& given, const Decimal& re, const Decimal& im 
   TableComparison(given, {"re", "im"}).require_known(0, {re, im}, digits);
 }
 
-// Taken at its word, 0 with a bound of 8e+6876 agrees with every number.
+// 0 with a bound of 8e+6876 would agree with every number.
 TEST(TableComparison, ABoundBeyondEverythingIsNoValue) {
   const DataTable given{.name = "a.csv", .columns = {"re"}, .rows = {{"12345.6789"}}};
   EXPECT_TRUE(TableComparison(given, {"re"})(0, {{"0", "8e+6876"}}).holds());
@@ -31,7 +31,7 @@ TEST(TableComparison, ABoundBeyondEverythingIsNoValue) {
           HasSubstr("no value to compare re with: recomputed as 0, with a bound of 8e+6876")));
 }
 
-// Half a unit of the last place is 5e-5, 1e-9 of the value 1.2e-5.
+// The allowed bound is half a unit in the last place, 5e-5, or 1e-9 of the value, 1.2e-5 and 1.2e-4.
 TEST(TableComparison, AValueKnownToTheDigitsGivenOrAskedForIsOne) {
   const DataTable given{.name = "a.csv", .columns = {"re"}, .rows = {{"12345.6789"}}};
   EXPECT_NO_THROW(require_known(given, {"12345.6789", "4.9e-5"}));

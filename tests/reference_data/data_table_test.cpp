@@ -1,4 +1,4 @@
-// The texts of the reference data: CSV of any program, what a written number says, checksums.
+// The text formats of the reference data: CSV of any program, the precision of written numbers, checksums.
 
 #include "reference_data/data_table.hpp"
 
@@ -100,7 +100,7 @@ TEST(WrittenNumbers, NothingElseIsANumber) {
     EXPECT_FALSE(read_written(text)) << text;
 }
 
-// FIPS 180-4, the example of one block, and the empty message.
+// FIPS 180-4: the one-block example, and the empty message.
 TEST(Checksums, AreThoseOfTheStandard) {
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");

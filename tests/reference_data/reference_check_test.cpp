@@ -1,5 +1,5 @@
-// Checking tables of other programs: a few digits, no bound, no description. What is right holds, a wrong
-// last digit is found and named.
+// Checks of tables of other programs, with a few digits, without bounds and descriptions: correct values
+// pass, a wrong last digit is found and named.
 
 #include "reference_data/reference_check.hpp"
 
@@ -55,7 +55,7 @@ TEST(ReferenceCheck, AWrongLastDigitIsNamed) {
   EXPECT_THAT(verdict.worst_row, HasSubstr("re=2.71828182847"));
 }
 
-// e to every number of digits, rounded; and with one unit more in the last place.
+// e rounded to a number of digits, and with one unit more in the last place.
 class Digits : public testing::TestWithParam<int> {};
 
 TEST_P(Digits, RoundedToThemHoldsAndOneUnitMoreDoesNot) {
@@ -71,7 +71,7 @@ TEST_P(Digits, RoundedToThemHoldsAndOneUnitMoreDoesNot) {
 
 INSTANTIATE_TEST_SUITE_P(ReferenceCheck, Digits, testing::Values(2, 6, 12, 15, 18, 26, 40, 58));
 
-// %.12g drops the zeros of 1.5 = E_1(0) + ...; a neighbour in the column shows how many digits there are.
+// %.12g drops trailing zeros, as in 1 = E_{1,2}(0); the other rows of the column show the number of digits.
 TEST(ReferenceCheck, AShortTextAmongLongOnesHasTheDigitsOfTheColumn) {
   const std::string rows = "alpha,beta,re_z,re\n1,1,1,2.71828182846\n1,2,0,";
   EXPECT_EQ(verdict_of("e.csv", rows + "1\n").wrong, 0U);
@@ -87,7 +87,7 @@ TEST(ReferenceCheck, ABoundDecidesWhereThereIsOne) {
               testing::Not(Contains(HasSubstr("bound"))));
 }
 
-// A bound beyond double is met by any value.
+// Any value meets a bound that overflows a double.
 TEST(ReferenceCheck, ABoundThatSaysNothingMakesItsRowWrong) {
   const auto verdict = verdict_of("e.csv", "alpha,beta,re_z,re,bound\n1,1,1,7,1e999\n1,1,1,2.7,0.02\n");
   EXPECT_EQ(verdict.wrong, 1U);
@@ -96,8 +96,8 @@ TEST(ReferenceCheck, ABoundThatSaysNothingMakesItsRowWrong) {
   EXPECT_THROW(verdict_of("e.csv", "alpha,beta,re_z,re,bound\n1,1,1,7,inf\n"), BadTable);
 }
 
-// The double nearest to e, as %.17g and as the shortest text that names it, in a column of 17 digits; and its
-// neighbours.
+// The double nearest to e, as %.17g and as the shortest text that rounds to it, in a column of 17 digits; and
+// its neighbours.
 TEST(ReferenceCheck, SeventeenDigitsAreADouble) {
   const std::string rows = "alpha,beta,re_z,re\n1,1,2,7.3890560989306504\n1,1,1,";
   for (const auto* text : {"2.7182818284590451", "2.718281828459045"})
@@ -133,14 +133,14 @@ TEST(ReferenceCheck, AConvergenceTableIsRecomputed) {
   EXPECT_EQ(verdict_of("relaxation.csv", table(error * (1 + 1e-5))).wrong, 1U);
 }
 
-// adams_pc does not come to the end of the Brusselator with 64 steps: no error can be right.
+// adams_pc does not reach the end of the Brusselator with 64 steps: no error in the table can be right.
 TEST(ReferenceCheck, AnErrorOfARunThatFailsDoesNotHold) {
   const auto verdict = verdict_of("brusselator.csv", "scheme,steps,error_end\nadams_pc,64,0.1\n");
   EXPECT_EQ(verdict.wrong, 1U);
   EXPECT_THAT(verdict.worst.failure, HasSubstr("not finite"));
 }
 
-// 1/Gamma(-2000.25), the first term, is beyond 1e5000; whatever is made of it, 12345.6789 is no such value.
+// The first term 1/Gamma(-2000.25) is above 1e5000, so the value cannot be 12345.6789.
 TEST(ReferenceCheck, AFarBetaCertifiesNothingAndTheOthersAreChecked) {
   const auto verdict = verdict_of(
       "mine.csv", "alpha,beta,re_z,im_z,re\n1,1,0,0,1.00000000\n0.5,-2000.25,-1,0,12345.6789\n1,1,0,0,1\n");
@@ -149,7 +149,8 @@ TEST(ReferenceCheck, AFarBetaCertifiesNothingAndTheOthersAreChecked) {
   EXPECT_EQ(verdict.worst_line, 3U);
 }
 
-// With such parameters the solution leaves the doubles: no row holds, and the check goes on.
+// With these parameters the solution overflows: its rows are wrong, and the check continues with other
+// tables.
 TEST(ReferenceCheck, ASceneWithoutAReferenceMakesItsRowsWrong) {
   const TemporaryFolder folder;
   folder.write("brusselator.csv", "t,x\n0,1\n20,1\n");

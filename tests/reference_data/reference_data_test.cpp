@@ -1,4 +1,4 @@
-// What the reference data holds: every scene, descriptions, the same bytes each time.
+// The contents of the reference data: every scene, descriptions, reproducible bytes.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Two hundred columns are nothing to read; a variant of the scene with few of them has a table.
+// A scene with two hundred columns has no table of trajectories; its variants with few columns have one.
 TEST(ReferenceData, HasATableOfEveryKindAndScene) {
   std::vector<SceneVariant> all;
   for (const auto& maker : scenes()) all.push_back({.maker = &maker});
@@ -52,12 +52,12 @@ TEST(ReferenceData, IsDescribed) {
               HasSubstr(sha256(csv) + "  trajectories/relaxation,gamma=0.2.csv\n"));
 }
 
-// t^2 at t = 12 is 144 whatever the number of digits.
+// t^2 at t = 12 is exactly 144.
 TEST(ReferenceData, HasFiftyDigits) {
   EXPECT_THAT(some_files().at("trajectories/power.csv"), HasSubstr("\n12,144." + std::string(47, '0') + ","));
 }
 
-// What the page shows is what ctest runs.
+// The examples on the page are the files that ctest runs.
 TEST(ReferenceDocs, ShowTheExamplesThatAreTested) {
   const fs::path docs = fs::path(FDE_SOURCE_DIR) / "docs";
   const auto page = read_file(docs / "reference_data.md");

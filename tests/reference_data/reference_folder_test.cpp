@@ -1,5 +1,5 @@
-// The folder of reference data: written whole or not at all. It passes its own check, which finds what is
-// changed in it.
+// The folder of reference data: written completely or not at all. It passes its own check, which finds
+// changes.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -41,7 +41,8 @@ std::set<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-// Two trajectories of 27 times, and two tables of seven numbers of steps for every scheme that solves rows.
+// Two trajectories with 27 times, and two tables with seven numbers of steps for every scheme in
+// row_schemes().
 std::string recomputed() {
   constexpr std::size_t tables = 2, times = 27, steps = 7;
   return fmt::format("\n4 tables, {} rows recomputed: ", tables * (times + steps * row_schemes().size()));
@@ -63,7 +64,7 @@ TEST_F(Written, PassesItsOwnCheck) {
                     HasSubstr(recomputed() + "all hold; worst ratio "), testing::Not(HasSubstr("absent"))));
 }
 
-// What a table without a description is of is a guess; the check says no more than that it is not wrong.
+// The parameters of a table without a description are a guess; the check only reports that it is not wrong.
 TEST_F(Written, ATableWithoutItsJsonIsNotSaidToHold) {
   for (const auto* name : {"index.json", "SHA256SUMS", "trajectories/power.json"}) fs::remove(data_ / name);
   const auto answer = check(data_);
@@ -96,7 +97,7 @@ TEST_F(Written, AChangeThatLeavesTheNumbersRightIsToldByItsChecksum) {
   }
 }
 
-// As when only a CSV and its JSON are passed on.
+// A CSV and its JSON without the rest of the folder.
 TEST_F(Written, TheChecksumOfADescriptionCountsToo) {
   fs::remove(data_ / "SHA256SUMS");
   change(data_ / "trajectories/power.csv", "\n12,144.", "\n12,+144.");
@@ -120,7 +121,7 @@ TEST_F(Written, IsReplacedByNewTablesAndLeavesNothingElse) {
   EXPECT_EQ(names_in(data_.parent_path()), std::set<std::string>{"data"});
 }
 
-// Without a file there is no folder to put in its place: the last rename fails.
+// Without files no new folder is written: the last rename fails.
 TEST_F(Written, IsThereAgainWhereItCannotBeReplaced) {
   EXPECT_THAT([&] { replace_folder(data_, {}); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("data: cannot be written: No such file")));
@@ -148,7 +149,7 @@ TEST(ReferenceFolder, IsNoFile) {
   }
 }
 
-// A name too long for the file system fails in the midst of writing.
+// A name too long for the file system makes the writing fail halfway.
 TEST(ReferenceFolder, AFailureLeavesNothingBehind) {
   const TemporaryFolder folder;
   auto files = some_files();

@@ -1,4 +1,4 @@
-// Bounds as texts of two digits: never below the number, compared beyond the exponents of doubles.
+// Bounds as texts of two digits: never below the number, and compared beyond the range of double.
 
 #include "references/written_bound.hpp"
 
@@ -25,7 +25,7 @@ TEST(WrittenBound, IsNeverBelowTheNumberAndAtMostTwelvePercentAbove) {
   EXPECT_EQ(bound_text(std::numeric_limits<double>::infinity()), "inf");
 }
 
-// 0.1 has the decimal 0.10000000000000001, half an ulp and more away from a tenth and from the double.
+// 0.1 is written as 0.10000000000000001, which differs from the double by 0.45e-17.
 TEST(BoundOfText, HoldsForTheDecimal) {
   EXPECT_GE(bound_of_text(0.1, 0.0), 0.44e-17);
   EXPECT_LE(bound_of_text(0.1, 0.0), 0.46e-17);
