@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Every path that README.md and docs/ name, and every link, leads to something; the programs that they show are those that
-are tested. One line for each fault."""
+"""Checks that every path and link in README.md and docs/ exists, and that the programs they show are the tested ones. One line for
+each fault."""
 
 import re
 import sys
@@ -13,13 +13,13 @@ LINK = re.compile(r"\]\((?!https?:)([^)#]+)(?:#[^)]*)?\)")
 
 
 def exists(name):
-    """A file, a folder, or files of that name with the extensions left out."""
+    """Whether the name is a file, a folder, or a file name without its extension."""
     path = ROOT / name
     return path.exists() or any(path.parent.glob(path.name + ".*"))
 
 
 def programs():
-    """Pages, and the programs that they show whole."""
+    """Pairs of a page and a program that it contains in full."""
     yield "README.md", ROOT / "tests/embedding/relaxes.cpp"
     for program in (ROOT / "docs/examples/outside").glob("*.cpp"):
         yield "docs/library.md", program
