@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-// Shows clang-tidy the declarations of our files only. It looks at every declaration it is shown, those of
-// Eigen, Boost and the standard library included, which takes most of its time, and then drops what it finds
-// there.
+// A clang plugin that restricts clang-tidy to declarations outside system headers. By default clang-tidy
+// checks every declaration, those of Eigen, Boost and the standard library included, which takes most of its
+// time, and then discards the findings there.
 namespace {
 
 class OwnCode : public clang::ASTConsumer {

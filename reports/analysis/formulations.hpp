@@ -24,8 +24,8 @@ struct ConstrainedScene {
 // The scenes with a drift, in the order of the runs; the default formulation of a scene first.
 std::vector<ConstrainedScene> constrained_scenes(const Runs& runs);
 
-// The independent drift of a run, or the internal one if the independent one was not measured. Precondition:
-// one of them was measured.
+// The independent drift of a run, or the internal one if the independent one was not measured; 0 if neither
+// was.
 double judged_drift(const MeasuredRun& run);
 
 // Drifts below this are rounding and compare as equal.

@@ -13,7 +13,7 @@
 
 namespace fde {
 
-// A run within the requested accuracy: compared with the reference and timed, unless it is a prediction.
+// A run with its error and time, measured or predicted.
 struct Option {
   std::vector<std::string> schemes{};  // the scheme that ran, then those with equal bits on this scene
   Setup setup{};

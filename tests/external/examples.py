@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""examples.py FDEBENCH SCHEME WORD...: the program of docs/examples that these words run is the rule of this scheme of ours, and
-stands beside it in results, on the page and in the answers."""
+"""examples.py FDEBENCH SCHEME WORD...: the program of docs/examples run by these words has the errors of this scheme, and is
+listed with it in results, on the page and in recommendations."""
 
 import json
 import re

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""interrupted.py FDEBENCH: a signal ends a sweep with the program that it runs, leaves no temporary file and no half row."""
+"""interrupted.py FDEBENCH: a signal ends a sweep and the external program it runs, and leaves no temporary file and no partial row."""
 
 import os
 import signal
@@ -15,7 +15,7 @@ SLOW = 'echo $$ > "$0.pid"; test -e "$0.go" || { sleep 100; }; echo t,y; echo 0,
 
 
 def is_alive(pid):
-    """A process that is dead and not yet waited for is not."""
+    """Whether the process exists and is no zombie."""
     try:
         return Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
     except (FileNotFoundError, ProcessLookupError):

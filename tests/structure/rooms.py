@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Holds the includes of the sources against rooms.txt, which says which folder may include which; no type has a twin.
+"""Checks the includes of the sources against rooms.txt, which lists for each folder the folders that it may include, and that no two
+types have the same name.
 
-    rooms.py            check; one line for each fault, exit code 1 where there is one
-    rooms.py --dot      the arrows between folders, for Graphviz
+    rooms.py            check; one line for each fault, exit code 1 if there is one
+    rooms.py --dot      the dependency graph of the folders, for Graphviz
     rooms.py --sizes    the largest folders, the longest files and functions
 """
 
@@ -12,13 +13,13 @@ from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FLOORS = ["schemes", "reference", "benchmarks", "reports", "python"]  # a file is looked for in its own floor first, then in these
+FLOORS = ["schemes", "reference", "benchmarks", "reports", "python"]  # include paths, after the top folder of the including file
 TABLE = Path(__file__).with_name("rooms.txt")
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 
 def sources():
-    """Paths of all C++ files, relative to the repository."""
+    """Paths of all C++ sources, relative to the repository."""
     for floor in [*FLOORS, "tests"]:
         for path in sorted((ROOT / floor).rglob("*")):
             if path.suffix in {".cpp", ".hpp", ".def"} and "node_modules" not in path.parts:
@@ -30,7 +31,7 @@ def room_of(path):
 
 
 def includes(path):
-    """(name, file) of each quoted include; the file is None where it is not one of ours."""
+    """(name, file) of each quoted include; the file is None if it is not in this repository."""
     for name in INCLUDE.findall((ROOT / path).read_text()):
         floors = [path.parts[0], *FLOORS]
         found = (Path(floor) / name for floor in floors if (ROOT / floor / name).is_file())
@@ -38,7 +39,7 @@ def includes(path):
 
 
 def arrows():
-    """{(room, included room): a file that includes it}"""
+    """{(folder, included folder): a file with such an include}"""
     result = {}
     for path in sources():
         for _, target in includes(path):
@@ -48,7 +49,7 @@ def arrows():
 
 
 def allowed():
-    """{room: the rooms that its line names}, in the order of the table."""
+    """{folder: the folders that its line in rooms.txt lists}, in the order of the table."""
     table = {}
     for line in TABLE.read_text().splitlines():
         if line and not line.startswith("#"):
@@ -58,7 +59,7 @@ def allowed():
 
 
 def reach(table):
-    """{room: the rooms it may include}: those that its line names, and what these may include."""
+    """{folder: the folders it may include}: those of its line, and those that these may include."""
     result = {}
     for room, targets in table.items():
         result[room] = set(targets).union(*(result.get(target, set()) for target in targets))
@@ -66,12 +67,12 @@ def reach(table):
 
 
 def is_test_of(room, target):
-    """Tests may include every room but those of other tests, which the table has to allow."""
+    """Tests may include every folder except those of other tests, which the table has to allow."""
     return room.startswith("tests/") and not target.startswith("tests/")
 
 
 def order_faults(table):
-    """The table stands in an order in which each room knows only those above it: so it has no cycle."""
+    """In the table each folder may include folders above it only, so that there is no cycle."""
     above = set()
     for room, targets in table.items():
         for target in targets:
@@ -81,7 +82,7 @@ def order_faults(table):
 
 
 def types_of(path):
-    """Full names of the types that a file defines, but for private ones of a .cpp."""
+    """Qualified names of the types that a file defines, except those in unnamed namespaces."""
     spaces = []
     for line in (ROOT / path).read_text().splitlines():
         if opened := re.match(r"namespace ?([\w:]*) \{", line):
@@ -94,7 +95,7 @@ def types_of(path):
 
 
 def twins():
-    """Two types of one name would be one to the linker, which keeps the members of either."""
+    """Types with the same qualified name: they violate the one-definition rule, and the linker keeps either's members."""
     known = {}
     for path in sources():
         for name in types_of(path):
@@ -138,8 +139,8 @@ def print_dot():
 
 
 def functions(path):
-    """(lines, first line) of each function, in code that clang-format has laid out: its last brace is indented like
-    its first line."""
+    """(number of lines, place) of each function in code formatted by clang-format: its last brace has the indentation of its
+    first line."""
     lines = (ROOT / path).read_text().splitlines()
     opening = re.compile(r"^( *)(?!namespace|class|struct|enum|extern|union|//|\}|#)\S.*\)[^;]*\{$")
     for number, line in enumerate(lines):

@@ -1,4 +1,4 @@
-"""A case: a problem (a scene, or a file of equations) and what is asked of it; what `kept/` holds, one a file."""
+"""A test case: a problem (a scene or an equation file), the options of a command and the property to check. `kept/` stores one a file."""
 
 import json
 import re
@@ -10,22 +10,22 @@ FILE = "case.toml"
 
 
 def magnitude(text: str) -> str:
-    """The power of ten of a number."""
+    """The order of magnitude of a number, "e-03"."""
     return f"{float(text):.0e}"[1:]
 
 
 @dataclass(frozen=True)
 class Case:
-    holds: str  # the name of the property that has to hold
+    holds: str  # name of the property to check
     scene: str = ""  # empty: the problem is `file`
-    file: tuple[str, ...] = ()  # its lines
+    file: tuple[str, ...] = ()  # lines of the equation file
     chosen: dict[str, str] = field(default_factory=dict)  # parameters, and `until`
     scheme: str = ""
     options: dict[str, str] = field(default_factory=dict)  # of the command; an empty value is a flag
-    words: tuple[str, ...] = ()  # what else the property needs
+    words: tuple[str, ...] = ()  # further data of the property
 
     def problem(self) -> list[str]:
-        """The problem as arguments of a command that takes --set and an end within the scene's name."""
+        """The problem as command-line arguments, with --set and the end in the scene's name where necessary."""
         name = self.scene or FILE
         until = [f"until={self.chosen['until']}"] if "until" in self.chosen else []
         chosen = [f"{key}={value}" for key, value in self.chosen.items() if key != "until"]
@@ -34,7 +34,7 @@ class Case:
         return [name + (":" if until or chosen else "") + ",".join(until + chosen)]
 
     def given(self, *names: str) -> list[str]:
-        """The options of these names as arguments; without names all of them."""
+        """The options with these names as arguments; all options if no names are given."""
         chosen = {key: value for key, value in self.options.items() if not names or key in names}
         return [word for key, value in chosen.items() for word in ([key, value] if value else [key])]
 
@@ -43,7 +43,7 @@ class Case:
             (folder / FILE).write_text("\n".join(self.file) + "\n")
 
     def features(self) -> set[tuple[str, str]]:
-        """(group, value) of everything that is met here, for the pairs that were covered."""
+        """The features of the case as (group, value), for the coverage of pairs."""
         found = {("property", self.holds), ("problem", self.scene or ("file" if self.file else "none")), ("scheme", self.scheme or "none")}
         found |= {("option", key) for key in self.options}
         for key in ("--grid", "--history"):
@@ -68,6 +68,6 @@ class Case:
 
 
 def shell(case: Case, arguments: tuple[str, ...]) -> str:
-    """The command as it is typed, behind the file that it reads."""
+    """The command as typed in a shell, after a command that writes its equation file."""
     file = f"cat >{FILE} <<'END'\n" + "\n".join(case.file) + "\nEND\n" if case.file else ""
     return file + "fdebench " + shlex.join(arguments)

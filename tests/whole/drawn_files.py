@@ -11,7 +11,7 @@ EXAMPLES = Path(__file__).parents[2] / "docs/examples"
 
 
 def order(random: Random) -> float:
-    """In (0, 2], often next to 0, 1 or 2, or one of these."""
+    """A random order in (0, 2], often close to 0, 1 or 2, or equal to 1 or 2."""
     near = random.choice([0, 1, 1, 2]) + random.choice([-1, 1]) * random.choice([1e-3, 0.01, 0.05, 0.1])
     return random.choice([round(random.uniform(0.1, 2), 2), random.choice([0.5, 1, 1.5, 2, 0.8]), near if 0 < near <= 2 else 0.5])
 
@@ -40,7 +40,7 @@ def event(random: Random, name: str) -> list[str]:
 
 
 def made(random: Random) -> tuple[str, ...]:
-    """A file with an exact solution c + b t^p, whose derivative of order q is known."""
+    """A file with the manufactured solution c + b t^p, whose derivative of order q is known."""
     q, p = round(random.uniform(0.2, 0.98), 2), number(random)
     p = typed(float(p) + q, 3)
     b, c, rate = number(random), signed(random), number(random)
@@ -51,7 +51,7 @@ def made(random: Random) -> tuple[str, ...]:
 
 
 def example(random: Random, events: bool) -> tuple[str, ...]:
-    """One of docs/examples, with other parameters and another end; without what names may not meet."""
+    """One of docs/examples, with random parameters and a random end, without comments; without events unless `events`."""
     lines = random.choice(sorted(EXAMPLES.glob("*.toml"))).read_text().splitlines()
     if not events and (first := [k for k, line in enumerate(lines) if line.startswith("[event")]):
         lines = lines[: first[0]]
@@ -62,7 +62,7 @@ def example(random: Random, events: bool) -> tuple[str, ...]:
 
 
 def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str, ...]:
-    """Lines of a file: one to three unknowns, with what a file may have beside them."""
+    """Lines of a file: one to three unknowns, and sometimes parameters, an algebraic row, a jump or an event."""
     if (chance := random.random()) < 0.2 and not rows:
         return made(random) if chance < 0.1 else example(random, events)
     names = ["x", "y", "z"][:rows or random.choice([1, 1, 1, 2, 2, 3])]

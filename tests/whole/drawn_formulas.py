@@ -1,4 +1,4 @@
-"""Random formulas of equation files: what drives, what couples, what switches."""
+"""Random formulas of equation files: loads, couplings, switches."""
 
 from random import Random
 
@@ -18,7 +18,7 @@ def frequency(random: Random) -> str:
 
 
 def drive(random: Random) -> str:
-    """A function of the time."""
+    """A load: a function of time."""
     a, w = number(random), frequency(random)
     return random.choice([
         a, f"{a}*t", f"{a}*t^{number(random)}", f"sqrt(t)", f"sin({w}*t)", f"{a}*cos({w}*t)", f"exp(-{a}*t)", f"sinh(t)/(1 + cosh(t))",
@@ -28,7 +28,7 @@ def drive(random: Random) -> str:
 
 
 def switch(random: Random, x: str) -> str:
-    """What changes its formula with an unknown."""
+    """A function of an unknown with a jump or a kink."""
     a, level = number(random), signed(random)
     return random.choice([
         f"{a}*step({x} - {level})", f"-{a}*step({x} - {level})", f"{a}*sign({x} - {level})", f"-{a}*sign({x})", f"{a}*abs({x} - {level})",
@@ -36,7 +36,7 @@ def switch(random: Random, x: str) -> str:
 
 
 def smooth(random: Random, x: str) -> str:
-    """A bounded nonlinearity, or one that calms."""
+    """A smooth nonlinearity, bounded or damping."""
     a = signed(random)
     return random.choice([f"{a}*sin({x})", f"{a}*cos({x})", f"{a}*tanh({x})", f"{a}*atan({x})", f"-{x}^3", f"{a}/(1 + {x}^2)",
                           f"{a}*exp(-{x}^2)", f"{a}*sqrt(1 + {x}^2)", f"{a}*asin(tanh({x}))", f"{a}*log(1 + {x}^2)", f"{a}*tan(tanh({x})/2)",
@@ -44,7 +44,7 @@ def smooth(random: Random, x: str) -> str:
 
 
 def right_side(random: Random, own: str, names: list[str], parameters: list[str]) -> str:
-    """A sum: most decay in their own unknown, so that what is asked is well conditioned."""
+    """A sum of terms; most have damping in their own unknown, so that the problem is well conditioned."""
     parts = []
     if random.random() < 0.75:
         parts.append(random.choice([f"-{own}", f"-{number(random)}*{own}", *(f"-{p}*{own}" for p in parameters)]))

@@ -1,4 +1,4 @@
-"""Random numbers, as decimals that are typed."""
+"""Random numbers as decimal texts."""
 
 import re
 from random import Random
@@ -9,13 +9,13 @@ def typed(value: float, digits: int = 4) -> str:
 
 
 def spread(random: Random, low: float, high: float) -> float:
-    """Between two positive numbers, all powers of ten alike."""
+    """Log-uniform between two positive numbers."""
     from math import exp, log
     return exp(random.uniform(log(low), log(high)))
 
 
 def in_interval(random: Random, low: float, high: float, open_low: bool, open_high: bool, whole: bool) -> str:
-    """Inside, at the edges, and next to them."""
+    """A value inside the interval, at an end, or close to an end."""
     if whole:
         return str(int(min(high, low + spread(random, 1, 40) - 1)))
     width = high - low
@@ -28,7 +28,7 @@ def in_interval(random: Random, low: float, high: float, open_low: bool, open_hi
 
 
 def finite(random: Random, default: float, least: float | None, wild: bool) -> str:
-    """Around what is usual; where it is wild, of any size."""
+    """A value near the default; of any magnitude if `wild`."""
     if random.random() < 0.1:
         return random.choice(["0", "1"]) if least is None else typed(least + 1)
     size = spread(random, 1e-6, 1e6) if wild else spread(random, 0.05, 5) * max(abs(default), 0.3)
@@ -36,7 +36,7 @@ def finite(random: Random, default: float, least: float | None, wild: bool) -> s
 
 
 def drawn(random: Random, name: str, default: object, allowed: str, wild: bool) -> str:
-    """A value of a parameter by the sentence that says what is allowed."""
+    """A value of a parameter, by the sentence that describes the allowed values."""
     if allowed.startswith("a list, each "):
         one = allowed.removeprefix("a list, each ")
         return ",".join(drawn(random, name, 1.0, one, wild) for _ in default)  # type: ignore[union-attr]

@@ -1,4 +1,4 @@
-"""Scenes of the program with random parameters, as `fdebench scenes --json` tells them; schemes likewise."""
+"""Scenes with random parameters, from the list of `fdebench scenes --json`; and the list of schemes."""
 
 import json
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ LARGE = {"fractional_diffusion", "fractional_diffusion_2d", "fractional_allen_ca
 
 @dataclass(frozen=True)
 class Lists:
-    """What the program says it has."""
+    """The scenes and schemes that the program lists, by id."""
 
     scenes: dict[str, dict]
     schemes: dict[str, dict]
@@ -27,7 +27,7 @@ class Lists:
 
 
 def drawn_scene(random: Random, lists: Lists, wild: float = 0.3, having: str = "") -> tuple[str, dict[str, str]]:
-    """A scene and some of its parameters, maybe with another end."""
+    """A random scene with some random parameters and sometimes a random end."""
     names = [name for name, scene in lists.scenes.items() if having in scene["has"] or not having]
     name = random.choice(names)
     scene, chosen = lists.scenes[name], {}

@@ -1,4 +1,4 @@
-"""Random calls of solve: the problem, the scheme, and every option with every other."""
+"""Random calls of solve: a problem, a scheme, and any combination of options."""
 
 from random import Random
 
@@ -18,7 +18,7 @@ def drawn_problem(random: Random, lists: Lists, files: float = 0.4, wild: float 
 
 
 def steps(random: Random) -> str:
-    """1 to 100,000, most of them few."""
+    """1 to 100,000 steps, mostly few."""
     return str(random.choice([random.randint(1, 12), int(spread(random, 10, 1000)), int(spread(random, 1000, 100_000)), random.randint(1000, 100_000)]))
 
 
@@ -33,7 +33,7 @@ def resolution(random: Random, lists: Lists, scheme: str) -> dict[str, str]:
 
 
 def drawn_options(random: Random, lists: Lists, scheme: str) -> dict[str, str]:
-    """What goes with the scheme; one in ten is drawn as if it took anything."""
+    """Options that the scheme takes; in one of ten cases also options that it does not take."""
     over_grid = not lists.schemes[scheme]["takes_accuracy"] or random.random() < 0.1
     chosen = resolution(random, lists, scheme) | {"--budget": BUDGET}
 

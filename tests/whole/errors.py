@@ -1,4 +1,4 @@
-"""Schemes that are asked for an accuracy deliver it, to ten times: where a reference knows."""
+"""Schemes with adaptive step size deliver the requested accuracy, to a factor of ten, where there is a reference."""
 
 import re
 from dataclasses import replace
@@ -18,7 +18,7 @@ ORDERS = ("gamma", "gamma1", "gamma2", "alpha", "beta", "nu", "order")
 NUMBER = re.compile(r"(?<![\w.])\d+\.?\d*(?:e[+-]?\d+)?(?![\w.])")
 FACTOR = 10
 MISSED = re.compile(r"(\S+) at t = (\S+) is off by about (\S+) times the accuracy")
-ESTIMATED = 3  # a warning says the error to within this factor, or a tenth of what it says is there
+ESTIMATED = 3  # a warning's estimate of the error may be too small by this factor
 
 
 def end_of(case: Case, lists: Lists) -> float:
@@ -41,7 +41,7 @@ def drawn_accuracy(random: Random, lists: Lists) -> Case:
 
 
 def perturbed(case: Case, size: float) -> Case:
-    """The same with initial values that are off by what is asked for."""
+    """The case with initial values perturbed by `size` (1 + |value|)."""
     def moved(text: str) -> str:
         value = float(text)
         return repr(value + size * (1 + abs(value)))
@@ -52,7 +52,7 @@ def perturbed(case: Case, size: float) -> Case:
 
 
 def solved(program: Program, case: Case, accuracy: float) -> Table | None:
-    """By the one of the other schemes that is done first, to a tenth of the accuracy."""
+    """The solution to a tenth of the accuracy, by the first of two schemes that finishes."""
     for scheme in ("radau_exponentials", "spectral_collocation"):
         ended = program.run("solve", *case.problem(), "--scheme", scheme, "--accuracy", f"{max(accuracy / 10, 1e-13):g}", *case.given("--at"), "--budget", "3")
         if ended.done:
@@ -61,7 +61,7 @@ def solved(program: Program, case: Case, accuracy: float) -> Table | None:
 
 
 def conditioning(program: Program, case: Case, accuracy: float) -> dict[str, list[float]] | None:
-    """How far the solution moves at the times that are asked for, where all initial values are moved by the accuracy."""
+    """The change of the solution at the output times when all initial values are perturbed by the accuracy; None if unknown."""
     size = max(accuracy, 1e-9)
     here, there = solved(program, case, min(accuracy, size / 10)), None
     moved = perturbed(case, size)
@@ -75,7 +75,7 @@ def conditioning(program: Program, case: Case, accuracy: float) -> dict[str, lis
 
 
 def worst(case: Case, table: Table, exact: Table, accuracy: float, moved: dict[str, list[float]] | None) -> tuple[float, str]:
-    """The largest error as a multiple of what may be: accuracy (1 + |y|), and what that does as a change of initial values."""
+    """The largest error divided by its tolerance: accuracy (1 + |y|) plus the effect `moved` of perturbed initial values."""
     found, jumps = (0.0, ""), decimals(case)
     for name in [name for name in table.unknowns if name in exact.names]:
         for k, (value, known, bound, t) in enumerate(zip(table.column(name), exact.column(name), exact.column("bound"), table.times)):
@@ -90,18 +90,18 @@ def asked(program: Program, case: Case) -> Outcome:
 
 
 def decimals(case: Case) -> set[float]:
-    """All numbers of a file: a time among them may be that of a jump, where a value is one of two."""
+    """All numbers of a file: a time among them may be a jump, where the value is one of two limits."""
     return {float(number) for line in case.file for number in NUMBER.findall(line)}
 
 
 def admitted(ended: Outcome) -> float:
-    """How many times off a run may be: as often as it says itself."""
+    """The allowed error of a run as a multiple of its tolerance: FACTOR, or the estimate in its warning."""
     said = MISSED.search(ended.err)
     return max(FACTOR, ESTIMATED * float(said[3]) if said else 0)
 
 
 def check_the_warning(ended: Outcome, table: Table, exact: Table, accuracy: float) -> None:
-    """That a run is off where it says so: by a tenth of it at least."""
+    """Checks a warning: the error is at least a tenth of its estimate."""
     said = MISSED.search(ended.err)
     if not said or said[1] not in exact.names:
         return
@@ -113,7 +113,7 @@ def check_the_warning(ended: Outcome, table: Table, exact: Table, accuracy: floa
 
 
 def least_gap(case: Case) -> float:
-    """The least order of a row of a chain, as orders, their differences and whole numbers lie to each other."""
+    """The smallest order of a row of a multi-term chain: the least difference between orders and the integers 0, 1, 2."""
     if case.scene:
         orders = [float(v) for k, v in case.chosen.items() if k in ORDERS and "," not in v]
     else:
@@ -123,8 +123,8 @@ def least_gap(case: Case) -> float:
 
 
 def ends_there(case: Case) -> bool:
-    """What docs/adaptive.md and docs/spectral.md say of where such schemes end: orders that are next to nothing, and with
-    them jumps; what slides along a switch of its own."""
+    """Cases in which these schemes fail according to docs/adaptive.md and docs/spectral.md: very small orders, small orders
+    with jumps, and sliding along a discontinuity in an unknown."""
     text = " ".join(case.file)
     jumps = case.scene == "bagley_torvik" or "[[jump]]" in text or "step(" in text or "sign(" in text
     slides = re.search(r"(step|sign)\([^()]*(x|y|z|w|D\()", text) is not None
@@ -134,7 +134,7 @@ def ends_there(case: Case) -> bool:
 
 
 def gives_up(program: Program, case: Case, lists: Lists, exact: Table, ended: Outcome) -> bool:
-    """It did not converge, where another scheme that is asked the same delivers; what the pages say of ends is left out."""
+    """Whether the run did not converge although another scheme delivers the accuracy; documented failures are left out."""
     if "converge" not in ended.err or ends_there(case):
         return False
     for scheme in lists.takers("takes_accuracy"):
@@ -146,7 +146,7 @@ def gives_up(program: Program, case: Case, lists: Lists, exact: Table, ended: Ou
 
 
 def check_the_end(program: Program, case: Case, lists: Lists, ended: Outcome, accuracy: float) -> None:
-    """Where there is no reference: beside what schemes over grids tend to at the end."""
+    """Without a reference: compares the end with the limit of schemes on grids."""
     until = case.options["--at"].split(",")[-1]
     if float(until) != end_of(case, lists) or float(until) in decimals(case) and f"end = {until}" not in case.file:
         return
@@ -162,8 +162,8 @@ def check_the_end(program: Program, case: Case, lists: Lists, ended: Outcome, ac
 
 @must_hold(drawn_accuracy, 6)
 def accuracy_is_delivered(program: Program, case: Case, lists: Lists) -> None:
-    """Within ten times the accuracy, relative to 1 + |y|; beyond that only as far as a warning says, or the problem magnifies such
-    an error."""
+    """The error is within ten times the accuracy, relative to 1 + |y|, unless a warning says more or the problem magnifies
+    perturbations."""
     ended = asked(program, case)
     if ended.code == 2:
         return

@@ -1,4 +1,4 @@
-"""Events of a function of t alone are all its zeros."""
+"""The events of a function of t alone are all its zeros."""
 
 import math
 from random import Random

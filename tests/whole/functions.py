@@ -1,4 +1,4 @@
-"""mittag-leffler, stability, geometry and the lists."""
+"""Properties of mittag-leffler, stability, geometry and the lists."""
 
 import json
 import math
@@ -25,7 +25,7 @@ def drawn_function(random: Random, lists: Lists) -> Case:
 
 @must_hold(drawn_function)
 def mittag_leffler_is_within_its_bound(program: Program, case: Case, lists: Lists) -> None:
-    """The double is within its bound of 30 digits; E_{a,b}(z) = z E_{a,a+b}(z) + 1/Gamma(b) within the bounds of both."""
+    """The double is within its bound of the value with 30 digits; E_{a,b}(z) = z E_{a,a+b}(z) + 1/Gamma(b) within both bounds."""
     alpha, beta, z = case.words
     ended = program.run("mittag-leffler", *case.words, *case.given(), "--budget", "10")
     if not ended.done:

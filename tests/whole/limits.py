@@ -1,4 +1,4 @@
-"""Where schemes over grids tend to at the end of an interval, with what their last differences leave open."""
+"""The limit of schemes on grids at the end time, with an uncertainty from their last differences."""
 
 from collections.abc import Sequence
 
@@ -22,7 +22,7 @@ def ends(program: Program, case: Case, scheme: str, until: str, steps: Sequence[
 
 
 def limit(program: Program, case: Case, scheme: str, until: str, steps: Sequence[int] = FEW) -> Limit | None:
-    """Each column's end and how far it may be off: five of the last differences, where these fall."""
+    """The end value of each column and its uncertainty, five times the last difference; only columns whose differences decrease."""
     tables, found = ends(program, case, scheme, until, steps), {}
     for name in tables[-1].unknowns if tables else []:
         a, b, c, d = (table.column(name)[-1] for table in tables)
@@ -32,8 +32,8 @@ def limit(program: Program, case: Case, scheme: str, until: str, steps: Sequence
 
 
 def crude_limit(program: Program, case: Case, until: str) -> Limit:
-    """Of two schemes that agree, an implicit and an explicit one; of the explicit one where Newton's method finds no step,
-    as next to a switch that is slid along, twenty of the largest difference."""
+    """The limit from an implicit and an explicit scheme that agree. If only one of them finishes (Newton's method may fail where
+    the solution slides along a discontinuity), the uncertainty is twenty times its largest difference."""
     explicit = ends(program, case, "adams_pc", until, MANY)
     implicit = ends(program, case, PAIR[0], until, MANY)
     found = {}

@@ -1,4 +1,4 @@
-"""One command of fdebench: how it is run, and how every command has to end."""
+"""Runs one command of fdebench and checks how it ends."""
 
 import os
 import shutil
@@ -12,7 +12,7 @@ SANITIZERS = ("AddressSanitizer", "LeakSanitizer", "ThreadSanitizer", "runtime e
 
 
 class Fault(Exception):
-    """Something that must hold does not. `kind` stays the same while a case is shrunk."""
+    """A property does not hold. `kind` stays the same while a case is shrunk."""
 
     def __init__(self, kind: str, text: str, arguments: tuple[str, ...] = ()) -> None:
         super().__init__(text)
@@ -32,13 +32,13 @@ class Outcome:
 
 
 def reasons(err: str, elapsed: float) -> list[str]:
-    """The lines on standard error without those of progress, of which there is one a minute off a terminal."""
+    """The lines on standard error without progress lines, which are printed once a minute."""
     lines = err.splitlines()
     return lines if elapsed < 55.0 else [line for line in lines if line.startswith(("fdebench: ", '{"'))]
 
 
 def ending_fault(outcome: Outcome, seconds: float, elapsed: float) -> tuple[str, str] | None:
-    """What is wrong with how a command ended: docs/command.md, "Exit codes"."""
+    """The violation of docs/command.md, "Exit codes", by the end of a command; None if there is none."""
     lines = reasons(outcome.err, elapsed)
     if any(word in outcome.err for word in SANITIZERS):
         return "sanitizer", next(line for line in lines if any(word in line for word in SANITIZERS))
@@ -60,7 +60,7 @@ def ending_fault(outcome: Outcome, seconds: float, elapsed: float) -> tuple[str,
 
 
 class Program:
-    """Runs commands in a folder of its own; counts them; each has to end as it should, or is a Fault."""
+    """Runs commands in one folder and counts them. Raises Fault if a command does not end as documented."""
 
     def __init__(self, binary: Path, folder: Path, cache: Path, slow: float = 1.0) -> None:
         self.binary, self.folder, self.slow = binary.resolve(), folder, slow
@@ -70,12 +70,12 @@ class Program:
         self.lock = threading.Lock()
 
     def fresh(self) -> None:
-        """An empty folder for the next case."""
+        """Empties the folder for the next case."""
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True)
 
     def run(self, *arguments: str, seconds: float = 30.0) -> Outcome:
-        """`seconds` of processor time are allowed, times the factor for slow builds."""
+        """Runs a command with a limit of `seconds` of CPU time, times the factor for slow builds."""
         limit = seconds * self.slow
         budgets = [k + 1 for k, word in enumerate(arguments) if word == "--budget"]
         arguments = tuple(f"{float(word) * self.slow:g}" if k in budgets else word for k, word in enumerate(arguments))

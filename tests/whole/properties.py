@@ -1,4 +1,4 @@
-"""The properties by name: each draws its cases, and says what has to hold of one by raising a Fault."""
+"""The properties by name. Each draws its cases, and checks a case by raising Fault."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The Python module says what the command says, where it is built."""
+"""The Python module, if it is built, returns the values of the command."""
 
 import re
 import subprocess
@@ -30,7 +30,7 @@ def drawn_call(random: Random, lists: Lists) -> Case:
 
 
 def sanitizers_of(module: Path) -> dict[str, str]:
-    """The environment in which Python, which is compiled without the sanitizers of a module, loads it."""
+    """The environment that lets Python, compiled without sanitizers, load a module compiled with them."""
     libraries = subprocess.run(["ldd", module], capture_output=True, text=True, check=True).stdout
     sanitizers = re.findall(r"=> (\S*lib[at]san\S*)", libraries)
     return {"LD_PRELOAD": " ".join(sanitizers), "ASAN_OPTIONS": "detect_leaks=0"} if sanitizers else {}
@@ -49,7 +49,7 @@ def python_agrees(program: Program, case: Case, lists: Lists) -> None:
     run = subprocess.run([sys.executable, "-c", SCRIPT, case.problem()[0], case.scheme, case.options["--steps"],
                           ",".join(row[0] for row in table.rows), *table.unknowns], capture_output=True, text=True,
                          cwd=program.folder, env={**program.environment, **sanitizers_of(modules[0]), "PYTHONPATH": str(folder)}, timeout=120 * program.slow)
-    if "ModuleNotFoundError" in run.stderr:  # this Python is not the one that the module is compiled for
+    if "ModuleNotFoundError" in run.stderr:  # the module is compiled for another Python
         return
     if run.returncode != 0:
         raise Fault("fails", f"Python ends with {run.returncode}: {run.stderr.strip().splitlines()[-1:]}")

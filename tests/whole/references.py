@@ -1,4 +1,4 @@
-"""What `exact` says, beside two schemes that share no code with it, and beside itself to many digits."""
+"""`exact` is compared with two schemes that share no code with it, and with its own values to many digits."""
 
 from dataclasses import replace
 from decimal import Decimal
@@ -22,7 +22,7 @@ def drawn_reference(random: Random, lists: Lists) -> Case:
 
 @must_hold(drawn_reference, 5)
 def exact_is_what_schemes_tend_to(program: Program, case: Case, lists: Lists) -> None:
-    """Where two schemes agree within their own estimates, `exact` is there too."""
+    """Where two schemes agree within their uncertainties, `exact` agrees with them."""
     known = program.run("exact", *case.problem(), "--at", case.chosen["until"], "--bounds", "--budget", "4")
     if not known.done:
         return
@@ -35,13 +35,13 @@ def exact_is_what_schemes_tend_to(program: Program, case: Case, lists: Lists) ->
         value, bound = exact.column(name)[-1], exact.column("bound")[-1]
         apart = 4 * (off_a + off_b) + bound + 1e-7 * (1 + abs(a))
         if float(case.chosen["until"]) in decimals(case) and case.file:
-            continue  # maybe the time of a jump
+            continue  # possibly the time of a jump
         if abs(a - b) <= off_a + off_b and abs(value - a) > apart and abs(value - b) > apart and settled(program, case, name, a, abs(value - a)):
             raise Fault("false", f"exact says {name} = {value!r}, bound {bound:g}; {PAIR[0]} {a!r}, {PAIR[1]} {b!r}, these within {off_a + off_b:.1g}", known.arguments)
 
 
 def settled(program: Program, case: Case, name: str, value: float, apart: float) -> bool:
-    """Initial values that are a little other lead to the same: there are not two solutions from where it starts."""
+    """Slightly perturbed initial values give nearly the same end: the solution is not one of several (non-uniqueness)."""
     for size in (1e-6, -1e-6):
         moved = perturbed(case, size)
         moved.write(program.folder)
@@ -60,7 +60,7 @@ def drawn_digits(random: Random, lists: Lists) -> Case:
 
 @must_hold(drawn_digits, 2.5)
 def digits_are_within_the_bound(program: Program, case: Case, lists: Lists) -> None:
-    """The doubles of `exact` are within their bounds of what it says with 40 digits; rows are sorted, each time once."""
+    """The doubles of `exact` are within their bounds of its values with 40 digits; rows are sorted by time without repetitions."""
     short = program.run("exact", *case.problem(), *case.given(), "--bounds")
     if not short.done:
         return

@@ -1,4 +1,4 @@
-"""Results files: what run, judge, merge, compare, choose, report and plot say of each other."""
+"""Results files: run, judge, merge, compare, choose and plot are consistent with each other."""
 
 import json
 from dataclasses import replace
@@ -29,7 +29,7 @@ def drawn_run(random: Random, lists: Lists) -> Case:
 
 @must_hold(drawn_run, 1.5)
 def judge_agrees_with_run(program: Program, case: Case, lists: Lists) -> None:
-    """The errors that judge finds in what solve prints are those that run records."""
+    """The errors that judge measures in the output of solve equal the errors that run records."""
     ran = program.run("run", "--scene", case.problem()[0], *case.problem()[1:], "--scheme", case.scheme, *case.given(), "--repeat", "1", "--budget", "2",
                       "--out", "run.jsonl", seconds=90)
     solved = program.run("solve", *case.problem(), "--scheme", case.scheme, *case.given(), "--budget", "2")
@@ -59,7 +59,7 @@ def drawn_sweep(random: Random, lists: Lists) -> Case:
 
 @must_hold(drawn_sweep, 0.6)
 def shards_are_the_whole(program: Program, case: Case, lists: Lists) -> None:
-    """Shards that are merged have the rows of the whole, but for times; a file beside itself has neither grown nor fallen."""
+    """Merged shards have the rows of the whole sweep, except the times; a file compared with itself has no changes."""
     words = (*case.words, *case.given(), "--repeat", "1", "--budget", "2")
     whole = program.run("run", *words, "--out", "whole.jsonl", seconds=120)
     if not whole.done:
@@ -92,7 +92,7 @@ def drawn_choice(random: Random, lists: Lists) -> Case:
 
 @must_hold(drawn_choice, 0.8)
 def what_is_chosen_is_within_the_error(program: Program, case: Case, lists: Lists) -> None:
-    """The command that choose names has an error as judge measures it that is no larger than asked for."""
+    """The run recommended by choose has an error, as measured by judge, within the requested accuracy."""
     chosen = program.run("choose", *case.problem(), *case.given(), "--max-time", "2", "--json", seconds=120)
     if not chosen.done:
         return

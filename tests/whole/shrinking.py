@@ -1,4 +1,4 @@
-"""A shorter case that still fails in the same way: options, parameters, lines and terms left out, numbers made plain."""
+"""Shrinks a failing case: leaves out options, parameters, lines and terms and simplifies numbers while it fails alike."""
 
 import re
 import time
@@ -31,7 +31,7 @@ def plainer(text: str) -> Iterator[str]:
 
 
 def shorter_formulas(line: str) -> Iterator[str]:
-    """One term less of a sum, a simpler number, a bracket replaced by what it holds."""
+    """Variants of a formula with one term less in a sum, or a simpler number."""
     match = re.match(r'(rhs|zero|\w+) = "(.*)"$', line)
     if match:
         terms = match.group(2).split(" + ")

@@ -1,4 +1,4 @@
-"""What solve prints: whole, finite, and the same bits however it is asked for."""
+"""The output of solve: complete, finite, and bitwise independent of output options."""
 
 import json
 from dataclasses import replace
@@ -17,7 +17,7 @@ def solve(program: Program, case: Case, *more: str) -> Outcome:
 
 
 def check_rows(case: Case, ended: Outcome) -> Table:
-    """The rows that were asked for, finite, in order."""
+    """Checks that the rows are the requested ones, finite and in order."""
     table = Table.read(ended.out)
     check_finite(table)
     if "--all" in case.options:
@@ -47,7 +47,7 @@ def blames_newton(case: Case, lists: Lists, line: str) -> bool:
 
 @must_hold(drawn_solve, 4)
 def solve_ends_as_it_says(program: Program, case: Case, lists: Lists) -> None:
-    """Exit 0 with whole rows, or 2 or 3 with nothing but one line, that names an explicit scheme for what it is."""
+    """Exit code 0 with complete rows, or 2 or 3 with one line only, which blames Newton's method for implicit schemes only."""
     ended = solve(program, case)
     if ended.done:
         check_rows(case, ended)
@@ -70,7 +70,7 @@ def drawn_variant(random: Random, lists: Lists) -> Case:
 
 @must_hold(drawn_variant, 3)
 def another_output_has_the_same_bits(program: Program, case: Case, lists: Lists) -> None:
-    """--every, --points, --at, --threads, --checkpoint, --field and what only says more change no bit of a row."""
+    """--every, --points, --at, --threads, --checkpoint, --field and options for further output change no bit of a row."""
     variant, count = case.words[0], int(case.words[1])
     ended = solve(program, case)
     if not ended.done:
@@ -83,7 +83,7 @@ def another_output_has_the_same_bits(program: Program, case: Case, lists: Lists)
     other = solve(program, again)
     if not other.done:
         if "budget" in other.err or other.code == 2 and variant in ("--every", "--checkpoint", "--threads", "--points", "--check"):
-            return  # a combination that is not taken
+            return  # a combination that is refused
         raise Fault("fails", f"with {variant} it ends: {other.err.strip()}")
     table = Table.read(other.out)
     shared = [row for row in table.rows if row[0] in rows]
@@ -108,8 +108,8 @@ def drawn_history(random: Random, lists: Lists) -> Case:
 
 @must_hold(drawn_history, 1.5)
 def histories_agree(program: Program, case: Case, lists: Lists) -> None:
-    """The past by exponentials is that of direct sums, to a multiple of the tolerance. How much a problem magnifies
-    such errors is seen by what another tolerance changes."""
+    """The history by exponentials agrees with direct sums to a multiple of the tolerance. The change of the solution with
+    another tolerance measures how much the problem magnifies such errors."""
     tolerance = float(case.options["--tolerance"])
     tighter = replace(case, options={**case.options, "--tolerance": "1e-14"})
     ends = [solve(program, one, "--history", history) for one, history in ((case, "exponentials"), (case, "direct"), (tighter, "direct"))]
@@ -126,6 +126,6 @@ def histories_agree(program: Program, case: Case, lists: Lists) -> None:
 
 
 def growth(column: list[float]) -> float:
-    """By how much a column grows from what it is at first: what a mode that grows does to errors."""
+    """The growth factor of a column from its first twentieth on: a growing mode magnifies errors by it."""
     first = max(map(abs, column[: max(2, len(column) // 20)])) + 1e-300
     return max(map(abs, column)) / first if first > 1e-3 else max(map(abs, column)) / 1e-3

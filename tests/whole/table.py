@@ -1,4 +1,4 @@
-"""The CSV that solve and exact print."""
+"""The CSV output of solve and exact."""
 
 import csv
 import io
@@ -33,12 +33,12 @@ class Table:
 
     @property
     def unknowns(self) -> list[str]:
-        """The columns of the problem, without those that follow from them."""
+        """The columns of the problem, without derived columns."""
         return [name for name in self.names if not DERIVED.fullmatch(name)]
 
 
 def check_finite(table: Table) -> None:
-    """Every number is finite; only what a reaction does at t = 0 may be nan, where it is unbounded."""
+    """Every number is finite, except that a reaction that is unbounded at t = 0 may be nan there."""
     for row in table.rows:
         for name, text in zip(table.names, row):
             if name == "event":

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Whole commands at random: any two features meet, and what must hold is looked at from outside.
+"""Random whole commands: any two features are combined, and properties are checked from outside the program.
 
     whole.py FDEBENCH [--seconds S] [--seed N|date] [--jobs J] [--keep DIR] [--coverage] [--slow FACTOR] [--only PROPERTY]...
     whole.py FDEBENCH --replay [FILE]...       the cases of kept/, or these
 
-Exit code 1 where something does not hold: it is printed shrunk to its shortest form, and kept in DIR.
+Exit code 1 if a property does not hold: the case is shrunk, printed and stored in DIR.
 """
 
 import argparse
@@ -21,7 +21,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from random import Random
 
-import errors  # noqa: F401  (each of these says what must hold)
+import errors  # noqa: F401  (each of these modules registers properties)
 import events  # noqa: F401
 import functions  # noqa: F401
 import python_module  # noqa: F401
@@ -50,7 +50,7 @@ def fault_of(program: Program, case: Case, lists: Lists) -> Fault | None:
 
 
 class Search:
-    """What was tried and found, by all jobs together."""
+    """The cases tried and the faults found, by all jobs together."""
 
     def __init__(self, options: argparse.Namespace, lists: Lists, cache: Path) -> None:
         self.options, self.lists, self.cache = options, lists, cache
@@ -65,7 +65,7 @@ class Search:
         self.found: dict[tuple[str, str, str], Case] = {}
 
     def drawn(self, number: int) -> Case:
-        """The same case for the same seed and number, on any number of jobs."""
+        """Case `number`: depends on the seed and the number only, not on the number of jobs."""
         random = Random(f"{self.options.seed}:{number}")
         chosen = [one for one in PROPERTIES.values() if not self.options.only or one.name in self.options.only]
         return random.choices(chosen, [one.weight for one in chosen])[0].draw(random, self.lists)

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Problems at both ends over T in (0, 20] and random coefficients: how many `fdebench solve` solves, against `fdebench exact`.
+"""Problems at both ends with T in (0, 20] and random coefficients: how many `fdebench solve` and `fdebench exact` solve.
 
 usage: benchmarks/programs/accuracy/both_ends.py FDEBENCH [--seed N] [--problems N] [--steps N]
 
-For each scene, with the coefficients of its list and with random ones: the share that `solve` and `exact` solve, and of those that
-both solve the share whose q at T/2 agree to a hundredth of 1 + |q|. The two share no discretisation (product rule against
-collocation). Prints the command of each problem where they do not.
+For each scene, with default and with random coefficients: the numbers of problems that `solve` and `exact` solve, and of those that
+both solve the number whose q at T/2 agree to 0.01 (1 + |q|). The two have no discretisation in common (product rule, collocation).
+Prints the arguments of each problem for which they differ.
 """
 
 import argparse
@@ -24,7 +24,7 @@ POSITIVE = {"k1", "k2", "k3"}
 
 
 def middle(words, end):
-    """q1 and q2 at T/2; None where the command ends otherwise."""
+    """q1 and q2 at T/2; None if the command fails."""
     ended = subprocess.run([*words, "--at", repr(end / 2)], capture_output=True, text=True, check=False)
     if ended.returncode != 0:
         return None

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Runs of random accuracies on scenes with random parameters, against `fdebench exact`.
+"""Runs with random tolerances on scenes with random parameters, compared with `fdebench exact`.
 
 usage: benchmarks/programs/accuracy/random_problems.py FDEBENCH [--seed N] [--seconds S] [--constrained]
 
-Prints a line for each run that is off by more than ten times what was asked, in units of it, or that came to no
-end, and at last a table of how many runs there were, were off, and were so without a warning. The error is the largest of
-|error| / (1 + |y|) over columns and 28 times, multipliers apart, the bound of the reference taken off. With --constrained
-the problems are motions under constraints. Exit code 1 where a run that finished was off in silence.
+Prints a line for each run whose error exceeds ten times the tolerance, as a multiple of it, or that did not finish; then a table
+with the numbers of runs, of such errors, and of those without a warning. The error is the largest of |error| / (1 + |y|) over
+columns and 28 times, minus the bound of the reference; multipliers are counted separately. With --constrained the problems are
+mechanical systems with constraints. Exit code 1 if a finished run has such an error without a warning.
 """
 
 import argparse
@@ -15,13 +15,13 @@ import subprocess
 import sys
 import time
 
-SCHEMES = {"spectral_collocation": 13, "radau_exponentials": 9, "adaptive_trapezoidal": 6, "adaptive_pc": 6}  # digits at most
+SCHEMES = {"spectral_collocation": 13, "radau_exponentials": 9, "adaptive_trapezoidal": 6, "adaptive_pc": 6}  # largest number of digits
 NOT_FOR_STIFF = {"stiff_relaxation", "robertson", "van_der_pol", "damped_oscillator"}
 LIMIT = 10.0
 
 
 def problem(draw):
-    """A scene with parameters, as the command takes it, and its end."""
+    """A scene with random parameters: its id, its argument on the command line, and its end."""
 
     def order(low, high):
         return round(draw.uniform(low, high), 3)
@@ -55,7 +55,7 @@ def problem(draw):
 
 
 def constrained_problem(draw):
-    """The same of motions under constraints."""
+    """The same for mechanical systems with constraints."""
 
     def number(low, high):
         return round(draw.uniform(low, high), 3)
@@ -82,7 +82,7 @@ def constrained_problem(draw):
 
 
 def table(words):
-    """Columns, rows of CSV and what was said beside them, or the line that says why there are none."""
+    """Columns and rows of the CSV output and the standard error; or None and the error message."""
     answer = subprocess.run(words, capture_output=True, text=True, check=False)
     if answer.returncode != 0:
         return None, answer.stderr.strip()
@@ -91,7 +91,7 @@ def table(words):
 
 
 def largest_error(exact, solved, multipliers):
-    """Over the columns that both have and are multipliers, or are none and no energy or drift."""
+    """The largest error over the common columns: over multipliers only, or over all others except energy and drift."""
     names, references = exact[:2]
     columns, rows = solved[:2]
     left_out = {"t", "bound", "energy", "constraint", "power"}
@@ -103,7 +103,7 @@ def largest_error(exact, solved, multipliers):
 
 
 def main():
-    """Draws, runs and prints until the time is over."""
+    """Draws and runs problems until the time is over."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("fdebench")
     parser.add_argument("--seed", type=int, default=1)

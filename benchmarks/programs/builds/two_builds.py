@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What a step costs in one build of fdebench beside another: two_builds.py FIRST SECOND [REPEATS]
+"""Compares the times of two builds of fdebench: two_builds.py FIRST SECOND [REPEATS]
 
-Runs each solve by both programs in turn and prints the least processor time of each and their ratio, SECOND to FIRST. A build
+Runs each solve by both programs in turn and prints the least CPU time of each and their ratio, SECOND / FIRST. For a build
 without assertions: cmake -D FDEBENCH_ASSERTIONS=OFF.
 """
 
@@ -24,7 +24,7 @@ SOLVES = [
 
 
 def seconds(program, solve):
-    """Of the processor, for one solve that prints two rows."""
+    """CPU time of one solve that prints two rows."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     subprocess.run([program, "solve", *solve.split(), "--points", "2"], stdout=subprocess.DEVNULL, check=True)
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
