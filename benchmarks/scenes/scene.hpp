@@ -43,6 +43,10 @@ struct Constraint {
 
   // |f(t, columns)|_inf, in the unit of f.
   [[nodiscard]] double drift(double t, In columns) const;
+
+  // The size of what cancels in f: sum_i |f(t, columns) - f(t, columns without i)|, column i being 0 in the
+  // latter; the largest of the constraints.
+  [[nodiscard]] double terms(double t, In columns) const;
 };
 
 // A column that is the derivative of order in (0, 1) or (1, 2) of what another column is the first derivative
