@@ -20,6 +20,19 @@ double Constraint::drift(double t, In columns) const {
   return f.lpNorm<Eigen::Infinity>();
 }
 
+double Constraint::terms(double t, In columns) const {
+  Vec all(size), without(size), sum = Vec::Zero(size);
+  value(t, columns, all);
+  Vec others = columns;
+  for (Eigen::Index i = 0; i < others.size(); ++i) {
+    others[i] = 0.0;
+    value(t, others, without);
+    others[i] = columns[i];
+    if (without.allFinite()) sum += (all - without).cwiseAbs();
+  }
+  return sum.lpNorm<Eigen::Infinity>();
+}
+
 void set_end(Scene& scene, double end) {
   scene.problem.end = end;
   if (scene.jumps_until) scene.problem.jumps = scene.jumps_until(end);

@@ -43,6 +43,10 @@ struct Constraint {
 
   // |f(t, columns)|_inf, in the unit of f.
   [[nodiscard]] double drift(double t, In columns) const;
+
+  // The size of what cancels in f: sum_i |f(t, columns) - f(t, columns without i)|, column i being 0 in the
+  // latter; the largest of the constraints.
+  [[nodiscard]] double terms(double t, In columns) const;
 };
 
 // Column `derivative` is the Caputo derivative of this order, in (0, 1) or (1, 2), of the antiderivative of

@@ -24,9 +24,11 @@ std::optional<std::string> damped_oscillation(const SolvedRun& run) {
   const auto path = solve_again(run, undamped, run.grid, times);
   if (path.ending != Ending::finished) return std::nullopt;
   const Vec here = late_sizes(run);
-  const Vec there = late_sizes({undamped, run.problem, run.grid, run.options, path});
+  const Vec there = late_sizes({undamped, run.problem, run.grid, run.options, path, {}, run.functions});
   for (Eigen::Index i = 0; i < here.size(); ++i) {
-    if (algebraic(components[static_cast<std::size_t>(i)]) || there[i] <= many_times * here[i]) continue;
+    if ((i < run.problem.size() && algebraic(components[static_cast<std::size_t>(i)])) ||
+        there[i] <= many_times * here[i])
+      continue;
     return fmt::format("in the last quarter {} is up to {:.3g}, and {:.3g} with {} on the same grid",
                        run.name(i), here[i], there[i], undamped.id);
   }

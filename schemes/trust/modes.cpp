@@ -199,7 +199,7 @@ std::optional<std::string> growth_of_its_own(const SolvedRun& run) {
     const double order = problem.components[static_cast<std::size_t>(i)].order;
     expected += std::pow(run.grid.end, order) / std::tgamma(order + 1.0) * load[i];
   }
-  const double reached = late_sizes(run).maxCoeff();
+  const double reached = late_sizes(run).head(problem.size()).maxCoeff();
   if (!(reached > many_times * expected)) return std::nullopt;
   for (const double t : spread_times(run.grid)) {
     if (equation_grows(problem, t, stored_at(run.path, t), step_at(run.grid, t))) return std::nullopt;

@@ -39,28 +39,28 @@ std::vector<int> coarser_steps(const Problem& problem, const Grid& grid) {
 // The largest difference of two paths at these times.
 struct Difference {
   double part = 0.0;
-  Eigen::Index component = 0;
+  Eigen::Index quantity = 0;
   double t = 0.0, value = 0.0, other = 0.0;
 };
 
-Difference difference(const Trajectory& path, const Trajectory& other, const std::vector<double>& times,
-                      const Vec& sizes) {
+Difference difference(const SolvedRun& run, const Trajectory& path, const Trajectory& other,
+                      const std::vector<double>& times, const Vec& sizes) {
   Difference worst;
   for (const double t : times) {
-    const Vec y = stored_at(path, t), z = stored_at(other, t);
+    const Vec y = run.quantities(path, t), z = run.quantities(other, t);
     for (Eigen::Index i = 0; i < y.size(); ++i) {
       const double apart = std::abs(y[i] - z[i]);
       if (apart > worst.part * sizes[i])
-        worst = {.part = apart / sizes[i], .component = i, .t = t, .value = y[i], .other = z[i]};
+        worst = {.part = apart / sizes[i], .quantity = i, .t = t, .value = y[i], .other = z[i]};
     }
   }
   return worst;
 }
 
 std::string numbers(const Difference& worst, const SolvedRun& run, int steps) {
-  return fmt::format("{} at t = {:.6g} is {:.3g} with {} step{} and {:.3g} with {}",
-                     run.name(worst.component), worst.t, worst.value, run.grid.steps,
-                     run.grid.steps == 1 ? "" : "s", worst.other, steps);
+  return fmt::format("{} at t = {:.6g} is {:.3g} with {} step{} and {:.3g} with {}", run.name(worst.quantity),
+                     worst.t, worst.value, run.grid.steps, run.grid.steps == 1 ? "" : "s", worst.other,
+                     steps);
 }
 
 ComparedSteps of_difference(const Difference& worst, bool doubtful, const SolvedRun& run, int steps) {
@@ -73,7 +73,7 @@ ComparedSteps compare_with_finer(const SolvedRun& run, Eigen::Index times_as_man
   const auto times = late_times(run.grid);
   const auto finer = solve_again(run, run.scheme, grid, times);
   if (finer.ending == Ending::finished) {
-    const auto worst = difference(run.path, finer, times, late_sizes(run));
+    const auto worst = difference(run, run.path, finer, times, late_sizes(run));
     return of_difference(worst, worst.part > doubtful_part, run, grid.steps);
   }
   // Newton's method and the budget may end a run of more steps that says nothing against this one.
@@ -108,12 +108,12 @@ std::optional<Estimate> estimate_from_coarser(const SolvedRun& run, int steps) {
   const auto one = solve_again(run, run.scheme, finer, times);
   if (one.ending != Ending::finished) return std::nullopt;
   const Vec sizes = late_sizes(run);
-  const auto worst = difference(run.path, one, times, sizes);
+  const auto worst = difference(run, run.path, one, times, sizes);
   if (worst.part == 0.0) return Estimate{0.0, {}};
   if (!(worst.part < comparable)) return std::nullopt;
   const auto other = solve_again(run, run.scheme, coarser, times);
-  const double between =
-      other.ending == Ending::finished ? difference(one, other, times, sizes).part : 0.0;  // the lowest rate
+  const double between = other.ending == Ending::finished ? difference(run, one, other, times, sizes).part
+                                                          : 0.0;  // the lowest rate
   const double ratio = static_cast<double>(run.grid.steps) / steps;
   return Estimate{error_by_rate(worst.part, between, ratio), numbers(worst, run, steps)};
 }
@@ -131,17 +131,29 @@ Trajectory solve_again(const SolvedRun& run, const Scheme& scheme, const Grid& g
   return scheme.solve(run.problem, grid, options);
 }
 
-std::string SolvedRun::name(Eigen::Index component) const {
-  const auto index = static_cast<std::size_t>(component);
+std::string SolvedRun::name(Eigen::Index quantity) const {
+  const auto index = static_cast<std::size_t>(quantity);
   if (index < names.size() && !names[index].empty()) return names[index];
-  return fmt::format("component {}", component);
+  return fmt::format("component {}", quantity);
+}
+
+Vec SolvedRun::quantities(const Trajectory& of, double t) const {
+  Vec y = stored_at(of, t);
+  if (!functions) return y;
+  const Vec values = functions(t, y);
+  Vec all(y.size() + values.size());
+  all << y, values;
+  return all;
 }
 
 Vec late_sizes(const SolvedRun& run) {
   constexpr double of_component = 1e-9, of_all = 1e-12;
-  Vec late = Vec::Zero(run.problem.size()), ever = late;
-  for (const double t : late_times(run.grid)) late = late.cwiseMax(stored_at(run.path, t).cwiseAbs());
-  for (const double t : spread_times(run.grid)) ever = ever.cwiseMax(stored_at(run.path, t).cwiseAbs());
+  const auto largest = [&run](const std::vector<double>& times) {
+    Vec size = run.quantities(run.path, times.front()).cwiseAbs();
+    for (const double t : times) size = size.cwiseMax(run.quantities(run.path, t).cwiseAbs());
+    return size;
+  };
+  const Vec late = largest(late_times(run.grid)), ever = largest(spread_times(run.grid));
   const double all = of_all * ever.cwiseMax(late).maxCoeff();
   return late.cwiseMax(of_component * ever).cwiseMax(Vec::Constant(late.size(), all));
 }
@@ -178,7 +190,7 @@ ComparedSteps compare_with_half_the_steps(const SolvedRun& run) {
     return {.agreement = Agreement::differs,
             .numbers = fmt::format("with {} steps the run breaks off after t = {:.6g}", steps, half.reached)};
   }
-  const auto worst = difference(run.path, half, times, late_sizes(run));
+  const auto worst = difference(run, run.path, half, times, late_sizes(run));
   return of_difference(worst, worst.part > doubtful_part, run, steps);
 }
 

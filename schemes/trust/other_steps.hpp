@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,20 +9,24 @@
 
 namespace fde {
 
-// A run and what it was asked. Names of components, "" where one has none, are for the text; empty: none has.
+// A run with its settings, and the quantities in which it is compared with others: the components of y, and
+// functions of the state that follow them, such as an energy.
 struct SolvedRun {
   const Scheme& scheme;
   const Problem& problem;
   const Grid& grid;
   const Options& options;
   const Trajectory& path;
-  std::vector<std::string> names{};
+  std::vector<std::string> names{};  // of the quantities, for the text; "" or too few: those have none
+  std::function<Vec(double t, In y)> functions{};
 
-  [[nodiscard]] std::string name(Eigen::Index component) const;
+  [[nodiscard]] std::string name(Eigen::Index quantity) const;
+  // The quantities at a time of this or another path of the same problem, interpolated between its times.
+  [[nodiscard]] Vec quantities(const Trajectory& of, double t) const;
 };
 
 // What the scheme makes of the same problem with another number of steps, in the last quarter of the steps.
-// All numbers are parts of the value: of the largest |y_i| there, of each component its own.
+// All numbers are parts of the value: of the largest size there, of each quantity its own.
 enum class Agreement { agrees, differs, unknown };
 struct ComparedSteps {
   Agreement agreement = Agreement::unknown;
@@ -51,8 +56,8 @@ inline constexpr Eigen::Index longest_settled = 32768;
 Trajectory solve_again(const SolvedRun& run, const Scheme& scheme, const Grid& grid,
                        const std::vector<double>& times);
 
-// Of each component the largest |y_i| in the last quarter of the steps; at least what rounding leaves of the
-// component's and of all components' largest at the times looked at.
+// Of each quantity the largest size in the last quarter of the steps; at least what rounding leaves of its
+// own and of all quantities' largest at spread_times.
 Vec late_sizes(const SolvedRun& run);
 
 // The times that a run has to store for these.

@@ -39,7 +39,7 @@ std::optional<std::string> alternation(const SolvedRun& run) {
   std::vector<Vec> y;
   for (const double t : times) y.push_back(stored_at(run.path, t));
   const Vec before = y[2] - 2.0 * y[1] + y[0], after = y[3] - 2.0 * y[2] + y[1], sizes = late_sizes(run);
-  for (Eigen::Index i = 0; i < sizes.size(); ++i) {
+  for (Eigen::Index i = 0; i < before.size(); ++i) {
     const double part = 0.25 * std::min(std::abs(before[i]), std::abs(after[i]));
     if (before[i] * after[i] < 0.0 && part > doubtful_part * sizes[i])
       return fmt::format("{} goes up and down from step to step by {:.3g}", run.name(i), part);

@@ -1,0 +1,89 @@
+#include "command/printed_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "command/command.hpp"
+#include "measures/ending.hpp"
+#include "observers/reaction_path.hpp"
+#include "trust/warnings.hpp"
+
+namespace fde {
+namespace {
+
+// A state may be finite and its energy not: throws NumericalFailure then.
+void require_finite(const Vec& values, const SolvedTable& table, const Scheme& scheme,
+                    const std::optional<Grid>& grid, double t) {
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i])) continue;
+    throw NumericalFailure(fmt::format("{}: {} not finite {}", scheme.id,
+                                       table.names[static_cast<std::size_t>(i)], at_time(grid, t)));
+  }
+}
+
+}  // namespace
+
+bool keeps_columns(const Scene& scene, const AskedRun& run) {
+  return run.grid && !scene.reactions && !run.keeps_states && !run.options.all_solutions;
+}
+
+std::vector<double> times_to_return(const Scene& scene, const AskedRun& run) {
+  const double end = scene.problem.end;
+  auto times = keeps_columns(scene, run) ? std::vector{end}
+                                         : with_times_beside(scene.reactions, run.grid, run.times, end);
+  return run.grid ? with_times_looked_at(scene.problem, *run.grid, times) : times;
+}
+
+SolvedTable table_of(const Scene& scene, const AskedRun& run, const Trajectory& path,
+                     const std::vector<double>& times, const Rows& columns) {
+  const ReactionPath reactions(scene, run.grid, path);
+  SolvedTable table{.names = printed_names(scene), .times = run.times.empty() ? times : run.times};
+  const auto of_reactions = reactions.names();
+  table.names.insert(table.names.end(), of_reactions.begin(), of_reactions.end());
+  table.values.resize(std::ssize(table.names), std::ssize(table.times));
+  Eigen::Index next = 0;
+  for (Eigen::Index c = 0; c < columns.cols() && next < table.values.cols(); ++c) {
+    const double t = times[static_cast<std::size_t>(c)];
+    if (t != table.times[static_cast<std::size_t>(next)]) continue;
+    const Vec values = printed_values(scene, t, columns.col(c));
+    require_finite(values, table, run.scheme, run.grid, t);
+    table.values.col(next++) << values, reactions.at(c, columns.col(c));
+  }
+  if (next < table.values.cols()) {
+    throw std::logic_error(
+        fmt::format("{} left out t = {}", run.scheme.id, table.times[static_cast<std::size_t>(next)]));
+  }
+  return table;
+}
+
+SolvedTable table_of_events(const Scene& scene, const Scheme& scheme, const Trajectory& path) {
+  SolvedTable table{.names = printed_names(scene), .events = std::vector<std::string>()};
+  table.values.resize(std::ssize(table.names), std::ssize(path.events));
+  for (Eigen::Index c = 0; const auto& [event, t, y] : path.events) {
+    const Vec values = printed_values(scene, t, columns_at(scene.outputs, t, y));
+    require_finite(values, table, scheme, std::nullopt, t);
+    table.times.push_back(t);
+    table.events->push_back(scene.events[event].name);
+    table.values.col(c++) = values;
+  }
+  return table;
+}
+
+void add_others(SolvedTable& table, const Scene& scene, const AskedRun& run,
+                const std::vector<Trajectory>& others) {
+  table.solutions.emplace(table.times.size(), 1);
+  for (const auto& path : others) {
+    if (path.ending != Ending::finished) continue;
+    const SolvedTable other = table_of(scene, run, path, path.times, columns_of(scene.outputs, path));
+    table.solutions->insert(table.solutions->end(), other.times.size(), table.solutions->back() + 1);
+    table.times.insert(table.times.end(), other.times.begin(), other.times.end());
+    const Matrix before = std::move(table.values);
+    table.values.resize(before.rows(), before.cols() + other.values.cols());
+    table.values << before, other.values;
+  }
+}
+
+}  // namespace fde

@@ -1,0 +1,154 @@
+#include "command/run_warnings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "command/command.hpp"
+#include "trust/missed_accuracy.hpp"
+#include "trust/stored_path.hpp"
+#include "trust/warnings.hpp"
+
+namespace fde {
+namespace {
+
+// The column that shows a component as it is, "" where none does: seen where all components differ.
+std::vector<std::string> columns_of_components(const Scene& scene) {
+  const Vec y = Vec::LinSpaced(scene.problem.size(), 0.1, 0.7);
+  const Vec columns = columns_at(scene.outputs, 0.0, y);
+  std::vector<std::string> names(static_cast<std::size_t>(y.size()));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto shown = std::ranges::find(columns, y[static_cast<Eigen::Index>(i)]);
+    if (shown != columns.end())
+      names[i] = scene.outputs.names[static_cast<std::size_t>(shown - columns.begin())];
+  }
+  return names;
+}
+
+// The printed functions of a state in which runs are compared: the energy, and multipliers without memory.
+std::vector<std::string> names_of_functions(const Scene& scene) {
+  std::vector<std::string> names;
+  if (scene.energy) names.emplace_back("energy");
+  if (scene.reactions.of_columns()) std::ranges::copy(scene.reactions.names, std::back_inserter(names));
+  return names;
+}
+
+Vec functions_at(const Scene& scene, double t, In y) {
+  const Vec columns = columns_at(scene.outputs, t, y);
+  Vec energy(scene.energy ? 1 : 0),
+      lambda(scene.reactions.of_columns() ? std::ssize(scene.reactions.names) : 0);
+  if (scene.energy) energy[0] = scene.energy.value(columns);
+  if (scene.reactions.of_columns()) scene.reactions.multipliers(t, columns, Vec(), lambda);
+  Vec values(energy.size() + lambda.size());
+  values << energy, lambda;
+  return values;
+}
+
+// A drift in the last quarter of the steps that is a large part of the terms of its constraint.
+std::optional<std::string> large_drift(const Scene& scene, const Grid& grid, const Trajectory& path) {
+  if (!scene.constraint) return std::nullopt;
+  double drift = 0.0, terms = 0.0;
+  for (const double t : late_times(grid)) {
+    const Vec columns = columns_at(scene.outputs, t, stored_at(path, t));
+    drift = std::max(drift, scene.constraint.drift(t, columns));
+    terms = std::max(terms, scene.constraint.terms(t, columns));
+  }
+  if (!(drift > doubtful_part * terms)) return std::nullopt;
+  return fmt::format("constraint is {:.3g} in the last quarter, and its terms up to {:.3g}", drift, terms);
+}
+
+std::string as_warning(const std::vector<std::string>& texts) {
+  return texts.empty() ? "" : fmt::format("warning: {}", fmt::join(texts, "; "));
+}
+
+// Some of the columns, spread evenly over them, the last one among them.
+std::vector<Eigen::Index> spread_columns(Eigen::Index count) {
+  constexpr Eigen::Index most = 32;
+  std::vector<Eigen::Index> columns;
+  for (Eigen::Index k = 1; k <= std::min(count, most); ++k)
+    columns.push_back(k * count / std::min(count, most) - 1);
+  return columns;
+}
+
+// Of a run that has chosen its steps and took so many seconds: what runs to other accuracies say against what
+// is printed. Each may take four times as long.
+std::optional<std::string> accuracy_warning(const Scene& scene, const AskedRun& run, const SolvedTable& table,
+                                            const Trajectory& path, double seconds, bool check) {
+  constexpr double most_times = 4.0, least_seconds = 0.05;
+  if (table.times.empty()) return std::nullopt;
+  const auto columns = spread_columns(std::ssize(table.times));
+  AskedRun other = run;
+  other.times.clear();
+  for (const auto c : columns) other.times.push_back(table.times[static_cast<std::size_t>(c)]);
+  other.options.events.clear();
+  other.options.checkpoints = nullptr;
+  other.options.budget = std::max(most_times * seconds, least_seconds);
+  other.options.at = times_to_return(scene, other);
+  Problem problem = scene.problem;
+  if (path.ending == Ending::event) problem.end = other.options.at.back();
+  const auto values = [&](const Accuracy& asked) -> std::optional<Rows> {
+    const auto solved = run.scheme.solve(problem, asked, other.options);
+    if (solved.ending != Ending::finished) return std::nullopt;
+    try {
+      return table_of(scene, other, solved, solved.times, columns_of(scene.outputs, solved)).values;
+    } catch (const NumericalFailure&) {
+      return std::nullopt;
+    }
+  };
+  const auto accuracy = std::get<Accuracy>(run.resolution);
+  const auto missed = missed_accuracy(accuracy, table.values(Eigen::all, columns), values, check);
+  if (!missed) return std::nullopt;
+  return fmt::format("{} at t = {:.6g} is off by about {:.2g} times the accuracy that is asked",
+                     table.names[static_cast<std::size_t>(missed->row)],
+                     other.times[static_cast<std::size_t>(missed->column)], missed->times);
+}
+
+}  // namespace
+
+std::string warning_line(const Scene& scene, const AskedRun& run, const Trajectory& path, bool check) {
+  std::vector<std::string> texts;
+  for (const auto& event : scene.events) {
+    if (!event.ends) continue;
+    texts.push_back(fmt::format("event {} does not end this run: {} steps over a grid and locates none",
+                                event.name, run.scheme.id));
+  }
+  SolvedRun solved{run.scheme, scene.problem, *run.grid, run.options, path, columns_of_components(scene)};
+  if (const auto more = names_of_functions(scene); !more.empty()) {
+    solved.names.insert(solved.names.end(), more.begin(), more.end());
+    solved.functions = [&scene](double t, In y) { return functions_at(scene, t, y); };
+  }
+  for (const Warning& warning : warnings(solved, check)) texts.push_back(warning.text);
+  if (const auto drift = large_drift(scene, *run.grid, path)) texts.push_back(*drift);
+  return as_warning(texts);
+}
+
+std::string warning_line(const Scene& scene, const AskedRun& run, const SolvedTable& table,
+                         const Trajectory& path, double seconds, bool check) {
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  const auto accuracy = std::get<Accuracy>(run.resolution);
+  std::vector<std::string> texts;
+  if (accuracy.relative < rounding) {
+    texts.push_back(
+        fmt::format("an accuracy of {:.3g} is asked, and a double has {:.2g}", accuracy.relative, rounding));
+  } else if (const auto missed = accuracy_warning(scene, run, table, path, seconds, check)) {
+    texts.push_back(*missed);
+  }
+  const Rows columns = columns_of(scene.outputs, path);
+  for (const auto& event : scene.events) {
+    bool is_number = columns.cols() == 0;
+    for (Eigen::Index c = 0; c < columns.cols() && !is_number; ++c)
+      is_number = !std::isnan(event.value(path.time(c), columns.col(c)));
+    if (!is_number)
+      texts.push_back(fmt::format("event {} is not a number at any time of the run", event.name));
+  }
+  return as_warning(texts);
+}
+
+}  // namespace fde
