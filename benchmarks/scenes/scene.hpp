@@ -89,6 +89,9 @@ struct StateGeometry {
   std::vector<std::string> coordinates{};
   Vec place{}, velocity{};
   std::function<Geometry(In q, In v)> at{};
+  // A velocity near v, the nearest where constraints are affine in it, that keeps the constraints at q.
+  // Empty with memory: no state tells what they allow.
+  std::function<Vec(In q, In v)> allowed{};
   explicit operator bool() const { return static_cast<bool>(at); }
 };
 
