@@ -104,6 +104,12 @@ struct SceneEvent {
   bool ends = false;  // a solve, as Event::ends says
 };
 
+// A parameter at whose value here the solution is not continuous in it: what the equation has as the
+// parameter tends to this value, in words.
+struct Discontinuity {
+  std::string parameter, limit;
+};
+
 // A problem and the columns it gives.
 struct PosedProblem {
   Problem problem{};
@@ -130,6 +136,7 @@ struct Scene {
   Reactions reactions{};
   StateGeometry geometry{};
   std::vector<SceneEvent> events{};
+  std::vector<Discontinuity> discontinuities{};
   Outputs motion{};  // of the columns: two or three coordinates of the point whose path shows the motion
 };
 

@@ -29,7 +29,7 @@ class DampedUnknown {
  public:
   // initial: u(0), u'(0).
   DampedUnknown(const std::string& u, const Parameters& p, const DampingWeights& weights,
-                std::vector<double> initial, const FirstOf& first = {});
+                const std::vector<double>& initial, const FirstOf& first = {});
 
   [[nodiscard]] const Chain& chain() const { return chain_; }
   [[nodiscard]] double inertia() const { return chain_.leading().coefficient - 1.0; }
@@ -46,6 +46,9 @@ class DampedUnknown {
     bool acceleration;
   };
   [[nodiscard]] std::vector<Shown> shown() const;
+  // The orders at which a term of damping is not what it tends to: beta = 0 where u(0) is not 0, alpha = 1
+  // where u'(0) is not.
+  [[nodiscard]] const std::vector<Discontinuity>& discontinuities() const { return discontinuities_; }
   // Where an unknown behind this one begins.
   [[nodiscard]] FirstOf next() const;
 
@@ -61,6 +64,7 @@ class DampedUnknown {
   Eigen::Index first_column_, column_of_velocity_ = 0;
   std::vector<std::string> names_;
   std::vector<double> orders_, weights_;  // of the columns in the damping
+  std::vector<Discontinuity> discontinuities_;
 };
 
 // The columns of unknowns that stand one behind the other in a problem.
