@@ -90,9 +90,9 @@ std::string geometry_text(const std::vector<std::string>& names, const Geometry&
 // at t = 0 are brought onto the constraints, which at another place may be others.
 Vec velocity_at(In q, const StateGeometry& geometry, const std::optional<std::string>& text) {
   constexpr double typed = 1e-6;
-  Vec v = state_of("--velocity", text, geometry.velocity);
+  const Vec v = state_of("--velocity", text, geometry.velocity);
   if (!geometry.allowed) return v;
-  const Vec allowed = geometry.allowed(q, v);
+  Vec allowed = geometry.allowed(q, v);
   if (text && (v - allowed).norm() > typed * allowed.norm()) {
     reject_text("--velocity", *text,
                 fmt::format("velocities that keep the constraints at this place, as {:.17g}",

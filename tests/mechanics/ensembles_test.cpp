@@ -65,7 +65,7 @@ TEST(Ensembles, UnequalFrictionsHaveNoTemperature) {
   const double s = friction.dot(start.cwiseAbs2());
   for (int i = 0; i < 3; ++i) {
     State at;
-    at << 0.5, 0.1, -0.3, std::sqrt(s / friction[i]) * Eigen::Vector3d::Unit(i);
+    at << 0.5, 0.2, -0.3, std::sqrt(s / friction[i]) * Eigen::Vector3d::Unit(i);
     EXPECT_NEAR(power_over_divergence(scene, at), s / (friction.sum() - friction[i]), 1e-12) << i;
   }
 }
