@@ -93,6 +93,9 @@ struct StateGeometry {
   std::vector<std::string> coordinates{};
   Vec place{}, velocity{};
   std::function<Geometry(In q, In v)> at{};
+  // A velocity near v, the nearest where constraints are affine in it, that keeps the constraints at q.
+  // Empty with memory: no state tells what they allow.
+  std::function<Vec(In q, In v)> allowed{};
   explicit operator bool() const { return static_cast<bool>(at); }
 };
 
@@ -103,6 +106,12 @@ struct SceneEvent {
   std::function<double(double t, In columns)> value{};
   Crossing crossing = Crossing::either;
   bool ends = false;  // whether a zero ends the solve, as Event::ends
+};
+
+// A parameter in which the solution is not continuous at its present value; `limit` says, in words, what a
+// term of the equation tends to as the parameter tends to this value.
+struct Discontinuity {
+  std::string parameter, limit;
 };
 
 // A problem and its output columns.
@@ -130,6 +139,7 @@ struct Scene {
   Reactions reactions{};
   StateGeometry geometry{};
   std::vector<SceneEvent> events{};
+  std::vector<Discontinuity> discontinuities{};
   Outputs motion{};  // function of the columns: two or three coordinates of the point whose path is drawn
 };
 

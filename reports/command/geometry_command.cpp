@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <optional>
@@ -85,13 +86,28 @@ std::string geometry_text(const std::vector<std::string>& names, const Geometry&
   return table.text();
 }
 
+// The velocities of the argument, which have to keep the constraints at q to a millionth of themselves. Those
+// at t = 0 are brought onto the constraints, which at another place may be others.
+Vec velocity_at(In q, const StateGeometry& geometry, const std::optional<std::string>& text) {
+  constexpr double typed = 1e-6;
+  const Vec v = state_of("--velocity", text, geometry.velocity);
+  if (!geometry.allowed) return v;
+  Vec allowed = geometry.allowed(q, v);
+  if (text && (v - allowed).norm() > typed * allowed.norm()) {
+    reject_text("--velocity", *text,
+                fmt::format("velocities that keep the constraints at this place, as {:.17g}",
+                            fmt::join(allowed.begin(), allowed.end(), ",")));
+  }
+  return allowed;
+}
+
 void print_geometry(const GeometryArguments& arguments, const Streams& streams, const Scenes& known) {
   const auto variant = read_variant(arguments.scene, known);
   const Scene scene = make_known_scene(*variant.maker, variant.values);
   if (!scene.geometry)
     reject_text("scene", variant.maker->id, "one of mechanics with a metric and constraints");
   const Vec q = state_of("--place", arguments.place, scene.geometry.place),
-            v = state_of("--velocity", arguments.velocity, scene.geometry.velocity);
+            v = velocity_at(q, scene.geometry, arguments.velocity);
   streams.out << geometry_text(scene.geometry.coordinates, scene.geometry.at(q, v));
 }
 
@@ -103,7 +119,8 @@ void add_geometry_command(CommandLine& program, const Streams& streams, const Sc
                      "Metric, Christoffel symbols, connection and semispray of a scene; CSV");
   add_scene(command, arguments->scene, "id of a scene of mechanics");
   command.option("--place", arguments->place, "coordinates Q1,Q2,...; default those at t = 0");
-  command.option("--velocity", arguments->velocity, "velocities V1,V2,...; default those at t = 0");
+  command.option("--velocity", arguments->velocity,
+                 "velocities V1,V2,... that keep the constraints; default those at t = 0");
   command.callback([=, &known] { print_geometry(*arguments, streams, known); });
 }
 

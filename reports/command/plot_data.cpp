@@ -48,6 +48,14 @@ std::string parameter_of(const std::vector<SceneVariant>& scenes) {
   return *differing.begin();
 }
 
+// Of a family over the parameter.
+json member(const SceneVariant& of, const std::string& parameter) {
+  json made{{"value", text_of(of.values.at(parameter))}, {"solution", solution(of)}};
+  for (const auto& [name, limit] : make_known_scene(*of.maker, of.values).discontinuities)
+    if (name == parameter) made["limits"].push_back(limit);
+  return made;
+}
+
 }  // namespace
 
 json data_of_runs(const std::string& results, const SceneVariant& of, const Scenes& known) {
@@ -91,8 +99,7 @@ json data_of_solutions(const std::vector<SceneVariant>& scenes) {
   }
   const auto parameter = parameter_of(scenes);
   json members = json::array();
-  for (const auto& scene : scenes)
-    members.push_back({{"value", text_of(scene.values.at(parameter))}, {"solution", solution(scene)}});
+  for (const auto& scene : scenes) members.push_back(member(scene, parameter));
   section["family"] = {{"parameter", parameter}, {"members", std::move(members)}};
   return page_of(std::move(section));
 }

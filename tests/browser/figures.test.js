@@ -102,6 +102,21 @@ test("a range of a parameter is a family of curves", () => {
   assert.match(draw("family.svg", "relaxation", "solution", "--set", "lambda=-3:-1:1").toString(), /<svg/);
 });
 
+// D^beta phi tends to phi - phi(0) for beta to 0, and D^alpha phi to phi' - phi'(0) for alpha to 1: of a start at rest to phi'.
+test("a curve that is not the limit of its neighbours is dashed, and a note says what they tend to", () => {
+  const dashed = ({ data }) => [...new Set(data.values.filter(({ apart }) => apart).map(({ parameter }) => parameter))];
+  const overBeta = specOf("pendulum:until=1", "solution", "--set", "beta=0:0.5:0.25");
+  assert.deepEqual(dashed(overBeta), ["0"]);
+  assert.deepEqual(overBeta.title.text, ["Dashed: β = 0, not the limit of its neighbours.", "As β → 0, Dᵝφ tends to φ − φ(0)."]);
+  const overAlpha = specOf("pendulum:until=1", "phase", "--columns", "phi,dphi", "--set", "alpha=1:2:0.5");
+  assert.deepEqual(dashed(overAlpha), ["1"]);
+  assert.deepEqual(overAlpha.title.text, ["Dashed: α = 1, not the limit of its neighbours.", "As α → 1, Dᵅφ tends to φ′ − φ′(0)."]);
+  const fromRest = specOf("pendulum:until=1,dphi0=0", "solution", "--set", "alpha=1:2:0.5");
+  assert.deepEqual(dashed(fromRest), []);
+  assert.equal(fromRest.title, undefined);
+  checkPaper(draw("apart.svg", "pendulum:until=1", "solution", "--set", "beta=0:0.5:0.25").toString(), "a family with a note");
+});
+
 test("a motion is drawn where it is: in the plane, on its sphere", () => {
   const disc = specOf("rolling_disc", "motion").data.values;
   assert.ok(disc.every(({ x, y }) => Math.abs(x ** 2 + (y - 1) ** 2 - 1) < 1e-3));  // a circle of radius R psi'(0) / phi'(0)

@@ -27,6 +27,7 @@ std::vector<ConstrainedMotion> motions() {
                                      {"loxodrome", "loxodrome", {}, 1.0},
                                      {"blade_on_sphere", "blade_on_sphere", {}, 2.0},
                                      {"canonical_ensemble", "canonical_ensemble", {}, 2.0},
+                                     {"isobaric_ensemble", "isobaric_ensemble", {}, 2.0},
                                      {"isokinetic", "isokinetic", {}, 2.0}};
   const auto add = [&](const std::string& scene, double alpha, ParameterValues values = {}) {
     const auto percent = static_cast<int>(std::lround(100.0 * alpha));

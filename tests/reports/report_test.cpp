@@ -233,6 +233,17 @@ TEST(Report, SaysWhatAReferenceRestsOnAndTakes) {
               testing::StartsWith("Where two methods have to agree, a reference took "));
 }
 
+// D^beta phi is phi at beta = 0 and tends to phi - phi(0).
+TEST(Report, SaysWhereASolutionIsNotTheLimitOfItsNeighbours) {
+  Results results = two_lines();
+  for (auto& row : results.records) row.key.scene.values["beta"] = 0.0;
+  const auto paragraphs = section(data_of(written(results)), "scene-pendulum:beta=0")["paragraphs"];
+  EXPECT_EQ(
+      paragraphs[1],
+      "The solution is not continuous in beta here: as beta tends to its value, D^beta phi tends to phi - "
+      "phi(0).");
+}
+
 TEST(Report, MarksRatesThatDeviate) {
   EXPECT_THAT(data_of(written(two_lines())).dump(), HasSubstr("1.00 below theory"));
 }

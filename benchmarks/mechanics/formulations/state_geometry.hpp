@@ -33,12 +33,31 @@ Geometry geometry_at(const System& system, const Vector<double, System::coordina
   return geometry;
 }
 
+// f(0, q, v) = 0 by Newton's method, each step of which goes along the reaction.
+template <class System>
+Vec allowed_velocity(const System& system, const Vector<double, System::coordinates>& q,
+                     Vector<double, System::coordinates> v) {
+  constexpr int most_steps = 50;
+  constexpr double rounding = 1e-15;
+  for (int i = 0; i < most_steps; ++i) {
+    const auto rates = constraint_rates<double>(system, 0.0, q, v, v);
+    const Vector<double, System::coordinates> step =
+        Reaction<double, System>(system, q, rates).answer(rates.value);
+    v += step;
+    if (!(step.norm() > rounding * v.norm())) break;
+  }
+  return v;
+}
+
 template <class System>
 StateGeometry geometry_of(const System& system, const std::vector<std::string>& coordinates,
                           const Motion<System::coordinates>& start) {
   using Point = Vector<double, System::coordinates>;
-  return {coordinates, start.q, start.v,
-          [system](In q, In v) { return geometry_at(system, Point(q), Point(v)); }};
+  StateGeometry geometry{coordinates, start.q, start.v,
+                         [system](In q, In v) { return geometry_at(system, Point(q), Point(v)); }};
+  if constexpr (!HasMemory<System>)
+    geometry.allowed = [system](In q, In v) { return allowed_velocity(system, Point(q), Point(v)); };
+  return geometry;
 }
 
 }  // namespace fde::mechanics

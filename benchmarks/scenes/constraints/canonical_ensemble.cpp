@@ -6,22 +6,24 @@ namespace fde {
 
 using namespace mechanics;
 
-// Tarasov's condition for e^(-E/T) to be a stationary density, the power of the forces without potential
-// being T times the rate of the phase volume, is taken of the friction and kept by a reaction. With equal
-// frictions the motion is that of isokinetic with the kinetic energy 3 T / 2. Not affine in the velocity:
-// there is no integrated form.
+// With equal frictions of two masses and none of the third e^(-E/T) is a stationary density, T = v1^2 + v2^2:
+// the power of friction and reaction together is T times the rate of the phase volume. For other frictions
+// that are above 0 and not equal this holds for no T (docs/mechanics.md, Ensembles). With three equal ones
+// the motion is that of isokinetic. Not affine in the velocity: there is no integrated form.
 SceneMaker canonical_ensemble() {
   const std::vector<Parameter> parameters =
-      chain_parameters({{"gamma1", 0.2, positive, "friction of the first mass"},
-                        {"gamma2", 0.5, positive, "friction of the second mass"},
-                        {"gamma3", 1.0, positive, "friction of the third mass"}});
+      chain_parameters({{"gamma1", 1.0, not_negative, "friction of the first mass"},
+                        {"gamma2", 1.0, not_negative, "friction of the second mass"},
+                        {"gamma3", 0.0, not_negative, "friction of the third mass"}});
   return {.id = "canonical_ensemble",
-          .title = "Chain of oscillators with friction at a constant temperature",
+          .title = "Chain of oscillators at a constant temperature",
           .source = "Tarasov & Zaslavsky 2006, eqs 7, 13, section 5 (canonical ensemble)",
           .parameters = with_formulations(parameters, unprojected_formulations()),
           .make = [](const Parameters& p) -> Scene {
             const auto start = chain_start(p);
             const Vector<double, 3> friction(p["gamma1"], p["gamma2"], p["gamma3"]);
+            if (friction.cwiseProduct(start.v).isZero(0.0))
+              reject("v1", p["v1"], "such that a mass with friction moves");
             const double temperature = friction.dot(start.v.cwiseAbs2()) / friction.sum();
             const Setting<CanonicalChain> setting{.system = {{p["k"], p["c"]}, friction, temperature},
                                                   .start = start,

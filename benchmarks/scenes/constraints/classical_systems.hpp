@@ -108,7 +108,8 @@ struct ThermostattedChain : SpringChain {
 };
 
 // With friction F_i = -gamma_i v_i. Its power P = -sum gamma_i v_i^2 must equal the temperature T times the
-// rate of change of phase volume Omega = sum dF_i/dv_i: f = (T Omega - P)/2.
+// rate of change of phase volume Omega = sum dF_i/dv_i: f = (T Omega - P)/2. The reaction is parallel to the
+// friction and cancels it.
 struct CanonicalChain : SpringChain {
   static constexpr int constraints = 1;
   Vector<double, 3> friction;
@@ -122,6 +123,23 @@ struct CanonicalChain : SpringChain {
   [[nodiscard]] Vector<S, 1> constraint(const S& t, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
     const S power = v.dot(force<S>(t, q, v));
     return Vector<S, 1>(S(0.5 * (-temperature * friction.sum() - power)));
+  }
+};
+
+// Without the last wall: the third mass is a piston, on which a pressure acts. A thermostat keeps the kinetic
+// energy of the other two: f = (v1^2 + v2^2 - T)/2.
+struct PistonChain : SpringChain {
+  static constexpr int constraints = 1;
+  double pressure, temperature;
+
+  template <class S>
+  [[nodiscard]] S potential(const Vector<S, 3>& q) const {
+    return spring<S>(q[0]) + spring<S>(q[1] - q[0]) + spring<S>(q[2] - q[1]) + pressure * q[2];
+  }
+  template <class S>
+  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& /*q*/,
+                                        const Vector<S, 3>& v) const {
+    return Vector<S, 1>(S(0.5 * (v[0] * v[0] + v[1] * v[1] - temperature)));
   }
 };
 

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "linear/linear_equation.hpp"
 #include "problem/chain_problem.hpp"
 #include "scenes/scene.hpp"
@@ -31,7 +33,7 @@ SceneMaker bagley_torvik() {
                          {"alpha",
                           1.5,
                           {.low = 0.0, .high = 2.0, .open_low = true, .open_high = true},
-                          "order of damping"},
+                          "order of damping; at 1 not the limit from above"},
                          {"y0", 0.0, any_number, "y(0)"},
                          {"dy0", 0.0, any_number, "y'(0)"},
                          {"load", 8.0, any_number, "load"},
@@ -47,6 +49,9 @@ SceneMaker bagley_torvik() {
             }
             std::vector<Eigen::Index> rows;
             for (const double order : orders) rows.push_back(*chain.row(order));
+            std::vector<Discontinuity> discontinuities;
+            if (p["alpha"] == 1.0 && p["B"] * p["dy0"] != 0.0)
+              discontinuities = {{"alpha", "D^alpha y tends to y' - y'(0) from above"}};
             Smoothness smoothness = chain_smoothness({chain});
             if (load != 0.0) smoothness.jumps = {chain.size() - 1};
             return {.problem = loaded_problem(chain, stiffness, load, until),
@@ -56,7 +61,8 @@ SceneMaker bagley_torvik() {
                         linear_reference({.terms = {{p["A"], 2.0}, {p["B"], p["alpha"]}, {stiffness, 0.0}},
                                           .initial = {p["y0"], p["dy0"]},
                                           .loads = {{load}, {.coefficient = -load, .from = until}}},
-                                         orders)};
+                                         orders),
+                    .discontinuities = std::move(discontinuities)};
           },
           .equations = {{.unknown = "y",
                          .terms = {{"A", "2"}, {"B", "alpha"}},

@@ -41,7 +41,8 @@ SceneMaker damped_oscillator() {
                 .outputs = outputs_of({u}, problem),
                 .reference = linear_reference(equation(p), u.orders()),
                 .energy = {.value = [=](In c) { return 0.5 * (u.du(c) * u.du(c) + w2 * u.u(c) * u.u(c)); },
-                           .power = [=](double, In c) { return u.power(c); }}};
+                           .power = [=](double, In c) { return u.power(c); }},
+                .discontinuities = u.discontinuities()};
           },
           .equations = {
               {.unknown = "u",

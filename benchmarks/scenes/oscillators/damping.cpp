@@ -1,9 +1,10 @@
 #include "scenes/oscillators/damping.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 namespace fde {
 namespace {
@@ -36,20 +37,27 @@ std::vector<Term> lower_terms(std::vector<Term> terms) {
 
 std::vector<Parameter> damping_parameters(const std::vector<Parameter>& others) {
   std::vector<Parameter> all{
-      {"alpha", 1.5, {.low = 1.0, .high = 2.0}, "higher order of damping; of order 2 it is inertia"},
-      {"beta", 0.5, {.low = 0.0, .high = 1.0}, "lower order of damping"},
+      {"alpha",
+       1.5,
+       {.low = 1.0, .high = 2.0},
+       "higher order of damping; at 1 not the limit from above; of order 2 it is inertia"},
+      {"beta", 0.5, {.low = 0.0, .high = 1.0}, "lower order of damping; at 0 not the limit from above"},
       {"tau", 0.8, positive, "relaxation time"}};
   all.insert(all.end(), others.begin(), others.end());
   return all;
 }
 
 DampedUnknown::DampedUnknown(const std::string& u, const Parameters& p, const DampingWeights& weights,
-                             std::vector<double> initial, const FirstOf& first)
-    : chain_(leading_term(damping_terms(p, weights)), lower_terms(damping_terms(p, weights)),
-             std::move(initial), first.row),
+                             const std::vector<double>& initial, const FirstOf& first)
+    : chain_(leading_term(damping_terms(p, weights)), lower_terms(damping_terms(p, weights)), initial,
+             first.row),
       first_column_(first.column) {
   const auto terms = damping_terms(p, weights);
   const auto &lower = terms[0], &middle = terms[1], &higher = terms[2];
+  if (lower.order == 0.0 && lower.coefficient * initial[0] != 0.0)
+    discontinuities_.push_back({"beta", fmt::format("D^beta {0} tends to {0} - {0}(0)", u)});
+  if (higher.order == 1.0 && higher.coefficient * initial[1] != 0.0)
+    discontinuities_.push_back({"alpha", fmt::format("D^alpha {0} tends to {0}' - {0}'(0)", u)});
   add_column(u, 0.0, 0.0);
   if (lower.coefficient != 0.0) add_column("Dbeta_" + u, lower.order, lower.coefficient);
   column_of_velocity_ = next().column;

@@ -29,7 +29,7 @@ class DampedUnknown {
  public:
   // initial: u(0), u'(0).
   DampedUnknown(const std::string& u, const Parameters& p, const DampingWeights& weights,
-                std::vector<double> initial, const FirstOf& first = {});
+                const std::vector<double>& initial, const FirstOf& first = {});
 
   [[nodiscard]] const Chain& chain() const { return chain_; }
   [[nodiscard]] double inertia() const { return chain_.leading().coefficient - 1.0; }
@@ -46,6 +46,9 @@ class DampedUnknown {
     bool acceleration;
   };
   [[nodiscard]] std::vector<Shown> shown() const;
+  // The orders at which a damping term is not the limit of its neighbours: beta = 0 where u(0) is not 0,
+  // alpha = 1 where u'(0) is not 0.
+  [[nodiscard]] const std::vector<Discontinuity>& discontinuities() const { return discontinuities_; }
   // The first row and column after those of this unknown.
   [[nodiscard]] FirstOf next() const;
 
@@ -61,6 +64,7 @@ class DampedUnknown {
   Eigen::Index first_column_, column_of_velocity_ = 0;
   std::vector<std::string> names_;
   std::vector<double> orders_, weights_;  // weights_: coefficient of each column in the damping
+  std::vector<Discontinuity> discontinuities_;
 };
 
 // The columns of several unknowns whose rows follow each other in a problem.

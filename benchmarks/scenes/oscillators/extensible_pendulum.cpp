@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "problem/chain_problem.hpp"
 #include "scenes/oscillators/damping.hpp"
@@ -101,6 +104,8 @@ SceneMaker extensible_pendulum() {
                                phi.next());
         const Spring spring{.gravity = p["g_over_L"], .stiffness = p["K_over_m"], .inertia = phi.inertia()};
         const Problem problem = problem_of(spring, phi, xi);
+        auto discontinuities = phi.discontinuities();
+        std::ranges::copy(xi.discontinuities(), std::back_inserter(discontinuities));
         return {.problem = problem,
                 .smoothness = chain_smoothness({phi.chain(), xi.chain()}),
                 .outputs = outputs_of({phi, xi}, problem),
@@ -108,7 +113,8 @@ SceneMaker extensible_pendulum() {
                                [=](In c) {
                                  return spring.energy({phi.u(c), phi.du(c), xi.u(c), xi.du(c)});
                                },
-                           .power = [=](double, In c) { return phi.power(c) + xi.power(c); }}};
+                           .power = [=](double, In c) { return phi.power(c) + xi.power(c); }},
+                .discontinuities = std::move(discontinuities)};
       },
       .equations = {
           {.unknown = "phi",

@@ -39,7 +39,8 @@ SceneMaker pendulum() {
                                  const double dphi = phi.du(c);
                                  return 0.5 * dphi * dphi + g * (1.0 - std::cos(phi.u(c)));
                                },
-                           .power = [=](double, In c) { return phi.power(c); }}};
+                           .power = [=](double, In c) { return phi.power(c); }},
+                .discontinuities = phi.discontinuities()};
           },
           .equations = {
               {.unknown = "phi",

@@ -65,6 +65,18 @@ std::string on_wall_clock(const PageInput& page, RunSpan scene) {
                      fmt::join(names, ", "));
 }
 
+// The parameters in which the solution is not continuous at their present values, as sentences.
+std::string not_continuous(const SceneSettings& settings) {
+  const auto scene = known_scene(settings);
+  if (!scene) return {};
+  std::vector<std::string> sentences;
+  for (const auto& [parameter, limit] : scene->discontinuities) {
+    sentences.push_back(fmt::format(
+        "The solution is not continuous in {0} here: as {0} tends to its value, {1}.", parameter, limit));
+  }
+  return fmt::format("{}", fmt::join(sentences, " "));
+}
+
 // Adds the equations and parameters of the scene to its section.
 void add_scene(json& section, const SceneSettings& scene) {
   if (auto equations = equations_of(scene); !equations.empty()) section["equations"] = std::move(equations);
@@ -91,7 +103,8 @@ json scene_sections(const PageInput& page) {
     const auto label = label_of(solved);
     const auto [title, source] = name_of_scene(solved);
     std::vector<std::string> paragraphs;
-    for (const auto& text : {source, not_drawn(page, scene), on_wall_clock(page, scene)}) {
+    for (const auto& text :
+         {source, not_continuous(solved), not_drawn(page, scene), on_wall_clock(page, scene)}) {
       if (!text.empty()) paragraphs.push_back(text);
     }
     const SceneLines lines(page.runs, solved);
