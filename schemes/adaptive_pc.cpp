@@ -1,5 +1,5 @@
-#include "adaptive/adaptive_march.hpp"
-#include "adaptive/trapezoidal_steps.hpp"
+#include "adaptive/adaptive_solver.hpp"
+#include "adaptive/trapezoidal_stepper.hpp"
 
 namespace fde {
 
@@ -11,12 +11,12 @@ Scheme adaptive_pc() {
           .source =
               "Diethelm, Ford & Freed, Nonlinear Dynamics 29 (2002), with the predictor of rate 2; steps "
               "as Gustafsson, ACM Trans. Math. Softw. 17 (1991)",
-          .needs = {.takes_grid = false, .takes_accuracy = true, .checkpoints = true},
+          .needs = {.solves_on_grid = false, .takes_accuracy = true, .checkpoints = true},
           .solve = [](const Problem& problem, const Resolution& resolution, const Options& options) {
-            const auto accuracy = std::get<Accuracy>(resolution);
+            const auto accuracy = std::get<Tolerance>(resolution);
             return march_adaptively(problem, accuracy, options, [&](Run& run, double shortest) {
-              return std::make_unique<TrapezoidalSteps>(problem, accuracy, options, run, shortest,
-                                                        correct_predictions(options.corrections));
+              return std::make_unique<TrapezoidalStepper>(problem, accuracy, options, run, shortest,
+                                                          make_predictor_corrector(options.corrections));
             });
           }};
 }

@@ -1,5 +1,5 @@
-#include "adaptive/adaptive_march.hpp"
-#include "adaptive/trapezoidal_steps.hpp"
+#include "adaptive/adaptive_solver.hpp"
+#include "adaptive/trapezoidal_stepper.hpp"
 
 namespace fde {
 
@@ -9,12 +9,12 @@ Scheme adaptive_trapezoidal() {
       .id = "adaptive_trapezoidal",
       .title = "Adaptive product trapezoidal rule",
       .source = "Young, Proc. R. Soc. A 224 (1954); steps as Gustafsson, ACM Trans. Math. Softw. 17 (1991)",
-      .needs = {.takes_grid = false, .takes_accuracy = true, .implicit = true, .checkpoints = true},
+      .needs = {.solves_on_grid = false, .takes_accuracy = true, .implicit = true, .checkpoints = true},
       .solve = [](const Problem& problem, const Resolution& resolution, const Options& options) {
-        const auto accuracy = std::get<Accuracy>(resolution);
+        const auto accuracy = std::get<Tolerance>(resolution);
         return march_adaptively(problem, accuracy, options, [&](Run& run, double shortest) {
-          return std::make_unique<TrapezoidalSteps>(problem, accuracy, options, run, shortest,
-                                                    newton_on_trapezoids(problem, options.tolerance));
+          return std::make_unique<TrapezoidalStepper>(problem, accuracy, options, run, shortest,
+                                                      make_newton_solver(problem, options.tolerance));
         });
       }};
 }

@@ -1,11 +1,11 @@
+#include "stepping/order_splitting.hpp"
 #include "stepping/predict_and_correct.hpp"
 #include "stepping/rates.hpp"
-#include "stepping/splitting.hpp"
 
 namespace fde {
 namespace {
 
-Links expansion(const Problem& problem) { return commensurate_links(problem).value(); }
+OrderSplitting expansion(const Problem& problem) { return commensurate_splitting(problem).value(); }
 
 }  // namespace
 
@@ -21,9 +21,9 @@ Scheme commensurate_adams_pc() {
                 return split_rate(predictor_corrector_theory, problem, smoothness, expansion(problem),
                                   grading, norm);
               },
-          .solve = split_into(expansion, on_grid(predict_and_correct)),
+          .solve = with_split_orders(expansion, on_grid(predict_and_correct)),
           .refuses = [](const Problem& problem) -> std::optional<std::string> {
-            if (commensurate_links(problem)) return std::nullopt;
+            if (commensurate_splitting(problem)) return std::nullopt;
             return "needs orders that are multiples of one 1/M with M at most 64";
           },
           .symbol =

@@ -1,6 +1,6 @@
+#include "stepping/order_splitting.hpp"
 #include "stepping/predict_and_correct.hpp"
 #include "stepping/rates.hpp"
-#include "stepping/splitting.hpp"
 
 namespace fde {
 
@@ -15,13 +15,13 @@ Scheme decoupled_multi_order() {
           .needs = {.checkpoints = true},
           .expected_rate =
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
-                return split_rate(predictor_corrector_theory, problem, smoothness, links_up_to_one(problem),
-                                  grading, norm);
+                return split_rate(predictor_corrector_theory, problem, smoothness,
+                                  splitting_up_to_one(problem), grading, norm);
               },
-          .solve = split_into(links_up_to_one, on_grid(predict_and_correct)),
+          .solve = with_split_orders(splitting_up_to_one, on_grid(predict_and_correct)),
           .symbol =
               [](const Problem& problem, double length) {
-                return predictor_corrector_symbol(split(problem, links_up_to_one(problem)), length);
+                return predictor_corrector_symbol(split(problem, splitting_up_to_one(problem)), length);
               },
           .theorem = Theorem{.name = "Theorem 4.3 of Yin, Liu & Anh 2007",
                              .hypothesis = "D^γ u in C²",

@@ -1,6 +1,6 @@
 #include "implicit/implicit_rule.hpp"
 #include "stepping/rates.hpp"
-#include "two_sided/all_at_once.hpp"
+#include "two_sided/global_solver.hpp"
 
 namespace fde {
 
@@ -15,19 +15,19 @@ Scheme grunwald_letnikov() {
       .needs = {.uniform_grid = true,
                 .implicit = true,
                 .algebraic_rows = true,
-                .two_sided = true,
+                .is_two_sided = true,
                 .checkpoints = true},
       .expected_rate =
           [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
             return rate(grunwald_letnikov_theory, problem, smoothness, grading, norm);
           },
       .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
-        if (two_sided(problem)) return solve_all_at_once(problem, grid, options, families::grunwald_letnikov);
+        if (is_two_sided(problem)) return solve_globally(problem, grid, options, families::grunwald_letnikov);
         return solve_implicit(problem, grid, options, integral_rule(problem, families::grunwald_letnikov));
       }),
       .symbol = [](const Problem& problem,
                    double length) { return implicit_symbol(problem, families::grunwald_letnikov, length); },
-      .other_name = "bdf1"};
+      .alias = "bdf1"};
 }
 
 }  // namespace fde

@@ -1,6 +1,6 @@
 #include "implicit/implicit_rule.hpp"
+#include "stepping/order_splitting.hpp"
 #include "stepping/rates.hpp"
-#include "stepping/splitting.hpp"
 
 namespace fde {
 namespace {
@@ -27,12 +27,13 @@ Scheme l1() {
           .needs = {.implicit = true, .algebraic_rows = true, .checkpoints = true},
           .expected_rate =
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
-                return split_rate(l1_theory, problem, smoothness, links_up_to_one(problem), grading, norm);
+                return split_rate(l1_theory, problem, smoothness, splitting_up_to_one(problem), grading,
+                                  norm);
               },
-          .solve = split_into(links_up_to_one, on_grid(solve_l1)),
+          .solve = with_split_orders(splitting_up_to_one, on_grid(solve_l1)),
           .symbol =
               [](const Problem& problem, double length) {
-                return implicit_symbol(split(problem, links_up_to_one(problem)), families::l1, length);
+                return implicit_symbol(split(problem, splitting_up_to_one(problem)), families::l1, length);
               }};
 }
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "interpolants/parabolas.hpp"
+#include "stepping/order_splitting.hpp"
 #include "stepping/rates.hpp"
-#include "stepping/splitting.hpp"
 
 namespace fde {
 namespace {
@@ -20,8 +20,8 @@ Kernel kernel_of(double g) {
 }
 
 Trajectory solve_l1_2(const Problem& problem, const Grid& grid, const Options& options) {
-  ParabolasFromBehind parabolas(problem, grid, options);
-  return solve_with(parabolas, problem, grid, options);
+  BackwardParabolas parabolas(problem, grid, options);
+  return solve_with_interpolant(parabolas, problem, grid, options);
 }
 
 }  // namespace
@@ -35,12 +35,13 @@ Scheme l1_2() {
           .needs = {.implicit = true, .checkpoints = true},
           .expected_rate =
               [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
-                return split_rate(l1_2_theory, problem, smoothness, links_up_to_one(problem), grading, norm);
+                return split_rate(l1_2_theory, problem, smoothness, splitting_up_to_one(problem), grading,
+                                  norm);
               },
-          .solve = split_into(links_up_to_one, on_grid(solve_l1_2)),
+          .solve = with_split_orders(splitting_up_to_one, on_grid(solve_l1_2)),
           .symbol =
               [](const Problem& problem, double length) {
-                return implicit_symbol(split(problem, links_up_to_one(problem)), kernel_of, length);
+                return implicit_symbol(split(problem, splitting_up_to_one(problem)), kernel_of, length);
               }};
 }
 

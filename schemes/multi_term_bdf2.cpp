@@ -1,6 +1,6 @@
 #include "multi_term/integrated_equations.hpp"
 #include "multi_term/multi_term_rates.hpp"
-#include "multi_term/multi_term_steps.hpp"
+#include "multi_term/multi_term_solvers.hpp"
 #include "multi_term/multi_term_symbols.hpp"
 
 namespace fde {
@@ -17,12 +17,12 @@ Scheme multi_term_bdf2() {
             return multi_term_multistep_rate(families::bdf2, problem, smoothness, grading, norm);
           },
       .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
-        return step_equations_implicitly(problem, grid, options, families::bdf2);
+        return solve_integrated_equations(problem, grid, options, families::bdf2);
       }),
-      .refuses = refusal_of_equations,
+      .refuses = unsupported_equations_reason,
       .symbol = [](const Problem& problem,
                    double length) { return implicit_multi_term_symbol(problem, families::bdf2, length); },
-      .start_powers =
+      .starting_powers =
           [](const Problem& problem) { return start_powers_of_equations(families::bdf2, problem).powers; }};
 }
 

@@ -1,6 +1,6 @@
 #include "multi_term/integrated_equations.hpp"
 #include "multi_term/multi_term_rates.hpp"
-#include "multi_term/multi_term_steps.hpp"
+#include "multi_term/multi_term_solvers.hpp"
 #include "multi_term/multi_term_symbols.hpp"
 
 namespace fde {
@@ -14,9 +14,9 @@ Scheme multi_term_grunwald_letnikov() {
       .needs = {.discretises_equations = true, .uniform_grid = true, .implicit = true, .checkpoints = true},
       .expected_rate = multi_term_grunwald_letnikov_rate,
       .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
-        return step_equations_implicitly(problem, grid, options, families::grunwald_letnikov);
+        return solve_integrated_equations(problem, grid, options, families::grunwald_letnikov);
       }),
-      .refuses = refusal_of_equations,
+      .refuses = unsupported_equations_reason,
       .symbol = [](const Problem& problem, double length) {
         return implicit_multi_term_symbol(problem, families::grunwald_letnikov, length);
       }};

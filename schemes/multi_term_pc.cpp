@@ -1,6 +1,6 @@
 #include "multi_term/integrated_equations.hpp"
 #include "multi_term/multi_term_rates.hpp"
-#include "multi_term/multi_term_steps.hpp"
+#include "multi_term/multi_term_solvers.hpp"
 #include "multi_term/multi_term_symbols.hpp"
 
 namespace fde {
@@ -13,7 +13,7 @@ Scheme multi_term_pc() {
           .needs = {.discretises_equations = true, .checkpoints = true},
           .expected_rate = multi_term_trapezoidal_rate,
           .solve = on_grid(predict_and_correct_equations),
-          .refuses = refusal_of_equations,
+          .refuses = unsupported_equations_reason,
           .symbol = predicted_multi_term_symbol};
 }
 

@@ -1,6 +1,6 @@
 #include "multi_term/integrated_equations.hpp"
 #include "multi_term/multi_term_rates.hpp"
-#include "multi_term/multi_term_steps.hpp"
+#include "multi_term/multi_term_solvers.hpp"
 #include "multi_term/multi_term_symbols.hpp"
 
 namespace fde {
@@ -13,9 +13,9 @@ Scheme multi_term_trapezoidal() {
           .needs = {.discretises_equations = true, .implicit = true, .checkpoints = true},
           .expected_rate = multi_term_trapezoidal_rate,
           .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
-            return step_equations_implicitly(problem, grid, options, families::trapezoid);
+            return solve_integrated_equations(problem, grid, options, families::trapezoid);
           }),
-          .refuses = refusal_of_equations,
+          .refuses = unsupported_equations_reason,
           .symbol = [](const Problem& problem, double length) {
             return implicit_multi_term_symbol(problem, families::trapezoid, length);
           }};

@@ -1,4 +1,4 @@
-#include "start_weights/multistep.hpp"
+#include "start_weights/multistep_scheme.hpp"
 
 namespace fde {
 namespace {

@@ -11,15 +11,16 @@ namespace fde {
 namespace {
 
 // Why the needs exclude component i. open: the problem has conditions, so initial values may be missing.
-std::optional<std::string> refusal(const Needs& needs, const Component& component, std::size_t i, bool open) {
+std::optional<std::string> refusal(const Capabilities& needs, const Component& component, std::size_t i,
+                                   bool open) {
   const double order = component.order;
   if (algebraic(component) && !needs.algebraic_rows) {
     return fmt::format("{}: component {} is an algebraic row (order 0)",
                        needs.implicit ? "takes no algebraic rows" : "steps explicitly", i);
   }
-  if (!(algebraic(component) || (order > 0.0 && order <= needs.largest_order))) {
+  if (!(algebraic(component) || (order > 0.0 && order <= needs.max_order))) {
     return fmt::format("takes orders in {}0, {}], component {} has {}", needs.algebraic_rows ? '[' : '(',
-                       needs.largest_order, i, order);
+                       needs.max_order, i, order);
   }
   const auto count = initial_count(order), given = component.initial.size();
   if (given == count || (open && given < count)) return std::nullopt;
@@ -28,17 +29,17 @@ std::optional<std::string> refusal(const Needs& needs, const Component& componen
 }
 
 std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem& problem, const Grid* grid) {
-  if (!two_sided(problem)) return std::nullopt;
+  if (!is_two_sided(problem)) return std::nullopt;
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
     const bool right = problem.components[i].side == Side::right;
-    if (right && !scheme.needs.two_sided) {
+    if (right && !scheme.needs.is_two_sided) {
       return fmt::format("steps from the left: component {} has a right derivative", i);
     }
     if (right && grid != nullptr && !grid->uniform()) {
       return fmt::format("needs a uniform grid for the right derivative of component {}", i);
     }
   }
-  if (!scheme.needs.two_sided) return "steps from the left: the problem has conditions at both ends";
+  if (!scheme.needs.is_two_sided) return "steps from the left: the problem has conditions at both ends";
   if (problem.conditions && unknown_count(problem) == 0) {
     return "needs an unknown initial value for each condition, none is unknown";
   }
@@ -48,19 +49,19 @@ std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem
   return std::nullopt;
 }
 
-std::optional<std::string> refusal(const Needs& needs, const Problem& problem, const Grid& grid) {
-  if (!needs.takes_grid) return "takes an accuracy, not a grid";
+std::optional<std::string> refusal(const Capabilities& needs, const Problem& problem, const Grid& grid) {
+  if (!needs.solves_on_grid) return "takes an accuracy, not a grid";
   if (needs.uniform_grid && !grid.uniform()) {
     return fmt::format("needs a uniform grid, not one graded with {}", grid.grading);
   }
-  double largest_order = 1.0;
-  for (const auto& component : problem.components) largest_order = std::max(largest_order, component.order);
-  const double shortest = std::pow(1e-290, 1.0 / largest_order);  // its inverse and powers are doubles
+  double max_order = 1.0;
+  for (const auto& component : problem.components) max_order = std::max(max_order, component.order);
+  const double shortest = std::pow(1e-290, 1.0 / max_order);  // its inverse and powers are doubles
   if (grid.step(1) > shortest) return std::nullopt;
   return fmt::format("needs a first step above {:.3g}, not {}", shortest, grid.step(1));
 }
 
-std::optional<std::string> refusal(const Needs& needs, const Accuracy& accuracy) {
+std::optional<std::string> refusal(const Capabilities& needs, const Tolerance& accuracy) {
   if (!needs.takes_accuracy) return "takes a grid, not an accuracy";
   const auto& [relative, absolute] = accuracy;
   if (relative >= 0.0 && absolute >= 0.0 && std::max(relative, absolute) > 0.0) return std::nullopt;
@@ -71,7 +72,7 @@ std::optional<std::string> refusal(const Needs& needs, const Accuracy& accuracy)
 
 std::optional<std::string> refusal_of_checkpoints(const Scheme& scheme, const Problem& problem) {
   if (!scheme.needs.checkpoints) return "keeps no checkpoints";
-  if (two_sided(problem)) return "keeps no checkpoints of a problem that it solves at all times at once";
+  if (is_two_sided(problem)) return "keeps no checkpoints of a problem that it solves at all times at once";
   return std::nullopt;
 }
 
@@ -91,7 +92,7 @@ std::span<const Scheme> schemes() {
 
 const Scheme* find_scheme(std::string_view id) {
   const auto found = std::ranges::find_if(schemes(), [id](const Scheme& scheme) {
-    return scheme.id == id || (!id.empty() && scheme.other_name == id);
+    return scheme.id == id || (!id.empty() && scheme.alias == id);
   });
   return found == schemes().end() ? nullptr : &*found;
 }
@@ -107,7 +108,7 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
                                    const Resolution& resolution) {
   const auto* grid = std::get_if<Grid>(&resolution);
   auto of_resolution = grid != nullptr ? refusal(scheme.needs, problem, *grid)
-                                       : refusal(scheme.needs, std::get<Accuracy>(resolution));
+                                       : refusal(scheme.needs, std::get<Tolerance>(resolution));
   if (of_resolution) return of_resolution;
   if (scheme.needs.discretises_equations && problem.equations.empty())
     return "discretises multi-term equations, and the problem is not told as one";

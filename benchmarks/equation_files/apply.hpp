@@ -16,8 +16,8 @@ struct SpecialFunctions {
   static Real gamma(const Real& x) { return std::tgamma(x); }
   // Evaluated in double; NaN outside the ranges of the arguments.
   static Real mittag_leffler(const Real& alpha, const Real& beta, const Real& z) {
-    constexpr double largest_order = 5.0, largest_parameter = 1e4;
-    const bool known = alpha > 0 && alpha <= largest_order && std::abs(beta) <= largest_parameter &&
+    constexpr double max_order = 5.0, largest_parameter = 1e4;
+    const bool known = alpha > 0 && alpha <= max_order && std::abs(beta) <= largest_parameter &&
                        std::isfinite(static_cast<double>(z));
     if (!known) return std::numeric_limits<Real>::quiet_NaN();
     return fde::mittag_leffler(static_cast<double>(alpha), static_cast<double>(beta), static_cast<double>(z));

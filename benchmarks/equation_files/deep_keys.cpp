@@ -25,7 +25,7 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-TextPlace place_of(std::string_view text, std::size_t byte) {
+TextPosition position_of(std::string_view text, std::size_t byte) {
   const auto before = text.substr(0, byte);
   const auto line = before.rfind('\n');
   const auto begin = line == std::string_view::npos ? 0 : line + 1;
@@ -34,7 +34,7 @@ TextPlace place_of(std::string_view text, std::size_t byte) {
 
 }  // namespace
 
-std::optional<TextPlace> deep_key(std::string_view toml) {
+std::optional<TextPosition> find_deep_key(std::string_view toml) {
   constexpr std::string_view separators = "=,\n[]{}";
   int points = 0;
   for (std::size_t i = 0; i < toml.size();) {
@@ -48,7 +48,7 @@ std::optional<TextPlace> deep_key(std::string_view toml) {
       continue;
     }
     if (separators.find(c) != std::string_view::npos) points = 0;
-    if (c == '.' && ++points >= most_key_parts) return place_of(toml, i);
+    if (c == '.' && ++points >= max_key_parts) return position_of(toml, i);
     ++i;
   }
   return std::nullopt;

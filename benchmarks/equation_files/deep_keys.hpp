@@ -7,9 +7,9 @@
 
 namespace fde {
 
-// The position of a TOML key, such as a.b.c, with more than most_key_parts parts, outside strings and
+// The position of a TOML key, such as a.b.c, with more than max_key_parts parts, outside strings and
 // comments; nullopt if there is none. Parts are nested tables: a recursive parser would exhaust the stack.
-inline constexpr int most_key_parts = 16;
-std::optional<TextPlace> deep_key(std::string_view toml);
+inline constexpr int max_key_parts = 16;
+std::optional<TextPosition> find_deep_key(std::string_view toml);
 
 }  // namespace fde

@@ -42,7 +42,7 @@ std::vector<Entry> derivatives_of(const EquationSystem& system, FileFormulas& fo
 }
 
 // The arguments of sign and step in the rows that depend on unknowns.
-std::vector<Expression> switches_of(const EquationSystem& system, const Expressions& all) {
+std::vector<Expression> switches_of(const EquationSystem& system, const ExpressionPool& all) {
   std::vector<Expression> found;
   for (const auto argument : all.arguments(system.rows, {Operation::sign, Operation::step}))
     if (all.depends_on_unknowns(argument)) found.push_back(argument);
@@ -50,7 +50,7 @@ std::vector<Expression> switches_of(const EquationSystem& system, const Expressi
 }
 
 // Whether a row has a kink or a jump in the unknowns; its derivative may be constant elsewhere.
-bool piecewise(const EquationSystem& system, const Expressions& all) {
+bool piecewise(const EquationSystem& system, const ExpressionPool& all) {
   const auto arguments = all.arguments(
       system.rows, {Operation::abs, Operation::sign, Operation::step, Operation::min, Operation::max});
   return std::ranges::any_of(arguments, [&](Expression e) { return all.depends_on_unknowns(e); });
@@ -58,7 +58,7 @@ bool piecewise(const EquationSystem& system, const Expressions& all) {
 
 // The value of an expression if it is constant, either as written or because its derivatives vanish: (y +
 // 1)^2 - y^2 has a constant derivative.
-std::optional<double> constant_of(Expression value, Eigen::Index size, Expressions& all) {
+std::optional<double> constant_of(Expression value, Eigen::Index size, ExpressionPool& all) {
   constexpr Eigen::Index few = 12;
   if (const auto known = all.value(value)) return static_cast<double>(*known);
   const auto zero = all.number(0);
@@ -74,7 +74,7 @@ std::optional<double> constant_of(Expression value, Eigen::Index size, Expressio
   return static_cast<double>(*at_zero);
 }
 
-std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index size, Expressions& all) {
+std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index size, ExpressionPool& all) {
   Matrix matrix = Matrix::Zero(size, size);
   for (const auto& [row, column, value] : entries) {
     const auto known = constant_of(value, size, all);
@@ -84,7 +84,7 @@ std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index 
   return matrix;
 }
 
-DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, const Expressions& all) {
+DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, const ExpressionPool& all) {
   std::vector<Expression> values;
   for (const auto& entry : entries) values.push_back(entry.value);
   return {[entries, program = Program(all, values, size)](double t, In y, OutMatrix jacobian) {
@@ -98,7 +98,7 @@ DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, 
 // A violated constraint would require a jump of the unknowns at t = 0.
 void require_start_on_constraints(const EquationSystem& system, const Problem& problem,
                                   const FileFormulas& formulas) {
-  const auto row = row_off_at_start(problem);
+  const auto row = inconsistent_initial_row(problem);
   if (!row) return;
   Vec f(problem.size());
   problem.rhs(0.0, taylor_part(problem, 0.0), f);

@@ -12,7 +12,7 @@
 
 #include "equation_files/equation_system.hpp"
 #include "equation_files/exact_columns.hpp"
-#include "equation_files/linear_motion.hpp"
+#include "equation_files/linear_file_reference.hpp"
 #include "equation_files/program.hpp"
 #include "equation_files/start_powers.hpp"
 #include "equation_files/time_jumps.hpp"
@@ -82,19 +82,19 @@ void require_exact_start(const EquationText& text, const std::vector<SystemColum
 }
 
 Scene scene_of(const EquationText& text, const Parameters& parameters) {
-  FileFormulas formulas(text, parameters, Numbers::folded);
+  FileFormulas formulas(text, parameters, NumberStorage::folded);
   const auto system = read_system(formulas);
   const auto columns = columns_of(system);
   Scene scene{.problem = problem_of(system, formulas),
-              .smoothness = start_powers(system, formulas.all()),
+              .smoothness = starting_powers(system, formulas.all()),
               .outputs = outputs_of(columns),
-              .of_file = true};
+              .from_file = true};
   scene.jumps_until = time_jumps(system, formulas.all());
   set_end(scene, system.end);
   if (!text.exact.empty()) {
     scene.reference = exact_columns(text, parameters, columns);
     require_exact_start(text, columns, scene);
-  } else if (auto motion = linear_motion(system, scene.problem, formulas.all())) {
+  } else if (auto motion = linear_file_reference(system, scene.problem, formulas.all())) {
     scene.reference = std::move(*motion);
   }
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
@@ -103,15 +103,15 @@ Scene scene_of(const EquationText& text, const Parameters& parameters) {
   return scene;
 }
 
-std::optional<SceneMaker> scene_of_file(std::string_view name) {
-  if (!name.ends_with(equation_file_ending)) return std::nullopt;
+std::optional<SceneFactory> scene_of_file(std::string_view name) {
+  if (!name.ends_with(equation_file_extension)) return std::nullopt;
   const std::string file(name);
   if (!prints(file)) reject_text("scene", file, "a file whose name is UTF-8 that prints");
   return equation_scene(read_equation_text(file));
 }
 
-WrittenEquation written(const UnknownText& unknown) {
-  WrittenEquation equation{.unknown = unknown.name, .terms = {}, .rhs = unknown.rhs.text, .initial = {}};
+EquationFormula written(const UnknownText& unknown) {
+  EquationFormula equation{.unknown = unknown.name, .terms = {}, .rhs = unknown.rhs.text, .initial = {}};
   for (const auto& [coefficient, order] : unknown.terms)
     equation.terms.push_back({coefficient.text, order.text});
   for (const auto& value : unknown.initial) equation.initial.push_back(value.text);
@@ -120,15 +120,15 @@ WrittenEquation written(const UnknownText& unknown) {
 
 }  // namespace
 
-SceneMaker equation_scene(EquationText text) {
+SceneFactory equation_scene(EquationText text) {
   const auto kept = std::make_shared<const EquationText>(std::move(text));
   const std::filesystem::path file = kept->file;
-  SceneMaker maker{.id = kept->file,
-                   .title = kept->title.empty() ? file.stem().string() : kept->title,
-                   .source = kept->file,
-                   .parameters = {},
-                   .make = [kept](const Parameters& parameters) { return scene_of(*kept, parameters); },
-                   .checksum = kept->checksum};
+  SceneFactory maker{.id = kept->file,
+                     .title = kept->title.empty() ? file.stem().string() : kept->title,
+                     .source = kept->file,
+                     .parameters = {},
+                     .make = [kept](const Parameters& parameters) { return scene_of(*kept, parameters); },
+                     .checksum = kept->checksum};
   for (const auto& [name, value] : kept->parameters)
     maker.parameters.push_back({name, value, any_number, "of the file"});
   for (const auto& unknown : kept->unknowns) maker.equations.push_back(written(unknown));

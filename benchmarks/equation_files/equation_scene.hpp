@@ -6,7 +6,7 @@
 namespace fde {
 
 // The scene of an equation file; its id is the file name.
-SceneMaker equation_scene(EquationText text);
+SceneFactory equation_scene(EquationText text);
 
 // These scenes plus those of equation files, found by a file name that ends in .toml. For such a name,
 // Scenes::named throws std::invalid_argument if the file cannot be read or is not an equation file.

@@ -68,7 +68,7 @@ std::vector<double> jumps_of(FileFormulas& formulas) {
 }
 
 // Maps D^order of an unknown to the variable of that node of its chain.
-FormulaVariables variables_of(const EquationSystem& system, Expressions& all) {
+FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& all) {
   const auto row = [&](std::size_t of, double order) {
     const auto& unknown = system.unknowns[of];
     const auto nodes = unknown.chain ? unknown.chain->nodes() : std::vector{0.0};
@@ -81,7 +81,7 @@ FormulaVariables variables_of(const EquationSystem& system, Expressions& all) {
 }
 
 // f_i = y_{i+1}; in the last row of a chain (rhs - sum_k c_k D^(a_k) u) / c.
-void add_rows(const EquationSystem::Unknown& unknown, Expressions& all, std::vector<Expression>& rows) {
+void add_rows(const EquationSystem::Unknown& unknown, ExpressionPool& all, std::vector<Expression>& rows) {
   if (!unknown.chain) {
     rows.push_back(*unknown.rhs);
     return;
@@ -103,7 +103,8 @@ void add_rows(const EquationSystem::Unknown& unknown, Expressions& all, std::vec
 
 EquationSystem read_system(FileFormulas& formulas) {
   const auto& text = formulas.text();
-  EquationSystem system{.end = formulas.constant(text.end, "end", any_end), .jumps = jumps_of(formulas)};
+  EquationSystem system{.end = formulas.constant(text.end, "end", valid_end_times),
+                        .jumps = jumps_of(formulas)};
   Eigen::Index first = 0;
   for (const auto& unknown : text.unknowns) {
     system.unknowns.push_back(unknown_of(unknown, first, formulas));
@@ -137,7 +138,7 @@ std::vector<SystemColumn> columns_of(const EquationSystem& system) {
   return columns;
 }
 
-FormulaVariables variables_of(const std::vector<SystemColumn>& columns, Expressions& all, bool time) {
+FormulaVariables variables_of(const std::vector<SystemColumn>& columns, ExpressionPool& all, bool time) {
   const auto column = [&](std::size_t unknown, double order) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (columns[c].unknown == unknown && same_order(columns[c].order, order))

@@ -42,7 +42,7 @@ struct SystemColumn {
 std::vector<SystemColumn> columns_of(const EquationSystem& system);
 
 // Variables for formulas in the columns: column c is variable c + 1; `time`: whether t is allowed.
-FormulaVariables variables_of(const std::vector<SystemColumn>& columns, Expressions& all, bool time);
+FormulaVariables variables_of(const std::vector<SystemColumn>& columns, ExpressionPool& all, bool time);
 
 // The problem: f, its derivatives and its multi-term equations. Throws as read_system does if a derivative is
 // not available or an algebraic row does not hold at t = 0.

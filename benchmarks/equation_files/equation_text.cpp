@@ -13,7 +13,7 @@
 
 namespace fde {
 
-void reject_at(const std::string& file, const TextPlace& place, std::string_view what) {
+void reject_at(const std::string& file, const TextPosition& place, std::string_view what) {
   constexpr std::size_t longest = 600;
   std::size_t shown = std::min(what.size(), longest);
   while (shown < what.size() && shown > 0 && (static_cast<unsigned char>(what[shown]) & 0xc0U) == 0x80U)
@@ -27,7 +27,7 @@ void reject_at(const std::string& file, const TextPlace& place, std::string_view
 }
 
 void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte, std::string_view what) {
-  if (!formula.bytes_count && byte > 0)
+  if (!formula.maps_bytes_to_columns && byte > 0)
     reject_at(file, formula.place, fmt::format("byte {} of the text: {}", byte + 1, what));
   reject_at(file, {formula.place.line, formula.place.column + static_cast<int>(byte)}, what);
 }
@@ -42,8 +42,8 @@ EquationText read_equation_text(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(kind)) refuse("it is no file");
   const auto size = std::filesystem::file_size(file, problem);
   if (problem) refuse(problem.message());
-  if (size > largest_equation_file)
-    refuse(fmt::format("it has {} bytes: must be at most {}", size, largest_equation_file));
+  if (size > max_equation_file_bytes)
+    refuse(fmt::format("it has {} bytes: must be at most {}", size, max_equation_file_bytes));
   std::string text(size, '\0');
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse(std::strerror(errno));

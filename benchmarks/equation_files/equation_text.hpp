@@ -11,15 +11,15 @@
 namespace fde {
 
 // A position in a file: line and column, from 1.
-struct TextPlace {
+struct TextPosition {
   int line = 1, column = 1;
 };
 
 // A formula as written in an equation file, or a number as its shortest decimal.
 struct FormulaText {
   std::string text{};
-  TextPlace place{};         // of its first byte, or of the enclosing string
-  bool bytes_count = false;  // whether byte b of the text is at column place.column + b
+  TextPosition place{};                // of its first byte, or of the enclosing string
+  bool maps_bytes_to_columns = false;  // whether byte b of the text is at column place.column + b
 };
 
 struct TermText {
@@ -29,7 +29,7 @@ struct TermText {
 // The equation of an unknown: sum of the terms = rhs.
 struct UnknownText {
   std::string name{};
-  TextPlace place{};
+  TextPosition place{};
   std::vector<TermText> terms{};
   bool may_be_algebraic = false;  // given by the key `order`, for which 0 means 0 = rhs
   FormulaText rhs{};
@@ -38,7 +38,7 @@ struct UnknownText {
 
 struct NamedFormula {
   std::string name{};
-  TextPlace place{};
+  TextPosition place{};
   FormulaText formula{};
 };
 
@@ -75,15 +75,15 @@ struct EquationText {
   std::string checksum{};  // SHA-256 of all fields except the title
 };
 
-inline constexpr std::size_t largest_equation_file = std::size_t{1} << 20;  // bytes
-inline constexpr std::size_t most_unknowns = 100;
+inline constexpr std::size_t max_equation_file_bytes = std::size_t{1} << 20;  // bytes
+inline constexpr std::size_t max_unknowns = 100;
 
 // Each throws std::invalid_argument naming file, line and column, the text there and what is allowed.
 EquationText read_equation_text(const std::filesystem::path& file);
 EquationText parse_equation_text(const std::string& file, std::string_view text);
 
 // "FILE: line L, column C: what"
-[[noreturn]] void reject_at(const std::string& file, const TextPlace& place, std::string_view what);
+[[noreturn]] void reject_at(const std::string& file, const TextPosition& place, std::string_view what);
 // The same for a byte of a formula.
 [[noreturn]] void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte,
                             std::string_view what);

@@ -69,10 +69,10 @@ Expression column_of(const SystemColumn& column, const std::vector<SystemColumn>
 Reference exact_columns(const EquationText& text, const Parameters& parameters,
                         const std::vector<SystemColumn>& columns) {
   require_columns(text, columns);
-  FileFormulas formulas(text, parameters, Numbers::written);
+  FileFormulas formulas(text, parameters, NumberStorage::written);
   std::vector<Expression> values;
   for (const auto& column : columns) values.push_back(column_of(column, columns, formulas));
-  const auto all = std::make_shared<const Expressions>(std::move(formulas.all()));
+  const auto all = std::make_shared<const ExpressionPool>(std::move(formulas.all()));
   return closed_form([all, values](const auto& time) { return rounded_values(*all, values, time); });
 }
 

@@ -6,8 +6,8 @@ namespace fde {
 namespace {
 
 // f'(a) for a differentiable function of one argument, with f = f(a); nullopt otherwise.
-std::optional<Expression> slope(Expressions& all, Operation operation, Expression a, Expression f) {
-  const auto make = [&](Operation how, Expression x, Expression y = Expressions::none) {
+std::optional<Expression> slope(ExpressionPool& all, Operation operation, Expression a, Expression f) {
+  const auto make = [&](Operation how, Expression x, Expression y = ExpressionPool::none) {
     return all.make(how, x, y);
   };
   const auto square = [&](Expression x) { return make(Operation::multiply, x, x); };
@@ -53,7 +53,7 @@ std::optional<Expression> slope(Expressions& all, Operation operation, Expressio
 }  // namespace
 
 // Chain rule; `derivatives` are those of the parts of the entry.
-Expression Expressions::derivative_of(const Entry& entry, const std::vector<Expression>& derivatives) {
+Expression ExpressionPool::derivative_of(const Entry& entry, const std::vector<Expression>& derivatives) {
   const auto [a, b, c] = entry.of;
   const auto of = [&](Expression e) {
     return e == none ? number(0) : derivatives[static_cast<std::size_t>(e)];
@@ -102,7 +102,7 @@ Expression Expressions::derivative_of(const Entry& entry, const std::vector<Expr
   return times(*known, da);
 }
 
-Expression Expressions::derivative(Expression of, int variable) {
+Expression ExpressionPool::derivative(Expression of, int variable) {
   if (!depends_on(of, variable)) return number(0);
   const auto used = parts(of);
   std::vector<Expression> derivatives(used.size(), none);

@@ -16,32 +16,32 @@ namespace {
 
 constexpr int largest_whole_power = 64;  // evaluated by multiplication
 
-constexpr std::array functions{KnownFunction{"sin", Operation::sin, 1},
-                               KnownFunction{"cos", Operation::cos, 1},
-                               KnownFunction{"tan", Operation::tan, 1},
-                               KnownFunction{"asin", Operation::asin, 1},
-                               KnownFunction{"acos", Operation::acos, 1},
-                               KnownFunction{"atan", Operation::atan, 1},
-                               KnownFunction{"atan2", Operation::atan2, 2},
-                               KnownFunction{"sinh", Operation::sinh, 1},
-                               KnownFunction{"cosh", Operation::cosh, 1},
-                               KnownFunction{"tanh", Operation::tanh, 1},
-                               KnownFunction{"exp", Operation::exp, 1},
-                               KnownFunction{"log", Operation::log, 1},
-                               KnownFunction{"sqrt", Operation::sqrt, 1},
-                               KnownFunction{"abs", Operation::abs, 1},
-                               KnownFunction{"sign", Operation::sign, 1},
-                               KnownFunction{"step", Operation::step, 1},
-                               KnownFunction{"min", Operation::min, 2},
-                               KnownFunction{"max", Operation::max, 2},
-                               KnownFunction{"gamma", Operation::gamma, 1},
-                               KnownFunction{"mittag_leffler", Operation::mittag_leffler, 3}};
+constexpr std::array functions{FunctionSignature{"sin", Operation::sin, 1},
+                               FunctionSignature{"cos", Operation::cos, 1},
+                               FunctionSignature{"tan", Operation::tan, 1},
+                               FunctionSignature{"asin", Operation::asin, 1},
+                               FunctionSignature{"acos", Operation::acos, 1},
+                               FunctionSignature{"atan", Operation::atan, 1},
+                               FunctionSignature{"atan2", Operation::atan2, 2},
+                               FunctionSignature{"sinh", Operation::sinh, 1},
+                               FunctionSignature{"cosh", Operation::cosh, 1},
+                               FunctionSignature{"tanh", Operation::tanh, 1},
+                               FunctionSignature{"exp", Operation::exp, 1},
+                               FunctionSignature{"log", Operation::log, 1},
+                               FunctionSignature{"sqrt", Operation::sqrt, 1},
+                               FunctionSignature{"abs", Operation::abs, 1},
+                               FunctionSignature{"sign", Operation::sign, 1},
+                               FunctionSignature{"step", Operation::step, 1},
+                               FunctionSignature{"min", Operation::min, 2},
+                               FunctionSignature{"max", Operation::max, 2},
+                               FunctionSignature{"gamma", Operation::gamma, 1},
+                               FunctionSignature{"mittag_leffler", Operation::mittag_leffler, 3}};
 
 }  // namespace
 
-std::span<const KnownFunction> known_functions() { return functions; }
+std::span<const FunctionSignature> function_table() { return functions; }
 
-Expression Expressions::add(Entry entry) {
+Expression ExpressionPool::add(Entry entry) {
   if (entries_.size() >= most_expressions) {
     throw std::invalid_argument(
         fmt::format("its expressions have more than {} different parts", most_expressions));
@@ -50,7 +50,7 @@ Expression Expressions::add(Entry entry) {
   return static_cast<Expression>(entries_.size()) - 1;
 }
 
-Expression Expressions::number(const std::string& decimal) {
+Expression ExpressionPool::number(const std::string& decimal) {
   const char* const end = decimal.data() + decimal.size();
   long double value = 0.0L;
   double nearest = 0.0;
@@ -58,50 +58,50 @@ Expression Expressions::number(const std::string& decimal) {
   std::from_chars(decimal.data(), end, nearest);
   if (static_cast<double>(value) != nearest)
     value = nearest;  // avoids double rounding, which could give a neighbour of the nearest double
-  const std::pair key{value, numbers_ == Numbers::written ? decimal : ""};
+  const std::pair key{value, numbers_ == NumberStorage::written ? decimal : ""};
   const auto found = known_numbers_.find(key);
   if (found != known_numbers_.end()) return found->second;
   const auto made = add({.operation = Operation::number, .value = value, .text = key.second});
   return known_numbers_[key] = made;
 }
 
-Expression Expressions::number(int whole) { return number(std::to_string(whole)); }
+Expression ExpressionPool::number(int whole) { return number(std::to_string(whole)); }
 
-Expression Expressions::folded(long double value) {
+Expression ExpressionPool::folded(long double value) {
   const std::pair<long double, std::string> key{value, ""};
   const auto found = known_numbers_.find(key);
   if (found != known_numbers_.end()) return found->second;
   return known_numbers_[key] = add({.operation = Operation::number, .value = value});
 }
 
-Expression Expressions::pi() {
-  return numbers_ == Numbers::folded ? folded(std::numbers::pi_v<long double>)
-                                     : make(Operation::pi, none, none, none);
+Expression ExpressionPool::pi() {
+  return numbers_ == NumberStorage::folded ? folded(std::numbers::pi_v<long double>)
+                                           : make(Operation::pi, none, none, none);
 }
 
-Expression Expressions::variable(int index) {
+Expression ExpressionPool::variable(int index) {
   const auto [place, is_new] = known_.try_emplace(Key{Operation::variable, index, none, none}, none);
   if (is_new) place->second = add({.operation = Operation::variable, .variable = index});
   return place->second;
 }
 
-bool Expressions::is(Expression e, int whole) const {
+bool ExpressionPool::is(Expression e, int whole) const {
   return e != none && (*this)[e].operation == Operation::number &&
          (*this)[e].value == static_cast<long double>(whole);
 }
 
 // By repeated squaring.
-Expression Expressions::whole_power(Expression base, int exponent) {
-  if (exponent < 0) return make(Operation::divide, number(1), whole_power(base, -exponent));
+Expression ExpressionPool::integer_power(Expression base, int exponent) {
+  if (exponent < 0) return make(Operation::divide, number(1), integer_power(base, -exponent));
   if (exponent == 0) return number(1);
   if (exponent == 1) return base;
-  const auto half = whole_power(base, exponent / 2);
+  const auto half = integer_power(base, exponent / 2);
   const auto square = make(Operation::multiply, half, half);
   return exponent % 2 == 0 ? square : make(Operation::multiply, square, base);
 }
 
 // The simplified form of an operation with 0 or 1, a double negation or an integer power; nullopt: none.
-std::optional<Expression> Expressions::simplified(Operation operation, Expression a, Expression b) {
+std::optional<Expression> ExpressionPool::simplified(Operation operation, Expression a, Expression b) {
   switch (operation) {
     case Operation::add:
       if (is(a, 0)) return b;
@@ -125,7 +125,7 @@ std::optional<Expression> Expressions::simplified(Operation operation, Expressio
     case Operation::power:
       if ((*this)[b].operation == Operation::number && (*this)[b].value == std::rint((*this)[b].value) &&
           std::abs((*this)[b].value) <= largest_whole_power)
-        return whole_power(a, static_cast<int>((*this)[b].value));
+        return integer_power(a, static_cast<int>((*this)[b].value));
       break;
     default:
       break;
@@ -133,9 +133,9 @@ std::optional<Expression> Expressions::simplified(Operation operation, Expressio
   return std::nullopt;
 }
 
-Expression Expressions::make(Operation operation, Expression a, Expression b, Expression c) {
+Expression ExpressionPool::make(Operation operation, Expression a, Expression b, Expression c) {
   const std::array of{a, b, c};
-  bool numbers = numbers_ == Numbers::folded && a != none;
+  bool numbers = numbers_ == NumberStorage::folded && a != none;
   std::array<long double, 3> values{};
   for (std::size_t i = 0; i < of.size() && of[i] != none; ++i) {
     numbers = numbers && (*this)[of[i]].operation == Operation::number;
@@ -154,7 +154,7 @@ Expression Expressions::make(Operation operation, Expression a, Expression b, Ex
   return known_[key] = add({.operation = operation, .of = of});
 }
 
-std::vector<bool> Expressions::parts(const std::vector<Expression>& of) const {
+std::vector<bool> ExpressionPool::parts(const std::vector<Expression>& of) const {
   const Expression last = of.empty() ? none : std::ranges::max(of);
   std::vector<bool> used(static_cast<std::size_t>(last + 1), false);
   for (const auto e : of) used[static_cast<std::size_t>(e)] = true;
@@ -166,14 +166,14 @@ std::vector<bool> Expressions::parts(const std::vector<Expression>& of) const {
   return used;
 }
 
-std::vector<bool> Expressions::parts(Expression of) const { return parts(std::vector{of}); }
+std::vector<bool> ExpressionPool::parts(Expression of) const { return parts(std::vector{of}); }
 
-bool Expressions::depends_on(Expression of, int variable) const {
+bool ExpressionPool::depends_on(Expression of, int variable) const {
   const auto found = known_.find(Key{Operation::variable, variable, none, none});
   return found != known_.end() && found->second <= of && parts(of)[static_cast<std::size_t>(found->second)];
 }
 
-std::set<int> Expressions::variables_in(Expression of) const {
+std::set<int> ExpressionPool::variables_in(Expression of) const {
   const auto used = parts(of);
   std::set<int> found;
   for (Expression e = 0; e <= of; ++e) {
@@ -184,13 +184,13 @@ std::set<int> Expressions::variables_in(Expression of) const {
   return found;
 }
 
-bool Expressions::depends_on_unknowns(Expression of) const {
+bool ExpressionPool::depends_on_unknowns(Expression of) const {
   const auto variables = variables_in(of);
   return variables.upper_bound(0) != variables.end();
 }
 
-std::vector<Expression> Expressions::arguments(const std::vector<Expression>& in,
-                                               const std::set<Operation>& operations) const {
+std::vector<Expression> ExpressionPool::arguments(const std::vector<Expression>& in,
+                                                  const std::set<Operation>& operations) const {
   const auto used = parts(in);
   std::set<Expression> found;
   for (std::size_t e = 0; e < used.size(); ++e) {
@@ -202,7 +202,7 @@ std::vector<Expression> Expressions::arguments(const std::vector<Expression>& in
   return {found.begin(), found.end()};
 }
 
-std::optional<long double> Expressions::value(Expression of) const {
+std::optional<long double> ExpressionPool::value(Expression of) const {
   if ((*this)[of].operation == Operation::number) return (*this)[of].value;
   const auto used = parts(of);
   std::vector<long double> values(used.size());
@@ -219,7 +219,7 @@ std::optional<long double> Expressions::value(Expression of) const {
   return values.back();
 }
 
-Expression Expressions::without_variables(Expression of, int first) {
+Expression ExpressionPool::without_variables(Expression of, int first) {
   const auto used = parts(of);
   std::vector<Expression> made(used.size(), none);
   for (Expression e = 0; e <= of; ++e) {

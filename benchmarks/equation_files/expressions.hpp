@@ -46,26 +46,26 @@ enum class Operation : unsigned char {
 };
 
 // A function that a formula may call: sin(x), atan2(y, x), mittag_leffler(alpha, beta, z).
-struct KnownFunction {
+struct FunctionSignature {
   std::string_view name;
   Operation operation;
   std::size_t arguments;
 };
-std::span<const KnownFunction> known_functions();
+std::span<const FunctionSignature> function_table();
 
 // Index into Expressions. The parts of an expression have smaller indices.
 using Expression = int;
 
 // How numbers are stored: as long double values, with constant folding, or as the decimals that were written,
 // for evaluation to any number of digits.
-enum class Numbers { folded, written };
+enum class NumberStorage { folded, written };
 
 // Expressions of numbers and variables. Equal expressions are stored once, so that a program evaluates them
 // once and their number is a small multiple of the length of the formula. Sums with 0 and products with 0 and
 // 1 are simplified.
-class Expressions {
+class ExpressionPool {
  public:
-  explicit Expressions(Numbers numbers) : numbers_(numbers) {}
+  explicit ExpressionPool(NumberStorage numbers) : numbers_(numbers) {}
 
   struct Entry {
     Operation operation;
@@ -111,12 +111,12 @@ class Expressions {
 
   Expression add(Entry entry);
   Expression folded(long double value);
-  Expression whole_power(Expression base, int exponent);
+  Expression integer_power(Expression base, int exponent);
   std::optional<Expression> simplified(Operation operation, Expression a, Expression b);
   Expression derivative_of(const Entry& entry, const std::vector<Expression>& derivatives);
   [[nodiscard]] bool is(Expression e, int whole) const;
 
-  Numbers numbers_;
+  NumberStorage numbers_;
   std::vector<Entry> entries_{};
   std::map<Key, Expression> known_{};
   std::map<std::pair<long double, std::string>, Expression> known_numbers_{};

@@ -41,7 +41,7 @@ Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables
   };
   try {
     return read_formula(formula.text, names, all_);
-  } catch (const FormulaFault& fault) {
+  } catch (const FormulaError& fault) {
     reject_in(text_.file, formula, fault.place, fault.what());
   } catch (const std::invalid_argument& fault) {
     reject(formula, fault.what());

@@ -22,14 +22,14 @@ struct FormulaVariables {
 // `parameters` must outlive this object.
 class FileFormulas {
  public:
-  FileFormulas(const EquationText& text, const Parameters& parameters, Numbers numbers)
+  FileFormulas(const EquationText& text, const Parameters& parameters, NumberStorage numbers)
       : text_(text), parameters_(parameters), all_(numbers) {}
 
   Expression read(const FormulaText& formula, const FormulaVariables& variables);
   // The value of a formula that contains parameters only.
   double constant(const FormulaText& formula, std::string_view name, const Range& allowed);
 
-  [[nodiscard]] Expressions& all() { return all_; }
+  [[nodiscard]] ExpressionPool& all() { return all_; }
   [[nodiscard]] const EquationText& text() const { return text_; }
   [[noreturn]] void reject(const FormulaText& formula, std::string_view what) const {
     reject_in(text_.file, formula, 0, what);
@@ -40,7 +40,7 @@ class FileFormulas {
 
   const EquationText& text_;
   const Parameters& parameters_;
-  Expressions all_;
+  ExpressionPool all_;
 };
 
 }  // namespace fde

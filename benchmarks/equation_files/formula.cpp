@@ -13,9 +13,9 @@
 namespace fde {
 namespace {
 
-class FormulaReader {
+class FormulaParser {
  public:
-  FormulaReader(std::string_view text, const FormulaNames& names, Expressions& into)
+  FormulaParser(std::string_view text, const FormulaNames& names, ExpressionPool& into)
       : text_(text), names_(names), into_(into) {
     advance();
   }
@@ -28,25 +28,25 @@ class FormulaReader {
 
  private:
   // Counts the nesting depth of a formula during its lifetime.
-  class Deeper {
+  class DepthGuard {
    public:
-    explicit Deeper(FormulaReader& reader) : reader_(reader) {
+    explicit DepthGuard(FormulaParser& reader) : reader_(reader) {
       // The whole formula counts as one level.
-      if (++reader_.depth_ > deepest_formula + 1) {
-        fault(fmt::format("brackets, signs and powers stand more than {} deep", deepest_formula),
+      if (++reader_.depth_ > max_nesting_depth + 1) {
+        fault(fmt::format("brackets, signs and powers stand more than {} deep", max_nesting_depth),
               reader_.token_.place);
       }
     }
-    ~Deeper() { --reader_.depth_; }
-    Deeper(const Deeper&) = delete;
-    Deeper& operator=(const Deeper&) = delete;
+    ~DepthGuard() { --reader_.depth_; }
+    DepthGuard(const DepthGuard&) = delete;
+    DepthGuard& operator=(const DepthGuard&) = delete;
 
    private:
-    FormulaReader& reader_;
+    FormulaParser& reader_;
   };
 
   [[noreturn]] static void fault(const std::string& what, std::size_t place) {
-    throw FormulaFault(what, place);
+    throw FormulaError(what, place);
   }
   [[noreturn]] void expected(std::string_view allowed) const {
     fault(token_.text.empty() ? fmt::format("the formula ends, there must be {}", allowed)
@@ -65,8 +65,8 @@ class FormulaReader {
     if (!take(symbol)) expected(fmt::format("an operation or '{}'", symbol));
   }
 
-  Expression made(Operation operation, Expression a, Expression b = Expressions::none,
-                  Expression c = Expressions::none) {
+  Expression made(Operation operation, Expression a, Expression b = ExpressionPool::none,
+                  Expression c = ExpressionPool::none) {
     return into_.make(operation, a, b, c);
   }
 
@@ -98,7 +98,7 @@ class FormulaReader {
   }
 
   Expression signed_power() {
-    const Deeper deeper(*this);
+    const DepthGuard deeper(*this);
     if (take("-")) return made(Operation::negate, signed_power());
     if (take("+")) return signed_power();
     const auto base = single();
@@ -122,17 +122,18 @@ class FormulaReader {
 
   Expression decimal(const FormulaToken& token) {
     const std::string text(token.text);
-    if (!number_in(text))
-      fault(fmt::format("{}: {}must be {}", text, beyond_double(text), any_number.text()), token.place);
+    if (!try_parse_number(text))
+      fault(fmt::format("{}: {}must be {}", text, double_range_message(text), any_number.text()),
+            token.place);
     return into_.number(text);
   }
 
   Expression named(const FormulaToken& token) {
     if (token.text == "D") return derivative(token);
-    const auto function = std::ranges::find(known_functions(), token.text, &KnownFunction::name);
+    const auto function = std::ranges::find(function_table(), token.text, &FunctionSignature::name);
     const bool named_alike =
         token_.text != "(" && names_.of && names_.of(token.text);  // e.g. gamma as an order
-    if (function != known_functions().end() && !named_alike) return call(*function);
+    if (function != function_table().end() && !named_alike) return call(*function);
     if (token.text == "pi") return into_.pi();
     if (names_.of) {
       if (const auto known = names_.of(token.text)) return *known;
@@ -145,16 +146,16 @@ class FormulaReader {
     auto known = names_.known;
     known.emplace_back("pi");
     auto nearby = known;
-    for (const auto& function : known_functions()) nearby.push_back(function.name);
+    for (const auto& function : function_table()) nearby.push_back(function.name);
     fault(fmt::format("{}: no such name here{}; there are {} and functions", token.text,
                       nearest(token.text, nearby), fmt::join(known, ", ")),
           token.place);
   }
 
-  Expression call(const KnownFunction& function) {
+  Expression call(const FunctionSignature& function) {
     if (token_.text != "(") expected(fmt::format("'(', {} being a function", function.name));
     advance();
-    std::array<Expression, 3> arguments{Expressions::none, Expressions::none, Expressions::none};
+    std::array<Expression, 3> arguments{ExpressionPool::none, ExpressionPool::none, ExpressionPool::none};
     for (std::size_t i = 0; i < function.arguments; ++i) {
       arguments[i] = sum();
       const bool is_last = i + 1 == function.arguments;
@@ -188,19 +189,19 @@ class FormulaReader {
 
   std::string_view text_;
   const FormulaNames& names_;
-  Expressions& into_;
+  ExpressionPool& into_;
   FormulaToken token_{};
   int depth_ = 0;
 };
 
 }  // namespace
 
-Expression read_formula(std::string_view text, const FormulaNames& names, Expressions& into) {
-  if (text.size() > longest_formula) {
-    throw FormulaFault(
-        fmt::format("the formula has {} bytes: must be at most {}", text.size(), longest_formula), 0);
+Expression read_formula(std::string_view text, const FormulaNames& names, ExpressionPool& into) {
+  if (text.size() > max_formula_bytes) {
+    throw FormulaError(
+        fmt::format("the formula has {} bytes: must be at most {}", text.size(), max_formula_bytes), 0);
   }
-  return FormulaReader(text, names, into).read();
+  return FormulaParser(text, names, into).read();
 }
 
 bool is_name(std::string_view text) {
@@ -212,7 +213,7 @@ bool is_name(std::string_view text) {
 bool is_symbol(std::string_view name) { return name == "t" || name == "D" || name == "pi"; }
 
 bool is_function(std::string_view name) {
-  return std::ranges::find(known_functions(), name, &KnownFunction::name) != known_functions().end();
+  return std::ranges::find(function_table(), name, &FunctionSignature::name) != function_table().end();
 }
 
 }  // namespace fde

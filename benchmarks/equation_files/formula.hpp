@@ -21,17 +21,17 @@ struct FormulaNames {
 };
 
 // An error in a formula and its position, in bytes from the beginning.
-struct FormulaFault : std::invalid_argument {
-  FormulaFault(const std::string& what, std::size_t at) : std::invalid_argument(what), place(at) {}
+struct FormulaError : std::invalid_argument {
+  FormulaError(const std::string& what, std::size_t at) : std::invalid_argument(what), place(at) {}
   std::size_t place;
 };
 
-inline constexpr std::size_t longest_formula = 20'000;
-inline constexpr int deepest_formula = 200;  // nesting of brackets, signs and powers
+inline constexpr std::size_t max_formula_bytes = 20'000;
+inline constexpr int max_nesting_depth = 200;  // nesting of brackets, signs and powers
 
 // Parses sums, products, quotients, powers (x^y^z = x^(y^z), -x^2 = -(x^2)), brackets, decimals, names and
-// functions. Throws FormulaFault.
-Expression read_formula(std::string_view text, const FormulaNames& names, Expressions& into);
+// functions. Throws FormulaError.
+Expression read_formula(std::string_view text, const FormulaNames& names, ExpressionPool& into);
 
 // A letter followed by letters, digits and _.
 bool is_name(std::string_view text);

@@ -9,7 +9,7 @@
 namespace fde {
 
 // Slots: inputs, numbers, then one per line.
-Program::Program(const Expressions& all, const std::vector<Expression>& results, Eigen::Index size)
+Program::Program(const ExpressionPool& all, const std::vector<Expression>& results, Eigen::Index size)
     : inputs_(static_cast<int>(size) + 1) {
   if (results.empty()) return;
   const auto used = all.parts(results);
@@ -30,7 +30,7 @@ Program::Program(const Expressions& all, const std::vector<Expression>& results,
     }
     places[e] = first + static_cast<int>(lines_.size());
     const auto place = [&](std::size_t i) {
-      return entry.of[i] == Expressions::none ? 0 : places[static_cast<std::size_t>(entry.of[i])];
+      return entry.of[i] == ExpressionPool::none ? 0 : places[static_cast<std::size_t>(entry.of[i])];
     };
     lines_.push_back({entry.operation, place(0), place(1), place(2)});
   }

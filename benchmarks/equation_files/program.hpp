@@ -13,7 +13,7 @@ namespace fde {
 class Program {
  public:
   Program() = default;
-  Program(const Expressions& all, const std::vector<Expression>& results, Eigen::Index size);
+  Program(const ExpressionPool& all, const std::vector<Expression>& results, Eigen::Index size);
 
   // The values of the expressions, in the order of the constructor.
   void evaluate(double t, In y, std::span<double> results) const;
@@ -22,14 +22,14 @@ class Program {
 
  private:
   // One operation; line i writes the slot after those of inputs, numbers and the previous lines.
-  struct Line {
+  struct Instruction {
     Operation operation;
     int a, b, c;  // slots of the arguments
   };
 
   int inputs_ = 0;  // t and y
   std::vector<double> numbers_{};
-  std::vector<Line> lines_{};
+  std::vector<Instruction> lines_{};
   std::vector<int> results_{};  // slots of the results
 };
 

@@ -26,8 +26,8 @@ namespace {
 // E_(a,b)(z), with its own error in units of rounding of Real. If a and b are doubles, the evaluation in
 // double takes microseconds, with z rounded to double; other orders, such as 0.7, are evaluated as decimals,
 // not as their nearest doubles.
-Rounded<long double> mittag_leffler_of(long double alpha, long double beta, long double z) {
-  constexpr long double unit = closed_form_units * std::numeric_limits<long double>::epsilon();
+ConditionedValue<long double> mittag_leffler_of(long double alpha, long double beta, long double z) {
+  constexpr long double unit = closed_form_rounding_factor * std::numeric_limits<long double>::epsilon();
   constexpr long double double_unit = std::numeric_limits<double>::epsilon();
   const auto is_double = [](long double x) { return static_cast<double>(x) == x; };
   if (!std::isfinite(z)) return {z, z};
@@ -45,18 +45,18 @@ Rounded<long double> mittag_leffler_of(long double alpha, long double beta, long
   }
   return {value.real(), std::abs(static_cast<long double>(value.real())) + error / unit};
 }
-Rounded<BigReal> mittag_leffler_of(const BigReal& alpha, const BigReal& beta, const BigReal& z) {
+ConditionedValue<BigReal> mittag_leffler_of(const BigReal& alpha, const BigReal& beta, const BigReal& z) {
   const int digits = static_cast<int>(-log10(epsilon<BigReal>())) + 2;
   const auto known =
-      mittag_leffler(text_of(alpha, digits), text_of(beta, digits), text_of(z, digits), "0", digits);
+      mittag_leffler(to_text(alpha, digits), to_text(beta, digits), to_text(z, digits), "0", digits);
   const auto value = parse<BigReal>(known.re);
   return {value, BigReal(abs(value))};
 }
 
 // The value of an operation and its size (closed_form.hpp): the sizes of the arguments times the derivatives.
 template <class Real>
-Rounded<Real> rounded_apply(Operation operation, const Rounded<Real>& a, const Rounded<Real>& b,
-                            const Rounded<Real>& c) {
+ConditionedValue<Real> rounded_apply(Operation operation, const ConditionedValue<Real>& a,
+                                     const ConditionedValue<Real>& b, const ConditionedValue<Real>& c) {
   using std::abs, std::cos, std::log, std::sin, std::sqrt;
   if (operation == Operation::mittag_leffler) {
     auto f = mittag_leffler_of(a.value, b.value, c.value);
@@ -129,17 +129,17 @@ Rounded<Real> rounded_apply(Operation operation, const Rounded<Real>& a, const R
 
 // The values of expressions of t at a time.
 template <class Real>
-std::vector<Rounded<Real>> values_at(const Expressions& all, const std::vector<Expression>& of,
-                                     const Real& time) {
+std::vector<ConditionedValue<Real>> values_at(const ExpressionPool& all, const std::vector<Expression>& of,
+                                              const Real& time) {
   using std::abs;
   const auto used = all.parts(of);
-  std::vector<Rounded<Real>> values(used.size());
+  std::vector<ConditionedValue<Real>> values(used.size());
   for (std::size_t e = 0; e < values.size(); ++e) {
     if (!used[e]) continue;
     const auto& entry = all[static_cast<Expression>(e)];
     const auto at = [&](std::size_t i) {
-      return entry.of[i] == Expressions::none ? Rounded<Real>{Real(0), Real(0)}
-                                              : values[static_cast<std::size_t>(entry.of[i])];
+      return entry.of[i] == ExpressionPool::none ? ConditionedValue<Real>{Real(0), Real(0)}
+                                                 : values[static_cast<std::size_t>(entry.of[i])];
     };
     if (entry.operation == Operation::variable) {
       values[e] = {time, time};
@@ -150,20 +150,22 @@ std::vector<Rounded<Real>> values_at(const Expressions& all, const std::vector<E
       values[e] = rounded_apply<Real>(entry.operation, at(0), at(1), at(2));
     }
   }
-  std::vector<Rounded<Real>> results;
+  std::vector<ConditionedValue<Real>> results;
   for (const auto result : of) results.push_back(values[static_cast<std::size_t>(result)]);
   return results;
 }
 
 }  // namespace
 
-std::vector<Rounded<long double>> rounded_values(const Expressions& all, const std::vector<Expression>& of,
-                                                 const long double& time) {
+std::vector<ConditionedValue<long double>> rounded_values(const ExpressionPool& all,
+                                                          const std::vector<Expression>& of,
+                                                          const long double& time) {
   return values_at<long double>(all, of, time);
 }
 
-std::vector<Rounded<BigReal>> rounded_values(const Expressions& all, const std::vector<Expression>& of,
-                                             const BigReal& time) {
+std::vector<ConditionedValue<BigReal>> rounded_values(const ExpressionPool& all,
+                                                      const std::vector<Expression>& of,
+                                                      const BigReal& time) {
   return values_at<BigReal>(all, of, time);
 }
 

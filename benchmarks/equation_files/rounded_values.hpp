@@ -10,9 +10,10 @@ namespace fde {
 
 // The values at a time of expressions of t whose numbers are stored as written, with the size of the summands
 // of each value (Rounded, closed_form.hpp), propagated by the derivatives of the operations.
-std::vector<Rounded<long double>> rounded_values(const Expressions& all, const std::vector<Expression>& of,
-                                                 const long double& time);
-std::vector<Rounded<BigReal>> rounded_values(const Expressions& all, const std::vector<Expression>& of,
-                                             const BigReal& time);
+std::vector<ConditionedValue<long double>> rounded_values(const ExpressionPool& all,
+                                                          const std::vector<Expression>& of,
+                                                          const long double& time);
+std::vector<ConditionedValue<BigReal>> rounded_values(const ExpressionPool& all,
+                                                      const std::vector<Expression>& of, const BigReal& time);
 
 }  // namespace fde

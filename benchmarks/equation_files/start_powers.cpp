@@ -18,7 +18,8 @@ constexpr double range = 2.0;        // powers up to the order plus this count
 constexpr double most_powers = 1e5;  // limit of the work
 
 // The values of expressions 0 ... last at t = 0 and the initial values.
-std::vector<double> values_at_start(const EquationSystem& system, const Expressions& all, Expression last) {
+std::vector<double> values_at_start(const EquationSystem& system, const ExpressionPool& all,
+                                    Expression last) {
   Vec start(system.size());
   for (Eigen::Index i = 0; i < start.size(); ++i)
     start[i] = system.components[static_cast<std::size_t>(i)].initial.front();
@@ -30,8 +31,8 @@ std::vector<double> values_at_start(const EquationSystem& system, const Expressi
 }
 
 // The exponent p of an expression t^p or sqrt(t); integer powers are not stored as such.
-std::optional<double> power_of_time(const Expressions& all, const Expressions::Entry& entry) {
-  const bool of_time = entry.of[0] != Expressions::none &&
+std::optional<double> power_of_time(const ExpressionPool& all, const ExpressionPool::Entry& entry) {
+  const bool of_time = entry.of[0] != ExpressionPool::none &&
                        all[entry.of[0]].operation == Operation::variable && all[entry.of[0]].variable == 0;
   if (!of_time) return std::nullopt;
   if (entry.operation == Operation::sqrt) return 0.5;
@@ -67,19 +68,19 @@ bool is_smooth(Operation operation, double a, double b) {
 }
 
 // The non-integer powers of t in a right-hand side; nullopt if it is otherwise not smooth.
-std::optional<std::set<double>> powers_in(const Expressions& all, Expression rhs,
+std::optional<std::set<double>> powers_in(const ExpressionPool& all, Expression rhs,
                                           const std::vector<double>& values) {
   std::set<double> powers;
   const auto used = all.parts(rhs);
   for (Expression e = 0; e <= rhs; ++e) {
     const auto& entry = all[e];
-    if (!used[static_cast<std::size_t>(e)] || entry.of[0] == Expressions::none) continue;
+    if (!used[static_cast<std::size_t>(e)] || entry.of[0] == ExpressionPool::none) continue;
     if (const auto power = power_of_time(all, entry)) {
       powers.insert(*power);
       continue;
     }
     const auto at = [&](std::size_t i) {
-      return entry.of[i] == Expressions::none ? 0.0 : values[static_cast<std::size_t>(entry.of[i])];
+      return entry.of[i] == ExpressionPool::none ? 0.0 : values[static_cast<std::size_t>(entry.of[i])];
     };
     if (!is_smooth(entry.operation, at(0), at(1)) && !all.variables_in(e).empty()) return std::nullopt;
   }
@@ -87,7 +88,7 @@ std::optional<std::set<double>> powers_in(const Expressions& all, Expression rhs
 }
 
 // For each unknown, the variables in its equation, including its own terms.
-std::vector<std::set<int>> variables_of(const EquationSystem& system, const Expressions& all) {
+std::vector<std::set<int>> variables_of(const EquationSystem& system, const ExpressionPool& all) {
   std::vector<std::set<int>> variables;
   for (const auto& unknown : system.unknowns) {
     const auto last = static_cast<std::size_t>(unknown.first + unknown.size()) - 1;
@@ -97,8 +98,8 @@ std::vector<std::set<int>> variables_of(const EquationSystem& system, const Expr
 }
 
 // For each unknown, the unknowns that its equation depends on, directly or through others.
-std::vector<std::set<std::size_t>> dependences(const std::vector<Unknown>& unknowns,
-                                               const std::vector<std::set<int>>& variables) {
+std::vector<std::set<std::size_t>> dependencies(const std::vector<Unknown>& unknowns,
+                                                const std::vector<std::set<int>>& variables) {
   std::vector<std::set<std::size_t>> on(unknowns.size());
   for (std::size_t u = 0; u < unknowns.size(); ++u) {
     on[u].insert(u);
@@ -131,7 +132,7 @@ std::set<double> increments_of(const Unknown& unknown, const std::set<double>& d
 
 // The increments of each unknown; nullopt if a right-hand side is not smooth at the start.
 std::optional<std::vector<std::set<double>>> all_increments(const EquationSystem& system,
-                                                            const Expressions& all,
+                                                            const ExpressionPool& all,
                                                             const std::vector<std::set<int>>& variables) {
   const auto& unknowns = system.unknowns;
   const auto values = values_at_start(system, all, std::ranges::max(system.rows));
@@ -167,13 +168,13 @@ void add_powers(const Chain& chain, std::vector<double> powers, Smoothness& smoo
 
 }  // namespace
 
-Smoothness start_powers(const EquationSystem& system, const Expressions& all) {
+Smoothness starting_powers(const EquationSystem& system, const ExpressionPool& all) {
   const auto& unknowns = system.unknowns;
   if (std::ranges::any_of(unknowns, [](const Unknown& one) { return !one.chain; })) return {};
   const auto variables = variables_of(system, all);
   const auto increments = all_increments(system, all, variables);
   if (!increments) return {};
-  const auto on = dependences(unknowns, variables);
+  const auto on = dependencies(unknowns, variables);
   Smoothness smoothness;
   for (std::size_t u = 0; u < unknowns.size(); ++u) {
     std::set<double> steps;

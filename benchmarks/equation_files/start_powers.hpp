@@ -9,6 +9,6 @@ namespace fde {
 // at the initial values maps powers p to sums of such p, and D^order u = t^q gives t^(q + order) in u. Empty
 // for a system with an algebraic row, for right-hand sides that are not smooth there apart from powers of t,
 // and for orders that lead to more than 1e5 powers.
-Smoothness start_powers(const EquationSystem& system, const Expressions& all);
+Smoothness starting_powers(const EquationSystem& system, const ExpressionPool& all);
 
 }  // namespace fde

@@ -65,7 +65,7 @@ bool same_time(double a, double b) {
 }  // namespace
 
 std::function<std::vector<double>(double end)> time_jumps(const EquationSystem& system,
-                                                          const Expressions& all) {
+                                                          const ExpressionPool& all) {
   std::vector<SignOfTime> signs;
   for (const auto argument : all.arguments(system.rows, {Operation::sign, Operation::step}))
     if (!all.depends_on_unknowns(argument)) signs.emplace_back(Program(all, {argument}, 0));

@@ -12,6 +12,6 @@ namespace fde {
 // depends on t only. Sign changes are searched on 8192 equal steps of [0, T] and at T/2, T/4, ... near 0, and
 // located to the last bit; two changes within one of these steps are missed.
 std::function<std::vector<double>(double end)> time_jumps(const EquationSystem& system,
-                                                          const Expressions& all);
+                                                          const ExpressionPool& all);
 
 }  // namespace fde

@@ -15,9 +15,9 @@ using Terms = std::optional<std::vector<TimeTerm>>;
 constexpr std::size_t most_terms = 100;
 
 // Computes the terms of an expression from those of its arguments, by rules for sums, products and powers.
-class TimeTerms {
+class TimeTermRules {
  public:
-  explicit TimeTerms(Expressions& all) : all_(all) {}
+  explicit TimeTermRules(ExpressionPool& all) : all_(all) {}
 
   Terms of(Operation operation, const Terms& a, const Terms& b) {
     switch (operation) {
@@ -99,16 +99,16 @@ class TimeTerms {
     return rises ? std::vector{behind} : std::vector{TimeTerm{all_.number(1), all_.number(0)}, behind};
   }
 
-  Expressions& all_;
+  ExpressionPool& all_;
 };
 
 }  // namespace
 
-Terms time_terms(Expression of, Expressions& all) {
+Terms time_terms(Expression of, ExpressionPool& all) {
   const auto used = all.parts(of);
   std::vector<Terms> terms(used.size());
   std::vector<bool> varies(used.size(), false);
-  TimeTerms rules(all);
+  TimeTermRules rules(all);
   for (Expression e = 0; e <= of; ++e) {
     const auto place = static_cast<std::size_t>(e);
     if (!used[place]) continue;
@@ -117,7 +117,7 @@ Terms time_terms(Expression of, Expressions& all) {
     std::array<Terms, 2> arguments;
     varies[place] = is_variable;
     for (std::size_t i = 0; i < of_these.size(); ++i) {
-      if (of_these[i] == Expressions::none) continue;
+      if (of_these[i] == ExpressionPool::none) continue;
       const auto part = static_cast<std::size_t>(of_these[i]);
       if (varies[part]) varies[place] = true;
       if (i < arguments.size()) arguments[i] = terms[part];
@@ -132,14 +132,14 @@ Terms time_terms(Expression of, Expressions& all) {
 }
 
 std::optional<Expression> caputo_derivative(const std::vector<TimeTerm>& terms, double order,
-                                            Expressions& all) {
+                                            ExpressionPool& all) {
   const auto shift = all.number(fmt::format("{}", order)), one = all.number(1), t = all.variable(0);
   auto sum = all.number(0);
   for (const auto& [coefficient, power, from] : terms) {
     const auto p = all.value(power);
     if (from || !p || *p < 0.0L) return std::nullopt;
-    const bool is_whole = *p == std::floor(*p);
-    if (is_whole && static_cast<double>(*p) < std::ceil(order)) continue;
+    const bool is_integer = *p == std::floor(*p);
+    if (is_integer && static_cast<double>(*p) < std::ceil(order)) continue;
     if (static_cast<double>(*p) <= std::ceil(order) - 1.0) return std::nullopt;
     const auto next = all.make(Operation::add, power, one);
     const auto ratio = all.make(Operation::divide, all.make(Operation::gamma, next),

@@ -15,12 +15,12 @@ struct TimeTerm {
 
 // An expression of t, t >= 0, as a sum of such terms; nullopt if it is not of this form or has more than 100
 // terms.
-std::optional<std::vector<TimeTerm>> time_terms(Expression of, Expressions& all);
+std::optional<std::vector<TimeTerm>> time_terms(Expression of, ExpressionPool& all);
 
 // The Caputo derivative from 0 of the sum of c t^p,
 //   D^order t^p = Gamma(p+1) / Gamma(p+1-order) t^(p-order), 0 of integer p < ceil(order).
 // nullopt if a term has `from`, or if the derivative of a power does not exist.
 std::optional<Expression> caputo_derivative(const std::vector<TimeTerm>& terms, double order,
-                                            Expressions& all);
+                                            ExpressionPool& all);
 
 }  // namespace fde

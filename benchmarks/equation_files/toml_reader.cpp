@@ -18,9 +18,9 @@
 namespace fde {
 namespace {
 
-class EquationReader : TomlText {
+class EquationReader : TomlReader {
  public:
-  using TomlText::TomlText;
+  using TomlReader::TomlReader;
 
   [[nodiscard]] EquationText read(const toml::table& all) const {
     require_keys(all, "the file",
@@ -50,7 +50,7 @@ class EquationReader : TomlText {
     if (text == nullptr) reject_kind(node, "title", "a text");
     const std::string& title = text->get();
     if (title.size() > longest || !prints(title))
-      reject(place_of(node), fmt::format("title: must be at most {} bytes that print", longest));
+      reject(position_of(node), fmt::format("title: must be at most {} bytes that print", longest));
     return title;
   }
 
@@ -75,7 +75,8 @@ class EquationReader : TomlText {
       const auto number = entry.node->value<double>();
       if (!entry.node->is_number()) reject_kind(*entry.node, entry.name, "a number");
       if (!std::isfinite(*number))
-        reject(place_of(*entry.node), fmt::format("{} = {}: must be a finite number", entry.name, *number));
+        reject(position_of(*entry.node),
+               fmt::format("{} = {}: must be a finite number", entry.name, *number));
       parameters.push_back({entry.name, *number});
     }
     return parameters;
@@ -85,9 +86,9 @@ class EquationReader : TomlText {
                                                      const std::vector<ParameterText>& parameters) const {
     constexpr std::array<std::string_view, 3> columns{"energy", "constraint", "bound"};
     const auto found = entries(node, "unknown");
-    if (found.empty() || found.size() > most_unknowns) {
-      reject(place_of(node),
-             fmt::format("there are {} unknowns: must be 1 to {}", found.size(), most_unknowns));
+    if (found.empty() || found.size() > max_unknowns) {
+      reject(position_of(node),
+             fmt::format("there are {} unknowns: must be 1 to {}", found.size(), max_unknowns));
     }
     std::vector<UnknownText> unknowns;
     for (const auto& entry : found) {
@@ -131,12 +132,12 @@ class EquationReader : TomlText {
     constexpr std::size_t most = 100;
     const auto& list = array(node, "terms", allowed);
     if (list.empty() || list.size() > most)
-      reject(place_of(node), fmt::format("terms: has {} terms, must have 1 to {}", list.size(), most));
+      reject(position_of(node), fmt::format("terms: has {} terms, must have 1 to {}", list.size(), most));
     std::vector<TermText> terms;
     for (const auto& term : list) {
       const auto& pair = array(term, "a term", "a pair [coefficient, order]");
       if (pair.size() != 2) {
-        reject(place_of(term),
+        reject(position_of(term),
                fmt::format("a term has {} entries: must be [coefficient, order]", pair.size()));
       }
       terms.push_back({formula(*pair.get(0), "coefficient"), formula(*pair.get(1), "order")});
@@ -147,7 +148,7 @@ class EquationReader : TomlText {
   [[nodiscard]] EnergyText energy_of(const toml::node& node) const {
     const auto& of = table(node, "energy");
     require_keys(of, "energy", {"value", "power"});
-    EnergyText energy{.value = formula(required(of, place_of(node), "energy", "value"), "value")};
+    EnergyText energy{.value = formula(required(of, position_of(node), "energy", "value"), "value")};
     if (const auto* power = of.get("power")) energy.power = formula(*power, "power");
     return energy;
   }
@@ -157,11 +158,12 @@ class EquationReader : TomlText {
     const auto& of = table(node, "constraint");
     require_keys(of, "constraint", {"f"});
     std::vector<FormulaText> constraints;
-    const auto& list = required(of, place_of(node), "constraint", "f");
+    const auto& list = required(of, position_of(node), "constraint", "f");
     for (const auto& value : array(list, "f", "a list of formulas"))
       constraints.push_back(formula(value, "f"));
     if (constraints.empty() || constraints.size() > most)
-      reject(place_of(list), fmt::format("f: has {} formulas, must have 1 to {}", constraints.size(), most));
+      reject(position_of(list),
+             fmt::format("f: has {} formulas, must have 1 to {}", constraints.size(), most));
     return constraints;
   }
 
@@ -170,11 +172,11 @@ class EquationReader : TomlText {
     std::vector<FormulaText> jumps;
     const auto& list = array(node, "jump", "tables [[jump]]");
     if (list.size() > most)
-      reject(place_of(node), fmt::format("there are {} jumps: must be at most {}", list.size(), most));
+      reject(position_of(node), fmt::format("there are {} jumps: must be at most {}", list.size(), most));
     for (const auto& value : list) {
       const auto& of = table(value, "jump");
       require_keys(of, "jump", {"at"});
-      jumps.push_back(formula(required(of, place_of(value), "jump", "at"), "at"));
+      jumps.push_back(formula(required(of, position_of(value), "jump", "at"), "at"));
     }
     return jumps;
   }
@@ -199,7 +201,7 @@ class EquationReader : TomlText {
     if (!text) reject_kind(node, "crossing", allowed);
     if (text == "rising") return Crossing::rising;
     if (text == "falling") return Crossing::falling;
-    if (text != "either") reject(place_of(node), fmt::format("crossing: must be {}", allowed));
+    if (text != "either") reject(position_of(node), fmt::format("crossing: must be {}", allowed));
     return Crossing::either;
   }
 };
@@ -217,17 +219,17 @@ std::string checksum_of(toml::table all, const EquationText& text) {
 }  // namespace
 
 EquationText parse_equation_text(const std::string& file, std::string_view text) {
-  if (text.size() > largest_equation_file)
-    reject_at(file, {}, fmt::format("{} bytes: must be at most {}", text.size(), largest_equation_file));
-  if (const auto deep = deep_key(text))
-    reject_at(file, *deep, fmt::format("a key of more than {} parts", most_key_parts));
+  if (text.size() > max_equation_file_bytes)
+    reject_at(file, {}, fmt::format("{} bytes: must be at most {}", text.size(), max_equation_file_bytes));
+  if (const auto deep = find_deep_key(text))
+    reject_at(file, *deep, fmt::format("a key of more than {} parts", max_key_parts));
   try {
     toml::table all = toml::parse(text);
     EquationText read = EquationReader(file, text).read(all);
     read.checksum = checksum_of(std::move(all), read);
     return read;
   } catch (const toml::parse_error& fault) {
-    reject_at(file, place_of(fault.source()), fmt::format("no TOML: {}", fault.description()));
+    reject_at(file, position_of(fault.source()), fmt::format("no TOML: {}", fault.description()));
   }
 }
 

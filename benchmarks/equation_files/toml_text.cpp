@@ -33,45 +33,47 @@ std::string_view kind_of(const toml::node& node) {
 
 }  // namespace
 
-TextPlace place_of(const toml::source_region& region) {
+TextPosition position_of(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
-TextPlace place_of(const toml::node& node) { return place_of(node.source()); }
+TextPosition position_of(const toml::node& node) { return position_of(node.source()); }
 
-TomlText::TomlText(const std::string& file, std::string_view text) : file_(file), text_(text) {
+TomlReader::TomlReader(const std::string& file, std::string_view text) : file_(file), text_(text) {
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == '\n') lines_.push_back(i + 1);
 }
 
-void TomlText::reject(const TextPlace& place, std::string_view what) const { reject_at(file_, place, what); }
-
-void TomlText::reject_kind(const toml::node& node, std::string_view name, std::string_view allowed) const {
-  reject(place_of(node), fmt::format("{}: is {}, must be {}", name, kind_of(node), allowed));
+void TomlReader::reject(const TextPosition& place, std::string_view what) const {
+  reject_at(file_, place, what);
 }
 
-const toml::table& TomlText::table(const toml::node& node, std::string_view name) const {
+void TomlReader::reject_kind(const toml::node& node, std::string_view name, std::string_view allowed) const {
+  reject(position_of(node), fmt::format("{}: is {}, must be {}", name, kind_of(node), allowed));
+}
+
+const toml::table& TomlReader::table(const toml::node& node, std::string_view name) const {
   if (const auto* found = node.as_table()) return *found;
   reject_kind(node, name, "a table");
 }
 
-const toml::array& TomlText::array(const toml::node& node, std::string_view name,
-                                   std::string_view allowed) const {
+const toml::array& TomlReader::array(const toml::node& node, std::string_view name,
+                                     std::string_view allowed) const {
   if (const auto* found = node.as_array()) return *found;
   reject_kind(node, name, allowed);
 }
 
-std::vector<TomlEntry> TomlText::entries(const toml::node& node, std::string_view name) const {
+std::vector<TomlEntry> TomlReader::entries(const toml::node& node, std::string_view name) const {
   std::vector<TomlEntry> found;
   for (const auto& [key, value] : table(node, name))
-    found.push_back({std::string(key.str()), place_of(key.source()), &value});
+    found.push_back({std::string(key.str()), position_of(key.source()), &value});
   std::ranges::stable_sort(
       found, {}, [](const TomlEntry& entry) { return std::pair(entry.place.line, entry.place.column); });
   return found;
 }
 
-void TomlText::require_keys(const toml::table& of, std::string_view name,
-                            const std::vector<std::string_view>& allowed) const {
+void TomlReader::require_keys(const toml::table& of, std::string_view name,
+                              const std::vector<std::string_view>& allowed) const {
   for (const auto& entry : entries(of, name)) {
     if (std::ranges::find(allowed, entry.name) != allowed.end()) continue;
     reject(entry.place, fmt::format("{}: no such key of {}{}; there are {}", entry.name, name,
@@ -79,18 +81,18 @@ void TomlText::require_keys(const toml::table& of, std::string_view name,
   }
 }
 
-const toml::node& TomlText::required(const toml::table& of, const TextPlace& place, std::string_view name,
-                                     std::string_view key) const {
+const toml::node& TomlReader::required(const toml::table& of, const TextPosition& place,
+                                       std::string_view name, std::string_view key) const {
   if (const auto* found = of.get(key)) return *found;
   reject(place, fmt::format("{}: has no {}, which it must have", name, key));
 }
 
-FormulaText TomlText::formula(const toml::node& node, std::string_view name) const {
-  FormulaText made{.place = place_of(node)};
+FormulaText TomlReader::formula(const toml::node& node, std::string_view name) const {
+  FormulaText made{.place = position_of(node)};
   if (const auto* text = node.as_string()) {
     made.text = text->get();
-    made.bytes_count = stands_as_it_is(made.text, made.place);
-    if (made.bytes_count) ++made.place.column;
+    made.maps_bytes_to_columns = is_verbatim(made.text, made.place);
+    if (made.maps_bytes_to_columns) ++made.place.column;
   } else if (const auto* whole = node.as_integer()) {
     made.text = std::to_string(whole->get());
   } else if (const auto* number = node.as_floating_point()) {
@@ -103,14 +105,14 @@ FormulaText TomlText::formula(const toml::node& node, std::string_view name) con
   return made;
 }
 
-std::string_view TomlText::line(int number) const {
+std::string_view TomlReader::line(int number) const {
   const auto begin = lines_[static_cast<std::size_t>(number) - 1];
   return text_.substr(begin, text_.find('\n', begin) - begin);
 }
 
 // Whether the string is written verbatim: on one line, without escapes, after its quote and after ASCII
 // characters only.
-bool TomlText::stands_as_it_is(const std::string& text, const TextPlace& place) const {
+bool TomlReader::is_verbatim(const std::string& text, const TextPosition& place) const {
   const auto of_line = line(place.line);
   const auto begin = static_cast<std::size_t>(place.column);
   if (of_line.size() <= begin || (of_line[begin - 1] != '"' && of_line[begin - 1] != '\'')) return false;

@@ -13,23 +13,23 @@ namespace fde {
 // An entry of a table and the position of its key.
 struct TomlEntry {
   std::string name;
-  TextPlace place;
+  TextPosition place;
   const toml::node* node;
 };
 
-TextPlace place_of(const toml::source_region& region);
-TextPlace place_of(const toml::node& node);
+TextPosition position_of(const toml::source_region& region);
+TextPosition position_of(const toml::node& node);
 
 // The contents of a TOML file with positions in its text. A value of another kind than requested throws
 // std::invalid_argument naming file, line and column, the value and what is allowed. `file` and `text` must
 // outlive this object.
-class TomlText {
+class TomlReader {
  public:
-  TomlText(const std::string& file, std::string_view text);
+  TomlReader(const std::string& file, std::string_view text);
 
  protected:
   [[nodiscard]] const std::string& file() const { return file_; }
-  [[noreturn]] void reject(const TextPlace& place, std::string_view what) const;
+  [[noreturn]] void reject(const TextPosition& place, std::string_view what) const;
   [[noreturn]] void reject_kind(const toml::node& node, std::string_view name,
                                 std::string_view allowed) const;
 
@@ -41,14 +41,14 @@ class TomlText {
   void require_keys(const toml::table& of, std::string_view name,
                     const std::vector<std::string_view>& allowed) const;
   // The value of a key; `place`: position of the table, for the message.
-  [[nodiscard]] const toml::node& required(const toml::table& of, const TextPlace& place,
+  [[nodiscard]] const toml::node& required(const toml::table& of, const TextPosition& place,
                                            std::string_view name, std::string_view key) const;
   // A formula from a number or a string.
   [[nodiscard]] FormulaText formula(const toml::node& node, std::string_view name) const;
 
  private:
   [[nodiscard]] std::string_view line(int number) const;
-  [[nodiscard]] bool stands_as_it_is(const std::string& text, const TextPlace& place) const;
+  [[nodiscard]] bool is_verbatim(const std::string& text, const TextPosition& place) const;
 
   const std::string& file_;
   std::string_view text_;

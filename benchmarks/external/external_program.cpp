@@ -18,10 +18,10 @@
 #include "external/shell_command.hpp"
 #include "external/task_text.hpp"
 #include "external/temporary_file.hpp"
-#include "observers/watched_steps.hpp"
-#include "records/possible.hpp"
+#include "observers/comparison_steps.hpp"
+#include "records/external_trajectory.hpp"
+#include "records/record_validation.hpp"
 #include "records/run_rows.hpp"
-#include "records/written_path.hpp"
 #include "scenes/number_text.hpp"
 
 namespace fde {
@@ -55,31 +55,31 @@ std::string with(std::string reason, const std::string& said) {
 }
 
 // nullopt: exit code 0.
-std::optional<RunEnding> failure_of(const CommandEnd& end, const std::string& said, double budget) {
+std::optional<RunOutcome> failure_of(const CommandResult& end, const std::string& said, double budget) {
   switch (end.how) {
-    case CommandEnd::How::out_of_time:
-      return RunEnding{Ending::out_of_budget, fmt::format("after {:g} s", budget)};
-    case CommandEnd::How::too_much_output:
-      return RunEnding{Ending::program_failed, fmt::format("it wrote more than {} bytes", most_bytes)};
-    case CommandEnd::How::killed: {
+    case CommandResult::How::out_of_time:
+      return RunOutcome{Ending::out_of_budget, fmt::format("after {:g} s", budget)};
+    case CommandResult::How::too_much_output:
+      return RunOutcome{Ending::program_failed, fmt::format("it wrote more than {} bytes", most_bytes)};
+    case CommandResult::How::killed: {
       const char* known = sigdescr_np(end.code);
       const std::string name = known != nullptr ? known : "unknown";
       // The shell prints the name of the signal too: no need to say it twice.
-      return RunEnding{Ending::program_failed, with(fmt::format("ended by signal {} ({})", end.code, name),
-                                                    said.starts_with(name) ? "" : said)};
+      return RunOutcome{Ending::program_failed, with(fmt::format("ended by signal {} ({})", end.code, name),
+                                                     said.starts_with(name) ? "" : said)};
     }
-    case CommandEnd::How::exited:
+    case CommandResult::How::exited:
       break;
   }
   if (end.code == does_not_take)
-    return RunEnding{Ending::refused, said.empty() ? fmt::format("exit code {}", end.code) : said};
+    return RunOutcome{Ending::refused, said.empty() ? fmt::format("exit code {}", end.code) : said};
   if (end.code != 0)
-    return RunEnding{Ending::program_failed, with(fmt::format("exit code {}", end.code), said)};
+    return RunOutcome{Ending::program_failed, with(fmt::format("exit code {}", end.code), said)};
   return std::nullopt;
 }
 
 // The rows at these times, matched to a relative 1e-12. Throws std::invalid_argument if one is missing.
-WrittenPath at_times(const WrittenPath& path, const std::vector<double>& times) {
+ExternalTrajectory at_times(const ExternalTrajectory& path, const std::vector<double>& times) {
   constexpr double rounding = 1e-12;
   std::vector<Eigen::Index> rows;
   for (const double t : times) {
@@ -93,24 +93,24 @@ WrittenPath at_times(const WrittenPath& path, const std::vector<double>& times) 
 
 // One run of a program.
 struct ProgramRun {
-  std::optional<RunEnding> failure{};
-  WrittenPath path{};                    // at the output times; all printed rows if a value is not finite
-  std::optional<double> told_seconds{};  // of the solve, as printed by the program
+  std::optional<RunOutcome> failure{};
+  ExternalTrajectory path{};                 // at the output times; all printed rows if a value is not finite
+  std::optional<double> reported_seconds{};  // of the solve, as printed by the program
   double wall_seconds = 0.0;
 };
 
 ProgramRun failed(Ending kind, std::string_view detail) {
-  return {.failure = RunEnding{kind, std::string(detail)}};
+  return {.failure = RunOutcome{kind, std::string(detail)}};
 }
 
 ProgramRun run(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
-               const Setup& setup) {
+               const RunSettings& setup) {
   const Grid grid{
       .end = scene.problem.end, .steps = std::get<int>(setup.resolution), .grading = setup.grading};
-  const auto times = watched_times(grid);
+  const auto times = comparison_times(grid);
   const TemporaryFile task(".json"), out(".csv"), err(".txt");
-  task.write(task_text(variant, scene, setup, times));
-  CommandEnd end;
+  task.write(task_json(variant, scene, setup, times));
+  CommandResult end;
   try {
     end = run_command(program.command, task.path().string(), out.descriptor(), err.descriptor(),
                       {setup.budget, most_bytes});
@@ -119,17 +119,17 @@ ProgramRun run(const SceneVariant& variant, const Scene& scene, const ExternalPr
   }
   if (auto failure = failure_of(end, last_line(err.path()), setup.budget)) return {.failure = failure};
   try {
-    auto path = read_path(out.path(), scene, "standard output");
+    auto path = read_trajectory(out.path(), scene, "standard output");
     const auto told = path.seconds;
     if (path.values.allFinite()) path = at_times(path, times);
-    return {.path = std::move(path), .told_seconds = told, .wall_seconds = end.seconds};
+    return {.path = std::move(path), .reported_seconds = told, .wall_seconds = end.seconds};
   } catch (const std::invalid_argument& error) {
     return failed(Ending::program_failed, printable(error.what()));
   }
 }
 
 Record row_of(const ExternalProgram& program, const SceneVariant& variant, const Scene& scene,
-              const Setup& setup) {
+              const RunSettings& setup) {
   const int steps = std::get<int>(setup.resolution);
   return {.key = key_of(program, variant.key(), setup), .steps = steps, .h = scene.problem.end / steps};
 }
@@ -146,23 +146,23 @@ ExternalProgram parse_external(std::string_view text) {
   return {std::string(name), std::string(text.substr(equals + 1))};
 }
 
-RunKey key_of(const ExternalProgram& program, const SceneSettings& scene, const Setup& setup) {
+RunKey key_of(const ExternalProgram& program, const SceneSettings& scene, const RunSettings& setup) {
   return {.scene = scene,
           .scheme = program.name,
           .setup = {.resolution = setup.resolution, .grading = setup.grading},
           .external = true};
 }
 
-std::vector<Record> examine(const SceneVariant& variant, const Scene& scene, WatchedReference& reference,
-                            const ExternalProgram& program, const Setup& setup) {
+std::vector<Record> examine(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference,
+                            const ExternalProgram& program, const RunSettings& setup) {
   const Record row = row_of(program, variant, scene, setup);
   const auto made = run(variant, scene, program, setup);
   return rows_of_examination(
-      row, made.failure ? Judgement{*made.failure} : judge_path(scene, made.path, reference));
+      row, made.failure ? Assessment{*made.failure} : judge_trajectory(scene, made.path, reference));
 }
 
 std::vector<Record> time_runs(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
-                              const Setup& setup, int most, double enough_seconds) {
+                              const RunSettings& setup, int most, double enough_seconds) {
   const Record row = row_of(program, variant, scene, setup);
   std::vector<double> told, wall;
   double total = 0.0;
@@ -171,7 +171,7 @@ std::vector<Record> time_runs(const SceneVariant& variant, const Scene& scene, c
     if (made.failure) return rows_of_examination(row, {*made.failure});
     total += made.wall_seconds;
     wall.push_back(made.wall_seconds);
-    if (made.told_seconds) told.push_back(*made.told_seconds);
+    if (made.reported_seconds) told.push_back(*made.reported_seconds);
   }
   const bool is_wall_clock = told.size() < wall.size();
   auto rows = rows_of_times(row, is_wall_clock ? wall : told);

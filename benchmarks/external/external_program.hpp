@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "records/record.hpp"
-#include "references/watched_reference.hpp"
+#include "references/memoized_reference.hpp"
 #include "scenes/variant.hpp"
 
 namespace fde {
@@ -21,18 +21,18 @@ ExternalProgram parse_external(std::string_view text);
 
 // The key of the program's run of a scene in results; of the setup it contains the number of steps and the
 // grading only.
-RunKey key_of(const ExternalProgram& program, const SceneSettings& scene, const Setup& setup);
+RunKey key_of(const ExternalProgram& program, const SceneSettings& scene, const RunSettings& setup);
 
 // Runs the program once within the budget and measures its printed trajectory, like examine() of a scheme. A
 // failure of the program is the status of the run. Throws std::system_error if the temporary files cannot be
 // written. Precondition: setup.resolution is a number of steps.
-std::vector<Record> examine(const SceneVariant& variant, const Scene& scene, WatchedReference& reference,
-                            const ExternalProgram& program, const Setup& setup);
+std::vector<Record> examine(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference,
+                            const ExternalProgram& program, const RunSettings& setup);
 
 // Repeats the run up to `most` times, until `enough_seconds` have passed, and returns the time rows: of the
 // solves if the program prints their seconds every time, otherwise of the whole processes. If a run fails,
 // returns the rows of an examination instead.
 std::vector<Record> time_runs(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
-                              const Setup& setup, int most, double enough_seconds);
+                              const RunSettings& setup, int most, double enough_seconds);
 
 }  // namespace fde

@@ -17,7 +17,7 @@
 #include <optional>
 #include <system_error>
 
-#include "external/traces.hpp"
+#include "external/process_cleanup.hpp"
 
 namespace fde {
 namespace {
@@ -100,7 +100,7 @@ class Child {
  public:
   Child(const SpawnSettings& settings, const std::string& command, const std::string& argument) {
     {
-      const NotingTraces noting;
+      const RegistrationGuard noting;
       child_ = settings.start(command, argument);
       trace_.emplace(child_);
       settings.release();
@@ -134,32 +134,32 @@ class Child {
     while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
     }
     ended_ = true;
-    wait_if_ending();
+    block_after_clean_up();
     return status;
   }
 
  private:
   pid_t child_ = 0;
-  std::optional<GroupTrace> trace_{};
+  std::optional<RegisteredProcessGroup> trace_{};
   int descriptor_ = -1;
   bool ended_ = false;
 };
 
 // From the wait status of the shell, which reports a signal that killed its command as exit code 128 +
 // signal.
-CommandEnd end_of(int status, double seconds) {
+CommandResult end_of(int status, double seconds) {
   constexpr int signal_code = 128, last_signal = 64;
-  if (WIFSIGNALED(status)) return {CommandEnd::How::killed, WTERMSIG(status), seconds};
+  if (WIFSIGNALED(status)) return {CommandResult::How::killed, WTERMSIG(status), seconds};
   const int code = WEXITSTATUS(status);
   if (code > signal_code && code <= signal_code + last_signal)
-    return {CommandEnd::How::killed, code - signal_code, seconds};
-  return {CommandEnd::How::exited, code, seconds};
+    return {CommandResult::How::killed, code - signal_code, seconds};
+  return {CommandResult::How::exited, code, seconds};
 }
 
 }  // namespace
 
-CommandEnd run_command(const std::string& command, const std::string& argument, int out, int err,
-                       const CommandLimits& limits) {
+CommandResult run_command(const std::string& command, const std::string& argument, int out, int err,
+                          const CommandLimits& limits) {
   constexpr double look = 0.02;  // seconds between checks of the output sizes
   const SpawnSettings settings(out, err);
   const auto start = Clock::now();
@@ -168,16 +168,16 @@ CommandEnd run_command(const std::string& command, const std::string& argument, 
   while (true) {
     const double left = limits.seconds - elapsed();
     const auto milliseconds = static_cast<int>(std::ceil(1e3 * std::clamp(left, 0.0, look)));
-    const bool has_ended = child.ends_within(milliseconds);
+    const bool is_finished = child.ends_within(milliseconds);
     const double seconds = elapsed();
     if (bytes_in(out) + bytes_in(err) > limits.bytes) {
       child.end();
-      return {CommandEnd::How::too_much_output, 0, seconds};
+      return {CommandResult::How::too_much_output, 0, seconds};
     }
-    if (has_ended) return end_of(child.end(), seconds);
+    if (is_finished) return end_of(child.end(), seconds);
     if (seconds < limits.seconds) continue;
     child.end();
-    return {CommandEnd::How::out_of_time, 0, seconds};
+    return {CommandResult::How::out_of_time, 0, seconds};
   }
 }
 

@@ -6,7 +6,7 @@
 namespace fde {
 
 // How a shell command ended, and its wall time in seconds.
-struct CommandEnd {
+struct CommandResult {
   enum class How { exited, killed, out_of_time, too_much_output };
   How how = How::exited;
   int code = 0;  // exit code (exited) or signal number (killed)
@@ -22,7 +22,7 @@ struct CommandLimits {
 // shell. `out` and `err` are file descriptors of regular files for its outputs; its input is /dev/null. At
 // the end, or beyond a limit, every process left in its process group is killed. Exit codes of the shell from
 // 129 to 192 are reported as the signals 1 to 64. Throws std::system_error if no process can be started.
-CommandEnd run_command(const std::string& command, const std::string& argument, int out, int err,
-                       const CommandLimits& limits);
+CommandResult run_command(const std::string& command, const std::string& argument, int out, int err,
+                          const CommandLimits& limits);
 
 }  // namespace fde

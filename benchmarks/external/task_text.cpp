@@ -32,7 +32,7 @@ Json rows_of(const Problem& problem) {
   return rows;
 }
 
-Json equations_of(const std::vector<WrittenEquation>& equations) {
+Json equations_of(const std::vector<EquationFormula>& equations) {
   Json all = Json::array();
   for (const auto& [unknown, terms, rhs, initial] : equations) {
     Json of_unknown = Json::array();
@@ -44,7 +44,7 @@ Json equations_of(const std::vector<WrittenEquation>& equations) {
 
 }  // namespace
 
-std::string task_text(const SceneVariant& variant, const Scene& scene, const Setup& setup,
+std::string task_json(const SceneVariant& variant, const Scene& scene, const RunSettings& setup,
                       const std::vector<double>& times) {
   Json task{{"format", format},
             {"scene", variant.maker->id},

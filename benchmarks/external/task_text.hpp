@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "records/setup.hpp"
+#include "records/run_settings.hpp"
 #include "scenes/variant.hpp"
 
 namespace fde {
 
 // The input of an external program as JSON; docs/external_solvers.md lists the fields. `times` are the output
 // times. Preconditions: `scene` was made from `variant`, and setup.resolution is a number of steps.
-std::string task_text(const SceneVariant& variant, const Scene& scene, const Setup& setup,
+std::string task_json(const SceneVariant& variant, const Scene& scene, const RunSettings& setup,
                       const std::vector<double>& times);
 
 }  // namespace fde

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "external/traces.hpp"
+#include "external/process_cleanup.hpp"
 
 namespace fde {
 
@@ -27,7 +27,7 @@ class TemporaryFile {
  private:
   std::filesystem::path path_;
   int descriptor_ = -1;
-  std::optional<FileTrace> trace_{};
+  std::optional<RegisteredFile> trace_{};
 };
 
 }  // namespace fde

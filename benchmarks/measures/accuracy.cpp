@@ -8,7 +8,7 @@ namespace fde {
 namespace {
 
 // The first column from which on all entries are true; nullopt if these are less than a tenth of the columns.
-std::optional<Eigen::Index> true_to_the_end(const Eigen::Array<bool, 1, Eigen::Dynamic>& seen) {
+std::optional<Eigen::Index> true_until_end(const Eigen::Array<bool, 1, Eigen::Dynamic>& seen) {
   Eigen::Index first = seen.size();
   while (first > 0 && seen[first - 1]) --first;
   return 10 * (seen.size() - first) < seen.size() ? std::nullopt : std::optional(first);
@@ -18,7 +18,7 @@ Eigen::RowVectorXd sizes(const Rows& of) { return of.cwiseAbs().colwise().maxCoe
 
 }  // namespace
 
-std::optional<Eigen::Index> first_overflow(const Rows& reference) {
+std::optional<Eigen::Index> first_infinite_reference(const Rows& reference) {
   for (Eigen::Index c = 0; c < reference.cols(); ++c) {
     if (!reference.col(c).allFinite()) return c;
   }
@@ -31,14 +31,14 @@ std::optional<Eigen::Index> accuracy_lost(const Rows& values, const Rows& refere
   const double infinity = std::numeric_limits<double>::infinity();
   const double least = rounding * (size.array() < infinity).select(size.array(), 0.0).maxCoeff();
   const Eigen::RowVectorXd error = sizes(values - reference);
-  return true_to_the_end(size.array() == infinity ||
-                         (error.array() > 0.0 && error.array() >= size.cwiseMax(least).array()));
+  return true_until_end(size.array() == infinity ||
+                        (error.array() > 0.0 && error.array() >= size.cwiseMax(least).array()));
 }
 
 std::optional<Eigen::Index> rounding_dominates(const Rows& values, const Rows& rounded,
                                                const Rows& reference) {
   const Eigen::RowVectorXd error = sizes(values - reference);
-  return true_to_the_end(sizes(values - rounded).array() >= error.array() / 4 && error.array() > 0.0);
+  return true_until_end(sizes(values - rounded).array() >= error.array() / 4 && error.array() > 0.0);
 }
 
 std::optional<double> relative_error(const Rows& values, const Rows& reference, In bound) {

@@ -11,7 +11,7 @@ namespace fde {
 // last tenth of the times, because a value may pass through 0 on a shorter interval.
 
 // The first time at which the reference is not finite; nullopt: none. No scheme can follow it there.
-std::optional<Eigen::Index> first_overflow(const Rows& reference);
+std::optional<Eigen::Index> first_infinite_reference(const Rows& reference);
 
 // The first time from which on, up to the end, the error |values - reference| is at least |reference|, so
 // that 0 would be no worse, or the reference is infinite. Errors within rounding of the largest finite

@@ -10,52 +10,55 @@
 namespace fde {
 namespace {
 
-struct Words {
+struct EndingText {
   Ending ending;
   std::string_view name, words;  // `detail` follows the words
 };
 constexpr std::array all_words{
-    Words{Ending::finished, "finished", "finished"},
-    Words{Ending::not_finite, "not_finite", "not finite"},
-    Words{Ending::not_converged, "not_converged", "Newton's method did not converge"},
-    Words{Ending::outran_growth, "outran_growth", "steps are too long for a mode that grows"},
-    Words{Ending::step_too_small, "step_too_small", "the error test failed down to the smallest step"},
-    Words{Ending::blow_up, "blow_up", "the solution grows without bound: it blows up"},
-    Words{Ending::sliding, "sliding", "the solution slides along a switch of its right-hand side"},
-    Words{Ending::singular, "singular", "ran into the singularity"},
-    Words{Ending::out_of_budget, "out_of_budget", "out of its budget of time"},
-    Words{Ending::event, "event", "ended by an event"},
-    Words{Ending::accuracy_lost, "accuracy_lost", "accuracy lost"},
-    Words{Ending::overflow, "overflow", "the solution overflows"},
-    Words{Ending::no_reference, "no_reference", "no reference:"},
-    Words{Ending::passed_singularity, "passed_singularity", "passed a singularity of the solution:"},
-    Words{Ending::false_singularity, "false_singularity", "unlike the solution, ran into the singularity"},
-    Words{Ending::program_failed, "program_failed", "the program failed:"},
-    Words{Ending::refused, "refused", "refused:"}};
+    EndingText{Ending::finished, "finished", "finished"},
+    EndingText{Ending::non_finite, "not_finite", "not finite"},
+    EndingText{Ending::not_converged, "not_converged", "Newton's method did not converge"},
+    EndingText{Ending::step_too_large, "outran_growth", "steps are too long for a mode that grows"},
+    EndingText{Ending::step_too_small, "step_too_small", "the error test failed down to the smallest step"},
+    EndingText{Ending::blow_up, "blow_up", "the solution grows without bound: it blows up"},
+    EndingText{Ending::sliding, "sliding", "the solution slides along a switch of its right-hand side"},
+    EndingText{Ending::singular, "singular", "ran into the singularity"},
+    EndingText{Ending::out_of_budget, "out_of_budget", "out of its budget of time"},
+    EndingText{Ending::event, "event", "ended by an event"},
+    EndingText{Ending::accuracy_lost, "accuracy_lost", "accuracy lost"},
+    EndingText{Ending::overflow, "overflow", "the solution overflows"},
+    EndingText{Ending::no_reference, "no_reference", "no reference:"},
+    EndingText{Ending::passed_singularity, "passed_singularity", "passed a singularity of the solution:"},
+    EndingText{Ending::false_singularity, "false_singularity",
+               "unlike the solution, ran into the singularity"},
+    EndingText{Ending::program_failed, "program_failed", "the program failed:"},
+    EndingText{Ending::refused, "refused", "refused:"}};
 
-const Words& words_of(Ending ending) { return *std::ranges::find(all_words, ending, &Words::ending); }
+const EndingText& words_of(Ending ending) {
+  return *std::ranges::find(all_words, ending, &EndingText::ending);
+}
 
 }  // namespace
 
 std::string_view name(Ending ending) { return words_of(ending).name; }
 
 std::optional<Ending> ending_named(std::string_view name) {
-  const auto* found = std::ranges::find(all_words, name, &Words::name);
+  const auto* found = std::ranges::find(all_words, name, &EndingText::name);
   return found == all_words.end() ? std::nullopt : std::optional(found->ending);
 }
 
-std::string sentence(const RunEnding& ending) {
+std::string sentence(const RunOutcome& ending) {
   const auto words = words_of(ending.kind).words;
   return ending.detail.empty() ? std::string(words) : fmt::format("{} {}", words, ending.detail);
 }
 
 bool is_compared(Ending ending) { return ending == Ending::finished || ending == Ending::accuracy_lost; }
 
-RunEnding ending_of(const Problem& problem, const Trajectory& path) {
+RunOutcome ending_of(const Problem& problem, const Trajectory& path) {
   std::vector<std::string> detail;
   if (path.ending == Ending::singular) detail.push_back(problem.domain.edge);
   if (path.ending == Ending::event) detail.push_back(fmt::format("at t = {:.17g}", path.reached));
-  if (path.failed_at) detail.push_back(at_step(path.steps + 1, *path.failed_at));
+  if (path.failure_time) detail.push_back(at_step(path.steps + 1, *path.failure_time));
   if (path.residual) {
     detail.push_back(
         fmt::format("for all times at once, from any of its starts: a residual of {:.2g} is left; "

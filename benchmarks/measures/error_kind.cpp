@@ -90,7 +90,7 @@ Scale parse_scale(std::string_view text) {
 }
 
 std::string_view error_measure(const ErrorKind& kind) { return names_of(kind).error; }
-std::string_view trivial_measure(const ErrorKind& kind) { return names_of(kind).trivial; }
+std::string_view baseline_measure(const ErrorKind& kind) { return names_of(kind).trivial; }
 
 Rows divisors(Scale scale, const std::vector<double>& times, const Rows& reference) {
   switch (scale) {
@@ -109,8 +109,8 @@ double error_of(Norm norm, const Rows& values, const Rows& reference, const Rows
   return norm == Norm::end ? parts.rightCols(1).maxCoeff() : parts.maxCoeff();
 }
 
-double trivial_error(Norm norm, const std::vector<double>& times, const Rows& reference,
-                     const Rows& divisors) {
+double constant_solution_error(Norm norm, const std::vector<double>& times, const Rows& reference,
+                               const Rows& divisors) {
   const bool from_start = times.front() == 0.0 && times.size() > 1;
   const Eigen::Index later = reference.cols() - (from_start ? 1 : 0);
   const Rows seen = reference.rightCols(later), by = divisors.rightCols(later);

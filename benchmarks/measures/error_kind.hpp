@@ -36,7 +36,7 @@ Scale parse_scale(std::string_view text);
 // The id of the measure of this error, "error_end", "error_maximum_mixed", ..., and of its constant-solution
 // baseline.
 std::string_view error_measure(const ErrorKind& kind);
-std::string_view trivial_measure(const ErrorKind& kind);
+std::string_view baseline_measure(const ErrorKind& kind);
 
 // The divisors of errors, one row a column of the scene, one column a time; infinity if an error is left out.
 // Precondition: the times increase.
@@ -47,7 +47,7 @@ double error_of(Norm norm, const Rows& values, const Rows& reference, const Rows
 
 // The constant-solution baseline: the error for t > 0 of y = 0 or, if the times begin at 0, of the better of
 // y = 0 and y = y(0). A run that is no better is useless.
-double trivial_error(Norm norm, const std::vector<double>& times, const Rows& reference,
-                     const Rows& divisors);
+double constant_solution_error(Norm norm, const std::vector<double>& times, const Rows& reference,
+                               const Rows& divisors);
 
 }  // namespace fde

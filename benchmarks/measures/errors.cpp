@@ -21,7 +21,8 @@ template <Norm norm, Scale scale>
 Value trivial(const FinishedRun& run) {
   if (!has_reference(run)) return std::nullopt;
   const auto& times = run.path.times;
-  const double least = trivial_error(norm, times, run.reference, divisors(scale, times, run.reference));
+  const double least =
+      constant_solution_error(norm, times, run.reference, divisors(scale, times, run.reference));
   return least <= *error<norm, scale>(run) ? Value(least) : std::nullopt;
 }
 
@@ -39,7 +40,7 @@ Value rounding_at_end(const FinishedRun& run) {
   return (run.values - run.observed.rounded).rightCols(1).cwiseAbs().maxCoeff();
 }
 
-Value rounding_decides_from(const FinishedRun& run) {
+Value rounding_dominates_from(const FinishedRun& run) {
   if (!has_reference(run) || !has_rounding(run)) return std::nullopt;
   const auto column = rounding_dominates(run.values, run.observed.rounded, run.reference);
   if (!column) return std::nullopt;
@@ -76,7 +77,7 @@ constinit const Measure measure::trivial_maximum_mixed{"trivial_maximum_mixed", 
                                                        trivial<Norm::maximum, Scale::mixed>};
 constinit const Measure measure::error_relative{"error_relative", "", relative};
 constinit const Measure measure::rounding{"rounding", "", rounding_at_end};
-constinit const Measure measure::rounding_from{"rounding_from", "t", rounding_decides_from};
+constinit const Measure measure::rounding_from{"rounding_from", "t", rounding_dominates_from};
 constinit const Measure measure::mescd{"mescd", "digits", digits};
 constinit const Measure measure::reference_bound{"reference_bound", "", bound<Norm::end>};
 constinit const Measure measure::reference_bound_maximum{"reference_bound_maximum", "", bound<Norm::maximum>};

@@ -4,31 +4,31 @@
 
 #include "measures/ending.hpp"
 #include "measures/measures.hpp"
-#include "references/watched_reference.hpp"
+#include "references/memoized_reference.hpp"
 #include "scenes/scene.hpp"
 
 namespace fde {
 
 // The assessment of a run: how and when it ended, and every measure that applies.
-struct Judgement {
-  RunEnding ending{};
+struct Assessment {
+  RunOutcome ending{};
   double until = 0.0;  // time at which it stopped or lost its accuracy; otherwise the end
-  std::vector<Measured> measured{};
+  std::vector<MeasuredValue> measured{};
 };
 
 // Judges a trajectory of the scene, with at least one time, by the scene's reference. There are no measures
 // if the run stopped, if the reference is not finite, or if a measure is not finite. Without a reference only
 // the measures that need none are taken.
-Judgement judge(const Scene& scene, const Trajectory& path, WatchedReference& reference,
-                const Observed& observed = {});
+Assessment judge(const Scene& scene, const Trajectory& path, MemoizedReference& reference,
+                 const RunObservations& observed = {});
 
 // The same with the columns given at path.times, one column a time, in place of the states in the path.
-Judgement judge(const Scene& scene, const Trajectory& path, const Rows& columns, WatchedReference& reference,
-                const Observed& observed);
+Assessment judge(const Scene& scene, const Trajectory& path, const Rows& columns,
+                 MemoizedReference& reference, const RunObservations& observed);
 
 // The same for the columns of the scene at given times, one column a time, such as the output of another
 // program. The run counts as finished.
-Judgement judge_columns(const std::vector<double>& times, const Rows& columns, WatchedReference& reference,
-                        const Observed& observed = {});
+Assessment judge_columns(const std::vector<double>& times, const Rows& columns, MemoizedReference& reference,
+                         const RunObservations& observed = {});
 
 }  // namespace fde

@@ -13,7 +13,7 @@ namespace fde {
 
 // Data about a run that its trajectory does not contain. Everything is optional; for a trajectory of another
 // program everything is absent.
-struct Observed {
+struct RunObservations {
   std::optional<Grid> grid{};  // the grid of the steps
   Rows rounded{};  // the columns of the scene with different rounding (rounding.hpp), one column a time of
                    // the trajectory
@@ -29,7 +29,7 @@ struct FinishedRun {
   const Rows& values;
   const Rows& reference;         // without columns if there is no reference
   const Rows& reference_bounds;  // bounds of the error of the reference, or estimates
-  const Observed& observed;
+  const RunObservations& observed;
 };
 
 // A number computed from a run; nullopt if it does not apply. To add a measure, define its row in one file
@@ -58,7 +58,7 @@ struct TimeMeasure {
 std::span<const TimeMeasure> time_measures();
 
 // A measured number.
-struct Measured {
+struct MeasuredValue {
   std::string_view id, unit;
   double value;
 };

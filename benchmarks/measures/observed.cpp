@@ -5,12 +5,12 @@ namespace {
 
 using Value = std::optional<double>;
 
-template <Value Observed::*seen>
+template <Value RunObservations::*seen>
 Value observed(const FinishedRun& run) {
   return run.observed.*seen;
 }
 
-using OneDrift = std::optional<Drift> Observed::*;
+using OneDrift = std::optional<Drift> RunObservations::*;
 template <OneDrift drift>
 Value largest(const FinishedRun& run) {
   const auto& seen = run.observed.*drift;
@@ -24,17 +24,19 @@ Value growth(const FinishedRun& run) {
 
 }  // namespace
 
-constinit const Measure measure::energy_residual{"energy_residual", "", observed<&Observed::energy_residual>};
-constinit const Measure measure::drift_internal{"drift_internal", "", largest<&Observed::internal_drift>};
+constinit const Measure measure::energy_residual{"energy_residual", "",
+                                                 observed<&RunObservations::energy_residual>};
+constinit const Measure measure::drift_internal{"drift_internal", "",
+                                                largest<&RunObservations::internal_drift>};
 constinit const Measure measure::drift_internal_growth{"drift_internal_growth", "",
-                                                       growth<&Observed::internal_drift>};
+                                                       growth<&RunObservations::internal_drift>};
 constinit const Measure measure::drift_independent{"drift_independent", "",
-                                                   largest<&Observed::independent_drift>};
+                                                   largest<&RunObservations::independent_drift>};
 constinit const Measure measure::drift_independent_growth{"drift_independent_growth", "",
-                                                          growth<&Observed::independent_drift>};
+                                                          growth<&RunObservations::independent_drift>};
 constinit const Measure measure::expected_rate_end{"expected_rate_end", "",
-                                                   observed<&Observed::expected_rate_end>};
+                                                   observed<&RunObservations::expected_rate_end>};
 constinit const Measure measure::expected_rate_maximum{"expected_rate_maximum", "",
-                                                       observed<&Observed::expected_rate_maximum>};
+                                                       observed<&RunObservations::expected_rate_maximum>};
 
 }  // namespace fde

@@ -24,7 +24,7 @@ Equation equation_in_units_of(double unit, Equation equation) {
 
 }  // namespace
 
-Problem in_units_of(double unit, const Problem& problem) {
+Problem rescaled_problem(double unit, const Problem& problem) {
   Problem other = problem;
   for (auto& component : other.components) {
     for (double& value : component.initial) value /= unit;

@@ -6,7 +6,7 @@
 
 namespace fde {
 
-TimeSpread spread_of(std::vector<double> seconds) {
+MedianInterval spread_of(std::vector<double> seconds) {
   constexpr double half_width = 0.98;  // 1.96 standard deviations of a binomial number, each sqrt(n) / 2
   constexpr std::size_t fewest = 6;
   std::ranges::sort(seconds);

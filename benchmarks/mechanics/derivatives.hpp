@@ -61,7 +61,7 @@ Table<S, rows, columns> zeros() {
 
 // x converted to the scalar type S.
 template <class S, int n>
-Vector<S, n> lifted(const Eigen::Matrix<double, n, 1>& x) {
+Vector<S, n> converted_to(const Eigen::Matrix<double, n, 1>& x) {
   Vector<S, n> result;
   for (int i = 0; i < n; ++i) result[i] = S(x[i]);
   return result;

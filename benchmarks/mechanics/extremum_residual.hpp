@@ -6,7 +6,7 @@ namespace fde::mechanics {
 
 // The state and acceleration of a motion at one time.
 template <int n>
-struct Instant {
+struct MotionState {
   double t;
   Vector<double, n> q, v, acceleration;
 };
@@ -18,14 +18,14 @@ struct Instant {
 // by the metric, it is the acceleration of the extremum minus that of the motion at the same q, v, mu.
 template <class System>
 Vector<double, System::coordinates> extremum_residual(const System& system,
-                                                      const Instant<System::coordinates>& at,
+                                                      const MotionState<System::coordinates>& at,
                                                       const Vector<double, System::constraints>& mu) {
   static_assert(!HasMemory<System>, "constraints of whole order");
   constexpr int n = System::coordinates, r = System::constraints;
   using Rate = Dual<double, 1>;
   const Vector<Rate, n> velocity = moving<1>(at.v, at.acceleration);
   const auto along =
-      constraint_rates<Rate>(system, variable<1>(at.t), moving<1>(at.q, at.v), velocity, velocity);
+      linearize_constraints<Rate>(system, variable<1>(at.t), moving<1>(at.q, at.v), velocity, velocity);
 
   using Slope = Dual<double, n>;
   const Vector<Slope, n> fixed = constants<n>(at.v);
@@ -36,7 +36,7 @@ Vector<double, System::coordinates> extremum_residual(const System& system,
     force += mu[i] * derivatives<n>(f[i]);
     for (int j = 0; j < n; ++j) force[j] -= mu[i] * along.reaction(i, j).derivative(0);
   }
-  const auto rates = constraint_rates<double>(system, at.t, at.q, at.v, at.v);
+  const auto rates = linearize_constraints<double>(system, at.t, at.q, at.v, at.v);
   const Reaction<double, System> reaction(system, at.q, rates);
   Vector<double, n> residual;
   for (int j = 0; j < n; ++j)

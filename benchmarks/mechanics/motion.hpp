@@ -12,18 +12,18 @@ namespace fde::mechanics {
 
 // Coordinates and velocities at t = 0.
 template <int n>
-struct Motion {
+struct InitialState {
   Vector<double, n> q, v;
 };
 
 // The output columns of a formulation: coordinates, velocities, D^order q.
 template <int n>
-struct Columns {
+struct OutputValues {
   Vector<double, n> q, v, w;
 };
 
 // `sum`, or 0 if |sum| is within rounding of `size`, the sum of the absolute values of its terms.
-inline double unless_rounding(double sum, double size) {
+inline double zero_if_rounding(double sum, double size) {
   return std::abs(sum) <= 4.0 * std::numeric_limits<double>::epsilon() * size ? 0.0 : sum;
 }
 

@@ -12,7 +12,7 @@ class Projection {
 
  public:
   Projection(const System& system, const S& t, const Vector<S, n>& q, const Vector<S, n>& w)
-      : rates_(constraint_rates<S>(system, t, q, zeros<S, n>(), w)), reaction_(system, q, rates_) {}
+      : rates_(linearize_constraints<S>(system, t, q, zeros<S, n>(), w)), reaction_(system, q, rates_) {}
 
   // P x, with a P = 0 and P G^-1 reaction^T = 0.
   [[nodiscard]] Vector<S, n> of(const Vector<S, n>& x) const { return reaction_.projected(x); }
@@ -20,11 +20,11 @@ class Projection {
   [[nodiscard]] Vector<S, n> velocity(const Vector<S, n>& z) const {
     return of(z) + reaction_.answer(rates_.value);
   }
-  [[nodiscard]] const ConstraintRates<S, System>& rates() const { return rates_; }
+  [[nodiscard]] const ConstraintLinearization<S, System>& rates() const { return rates_; }
   [[nodiscard]] const Reaction<S, System>& reaction() const { return reaction_; }
 
  private:
-  ConstraintRates<S, System> rates_;
+  ConstraintLinearization<S, System> rates_;
   Reaction<S, System> reaction_;
 };
 

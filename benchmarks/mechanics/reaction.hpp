@@ -6,7 +6,7 @@ namespace fde::mechanics {
 
 // The constraints and their first derivatives at (t, q, v, w).
 template <class S, class System>
-struct ConstraintRates {
+struct ConstraintLinearization {
   static constexpr int n = System::coordinates, r = System::constraints;
   Vector<S, r> value;  // f
   // df/dv: the reaction force is its transpose times lambda (Chetaev; Tarasov & Zaslavsky 32).
@@ -17,10 +17,10 @@ struct ConstraintRates {
 };
 
 template <class S, class System>
-ConstraintRates<S, System> constraint_rates(const System& system, const S& t,
-                                            const Vector<S, System::coordinates>& q,
-                                            const Vector<S, System::coordinates>& v,
-                                            const Vector<S, System::coordinates>& w) {
+ConstraintLinearization<S, System> linearize_constraints(const System& system, const S& t,
+                                                         const Vector<S, System::coordinates>& q,
+                                                         const Vector<S, System::coordinates>& v,
+                                                         const Vector<S, System::coordinates>& w) {
   constexpr int n = System::coordinates, r = System::constraints;
   constexpr int directions = HasMemory<System> ? 2 * n + 1 : n + 1, along = directions - 1;
   using D = Dual<S, directions>;
@@ -34,7 +34,7 @@ ConstraintRates<S, System> constraint_rates(const System& system, const S& t,
     }
   }();
   const Vector<D, r> f = constraint_value<D>(system, time, moving<directions>(q, v, along), rates, memory);
-  ConstraintRates<S, System> result;
+  ConstraintLinearization<S, System> result;
   for (int i = 0; i < r; ++i) {
     result.value[i] = f[i].value();
     result.flow[i] = f[i].derivative(along);
@@ -61,7 +61,7 @@ class Reaction {
   static constexpr int n = System::coordinates, r = System::constraints;
 
  public:
-  Reaction(const System& system, const Vector<S, n>& q, const ConstraintRates<S, System>& rates)
+  Reaction(const System& system, const Vector<S, n>& q, const ConstraintLinearization<S, System>& rates)
       : slope_(rates.slope),
         directions_(raised<S>(system, q, Table<S, n, r>(rates.reaction.transpose()))),
         inverse_(Table<S, r, r>(slope_ * directions_).inverse()) {}
@@ -87,7 +87,7 @@ template <class S, class System>
 Vector<S, System::constraints> enforcing_multiplier(const System& system, const S& t,
                                                     const Vector<S, System::coordinates>& q,
                                                     const Vector<S, System::coordinates>& v,
-                                                    const ConstraintRates<S, System>& rates) {
+                                                    const ConstraintLinearization<S, System>& rates) {
   const Reaction<S, System> reaction(system, q, rates);
   return reaction.multiplier(rates.slope * free_acceleration<S>(system, t, q, v) + rates.flow);
 }

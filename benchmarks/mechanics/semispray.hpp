@@ -51,7 +51,7 @@ struct EnforcingMultipliers {
   [[nodiscard]] Vector<S, System::constraints> of(const System& system,
                                                   const Vector<S, System::coordinates>& x,
                                                   const Vector<S, System::coordinates>& y) const {
-    return enforcing_multiplier<S>(system, S(0.0), x, y, constraint_rates<S>(system, S(0.0), x, y, y));
+    return enforcing_multiplier<S>(system, S(0.0), x, y, linearize_constraints<S>(system, S(0.0), x, y, y));
   }
 };
 
@@ -79,7 +79,7 @@ Vector<S, System::coordinates> semispray(const System& system, const Multipliers
                                          const Vector<S, System::coordinates>& y) {
   constexpr int n = System::coordinates;
   Vector<S, n> force = applied_force<S>(system, S(0.0), x, y);
-  const auto rates = constraint_rates<S>(system, S(0.0), x, y, y);
+  const auto rates = linearize_constraints<S>(system, S(0.0), x, y, y);
   const Vector<S, System::constraints> lambda = multipliers.template of<S>(system, x, y);
   force += rates.reaction.transpose() * lambda;
   Vector<S, n> coefficients = -raised<S>(system, x, force);

@@ -10,9 +10,9 @@
 namespace fde {
 
 // The drift of a run from its constraints as a function of time.
-class DriftCourse {
+class DriftGrowth {
  public:
-  explicit DriftCourse(double end) : next_(end / 8.0) {}
+  explicit DriftGrowth(double end) : next_(end / 8.0) {}
 
   // Adds |f|_inf; times must increase.
   void observe(double t, double drift);
@@ -27,7 +27,7 @@ class DriftCourse {
 
  private:
   double largest_ = 0.0, next_;
-  std::vector<ErrorAt> course_{};  // with h = time
+  std::vector<ErrorSample> course_{};  // with h = time
 };
 
 // The drift of one run: its size, in the unit of f, and its growth.
@@ -38,7 +38,8 @@ struct Drift {
 
 // Both drifts of a scene with a constraint, accumulated during the solve. The internal drift is |f(t,
 // columns)|_inf at every step, with the w of the scheme. The independent drift, on uniform grids, replaces w
-// by D^order q computed from the velocities by IndependentMemory; for this purpose the velocities are stored.
+// by D^order q computed from the velocities by IndependentMemoryRule; for this purpose the velocities are
+// stored.
 class DriftObserver {
  public:
   // The scene must outlive this object. `grid` is nullopt for an adaptive step size.
@@ -57,9 +58,9 @@ class DriftObserver {
  private:
   const Scene& scene_;
   std::optional<Grid> grid_;  // nullopt: no independent drift
-  DriftCourse internal_;
-  int seen_ = 0;
-  std::vector<int> looked_at_{};
+  DriftGrowth internal_;
+  int step_count_ = 0;
+  std::vector<int> evaluated_steps_{};
   std::vector<Vec> columns_{};  // columns at these steps
   Matrix velocities_{};         // one row a step, one column a memory
 };

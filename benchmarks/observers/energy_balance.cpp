@@ -47,8 +47,8 @@ EnergyObserver::Point EnergyObserver::point_at(double t, In columns) const {
 void EnergyObserver::observe(double t, In columns) {
   std::rotate(last_.begin(), last_.begin() + 1, last_.end());
   last_[2] = point_at(t, columns);
-  if (seen_++ == 0) start_ = last_[2].energy;
-  if (seen_ < 3) return;
+  if (step_count_++ == 0) start_ = last_[2].energy;
+  if (step_count_ < 3) return;
 
   // In units of the time between the three steps, whose square may overflow.
   const double unit = last_[2].t - last_[0].t;
@@ -67,7 +67,7 @@ void EnergyObserver::observe(double t, In columns) {
     }
     compare(to);
   };
-  if (seen_ == 3) add(last_[0], last_[1]);
+  if (step_count_ == 3) add(last_[0], last_[1]);
   add(last_[1], last_[2]);
 }
 
@@ -77,7 +77,7 @@ void EnergyObserver::compare(const Point& at) {
 }
 
 std::optional<double> EnergyObserver::residual() const {
-  if (seen_ < 3) return std::nullopt;
+  if (step_count_ < 3) return std::nullopt;
   return largest_;
 }
 

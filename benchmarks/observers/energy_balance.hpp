@@ -34,7 +34,7 @@ class EnergyObserver {
 
   const Energy& energy_;
   std::array<Point, 3> last_{};
-  int seen_ = 0;
+  int step_count_ = 0;
   double start_ = 0.0, largest_ = 0.0;
   RunningSums work_{1};
 };

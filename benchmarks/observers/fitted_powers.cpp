@@ -8,7 +8,7 @@
 
 namespace fde {
 
-FittedPowers::FittedPowers(std::vector<double> powers) : powers_(std::move(powers)) {
+FittedExponents::FittedExponents(std::vector<double> powers) : powers_(std::move(powers)) {
   std::ranges::sort(powers_);
   powers_.erase(std::unique(powers_.begin(), powers_.end(), same_order), powers_.end());
   if (powers_.size() > most) powers_.resize(most);
@@ -26,7 +26,7 @@ FittedPowers::FittedPowers(std::vector<double> powers) : powers_(std::move(power
   inverse_ = (inverse.array().colwise() / largest.array()).cast<double>();
 }
 
-Vec FittedPowers::coefficients(const Vec& values) const {
+Vec FittedExponents::coefficients(const Vec& values) const {
   return inverse_ * (values.segment(1, inverse_.cols()).array() - values[0]).matrix();
 }
 

@@ -9,13 +9,13 @@ namespace fde {
 // Fits the start of values on a uniform grid, value(0) + sum_p c_p t^p, to the first few of them by least
 // squares, with twice as many values as powers so that errors of the values are not amplified. Time is in
 // units of the step size.
-class FittedPowers {
+class FittedExponents {
  public:
   static constexpr std::size_t most = 5;
 
   // Uses the smallest `most` of the distinct powers. Integer powers should be included, to separate them from
   // the others.
-  explicit FittedPowers(std::vector<double> powers);
+  explicit FittedExponents(std::vector<double> powers);
 
   [[nodiscard]] const std::vector<double>& powers() const { return powers_; }
 

@@ -56,15 +56,16 @@ void require(double order, const Grid& grid) {
     throw std::invalid_argument(fmt::format("order = {}: must be a number in (0, 1) or (1, 2)", order));
   if (!grid.uniform())
     throw std::invalid_argument(fmt::format("grading = {}: must be 1, a uniform grid", grid.grading));
-  if (grid.steps < IndependentMemory::fewest_steps) {
+  if (grid.steps < IndependentMemoryRule::fewest_steps) {
     throw std::invalid_argument(
-        fmt::format("steps = {}: must be at least {}", grid.steps, IndependentMemory::fewest_steps));
+        fmt::format("steps = {}: must be at least {}", grid.steps, IndependentMemoryRule::fewest_steps));
   }
 }
 
 }  // namespace
 
-IndependentMemory::IndependentMemory(const Grid& grid, double order, const std::vector<double>& powers)
+IndependentMemoryRule::IndependentMemoryRule(const Grid& grid, double order,
+                                             const std::vector<double>& powers)
     : grid_(grid),
       exponent_(std::ceil(order) - order - 1.0),
       of_derivative_(order > 1.0),
@@ -75,7 +76,7 @@ IndependentMemory::IndependentMemory(const Grid& grid, double order, const std::
   make_starts();
 }
 
-void IndependentMemory::make_rule() {
+void IndependentMemoryRule::make_rule() {
   const int steps = grid_.steps;
   const auto legendre = gauss_jacobi(nodes_a_step, 0);
   kernel_.resize(nodes_a_step, steps);
@@ -97,11 +98,11 @@ void IndependentMemory::make_rule() {
       if (back >= 1 && back <= steps) reversed_[steps - lag] += weights_(r, back - 1);
     }
   }
-  ahead_ = weights_(3, 0);
+  next_weight_ = weights_(3, 0);
 }
 
 // t^power at steps -1, 0, ..., count + 1; outside the grid extrapolated as in `at`.
-Vec IndependentMemory::power_at_steps(double power, int count) const {
+Vec IndependentMemoryRule::power_at_steps(double power, int count) const {
   Vec v(count + 3);
   for (int l = 0; l <= count + 1; ++l) v[l + 1] = std::pow(l, power);
   v[0] = beyond(v[1], v[2], v[3], v[4]);
@@ -109,7 +110,7 @@ Vec IndependentMemory::power_at_steps(double power, int count) const {
   return v;
 }
 
-void IndependentMemory::make_starts() {
+void IndependentMemoryRule::make_starts() {
   const int count = std::min(grid_.steps, corrected_steps);
   const auto legendre = gauss_jacobi(nodes_a_step, 0), jacobi = gauss_jacobi(nodes_a_step, exponent_);
   const Matrix at_legendre = cubics_at(legendre.nodes, of_derivative_).transpose();
@@ -138,7 +139,7 @@ void IndependentMemory::make_starts() {
 }
 
 // int_0^(t_n) (t_n - s)^(b-1) (s^p - its cubics) ds, in units of the step size.
-double IndependentMemory::start_error(const Start& start, int n) const {
+double IndependentMemoryRule::start_error(const Start& start, int n) const {
   double exact = 0.0;
   if (n == 1) {
     exact = of_derivative_ ? start.power * boost::math::beta(start.power, exponent_ + 1.0)
@@ -153,11 +154,11 @@ double IndependentMemory::start_error(const Start& start, int n) const {
   return error;
 }
 
-double IndependentMemory::at(int n, const Vec& velocities) const {
+double IndependentMemoryRule::at(int n, const Vec& velocities) const {
   const Vec& v = velocities;
   const int steps = grid_.steps;
   double sum = reversed_.segment(steps - n + 2, n - 1).dot(v.segment(2, n - 1));
-  sum += ahead_ * (n < steps ? v[n + 1] : beyond(v[steps], v[steps - 1], v[steps - 2], v[steps - 3]));
+  sum += next_weight_ * (n < steps ? v[n + 1] : beyond(v[steps], v[steps - 1], v[steps - 2], v[steps - 3]));
   for (int l = -1; l <= 1; ++l) {  // values that belong to no step before 0
     const double value = l < 0 ? beyond(v[0], v[1], v[2], v[3]) : v[l];
     for (int r = 0; r <= l + 1; ++r) {

@@ -13,16 +13,16 @@ namespace fde {
 // rule instead. With b = ceil(order) - order it is J^b v for order < 1 and J^b v' for 1 < order < 2. On each
 // step v is the cubic through the four values around it (the last four at an end of the grid), integrated
 // exactly against the kernel. If v starts with powers t^p that are not cubic, coefficients c_p are fitted to
-// the first values (FittedPowers) and c_p (exact - cubic) is added: starting weights as in Lubich 1986,
+// the first values (FittedExponents) and c_p (exact - cubic) is added: starting weights as in Lubich 1986,
 // computed from the difference itself, not as a difference of sums.
-class IndependentMemory {
+class IndependentMemoryRule {
  public:
   // The minimum for cubics at both ends and the start correction.
   static constexpr int fewest_steps = 16;
 
   // `powers`: the exponents, without 0, with which v - v(0) starts. Throws std::invalid_argument for an
   // integer order or one outside (0, 2), for a graded grid and for too few steps.
-  IndependentMemory(const Grid& grid, double order, const std::vector<double>& powers);
+  IndependentMemoryRule(const Grid& grid, double order, const std::vector<double>& powers);
 
   // D^order q(t_n), 1 <= n <= steps, from the velocities at steps 0, 1, ...
   [[nodiscard]] double at(int n, const Vec& velocities) const;
@@ -46,12 +46,12 @@ class IndependentMemory {
   double exponent_;     // b - 1, exponent of the kernel
   bool of_derivative_;  // order above 1
   double scale_;        // h^b / Gamma(b), over h for the derivative
-  FittedPowers fit_;
+  FittedExponents fit_;
   Matrix
       kernel_;  // (k, lag - 1): kernel times Gauss weight at the k-th Gauss node of the step `lag` steps back
-  Matrix weights_;  // (r, lag - 1): weight of the value r - 1 steps after the start of that step
-  Vec reversed_;    // total weight of each value, lag 0 last
-  double ahead_{};  // weight of the value after the last
+  Matrix weights_;        // (r, lag - 1): weight of the value r - 1 steps after the start of that step
+  Vec reversed_;          // total weight of each value, lag 0 last
+  double next_weight_{};  // weight of the value after the last
   std::vector<Start> starts_{};
 };
 

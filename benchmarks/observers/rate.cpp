@@ -15,7 +15,7 @@ constexpr std::size_t fewest_points = 3;
 
 }  // namespace
 
-Fit fit_rate(std::span<const ErrorAt> points) {
+Fit fit_rate(std::span<const ErrorSample> points) {
   double largest = 0.0;
   for (const auto& point : points) largest = std::max(largest, point.error);
   std::vector<double> x, y;

@@ -5,7 +5,7 @@
 
 namespace fde {
 
-struct ErrorAt {
+struct ErrorSample {
   double h, error;
 };
 
@@ -18,6 +18,6 @@ struct Fit {
 
 // Uses the points whose error is above rounding (1e-12, or 1e-12 of the largest error if that is above 1).
 // With fewer than three such points there is no fit: points = 0.
-Fit fit_rate(std::span<const ErrorAt> points);
+Fit fit_rate(std::span<const ErrorSample> points);
 
 }  // namespace fde

@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <iterator>
 
-#include "observers/local_rate.hpp"
+#include "observers/differentiation_rule.hpp"
 
 namespace fde {
 
-std::vector<double> with_times_beside(const Reactions& reactions, const std::optional<Grid>& grid,
-                                      std::vector<double> times, double end) {
+std::vector<double> with_neighbour_times(const Reactions& reactions, const std::optional<Grid>& grid,
+                                         std::vector<double> times, double end) {
   if (reactions.rated.empty()) return times;
   std::vector<double> beside;
   for (const double t : times) {
     if (t == 0.0) continue;
     if (grid) {
-      for (const int step : local_rate(*grid, grid->number(t), reactions.powers).steps)
+      for (const int step : differentiation_rule(*grid, grid->number(t), reactions.powers).steps)
         beside.push_back(grid->time(step));
     } else {
-      std::ranges::copy(times_around(t, end), std::back_inserter(beside));
+      std::ranges::copy(derivative_times(t, end), std::back_inserter(beside));
     }
   }
   times.insert(times.end(), beside.begin(), beside.end());
@@ -40,18 +40,20 @@ Vec ReactionPath::at(Eigen::Index c, In columns) const {
   return reaction_values(scene_, t, columns, rates(t));
 }
 
-Vec ReactionPath::rated_at(double t) const {
+Vec ReactionPath::columns_to_differentiate_at(double t) const {
   const auto column = std::ranges::lower_bound(path_.times, t) - path_.times.begin();
   return columns_at(scene_.outputs, t, path_.y.col(column))(scene_.reactions.rated);
 }
 
 std::optional<Vec> ReactionPath::rates(double t) const {
   if (scene_.reactions.rated.empty() || t == 0.0) return std::nullopt;
-  if (!grid_) return rate_at(t, scene_.problem.end, [this](double beside) { return rated_at(beside); });
-  const auto [steps, weights] = local_rate(*grid_, grid_->number(t), scene_.reactions.powers);
+  if (!grid_)
+    return derivative_at(t, scene_.problem.end,
+                         [this](double beside) { return columns_to_differentiate_at(beside); });
+  const auto [steps, weights] = differentiation_rule(*grid_, grid_->number(t), scene_.reactions.powers);
   Vec rates = Vec::Zero(std::ssize(scene_.reactions.rated));
   for (std::size_t k = 0; k < steps.size(); ++k)
-    rates += weights[static_cast<Eigen::Index>(k)] * rated_at(grid_->time(steps[k]));
+    rates += weights[static_cast<Eigen::Index>(k)] * columns_to_differentiate_at(grid_->time(steps[k]));
   return rates;
 }
 

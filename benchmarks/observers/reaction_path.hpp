@@ -11,11 +11,11 @@ namespace fde {
 
 // The given times of a run up to `end`, and the times beside them that are needed to compute the reactions
 // there, increasing. `grid` is nullopt for an adaptive step size.
-std::vector<double> with_times_beside(const Reactions& reactions, const std::optional<Grid>& grid,
-                                      std::vector<double> times, double end);
+std::vector<double> with_neighbour_times(const Reactions& reactions, const std::optional<Grid>& grid,
+                                         std::vector<double> times, double end);
 
-// The reactions along a path that contains the times of with_times_beside. With memory they need derivatives
-// of columns.
+// The reactions along a path that contains the times of with_neighbour_times. With memory they need
+// derivatives of columns.
 class ReactionPath {
  public:
   // `scene` and `path` must outlive this object.
@@ -29,7 +29,7 @@ class ReactionPath {
 
  private:
   [[nodiscard]] std::optional<Vec> rates(double t) const;
-  [[nodiscard]] Vec rated_at(double t) const;
+  [[nodiscard]] Vec columns_to_differentiate_at(double t) const;
 
   const Scene& scene_;
   std::optional<Grid> grid_;

@@ -11,8 +11,8 @@
 #include "records/lines.hpp"
 #include "records/record_text.hpp"
 #include "records/results_scan.hpp"
+#include "references/atomic_file.hpp"
 #include "references/checksum.hpp"
-#include "references/whole_file.hpp"
 
 namespace fde {
 namespace {
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A range of bytes with rows of a session.
-struct Place {
+struct ByteRange {
   fs::path file;
   std::uint64_t begin = 0, end = 0;  // bytes
 };
@@ -28,18 +28,18 @@ struct Place {
 // The line of a session and all ranges with its rows.
 struct Found {
   std::string line;
-  std::vector<Place> places{};
+  std::vector<ByteRange> places{};
 };
 
 void find_sessions(const fs::path& file, const Scenes& known, std::vector<Found>& all) {
-  Place* place = nullptr;
+  ByteRange* place = nullptr;
   scan_results(file,
                {.session =
                     [&](const Session& session, std::uint64_t rows_begin) {
                       const std::string line = line_of(session);
                       auto found = std::ranges::find(all, line, &Found::line);
                       if (found == all.end()) found = all.insert(all.end(), {.line = line});
-                      place = &found->places.emplace_back(Place{file, rows_begin, rows_begin});
+                      place = &found->places.emplace_back(ByteRange{file, rows_begin, rows_begin});
                     },
                 .rows = [&](const auto&, std::uint64_t rows_end) { place->end = rows_end; }},
                known);
@@ -47,8 +47,8 @@ void find_sessions(const fs::path& file, const Scenes& known, std::vector<Found>
 
 // Copies the measurements of a range that have not been written yet. The lines were validated by
 // find_sessions.
-void copy_rows(const Place& place, bool is_alone, std::set<std::string>& written, WholeFile& out,
-               Merged& merged) {
+void copy_rows(const ByteRange& place, bool is_alone, std::set<std::string>& written, AtomicFile& out,
+               MergeCounts& merged) {
   LineReader line(place.file);
   line.go_to(place.begin);
   std::string measurement;
@@ -70,19 +70,19 @@ void copy_rows(const Place& place, bool is_alone, std::set<std::string>& written
 
 }  // namespace
 
-Merged merge_results(const std::vector<fs::path>& files, const fs::path& out, const Scenes& known) {
+MergeCounts merge_results(const std::vector<fs::path>& files, const fs::path& out, const Scenes& known) {
   if (fs::exists(fs::symlink_status(out)))
     throw std::invalid_argument(fmt::format("{}: exists, it must be a new file", out.string()));
-  WholeFile file(out);
+  AtomicFile file(out);
   std::vector<Found> sessions;
   for (const auto& from : files) find_sessions(from, known, sessions);
-  Merged merged{.sessions = sessions.size()};
+  MergeCounts merged{.sessions = sessions.size()};
   for (const auto& [line, places] : sessions) {
     file.write(line);
     std::set<std::string> written;
     for (const auto& place : places) copy_rows(place, places.size() == 1, written, file, merged);
   }
-  file.finish_new();
+  file.commit_new();
   return merged;
 }
 

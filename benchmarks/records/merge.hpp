@@ -9,7 +9,7 @@
 namespace fde {
 
 // The counts of a merge.
-struct Merged {
+struct MergeCounts {
   std::size_t sessions = 0, rows = 0, repeated_rows = 0;  // repeated_rows: not copied
 };
 
@@ -17,7 +17,7 @@ struct Merged {
 // with the rows of every file that has it. Identical measurements are copied once. Files are streamed. Throws
 // std::invalid_argument if `out` exists or a file is not a results file, as scan_results says, and
 // std::system_error if `out` cannot be written; `out` is then not created.
-Merged merge_results(const std::vector<std::filesystem::path>& files, const std::filesystem::path& out,
-                     const Scenes& known = scenes());
+MergeCounts merge_results(const std::vector<std::filesystem::path>& files, const std::filesystem::path& out,
+                          const Scenes& known = scenes());
 
 }  // namespace fde

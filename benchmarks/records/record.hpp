@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "measures/ending.hpp"
-#include "records/setup.hpp"
+#include "records/run_settings.hpp"
 #include "scenes/scene_settings.hpp"
 
 namespace fde {
@@ -18,7 +18,7 @@ namespace fde {
 struct RunKey {
   SceneSettings scene{};
   std::string scheme{};
-  Setup setup{};
+  RunSettings setup{};
   bool external = false;  // of another program
 
   auto operator<=>(const RunKey&) const = default;  // NOLINT(readability-implicit-bool-conversion)
@@ -32,9 +32,9 @@ struct Record {
   std::string quantity{};  // id of a Measure, or "ending", the last row of each examination
   double value = 0.0;      // of an ending: the time
   std::string unit{};
-  std::optional<RunEnding> ending{};  // for quantity "ending" only
-  std::size_t session = 0;            // index into Results::sessions
-  bool wall_clock = false;            // time of a whole process, for a program that reports none
+  std::optional<RunOutcome> ending{};  // for quantity "ending" only
+  std::size_t session = 0;             // index into Results::sessions
+  bool wall_clock = false;             // time of a whole process, for a program that reports none
 };
 
 // Where and with which build numbers were computed.

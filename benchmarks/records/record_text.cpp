@@ -11,7 +11,7 @@
 namespace fde {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Session, date, machine, system, compiler, flags, commit, version, cores)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Accuracy, relative, absolute)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tolerance, relative, absolute)
 
 namespace {
 
@@ -47,30 +47,30 @@ SceneSettings scene_of(const Json& json) {
 }
 
 // Absent entries: accuracy of a run over a grid, an infinite budget.
-void add_setup(const Setup& setup, Json& json) {
-  if (const auto* accuracy = std::get_if<Accuracy>(&setup.resolution)) json["accuracy"] = *accuracy;
+void add_setup(const RunSettings& setup, Json& json) {
+  if (const auto* accuracy = std::get_if<Tolerance>(&setup.resolution)) json["accuracy"] = *accuracy;
   json["grid"] = grid_text(setup.grading);
   json["history"] = name(setup.history);
   json["tolerance"] = setup.tolerance;
   if (std::isfinite(setup.budget)) json["budget"] = setup.budget;
 }
 
-Setup setup_of(const Json& json, int steps) {
-  Setup setup{.resolution = steps,
-              .grading = parse_grading(json.at("grid").get<std::string>()),
-              .history = parse_history(json.at("history").get<std::string>()),
-              .tolerance = json.at("tolerance")};
-  if (json.contains("accuracy")) setup.resolution = json["accuracy"].get<Accuracy>();
+RunSettings setup_of(const Json& json, int steps) {
+  RunSettings setup{.resolution = steps,
+                    .grading = parse_grading(json.at("grid").get<std::string>()),
+                    .history = parse_history(json.at("history").get<std::string>()),
+                    .tolerance = json.at("tolerance")};
+  if (json.contains("accuracy")) setup.resolution = json["accuracy"].get<Tolerance>();
   if (json.contains("budget")) setup.budget = json["budget"];
   return setup;
 }
 
 // The setup of another program.
-Setup external_setup_of(const Json& json, int steps) {
+RunSettings external_setup_of(const Json& json, int steps) {
   return {.resolution = steps, .grading = parse_grading(json.value("grid", grid_text(1.0)))};
 }
 
-RunEnding ending_of(const Json& json) {
+RunOutcome ending_of(const Json& json) {
   const auto text = json.at("ending").get<std::string>();
   const auto kind = ending_named(text);
   if (!kind) throw std::invalid_argument(fmt::format("ending {}: no such ending", text));
@@ -143,7 +143,7 @@ std::string line_of(const Record& row, bool last) {
 ResultsLine parse_line(const std::string& line) {
   const Json json = Json::parse(line);
   if (!json.contains("session")) return {.row = row_of(json), .last = json.value("last", false)};
-  if (json.value("format", 1) != format) throw OtherFormat("a session of another format");
+  if (json.value("format", 1) != format) throw UnsupportedFormat("a session of another format");
   return {.session = json["session"].get<Session>()};
 }
 

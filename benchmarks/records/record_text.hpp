@@ -23,14 +23,15 @@ struct ResultsLine {
 };
 
 // A session whose rows have another format.
-struct OtherFormat : std::invalid_argument {
+struct UnsupportedFormat : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-// Throws OtherFormat, std::invalid_argument for an invalid row, and another std::exception for anything else.
+// Throws UnsupportedFormat, std::invalid_argument for an invalid row, and another std::exception for anything
+// else.
 ResultsLine parse_line(const std::string& line);
 
 // The beginning of every session, and so of every file.
-inline constexpr std::string_view first_words = R"({"format":)";
+inline constexpr std::string_view session_prefix = R"({"format":)";
 
 }  // namespace fde

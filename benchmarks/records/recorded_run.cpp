@@ -17,9 +17,9 @@ void RecordedRun::note(const Record& row) {
   }
 }
 
-Recorded RecordedRun::amount() const {
-  if (!ending_) return Recorded::nothing;
-  return timed_ || !is_compared(*ending_) ? Recorded::everything : Recorded::all_but_times;
+RecordedAmount RecordedRun::amount() const {
+  if (!ending_) return RecordedAmount::nothing;
+  return timed_ || !is_compared(*ending_) ? RecordedAmount::everything : RecordedAmount::all_but_times;
 }
 
 std::optional<double> RecordedRun::operator[](std::string_view quantity) const {

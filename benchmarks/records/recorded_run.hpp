@@ -11,7 +11,7 @@ namespace fde {
 
 // What is recorded of a run; a run that did not finish has no times, and everything else is then
 // `everything`.
-enum class Recorded { nothing, all_but_times, everything };
+enum class RecordedAmount { nothing, all_but_times, everything };
 
 // Collects the recorded rows of one run, in file order. A time without an examination, the trace of a failed
 // sweep, is ignored; another examination replaces the earlier rows.
@@ -19,7 +19,7 @@ class RecordedRun {
  public:
   void note(const Record& row);
 
-  [[nodiscard]] Recorded amount() const;
+  [[nodiscard]] RecordedAmount amount() const;
 
   // How the run ended; nullopt: not examined.
   [[nodiscard]] std::optional<Ending> ending() const { return ending_; }

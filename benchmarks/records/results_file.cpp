@@ -31,7 +31,7 @@ std::invalid_argument cannot_be_written(const std::filesystem::path& file, const
 }
 
 // Whether the file can be locked for this process within `wait`. Polls, because flock has no timeout.
-bool is_locked_within(std::chrono::seconds wait, int descriptor) {
+bool try_lock_for(std::chrono::seconds wait, int descriptor) {
   constexpr std::chrono::milliseconds between{5};
   const auto last = std::chrono::steady_clock::now() + wait;
   while (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
@@ -102,7 +102,7 @@ ResultsFile::ResultsFile(std::filesystem::path file, const Scenes& known, std::c
   descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (descriptor_ < 0) throw cannot_be_written(path_, std::strerror(errno));
   try {
-    if (!is_locked_within(wait, descriptor_)) throw cannot_be_written(path_, "another run is writing to it");
+    if (!try_lock_for(wait, descriptor_)) throw cannot_be_written(path_, "another run is writing to it");
     auto found = recorded_in(path_, session_, known);
     recorded_ = std::move(found.runs);
     if (ftruncate(descriptor_, static_cast<off_t>(found.valid)) != 0)

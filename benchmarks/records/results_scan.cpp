@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "records/lines.hpp"
-#include "records/possible.hpp"
 #include "records/record_text.hpp"
+#include "records/record_validation.hpp"
 
 namespace fde {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 // The state of a scan.
 class Scan {
  public:
-  Scan(const ResultsHearing& hearing, const Scenes& known) : hearing_(hearing), possible_(known) {}
+  Scan(const ScanCallbacks& hearing, const Scenes& known) : callbacks_(hearing), possible_(known) {}
 
   void take(const std::string& text, std::uint64_t end) {
     auto line = parse_line(text);
@@ -37,7 +37,7 @@ class Scan {
       throw std::invalid_argument("a session begins before the last row of the measurement above");
     ++sessions_;
     valid_ = end;
-    hearing_.session(session, end);
+    callbacks_.session(session, end);
   }
 
   void add_row(Record row, bool last, std::uint64_t end) {
@@ -49,19 +49,19 @@ class Scan {
     open_rows_.push_back(std::move(row));
     if (!last) return;
     valid_ = end;
-    hearing_.rows(std::exchange(open_rows_, {}), end);
+    callbacks_.rows(std::exchange(open_rows_, {}), end);
   }
 
-  const ResultsHearing& hearing_;
-  PossibleRows possible_;
+  const ScanCallbacks& callbacks_;
+  RecordValidator possible_;
   std::size_t sessions_ = 0;
   std::vector<Record> open_rows_{};
   std::uint64_t valid_ = 0;
 };
 
 // Whether a line without a line end is an incomplete line of a killed sweep.
-bool was_ours(const std::string& text, const Scan& scan) {
-  return scan.valid() > 0 || text.starts_with(first_words) || first_words.starts_with(text);
+bool is_truncated_write(const std::string& text, const Scan& scan) {
+  return scan.valid() > 0 || text.starts_with(session_prefix) || session_prefix.starts_with(text);
 }
 
 std::invalid_argument at_line(const std::filesystem::path& file, int number, std::string_view what) {
@@ -70,16 +70,16 @@ std::invalid_argument at_line(const std::filesystem::path& file, int number, std
 
 }  // namespace
 
-std::uint64_t scan_results(const std::filesystem::path& file, const ResultsHearing& hearing,
+std::uint64_t scan_results(const std::filesystem::path& file, const ScanCallbacks& hearing,
                            const Scenes& known) {
   LineReader line(file);
   Scan scan(hearing, known);
   while (line.next()) {
-    if (!line.has_end() && was_ours(line.text(), scan)) break;
+    if (!line.has_end() && is_truncated_write(line.text(), scan)) break;
     try {
       scan.take(line.text(), line.end());
       if (!line.has_end()) throw std::invalid_argument("no line end");
-    } catch (const OtherFormat&) {
+    } catch (const UnsupportedFormat&) {
       throw at_line(file, line.number(), ": results of another version of fdebench, to be measured again");
     } catch (const std::invalid_argument& impossible) {
       throw at_line(file, line.number(), fmt::format(": {}", impossible.what()));

@@ -11,7 +11,7 @@
 namespace fde {
 
 // Callbacks of scan_results, called in file order.
-struct ResultsHearing {
+struct ScanCallbacks {
   std::function<void(const Session&, std::uint64_t rows_begin)>
       session;  // rows_begin: offset of its first row
   std::function<void(std::vector<Record> rows, std::uint64_t rows_end)> rows;  // rows of one write
@@ -22,7 +22,7 @@ struct ResultsHearing {
 // sessions from 0. Throws std::invalid_argument naming the file, and the line if there is one, if the file
 // cannot be read, has rows of another format, has an invalid row (record validation), or is not a results
 // file. `known`: the allowed scenes.
-std::uint64_t scan_results(const std::filesystem::path& file, const ResultsHearing& hearing,
+std::uint64_t scan_results(const std::filesystem::path& file, const ScanCallbacks& hearing,
                            const Scenes& known = scenes());
 
 }  // namespace fde

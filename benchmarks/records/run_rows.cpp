@@ -7,7 +7,7 @@
 namespace fde {
 namespace {
 
-Record with_value(Record row, const Measured& measured) {
+Record with_value(Record row, const MeasuredValue& measured) {
   row.quantity = std::string(measured.id);
   row.value = measured.value;
   row.unit = std::string(measured.unit);
@@ -16,7 +16,7 @@ Record with_value(Record row, const Measured& measured) {
 
 }  // namespace
 
-std::vector<Record> rows_of_examination(const Record& run, const Judgement& judgement) {
+std::vector<Record> rows_of_examination(const Record& run, const Assessment& judgement) {
   std::vector<Record> rows;
   for (const auto& measured : judgement.measured) rows.push_back(with_value(run, measured));
   rows.push_back(with_value(run, {"ending", "t", judgement.until}));

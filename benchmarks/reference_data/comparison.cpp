@@ -10,25 +10,25 @@
 #include <utility>
 
 #include "numbers/real.hpp"
-#include "reference_data/written_number.hpp"
+#include "reference_data/decimal_precision.hpp"
 
 namespace fde {
 namespace {
 
-constexpr int most_digits = 1000;
+constexpr int max_working_digits = 1000;
 constexpr int guard_digits = 20;
 
-WrittenNumber number_at(const DataTable& table, std::size_t row, std::size_t column) {
+DecimalPrecision number_at(const DataTable& table, std::size_t row, std::size_t column) {
   const auto& text = table.rows[row][column];
-  const auto number = read_written(text);
-  if (number && number->digits <= most_digits) return *number;
-  throw BadTable(fmt::format("{}: '{}' must be a decimal number of at most {} digits",
-                             table.place(row, table.columns[column]), text, most_digits));
+  const auto number = decimal_precision(text);
+  if (number && number->digits <= max_working_digits) return *number;
+  throw InvalidTable(fmt::format("{}: '{}' must be a decimal number of at most {} digits",
+                                 table.place(row, table.columns[column]), text, max_working_digits));
 }
 
 BigReal power_of_ten(int exponent) { return pow(BigReal(10), exponent); }
 
-std::string shown(const BigReal& x) { return x == 0 ? "0" : text_of(x, "%.*Re", 2); }
+std::string shown(const BigReal& x) { return x == 0 ? "0" : to_text(x, "%.*Re", 2); }
 
 // Half a unit in the last place of the double nearest to x.
 BigReal rounding_to_double(const BigReal& x) {
@@ -47,7 +47,7 @@ std::optional<double> double_of(std::string_view text) {
 
 // The value and its tolerance without a bound: half a unit of the last place, plus the rounding to double for
 // 16 or 17 digits.
-std::pair<BigReal, BigReal> meant_by(const std::string& text, const WrittenNumber& written, int digits,
+std::pair<BigReal, BigReal> meant_by(const std::string& text, const DecimalPrecision& written, int digits,
                                      int last_place) {
   const int place = written.digits == 0 ? last_place : std::max(written.first_place - digits + 1, last_place);
   const BigReal value = parse<BigReal>(text), half = power_of_ten(place) / 2;
@@ -74,13 +74,14 @@ TableComparison::TableComparison(const DataTable& given, const std::vector<std::
     digits_ = std::max(digits_, columns_.back().digits);
   }
   if (columns_.empty()) {
-    throw BadTable(fmt::format("{}: has none of the columns {}", given.name, fmt::join(value_columns, ", ")));
+    throw InvalidTable(
+        fmt::format("{}: has none of the columns {}", given.name, fmt::join(value_columns, ", ")));
   }
   for (std::size_t row = 0; bound_ && row < given.rows.size(); ++row) {
     number_at(given, row, *bound_);
     const auto& text = given.rows[row][*bound_];
     if (!text.starts_with('-')) continue;
-    throw BadTable(fmt::format("{}: {} must not be negative", given.place(row, "bound"), text));
+    throw InvalidTable(fmt::format("{}: {} must not be negative", given.place(row, "bound"), text));
   }
 }
 
@@ -106,9 +107,9 @@ TableComparison::Meant TableComparison::meant(std::size_t row, const Column& col
   return {value, allowed};
 }
 
-RowVerdict TableComparison::operator()(std::size_t row, const std::vector<Decimal>& recomputed) const {
+RowComparison TableComparison::operator()(std::size_t row, const std::vector<Decimal>& recomputed) const {
   const Precision precision(digits_ + guard_digits);
-  RowVerdict worst;
+  RowComparison worst;
   for (const auto& column : columns_) {
     const auto& [value, bound] = recomputed[column.value];
     const auto [given, own] = meant(row, column);
@@ -122,8 +123,8 @@ RowVerdict TableComparison::operator()(std::size_t row, const std::vector<Decima
   return worst;
 }
 
-void TableComparison::require_known(std::size_t row, const std::vector<Decimal>& recomputed,
-                                    int digits) const {
+void TableComparison::require_accurate(std::size_t row, const std::vector<Decimal>& recomputed,
+                                       int digits) const {
   const Precision precision(digits_ + guard_digits);
   BigReal size = 0;
   for (const auto& [value, bound] : recomputed) size = std::max(size, BigReal(abs(parse<BigReal>(value))));

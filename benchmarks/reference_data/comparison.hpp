@@ -11,7 +11,7 @@
 namespace fde {
 
 // The comparison of one row with recomputed values: its column with the largest ratio of error to tolerance.
-struct RowVerdict {
+struct RowComparison {
   std::string column{};
   std::string error{}, allowed{};  // decimals of three digits
   double ratio = 0.0;              // error / allowed
@@ -37,11 +37,11 @@ class TableComparison {
 
   // `recomputed`: one element per value column, in the order of the constructor's argument. Throws
   // std::runtime_error if the bound in the row overflows double.
-  [[nodiscard]] RowVerdict operator()(std::size_t row, const std::vector<Decimal>& recomputed) const;
+  [[nodiscard]] RowComparison operator()(std::size_t row, const std::vector<Decimal>& recomputed) const;
 
   // Throws std::runtime_error if a recomputed value is too inaccurate for a comparison: its bound exceeds
   // both the tolerance of the given value and 10^-digits times the largest recomputed value.
-  void require_known(std::size_t row, const std::vector<Decimal>& recomputed, int digits) const;
+  void require_accurate(std::size_t row, const std::vector<Decimal>& recomputed, int digits) const;
 
  private:
   struct Column {

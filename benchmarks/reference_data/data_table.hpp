@@ -11,7 +11,7 @@
 namespace fde {
 
 // A malformed file. The message begins with the name of the file and names line and column where applicable.
-struct BadTable : std::invalid_argument {
+struct InvalidTable : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 

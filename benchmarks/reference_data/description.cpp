@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "records/record.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace fde {
 namespace {
@@ -33,7 +33,7 @@ Json generator() {
   return {{"name", "fdebench"}, {"version", session.version}, {"commit", session.commit}};
 }
 
-Json schema_of(const TableKind& kind, const TableFacts& facts) {
+Json schema_of(const TableKind& kind, const TableMetadata& facts) {
   Json columns = Json::array();
   for (const auto& [name, meaning, unit, type, required] : facts.columns) {
     columns.push_back({{"name", name},
@@ -61,7 +61,7 @@ ParameterValue parameter_value(const Json& value) {
   return value.get<double>();
 }
 
-std::string text_of(const Json& json) { return json.dump(2) + "\n"; }
+std::string to_text(const Json& json) { return json.dump(2) + "\n"; }
 
 // The message of a JSON exception without its prefix "[json.exception.type_error.302] ".
 std::string in_short(std::string_view message) {
@@ -93,9 +93,9 @@ void require_version(const std::string& name, const Json& schema) {
 
 std::string schema_id(const TableKind& kind) { return fmt::format("fdebench.{}", kind.id); }
 
-std::string write_description(const TableKind& kind, const SceneVariant& of, const MadeTable& made,
+std::string write_description(const TableKind& kind, const SceneVariant& of, const ComputedTable& made,
                               std::string_view checksum) {
-  const TableFacts facts = kind.facts(of);
+  const TableMetadata facts = kind.facts(of);
   Json json{{"schema", schema_of(kind, facts)}, {"title", facts.title}};
   if (of.maker != nullptr) {
     json["scene"] = of.maker->id;
@@ -115,7 +115,7 @@ std::string write_description(const TableKind& kind, const SceneVariant& of, con
       json["left_out"].push_back({{"run", run}, {"reason", reason}});
   }
   json["sha256"] = checksum;
-  return text_of(json);
+  return to_text(json);
 }
 
 Description parse_description(const std::string& name, std::string_view text) {
@@ -139,7 +139,7 @@ std::string write_index(const std::vector<IndexEntry>& tables) {
   Json list = Json::array();
   for (const auto& [table, description, checksum, rows] : tables)
     list.push_back({{"file", table}, {"description", description}, {"rows", rows}, {"sha256", checksum}});
-  return text_of({{"schema", {{"id", index_id}, {"version", schema_version}}},
+  return to_text({{"schema", {{"id", index_id}, {"version", schema_version}}},
                   {"generator", generator()},
                   {"tables", list}});
 }

@@ -12,7 +12,7 @@ namespace fde {
 
 // The JSON that describes a table: schema, parameters, digits, bound, method, source, generator, rows,
 // checksum.
-std::string write_description(const TableKind& kind, const SceneVariant& of, const MadeTable& made,
+std::string write_description(const TableKind& kind, const SceneVariant& of, const ComputedTable& made,
                               std::string_view checksum);
 
 // The parsed description of a table, by any program; missing fields are empty.

@@ -26,11 +26,11 @@ struct GivenTable {
   const TableKind* kind = nullptr;
   SceneVariant of{.maker = nullptr};
   std::string checksum{};
-  TableVerdict verdict{};
+  TableCheck verdict{};
 };
 
 [[noreturn]] void reject(const std::string& file, const std::string& what) {
-  throw BadTable(fmt::format("{}: {}", file, what));
+  throw InvalidTable(fmt::format("{}: {}", file, what));
 }
 
 std::vector<fs::path> tables_in(const fs::path& folder) {
@@ -48,15 +48,15 @@ std::vector<fs::path> tables_in(const fs::path& folder) {
 const TableKind& kind_of(const DataTable& table) {
   std::vector<std::string_view> known;
   for (const auto& kind : table_kinds()) {
-    if (table.find(kind.known_by)) return kind;
-    known.push_back(kind.known_by);
+    if (table.find(kind.identifying_column)) return kind;
+    known.push_back(kind.identifying_column);
   }
   reject(table.name,
          fmt::format("line 1: must have a column {}, by which a table is known", fmt::join(known, " or ")));
 }
 
 // fdebench 0.1 wrote a choice parameter as an index into its words: replaces the index by the word.
-ParameterValues with_words(ParameterValues values, const SceneMaker& maker) {
+ParameterValues with_words(ParameterValues values, const SceneFactory& maker) {
   for (const auto& parameter : maker.parameters) {
     const auto given = values.find(parameter.name);
     for (std::size_t i = 0; given != values.end() && i < parameter.choices.size(); ++i) {
@@ -107,7 +107,7 @@ GivenTable read_table(const fs::path& file) {
   try {
     if (given.kind->of_scenes()) given.of = scene_of(given, file);
     require_columns(given);
-  } catch (const BadTable&) {
+  } catch (const InvalidTable&) {
     throw;
   } catch (const std::invalid_argument& error) {  // for a bad parameter
     reject(description.string(), error.what());
@@ -137,10 +137,10 @@ std::string cells_of(const DataTable& table, std::size_t row) {
 }
 
 // A row whose value cannot be recomputed counts as wrong: the table states a value.
-RowVerdict verdict_of(const DataTable& table, const RowCheck& check, std::size_t row) {
+RowComparison verdict_of(const DataTable& table, const RowCheck& check, std::size_t row) {
   try {
     return check(row);
-  } catch (const BadTable&) {
+  } catch (const InvalidTable&) {
     throw;
   } catch (const std::invalid_argument& error) {  // for an argument out of range
     reject(table.name, fmt::format("line {}: {}", row + 2, error.what()));
@@ -154,7 +154,7 @@ RowCheck check_of(const GivenTable& given) {
   try {
     return given.kind->check(given.of, given.table);
   } catch (const std::runtime_error& failure) {
-    return [reason = std::string(failure.what())](std::size_t) -> RowVerdict {
+    return [reason = std::string(failure.what())](std::size_t) -> RowComparison {
       throw std::runtime_error(reason);
     };
   }
@@ -165,7 +165,7 @@ void recompute(GivenTable& given, std::size_t every) {
   auto& verdict = given.verdict;
   const auto check = check_of(given);
   for (std::size_t row = 0; row < table.rows.size(); row += every) {
-    const RowVerdict found = verdict_of(table, check, row);
+    const RowComparison found = verdict_of(table, check, row);
     ++verdict.recomputed;
     if (!found.holds()) ++verdict.wrong;
     if (verdict.recomputed > 1 && found.ratio <= verdict.worst.ratio) continue;
@@ -187,14 +187,14 @@ std::set<std::string> changed_files(const fs::path& folder, const Checksums& che
 
 }  // namespace
 
-FolderVerdict check_folder(const fs::path& folder, std::size_t every, const TellProgress& tell) {
+FolderCheck check_folder(const fs::path& folder, std::size_t every, const TableProgress& tell) {
   const fs::path sums = folder / "SHA256SUMS", index = folder / "index.json";
   std::vector<GivenTable> given;
   for (const auto& file : tables_in(folder)) given.push_back(read_table(file));
   if (fs::exists(index)) {
     for (const auto& name : parse_index(index.string(), read_file(index))) read_file(folder / name);
   }
-  FolderVerdict verdict;
+  FolderCheck verdict;
   const bool summed = fs::exists(sums);
   if (summed) verdict.changed = changed_files(folder, parse_checksums(sums.string(), read_file(sums)));
   std::mutex mutex;

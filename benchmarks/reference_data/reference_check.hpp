@@ -12,18 +12,18 @@
 namespace fde {
 
 // The result of a check of one table.
-struct TableVerdict {
+struct TableCheck {
   std::string table{};  // file name in the folder
   std::size_t rows = 0, recomputed = 0, wrong = 0;
   std::size_t worst_line = 0;         // line in the file of the row with the largest ratio
   std::string worst_row{};            // cells of that row
-  RowVerdict worst{};                 // comparison of that row
+  RowComparison worst{};              // comparison of that row
   bool described = false;             // has a JSON description; without it scene and parameters are assumed
   std::vector<std::string> absent{};  // missing information, and the assumption made instead
 };
 
-struct FolderVerdict {
-  std::vector<TableVerdict> tables{};
+struct FolderCheck {
+  std::vector<TableCheck> tables{};
   std::set<std::string> changed{};  // files that differ from a given checksum
 };
 
@@ -32,6 +32,6 @@ struct FolderVerdict {
 // the file name; descriptions, index and checksums are optional. `tell` is called after each table, by one
 // thread at a time. Throws std::invalid_argument naming the file, with line and column where applicable, for
 // a malformed file.
-FolderVerdict check_folder(const std::filesystem::path& folder, std::size_t every, const TellProgress& tell);
+FolderCheck check_folder(const std::filesystem::path& folder, std::size_t every, const TableProgress& tell);
 
 }  // namespace fde

@@ -36,7 +36,7 @@ fs::path normal(const fs::path& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-std::set<std::string> names_of(const std::vector<PlannedTable>& tables) {
+std::set<std::string> names_of(const std::vector<TableSpec>& tables) {
   std::set<std::string> names{index_name, checksums_name};
   for (const auto& table : tables) names.insert({table.stem() + ".csv", table.stem() + ".json"});
   return names;
@@ -75,17 +75,17 @@ void put_in_place(const fs::path& partial, const fs::path& target, const fs::pat
 }
 
 // Blocks SIGINT, SIGTERM and SIGHUP in this thread until destruction.
-class SignalsHeld {
+class BlockedSignals {
  public:
-  SignalsHeld() {
+  BlockedSignals() {
     sigset_t held;
     sigemptyset(&held);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
     pthread_sigmask(SIG_BLOCK, &held, &before_);
   }
-  ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  BlockedSignals(const BlockedSignals&) = delete;
+  BlockedSignals& operator=(const BlockedSignals&) = delete;
 
  private:
   sigset_t before_{};
@@ -93,15 +93,15 @@ class SignalsHeld {
 
 }  // namespace
 
-std::string PlannedTable::stem() const {
+std::string TableSpec::stem() const {
   if (!kind->of_scenes()) return std::string(kind->id);
   std::string name = of.label();
   std::ranges::replace(name, ':', ',');  // ':' is not allowed in file names on all systems
   return fmt::format("{}/{}", kind->folder, name);
 }
 
-std::vector<PlannedTable> planned_tables(const std::vector<SceneVariant>& scenes) {
-  std::vector<PlannedTable> tables;
+std::vector<TableSpec> planned_tables(const std::vector<SceneVariant>& scenes) {
+  std::vector<TableSpec> tables;
   for (const auto& kind : table_kinds()) {
     if (!kind.of_scenes()) tables.push_back({.kind = &kind});
     for (const auto& scene : scenes) {
@@ -112,8 +112,8 @@ std::vector<PlannedTable> planned_tables(const std::vector<SceneVariant>& scenes
   return tables;
 }
 
-FolderFiles make_files(const std::vector<PlannedTable>& tables, const TellProgress& tell) {
-  std::vector<MadeTable> made(tables.size());
+FolderFiles compute_files(const std::vector<TableSpec>& tables, const TableProgress& tell) {
+  std::vector<ComputedTable> made(tables.size());
   std::mutex mutex;
   std::size_t done = 0;
   in_parallel(tables.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
@@ -136,7 +136,7 @@ FolderFiles make_files(const std::vector<PlannedTable>& tables, const TellProgre
   return files;
 }
 
-void require_replaceable(const fs::path& folder, const std::vector<PlannedTable>& tables) {
+void require_replaceable(const fs::path& folder, const std::vector<TableSpec>& tables) {
   const fs::path target = normal(folder);
   std::error_code problem;
   const auto status = fs::status(target, problem);
@@ -158,7 +158,7 @@ void require_replaceable(const fs::path& folder, const std::vector<PlannedTable>
 
 void replace_folder(const fs::path& folder, const FolderFiles& files) {
   const fs::path target = normal(folder), partial = beside(target, "partial"), old = beside(target, "old");
-  const SignalsHeld held;
+  const BlockedSignals held;
   try {
     for (const auto& [name, text] : files) write(partial / name, text);
     put_in_place(partial, target, old);

@@ -12,7 +12,7 @@
 namespace fde {
 
 // One table of the reference data, before it is computed.
-struct PlannedTable {
+struct TableSpec {
   const TableKind* kind;
   SceneVariant of{.maker = nullptr};
 
@@ -21,19 +21,19 @@ struct PlannedTable {
 };
 
 // All tables of functions and all tables of these scenes.
-std::vector<PlannedTable> planned_tables(const std::vector<SceneVariant>& scenes);
+std::vector<TableSpec> planned_tables(const std::vector<SceneVariant>& scenes);
 
 // Progress callback: `done` of `total` tables, `what` is the last one. Called by one thread at a time.
-using TellProgress = std::function<void(std::size_t done, std::size_t total, const std::string& what)>;
+using TableProgress = std::function<void(std::size_t done, std::size_t total, const std::string& what)>;
 
 // File contents by file name: a .csv and a .json per table, index.json and SHA256SUMS. The same build gives
 // the same bytes with any number of threads.
 using FolderFiles = std::map<std::string, std::string>;
-FolderFiles make_files(const std::vector<PlannedTable>& tables, const TellProgress& tell);
+FolderFiles compute_files(const std::vector<TableSpec>& tables, const TableProgress& tell);
 
 // Throws std::invalid_argument naming the folder if it is not a folder, contains a file that is not among the
 // files of these tables, or cannot be created.
-void require_replaceable(const std::filesystem::path& folder, const std::vector<PlannedTable>& tables);
+void require_replaceable(const std::filesystem::path& folder, const std::vector<TableSpec>& tables);
 
 // Replaces the folder: writes all files to a sibling folder, renames it into place, and removes the old
 // folder last. Throws std::invalid_argument naming the folder on failure; the old folder is then restored, or

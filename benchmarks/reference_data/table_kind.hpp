@@ -22,34 +22,34 @@ struct TableColumn {
 };
 
 // Metadata of a table.
-struct TableFacts {
+struct TableMetadata {
   std::string title, method, source, bound;
   int digits = 0;
   std::vector<TableColumn> columns{};
 };
 
 // A run without a row in the table, and why.
-struct LeftOut {
+struct OmittedRun {
   std::string run, reason;
 };
 
-struct MadeTable {
+struct ComputedTable {
   DataTable table{};
-  std::vector<LeftOut> left_out{};
+  std::vector<OmittedRun> left_out{};
 };
 
 // Recomputes one row and compares it. Throws std::invalid_argument for arguments out of range, and
 // std::runtime_error if the value cannot be computed.
-using RowCheck = std::function<RowVerdict(std::size_t row)>;
+using RowCheck = std::function<RowComparison(std::size_t row)>;
 
 // One kind of table of the reference data: the meaning of its columns, how to compute its rows and how to
 // check a row. `of` is the scene and its parameters; tables of functions have none (maker = nullptr).
 struct TableKind {
   std::string_view id;
-  std::string_view folder;    // of the tables, one per scene; empty: one table, named after the kind
-  std::string_view known_by;  // name of a column that no other kind has
-  TableFacts (*facts)(const SceneVariant& of);
-  MadeTable (*make)(const SceneVariant& of);
+  std::string_view folder;  // of the tables, one per scene; empty: one table, named after the kind
+  std::string_view identifying_column;  // name of a column that no other kind has
+  TableMetadata (*facts)(const SceneVariant& of);
+  ComputedTable (*make)(const SceneVariant& of);
   // `given` must outlive the result. Throws std::invalid_argument for malformed cells, std::runtime_error if
   // the scene has no reference.
   RowCheck (*check)(const SceneVariant& of, const DataTable& given);

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "nonlinear/collocation.hpp"
+#include "references/atomic_file.hpp"
 #include "references/checksum.hpp"
-#include "references/whole_file.hpp"
 #include "two_sided/solution.hpp"
 
 namespace fde {
@@ -110,12 +110,12 @@ bool in_missing_home(const std::filesystem::path& folder) {
 }
 
 PanelTable table_of(const Problem& problem) {
-  return two_sided(problem) ? two_sided_table(problem) : reference_table(problem);
+  return is_two_sided(problem) ? two_sided_table(problem) : reference_table(problem);
 }
 
 Reference from_table(PanelTable table, const Problem& problem) {
-  Reference reference = two_sided(problem) ? two_sided_reference(std::move(table), problem)
-                                           : table_reference(std::move(table), problem);
+  Reference reference = is_two_sided(problem) ? two_sided_reference(std::move(table), problem)
+                                              : reference_from_table(std::move(table), problem);
   reference.evidence = Evidence::two_methods;
   return reference;
 }
@@ -151,7 +151,7 @@ void ReferenceCache::store(const std::string& key, const PanelTable& table) cons
   std::error_code ignored;
   std::filesystem::create_directories(*folder_, ignored);
   try {
-    WholeFile file(file_of(key));
+    AtomicFile file(file_of(key));
     file.write(sha256(text) + text);
     file.finish();
   } catch (const std::invalid_argument&) {

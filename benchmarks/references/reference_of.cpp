@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "references/cache.hpp"
-#include "references/tried_reference.hpp"
+#include "references/verified_reference.hpp"
 
 namespace fde {
 namespace {
@@ -15,7 +15,7 @@ Reference through(const Outputs& outputs, Reference components) {
   return {.at = [outputs, components = std::move(components)](double t) -> ReferenceValue {
             const ReferenceValue known = components.at(t);
             Vec columns = columns_at(outputs, t, known.value);
-            Vec bound = bound_of_columns(outputs, t, known, columns);
+            Vec bound = propagated_bound(outputs, t, known, columns);
             return {std::move(columns), std::move(bound)};
           },
           .evidence = evidence};
@@ -23,14 +23,14 @@ Reference through(const Outputs& outputs, Reference components) {
 
 Reference found_reference(const Scene& scene) {
   if (scene.reference.at) return scene.reference;
-  const auto [problem, outputs] = posed_for_reference(scene);
+  const auto [problem, outputs] = reference_problem_of(scene);
   if (scene.name.empty()) return through(outputs, computed_reference(problem));
   return through(outputs, cached_reference(scene.name, problem, ReferenceCache(cache_folder())));
 }
 
 }  // namespace
 
-PosedProblem posed_for_reference(const Scene& scene) {
+PosedProblem reference_problem_of(const Scene& scene) {
   if (!scene.reference_problem) return {scene.problem, scene.outputs};
   PosedProblem posed = *scene.reference_problem;
   posed.problem.end = scene.problem.end;
@@ -39,7 +39,7 @@ PosedProblem posed_for_reference(const Scene& scene) {
 
 Reference reference_of(const Scene& scene) {
   Reference reference = found_reference(scene);
-  if (scene.of_file) require_agreement(scene, reference);
+  if (scene.from_file) require_agreement(scene, reference);
   return reference;
 }
 

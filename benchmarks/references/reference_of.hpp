@@ -7,7 +7,7 @@
 namespace fde {
 
 // The problem from which the reference is computed, with the end of the scene.
-PosedProblem posed_for_reference(const Scene& scene);
+PosedProblem reference_problem_of(const Scene& scene);
 
 // The reference of the columns: scene.reference or, for a scene without one, a numerical reference whose
 // bound is an estimate from two methods. Computing it takes some seconds, unless it is in the cache_folder().

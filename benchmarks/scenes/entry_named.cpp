@@ -32,7 +32,7 @@ std::string nearest(std::string_view name, const std::vector<std::string_view>& 
   return best == candidates.end() ? "" : fmt::format(", did you mean '{}'?", *best);
 }
 
-void no_such(std::string_view kind, std::string_view id, const std::vector<std::string_view>& ids) {
+void throw_unknown_id(std::string_view kind, std::string_view id, const std::vector<std::string_view>& ids) {
   constexpr std::size_t few = 10, shown = 3;
   auto listed = ids;
   if (ids.size() > few) {

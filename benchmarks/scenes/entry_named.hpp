@@ -11,18 +11,18 @@ std::string nearest(std::string_view name, const std::vector<std::string_view>& 
 
 // Throws std::invalid_argument: "KIND ID: no such KIND, did you mean 'X'?; there are ...". More than ten ids
 // are not all listed: only the three nearest.
-[[noreturn]] void no_such(std::string_view kind, std::string_view id,
-                          const std::vector<std::string_view>& ids);
+[[noreturn]] void throw_unknown_id(std::string_view kind, std::string_view id,
+                                   const std::vector<std::string_view>& ids);
 
 // The entry with this id. Throws std::invalid_argument naming the kind, the id and the existing ids.
 template <typename Entries>
-const auto& entry_named(const Entries& entries, std::string_view kind, std::string_view id) {
+const auto& entry_by_id(const Entries& entries, std::string_view kind, std::string_view id) {
   std::vector<std::string_view> ids;
   for (const auto& entry : entries) {
     if (entry.id == id) return entry;
     ids.push_back(entry.id);
   }
-  no_such(kind, id, ids);
+  throw_unknown_id(kind, id, ids);
 }
 
 }  // namespace fde

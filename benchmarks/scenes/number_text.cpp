@@ -50,11 +50,11 @@ bool is_small(std::string_view text) {
 }  // namespace
 
 bool is_decimal(std::string_view text) {
-  const auto number = number_in(text);
+  const auto number = try_parse_number(text);
   return number ? std::isfinite(*number) : out_of_range(text);
 }
 
-std::string beyond_double(std::string_view text) {
+std::string double_range_message(std::string_view text) {
   using Double = std::numeric_limits<double>;
   if (!out_of_range(text)) return {};
   return is_small(text)
@@ -63,16 +63,17 @@ std::string beyond_double(std::string_view text) {
 }
 
 void reject_text(std::string_view name, std::string_view text, std::string_view allowed) {
-  throw std::invalid_argument(fmt::format("{} = {}: {}must be {}", name, text, beyond_double(text), allowed));
+  throw std::invalid_argument(
+      fmt::format("{} = {}: {}must be {}", name, text, double_range_message(text), allowed));
 }
 
-std::optional<double> number_in(std::string_view text) { return read<double>(text); }
+std::optional<double> try_parse_number(std::string_view text) { return read<double>(text); }
 
-std::optional<std::vector<double>> numbers_in(std::string_view text) {
+std::optional<std::vector<double>> try_parse_numbers(std::string_view text) {
   std::vector<double> numbers;
   if (text.empty()) return numbers;
   for (const auto& part : split_list(text)) {
-    const auto number = number_in(part);
+    const auto number = try_parse_number(part);
     if (!number) return std::nullopt;
     numbers.push_back(*number);
   }
@@ -80,7 +81,7 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
 }
 
 double parse_number(std::string_view name, std::string_view text, const Range& allowed) {
-  const auto value = number_in(text);
+  const auto value = try_parse_number(text);
   if (!value) reject_text(name, text, allowed.text());
   if (!allowed.contains(*value)) reject_text(name, fmt::format("{}", *value), allowed.text());
   return *value;
@@ -113,8 +114,8 @@ struct ExactDecimal {
 };
 
 // At most 15 digits; nullopt if the text has more or is not a decimal.
-std::optional<ExactDecimal> exact_decimal(std::string_view text) {
-  constexpr std::size_t most_digits = 15;
+std::optional<ExactDecimal> shortest_decimal(std::string_view text) {
+  constexpr std::size_t max_working_digits = 15;
   if (!is_decimal(text)) return std::nullopt;
   const auto e = std::min(text.find_first_of("eE"), text.size());
   std::string digits(text.substr(text.starts_with('+') ? 1 : 0, e - (text.starts_with('+') ? 1 : 0)));
@@ -129,7 +130,7 @@ std::optional<ExactDecimal> exact_decimal(std::string_view text) {
     ++place;
   }
   const auto units = read<std::int64_t>(digits);
-  if (!exponent || !units || digits.size() - (digits.starts_with('-') ? 1 : 0) > most_digits)
+  if (!exponent || !units || digits.size() - (digits.starts_with('-') ? 1 : 0) > max_working_digits)
     return std::nullopt;
   return ExactDecimal{*units, place};
 }
@@ -148,12 +149,13 @@ std::optional<std::int64_t> in_units(const ExactDecimal& x, int place) {
 
 }  // namespace
 
-std::vector<std::string> decimals_of_range(std::string_view name, std::string_view text, std::size_t most) {
+std::vector<std::string> expand_decimal_range(std::string_view name, std::string_view text,
+                                              std::size_t most) {
   const auto refuse = [&](std::string_view allowed) { reject_text(name, text, allowed); };
   std::vector<ExactDecimal> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
     const auto end = std::min(text.find(':', begin), text.size());
-    const auto part = exact_decimal(text.substr(begin, end - begin));
+    const auto part = shortest_decimal(text.substr(begin, end - begin));
     if (!part) refuse("FIRST:LAST:STEP, decimals of at most 15 digits");
     parts.push_back(*part);
     begin = end + 1;

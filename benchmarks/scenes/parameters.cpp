@@ -15,13 +15,13 @@ namespace {
 // A list is shown in brackets if the parameter is not a list.
 std::string shown(const ParameterValue& value, const Parameter& parameter) {
   const bool list = std::holds_alternative<std::vector<double>>(value);
-  return list && value.index() != parameter.value.index() ? fmt::format("[{}]", text_of(value))
-                                                          : text_of(value);
+  return list && value.index() != parameter.value.index() ? fmt::format("[{}]", to_text(value))
+                                                          : to_text(value);
 }
 
 }  // namespace
 
-std::string text_of(const ParameterValue& value) {
+std::string to_text(const ParameterValue& value) {
   if (const auto* numbers = std::get_if<std::vector<double>>(&value))
     return fmt::format("{}", fmt::join(*numbers, ","));
   const auto* word = std::get_if<std::string>(&value);
@@ -50,14 +50,14 @@ ParameterValue Parameter::read(std::string_view text) const {
     if (std::ranges::find(choices, text) != choices.end()) return std::string(text);
     suggestion = nearest(text, {choices.begin(), choices.end()});
   } else if (std::holds_alternative<std::vector<double>>(value)) {
-    if (const auto numbers = numbers_in(text)) return *numbers;
-  } else if (const auto number = number_in(text)) {
+    if (const auto numbers = try_parse_numbers(text)) return *numbers;
+  } else if (const auto number = try_parse_number(text)) {
     return *number;
   } else if (!derived.empty() && text == derived) {
     return derived;
   }
-  throw std::invalid_argument(
-      fmt::format("--set {} = {}: {}must be {}{}", name, text, beyond_double(text), allowed(), suggestion));
+  throw std::invalid_argument(fmt::format("--set {} = {}: {}must be {}{}", name, text,
+                                          double_range_message(text), allowed(), suggestion));
 }
 
 Parameter choice(std::string name, std::vector<std::string> choices, std::string meaning) {
@@ -113,12 +113,12 @@ const std::vector<double>& Parameters::numbers(std::string_view name) const {
 std::string Parameters::text() const {
   std::string text;
   for (const auto& [name, value] : values_)
-    text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, text_of(value));
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, to_text(value));
   return text;
 }
 
 void reject(std::string_view name, const ParameterValue& value, std::string_view allowed) {
-  reject_text(name, text_of(value), allowed);
+  reject_text(name, to_text(value), allowed);
 }
 
 }  // namespace fde

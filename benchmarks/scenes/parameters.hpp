@@ -17,7 +17,7 @@ using ParameterValue = std::variant<double, std::string, std::vector<double>>;
 using ParameterValues = std::map<std::string, ParameterValue>;  // keyed by parameter name
 
 // "0.5", "multiplier", "0.5,1.5": numbers with the fewest digits that read back to the same double.
-std::string text_of(const ParameterValue& value);
+std::string to_text(const ParameterValue& value);
 
 // A parameter of a scene: a number in a range, one of a list of words, or a list of numbers in a range.
 struct Parameter {

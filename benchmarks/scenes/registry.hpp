@@ -17,36 +17,36 @@ namespace fde {
 class Scenes {
  public:
   // Makes a scene from a name that is not in the list, such as a file name; nullopt if the name is unknown.
-  using Finder = std::function<std::optional<SceneMaker>(std::string_view name)>;
+  using SceneLoader = std::function<std::optional<SceneFactory>(std::string_view name)>;
 
-  Scenes();                                     // the scenes of scenes/list.def
-  Scenes(const Scenes& others, Finder finder);  // and those that `finder` makes on request
+  Scenes();                                          // the scenes of scenes/list.def
+  Scenes(const Scenes& others, SceneLoader finder);  // and those that `finder` makes on request
 
   // Throws std::invalid_argument if a scene has this id, or if the id is empty or contains ':', which
   // separates an id from its settings.
-  const SceneMaker& add(SceneMaker maker);
+  const SceneFactory& add(SceneFactory maker);
 
   // The scene with this id, or the scene that the finder makes from it (cached). Throws std::invalid_argument
   // naming the existing scenes, and whatever the finder throws.
-  [[nodiscard]] const SceneMaker& named(std::string_view id) const;
+  [[nodiscard]] const SceneFactory& named(std::string_view id) const;
 
   // Scenes made by the finder are not in the range.
-  [[nodiscard]] auto begin() const { return makers_.begin(); }
-  [[nodiscard]] auto end() const { return makers_.end(); }
-  [[nodiscard]] std::size_t size() const { return makers_.size(); }
+  [[nodiscard]] auto begin() const { return factories_.begin(); }
+  [[nodiscard]] auto end() const { return factories_.end(); }
+  [[nodiscard]] std::size_t size() const { return factories_.size(); }
 
  private:
   struct Found;
 
-  std::deque<SceneMaker> makers_;
-  Finder finder_{};
-  std::shared_ptr<Found> found_;
+  std::deque<SceneFactory> factories_;
+  SceneLoader loader_{};
+  std::shared_ptr<Found> loaded_;
 };
 
 // The scenes of scenes/list.def.
 const Scenes& scenes();
 
 // The scene with this id, or nullptr.
-const SceneMaker* find_scene(std::string_view id, const Scenes& among = scenes());
+const SceneFactory* find_scene(std::string_view id, const Scenes& among = scenes());
 
 }  // namespace fde

@@ -80,7 +80,7 @@ std::vector<std::string> reaction_names(const Scene& scene) {
   return names;
 }
 
-Vec with_power(const Scene& scene, double t, In columns, const Vec& lambda) {
+Vec with_reaction_power(const Scene& scene, double t, In columns, const Vec& lambda) {
   Vec values(lambda.size() + 1);
   values << lambda, scene.reactions.power(t, columns, lambda);
   return values;
@@ -91,16 +91,17 @@ Vec reaction_values(const Scene& scene, double t, In columns, const std::optiona
   const auto size = std::ssize(names);
   if (!rated.empty() && !rates) {
     if (!first) return Vec::Constant(size + 1, std::numeric_limits<double>::quiet_NaN());
-    return with_power(scene, t, columns, *first);
+    return with_reaction_power(scene, t, columns, *first);
   }
   Vec lambda(size);
   multipliers(t, columns, rates.value_or(Vec()), lambda);
-  return with_power(scene, t, columns, lambda);
+  return with_reaction_power(scene, t, columns, lambda);
 }
 
 Vec exact_reactions(const Scene& scene, double t, In columns) {
-  if (scene.reactions.of_columns() || t == 0.0) return reaction_values(scene, t, columns, std::nullopt);
-  return with_power(scene, t, columns, scene.reactions.exact.at(t).value);
+  if (scene.reactions.depends_on_columns_only() || t == 0.0)
+    return reaction_values(scene, t, columns, std::nullopt);
+  return with_reaction_power(scene, t, columns, scene.reactions.exact.at(t).value);
 }
 
 Rows columns_of(const Outputs& outputs, const Trajectory& path) {
@@ -113,7 +114,7 @@ Rows columns_of(const Outputs& outputs, const Trajectory& path) {
 }
 
 // For a column that is a component the difference quotient is exactly 1.
-Vec bound_of_columns(const Outputs& outputs, double t, const ReferenceValue& reference, In columns) {
+Vec propagated_bound(const Outputs& outputs, double t, const ReferenceValue& reference, In columns) {
   Vec bound = Vec::Zero(columns.size()), shifted = reference.value;
   for (Eigen::Index i = 0; i < shifted.size(); ++i) {
     shifted[i] += 0x1p-26 * std::max(std::abs(shifted[i]), 1.0);

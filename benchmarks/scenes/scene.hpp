@@ -51,7 +51,7 @@ struct Constraint {
 
 // Column `derivative` is the Caputo derivative of this order, in (0, 1) or (1, 2), of the antiderivative of
 // column `velocity`. `powers`: the exponents p of the terms t^p with which the velocity starts at t = 0.
-struct Memory {
+struct MemoryColumn {
   Eigen::Index derivative, velocity;
   double order;
   std::vector<double> powers{};
@@ -70,9 +70,9 @@ struct Reactions {
   Reference exact{};           // of lambda, if it has an exact reference of its own
   explicit operator bool() const { return static_cast<bool>(multipliers); }
   // Whether lambda is a function of t and the columns at that time.
-  [[nodiscard]] bool of_columns() const { return multipliers && rated.empty(); }
+  [[nodiscard]] bool depends_on_columns_only() const { return multipliers && rated.empty(); }
   // Whether lambda is known as exactly as the columns.
-  [[nodiscard]] bool known() const { return of_columns() || static_cast<bool>(exact.at); }
+  [[nodiscard]] bool known() const { return depends_on_columns_only() || static_cast<bool>(exact.at); }
 };
 
 // The geometry of a mechanical system with T = 1/2 g_ij v^i v^j at a position q and a velocity v (Niminet &
@@ -130,12 +130,12 @@ struct Scene {
   std::string refusal{};  // reason why the equations cannot be posed in this form; empty: they can
   Smoothness smoothness{};
   Outputs outputs{};
-  Reference reference{};  // of the columns
-  bool of_file = false;   // from an equation file: its reference is checked against two schemes
+  Reference reference{};   // of the columns
+  bool from_file = false;  // from an equation file: its reference is checked against two schemes
   std::optional<PosedProblem> reference_problem{};  // another formulation for the reference; empty: `problem`
   Energy energy{};
   Constraint constraint{};
-  std::vector<Memory> memories{};  // columns that the drift measure recomputes independently
+  std::vector<MemoryColumn> memories{};  // columns that the drift measure recomputes independently
   Reactions reactions{};
   StateGeometry geometry{};
   std::vector<SceneEvent> events{};
@@ -144,7 +144,7 @@ struct Scene {
 };
 
 // An equation as text, from a file or for display: sum of coefficient D^order unknown = rhs, as formulas.
-struct WrittenEquation {
+struct EquationFormula {
   struct Term {
     std::string coefficient, order;
   };
@@ -156,18 +156,18 @@ struct WrittenEquation {
 
 // An equation for display only: two formulas, in which D(x, a) and J(x, a) are the left derivative and
 // integral of order a, D_right and J_right the right ones, and sum(k, x) is a sum over k.
-struct ShownEquation {
+struct DisplayEquation {
   std::string left, right;
 };
 
 // How a scene is made: one file in scenes/ and one line in scenes/list.def, or at run time.
-struct SceneMaker {
+struct SceneFactory {
   std::string id, title, source;
   std::vector<Parameter> parameters;
   std::function<Scene(const Parameters&)> make;
   std::string checksum{};  // checksum of the contents of an equation file; empty: the scene is compiled in
-  std::vector<WrittenEquation> equations{};  // empty: no equations as text
-  std::vector<ShownEquation> shown{};        // used if `equations` cannot express them
+  std::vector<EquationFormula> equations{};  // empty: no equations as text
+  std::vector<DisplayEquation> shown{};      // used if `equations` cannot express them
 };
 
 // Sets the end of the problem and recomputes its jumps up to it.
@@ -178,7 +178,7 @@ Vec columns_at(const Outputs& outputs, double t, In y);
 Rows columns_of(const Outputs& outputs, const Trajectory& path);
 
 // First-order error bound of the columns: the sum over the components of |d columns / dy_i| bound_i.
-Vec bound_of_columns(const Outputs& outputs, double t, const ReferenceValue& reference, In columns);
+Vec propagated_bound(const Outputs& outputs, double t, const ReferenceValue& reference, In columns);
 
 // The columns, then `energy` and `constraint` (the drift) where the scene has them.
 std::vector<std::string> printed_names(const Scene& scene);
@@ -193,7 +193,7 @@ std::vector<std::string> reaction_names(const Scene& scene);
 // where lambda is unbounded.
 Vec reaction_values(const Scene& scene, double t, In columns, const std::optional<Vec>& rates);
 // Given multipliers with their power; and the exact multipliers at any time with theirs.
-Vec with_power(const Scene& scene, double t, In columns, const Vec& lambda);
+Vec with_reaction_power(const Scene& scene, double t, In columns, const Vec& lambda);
 Vec exact_reactions(const Scene& scene, double t, In columns);
 
 }  // namespace fde

@@ -9,7 +9,7 @@ namespace fde {
 
 std::string settings_text(const SceneSettings& scene) {
   std::vector<std::string> texts;
-  for (const auto& [name, value] : scene.values) texts.push_back(fmt::format("{}={}", name, text_of(value)));
+  for (const auto& [name, value] : scene.values) texts.push_back(fmt::format("{}={}", name, to_text(value)));
   if (scene.until) texts.push_back(fmt::format("until={}", *scene.until));
   return fmt::format("{}", fmt::join(texts, ","));
 }

@@ -26,20 +26,20 @@ std::vector<std::string> split_settings(std::string_view text) {
 }
 
 // "pendulum" from "pendulum:alpha=1.9", and all settings.
-struct Named {
+struct SplitLabel {
   std::string id;
   std::vector<std::string> settings;
 };
 
 // Position of the ':' before the settings: the first colon, for a file the first one after its name.
 std::size_t colon_of(const std::string& text) {
-  const auto file = equation_file_in(text);
+  const auto file = equation_file_of_label(text);
   return text.find(':', file ? file->size() : 0);
 }
 
-Named split_variant(const std::string& text, const std::vector<std::string>& settings) {
+SplitLabel split_label(const std::string& text, const std::vector<std::string>& settings) {
   const auto colon = colon_of(text);
-  Named named{.id = text.substr(0, colon), .settings = {}};
+  SplitLabel named{.id = text.substr(0, colon), .settings = {}};
   if (colon != std::string::npos) named.settings = split_settings(std::string_view(text).substr(colon + 1));
   named.settings.insert(named.settings.end(), settings.begin(), settings.end());
   return named;
@@ -52,7 +52,7 @@ std::vector<std::string> values_of(const std::string& setting) {
   const std::string name = setting.substr(0, equals);
   std::vector<std::string> all;
   for (const auto& value :
-       decimals_of_range(name, std::string_view(setting).substr(equals + 1), most_variants))
+       expand_decimal_range(name, std::string_view(setting).substr(equals + 1), max_variants))
     all.push_back(fmt::format("{}={}", name, value));
   return all;
 }
@@ -66,7 +66,7 @@ void add_setting(const std::string& setting, Scene& scene, const Read& read) {
   const auto value = std::string_view(setting).substr(equals + 1);
   bool first = !scene.until;
   if (name == "until") {
-    scene.until = parse_number(name, value, any_end);
+    scene.until = parse_number(name, value, valid_end_times);
   } else {
     first = scene.values.emplace(name, read(name, value)).second;
   }
@@ -85,7 +85,7 @@ SceneSettings SceneVariant::key() const {
   return {.id = maker->id, .values = values, .until = until, .checksum = maker->checksum};
 }
 
-Scene make_known_scene(const SceneMaker& maker, const ParameterValues& values) {
+Scene make_scene_unchecked(const SceneFactory& maker, const ParameterValues& values) {
   const Parameters parameters(maker.id, maker.parameters, values);
   Scene scene = maker.make(parameters);
   const auto rows = scene.smoothness.powers.size(), components = scene.problem.components.size();
@@ -97,8 +97,8 @@ Scene make_known_scene(const SceneMaker& maker, const ParameterValues& values) {
   return scene;
 }
 
-Scene make_scene(const SceneMaker& maker, const ParameterValues& values) {
-  Scene scene = make_known_scene(maker, values);
+Scene make_scene(const SceneFactory& maker, const ParameterValues& values) {
+  Scene scene = make_scene_unchecked(maker, values);
   if (!scene.refusal.empty()) throw std::invalid_argument(scene.refusal);
   return scene;
 }
@@ -107,7 +107,7 @@ Scene make_scene(const SceneVariant& variant) {
   Scene scene = make_scene(*variant.maker, variant.values);
   if (!variant.until) return scene;
   const double end = scene.problem.end;
-  if (two_sided(scene.problem) && *variant.until != end) {
+  if (is_two_sided(scene.problem) && *variant.until != end) {
     reject("until", *variant.until,
            fmt::format("{}: scene {} is posed at both ends", end, variant.maker->id));
   }
@@ -117,14 +117,14 @@ Scene make_scene(const SceneVariant& variant) {
 
 SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,
                           const Scenes& among) {
-  const auto named = split_variant(text, settings);
+  const auto named = split_label(text, settings);
   SceneVariant variant{.maker = &among.named(named.id)};
   for (const auto& setting : named.settings) add_setting(setting, variant);
   return variant;
 }
 
 SceneSettings read_settings(const std::string& text, const std::vector<std::string>& settings) {
-  const auto named = split_variant(text, settings);
+  const auto named = split_label(text, settings);
   SceneSettings scene{.id = named.id};
   const auto number = [](const std::string& name, std::string_view value) -> ParameterValue {
     return parse_number(name, value, any_number);
@@ -135,13 +135,13 @@ SceneSettings read_settings(const std::string& text, const std::vector<std::stri
 
 std::vector<SceneVariant> read_variants(const std::string& text, const std::vector<std::string>& settings,
                                         const Scenes& among) {
-  const auto named = split_variant(text, settings);
+  const auto named = split_label(text, settings);
   std::vector<SceneVariant> variants{{.maker = &among.named(named.id)}};
   for (const auto& setting : named.settings) {
     const auto values = values_of(setting);
-    if (values.size() * variants.size() > most_variants) {
+    if (values.size() * variants.size() > max_variants) {
       reject_text("--set", setting,
-                  fmt::format("a range of at most {} scenes with the others", most_variants));
+                  fmt::format("a range of at most {} scenes with the others", max_variants));
     }
     std::vector<SceneVariant> more;
     for (const auto& variant : variants) {

@@ -12,7 +12,7 @@ namespace fde {
 // A scene with some parameters, or its end, replaced. In results and on the command line:
 // "pendulum:alpha=1.9,beta=0.1,until=100", "multi_term:alpha=1.2,1.6,c=0".
 struct SceneVariant {
-  const SceneMaker* maker;  // not owned: its `Scenes` must outlive this object
+  const SceneFactory* maker;  // not owned: its `Scenes` must outlive this object
   ParameterValues values{};
   std::optional<double> until{};  // the end of the time interval
 
@@ -22,11 +22,11 @@ struct SceneVariant {
 
 // The scene made from its defaults with some values replaced. Throws std::invalid_argument if its problem
 // cannot be posed (Scene::refusal).
-Scene make_scene(const SceneMaker& maker, const ParameterValues& values = {});
+Scene make_scene(const SceneFactory& maker, const ParameterValues& values = {});
 
 // The same without the check of Scene::refusal: for what is known about a scene independently of the form of
 // its problem.
-Scene make_known_scene(const SceneMaker& maker, const ParameterValues& values = {});
+Scene make_scene_unchecked(const SceneFactory& maker, const ParameterValues& values = {});
 
 // make_scene with the end of the variant. Throws std::invalid_argument if the scene is two-sided and the end
 // differs from its own.
@@ -44,8 +44,8 @@ SceneSettings read_settings(const std::string& text, const std::vector<std::stri
 // Like read_variant, but a setting may be a range NAME=FIRST:LAST:STEP, increasing or decreasing: one scene
 // for each value, or for each combination of values of several ranges, the last range varying fastest. Values
 // are exact decimals: 0.1:0.9:0.1 contains 0.3. Throws as read_variant does, and if a range is empty or there
-// are more than most_variants scenes.
-inline constexpr std::size_t most_variants = 1000;
+// are more than max_variants scenes.
+inline constexpr std::size_t max_variants = 1000;
 std::vector<SceneVariant> read_variants(const std::string& text, const std::vector<std::string>& settings,
                                         const Scenes& among = scenes());
 
@@ -57,6 +57,6 @@ std::vector<SceneVariant> parse_variants(const std::string& text, const std::vec
                                          const Scenes& among = scenes());
 
 // Ends of time intervals: end times a number of steps and the inverse of that do not overflow or underflow.
-inline constexpr Range any_end{.low = 1e-290, .high = 1e290};
+inline constexpr Range valid_end_times{.low = 1e-290, .high = 1e290};
 
 }  // namespace fde

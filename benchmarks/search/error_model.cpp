@@ -22,7 +22,7 @@ constexpr double tolerated = 0.01;
 struct Point {
   double n, error;
 };
-std::vector<Point> points_of(std::span<const ErrorWith> measured) {
+std::vector<Point> points_of(std::span<const TrialError> measured) {
   std::vector<Point> points;
   for (const auto& [steps, error] : measured.last(std::min(measured.size(), most_fitted))) {
     if (error > 0.0 && std::isfinite(error))
@@ -70,8 +70,8 @@ double misfit_of(const Coefficients& with, const Column& u, const Column& v) {
 
 }  // namespace
 
-std::optional<double> observed_rate(std::span<const ErrorWith> measured) {
-  std::vector<ErrorAt> points;
+std::optional<double> observed_rate(std::span<const TrialError> measured) {
+  std::vector<ErrorSample> points;
   for (const auto& [steps, error] : measured.last(std::min(measured.size(), most_fitted)))
     points.push_back({1.0 / steps, error});
   const Fit fit = fit_rate(points);
@@ -80,7 +80,7 @@ std::optional<double> observed_rate(std::span<const ErrorWith> measured) {
 
 double ErrorModel::Curve::at(double n) const { return a * std::pow(n, -p) + b * std::pow(n, -q); }
 
-ErrorModel::ErrorModel(std::span<const ErrorWith> measured) {
+ErrorModel::ErrorModel(std::span<const TrialError> measured) {
   const auto points = points_of(measured);
   if (points.size() < 2) return;
   scale_ = measured.back().steps;
@@ -104,8 +104,8 @@ ErrorModel::ErrorModel(std::span<const ErrorWith> measured) {
   best_ = static_cast<std::size_t>(std::ranges::min_element(curves_, {}, &Curve::misfit) - curves_.begin());
 }
 
-Expected ErrorModel::error(double steps) const {
-  Expected error{.value = curves_[best_].at(steps / scale_)};
+Prediction ErrorModel::error(double steps) const {
+  Prediction error{.value = curves_[best_].at(steps / scale_)};
   error.low = error.high = error.value;
   for (const Curve& curve : curves_) {
     const double other = curve.at(steps / scale_);
@@ -135,8 +135,8 @@ double ErrorModel::steps_of(const Curve& curve, double error) const {
   return std::ceil(many * scale_);
 }
 
-Expected ErrorModel::steps(double error) const {
-  Expected steps{.value = steps_of(curves_[best_], error)};
+Prediction ErrorModel::steps(double error) const {
+  Prediction steps{.value = steps_of(curves_[best_], error)};
   steps.low = steps.high = steps.value;
   for (const Curve& curve : curves_) {
     const double other = steps_of(curve, error);

@@ -7,19 +7,19 @@
 namespace fde {
 
 // The error of a run with this number of steps.
-struct ErrorWith {
+struct TrialError {
   int steps = 0;
   double error = 0.0;
 };
 
 // A predicted number and its interval of uncertainty.
-struct Expected {
+struct Prediction {
   double value = 0.0, low = 0.0, high = 0.0;
 };
 
 // The observed rate: slope of the fit_rate() line through the finest five (or fewer) of these errors. nullopt
 // if too few errors are above rounding.
-std::optional<double> observed_rate(std::span<const ErrorWith> measured);
+std::optional<double> observed_rate(std::span<const TrialError> measured);
 
 // The error as a function of the number of steps, e(N) = a N^-p + b N^-q with p < q, fitted by least squares
 // in the relative error. All pairs (p, q) whose misfit is close to the smallest are kept; their spread is the
@@ -28,13 +28,13 @@ class ErrorModel {
  public:
   // Fits the finest five (or fewer) of these errors, given from coarse to fine. The model is empty if fewer
   // than two errors are finite and above 0, or no decreasing curve fits.
-  explicit ErrorModel(std::span<const ErrorWith> measured);
+  explicit ErrorModel(std::span<const TrialError> measured);
 
   [[nodiscard]] bool empty() const { return curves_.empty(); }
 
   // Precondition: not empty().
-  [[nodiscard]] Expected error(double steps) const;
-  [[nodiscard]] Expected steps(double error) const;  // the smallest N with e(N) <= error
+  [[nodiscard]] Prediction error(double steps) const;
+  [[nodiscard]] Prediction steps(double error) const;  // the smallest N with e(N) <= error
 
  private:
   struct Curve {

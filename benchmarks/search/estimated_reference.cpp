@@ -14,11 +14,11 @@
 
 #include "march/singularity.hpp"
 #include "measures/error_kind.hpp"
-#include "observers/watched_steps.hpp"
-#include "records/setup.hpp"
+#include "observers/comparison_steps.hpp"
+#include "records/run_settings.hpp"
 #include "references/reference_of.hpp"
-#include "search/sampled_run.hpp"
-#include "search/searched_way.hpp"
+#include "search/interpolated_run.hpp"
+#include "search/search_candidate.hpp"
 
 namespace fde {
 namespace {
@@ -35,9 +35,10 @@ struct Difference {
   Vec divisors{};         // one entry a column of the scene, at the end time
 };
 
-Difference difference_of(const SampledRun& first, const SampledRun& second, const Question& question) {
+Difference difference_of(const InterpolatedRun& first, const InterpolatedRun& second,
+                         const AccuracyTarget& question) {
   if (!first.finished() || !second.finished()) return {};
-  const auto times = watched_times(second.grid(), most_compared);
+  const auto times = comparison_times(second.grid(), most_compared);
   const Rows values = first.at(times);
   const Rows by = divisors(question.kind.scale, times, values);
   const Rows apart = (second.at(times) - values).cwiseAbs().cwiseQuotient(by)(question.columns, Eigen::all);
@@ -52,7 +53,7 @@ Difference difference_of(const SampledRun& first, const SampledRun& second, cons
   return found;
 }
 
-std::string name_of(const Way& way, int steps) {
+std::string name_of(const Configuration& way, int steps) {
   const auto grid = way.grading == 1.0 ? "" : ", " + grid_text(way.grading);
   return fmt::format("{}{} with N = {}", way.scheme->id, grid, steps);
 }
@@ -60,12 +61,12 @@ std::string name_of(const Way& way, int steps) {
 // Searches for two configurations whose results agree.
 class Estimator {
  public:
-  Estimator(const Scene& scene, const Question& question, double seconds, const Tell& tell)
+  Estimator(const Scene& scene, const AccuracyTarget& question, double seconds, const SearchProgress& tell)
       : scene_(scene), question_(question), seconds_(seconds), tell_(tell) {}
 
   SearchReference run(std::string missing) {
     estimate_.missing = std::move(missing);
-    choose_ways();
+    choose_configurations();
     climb();
     return {made(), estimate_};
   }
@@ -75,19 +76,19 @@ class Estimator {
     return std::chrono::duration<double>(Clock::now() - start_).count();
   }
 
-  [[nodiscard]] std::shared_ptr<const SampledRun> solve(const Way& way, int steps) const {
+  [[nodiscard]] std::shared_ptr<const InterpolatedRun> solve(const Configuration& way, int steps) const {
     tell_(fmt::format("no reference: {}", name_of(way, steps)), std::min(1.0, elapsed() / seconds_));
-    return std::make_shared<const SampledRun>(scene_, way, steps, std::max(0.1, seconds_ - elapsed()));
+    return std::make_shared<const InterpolatedRun>(scene_, way, steps, std::max(0.1, seconds_ - elapsed()));
   }
 
   // A configuration, and the change of its result from N to N/2 steps.
-  struct Moving {
-    Way way{};
+  struct ConfigurationChange {
+    Configuration way{};
     double moves = infinity;
   };
 
-  [[nodiscard]] std::vector<Moving> ways_with(int steps) const {
-    std::vector<Moving> all;
+  [[nodiscard]] std::vector<ConfigurationChange> configurations_with(int steps) const {
+    std::vector<ConfigurationChange> all;
     for (const Scheme& scheme : schemes()) {
       const auto fits = [&](double grading) {
         return !refusal(scheme, scene_.problem, Grid{scene_.problem.end, steps, grading});
@@ -95,28 +96,28 @@ class Estimator {
       if (!fits(1.0)) continue;
       for (const double grading : gradings_of(scheme, scene_, question_.kind.norm)) {
         if (elapsed() > seconds_ || !fits(grading)) continue;
-        const Way way{&scheme, grading};
+        const Configuration way{&scheme, grading};
         const double moves = difference_of(*solve(way, steps), *solve(way, steps / 2), question_).largest;
         if (std::isfinite(moves)) all.push_back({way, moves});
       }
     }
-    std::ranges::stable_sort(all, {}, &Moving::moves);
+    std::ranges::stable_sort(all, {}, &ConfigurationChange::moves);
     return all;
   }
 
-  void choose_ways() {
+  void choose_configurations() {
     constexpr int fewest = 256, most = 16384;
     constexpr double far = 1e3;  // a result that changes this much more indicates instability
     for (int steps = fewest; steps <= most; steps *= 4) {
-      const auto all = ways_with(steps);
+      const auto all = configurations_with(steps);
       if (all.empty()) continue;
       const auto& first = *all.front().way.scheme;
-      const auto other = [&](const Moving& of) { return of.way.scheme != &first; };
-      const auto other_kind = [&](const Moving& of) {
+      const auto other = [&](const ConfigurationChange& of) { return of.way.scheme != &first; };
+      const auto other_kind = [&](const ConfigurationChange& of) {
         return of.way.scheme->needs.implicit != first.needs.implicit && of.moves < far * all.front().moves;
       };
       // Equal gradings avoid interpolation, which is inaccurate for a solution ~ t^g near 0.
-      const auto at_the_same_times = [&](const Moving& of) {
+      const auto at_the_same_times = [&](const ConfigurationChange& of) {
         return other_kind(of) && question_.kind.norm == Norm::maximum &&
                of.way.grading == all.front().way.grading;
       };
@@ -126,7 +127,7 @@ class Estimator {
       if (second == all.end()) continue;
       estimate_.first = all.front().way;
       estimate_.second = second->way;
-      steps_ = steps_seeing_jumps(2 * steps);
+      steps_ = steps_resolving_jumps(2 * steps);
       return;
     }
     throw no_estimate("no two schemes come to their end");
@@ -134,7 +135,7 @@ class Estimator {
 
   // The steps, doubled until the coarser run has some between any two jumps of the right-hand side: both runs
   // would miss a shorter feature alike, and agree.
-  [[nodiscard]] int steps_seeing_jumps(int steps) const {
+  [[nodiscard]] int steps_resolving_jumps(int steps) const {
     constexpr int between = 8, most = 1 << 20;
     double shortest = scene_.problem.end, before = 0.0;
     for (const double t : scene_.problem.jumps) shortest = std::min(shortest, t - std::exchange(before, t));
@@ -156,7 +157,7 @@ class Estimator {
       estimate_.difference = between_.largest;
       const double fallen = fall(before);
       estimate_.factor = estimate_factor(std::min(ratio, fallen));
-      if (estimate_.error() <= estimate_part * question_.accuracy) return;
+      if (estimate_.error() <= largest_estimate_fraction * question_.accuracy) return;
       before = between_.largest;
       ratio = fallen;
       const double next = next_takes * (elapsed() - begin);
@@ -178,7 +179,7 @@ class Estimator {
     const auto differ = fmt::format("{} differ by {:.1e}", runs, between_.largest);
     if (std::isinf(estimate_.factor)) return differ + ", which has not fallen twice with more steps";
     return fmt::format("{}, so the first is off by about {:.1e}, and that is not below {:g} of {:.1e}",
-                       differ, estimate_.error(), estimate_part, question_.accuracy);
+                       differ, estimate_.error(), largest_estimate_fraction, question_.accuracy);
   }
 
   [[nodiscard]] std::runtime_error no_estimate(const std::string& why) const {
@@ -194,14 +195,14 @@ class Estimator {
   }
 
   const Scene& scene_;
-  const Question& question_;
+  const AccuracyTarget& question_;
   double seconds_;
-  const Tell& tell_;
+  const SearchProgress& tell_;
   Clock::time_point start_ = Clock::now();
   int steps_ = 0;
-  std::shared_ptr<const SampledRun> first_{};
+  std::shared_ptr<const InterpolatedRun> first_{};
   Difference between_{};
-  Estimate estimate_{};
+  ErrorEstimate estimate_{};
 };
 
 }  // namespace
@@ -211,13 +212,13 @@ double estimate_factor(double ratio) {
   return ratio > 1.0 ? safety * std::max(1.0, 1.0 / (ratio - 1.0)) : infinity;
 }
 
-SearchReference estimated_reference(const Scene& scene, const Question& question, const std::string& missing,
-                                    double seconds, const Tell& tell) {
+SearchReference estimated_reference(const Scene& scene, const AccuracyTarget& question,
+                                    const std::string& missing, double seconds, const SearchProgress& tell) {
   return Estimator(scene, question, seconds, tell).run(missing);
 }
 
-SearchReference reference_or_estimate(const Scene& scene, const Question& question, double seconds,
-                                      const Tell& tell) {
+SearchReference reference_or_estimate(const Scene& scene, const AccuracyTarget& question, double seconds,
+                                      const SearchProgress& tell) {
   try {
     Reference known = reference_of(scene);
     [[maybe_unused]] const auto at_end = known.at(scene.problem.end);

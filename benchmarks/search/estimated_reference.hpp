@@ -4,17 +4,17 @@
 #include <string>
 
 #include "scenes/scene.hpp"
-#include "search/attempt.hpp"
-#include "search/question.hpp"
+#include "search/accuracy_target.hpp"
+#include "search/candidate_run.hpp"
 
 namespace fde {
 
 // An error estimate for a scene without a reference: two runs of different schemes, the second with half the
 // steps, so that an error common to both rules shows in their difference too. The first, finer run replaces
 // the reference. The estimate is no bound.
-struct Estimate {
-  std::string missing{};  // why there is no reference
-  Way first{}, second{};  // `first` replaces the reference
+struct ErrorEstimate {
+  std::string missing{};            // why there is no reference
+  Configuration first{}, second{};  // `first` replaces the reference
   int first_steps = 0, second_steps = 0;
   double difference = 0.0;  // largest over the compared columns, on the scale of the question
   double factor = 0.0;      // estimated error of the first run = factor * difference
@@ -28,26 +28,26 @@ struct Estimate {
 double estimate_factor(double ratio);
 
 // Largest estimated error of the replaced reference, as a fraction of the requested accuracy.
-inline constexpr double estimate_part = 0.1;
+inline constexpr double largest_estimate_fraction = 0.1;
 
 // The reference of a search, with the estimate it rests on if it is not a known reference.
 struct SearchReference {
   Reference reference{};
-  std::optional<Estimate> estimate{};
+  std::optional<ErrorEstimate> estimate{};
 };
 
-// The reference of the scene; if there is none, an estimate with error <= estimate_part * accuracy, computed
-// within `seconds`. Two configurations of different schemes are chosen whose results change least from N/2 to
-// N among those that reach the end time with few steps, one implicit and one explicit if possible. Both
-// double their steps until the estimated error is small enough; the factor uses the smaller of the last two
-// ratios of successive differences. For Norm::end they are compared over the last tenth of the interval.
-// Throws Singularity if a singularity is the reason for the missing reference, and std::runtime_error with
-// both reasons if the two runs do not agree in time.
-SearchReference reference_or_estimate(const Scene& scene, const Question& question, double seconds,
-                                      const Tell& tell);
+// The reference of the scene; if there is none, an estimate with error <= largest_estimate_fraction *
+// accuracy, computed within `seconds`. Two configurations of different schemes are chosen whose results
+// change least from N/2 to N among those that reach the end time with few steps, one implicit and one
+// explicit if possible. Both double their steps until the estimated error is small enough; the factor uses
+// the smaller of the last two ratios of successive differences. For Norm::end they are compared over the last
+// tenth of the interval. Throws Singularity if a singularity is the reason for the missing reference, and
+// std::runtime_error with both reasons if the two runs do not agree in time.
+SearchReference reference_or_estimate(const Scene& scene, const AccuracyTarget& question, double seconds,
+                                      const SearchProgress& tell);
 
 // The estimate alone, for a scene that has no reference for the reason `missing`.
-SearchReference estimated_reference(const Scene& scene, const Question& question, const std::string& missing,
-                                    double seconds, const Tell& tell);
+SearchReference estimated_reference(const Scene& scene, const AccuracyTarget& question,
+                                    const std::string& missing, double seconds, const SearchProgress& tell);
 
 }  // namespace fde

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "search/attempt.hpp"
+#include "search/candidate_run.hpp"
 
 namespace fde {
 

@@ -32,7 +32,8 @@ int times_in_a_round(const std::function<void()>& solve) {
 
 }  // namespace
 
-std::vector<TimeSpread> time_interleaved(const std::vector<std::function<void()>>& solves, double seconds) {
+std::vector<MedianInterval> time_interleaved(const std::vector<std::function<void()>>& solves,
+                                             double seconds) {
   constexpr std::size_t fewest_rounds = 3, most_rounds = 201;
   std::vector<int> times;
   for (const auto& solve : solves) times.push_back(times_in_a_round(solve));
@@ -42,7 +43,7 @@ std::vector<TimeSpread> time_interleaved(const std::vector<std::function<void()>
        round < fewest_rounds || (round < most_rounds && seconds_since(start) < seconds); ++round) {
     for (std::size_t i = 0; i < solves.size(); ++i) measured[i].push_back(seconds_each(solves[i], times[i]));
   }
-  std::vector<TimeSpread> spreads;
+  std::vector<MedianInterval> spreads;
   for (auto& one : measured) spreads.push_back(spread_of(std::move(one)));
   return spreads;
 }

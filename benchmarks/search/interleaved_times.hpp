@@ -10,6 +10,7 @@ namespace fde {
 // Times several solves in interleaved rounds, each solve once per round, so that other load on the machine
 // affects all alike. Runs for `seconds` and at least three rounds; a solve shorter than 1 ms is repeated
 // within its round.
-std::vector<TimeSpread> time_interleaved(const std::vector<std::function<void()>>& solves, double seconds);
+std::vector<MedianInterval> time_interleaved(const std::vector<std::function<void()>>& solves,
+                                             double seconds);
 
 }  // namespace fde

@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "observers/watched_steps.hpp"
-#include "records/setup.hpp"
+#include "observers/comparison_steps.hpp"
+#include "records/run_settings.hpp"
 #include "search/fewest_steps.hpp"
 #include "search/interleaved_times.hpp"
-#include "search/loosest_accuracy.hpp"
+#include "search/largest_tolerance.hpp"
 #include "stepping/rates.hpp"
 
 namespace fde {
@@ -42,19 +42,19 @@ bool is_hopeless(Ending ending) { return ending == Ending::singular || ending ==
 int meeting_jumps(const Problem& problem) {
   constexpr int most = 1000;
   for (int steps = 1; steps <= most; ++steps) {
-    if (meets_jumps(problem, Grid{problem.end, steps})) return steps;
+    if (has_breaking_points(problem, Grid{problem.end, steps})) return steps;
   }
   return 1;
 }
 
 class Search {
  public:
-  Search(const Scene& scene, const Question& question, double seconds, const Tell& tell)
-      : examiner_(scene, question), unit_(meeting_jumps(scene.problem)), seconds_(seconds), tell_(tell) {
+  Search(const Scene& scene, const AccuracyTarget& question, double seconds, const SearchProgress& tell)
+      : examiner_(scene, question), unit_(meeting_jumps(scene.problem)), seconds_(seconds), progress_(tell) {
     for (const Scheme& scheme : schemes()) add_ways(scheme);
   }
 
-  std::vector<SearchedWay> run() {
+  std::vector<SearchCandidate> run() {
     if (examiner_.reference_bound() >= accuracy()) {
       throw std::runtime_error(
           fmt::format("the reference is known up to {:.1e} only, which is no less than {:.1e}",
@@ -64,13 +64,13 @@ class Search {
     do {
       while (climb()) {
       }
-      for (std::size_t i = 0; i < ways_.size(); ++i) merge_repeats(i);
-      while (!settle()) {
+      for (std::size_t i = 0; i < candidates_.size(); ++i) merge_repeats(i);
+      while (!time_and_verify()) {
       }
-    } while (revive());
-    for (SearchedWay& of : ways_) conclude(of);
-    std::ranges::stable_sort(ways_, {}, rank);
-    return std::move(ways_);
+    } while (resume_slower());
+    for (SearchCandidate& of : candidates_) predict(of);
+    std::ranges::stable_sort(candidates_, {}, rank);
+    return std::move(candidates_);
   }
 
  private:
@@ -78,32 +78,32 @@ class Search {
     const Scene& scene = examiner_.scene();
     const auto why_not = [&](double grading) {
       Resolution resolution = Grid{.end = scene.problem.end, .steps = first_rung, .grading = grading};
-      if (!scheme.needs.takes_grid) resolution = Accuracy{accuracy(), accuracy()};
+      if (!scheme.needs.solves_on_grid) resolution = Tolerance{accuracy(), accuracy()};
       return refusal(scheme, scene.problem, resolution);
     };
     const auto refused = why_not(1.0);
     for (const double grading :
          refused ? std::vector{1.0} : gradings_of(scheme, scene, examiner_.question().kind.norm)) {
       if (!refused && why_not(grading)) continue;
-      ways_.push_back({.way = {&scheme, grading},
-                       .found = refused ? Found::refused : Found::out_of_time,
-                       .reason = refused.value_or(""),
-                       .names = {std::string(scheme.id)}});
-      climbing_.push_back(!refused);
+      candidates_.push_back({.way = {&scheme, grading},
+                             .found = refused ? Found::refused : Found::out_of_time,
+                             .reason = refused.value_or(""),
+                             .names = {std::string(scheme.id)}});
+      active_.push_back(!refused);
     }
   }
 
   // Sets at how many times runs are compared, from the measured cost of one reference value. All runs with
   // adaptive step size are compared at the same times.
   void watch() {
-    constexpr int most = 512, least = 64, most_at_last = most_watched;
+    constexpr int most = 512, least = 64, most_at_last = max_comparison_steps;
     const auto start = Clock::now();
     constexpr int some = 8;
-    examiner_.know_reference(some);
+    examiner_.precompute_reference(some);
     const double each = std::max(1e-9, std::chrono::duration<double>(Clock::now() - start).count() / some);
-    watched_ = static_cast<int>(std::clamp(seconds_ / (300.0 * each), 1.0 * least, 1.0 * most));
+    comparison_times_ = static_cast<int>(std::clamp(seconds_ / (300.0 * each), 1.0 * least, 1.0 * most));
     watched_at_last_ = static_cast<int>(std::clamp(seconds_ / (10.0 * each), 1.0 * most, 1.0 * most_at_last));
-    watched_by_all_ = std::min(watched_at_last_, evenly_watched);
+    watched_by_all_ = std::min(watched_at_last_, evenly_spaced_comparisons);
   }
 
   [[nodiscard]] double elapsed() const {
@@ -114,72 +114,73 @@ class Search {
 
   [[nodiscard]] double accuracy() const { return examiner_.question().accuracy; }
 
-  Attempt examine(const SearchedWay& of, int steps, int watched) {
-    tell_(fmt::format("{} {} N = {}", of.way.scheme->id, grid_text(of.way.grading), steps),
-          std::min(1.0, elapsed() / seconds_));
+  Attempt examine(const SearchCandidate& of, int steps, int watched) {
+    progress_(fmt::format("{} {} N = {}", of.way.scheme->id, grid_text(of.way.grading), steps),
+              std::min(1.0, elapsed() / seconds_));
     return examiner_.examine(of.way, steps, watched, std::max(1.0, left()));
   }
 
   // The budget is a multiple of the quickest run so far: a slower run cannot be the best.
-  Attempt examine_asked(const SearchedWay& of, double asked) {
+  Attempt examine_asked(const SearchCandidate& of, double asked) {
     constexpr double shortest = 0.05, part = 0.1;
-    tell_(fmt::format("{} accuracy = {:.1e}", of.way.scheme->id, asked), std::min(1.0, elapsed() / seconds_));
+    progress_(fmt::format("{} accuracy = {:.1e}", of.way.scheme->id, asked),
+              std::min(1.0, elapsed() / seconds_));
     const double budget = std::clamp(far * quickest_, shortest, std::max(shortest, part * left()));
-    return examiner_.examine(of.way, Accuracy{asked, asked}, watched_by_all_, budget);
+    return examiner_.examine(of.way, Tolerance{asked, asked}, watched_by_all_, budget);
   }
 
   // One more run for each active configuration that is not expected to be slower than another. Returns
   // whether any is still active.
   bool climb() {
     double expected = quickest_;
-    for (std::size_t i = 0; i < ways_.size(); ++i) {
-      if (climbing_[i])
-        expected = std::min(expected, expected_seconds(ways_[i], accuracy(), &Expected::high));
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      if (active_[i])
+        expected = std::min(expected, expected_seconds(candidates_[i], accuracy(), &Prediction::high));
     }
-    for (std::size_t i = 0; i < ways_.size(); ++i) {
-      if (!climbing_[i] || least_seconds(ways_[i], accuracy()) > margin * expected) continue;
-      climbing_[i] = climb(ways_[i]);
-      if (ways_[i].ladder.size() == rungs_to_compare) merge_repeats(i);
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      if (!active_[i] || lower_bound_of_seconds(candidates_[i], accuracy()) > margin * expected) continue;
+      active_[i] = climb(candidates_[i]);
+      if (candidates_[i].ladder.size() == rungs_to_compare) merge_repeats(i);
     }
-    for (std::size_t i = 0; i < ways_.size(); ++i) {
-      if (!climbing_[i] || least_seconds(ways_[i], accuracy()) <= margin * quickest_) continue;
-      ways_[i].found = Found::slower;
-      climbing_[i] = false;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      if (!active_[i] || lower_bound_of_seconds(candidates_[i], accuracy()) <= margin * quickest_) continue;
+      candidates_[i].found = Found::slower;
+      active_[i] = false;
     }
-    return std::ranges::find(climbing_, true) != climbing_.end();
+    return std::ranges::find(active_, true) != active_.end();
   }
 
   // Makes the next run of the ladder, or all runs with adaptive step size. Returns whether to go on refining.
-  bool climb(SearchedWay& of) {
-    if (of.way.chooses_steps()) {
+  bool climb(SearchCandidate& of) {
+    if (of.way.is_adaptive()) {
       ask(of);
       return false;
     }
     const int steps = of.ladder.empty() ? std::max(first_rung, unit_) : 2 * of.ladder.back().steps;
     if (steps > most_steps_ / 2 || next_seconds(of) > most_of_rest * left()) return false;
-    of.ladder.push_back(examine(of, steps, watched_));
-    if (of.ladder.size() == 1 && of.way.scheme->start_powers) leave_out_start_weights(of);
+    of.ladder.push_back(examine(of, steps, comparison_times_));
+    if (of.ladder.size() == 1 && of.way.scheme->starting_powers) exclude_setup_time(of);
     const Attempt& last = of.ladder.back();
-    of.step_seconds = last.seconds / last.steps;
+    of.seconds_per_step = last.seconds / last.steps;
     if (last.within) {
       find_fewest(of);
       return false;
     }
-    if (passes_zero(of)) return false;
+    if (search_sign_change(of)) return false;
     if (is_hopeless(last.ending.kind)) {
       of.found = last.ending.kind == Ending::out_of_budget ? Found::out_of_time : Found::failed;
       of.reason = sentence(last.ending);
       return false;
     }
-    if (is_at_floor(of)) {
+    if (has_stagnated(of)) {
       of.found = Found::at_floor;
       return false;
     }
-    return least_seconds(of, accuracy()) < far * left();
+    return lower_bound_of_seconds(of, accuracy()) < far * left();
   }
 
   // The first solve computes the start weights, which are cached; the time without them is compared.
-  void leave_out_start_weights(SearchedWay& of) const {
+  void exclude_setup_time(SearchCandidate& of) const {
     Attempt& first = of.ladder.front();
     const double whole = first.seconds;
     time_again(of.way, first);
@@ -187,8 +188,8 @@ class Search {
   }
 
   // All runs of a scheme with adaptive step size.
-  void ask(SearchedWay& of) {
-    auto found = loosest_accuracy(accuracy(), [&](double asked) {
+  void ask(SearchCandidate& of) {
+    auto found = largest_tolerance(accuracy(), [&](double asked) {
       of.ladder.push_back(examine_asked(of, asked));
       return of.ladder.back();
     });
@@ -198,7 +199,7 @@ class Search {
       time_best(of);
       return;
     }
-    const RunEnding& last = of.ladder.back().ending;
+    const RunOutcome& last = of.ladder.back().ending;
     const bool finished = last.kind == Ending::finished;
     of.found = finished ? Found::at_floor : Found::failed;
     if (last.kind == Ending::out_of_budget) of.found = Found::slower;
@@ -207,12 +208,12 @@ class Search {
 
   // If the error changes its sign between the last two runs, searches there for a run within the accuracy.
   // Returns whether there is one.
-  bool passes_zero(SearchedWay& of) {
+  bool search_sign_change(SearchCandidate& of) {
     const auto& ladder = of.ladder;
     if (ladder.size() < 2 || ladder.back().signed_error * ladder[ladder.size() - 2].signed_error >= 0.0)
       return false;
     auto found = at_sign_change(ladder[ladder.size() - 2], ladder.back(), unit_,
-                                [&](int steps) { return examine(of, steps, watched_); });
+                                [&](int steps) { return examine(of, steps, comparison_times_); });
     if (!found) return false;
     of.best = std::move(*found);
     of.found = Found::within;
@@ -220,11 +221,11 @@ class Search {
     return true;
   }
 
-  void find_fewest(SearchedWay& of) {
+  void find_fewest(SearchCandidate& of) {
     // A scan costs about 25 times the longest run and may take a tenth of the time left.
     constexpr double runs_of_scan = 25.0, part_of_scan = 0.1;
     constexpr int few_steps = 64;  // with so few steps the error need not be monotone in N
-    const auto attempt = [&](int steps) { return examine(of, steps, watched_); };
+    const auto attempt = [&](int steps) { return examine(of, steps, comparison_times_); };
     const bool may_pass_zero = examiner_.question().kind.norm == Norm::end;
     const bool is_short = runs_of_scan * of.ladder.back().seconds < part_of_scan * left();
     const bool scan = is_short && (may_pass_zero || of.ladder.back().steps <= few_steps);
@@ -233,39 +234,39 @@ class Search {
     time_best(of);
   }
 
-  void time_best(SearchedWay& of) {
+  void time_best(SearchCandidate& of) {
     time_again(of.way, of.best);
     quickest_ = std::min(quickest_, of.best.seconds);
   }
 
-  void time_again(const Way& way, Attempt& attempt) const {
+  void time_again(const Configuration& way, Attempt& attempt) const {
     constexpr int more_solves = 2;
     constexpr double part = 0.1;  // largest fraction of the time left for one solve
     for (int i = 0; i < more_solves && attempt.seconds < part * left(); ++i)
       attempt.seconds = std::min(attempt.seconds, seconds_to_end(way, attempt));
   }
 
-  [[nodiscard]] double seconds_to_end(const Way& way, const Attempt& as) const {
+  [[nodiscard]] double seconds_to_end(const Configuration& way, const Attempt& as) const {
     const auto start = Clock::now();
-    examiner_.solve_to_end(way, resolution_of(as));
+    examiner_.solve_for_timing(way, resolution_of(as));
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
   // Merges a configuration into an earlier one that gives the same bits.
   void merge_repeats(std::size_t second) {
-    for (std::size_t first = 0; first < second && ways_[second].found != Found::repeats; ++first) {
-      if (!is_repeated(ways_[first], ways_[second])) continue;
-      ways_[first].names.emplace_back(ways_[second].way.scheme->id);
-      ways_[second].found = Found::repeats;
-      climbing_[second] = false;
+    for (std::size_t first = 0; first < second && candidates_[second].found != Found::repeats; ++first) {
+      if (!is_repeated(candidates_[first], candidates_[second])) continue;
+      candidates_[first].names.emplace_back(candidates_[second].way.scheme->id);
+      candidates_[second].found = Found::repeats;
+      active_[second] = false;
     }
   }
 
-  bool is_repeated(const SearchedWay& first, const SearchedWay& second) {
-    const auto is_alive = [](const SearchedWay& of) {
+  bool is_repeated(const SearchCandidate& first, const SearchCandidate& second) {
+    const auto is_alive = [](const SearchCandidate& of) {
       return of.found == Found::within || of.found == Found::out_of_time;
     };
-    if (first.way.chooses_steps() || second.way.chooses_steps()) return false;
+    if (first.way.is_adaptive() || second.way.is_adaptive()) return false;
     if (!is_alive(first) || !is_alive(second) || first.way.grading != second.way.grading) return false;
     const std::size_t common = std::min(first.ladder.size(), second.ladder.size());
     const auto same = [](const Attempt& a, const Attempt& b) {
@@ -279,13 +280,13 @@ class Search {
   }
 
   // Predicts the error of `best`, or the steps needed, by the error model of the ladder.
-  void conclude(SearchedWay& of) const {
-    if (of.way.chooses_steps()) return;
+  void predict(SearchCandidate& of) const {
+    if (of.way.is_adaptive()) return;
     const auto errors = errors_of(of);
     const ErrorModel model(errors);
     if (model.empty()) return;
     if (of.found == Found::within) of.predicted = model.error(of.best.steps);
-    if (of.found != Found::within && !has_begun(of)) return;
+    if (of.found != Found::within && !is_asymptotic(of)) return;
     of.rate = observed_rate(errors);
     if (of.found == Found::slower || of.found == Found::out_of_time)
       of.steps_needed = model.steps(accuracy());
@@ -293,41 +294,41 @@ class Search {
 
   // Times the quickest configurations against each other and compares the best with the reference at more
   // times. Returns false if `best` needed more steps for that, so that the timing has to be repeated.
-  bool settle() {
-    std::vector<SearchedWay*> quick;
-    for (SearchedWay& of : ways_) {
+  bool time_and_verify() {
+    std::vector<SearchCandidate*> quick;
+    for (SearchCandidate& of : candidates_) {
       of.time.reset();
       if (of.found == Found::within && of.best.seconds <= margin * quickest_) quick.push_back(&of);
     }
     if (quick.empty()) return true;
     std::vector<std::function<void()>> solves;
     for (const auto* of : quick)
-      solves.emplace_back([this, of] { examiner_.solve_to_end(of->way, resolution_of(of->best)); });
-    tell_(fmt::format("timing {} runs", quick.size()), std::min(1.0, elapsed() / seconds_));
+      solves.emplace_back([this, of] { examiner_.solve_for_timing(of->way, resolution_of(of->best)); });
+    progress_(fmt::format("timing {} runs", quick.size()), std::min(1.0, elapsed() / seconds_));
     const auto times = time_interleaved(solves, timing_part * seconds_);
     for (std::size_t i = 0; i < quick.size(); ++i) quick[i]->time = times[i];
     auto& first = **std::ranges::min_element(quick, {}, [](const auto* of) { return of->time->median; });
-    return is_verified(first);
+    return verify(first);
   }
 
   // Resumes configurations given up as slower whose lower estimate is below the measured time of the best.
   // Returns whether any is active again.
-  bool revive() {
+  bool resume_slower() {
     quickest_ = infinity;
-    for (const SearchedWay& of : ways_) {
+    for (const SearchCandidate& of : candidates_) {
       if (of.time) quickest_ = std::min(quickest_, of.time->median);
     }
-    for (std::size_t i = 0; i < ways_.size(); ++i) {
-      if (ways_[i].found != Found::slower || ways_[i].way.chooses_steps()) continue;
-      if (least_seconds(ways_[i], accuracy()) > quickest_) continue;
-      ways_[i].found = Found::out_of_time;
-      climbing_[i] = left() > 0.0;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      if (candidates_[i].found != Found::slower || candidates_[i].way.is_adaptive()) continue;
+      if (lower_bound_of_seconds(candidates_[i], accuracy()) > quickest_) continue;
+      candidates_[i].found = Found::out_of_time;
+      active_[i] = left() > 0.0;
     }
-    return std::ranges::find(climbing_, true) != climbing_.end();
+    return std::ranges::find(active_, true) != active_.end();
   }
 
   // Repeats a run with a comparison at more times.
-  Attempt examine_again(const SearchedWay& of, const Attempt& as) {
+  Attempt examine_again(const SearchCandidate& of, const Attempt& as) {
     return as.asked ? examine_asked(of, *as.asked) : examine(of, as.steps, watched_at_last_);
   }
 
@@ -344,7 +345,7 @@ class Search {
 
   // Refines `first.best` until it is within the accuracy at more comparison times. Returns whether it was so
   // without refinement.
-  bool is_verified(SearchedWay& first) {
+  bool verify(SearchCandidate& first) {
     if (first.best.steps == verified_steps_ && &first == verified_) return true;
     Attempt attempt = examine_again(first, first.best);
     const bool within = attempt.within;
@@ -359,30 +360,30 @@ class Search {
   }
 
   // Sort key: timed configurations first, by time; then by outcome.
-  static std::pair<int, double> rank(const SearchedWay& of) {
+  static std::pair<int, double> rank(const SearchCandidate& of) {
     if (of.time) return {-1, of.time->median};
     return {static_cast<int>(of.found), of.best.seconds};
   }
 
   static constexpr int most_steps_ = 1 << 30;
   static constexpr double timing_part = 0.05;
-  Examiner examiner_;
+  RunEvaluator examiner_;
   int unit_;  // all numbers of steps are multiples of it
   double seconds_;
-  const Tell& tell_;
+  const SearchProgress& progress_;
   Clock::time_point start_ = Clock::now();
-  std::vector<SearchedWay> ways_{};
-  std::vector<bool> climbing_{};  // active, one entry for each of ways_
-  double quickest_ = infinity;    // least seconds of a run within the accuracy
-  int watched_ = 0, watched_at_last_ = 0, watched_by_all_ = 0;
-  const SearchedWay* verified_ = nullptr;
+  std::vector<SearchCandidate> candidates_{};
+  std::vector<bool> active_{};  // active, one entry for each of candidates_
+  double quickest_ = infinity;  // least seconds of a run within the accuracy
+  int comparison_times_ = 0, watched_at_last_ = 0, watched_by_all_ = 0;
+  const SearchCandidate* verified_ = nullptr;
   int verified_steps_ = 0;
 };
 
 }  // namespace
 
-std::vector<SearchedWay> search(const Scene& scene, const Question& question, double seconds,
-                                const Tell& tell) {
+std::vector<SearchCandidate> search(const Scene& scene, const AccuracyTarget& question, double seconds,
+                                    const SearchProgress& tell) {
   return Search(scene, question, seconds, tell).run();
 }
 

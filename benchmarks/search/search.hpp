@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "search/searched_way.hpp"
+#include "search/search_candidate.hpp"
 
 namespace fde {
 
@@ -13,7 +13,7 @@ namespace fde {
 // quickest configurations are timed against each other, and the best is compared with the reference at as
 // many steps as a record is. Returns all configurations: first those within the accuracy, the quickest first.
 // Throws std::runtime_error if the reference is missing or less accurate than requested.
-std::vector<SearchedWay> search(const Scene& scene, const Question& question, double seconds,
-                                const Tell& tell);
+std::vector<SearchCandidate> search(const Scene& scene, const AccuracyTarget& question, double seconds,
+                                    const SearchProgress& tell);
 
 }  // namespace fde

@@ -16,15 +16,15 @@ TotalVariation::TotalVariation(std::vector<double> times, const Rows& values, co
   }
 }
 
-double TotalVariation::hidden_by(const Grid& grid, double smallest_order) const {
+double TotalVariation::unresolved_variation(const Grid& grid, double smallest_order) const {
   constexpr double nine_tenths = 0.9;
   double hidden = 0.0;
   for (Eigen::Index column = 0; column < variation_.rows(); ++column) {
     // Only the step that contains the median of the variation can have more than half of it.
-    const double place = grid.steps * std::pow(half_way(column) / grid.end, 1.0 / grid.grading);
+    const double place = grid.steps * std::pow(median_time(column) / grid.end, 1.0 / grid.grading);
     const int step = std::clamp(static_cast<int>(std::ceil(place)), 1, grid.steps);
     const double from = grid.time(step - 1), to = grid.time(step);
-    const double within = up_to(to, column) - up_to(from, column);
+    const double within = variation_until(to, column) - variation_until(from, column);
     const double most = std::min(nine_tenths, 0.5 * (1.0 + std::pow((to - from) / grid.end, smallest_order)));
     if (within > most * variation_(column, variation_.cols() - 1)) hidden = std::max(hidden, 0.5 * within);
   }
@@ -32,7 +32,7 @@ double TotalVariation::hidden_by(const Grid& grid, double smallest_order) const 
 }
 
 // Linear interpolation between the given times.
-double TotalVariation::up_to(double t, Eigen::Index column) const {
+double TotalVariation::variation_until(double t, Eigen::Index column) const {
   const auto next = std::ranges::upper_bound(times_, t);
   if (next == times_.end()) return variation_(column, variation_.cols() - 1);
   const auto c = next - times_.begin();
@@ -41,7 +41,7 @@ double TotalVariation::up_to(double t, Eigen::Index column) const {
 }
 
 // The first given time (after 0) with at least half of the column's variation.
-double TotalVariation::half_way(Eigen::Index column) const {
+double TotalVariation::median_time(Eigen::Index column) const {
   const auto row = variation_.row(column);
   const auto found = std::ranges::lower_bound(row, 0.5 * row[row.size() - 1]);
   return times_[static_cast<std::size_t>(std::max<Eigen::Index>(1, found - row.begin()))];

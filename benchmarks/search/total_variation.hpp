@@ -18,11 +18,11 @@ class TotalVariation {
   // variation (a transient inside the step), half of that variation; otherwise 0. The largest over columns.
   // A solution ~ t^g, g the smallest order, has the fraction h^g of its variation in a first step h of an
   // interval 1, which is no transient; "most" is therefore more than min(0.9, (1 + h^g)/2).
-  [[nodiscard]] double hidden_by(const Grid& grid, double smallest_order) const;
+  [[nodiscard]] double unresolved_variation(const Grid& grid, double smallest_order) const;
 
  private:
-  [[nodiscard]] double up_to(double t, Eigen::Index column) const;
-  [[nodiscard]] double half_way(Eigen::Index column) const;
+  [[nodiscard]] double variation_until(double t, Eigen::Index column) const;
+  [[nodiscard]] double median_time(Eigen::Index column) const;
 
   std::vector<double> times_;
   Rows variation_;

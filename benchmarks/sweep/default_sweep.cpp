@@ -39,15 +39,15 @@ std::vector<SceneVariant> sweep_scenes() {
   return variants;
 }
 
-Ladder thorough_ladder() {
-  Ladder ladder;
+RefinementPlan thorough_plan() {
+  RefinementPlan ladder;
   for (int steps = 64; steps <= 524288; steps *= 2) ladder.rungs.emplace_back(steps);
   for (const double error : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13})
-    ladder.rungs.emplace_back(Accuracy{error, error});
+    ladder.rungs.emplace_back(Tolerance{error, error});
   return ladder;
 }
 
-Ladder default_ladder() { return {thorough_ladder().rungs, Goal{}}; }
+RefinementPlan default_plan() { return {thorough_plan().rungs, RefinementGoal{}}; }
 
 std::vector<const Scheme*> sweep_schemes() {
   std::vector<const Scheme*> all;

@@ -4,7 +4,7 @@
 
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
-#include "sweep/ladder.hpp"
+#include "sweep/refinement_plan.hpp"
 
 namespace fde {
 
@@ -18,8 +18,8 @@ std::vector<SceneVariant> sweep_scenes();
 
 // The numbers of steps (64, 128, ..., 2^19) and tolerances (1e-2, ..., 1e-13) of a thorough sweep; and the
 // same with a Goal that ends each refinement early.
-Ladder thorough_ladder();
-Ladder default_ladder();
+RefinementPlan thorough_plan();
+RefinementPlan default_plan();
 
 // Every scheme; and the schemes that also run on the grid of optimal_grading() where solutions are not smooth
 // at 0.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "observers/watched_steps.hpp"
+#include "observers/comparison_steps.hpp"
 #include "stepping/rates.hpp"
 #include "sweep/in_parallel.hpp"
 
@@ -22,8 +22,8 @@ double seconds_of(const std::function<void()>& work) {
 // Times and errors of two or three solves of one scheme on one scene, extrapolated to other resolutions.
 class Probe {
  public:
-  Probe(const Scene& scene, const Scheme& scheme, const Setup& setup, const Ladder& ladder) {
-    if (!scheme.needs.takes_grid) {
+  Probe(const Scene& scene, const Scheme& scheme, const RunSettings& setup, const RefinementPlan& ladder) {
+    if (!scheme.needs.solves_on_grid) {
       probe_accuracy(scene, scheme, setup);
       return;
     }
@@ -40,16 +40,16 @@ class Probe {
   }
 
   // The predicted run with this number of steps or tolerance.
-  [[nodiscard]] Rung rung(const StepsOrAccuracy& resolution) const {
-    if (const auto* asked = std::get_if<Accuracy>(&resolution)) return rung_of(*asked);
+  [[nodiscard]] RefinementRun rung(const StepsOrTolerance& resolution) const {
+    if (const auto* asked = std::get_if<Tolerance>(&resolution)) return refinement_run(*asked);
     const int steps = std::get<int>(resolution);
     const bool takes_no_grid = steps_ == 0;
-    Rung rung{.steps = steps, .hopeless = refused_ || takes_no_grid};
+    RefinementRun rung{.steps = steps, .hopeless = refused_ || takes_no_grid};
     if (failed_ || takes_no_grid) return rung;
     const double ratio = static_cast<double>(steps_) / steps;
     rung.seconds = seconds_ / ratio;
     const auto falling = [&](std::optional<double> rate) {
-      return FallingError{error_ * std::pow(ratio, rate.value_or(1.0)), rate};
+      return ErrorWithRate{error_ * std::pow(ratio, rate.value_or(1.0)), rate};
     };
     rung.end = falling(end_rate_);
     rung.maximum = falling(maximum_rate_);
@@ -58,7 +58,7 @@ class Probe {
 
  private:
   // The finest solve has four times these steps: at most 512, and a quarter of the ladder's largest number.
-  static int fewest_steps(const Ladder& ladder) {
+  static int fewest_steps(const RefinementPlan& ladder) {
     constexpr int most = 128, part = 16;
     int steps = 0;
     for (const auto& rung : ladder.rungs) {
@@ -67,15 +67,15 @@ class Probe {
     return std::clamp(steps / part, 1, most);
   }
 
-  void probe_accuracy(const Scene& scene, const Scheme& scheme, const Setup& setup) {
-    solve(scene, scheme, setup, Accuracy{coarse_, coarse_});
+  void probe_accuracy(const Scene& scene, const Scheme& scheme, const RunSettings& setup) {
+    solve(scene, scheme, setup, Tolerance{coarse_, coarse_});
     const double before = seconds_;
-    solve(scene, scheme, setup, Accuracy{fine_, fine_});
+    solve(scene, scheme, setup, Tolerance{fine_, fine_});
     longer_ = std::max(1.0, std::pow(seconds_ / before, 1.0 / std::log10(coarse_ / fine_)));
   }
 
-  [[nodiscard]] Rung rung_of(const Accuracy& asked) const {
-    Rung rung{.hopeless = refused_};
+  [[nodiscard]] RefinementRun refinement_run(const Tolerance& asked) const {
+    RefinementRun rung{.hopeless = refused_};
     if (!failed_) {
       rung.seconds =
           seconds_ * std::pow(longer_, std::log10(fine_ / std::max(asked.relative, asked.absolute)));
@@ -84,7 +84,7 @@ class Probe {
   }
 
   // Solves and returns the columns at the end time.
-  Vec solve(const Scene& scene, const Scheme& scheme, Setup setup, const StepsOrAccuracy& asked) {
+  Vec solve(const Scene& scene, const Scheme& scheme, RunSettings setup, const StepsOrTolerance& asked) {
     constexpr double most_seconds = 2.0;
     setup.resolution = asked;
     setup.budget = std::min(setup.budget, most_seconds);
@@ -122,34 +122,34 @@ double seconds_of_reference(const Scene& scene) {
 }
 
 // The seconds of the timed solves of a run; 0 if it is not timed.
-double seconds_of_timing(const Rung& rung, const Repeats& repeats) {
+double seconds_of_timing(const RefinementRun& rung, const TimingRepeats& repeats) {
   if (!rung.seconds) return 0.0;
   const double once = *rung.seconds;
   const double wanted = std::min(repeats.most * once, repeats.enough_seconds + once);
-  return std::max({wanted, once, repeats.least_seconds});
+  return std::max({wanted, once, repeats.lower_bound_of_seconds});
 }
 
 // Simulates the refinement of all schemes on one scene.
-class ForecastScene {
+class RefinementSimulation {
  public:
-  ForecastScene(const SceneVariant& variant, const Sweep& sweep,
-                const std::function<RecordedRun(const RunKey&)>& recorded)
+  RefinementSimulation(const SceneVariant& variant, const Sweep& sweep,
+                       const std::function<RecordedRun(const RunKey&)>& recorded)
       : name_(variant.key()), scene_(make_scene(variant)), sweep_(sweep), recorded_(recorded) {}
 
   Forecast climb() {
     reference_ = seconds_of_reference(scene_);
     std::vector<ProbedLine> probes;
     for (const auto* scheme : sweep_.schemes) {
-      for (const Setup& setup : setups_of(sweep_, *scheme, scene_.problem))
+      for (const RunSettings& setup : setups_of(sweep_, *scheme, scene_.problem))
         probes.push_back({scheme, setup, Probe(scene_, *scheme, setup, sweep_.ladder)});
     }
     const std::size_t count = probes.size() + sweep_.programs.size();
-    std::vector<Climb> climbs(count);
+    std::vector<Refinement> climbs(count);
     std::vector<bool> ended(count, false);
     const auto ladder_of = [&](std::size_t i) {
-      return ladder_for(sweep_.ladder, i < probes.size() ? probes[i].scheme->needs : Needs{});
+      return plan_for(sweep_.ladder, i < probes.size() ? probes[i].scheme->needs : Capabilities{});
     };
-    std::vector<Ladder> ladders;
+    std::vector<RefinementPlan> ladders;
     for (std::size_t i = 0; i < count; ++i) ladders.push_back(ladder_of(i));
     for (std::size_t rung = 0; rung < sweep_.ladder.rungs.size(); ++rung) {
       for (std::size_t i = 0; i < count; ++i) {
@@ -158,7 +158,8 @@ class ForecastScene {
         climbs[i].push_back(i < probes.size() ? take(probes[i], resolution)
                                               : take(sweep_.programs[i - probes.size()], resolution));
       }
-      for (std::size_t i = 0; i < count; ++i) ended[i] = ended[i] || has_ended(ladders[i], climbs, climbs[i]);
+      for (std::size_t i = 0; i < count; ++i)
+        ended[i] = ended[i] || is_finished(ladders[i], climbs, climbs[i]);
     }
     return std::move(expected_);
   }
@@ -166,37 +167,37 @@ class ForecastScene {
  private:
   struct ProbedLine {
     const Scheme* scheme;
-    Setup setup;
+    RunSettings setup;
     Probe probe;
   };
 
-  Rung take(const ProbedLine& line, const StepsOrAccuracy& resolution) {
+  RefinementRun take(const ProbedLine& line, const StepsOrTolerance& resolution) {
     RunKey key{name_, std::string(line.scheme->id), line.setup};
     key.setup.resolution = resolution;
     const RecordedRun recorded = recorded_(key);
-    if (recorded.amount() == Recorded::everything) return rung_of(key.setup, recorded);
-    const Rung rung = line.probe.rung(resolution);
+    if (recorded.amount() == RecordedAmount::everything) return refinement_run(key.setup, recorded);
+    const RefinementRun rung = line.probe.rung(resolution);
     expected_[key] = seconds_of(rung) + seconds_of_timing(rung, sweep_.repeats);
     return rung;
   }
 
   // Programs are not started for a forecast: one second per run is assumed.
-  Rung take(const ExternalProgram& program, const StepsOrAccuracy& resolution) {
+  RefinementRun take(const ExternalProgram& program, const StepsOrTolerance& resolution) {
     constexpr double guess = 1.0;
     RunKey key = key_of(program, name_, sweep_.setup);
     key.setup.resolution = resolution;
     const RecordedRun recorded = recorded_(key);
-    if (recorded.amount() == Recorded::everything) return rung_of(key.setup, recorded);
+    if (recorded.amount() == RecordedAmount::everything) return refinement_run(key.setup, recorded);
     expected_[key] = guess + guess * sweep_.repeats.most;
     return {.steps = std::get<int>(resolution)};
   }
 
   // The seconds of an examination, divided by the number of scenes in parallel: its two solves and the
   // reference at times not evaluated before.
-  double seconds_of(const Rung& rung) {
+  double seconds_of(const RefinementRun& rung) {
     constexpr double least = 0.002, computed_reference = 0.5;
     double seconds = least + 2.0 * rung.seconds.value_or(0.0);
-    const int times = rung.seconds ? std::min(rung.steps, most_watched) : 0;
+    const int times = rung.seconds ? std::min(rung.steps, max_comparison_steps) : 0;
     if (times > 0 && known_ == 0 && !scene_.reference.at) seconds += computed_reference;
     seconds += reference_ * std::max(0, times - known_);
     known_ = std::max(known_, times);
@@ -222,8 +223,9 @@ double total_seconds(const Forecast& forecast) {
 
 Forecast forecast(const Sweep& sweep, const std::function<RecordedRun(const RunKey&)>& recorded) {
   std::vector<Forecast> parts(sweep.scenes.size());
-  in_parallel(parts.size(), sweep.threads,
-              [&](std::size_t i) { parts[i] = ForecastScene(sweep.scenes[i], sweep, recorded).climb(); });
+  in_parallel(parts.size(), sweep.threads, [&](std::size_t i) {
+    parts[i] = RefinementSimulation(sweep.scenes[i], sweep, recorded).climb();
+  });
   Forecast all;
   for (auto& part : parts) all.merge(part);
   return all;

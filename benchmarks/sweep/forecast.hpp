@@ -9,9 +9,9 @@ namespace fde {
 double total_seconds(const Forecast& forecast);
 
 // Predicts which runs the sweep will make, and their seconds. Three solves with few steps measure the time of
-// a step and the error of each scheme on each scene; the refinement is then simulated with has_ended(). Runs
-// for which `recorded` returns all measures are not forecast. Without a goal the runs are exactly those of
-// the sweep; the seconds, those of references included, are a rough estimate.
+// a step and the error of each scheme on each scene; the refinement is then simulated with is_finished().
+// Runs for which `recorded` returns all measures are not forecast. Without a goal the runs are exactly those
+// of the sweep; the seconds, those of references included, are a rough estimate.
 Forecast forecast(const Sweep& sweep, const std::function<RecordedRun(const RunKey&)>& recorded);
 
 }  // namespace fde

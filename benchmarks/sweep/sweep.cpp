@@ -16,30 +16,31 @@ namespace fde {
 namespace {
 
 // The runs of one scheme (with one grading) or program on a scene, from coarse to fine.
-struct Line {
+struct RefinementSeries {
   std::variant<const Scheme*, const ExternalProgram*> solver;
   RunKey key;  // of the current run
-  Ladder ladder{};
-  Setup setup{};      // of the current run; a program's key has fewer settings
-  RecordedRun run{};  // the current run
+  RefinementPlan ladder{};
+  RunSettings setup{};  // of the current run; a program's key has fewer settings
+  RecordedRun run{};    // the current run
   bool ended = false;
 };
 
 // A scene with all its runs. Examined by one thread.
-struct SweptScene {
-  SweptScene(SceneVariant swept, const Sweep& sweep)
+struct SceneRefinements {
+  SceneRefinements(SceneVariant swept, const Sweep& sweep)
       : variant(std::move(swept)), name(variant.key()), scene(make_scene(variant)) {
     for (const auto* scheme : sweep.schemes) {
-      for (const Setup& setup : setups_of(sweep, *scheme, scene.problem))
-        add({scheme, {name, std::string(scheme->id), setup}, ladder_for(sweep.ladder, scheme->needs), setup});
+      for (const RunSettings& setup : setups_of(sweep, *scheme, scene.problem))
+        add({scheme, {name, std::string(scheme->id), setup}, plan_for(sweep.ladder, scheme->needs), setup});
     }
     for (const auto& program : sweep.programs)
-      add({&program, key_of(program, name, sweep.setup), ladder_for(sweep.ladder, Needs{}), sweep.setup});
+      add({&program, key_of(program, name, sweep.setup), plan_for(sweep.ladder, Capabilities{}),
+           sweep.setup});
     climbs.resize(lines.size());
   }
 
-  void add(Line line) {
-    const auto same = [&](const Line& other) {
+  void add(RefinementSeries line) {
+    const auto same = [&](const RefinementSeries& other) {
       return other.solver == line.solver && other.setup == line.setup;
     };
     if (std::ranges::none_of(lines, same)) lines.push_back(std::move(line));
@@ -48,9 +49,9 @@ struct SweptScene {
   SceneVariant variant;
   SceneSettings name;
   Scene scene;
-  WatchedReference reference{scene};
-  std::vector<Line> lines{};
-  std::vector<Climb> climbs{};  // one entry for each of `lines`
+  MemoizedReference reference{scene};
+  std::vector<RefinementSeries> lines{};
+  std::vector<Refinement> climbs{};  // one entry for each of `lines`
 };
 
 // Whether solutions are not smooth at 0: every row has a fractional order and belongs to no multi-term chain
@@ -61,9 +62,9 @@ bool starts_singular(const Problem& problem) {
 }
 
 // The hooks, guarded by a mutex. After append() has thrown, all threads stop.
-class SweepLog {
+class GuardedCallbacks {
  public:
-  explicit SweepLog(const SweepHooks& hooks) : hooks_(hooks) {}
+  explicit GuardedCallbacks(const SweepCallbacks& hooks) : hooks_(hooks) {}
 
   void tell(SweepEvent::Kind kind, const RunKey& run) {
     const std::scoped_lock lock(mutex_);
@@ -82,63 +83,64 @@ class SweepLog {
   [[nodiscard]] bool failed() const { return failed_; }
 
  private:
-  const SweepHooks& hooks_;
+  const SweepCallbacks& hooks_;
   std::mutex mutex_;
   std::atomic<bool> failed_ = false;
 };
 
-void append(const std::vector<Record>& rows, Line& line, SweepLog& log) {
+void append(const std::vector<Record>& rows, RefinementSeries& line, GuardedCallbacks& log) {
   log.append(rows);
   for (const Record& row : rows) line.run.note(row);
-  if (line.run.amount() == Recorded::everything) log.tell(SweepEvent::Kind::is_done, line.key);
+  if (line.run.amount() == RecordedAmount::everything) log.tell(SweepEvent::Kind::is_done, line.key);
 }
 
-std::vector<Record> examine(SweptScene& of, const Line& line) {
+std::vector<Record> examine(SceneRefinements& of, const RefinementSeries& line) {
   if (const auto* program = std::get_if<const ExternalProgram*>(&line.solver))
     return examine(of.variant, of.scene, of.reference, **program, line.setup);
   return examine(of.name, of.scene, of.reference, *std::get<const Scheme*>(line.solver), line.setup);
 }
 
-std::vector<Record> time_line(const SweptScene& of, const Line& line, const Repeats& repeats) {
+std::vector<Record> time_line(const SceneRefinements& of, const RefinementSeries& line,
+                              const TimingRepeats& repeats) {
   if (const auto* program = std::get_if<const ExternalProgram*>(&line.solver))
     return time_runs(of.variant, of.scene, **program, line.setup, repeats.most, repeats.enough_seconds);
   return time_solves(of.name, of.scene, *std::get<const Scheme*>(line.solver), line.setup, repeats);
 }
 
-void examine_rung(SweptScene& of, SweepLog& log) {
-  for (Line& line : of.lines) {
+void examine_rung(SceneRefinements& of, GuardedCallbacks& log) {
+  for (RefinementSeries& line : of.lines) {
     if (log.failed()) return;
-    if (line.ended || line.run.amount() != Recorded::nothing) continue;
+    if (line.ended || line.run.amount() != RecordedAmount::nothing) continue;
     log.tell(SweepEvent::Kind::examines, line.key);
     append(examine(of, line), line, log);
   }
 }
 
-void time_rung(SweptScene& of, const Repeats& repeats, SweepLog& log) {
-  for (Line& line : of.lines) {
-    if (line.ended || line.run.amount() == Recorded::everything) continue;
+void time_rung(SceneRefinements& of, const TimingRepeats& repeats, GuardedCallbacks& log) {
+  for (RefinementSeries& line : of.lines) {
+    if (line.ended || line.run.amount() == RecordedAmount::everything) continue;
     log.tell(SweepEvent::Kind::times, line.key);
     append(time_line(of, line, repeats), line, log);
   }
 }
 
 // After all runs at one resolution: decides which refinements of the scene end.
-void climb(SweptScene& of, SweepLog& log) {
+void climb(SceneRefinements& of, GuardedCallbacks& log) {
   for (std::size_t i = 0; i < of.lines.size(); ++i) {
-    if (!of.lines[i].ended) of.climbs[i].push_back(rung_of(of.lines[i].key.setup, of.lines[i].run));
+    if (!of.lines[i].ended) of.climbs[i].push_back(refinement_run(of.lines[i].key.setup, of.lines[i].run));
   }
   for (std::size_t i = 0; i < of.lines.size(); ++i) {
-    Line& line = of.lines[i];
-    if (line.ended || !has_ended(line.ladder, of.climbs, of.climbs[i])) continue;
+    RefinementSeries& line = of.lines[i];
+    if (line.ended || !is_finished(line.ladder, of.climbs, of.climbs[i])) continue;
     line.ended = true;
-    log.tell(SweepEvent::Kind::line_ends, line.key);
+    log.tell(SweepEvent::Kind::refinement_ends, line.key);
   }
 }
 
 // The forecast seconds of the scene's runs at the current resolution.
-double seconds_of_rung(const SweptScene& of, const Forecast& expected) {
+double seconds_of_rung(const SceneRefinements& of, const Forecast& expected) {
   double seconds = 0.0;
-  for (const Line& line : of.lines) {
+  for (const RefinementSeries& line : of.lines) {
     const auto run = line.ended ? expected.end() : expected.find(line.key);
     if (run != expected.end()) seconds += run->second;
   }
@@ -146,7 +148,7 @@ double seconds_of_rung(const SweptScene& of, const Forecast& expected) {
 }
 
 // Longest forecast first, so that the threads finish at about the same time.
-std::vector<std::size_t> longest_first(const std::deque<SweptScene>& scenes, const Forecast& expected) {
+std::vector<std::size_t> longest_first(const std::deque<SceneRefinements>& scenes, const Forecast& expected) {
   std::vector<double> seconds;
   for (const auto& of : scenes) seconds.push_back(seconds_of_rung(of, expected));
   std::vector<std::size_t> order(scenes.size());
@@ -155,10 +157,10 @@ std::vector<std::size_t> longest_first(const std::deque<SweptScene>& scenes, con
   return order;
 }
 
-void take_rung(std::deque<SweptScene>& scenes, std::size_t rung, const Sweep& sweep, const SweepHooks& hooks,
-               const Forecast& expected, SweepLog& log) {
+void take_rung(std::deque<SceneRefinements>& scenes, std::size_t rung, const Sweep& sweep,
+               const SweepCallbacks& hooks, const Forecast& expected, GuardedCallbacks& log) {
   for (auto& of : scenes) {
-    for (Line& line : of.lines) {
+    for (RefinementSeries& line : of.lines) {
       if (line.ended) continue;
       line.key.setup.resolution = line.setup.resolution = line.ladder.rungs[rung];
       line.run = hooks.recorded(line.key);
@@ -172,31 +174,31 @@ void take_rung(std::deque<SweptScene>& scenes, std::size_t rung, const Sweep& sw
 
 }  // namespace
 
-std::vector<Setup> setups_of(const Sweep& sweep, const Scheme& scheme, const Problem& problem) {
+std::vector<RunSettings> setups_of(const Sweep& sweep, const Scheme& scheme, const Problem& problem) {
   const bool graded =
       std::ranges::find(sweep.graded, &scheme) != sweep.graded.end() && starts_singular(problem);
-  std::vector<Setup> setups{sweep.setup};
+  std::vector<RunSettings> setups{sweep.setup};
   if (!sweep.optimal_grids && !graded) return setups;
-  Setup optimal = sweep.setup;
+  RunSettings optimal = sweep.setup;
   optimal.grading = optimal_grading(scheme, problem);
   if (sweep.optimal_grids) return {optimal};
   if (optimal != sweep.setup) setups.push_back(optimal);
   return setups;
 }
 
-void run_sweep(const Sweep& asked, const SweepHooks& hooks, const Forecast& expected) {
+void run_sweep(const Sweep& asked, const SweepCallbacks& hooks, const Forecast& expected) {
   Sweep sweep = asked;
   sweep.ladder.rungs.clear();
   for (const auto& rung : asked.ladder.rungs) {
     if (std::ranges::find(sweep.ladder.rungs, rung) == sweep.ladder.rungs.end())
       sweep.ladder.rungs.push_back(rung);
   }
-  std::deque<SweptScene> scenes;
+  std::deque<SceneRefinements> scenes;
   for (const auto& variant : sweep.scenes) {
-    if (std::ranges::find(scenes, variant.key(), &SweptScene::name) == scenes.end())
+    if (std::ranges::find(scenes, variant.key(), &SceneRefinements::name) == scenes.end())
       scenes.emplace_back(variant, sweep);
   }
-  SweepLog log(hooks);
+  GuardedCallbacks log(hooks);
   for (std::size_t rung = 0; rung < sweep.ladder.rungs.size(); ++rung)
     take_rung(scenes, rung, sweep, hooks, expected, log);
 }

@@ -10,8 +10,8 @@
 #include "records/recorded_run.hpp"
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
-#include "sweep/experiment.hpp"
-#include "sweep/ladder.hpp"
+#include "sweep/measured_run.hpp"
+#include "sweep/refinement_plan.hpp"
 
 namespace fde {
 
@@ -21,17 +21,17 @@ struct Sweep {
   std::vector<SceneVariant> scenes;
   std::vector<const Scheme*> schemes;
   std::vector<ExternalProgram> programs{};
-  Ladder ladder;
-  Setup setup{.budget = 600.0};         // settings of all runs except the resolution
+  RefinementPlan ladder;
+  RunSettings setup{.budget = 600.0};   // settings of all runs except the resolution
   bool optimal_grids = false;           // each scheme with optimal_grading() instead of the setup's grading
   std::vector<const Scheme*> graded{};  // these with both gradings, where solutions are not smooth at 0
-  Repeats repeats{};
+  TimingRepeats repeats{};
   unsigned threads = std::thread::hardware_concurrency();  // for the untimed part
 };
 
 // The settings of a scheme's runs on a problem, one element per grading: one, or two for a scheme of
 // sweep.graded on a problem whose solution is not smooth at 0.
-std::vector<Setup> setups_of(const Sweep& sweep, const Scheme& scheme, const Problem& problem);
+std::vector<RunSettings> setups_of(const Sweep& sweep, const Scheme& scheme, const Problem& problem);
 
 // The runs that a sweep is expected to make, and the seconds of each.
 using Forecast = std::map<RunKey, double>;
@@ -39,26 +39,26 @@ using Forecast = std::map<RunKey, double>;
 // Progress of a sweep: it starts to examine or to time a run, a run is done, or the refinement has ended (no
 // further run of this scene, scheme and grading follows).
 struct SweepEvent {
-  enum class Kind { examines, times, is_done, line_ends };
+  enum class Kind { examines, times, is_done, refinement_ends };
   Kind kind;
   RunKey run;
 };
 
 // Callbacks of run_sweep(): lookup of recorded runs, output of rows, progress. `append` and `tell` are called
 // by one thread at a time.
-struct SweepHooks {
+struct SweepCallbacks {
   std::function<RecordedRun(const RunKey&)> recorded;
   std::function<void(const std::vector<Record>&)> append;
   std::function<void(const SweepEvent&)> tell;
 };
 
 // Makes each run that is not recorded yet, once. For each resolution of the ladder in turn: the runs of all
-// scenes are examined, one thread per scene; their solves are timed, one at a time; then has_ended() decides
-// which refinements go on, from recorded and new runs alike, so that a resumed sweep makes the same runs.
-// Rows are passed to `append` as soon as they are computed, in one call per examination and one per timing.
-// At one resolution the runs of a scene keep the order of the schemes; those of different scenes interleave,
-// the scene with the longest forecast first. The number of threads and the forecast change no row except the
-// times. An exception of `append` ends the sweep and is rethrown.
-void run_sweep(const Sweep& asked, const SweepHooks& hooks, const Forecast& expected = {});
+// scenes are examined, one thread per scene; their solves are timed, one at a time; then is_finished()
+// decides which refinements go on, from recorded and new runs alike, so that a resumed sweep makes the same
+// runs. Rows are passed to `append` as soon as they are computed, in one call per examination and one per
+// timing. At one resolution the runs of a scene keep the order of the schemes; those of different scenes
+// interleave, the scene with the longest forecast first. The number of threads and the forecast change no row
+// except the times. An exception of `append` ends the sweep and is rethrown.
+void run_sweep(const Sweep& asked, const SweepCallbacks& hooks, const Forecast& expected = {});
 
 }  // namespace fde

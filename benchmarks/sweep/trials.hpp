@@ -17,7 +17,7 @@ struct Trial {
 };
 
 // Relative and absolute tolerance of the trials with adaptive step size.
-inline constexpr Accuracy trial_accuracy{1e-6, 1e-300};
+inline constexpr Tolerance trial_accuracy{1e-6, 1e-300};
 
 // All trials, each scene once; trials of one kind are adjacent.
 std::span<const Trial> trials();

@@ -18,7 +18,7 @@
 #include "command/command.hpp"
 #include "command/solved_table.hpp"
 #include "core/python_problem.hpp"
-#include "core/released.hpp"
+#include "core/without_gil.hpp"
 #include "equation_files/equation_scene.hpp"
 #include "mittag_leffler/mittag_leffler.hpp"
 #include "scenes/variant.hpp"
@@ -31,7 +31,7 @@ namespace fde::python {
 namespace {
 
 // Selects a scene: SCENE with its settings NAME=VALUE, or a problem defined in Python (if not nullptr).
-struct Named {
+struct SceneSelection {
   std::string name;
   std::vector<std::string> settings;
   const Scene* problem;
@@ -40,7 +40,7 @@ struct Named {
 // Equation files are read at every call, as they may have changed.
 Scenes named_scenes() { return with_equation_files(scenes()); }
 
-SceneVariant variant_of(const Named& named, const Scenes& known) {
+SceneVariant variant_of(const SceneSelection& named, const Scenes& known) {
   return read_variant(SceneArguments{named.name, named.settings}, known);
 }
 
@@ -48,7 +48,7 @@ SceneVariant variant_of(const Named& named, const Scenes& known) {
 // code 2) or NumericalFailure (any other but 0) with the last line of its standard error.
 std::string command(const std::vector<std::string>& arguments, const Scene* problem) {
   std::ostringstream out, err;
-  const int code = released([&] {
+  const int code = without_gil([&] {
     return problem == nullptr ? run_fdebench(arguments, {.out = out, .err = err})
                               : run_fdebench(arguments, {.out = out, .err = err}, with_problem(*problem));
   });
@@ -64,11 +64,11 @@ std::string command(const std::vector<std::string>& arguments, const Scene* prob
 }
 
 // Tuple of id, column names, orders and end time.
-py::tuple facts(const Named& named) {
-  const auto [id, scene] = released([&]() -> std::pair<std::string, Scene> {
+py::tuple facts(const SceneSelection& named) {
+  const auto [id, scene] = without_gil([&]() -> std::pair<std::string, Scene> {
     const Scenes all = named_scenes();
     const auto variant = variant_of(named, all);
-    Scene known = make_known_scene(*variant.maker, variant.values);
+    Scene known = make_scene_unchecked(*variant.maker, variant.values);
     known.problem.end = variant.until.value_or(known.problem.end);
     return {variant.maker->id, std::move(known)};
   });
@@ -78,8 +78,8 @@ py::tuple facts(const Named& named) {
 }
 
 // Tuple of names, times, values (one row a time), warning, cost as JSON, and the names of events or None.
-py::tuple solve(const Named& named, const RunArguments& arguments) {
-  const SolvedTable table = released([&] {
+py::tuple solve(const SceneSelection& named, const RunArguments& arguments) {
+  const SolvedTable table = without_gil([&] {
     const Scenes all = named_scenes();
     return solved_table(named.problem == nullptr ? make_scene(variant_of(named, all)) : *named.problem,
                         arguments);
@@ -100,9 +100,9 @@ py::tuple mittag_leffler_of(const Reals& alpha, const Reals& beta, const Complex
   auto* value = values.mutable_data();
   auto* bound = bounds.mutable_data();
   const auto count = z.size();
-  released([=] {
+  without_gil([=] {
     for (py::ssize_t i = 0; i < count; ++i) {
-      report_work(static_cast<std::size_t>(i), static_cast<std::size_t>(count));
+      report_progress(static_cast<std::size_t>(i), static_cast<std::size_t>(count));
       const auto result = mittag_leffler(a[i], b[i], x[i]);
       value[i] = result.value;
       bound[i] = result.bound;
@@ -113,7 +113,7 @@ py::tuple mittag_leffler_of(const Reals& alpha, const Reals& beta, const Complex
 
 py::tuple mittag_leffler_in_digits(const std::string& alpha, const std::string& beta, const std::string& re,
                                    const std::string& im, int digits) {
-  const auto value = released([&] { return mittag_leffler(alpha, beta, re, im, digits); });
+  const auto value = without_gil([&] { return mittag_leffler(alpha, beta, re, im, digits); });
   return py::make_tuple(value.re, value.im, value.bound);
 }
 

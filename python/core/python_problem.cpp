@@ -63,9 +63,9 @@ DenseJacobian jacobian_of(const py::object& function) {
 }
 
 // A reference that is computed once, at the first evaluation.
-class OnceComputed {
+class LazyReference {
  public:
-  explicit OnceComputed(Problem problem) : problem_(std::move(problem)) {}
+  explicit LazyReference(Problem problem) : problem_(std::move(problem)) {}
   ReferenceValue at(double t) {
     const std::scoped_lock lock(mutex_);
     if (!known_) known_ = computed_reference(problem_);
@@ -80,7 +80,7 @@ class OnceComputed {
 
 }  // namespace
 
-Scene python_scene(const ProblemFacts& facts, const py::object& rhs, const py::object& jacobian) {
+Scene python_scene(const ProblemData& facts, const py::object& rhs, const py::object& jacobian) {
   Scene scene{.outputs = {.names = facts.names}};
   Problem& problem = scene.problem;
   for (std::size_t i = 0; i < facts.orders.size(); ++i)
@@ -89,7 +89,7 @@ Scene python_scene(const ProblemFacts& facts, const py::object& rhs, const py::o
   if (!jacobian.is_none()) problem.derivatives = jacobian_of(jacobian);
   problem.end = facts.end;
   problem.jumps = facts.jumps;
-  scene.reference.at = [reference = std::make_shared<OnceComputed>(problem)](double t) {
+  scene.reference.at = [reference = std::make_shared<LazyReference>(problem)](double t) {
     return reference->at(t);
   };
   return scene;

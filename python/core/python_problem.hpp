@@ -11,7 +11,7 @@
 namespace fde::python {
 
 // The data of a problem given from Python, without its functions.
-struct ProblemFacts {
+struct ProblemData {
   std::vector<double> orders;
   std::vector<std::vector<double>> initial;  // y_i(0), and y_i'(0) for an order above 1
   double end;
@@ -23,7 +23,7 @@ struct ProblemFacts {
 // arrays, with results of shape (n,) and (n, n). The C++ functions acquire the interpreter lock themselves.
 // The reference is computed at the first evaluation and cached. Exceptions of a Python function propagate as
 // error_already_set; a result of another shape raises ValueError.
-Scene python_scene(const ProblemFacts& facts, const pybind11::object& rhs, const pybind11::object& jacobian);
+Scene python_scene(const ProblemData& facts, const pybind11::object& rhs, const pybind11::object& jacobian);
 
 // All scenes of the list, and this one under the id "problem".
 Scenes with_problem(const Scene& scene);

@@ -1,18 +1,18 @@
 #include "closed_forms/closed_form.hpp"
 
 #include "evaluation/evaluation.hpp"
-#include "laplace/raise_on_contour.hpp"
+#include "laplace/adaptive_precision_contour.hpp"
 
 namespace fde {
 namespace {
 
 template <class Real>
-Real rounding_of(const Rounded<Real>& column) {
-  return Real(closed_form_units * epsilon<Real>() * column.size);
+Real rounding_of(const ConditionedValue<Real>& column) {
+  return Real(closed_form_rounding_factor * epsilon<Real>() * column.size);
 }
 
-std::vector<DoubleBounded> in_long_double(const ClosedForm& form, double t) {
-  std::vector<DoubleBounded> columns;
+std::vector<BoundedDouble> in_long_double(const ClosedForm& form, double t) {
+  std::vector<BoundedDouble> columns;
   for (const auto& column : form.quick(t)) columns.push_back(to_double(column.value, rounding_of(column)));
   return columns;
 }
@@ -36,7 +36,8 @@ Reference closed_form_reference(const ClosedForm& form) {
                        .quick = [form](double t) { return in_long_double(form, t); },
                        .precise =
                            [form](double t, int digits) {
-                             return raise_by_comparison(digits, 0, [&](int) { return sums_at(form, t); });
+                             return increase_digits_by_comparison(digits, 0,
+                                                                  [&](int) { return sums_at(form, t); });
                            }});
 }
 

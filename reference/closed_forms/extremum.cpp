@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "evaluation/evaluation.hpp"
-#include "laplace/raise_on_contour.hpp"
+#include "laplace/adaptive_precision_contour.hpp"
 #include "numbers/rational.hpp"
-#include "progress/work.hpp"
+#include "progress/progress.hpp"
 
 namespace fde {
 namespace {
@@ -16,7 +16,8 @@ namespace {
 struct Arguments {
   BigReal alpha, rest, power, time, left;  // alpha, 1 - alpha, 2 alpha - 1, t, 1 - t
 
-  Arguments(double alpha_text, double t_text) : Arguments(exact_decimal(alpha_text), exact_decimal(t_text)) {}
+  Arguments(double alpha_text, double t_text)
+      : Arguments(shortest_decimal(alpha_text), shortest_decimal(t_text)) {}
   Arguments(const Rational& a, const Rational& t)
       : alpha(rounded<BigReal>(a)),
         rest(rounded<BigReal>(Rational(1 - a))),
@@ -37,7 +38,7 @@ void add_series(Sum<BigReal>& sum, const BigReal& factor, const BigReal& ulps, c
   BigReal series(1), term = first * z;
   int k = 1;
   for (; term > epsilon<BigReal>() * series; ++k) {
-    report_work(static_cast<std::size_t>(k));
+    report_progress(static_cast<std::size_t>(k));
     series += term;
     term *= z * (top + k) / (bottom + k);
   }
@@ -83,11 +84,11 @@ Reference extremum_reference(double alpha) {
   if (!(alpha > 0.5 && alpha <= 1.0))
     throw std::invalid_argument(fmt::format("extremum: alpha = {} has to be in (0.5, 1]", alpha));
   const auto precise = [alpha](double t, int digits) {
-    return std::vector{raise_by_bound(digits, 0,
-                                      [&](int) {
-                                        return value({alpha, t});
-                                      }),
-                       raise_by_bound(digits, 0, [&](int) {
+    return std::vector{increase_digits_by_bound(digits, 0,
+                                                [&](int) {
+                                                  return value({alpha, t});
+                                                }),
+                       increase_digits_by_bound(digits, 0, [&](int) {
                          return derivative({alpha, t});
                        })};
   };

@@ -1,7 +1,7 @@
 #include "closed_forms/power_sum.hpp"
 
 #include "evaluation/evaluation.hpp"
-#include "laplace/raise_on_contour.hpp"
+#include "laplace/adaptive_precision_contour.hpp"
 
 namespace fde {
 namespace {
@@ -24,13 +24,14 @@ Sum<Real> sum_at(const std::vector<Power>& terms, double order, double t) {
 }  // namespace
 
 Reference power_sum(const std::vector<Power>& terms, double order) {
-  const auto quick = [terms, order](double t) -> std::optional<std::vector<DoubleBounded>> {
+  const auto quick = [terms, order](double t) -> std::optional<std::vector<BoundedDouble>> {
     const Sum<long double> sum = sum_at<long double>(terms, order, t);
     const bool settled = std::isfinite(sum.error) && sum.error <= double_tolerance * std::abs(sum.value);
     return settled ? std::optional(std::vector{to_double(sum.value, sum.error)}) : std::nullopt;
   };
   const auto precise = [terms, order](double t, int digits) {
-    return raise_by_comparison(digits, 0, [&](int) { return std::vector{sum_at<BigReal>(terms, order, t)}; });
+    return increase_digits_by_comparison(digits, 0,
+                                         [&](int) { return std::vector{sum_at<BigReal>(terms, order, t)}; });
   };
   return as_reference({.name = "power sum", .quick = quick, .precise = precise});
 }

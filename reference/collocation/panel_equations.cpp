@@ -16,7 +16,7 @@ namespace {
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 // The largest correction relative to the size of its component; a component of size 0 must not change.
-double relative_size(const Matrix& correction, const Vec& sizes) {
+double relative_norm(const Matrix& correction, const Vec& sizes) {
   const Vec largest = correction.cwiseAbs().colwise().maxCoeff();
   return (largest.array() / (sizes.array() + std::numeric_limits<double>::min())).maxCoeff();
 }
@@ -36,12 +36,13 @@ PanelEquations::PanelEquations(const Problem& problem, const PanelBasis& basis)
 }
 
 std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past, double from, double to,
-                                                              In first_rhs, const Sizes& before) const {
+                                                              In first_rhs,
+                                                              const MagnitudeScales& before) const {
   constexpr int most_iterations = 40;
   constexpr double nearly_converged = 1e-12;
   const Eigen::Index points = basis_.points();
   const double length = to - from;
-  const Vec times = times_of_piece(problem_, from, length, basis_.nodes);
+  const Vec times = node_times(problem_, from, length, basis_.nodes);
   Solution found{};
   found.values = past + integrate(first_rhs.transpose().replicate(points, 1), length);
   LinearisedStep newton;
@@ -66,25 +67,25 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past
     }
     found.values.topRows(points) += correction;
     last_size = size;
-    size = relative_size(correction, found.sizes.values + found.increment + found.noise.values / rounding);
+    size = relative_norm(correction, found.sizes.values + found.increment + found.noise.values / rounding);
   }
   return std::nullopt;
 }
 
-LinearisedStep PanelEquations::linearise(const Vec& times, const Sizes& before, double length,
+LinearisedStep PanelEquations::linearise(const Vec& times, const MagnitudeScales& before, double length,
                                          Solution& at) const {
   const Matrix y = at.values.topRows(times.size());
   std::vector<Matrix> jacobians;
   for (Eigen::Index k = 0; k < times.size(); ++k) {
     jacobians.push_back(jacobian_at(times[k], y.row(k).transpose()));
   }
-  at.sizes = sizes_with(bounded_sizes(before, problem_), y, at.rhs, jacobians);
+  at.sizes = updated_scales(without_unbounded_scales(before, problem_), y, at.rhs, jacobians);
   at.increment = unit_increment(problem_, length).cwiseProduct(at.sizes.rhs.cwiseMax(at.sizes.forcing));
   LinearisedStep step(problem_, weights(length), std::move(jacobians));
   const auto integral = [&](const Matrix& rhs) -> Matrix {
     return integrate(rhs, length).topRows(rhs.rows());
   };
-  at.noise = passed_on_noise(step, integral, y, at.rhs, at.sizes.noise / rounding, with_signs);
+  at.noise = propagated_noise(step, integral, y, at.rhs, at.sizes.noise / rounding, with_signs);
   return step;
 }
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "collocation/magnitude_scales.hpp"
 #include "collocation/panel_basis.hpp"
-#include "collocation/sizes.hpp"
 #include "march/implicit_step.hpp"
 
 namespace fde {
@@ -17,9 +17,9 @@ class PanelEquations {
   PanelEquations(const Problem& problem, const PanelBasis& basis);
 
   struct Solution {
-    Matrix values;  // y at the targets
-    Matrix rhs;     // f at the nodes
-    Sizes sizes;    // up to the end of this panel
+    Matrix values;          // y at the targets
+    Matrix rhs;             // f at the nodes
+    MagnitudeScales sizes;  // up to the end of this panel
     Vec increment;  // size of the integral of f_i over this panel without cancellation: its rounding is noise
                     // of y_i
     Noise noise;
@@ -29,11 +29,11 @@ class PanelEquations {
   // the history term at the targets, and an initial guess of the unknowns of algebraic rows. nullopt where it
   // does not converge.
   [[nodiscard]] std::optional<Solution> solve(const Matrix& past, double from, double to, In first_rhs,
-                                              const Sizes& before) const;
+                                              const MagnitudeScales& before) const;
 
  private:
   // Linearises at at.values, and sets the sizes, the increment and the noise of `at`.
-  [[nodiscard]] LinearisedStep linearise(const Vec& times, const Sizes& before, double length,
+  [[nodiscard]] LinearisedStep linearise(const Vec& times, const MagnitudeScales& before, double length,
                                          Solution& at) const;
   // The right-hand sides of the equations for the values and f of `from`.
   [[nodiscard]] Matrix advanced(const Matrix& past, const Solution& from, double length) const;

@@ -29,7 +29,7 @@ Vec PanelNoise::negligible_values(const Solution& panel) const {
   return tolerance_ * panel.sizes.values + some_roundings * panel.increment + noises * panel.noise.values;
 }
 
-bool PanelNoise::found_on(const Solution& panel, double from, double to, double scale) {
+bool PanelNoise::detect(const Solution& panel, double from, double to, double scale) {
   constexpr Eigen::Index tail = 4;
   const Matrix coefficients = basis_.legendre * panel.rhs;
   const Vec unresolved = coefficients.bottomRows(tail).cwiseAbs().colwise().maxCoeff();
@@ -37,7 +37,7 @@ bool PanelNoise::found_on(const Solution& panel, double from, double to, double 
                          unresolved, negligible_rhs(panel), scale);
 }
 
-bool PanelNoise::found_on(const Panel& last, const Sizes& sizes) {
+bool PanelNoise::detect(const Panel& last, const MagnitudeScales& sizes) {
   const Vec negligible = some_roundings * (sizes.rhs + sizes.forcing);
   const Vec unresolved = negligible.cwiseMax(std::numeric_limits<double>::min());
   return rhs_noise_.find(last.from + last.length() * basis_.dense_nodes.array(), last.values, unresolved,

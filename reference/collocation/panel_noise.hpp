@@ -23,21 +23,21 @@ class PanelNoise {
 
   // Whether there is new noise of f on the panel [from, to] that explains why the panel does not resolve the
   // solution; scale: see RhsNoise::find.
-  bool found_on(const Solution& panel, double from, double to, double scale);
+  bool detect(const Solution& panel, double from, double to, double scale);
   // The same for a panel without a solution, from the panel before it.
-  bool found_on(const Panel& last, const Sizes& sizes);
+  bool detect(const Panel& last, const MagnitudeScales& sizes);
 
   // Records an accepted panel with `values`, one row for each of dense_nodes. Returns the size of each
   // component to which its rounding errors are relative.
   Vec follow(const Solution& panel, double from, double to, const Matrix& values);
 
   // The noise of f found so far, for Sizes::noise.
-  [[nodiscard]] const Vec& of_rhs() const { return rhs_noise_.found(); }
+  [[nodiscard]] const Vec& known_rhs_noise() const { return rhs_noise_.found(); }
 
  private:
   [[nodiscard]] Vec integrated(double to) const;
 
-  struct Past {
+  struct PanelRecord {
     double from, to;
     Vec rhs_noise;
   };
@@ -46,8 +46,8 @@ class PanelNoise {
   const PanelBasis& basis_;
   double tolerance_;
   RhsNoise rhs_noise_;
-  Vec of_values_;           // the largest so far
-  std::vector<Past> past_;  // all panels so far
+  Vec of_values_;                  // the largest so far
+  std::vector<PanelRecord> past_;  // all panels so far
 };
 
 }  // namespace fde

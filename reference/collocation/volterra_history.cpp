@@ -5,8 +5,7 @@
 
 namespace fde {
 
-VolterraHistory::VolterraHistory(const Problem& problem, const PanelBasis& basis)
-    : problem_(problem), basis_(basis) {
+HistoryTerm::HistoryTerm(const Problem& problem, const PanelBasis& basis) : problem_(problem), basis_(basis) {
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
     const double order = problem.components[static_cast<std::size_t>(i)].order;
     if (order == 0.0) continue;
@@ -18,7 +17,7 @@ VolterraHistory::VolterraHistory(const Problem& problem, const PanelBasis& basis
   }
 }
 
-Matrix VolterraHistory::at_targets(const std::vector<Panel>& past, double from, double to) const {
+Matrix HistoryTerm::at_targets(const std::vector<Panel>& past, double from, double to) const {
   const Vec offset = (to - from) * basis_.targets;
   Matrix sum = Matrix::Zero(offset.size(), problem_.size());
   // Distances t - s are sums of positive terms, not differences of times: accurate for s close to t.
@@ -42,7 +41,7 @@ Matrix VolterraHistory::at_targets(const std::vector<Panel>& past, double from, 
 
 // gap: distances from the end of the source to the targets, increasing. Gauss quadrature is exact up to
 // rounding at a distance of one source length; for nearer targets the source is bisected towards its end.
-void VolterraHistory::add_panel(const Panel& source, const Vec& gap, Matrix& integral) const {
+void HistoryTerm::add_panel(const Panel& source, const Vec& gap, Matrix& integral) const {
   const auto nearer_than = [&](double length) {
     return static_cast<Eigen::Index>(std::ranges::lower_bound(gap, length) - gap.begin());
   };
@@ -62,8 +61,8 @@ void VolterraHistory::add_panel(const Panel& source, const Vec& gap, Matrix& int
   }
 }
 
-void VolterraHistory::add_piece(const Matrix& rhs, double length, const Vec& gap,
-                                Eigen::Ref<Matrix> integral) const {
+void HistoryTerm::add_piece(const Matrix& rhs, double length, const Vec& gap,
+                            Eigen::Ref<Matrix> integral) const {
   if (gap.size() == 0) {
     return;
   }

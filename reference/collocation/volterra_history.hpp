@@ -17,9 +17,9 @@ struct Panel {
 };
 
 // The history term on a panel, for the Volterra form of the problem.
-class VolterraHistory {
+class HistoryTerm {
  public:
-  VolterraHistory(const Problem& problem, const PanelBasis& basis);
+  HistoryTerm(const Problem& problem, const PanelBasis& basis);
 
   // Taylor part + 1/Gamma(gamma_i) int_0^from (t-s)^(gamma_i-1) f_i(s) ds at the targets t of the panel
   // [from, to]; for algebraic rows the value at `from`. One row per target, one column per component.

@@ -52,7 +52,7 @@ MemoryStep::MemoryStep(const DiffusiveKernels& kernels, const RadauRule& rule, d
   plain = step.cast<double>();
 }
 
-DiffusiveMemory::DiffusiveMemory(const Problem& problem, RadauRule rule, double shortest)
+MemoryVariables::MemoryVariables(const Problem& problem, RadauRule rule, double shortest)
     : rule_(std::move(rule)), kernels_(memory_orders(problem), problem.end, shortest) {
   for (const Component& component : problem.components) {
     State state{.kernel = -1,
@@ -74,14 +74,14 @@ DiffusiveMemory::DiffusiveMemory(const Problem& problem, RadauRule rule, double 
   }
 }
 
-void DiffusiveMemory::Sum::add(const Vec& terms) {
-  const Vec all = terms + dropped;
+void MemoryVariables::Sum::add(const Vec& terms) {
+  const Vec all = terms + compensation;
   const Vec sum = value + all;
-  dropped = all - (sum - value);
+  compensation = all - (sum - value);
   value = sum;
 }
 
-const MemoryStep& DiffusiveMemory::step(double length) {
+const MemoryStep& MemoryVariables::step(double length) {
   auto known = steps_.find(length);
   if (known == steps_.end()) {
     known = steps_.emplace(length, MemoryStep(kernels_, rule_, length)).first;
@@ -90,7 +90,7 @@ const MemoryStep& DiffusiveMemory::step(double length) {
 }
 
 // The history term of v at the stages.
-Vec DiffusiveMemory::carried(const State& state, const MemoryStep& step) const {
+Vec MemoryVariables::carried(const State& state, const MemoryStep& step) const {
   if (state.kernel < 0) {
     return Vec::Constant(rule_.nodes.size(), state.initial + state.memory.value[0]);
   }
@@ -98,11 +98,11 @@ Vec DiffusiveMemory::carried(const State& state, const MemoryStep& step) const {
   return (step.carry * weights.cwiseProduct(state.memory.value)).array() + state.initial;
 }
 
-const Matrix& DiffusiveMemory::local(const State& state, const MemoryStep& step) {
+const Matrix& MemoryVariables::local(const State& state, const MemoryStep& step) {
   return state.kernel < 0 ? step.plain : step.local[static_cast<std::size_t>(state.kernel)];
 }
 
-Matrix DiffusiveMemory::past(double length) {
+Matrix MemoryVariables::past(double length) {
   const MemoryStep& of_step = step(length);
   Matrix all(rule_.nodes.size(), static_cast<Eigen::Index>(states_.size()));
   Eigen::Index i = 0;
@@ -113,14 +113,14 @@ Matrix DiffusiveMemory::past(double length) {
   return all;
 }
 
-Matrix DiffusiveMemory::weights(Eigen::Index component, double length) {
+Matrix MemoryVariables::weights(Eigen::Index component, double length) {
   const MemoryStep& of_step = step(length);
   const State& state = states_[static_cast<std::size_t>(component)];
   if (state.algebraic) return Matrix::Identity(rule_.nodes.size(), rule_.nodes.size());
   return state.twice ? Matrix(of_step.plain * local(state, of_step)) : local(state, of_step);
 }
 
-void DiffusiveMemory::advance(double length, const Matrix& rhs) {
+void MemoryVariables::advance(double length, const Matrix& rhs) {
   const MemoryStep& of_step = step(length);
   Eigen::Index i = 0;
   for (State& state : states_) {

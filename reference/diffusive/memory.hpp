@@ -25,10 +25,10 @@ struct MemoryStep {
 // The memory variables of a problem. With order = integer + part, part in (0, 1],
 //   v_i = initial value + sum_m weights[m] phi_im + lumped f_i    (part = 1: initial value + int f_i),
 // and y_i = v_i, or y_i' = v_i for orders above 1. Algebraic rows have none.
-class DiffusiveMemory {
+class MemoryVariables {
  public:
   // Accurate for times from shortest * end on.
-  DiffusiveMemory(const Problem& problem, RadauRule rule, double shortest);
+  MemoryVariables(const Problem& problem, RadauRule rule, double shortest);
 
   // The values of y at the stages of a step are past + weights F, one column per component, F the values of f
   // at the stages. For algebraic rows the weights are the identity.
@@ -41,7 +41,7 @@ class DiffusiveMemory {
  private:
   // A compensated sum of many small terms: its value and the rounding error so far.
   struct Sum {
-    Vec value, dropped;
+    Vec value, compensation;
     void add(const Vec& terms);
   };
   struct State {

@@ -13,15 +13,15 @@ constexpr double noises = 4.0;           // the sum of some rounding errors
 
 Vec StageNoise::beyond(const Vec& coefficients, const Vec& noise) { return coefficients - noises * noise; }
 
-bool StageNoise::found_on(const StageSolution& stages, double from, double length, const Vec& tolerated,
-                          double scale) {
+bool StageNoise::detect(const StageSolution& stages, double from, double length, const Vec& tolerated,
+                        double scale) {
   const Vec unresolved = (rule_.at_nodes.bottomRows(2) * stages.rhs).cwiseAbs().colwise().maxCoeff();
   const Vec negligible = known_rounding * stages.noise.rhs + tolerated;
   return rhs_noise_.find(from + length * rule_.nodes.cast<double>().array(), stages.y, unresolved, negligible,
                          scale);
 }
 
-bool StageNoise::found_before(const Vec& size) {
+bool StageNoise::detect_on_last_step(const Vec& size) {
   if (!last_) {
     return false;
   }

@@ -19,15 +19,15 @@ class StageNoise {
 
   // Whether there is new noise of f on the step that explains why the step does not resolve the solution.
   // tolerated: the coefficients of f that the tolerance allows; scale: see RhsNoise::find.
-  bool found_on(const StageSolution& stages, double from, double length, const Vec& tolerated, double scale);
+  bool detect(const StageSolution& stages, double from, double length, const Vec& tolerated, double scale);
   // The same for a step without a solution, from the step before it. size: of y so far.
-  bool found_before(const Vec& size);
+  bool detect_on_last_step(const Vec& size);
 
   // Records an accepted step of size `length` that ends at `to`.
   void follow(const StageSolution& stages, double length, double to);
 
-  // The noise of f found so far, for StageEquations::allow_noise.
-  [[nodiscard]] const Vec& of_rhs() const { return rhs_noise_.found(); }
+  // The noise of f found so far, for StageEquations::set_rhs_noise.
+  [[nodiscard]] const Vec& known_rhs_noise() const { return rhs_noise_.found(); }
 
  private:
   struct Step {

@@ -17,7 +17,7 @@ constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 Vec largest_of(const Matrix& values) { return values.cwiseAbs().colwise().maxCoeff(); }
 
-double relative_size(const Matrix& correction, const Vec& sizes) {
+double relative_norm(const Matrix& correction, const Vec& sizes) {
   return (largest_of(correction).array() / (sizes.array() + std::numeric_limits<double>::min())).maxCoeff();
 }
 
@@ -55,7 +55,7 @@ std::optional<StageSolution> StageEquations::solve(const Matrix& past, const std
                                                    double from, double length, In first_rhs, In size) const {
   constexpr int most_iterations = 40;
   constexpr double nearly_converged = 1e-12;
-  const Vec times = times_of_piece(problem_, from, length, nodes_);
+  const Vec times = node_times(problem_, from, length, nodes_);
   StageSolution found{};
   found.y = past + weighted(weights, first_rhs.transpose().replicate(nodes_.size(), 1));
   LinearisedStep newton;
@@ -84,7 +84,7 @@ std::optional<StageSolution> StageEquations::solve(const Matrix& past, const std
     found.y += correction;
     last_size = correction_size;
     correction_size =
-        relative_size(correction, size.cwiseMax(largest_of(found.y)) + found.noise.values / rounding);
+        relative_norm(correction, size.cwiseMax(largest_of(found.y)) + found.noise.values / rounding);
   }
   return std::nullopt;
 }
@@ -97,7 +97,7 @@ LinearisedStep StageEquations::linearise(const Vec& times, const std::vector<Mat
   }
   LinearisedStep step(problem_, weights, std::move(jacobians));
   const auto integral = [&](const Matrix& rhs) { return weighted(weights, rhs); };
-  at.noise = passed_on_noise(step, integral, at.y, at.rhs, forcing_ + rhs_noise_ / rounding, with_signs);
+  at.noise = propagated_noise(step, integral, at.y, at.rhs, forcing_ + rhs_noise_ / rounding, with_signs);
   return step;
 }
 

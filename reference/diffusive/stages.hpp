@@ -25,7 +25,7 @@ class StageEquations {
                                                    double from, double length, In first_rhs, In size) const;
 
   // Sets the rounding noise of f that neither its size nor its derivatives show.
-  void allow_noise(const Vec& rhs_noise) { rhs_noise_ = rhs_noise; }
+  void set_rhs_noise(const Vec& rhs_noise) { rhs_noise_ = rhs_noise; }
   [[nodiscard]] const Vec& nodes() const { return nodes_; }
 
  private:

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "laplace/contour.hpp"
-#include "numbers/raise_digits.hpp"
+#include "numbers/adaptive_precision.hpp"
 
 namespace fde {
 namespace {
@@ -20,7 +20,7 @@ void require_time(const Evaluation& evaluation, double t) {
 
 ReferenceValue value_at(const Evaluation& evaluation, double t) {
   require_time(evaluation, t);
-  const auto columns = in_double(evaluation, t);
+  const auto columns = evaluate_in_double(evaluation, t);
   ReferenceValue known{Vec(std::ssize(columns)), Vec(std::ssize(columns))};
   Eigen::Index next = 0;
   for (const auto& [value, bound] : columns) {
@@ -37,20 +37,20 @@ std::vector<Decimal> digits_at(const Evaluation& evaluation, double t, int digit
   const Precision precision(contour_precision(digits));
   std::vector<Decimal> texts;
   for (const auto& [value, bound] : evaluation.precise(t, digits)) {
-    const DecimalText text = write_decimal(real_part<BigReal>(value), bound, digits);
-    texts.push_back({text.value, write_bound(text.bound)});
+    const DecimalText text = to_decimal_text(real_part<BigReal>(value), bound, digits);
+    texts.push_back({text.value, to_bound_text(text.bound)});
   }
   return texts;
 }
 
 }  // namespace
 
-std::vector<DoubleBounded> in_double(const Evaluation& evaluation, double t) {
+std::vector<BoundedDouble> evaluate_in_double(const Evaluation& evaluation, double t) {
   if (evaluation.quick) {
     if (const auto columns = evaluation.quick(t)) return *columns;
   }
   const Precision precision(contour_precision(double_digits));
-  std::vector<DoubleBounded> columns;
+  std::vector<BoundedDouble> columns;
   for (const auto& column : evaluation.precise(t, double_digits)) columns.push_back(to_double(column));
   return columns;
 }

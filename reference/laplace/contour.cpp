@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-#include "progress/work.hpp"
+#include "progress/progress.hpp"
 
 namespace fde {
 template <class Real>
@@ -19,7 +19,7 @@ Contour<Real>::Contour(const Real& mu, const Real& omega, const Real& depth, boo
   for (int k = 0;; ++k) {
     const Real theta = (k + shift_) * step;
     if (theta > end) break;
-    if constexpr (std::is_same_v<Real, BigReal>) report_work(static_cast<std::size_t>(k), count);
+    if constexpr (std::is_same_v<Real, BigReal>) report_progress(static_cast<std::size_t>(k), count);
     const Complex<Real> root(Real(1), theta);
     const Complex<Real> s(mu * (1 - theta * theta), 2 * mu * theta);
     const Real half = theta == 0 ? Real(1) / 2 : Real(1);  // its own conjugate, would be counted twice

@@ -42,7 +42,7 @@ class Contour {
 
   // Estimate of the discretisation error; size_at(r) is |F| without its poles on the circle |s| = r.
   template <class Size>
-  [[nodiscard]] Real discretisation(const Size& size_at) const {
+  [[nodiscard]] Real discretisation_error(const Size& size_at) const {
     using std::exp;
     const Real near = mu_ / (omega_ * omega_), far = mu_ + mu_ + depth_;
     const Real at_branch = near * size_at(near) + mu_ * size_at(mu_);

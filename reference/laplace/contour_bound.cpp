@@ -28,7 +28,7 @@ double log_of_factor(double omega, double distance) {
 
 // Whether s* = mu root^2 is so far to the left that e^s is negligible wherever |s| > |s*| / 2. The square
 // roots of points nearer to 0 are more than a fifth of |Re root| + |Im root| away from root.
-bool is_nothing(std::complex<double> root, double mu) {
+bool is_negligible(std::complex<double> root, double mu) {
   constexpr double nothing = 1e7;
   const double re = root.real() * root.real(), im = root.imag() * root.imag();
   return im > 2.0 * re && mu * im > nothing;
@@ -42,10 +42,10 @@ double log_clearance(const ContourBound::Quotient& quotient, double mu, const Ga
   double ratio = std::numeric_limits<double>::infinity();
   for (const auto& root : quotient.roots) {
     const double relative = gap(root) / (std::abs(root.real()) + std::abs(root.imag())) - rounding;
-    ratio = std::min(ratio, is_nothing(root, mu) ? 0.2 : relative);
+    ratio = std::min(ratio, is_negligible(root, mu) ? 0.2 : relative);
   }
   if (!(ratio > 0.0)) return -std::numeric_limits<double>::infinity();
-  const double others = std::min(1.0, quotient.nearest_sheet - quotient.alpha * pi_double);
+  const double others = std::min(1.0, quotient.nearest_other_argument - quotient.alpha * pi_double);
   const double poles = quotient.roots.empty() ? 1.0 : 2.0 * quotient.alpha / (1.0 + 1.0 / ratio);
   const double distance = std::min(others, poles);
   return distance > 0.0 ? std::log(distance / 10.0) : -std::numeric_limits<double>::infinity();
@@ -130,7 +130,7 @@ double ContourBound::log_integral(double mu, double distance, const Quotient& qu
 }
 
 // A geometric series from the first truncated node theta on, with the conjugate nodes.
-double ContourBound::log_left_out(const Quotient& quotient) const {
+double ContourBound::log_truncation_error(const Quotient& quotient) const {
   const double step = shape_.step(), mu = shape_.mu, theta = std::sqrt(1.0 + shape_.depth / mu);
   const double modulus = mu * (1.0 + theta * theta), e = quotient.exponent;
   const double power =
@@ -152,7 +152,7 @@ ContourBound::Result ContourBound::at(const Quotient& quotient) const {
   constexpr double negligible = 10.0;
   double far = log_line(far_lines_[0], quotient);
   if (far > best.log_bound - negligible) far = std::min(far, log_line(far_lines_[1], quotient));
-  best.log_bound = log_sum(best.log_bound, log_sum(far, log_left_out(quotient)));
+  best.log_bound = log_sum(best.log_bound, log_sum(far, log_truncation_error(quotient)));
   return best;
 }
 

@@ -50,7 +50,7 @@ class ContourBound {
 
   struct Quotient {
     double exponent, alpha, log_size;             // log_size = log|z|
-    double nearest_sheet;                         // least |arg z + 2 pi k| of the poles that are not in roots
+    double nearest_other_argument;                // least |arg z + 2 pi k| of the poles that are not in roots
     std::span<const std::complex<double>> roots;  // r* = sqrt(s* / mu) of the poles with |arg s*| < 2 pi
   };
   struct Result {
@@ -76,7 +76,7 @@ class ContourBound {
     LineIntegrals integrals;
   };
   [[nodiscard]] double log_line(const Line& at, const Quotient& quotient) const;
-  [[nodiscard]] double log_left_out(const Quotient& quotient) const;
+  [[nodiscard]] double log_truncation_error(const Quotient& quotient) const;
 
   ContourShape shape_;
   std::vector<Line> near_lines_, far_lines_;

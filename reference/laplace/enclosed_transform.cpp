@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include "numbers/raise_digits.hpp"
-#include "progress/work.hpp"
+#include "numbers/adaptive_precision.hpp"
+#include "progress/progress.hpp"
 
 namespace fde {
 namespace {
@@ -20,7 +20,7 @@ std::vector<Sum<BigReal>> sum_over_nodes(const EnclosedTransform& transform,
   const auto add = transform.prepare();
   const auto nodes = transform.real ? contour.upper_nodes() : contour.nodes();
   for (std::size_t k = 0; k < nodes.size(); ++k) {
-    report_work(k, nodes.size());
+    report_progress(k, nodes.size());
     add(nodes[k], sums);
   }
   for (auto& sum : sums) {
@@ -30,7 +30,7 @@ std::vector<Sum<BigReal>> sum_over_nodes(const EnclosedTransform& transform,
       sum.scale *= 2;
     }
     sum.scale *= exp(BigReal(-contour.rise()));
-    if (isfinite(size_of(sum.value))) continue;
+    if (isfinite(norm1(sum.value))) continue;
     // The denominator of a term was computed as 0: more digits are needed.
     sum.value = BigComplex(0);
     sum.error = BigReal(std::numeric_limits<double>::infinity());
@@ -61,14 +61,15 @@ std::vector<WorkingEstimate> estimates_at(const EnclosedTransform& transform, in
 
 std::vector<Bounded<BigReal>> invert(const EnclosedTransform& transform, int wanted_digits) {
   // at most twice as many digits: while the bound is infinite, `missing` is of no use
-  const DigitSearch search{
+  const DigitSearchOptions search{
       .wanted = wanted_digits,
       .guard = 2,
       .next = [](int digits, int missing) { return digits + std::min(missing, digits) + 1; },
       .zero_digits = transform.zero_digits};
   const Precision precision(wanted_digits + 10);
-  const Raised raised = raise_digits(search, [&](int digits) { return estimates_at(transform, digits); });
-  if (raised.too_large) throw out_of_digits(raised);
+  const DigitSearchResult raised =
+      raise_digits(search, [&](int digits) { return estimates_at(transform, digits); });
+  if (raised.largest_missed_bound) throw insufficient_digits(raised);
   return raised.values;
 }
 

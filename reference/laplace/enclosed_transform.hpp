@@ -8,13 +8,13 @@ namespace fde {
 // Laplace transforms that invert() inverts at time 1 on one enclosing contour.
 struct EnclosedTransform {
   // Adds weight F(s) of each transform to its sum; the vector of sums is empty before the first node.
-  using AddNode = std::function<void(const EnclosingContour::Node&, std::vector<Sum<BigReal>>&)>;
+  using NodeAccumulator = std::function<void(const EnclosingContour::Node&, std::vector<Sum<BigReal>>&)>;
 
   std::vector<EnclosingContour::Point> singularities;
   EnclosingContour::Hints hints{};
   bool real = false;  // F(conj s) = conj F(s), conjugate singularities: the upper half suffices
   // Reads the data of the problem at the current precision.
-  std::function<AddNode()> prepare{};
+  std::function<NodeAccumulator()> prepare{};
   // One per transform, or a single one for all.
   std::vector<EnclosingContour::Majorant> majorants{};
   // A value this many digits smaller than its summands counts as zero.

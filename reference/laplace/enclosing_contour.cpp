@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "progress/work.hpp"
+#include "progress/progress.hpp"
 
 namespace fde {
 namespace {
@@ -37,8 +37,8 @@ EnclosingContour::EnclosingContour(const std::vector<Point>& singularities, int 
   for (const auto& s : singularities) (matters(s) ? enclosed : others).push_back(s);
   for (bool complete = false; !complete;) {
     choose(enclosed, width, hints.order);
-    const auto reached =
-        std::partition(others.begin(), others.end(), [this](const Point& s) { return !in_reach(s); });
+    const auto reached = std::partition(others.begin(), others.end(),
+                                        [this](const Point& s) { return !is_near_rectangle(s); });
     complete = reached == others.end();
     enclosed.insert(enclosed.end(), reached, others.end());
     others.erase(reached, others.end());
@@ -94,11 +94,11 @@ void EnclosingContour::choose(const std::vector<Point>& enclosed, Long width, Lo
       least = now.nodes * cost_of_digits;
     }
   }
-  if (!(best.nodes <= most_nodes)) {
+  if (!(best.nodes <= max_nodes)) {
     throw std::runtime_error(
         fmt::format("enclosing contour: singularities {:.3g} apart in imaginary direction would take {:.3g} "
                     "nodes, more than {}",
-                    high - low, best.nodes, most_nodes));
+                    high - low, best.nodes, max_nodes));
   }
   c_ = best.c;
   mu_ = best.rise + best.c;
@@ -109,7 +109,7 @@ void EnclosingContour::choose(const std::vector<Point>& enclosed, Long width, Lo
 }
 
 // Whether an omitted singularity is inside the rectangle or near it.
-bool EnclosingContour::in_reach(const Point& singularity) const {
+bool EnclosingContour::is_near_rectangle(const Point& singularity) const {
   const Point root = std::sqrt(Point(singularity.real() - sigma_ + c_, singularity.imag() - y_) / mu_);
   return std::abs(root.imag()) <= (static_cast<Long>(count_) + 2.0L) * step_;
 }
@@ -125,7 +125,7 @@ std::vector<EnclosingContour::Node> EnclosingContour::nodes_from(int first) cons
   const int total = count_ - first + 1;
   std::vector<Node> nodes;
   for (int k = first; k <= count_; ++k) {
-    report_work(nodes.size(), static_cast<std::size_t>(total));
+    report_progress(nodes.size(), static_cast<std::size_t>(total));
     const BigReal theta = k * step;
     const BigComplex root(BigReal(1), theta);
     const BigComplex s(BigReal(left + mu * (1 - theta * theta)), BigReal(y + 2 * mu * theta));

@@ -24,12 +24,12 @@ class EnclosingContour {
 
   // The error is about 10^-digits relative to e^sigma times the size of F. The singularities need only a few
   // correct digits. Throws std::invalid_argument if there are none, std::runtime_error if the contour takes
-  // more than most_nodes nodes on each side.
+  // more than max_nodes nodes on each side.
   EnclosingContour(const std::vector<Point>& singularities, int digits, const Hints& hints);
   EnclosingContour(const std::vector<Point>& singularities, int digits)
       : EnclosingContour(singularities, digits, Hints{}) {}
 
-  static constexpr int most_nodes = 200000;
+  static constexpr int max_nodes = 200000;
 
   using Node = Contour<BigReal>::Node;  // s, its principal logarithm, weight including e^s
   // f ~ sum of weight F(s), evaluated with working_digits() digits.
@@ -63,7 +63,7 @@ class EnclosingContour {
   void choose(const std::vector<Point>& enclosed, long double width, long double order);
   [[nodiscard]] Shape shape(const std::vector<Point>& enclosed, long double width, long double margin,
                             long double rise, long double c) const;
-  [[nodiscard]] bool in_reach(const Point& singularity) const;
+  [[nodiscard]] bool is_near_rectangle(const Point& singularity) const;
   [[nodiscard]] Point at(const Point& theta) const;
   [[nodiscard]] std::vector<Node> nodes_from(int first) const;
 

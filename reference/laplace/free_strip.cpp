@@ -67,7 +67,7 @@ FreeStrip::FreeStrip(const ShiftedShape& shape)
   }
 }
 
-double FreeStrip::place_of(std::complex<double> root) const {
+double FreeStrip::position_of(std::complex<double> root) const {
   return std::sqrt((root * root - shape_.offset) / shape_.mu).real();
 }
 
@@ -107,7 +107,7 @@ class FreeStrip::Places {
     double sum = 0.0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const Factor& factor = product_.factors[i];
-      double least = std::min(1.0, factor.nearest_sheet - product_.alpha * pi_double);
+      double least = std::min(1.0, factor.nearest_other_argument - product_.alpha * pi_double);
       for (const auto& [re, size, scale] : places_[i]) {
         // |log s - log s*| is at least times share / (1 + share)
         const bool other_sheet = re == -infinity;
@@ -132,7 +132,7 @@ class FreeStrip::Places {
 
 // A geometric series from the first truncated node on, as in ContourBound: |s| grows by at most the factor
 // e^(2 step / theta) from one node to the next.
-double FreeStrip::log_left_out(const Product& product) const {
+double FreeStrip::log_truncation_error(const Product& product) const {
   const auto& [offset, mu, omega, depth] = shape_;
   const double step = 2.0 * pi_double / omega, theta = std::sqrt(1.0 + depth / mu);
   const double log_modulus = std::log(std::hypot(offset + mu * (1.0 - theta * theta), 2.0 * mu * theta));
@@ -193,7 +193,7 @@ std::optional<FreeStrip::Result> FreeStrip::at(const Product& product) const {
   }
   if (std::isinf(near) || std::isinf(far)) return std::nullopt;
   result.log_clearance = std::min(near_clearance, far_clearance);
-  result.log_bound = log_sum(log_sum(near, far), log_left_out(product) - places.log_clearance(1.0));
+  result.log_bound = log_sum(log_sum(near, far), log_truncation_error(product) - places.log_clearance(1.0));
   return result;
 }
 

@@ -34,7 +34,7 @@ class FreeStrip {
   // (s^alpha - z)^-strength, strength > 0.
   struct Factor {
     double log_size;                              // log|z|
-    double nearest_sheet;                         // as in ContourBound::Quotient
+    double nearest_other_argument;                // as in ContourBound::Quotient
     std::span<const std::complex<double>> roots;  // sqrt(s*) for all s* with |arg s*| < 2 pi
     double strength;
   };
@@ -54,7 +54,7 @@ class FreeStrip {
   [[nodiscard]] std::optional<Result> at(const Product& product) const;
 
   // Re r* of s* = root^2.
-  [[nodiscard]] double place_of(std::complex<double> root) const;
+  [[nodiscard]] double position_of(std::complex<double> root) const;
 
  private:
   // Re r = distance
@@ -66,7 +66,7 @@ class FreeStrip {
   class Places;
   [[nodiscard]] Line line_at(double distance) const;
   [[nodiscard]] static double log_line(const Line& line, const Product& product);
-  [[nodiscard]] double log_left_out(const Product& product) const;
+  [[nodiscard]] double log_truncation_error(const Product& product) const;
 
   ShiftedShape shape_;
   double corner_;  // r_0

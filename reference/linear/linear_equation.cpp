@@ -32,7 +32,8 @@ LinearEquation checked(LinearEquation equation, const std::vector<double>& order
   equation.initial.resize(needed);
   require(std::ranges::all_of(equation.initial, [](double value) { return std::isfinite(value); }),
           "initial values have to be finite");
-  for (const auto& load : equation.loads) require(!fault_of(load), fault_of(load).value_or(""));
+  for (const auto& load : equation.loads)
+    require(!validation_error(load), validation_error(load).value_or(""));
   for (const double order : orders)
     require(order >= 0.0 && std::ceil(order) <= std::ceil(top), "this derivative is not known at 0");
   return equation;
@@ -47,19 +48,19 @@ LinearEquation checked(LinearEquation equation, const std::vector<double>& order
 LinearTransform transform_of(const LinearEquation& equation, const std::vector<double>& orders) {
   LinearTransform transform;
   for (const auto& [coefficient, order, time_scale] : equation.terms) {
-    const Rational exponent = exact_decimal(order);
-    const Coefficient scale = coefficient_of_power(exact_decimal(time_scale), exponent);
-    add_term(transform.characteristic, exponent, scale, exact_decimal(coefficient));
+    const Rational exponent = shortest_decimal(order);
+    const Coefficient scale = coefficient_of_power(shortest_decimal(time_scale), exponent);
+    add_term(transform.characteristic, exponent, scale, shortest_decimal(coefficient));
     transform.generators.push_back(exponent);
   }
-  auto& start = transform.group_from(0, orders.size()).numerators;
+  auto& start = transform.group_at(0, orders.size()).numerators;
   for (std::size_t j = 0; j < orders.size(); ++j) {
-    const Rational delta = exact_decimal(orders[j]);
+    const Rational delta = shortest_decimal(orders[j]);
     transform.generators.push_back(delta);
     for (std::size_t k = 0; k < equation.initial.size(); ++k) {
       const int taken = static_cast<int>(k);
       const bool removed = taken < ceiling(delta);
-      const Rational value = exact_decimal(equation.initial[k]);
+      const Rational value = shortest_decimal(equation.initial[k]);
       for (const auto& [order, coefficient] : transform.characteristic) {
         if (removed == (ceiling(order) > taken)) continue;
         add_term(start[j], Rational(delta + order - 1 - taken), coefficient,
@@ -68,11 +69,11 @@ LinearTransform transform_of(const LinearEquation& equation, const std::vector<d
     }
   }
   for (const auto& [coefficient, power, from] : equation.loads) {
-    auto& numerators = transform.group_from(exact_decimal(from), orders.size()).numerators;
-    const Rational next = exact_decimal(power) + 1;
+    auto& numerators = transform.group_at(shortest_decimal(from), orders.size()).numerators;
+    const Rational next = shortest_decimal(power) + 1;
     for (std::size_t j = 0; j < orders.size(); ++j) {
-      add_term(numerators[j], Rational(exact_decimal(orders[j]) - next), coefficient_of_gamma(next),
-               exact_decimal(coefficient));
+      add_term(numerators[j], Rational(shortest_decimal(orders[j]) - next), coefficient_of_gamma(next),
+               shortest_decimal(coefficient));
     }
   }
   return transform;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "laplace/raise_on_contour.hpp"
+#include "laplace/adaptive_precision_contour.hpp"
 #include "transfer_functions/characteristic_zeros.hpp"
 #include "transfer_functions/linear_response.hpp"
 
@@ -20,7 +20,7 @@ class LinearSolution {
   explicit LinearSolution(LinearTransform transform)
       : transform_(std::move(transform)), rounded_(transform_), zeros_(find_zeros(transform_)) {}
 
-  [[nodiscard]] std::optional<std::vector<DoubleBounded>> quick(double t) const;
+  [[nodiscard]] std::optional<std::vector<BoundedDouble>> quick(double t) const;
   [[nodiscard]] std::vector<Bounded<BigReal>> precise(double t, int digits) const;
 
  private:
@@ -28,14 +28,14 @@ class LinearSolution {
   [[nodiscard]] LinearValues<long double> in_long_double(double t) const;
   [[nodiscard]] std::vector<Sum<BigReal>> in_digits(double t, int digits) const;
   [[nodiscard]] int phase_digits(double t) const;
-  void require_circles(double t) const;
+  void require_resolvable_clusters(double t) const;
 
   LinearTransform transform_;
   RoundedTransform<long double> rounded_;
   std::vector<Zero<long double>> zeros_;
 };
 
-[[noreturn]] void refuse_turns(double t) {
+[[noreturn]] void throw_oscillates_too_fast(double t) {
   throw std::runtime_error(fmt::format("the exact solution turns too often to be known at t = {}", t));
 }
 
@@ -100,22 +100,25 @@ int LinearSolution::phase_digits(double t) const {
   return static_cast<int>(std::min(digits, most)) + 1;
 }
 
-void LinearSolution::require_circles(double t) const {
+void LinearSolution::require_resolvable_clusters(double t) const {
   for (const auto& group : rounded_.groups) {
     const long double time = decimal<long double>(t) - group.from;
-    const auto turns = [&](const Zero<long double>& zero) { return has_no_circle(zero, std::log(time)); };
-    if (time > 0.0L && std::ranges::any_of(zeros_, turns)) refuse_turns(t);
+    const auto turns = [&](const Zero<long double>& zero) {
+      return is_unresolvable_cluster(zero, std::log(time));
+    };
+    if (time > 0.0L && std::ranges::any_of(zeros_, turns)) throw_oscillates_too_fast(t);
   }
 }
 
 std::vector<Bounded<BigReal>> LinearSolution::precise(double t, int digits) const {
-  require_circles(t);
-  return raise_by_comparison(digits, phase_digits(t), [&](int working) { return in_digits(t, working); });
+  require_resolvable_clusters(t);
+  return increase_digits_by_comparison(digits, phase_digits(t),
+                                       [&](int working) { return in_digits(t, working); });
 }
 
-std::optional<std::vector<DoubleBounded>> LinearSolution::quick(double t) const {
+std::optional<std::vector<BoundedDouble>> LinearSolution::quick(double t) const {
   const auto [sums, rates] = in_long_double(t);
-  std::vector<DoubleBounded> values;
+  std::vector<BoundedDouble> values;
   for (std::size_t j = 0; j < sums.size(); ++j) {
     const auto& sum = sums[j];
     const long double scale = std::max(std::abs(sum.value.real()), std::abs(rates[j].real()));
@@ -143,7 +146,7 @@ class LazySolution {
 
 void require_bounds(const ReferenceValue& known, double t) {
   for (Eigen::Index j = 0; j < known.value.size(); ++j) {
-    if (std::isfinite(known.value[j]) && !std::isfinite(known.bound[j])) refuse_turns(t);
+    if (std::isfinite(known.value[j]) && !std::isfinite(known.bound[j])) throw_oscillates_too_fast(t);
   }
 }
 

@@ -45,7 +45,8 @@ LinearSystem checked(LinearSystem system) {
     system.initial[i].resize(count);
     require(std::ranges::all_of(system.initial[i], [](double value) { return std::isfinite(value); }),
             "initial values have to be finite");
-    for (const auto& load : system.loads[i]) require(!fault_of(load), fault_of(load).value_or(""));
+    for (const auto& load : system.loads[i])
+      require(!validation_error(load), validation_error(load).value_or(""));
   }
   require_outputs(system.outputs, size);
   if (system.outputs.empty())
@@ -56,7 +57,7 @@ LinearSystem checked(LinearSystem system) {
 }
 
 // For each component the set of the components that it depends on, itself included, as bits.
-std::vector<unsigned> dependences(const Matrix& matrix) {
+std::vector<unsigned> dependencies(const Matrix& matrix) {
   const auto size = static_cast<std::size_t>(matrix.rows());
   std::vector<unsigned> on(size);
   for (std::size_t i = 0; i < size; ++i) {
@@ -72,14 +73,14 @@ std::vector<unsigned> dependences(const Matrix& matrix) {
 }
 
 // Outputs whose components depend on the same set of components, and their evaluation.
-struct Part {
+struct Subsystem {
   std::vector<std::size_t> places;  // indices of the outputs
   Evaluation evaluation;
 };
 
 // The part of the outputs that depend on exactly the components of `set`, whose rows have no other unknowns.
 // The determinant of the system is the product of the determinants of the parts, so none of them is singular.
-Part part_of(const LinearSystem& system, unsigned set, const std::vector<unsigned>& on) {
+Subsystem subsystem_for(const LinearSystem& system, unsigned set, const std::vector<unsigned>& on) {
   std::vector<std::size_t> kept, places;
   for (std::size_t i = 0; i < on.size(); ++i)
     if ((set >> i & 1U) != 0U) kept.push_back(i);
@@ -100,19 +101,20 @@ Part part_of(const LinearSystem& system, unsigned set, const std::vector<unsigne
 
 // Components that do not depend on others are solved without them; otherwise growing modes of the others
 // would have to cancel.
-std::vector<Part> parts_of(const LinearSystem& system) {
-  const auto on = dependences(system.matrix);
+std::vector<Subsystem> subsystems(const LinearSystem& system) {
+  const auto on = dependencies(system.matrix);
   std::vector<unsigned> sets;
   for (const std::size_t i : system.outputs)
     if (std::ranges::find(sets, on[i]) == sets.end()) sets.push_back(on[i]);
-  std::vector<Part> parts;
-  for (const unsigned set : sets) parts.push_back(part_of(system, set, on));
+  std::vector<Subsystem> parts;
+  for (const unsigned set : sets) parts.push_back(subsystem_for(system, set, on));
   return parts;
 }
 
 // The columns of all parts, in the order of the outputs.
 template <class Column, class Evaluate>
-std::vector<Column> gathered(const std::vector<Part>& parts, std::size_t size, const Evaluate& evaluate) {
+std::vector<Column> gathered(const std::vector<Subsystem>& parts, std::size_t size,
+                             const Evaluate& evaluate) {
   std::vector<Column> columns(size);
   for (const auto& [places, evaluation] : parts) {
     const std::vector<Column> some = evaluate(evaluation);
@@ -125,10 +127,11 @@ std::vector<Column> gathered(const std::vector<Part>& parts, std::size_t size, c
 
 Reference linear_reference(const LinearSystem& system) {
   const LinearSystem posed = checked(system);
-  const auto parts = parts_of(posed);
+  const auto parts = subsystems(posed);
   const std::size_t size = posed.outputs.size();
   const auto quick = [parts, size](double t) {
-    return gathered<DoubleBounded>(parts, size, [t](const Evaluation& part) { return in_double(part, t); });
+    return gathered<BoundedDouble>(parts, size,
+                                   [t](const Evaluation& part) { return evaluate_in_double(part, t); });
   };
   const auto precise = [parts, size](double t, int digits) {
     return gathered<Bounded<BigReal>>(

@@ -12,10 +12,10 @@ PolynomialMatrix matrix_of(const LinearSystem& system) {
   const std::size_t size = system.orders.size();
   PolynomialMatrix matrix(size, std::vector<GeneralizedPolynomial>(size));
   for (std::size_t i = 0; i < size; ++i) {
-    add_term(matrix[i][i], exact_decimal(system.orders[i]), Rational(1));
+    add_term(matrix[i][i], shortest_decimal(system.orders[i]), Rational(1));
     for (std::size_t j = 0; j < size; ++j) {
       const double entry = system.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      add_term(matrix[i][j], 0, Rational(-exact_decimal(entry)));
+      add_term(matrix[i][j], 0, Rational(-shortest_decimal(entry)));
     }
   }
   return matrix;
@@ -31,14 +31,14 @@ std::vector<RightSide> right_sides(const LinearSystem& system) {
   const std::size_t size = system.orders.size();
   std::vector<RightSide> sides{{0, std::vector<GeneralizedPolynomial>(size)}};
   for (std::size_t j = 0; j < size; ++j) {
-    const Rational order = exact_decimal(system.orders[j]);
+    const Rational order = shortest_decimal(system.orders[j]);
     for (std::size_t k = 0; k < system.initial[j].size(); ++k)
-      add_term(sides.front().rows[j], Rational(order - 1 - k), exact_decimal(system.initial[j][k]));
+      add_term(sides.front().rows[j], Rational(order - 1 - k), shortest_decimal(system.initial[j][k]));
     for (const auto& [coefficient, power, from] : system.loads[j]) {
-      const Rational time = exact_decimal(from), next = exact_decimal(power) + 1;
+      const Rational time = shortest_decimal(from), next = shortest_decimal(power) + 1;
       auto side = std::ranges::find(sides, time, &RightSide::from);
       if (side == sides.end()) side = sides.insert(side, {time, std::vector<GeneralizedPolynomial>(size)});
-      add_term(side->rows[j], Rational(-next), coefficient_of_gamma(next), exact_decimal(coefficient));
+      add_term(side->rows[j], Rational(-next), coefficient_of_gamma(next), shortest_decimal(coefficient));
     }
   }
   return sides;
@@ -49,10 +49,10 @@ std::vector<RightSide> right_sides(const LinearSystem& system) {
 LinearTransform transform_of(const LinearSystem& system) {
   const PolynomialMatrix matrix = matrix_of(system);
   LinearTransform transform;
-  for (const double order : system.orders) transform.generators.push_back(exact_decimal(order));
+  for (const double order : system.orders) transform.generators.push_back(shortest_decimal(order));
   transform.characteristic = determinant(matrix);
   for (const auto& [from, rows] : right_sides(system)) {
-    auto& numerators = transform.group_from(from, system.outputs.size()).numerators;
+    auto& numerators = transform.group_at(from, system.outputs.size()).numerators;
     for (std::size_t k = 0; k < system.outputs.size(); ++k) {
       PolynomialMatrix replaced = matrix;
       for (std::size_t j = 0; j < rows.size(); ++j) replaced[j][system.outputs[k]] = rows[j];

@@ -14,7 +14,7 @@ struct Load {
 };
 
 // The error message for an invalid load; nullopt for a valid one.
-inline std::optional<const char*> fault_of(const Load& load) {
+inline std::optional<const char*> validation_error(const Load& load) {
   if (!std::isfinite(load.coefficient)) return "loads have to be finite";
   if (!(load.power > -1.0 && std::isfinite(load.power))) return "powers of loads have to be above -1";
   if (!(load.from >= 0.0 && std::isfinite(load.from))) return "loads have to start at a time from 0 on";

@@ -42,8 +42,8 @@ struct Noise {
 //
 // integral: the contribution to y of values of f at the nodes. with_signs: multiplies sizes by random signs,
 // the same in each call; the two methods of a reference use different signs.
-Noise passed_on_noise(const LinearisedStep& step, const std::function<Matrix(const Matrix& rhs)>& integral,
-                      const Matrix& y, const Matrix& rhs, In further,
-                      Matrix (*with_signs)(const Matrix& sizes));
+Noise propagated_noise(const LinearisedStep& step, const std::function<Matrix(const Matrix& rhs)>& integral,
+                       const Matrix& y, const Matrix& rhs, In further,
+                       Matrix (*with_signs)(const Matrix& sizes));
 
 }  // namespace fde

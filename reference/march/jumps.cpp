@@ -6,7 +6,7 @@
 
 namespace fde {
 
-double next_stop(const Problem& problem, double after) {
+double next_discontinuity(const Problem& problem, double after) {
   const auto next = std::ranges::upper_bound(problem.jumps, after);
   return next == problem.jumps.end() ? problem.end : std::min(*next, problem.end);
 }
@@ -24,9 +24,9 @@ bool just_after_jump(const Problem& problem, double from, double to) {
   return to - jump <= settled * first_after_jump * jump;
 }
 
-Vec times_of_piece(const Problem& problem, double from, double length, In nodes) {
+Vec node_times(const Problem& problem, double from, double length, In nodes) {
   Vec times = from + length * nodes.array();
-  const double stop = next_stop(problem, from);
+  const double stop = next_discontinuity(problem, from);
   if (jumps_at(problem, stop)) times = times.cwiseMin(std::nextafter(stop, 0.0));
   return times;
 }

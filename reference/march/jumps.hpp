@@ -8,7 +8,7 @@ namespace fde {
 // solution continues with fractional powers of the time since the jump.
 
 // The first jump of f after this time, or the end if that is earlier.
-double next_stop(const Problem& problem, double after);
+double next_discontinuity(const Problem& problem, double after);
 
 // Whether f jumps at this time.
 bool jumps_at(const Problem& problem, double t);
@@ -17,9 +17,9 @@ bool jumps_at(const Problem& problem, double t);
 double last_jump(const Problem& problem, double t);
 
 // The times from + length nodes, 0 < nodes <= 1, of a piece (panel or step). A time at which f jumps is
-// replaced by the double before it, where f has its left limit. Precondition: the piece ends at next_stop()
-// or before.
-Vec times_of_piece(const Problem& problem, double from, double length, In nodes);
+// replaced by the double before it, where f has its left limit. Precondition: the piece ends at
+// next_discontinuity() or before.
+Vec node_times(const Problem& problem, double from, double length, In nodes);
 
 // The length of the first piece after a jump, relative to the time of the jump: as short as possible with
 // nodes that are different doubles.

@@ -13,7 +13,7 @@ constexpr double matters = 1.0 / 16;     // relative to `negligible`
 constexpr double safety = 2.0;
 
 // Each number or one of its neighbours.
-Vec varied(const Vec& y, std::minstd_rand& generator) {
+Vec perturbed(const Vec& y, std::minstd_rand& generator) {
   constexpr double rounding = std::numeric_limits<double>::epsilon();
   constexpr unsigned low_bits = 7;  // of poor quality in this generator
   return y.unaryExpr([&](double value) {
@@ -32,7 +32,7 @@ Vec rhs_noise(const Problem& problem, double from, In y_from, double to, In y_to
   std::minstd_rand generator(5);
   for (Eigen::Index k = 0; k <= intervals; ++k) {
     const double share = static_cast<double>(k) / intervals;
-    problem.rhs(from + share * (to - from), varied(y_from + share * (y_to - y_from), generator), f);
+    problem.rhs(from + share * (to - from), perturbed(y_from + share * (y_to - y_from), generator), f);
     values.row(k) = f.transpose();
   }
   for (Eigen::Index k = 0; k < order; ++k) {

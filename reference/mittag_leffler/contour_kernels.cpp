@@ -51,8 +51,8 @@ struct Sums {
     const Pair term = (weight * conjugate) * inverse;
     value.re = value.re + term.re;
     value.im = sign > 0.0 ? value.im + term.im : value.im - term.im;
-    const Vector size = hn::Mul(hn::Mul(size_of(weight), size_of(difference)), inverse.hi);
-    const Vector loss = hn::Mul(hn::Mul(size_of(power), size_of(difference)), inverse.hi);
+    const Vector size = hn::Mul(hn::Mul(norm1(weight), norm1(difference)), inverse.hi);
+    const Vector loss = hn::Mul(hn::Mul(norm1(power), norm1(difference)), inverse.hi);
     error = hn::Add(error, hn::MulAdd(size, loss, size));
   }
 };
@@ -113,7 +113,7 @@ struct PowerSums {
   Vector terms,
       differences;  // sizes of the terms, times those of their exponents or times the cancellation in 1 - q
 
-  HWY_INLINE void add(const Pair& node_weight, const Pair& log, const PowerOfDifference& power, double sign) {
+  HWY_INLINE void add(const Pair& node_weight, const Pair& log, const BinomialPower& power, double sign) {
     const ComplexDoubleDouble& z = power.log_z;
     const Pair scaled = log * constant(power.alpha),
                log_z{constant(z.re), constant(DoubleDouble{sign * z.im.hi, sign * z.im.lo})};
@@ -126,14 +126,14 @@ struct PowerSums {
     const Pair term = node_weight * exponential(exponent);
     value.re = value.re + term.re;
     value.im = sign > 0.0 ? value.im + term.im : value.im - term.im;
-    const Vector size = size_of(term), parts = hn::Add(size_of(head), size_of(raised));
+    const Vector size = norm1(term), parts = hn::Add(norm1(head), norm1(raised));
     terms = hn::MulAdd(size, hn::Add(parts, constant(1.0)), terms);
-    differences = hn::Add(differences, hn::Div(hn::Mul(size, hn::Add(size_of(ratio), size_of(difference))),
-                                               size_of(difference)));
+    differences = hn::Add(
+        differences, hn::Div(hn::Mul(size, hn::Add(norm1(ratio), norm1(difference))), norm1(difference)));
   }
 };
 
-QuotientSum power_kernel(const ContourNodes& nodes, const PowerOfDifference& power) {
+QuotientSum power_kernel(const ContourNodes& nodes, const BinomialPower& power) {
   const Real zero{hn::Zero(tag), hn::Zero(tag)};
   PowerSums sums{{zero, zero}, hn::Zero(tag), hn::Zero(tag)};
   for (std::size_t i = 0; i < nodes.size(); i += hn::Lanes(tag)) {
@@ -154,8 +154,8 @@ QuotientSum power_kernel(const ContourNodes& nodes, const PowerOfDifference& pow
 
 // The same for x^j / p(x).
 struct PolynomialSums {
-  std::array<Pair, most_degree> values;
-  std::array<Vector, most_degree> errors;
+  std::array<Pair, max_degree> values;
+  std::array<Vector, max_degree> errors;
   Vector largest_loss;
 
   // The relative error of p and the ulps are counted in units of unit_roundoff.
@@ -163,7 +163,7 @@ struct PolynomialSums {
                       double power_ulps, double weight_ulps, double sign) {
     const std::size_t degree = quotient.coefficients.size();
     Pair sum{constant(DoubleDouble{1.0, 0.0}), constant(DoubleDouble{0.0, 0.0})};
-    const Vector modulus = size_of(x);
+    const Vector modulus = norm1(x);
     Vector lost = constant(static_cast<double>(degree) * power_ulps);
     for (std::size_t j = degree; j-- > 0;) {
       const auto& [re, im] = quotient.coefficients[j];
@@ -175,21 +175,21 @@ struct PolynomialSums {
     const Real square = reciprocal(sum_of_products(sum.re, sum.re, sum.im, sum.im));
     Pair term = weight * Pair{sum.re * square, -sum.im * square};
     // |p| is at least half of |Re p| + |Im p|
-    const Vector loss = hn::Mul(constant(2.0), hn::Div(lost, size_of(sum)));
+    const Vector loss = hn::Mul(constant(2.0), hn::Div(lost, norm1(sum)));
     largest_loss = hn::Max(largest_loss, loss);
     for (std::size_t j = 0; j < degree; ++j) {
       values[j].re = values[j].re + term.re;
       values[j].im = sign > 0.0 ? values[j].im + term.im : values[j].im - term.im;
       const Vector relative = hn::Add(hn::Mul(constant(2.0), loss),
                                       constant(weight_ulps + static_cast<double>(j) * (power_ulps + 2.0)));
-      errors[j] = hn::MulAdd(size_of(term), relative, errors[j]);
+      errors[j] = hn::MulAdd(norm1(term), relative, errors[j]);
       if (j + 1 < degree) term = term * x;
     }
   }
 };
 
-std::array<QuotientSum, most_degree> polynomial_kernel(const ContourNodes& nodes,
-                                                       const PolynomialQuotient& quotient) {
+std::array<QuotientSum, max_degree> polynomial_kernel(const ContourNodes& nodes,
+                                                      const PolynomialQuotient& quotient) {
   const Real zero{hn::Zero(tag), hn::Zero(tag)};
   PolynomialSums sums{};
   sums.values.fill({zero, zero});
@@ -210,7 +210,7 @@ std::array<QuotientSum, most_degree> polynomial_kernel(const ContourNodes& nodes
   }
   constexpr double most_loss = 0.25 / unit_roundoff;
   const bool hopeless = !(hn::GetLane(hn::MaxOfLanes(tag, sums.largest_loss)) < most_loss);
-  std::array<QuotientSum, most_degree> results{};
+  std::array<QuotientSum, max_degree> results{};
   for (std::size_t j = 0; j < quotient.coefficients.size(); ++j) {
     results[j] = {
         {sum_of_lanes(sums.values[j].re), sum_of_lanes(sums.values[j].im)},
@@ -250,13 +250,13 @@ HWY_INLINE void store(Residues& out, std::size_t i, const Pair& value, Vector ex
 }
 
 // The factor m of a pole (contour.hpp), and d log m / d log s*.
-struct Seen {
+struct PoleFactor {
   Pair factor;
   Vector sensitivity;
 };
 
 // m = 1 / (1 -+ e^(-omega (root - 1)))
-HWY_INLINE Seen seen_from(const PoleArguments& poles, const Pair& log) {
+HWY_INLINE PoleFactor factor_of_pole(const PoleArguments& poles, const Pair& log) {
   const Pair half{log.re * constant(0.5) - constant(poles.half_log_mu), log.im * constant(0.5)};
   const Pair root = exponential(half);
   const Vector omega = constant(poles.omega), least = constant(-1000.0);
@@ -265,8 +265,8 @@ HWY_INLINE Seen seen_from(const PoleArguments& poles, const Pair& log) {
   const Pair wave = unit(phase.im) * scale(size.mantissa, power_of_two(hn::Max(size.exponent, least)));
   const Vector sign = constant(poles.half_step_shift ? 1.0 : -1.0);
   const Pair factor = inverse(Pair{wave.re * sign + constant(1.0), wave.im * sign});
-  const Vector phase_error = hn::Mul(omega, hn::Add(size_of(root), constant(1.0)));
-  return {factor, hn::Mul(phase_error, hn::Mul(size_of(wave), size_of(factor)))};
+  const Vector phase_error = hn::Mul(omega, hn::Add(norm1(root), constant(1.0)));
+  return {factor, hn::Mul(phase_error, hn::Mul(norm1(wave), norm1(factor)))};
 }
 
 Residues residues_kernel(const PoleArguments& poles, const std::array<double, double_double_lanes>& sheets,
@@ -278,13 +278,13 @@ Residues residues_kernel(const PoleArguments& poles, const std::array<double, do
     const Real turns = constant(pi_double_double) * hn::Mul(constant(2.0), hn::LoadU(tag, sheets.data() + i));
     const Pair log{constant(poles.log_z.re) * per_alpha, (constant(poles.log_z.im) + turns) * per_alpha};
     const Pair pole = exponential(log);
-    const Seen seen = poles.omega == 0.0 ? Seen{one, hn::Zero(tag)} : seen_from(poles, log);
+    const PoleFactor seen = poles.omega == 0.0 ? PoleFactor{one, hn::Zero(tag)} : factor_of_pole(poles, log);
     const Pair exponent = pole + log * power;
     const Exponential growth = exponential(exponent.re);
     const Pair residue = unit(exponent.im) * (growth.mantissa * per_alpha);
     // The error of log z is a few 2^-104, the error of log s* 1/alpha times as much.
-    const Vector log_error = hn::Add(size_of(log), constant(4.0 + 2.0 / poles.alpha));
-    const Vector pole_error = hn::Add(size_of(pole), constant(1.0 + std::abs(poles.power.hi)));
+    const Vector log_error = hn::Add(norm1(log), constant(4.0 + 2.0 / poles.alpha));
+    const Vector pole_error = hn::Add(norm1(pole), constant(1.0 + std::abs(poles.power.hi)));
     const Vector error = hn::MulAdd(hn::Add(pole_error, seen.sensitivity), log_error, constant(8.0));
     store(residues, i, residue * seen.factor, growth.exponent, hn::Mul(constant(8.0 * unit_roundoff), error));
   }
@@ -317,7 +317,7 @@ ContourNodes::ContourNodes(const Contour<BigReal>& contour, double offset) {
     put(log_im, imag_part<BigReal>(log_s));
     put(weight_re, real_part<BigReal>(weight));
     put(weight_im, imag_part<BigReal>(weight));
-    largest_log = std::max(largest_log, size_of(log_s).convert_to<double>());
+    largest_log = std::max(largest_log, norm1(log_s).convert_to<double>());
   }
   const std::size_t whole = (size() + double_double_lanes - 1) / double_double_lanes * double_double_lanes;
   for (Column* column : {&log_re, &log_im}) {
@@ -334,12 +334,12 @@ QuotientSum sum_over_nodes(const ContourNodes& nodes, const PowerQuotient& quoti
   return HWY_DYNAMIC_DISPATCH(sum_kernel)(nodes, quotient);
 }
 
-QuotientSum sum_over_nodes(const ContourNodes& nodes, const PowerOfDifference& power) {
+QuotientSum sum_over_nodes(const ContourNodes& nodes, const BinomialPower& power) {
   return HWY_DYNAMIC_DISPATCH(power_kernel)(nodes, power);
 }
 
-std::array<QuotientSum, most_degree> sum_over_nodes(const ContourNodes& nodes,
-                                                    const PolynomialQuotient& quotient) {
+std::array<QuotientSum, max_degree> sum_over_nodes(const ContourNodes& nodes,
+                                                   const PolynomialQuotient& quotient) {
   return HWY_DYNAMIC_DISPATCH(polynomial_kernel)(nodes, quotient);
 }
 

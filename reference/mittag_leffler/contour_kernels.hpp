@@ -45,7 +45,7 @@ QuotientSum sum_over_nodes(const ContourNodes& nodes, const PowerQuotient& quoti
 
 // s^exponent (1 - q)^-strength in double-double, q = z s^-alpha, or s^alpha / z if outward. The power is the
 // principal one: its cuts run from each s* with s*^alpha = z to 0, or to infinity if outward.
-struct PowerOfDifference {
+struct BinomialPower {
   double alpha;
   DoubleDouble exponent;
   double strength;
@@ -53,7 +53,7 @@ struct PowerOfDifference {
   bool real;  // z is real: the lower half of the contour gives the conjugates
   bool outward;
 };
-QuotientSum sum_over_nodes(const ContourNodes& nodes, const PowerOfDifference& power);
+QuotientSum sum_over_nodes(const ContourNodes& nodes, const BinomialPower& power);
 
 // s^exponent x^j / p(x), x = s^alpha, for every j below the degree of p, which is monic.
 struct PolynomialQuotient {
@@ -62,10 +62,10 @@ struct PolynomialQuotient {
   std::span<const ComplexDoubleDouble> coefficients;  // of p by ascending powers, without the leading 1
   std::span<const double> errors;                     // absolute, of the coefficients
 };
-inline constexpr std::size_t most_degree = 4;
+inline constexpr std::size_t max_degree = 4;
 // The errors are infinite where |p| is too small at a node for the errors of its coefficients.
-std::array<QuotientSum, most_degree> sum_over_nodes(const ContourNodes& nodes,
-                                                    const PolynomialQuotient& quotient);
+std::array<QuotientSum, max_degree> sum_over_nodes(const ContourNodes& nodes,
+                                                   const PolynomialQuotient& quotient);
 
 // log z on the principal sheet for 1 <= |z| < 4.
 ComplexDoubleDouble complex_logarithm(std::complex<double> z);

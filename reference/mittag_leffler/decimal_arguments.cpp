@@ -26,7 +26,7 @@ void check_parameter(const std::string& function, const char* argument, const Nu
 
 }  // namespace
 
-BigReal read_argument(const std::string& function, const std::string& name, const std::string& text) {
+BigReal parse_argument(const std::string& function, const std::string& name, const std::string& text) {
   try {
     return parse<BigReal>(text);
   } catch (const std::invalid_argument& error) {
@@ -34,8 +34,8 @@ BigReal read_argument(const std::string& function, const std::string& name, cons
   }
 }
 
-BigComplex read_complex(const std::string& function, const std::string& re, const std::string& im) {
-  return {read_argument(function, "re z", re), read_argument(function, "im z", im)};
+BigComplex parse_complex(const std::string& function, const std::string& re, const std::string& im) {
+  return {parse_argument(function, "re z", re), parse_argument(function, "im z", im)};
 }
 
 std::optional<double> exact_double(const std::string& text) {
@@ -83,11 +83,11 @@ int decimal_places(double a, double b) {
   return static_cast<int>(std::ceil(std::max(0, -lowest) * std::numbers::ln2 / std::numbers::ln10));
 }
 
-DecimalComplex write_complex(const Bounded<BigReal>& x, bool real, int digits) {
-  const DecimalText re = write_decimal(real_part<BigReal>(x.value), x.bound, digits);
-  if (real) return {re.value, "0", write_bound(re.bound)};
-  const DecimalText im = write_decimal(imag_part<BigReal>(x.value), x.bound, digits);
-  return {re.value, im.value, write_bound(BigReal(re.bound + im.bound))};
+DecimalComplex to_decimal_complex(const Bounded<BigReal>& x, bool real, int digits) {
+  const DecimalText re = to_decimal_text(real_part<BigReal>(x.value), x.bound, digits);
+  if (real) return {re.value, "0", to_bound_text(re.bound)};
+  const DecimalText im = to_decimal_text(imag_part<BigReal>(x.value), x.bound, digits);
+  return {re.value, im.value, to_bound_text(BigReal(re.bound + im.bound))};
 }
 
 MittagLefflerValue rounded_to_double(const DecimalComplex& written) {

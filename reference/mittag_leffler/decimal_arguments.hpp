@@ -12,9 +12,9 @@ namespace fde {
 
 // The decimal number in text, rounded once. Throws std::invalid_argument "function: name: ..." unless text is
 // a finite number.
-BigReal read_argument(const std::string& function, const std::string& name, const std::string& text);
-// z = re + i im; throws as read_argument() does.
-BigComplex read_complex(const std::string& function, const std::string& re, const std::string& im);
+BigReal parse_argument(const std::string& function, const std::string& name, const std::string& text);
+// z = re + i im; throws as parse_argument() does.
+BigComplex parse_complex(const std::string& function, const std::string& re, const std::string& im);
 
 // The double equal to the decimal number in text: 0.5 for "0.5". nullopt where no double is equal to it, as
 // for "0.1", or text is no number.
@@ -35,7 +35,7 @@ int decimal_places(const std::string& text);
 int decimal_places(double a, double b);
 
 // x as decimal text; the bound includes the rounding of the texts. If real, the imaginary part is "0".
-DecimalComplex write_complex(const Bounded<BigReal>& x, bool real, int digits);
+DecimalComplex to_decimal_complex(const Bounded<BigReal>& x, bool real, int digits);
 
 // The nearest double, with that rounding in the bound; infinite if written.bound is "inf".
 MittagLefflerValue rounded_to_double(const DecimalComplex& written);

@@ -7,11 +7,11 @@
 
 #include "laplace/contour.hpp"
 #include "mittag_leffler/decimal_arguments.hpp"
-#include "mittag_leffler/digits.hpp"
+#include "mittag_leffler/multiprecision.hpp"
 #include "mittag_leffler/quick.hpp"
 #include "mittag_leffler/tiny_order.hpp"
-#include "mittag_leffler/vanishing.hpp"
-#include "numbers/raise_digits.hpp"
+#include "mittag_leffler/underflow.hpp"
+#include "numbers/adaptive_precision.hpp"
 
 namespace fde {
 namespace {
@@ -29,23 +29,25 @@ long double least_slope(double alpha, double beta, std::complex<double> z, const
   return (std::abs(before->value - factor * value.value) - error) / alpha;
 }
 
-bool is_good(double alpha, double beta, std::complex<double> z, const QuickValue& value) {
+bool meets_tolerance(double alpha, double beta, std::complex<double> z, const QuickValue& value) {
   return value.error <= quick_tolerance * std::abs(value.value) ||
          value.error <= quick_tolerance * least_slope(alpha, beta, z, value);
 }
 
 MittagLefflerValue upper_half_plane(double alpha, double beta, std::complex<double> z) {
-  if (vanishes(alpha, beta, z)) return {0.0, std::numeric_limits<double>::denorm_min()};
-  if (const auto value = beyond_double_of_tiny_order(alpha, beta, z)) return {value->value, value->bound};
+  if (certainly_underflows(alpha, beta, z)) return {0.0, std::numeric_limits<double>::denorm_min()};
+  if (const auto value = mittag_leffler_tiny_order_out_of_range(alpha, beta, z))
+    return {value->value, value->bound};
   const bool real = z.imag() == 0.0;
   const auto quick = mittag_leffler_quick(alpha, {beta, 0.0}, z);
-  if (quick && is_good(alpha, beta, z, *quick)) {
+  if (quick && meets_tolerance(alpha, beta, z, *quick)) {
     const auto [value, bound] = to_double(quick->value, quick->error);
     return {real ? std::complex(value.real()) : value, bound};
   }
   const Precision precision(contour_precision(double_digits));
   const auto read = [&] { return Arguments{BigReal(alpha), BigReal(beta), BigComplex(z.real(), z.imag())}; };
-  const auto [value, bound] = to_double(mittag_leffler_to(double_digits, decimal_places(alpha, beta), read));
+  const auto [value, bound] =
+      to_double(mittag_leffler_multiprecision(double_digits, decimal_places(alpha, beta), read));
   return {real ? std::complex(value.real()) : value, bound};
 }
 
@@ -76,15 +78,15 @@ DecimalComplex mittag_leffler(const std::string& alpha, const std::string& beta,
                               const std::string& im, int digits) {
   require_digits(function_name, digits);
   const auto read = [&] {
-    return Arguments{read_argument(function_name, "alpha", alpha), read_argument(function_name, "beta", beta),
-                     read_complex(function_name, re, im)};
+    return Arguments{parse_argument(function_name, "alpha", alpha),
+                     parse_argument(function_name, "beta", beta), parse_complex(function_name, re, im)};
   };
   const Precision precision(contour_precision(digits));
   const Arguments x = read();
   require_order(function_name, x.alpha);
   require_parameter(function_name, "beta", x.beta);
   const int places = std::max(decimal_places(alpha), decimal_places(beta));
-  return write_complex(mittag_leffler_to(digits, places, read), x.real(), digits);
+  return to_decimal_complex(mittag_leffler_multiprecision(digits, places, read), x.real(), digits);
 }
 
 MittagLefflerValue mittag_leffler_in_double(const std::string& alpha, const std::string& beta,

@@ -13,31 +13,31 @@ struct Pole {
   Complex<Real> log;
 };
 
-// As alpha <= 5, the poles with |arg s*| < 2 pi are on the sheets -most_sheet, ..., most_sheet.
-inline constexpr int most_sheet = 6;
+// As alpha <= 5, the poles with |arg s*| < 2 pi are on the sheets -max_sheet, ..., max_sheet.
+inline constexpr int max_sheet = 6;
 template <class T>
-using EachSheet = boost::container::static_vector<T, 2 * most_sheet + 1>;
+using PerSheet = boost::container::static_vector<T, 2 * max_sheet + 1>;
 
 template <class Real>
 struct Poles {
-  EachSheet<Pole<Real>> seen{};  // those with |arg s*| < 2 pi
-  double nearest_sheet =
+  PerSheet<Pole<Real>> seen{};  // those with |arg s*| < 2 pi
+  double nearest_other_argument =
       std::numeric_limits<double>::infinity();  // of the others, as in ContourBound::Quotient
 };
 
-// The poles on the sheets first_sheet, ..., most_sheet. Poles nearer to 0 than the range of double count as
+// The poles on the sheets first_sheet, ..., max_sheet. Poles nearer to 0 than the range of double count as
 // poles on another sheet.
 template <class Real>
-Poles<Real> poles_of(const Real& alpha, const Complex<Real>& log_z, int first_sheet = -most_sheet) {
+Poles<Real> poles_of(const Real& alpha, const Complex<Real>& log_z, int first_sheet = -max_sheet) {
   using std::abs;
   constexpr double most_log = 600.0, most_log_of_contour = 20.0;
   const Real log_size = real_part<Real>(log_z);
   const bool next_to_zero = log_size / alpha < -most_log;
   Poles<Real> poles;
   const auto not_seen = [&](const Real& distance) {
-    poles.nearest_sheet = std::min(poles.nearest_sheet, static_cast<double>(distance));
+    poles.nearest_other_argument = std::min(poles.nearest_other_argument, static_cast<double>(distance));
   };
-  for (int sheet = first_sheet; sheet <= most_sheet; ++sheet) {
+  for (int sheet = first_sheet; sheet <= max_sheet; ++sheet) {
     const Complex<Real> log = log_on_sheet<Real>(log_z, sheet);
     const Real argument = abs(imag_part<Real>(log));
     if (next_to_zero) {

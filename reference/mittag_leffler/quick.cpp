@@ -21,7 +21,7 @@ QuickValue head(const QuickArguments& x, int count) {
     power *= inverse;
     const DoubleDouble argument = x.beta + exact_product(-k, x.alpha);
     const Value term = -power * reciprocal_gamma_of(argument);
-    sum = sum + QuickValue{term, few_ulps * size_of(term)};
+    sum = sum + QuickValue{term, few_ulps * norm1(term)};
   }
   return sum;
 }
@@ -34,7 +34,7 @@ QuickValue contour_sum(const QuickArguments& x, const QuickContour& contour, con
   Value factor = scale;
   for (int k = 0; k < peeled; ++k) factor /= Value(x.z);
   const Value value = factor * to_long(sum.value);
-  return {value, few_ulps * size_of(value) + size_of(factor) * sum.error};
+  return {value, few_ulps * norm1(value) + norm1(factor) * sum.error};
 }
 
 DoubleDouble exponent_after(const QuickArguments& x, int peeled) {
@@ -42,8 +42,8 @@ DoubleDouble exponent_after(const QuickArguments& x, int peeled) {
 }
 
 // 1 + i theta = sqrt(s* / mu) for the point theta of each pole on a contour.
-EachSheet<std::complex<double>> roots_on(const QuickArguments& x, double mu) {
-  EachSheet<std::complex<double>> roots;
+PerSheet<std::complex<double>> roots_on(const QuickArguments& x, double mu) {
+  PerSheet<std::complex<double>> roots;
   const double modulus = std::exp(0.5 * (x.log_size() / x.alpha - std::log(mu)));
   for (const auto& pole : x.poles.seen) roots.push_back(std::polar(modulus, 0.5 * pole.log.imag()));
   return roots;
@@ -52,14 +52,15 @@ EachSheet<std::complex<double>> roots_on(const QuickArguments& x, double mu) {
 // The peeled terms, the contour sum of the remainder, and the residues with their factors.
 std::optional<QuickValue> on_contour(const QuickArguments& x, const QuickContours& contours, int peeled) {
   const DoubleDouble exponent = exponent_after(x, peeled);
-  const auto roots = roots_on(x, contours.twins.front().shape.mu);
-  const QuickContour& contour = contours.farther_from({roots.data(), roots.size()});
-  const auto [log_bound, distance] = contour.bound.at({.exponent = exponent.hi,
-                                                       .alpha = x.alpha,
-                                                       .log_size = x.log_size(),
-                                                       .nearest_sheet = x.poles.nearest_sheet,
-                                                       .roots = {roots.data(), roots.size()}});
-  EachSheet<Pole<double>> counted;
+  const auto roots = roots_on(x, contours.staggered.front().shape.mu);
+  const QuickContour& contour = contours.away_from({roots.data(), roots.size()});
+  const auto [log_bound, distance] =
+      contour.bound.at({.exponent = exponent.hi,
+                        .alpha = x.alpha,
+                        .log_size = x.log_size(),
+                        .nearest_other_argument = x.poles.nearest_other_argument,
+                        .roots = {roots.data(), roots.size()}});
+  PerSheet<Pole<double>> counted;
   for (std::size_t i = 0; i < roots.size(); ++i) {
     if (ContourBound::counts(roots[i], distance)) counted.push_back(x.poles.seen[i]);
   }
@@ -71,7 +72,9 @@ std::optional<QuickValue> on_contour(const QuickArguments& x, const QuickContour
   return sum;
 }
 
-bool is_good(const QuickValue& value) { return value.error <= quick_tolerance * std::abs(value.value); }
+bool meets_tolerance(const QuickValue& value) {
+  return value.error <= quick_tolerance * std::abs(value.value);
+}
 
 // The first terms of the power series next to beta = 0 and z = 0, where the terms on a contour cancel. As
 // |1/Gamma(x)| <= 1.13 |x| for x >= -2^-30, the remainder is at most 1.2 |z|^m (alpha (m+1) + |beta|).
@@ -80,16 +83,16 @@ std::optional<QuickValue> first_terms(const QuickArguments& x) {
   constexpr int count = 3;
   const Value z(x.z);
   const double beta = std::abs(x.beta.hi);
-  if (beta > near || size_of(z) > near) return std::nullopt;
+  if (beta > near || norm1(z) > near) return std::nullopt;
   QuickValue sum{0.0L, 0.0L};
   Value power = 1.0L;
   for (int k = 0; k < count; ++k) {
     const Value term = power * reciprocal_gamma_of(x.beta + exact_product(k, x.alpha));
-    sum = sum + QuickValue{term, few_ulps * size_of(term)};
+    sum = sum + QuickValue{term, few_ulps * norm1(term)};
     power *= z;
   }
-  sum.error += 1.2L * size_of(power) * ((count + 1) * static_cast<long double>(x.alpha) + beta);
-  return is_good(sum) ? std::optional(sum) : std::nullopt;
+  sum.error += 1.2L * norm1(power) * ((count + 1) * static_cast<long double>(x.alpha) + beta);
+  return meets_tolerance(sum) ? std::optional(sum) : std::nullopt;
 }
 
 // Tries the contours in turn, without and with peeled terms, until the bound is small enough; otherwise
@@ -100,7 +103,7 @@ std::optional<QuickValue> on_contours(const QuickArguments& x) {
   const auto try_with = [&](const QuickContours& contours, int peeled) {
     const auto value = on_contour(x, contours, peeled);
     if (value && (!best || value->error < best->error)) best = value;
-    return best && is_good(*best);
+    return best && meets_tolerance(*best);
   };
   for (const QuickContours& contours : quick_contours()) {
     for (const int peeled : {0, 2}) {
@@ -119,7 +122,7 @@ QuickValue at_zero(const DoubleDouble& beta) {
 
 QuickValue times(const QuickValue& x, const Value& factor) {
   const Value value = x.value * factor;
-  return {value, size_of(factor) * x.error + few_ulps * size_of(value)};
+  return {value, norm1(factor) * x.error + few_ulps * norm1(value)};
 }
 
 }  // namespace
@@ -135,17 +138,17 @@ long double reciprocal_gamma_of(const DoubleDouble& x) {
 
 std::optional<QuickValue> mittag_leffler_quick(double alpha, const DoubleDouble& beta,
                                                std::complex<double> z) {
-  if (const auto value = of_tiny_order(alpha, beta, z)) return value;
-  switch (form_of(alpha, beta, z)) {
-    case Form::at_zero:
+  if (const auto value = mittag_leffler_tiny_order(alpha, beta, z)) return value;
+  switch (evaluation_form(alpha, beta, z)) {
+    case EvaluationForm::at_zero:
       return at_zero(beta);
-    case Form::residues_only:
-      return from_residues_only({alpha, beta, z});
-    case Form::times_z: {
+    case EvaluationForm::residues_only:
+      return sum_of_all_residues({alpha, beta, z});
+    case EvaluationForm::shifted_beta: {
       const auto shifted = mittag_leffler_quick(alpha, beta + DoubleDouble{alpha, 0.0}, z);
       return shifted ? std::optional(times(*shifted, z)) : std::nullopt;
     }
-    case Form::on_contour:
+    case EvaluationForm::on_contour:
       break;
   }
   const QuickArguments x(alpha, beta, z);

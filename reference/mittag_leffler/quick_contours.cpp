@@ -22,13 +22,13 @@ ContourNodes nodes_of(const ContourShape& shape) {
 QuickContour::QuickContour(const ContourShape& of)
     : shape(of), bound(of), half_log_mu(half_log(of.mu)), nodes(nodes_of(of)) {}
 
-const QuickContour& QuickContours::farther_from(std::span<const std::complex<double>> roots) const {
+const QuickContour& QuickContours::away_from(std::span<const std::complex<double>> roots) const {
   const auto clearance = [&](const QuickContour& contour) {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& root : roots) least = std::min(least, contour.shape.steps_to_node(root));
     return least;
   };
-  const auto& [plain, shifted] = twins;
+  const auto& [plain, shifted] = staggered;
   return clearance(plain) >= clearance(shifted) ? plain : shifted;
 }
 

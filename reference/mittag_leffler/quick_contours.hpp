@@ -23,13 +23,13 @@ struct QuickContour {
 // large s) at least least_exponent and exponent (F for small s) at most most_exponent.
 struct QuickContours {
   double least_exponent, most_exponent;
-  std::array<QuickContour, 2> twins;
+  std::array<QuickContour, 2> staggered;
 
   [[nodiscard]] bool fit(double least, double most) const {
     return least >= least_exponent && most <= most_exponent;
   }
   // The contour whose nodes are farther from the poles; roots as in ContourBound::Quotient.
-  [[nodiscard]] const QuickContour& farther_from(std::span<const std::complex<double>> roots) const;
+  [[nodiscard]] const QuickContour& away_from(std::span<const std::complex<double>> roots) const;
 };
 
 // In the order in which they are tried.

@@ -7,9 +7,9 @@ namespace fde {
 namespace {
 
 // The poles whose residues are not negligible; nullopt where the phase of a large one cannot be computed.
-std::optional<EachSheet<Pole<double>>> within_reach(const EachSheet<Pole<double>>& counted) {
+std::optional<PerSheet<Pole<double>>> within_reach(const PerSheet<Pole<double>>& counted) {
   constexpr double most_log = 26.0, clear = 1e-7;
-  EachSheet<Pole<double>> poles;
+  PerSheet<Pole<double>> poles;
   for (const auto& pole : counted) {
     if (pole.log.real() < most_log) {
       poles.push_back(pole);
@@ -32,8 +32,8 @@ PoleArguments kernel_arguments(const QuickArguments& x, const QuickContour* cont
   return arguments;
 }
 
-EachSheet<Residue> residues_of(const PoleArguments& arguments, const EachSheet<Pole<double>>& poles) {
-  EachSheet<Residue> residues;
+PerSheet<Residue> residues_of(const PoleArguments& arguments, const PerSheet<Pole<double>>& poles) {
+  PerSheet<Residue> residues;
   for (std::size_t first = 0; first < poles.size(); first += double_double_lanes) {
     const std::size_t count = std::min(poles.size() - first, double_double_lanes);
     std::array<double, double_double_lanes> sheets{};
@@ -60,9 +60,9 @@ QuickArguments::QuickArguments(double order, const DoubleDouble& parameter, std:
       beta(parameter),
       z(argument),
       scaled(z),
-      poles(poles_of(alpha, std::complex(scaled.log.re.hi, scaled.log.im.hi), real() ? 0 : -most_sheet)) {}
+      poles(poles_of(alpha, std::complex(scaled.log.re.hi, scaled.log.im.hi), real() ? 0 : -max_sheet)) {}
 
-bool QuickArguments::is_paired(const Pole<double>& pole) const {
+bool QuickArguments::represents_conjugate(const Pole<double>& pole) const {
   const int half_turns =
       2 * pole.sheet + (z.real() < 0.0 ? 1 : 0);  // arg z / pi on the sheet of the pole, for real z
   return real() && half_turns != 0 && half_turns != alpha;
@@ -70,7 +70,7 @@ bool QuickArguments::is_paired(const Pole<double>& pole) const {
 
 // The residues are scaled by the largest exponent while they are added.
 std::optional<QuickValue> residue_sum(const QuickArguments& x, const QuickContour* contour,
-                                      const EachSheet<Pole<double>>& counted) {
+                                      const PerSheet<Pole<double>>& counted) {
   const auto poles = within_reach(counted);
   if (!poles) return std::nullopt;
   if (poles->empty()) return QuickValue{0.0L, 0.0L};
@@ -84,19 +84,19 @@ std::optional<QuickValue> residue_sum(const QuickArguments& x, const QuickContou
   QuickValue sum{0.0L, 0.0L};
   for (std::size_t i = 0; i < residues.size(); ++i) {
     const auto below = static_cast<int>(std::max(residues[i].exponent - largest, -20000.0));
-    const long double scale = std::ldexp(x.is_paired((*poles)[i]) ? 2.0L : 1.0L, below);
+    const long double scale = std::ldexp(x.represents_conjugate((*poles)[i]) ? 2.0L : 1.0L, below);
     std::complex<long double> value = scale * to_long(residues[i].value);
-    const long double error = size_of(value) * residues[i].relative_error;
+    const long double error = norm1(value) * residues[i].relative_error;
     if (x.real()) value = value.real();
-    sum = sum + QuickValue{value, error + few_ulps * size_of(value)};
+    sum = sum + QuickValue{value, error + few_ulps * norm1(value)};
   }
   const auto exponent = static_cast<int>(std::clamp(largest, -20000.0, 16000.0));
   return QuickValue{{std::ldexp(sum.value.real(), exponent), std::ldexp(sum.value.imag(), exponent)},
                     std::ldexp(sum.error, exponent)};
 }
 
-std::optional<QuickValue> from_residues_only(const QuickArguments& x) {
-  EachSheet<Pole<double>> principal;
+std::optional<QuickValue> sum_of_all_residues(const QuickArguments& x) {
+  PerSheet<Pole<double>> principal;
   for (const auto& pole : x.poles.seen) {
     // Each root once: arg s* in (-pi, pi], for real z the upper half of them.
     const double argument = x.scaled.log.im.hi + 2.0 * pole.sheet * pi<double>();

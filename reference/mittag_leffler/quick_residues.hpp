@@ -29,7 +29,7 @@ struct QuickArguments {
   // log|z|
   [[nodiscard]] double log_size() const { return scaled.log.re.hi; }
   // Whether the pole represents its conjugate as well.
-  [[nodiscard]] bool is_paired(const Pole<double>& pole) const;
+  [[nodiscard]] bool represents_conjugate(const Pole<double>& pole) const;
 };
 
 inline std::complex<long double> to_long(const ComplexDoubleDouble& z) {
@@ -39,9 +39,9 @@ inline std::complex<long double> to_long(const ComplexDoubleDouble& z) {
 // The sum of the residues at the poles in `counted`, each times its factor m on the contour (nullptr: 1).
 // nullopt where the phase of e^s* is too large to compute for one of them.
 std::optional<QuickValue> residue_sum(const QuickArguments& x, const QuickContour* contour,
-                                      const EachSheet<Pole<double>>& counted);
+                                      const PerSheet<Pole<double>>& counted);
 
 // E_{alpha,beta}(z) as a sum of residues, for Form::residues_only.
-std::optional<QuickValue> from_residues_only(const QuickArguments& x);
+std::optional<QuickValue> sum_of_all_residues(const QuickArguments& x);
 
 }  // namespace fde

@@ -92,7 +92,8 @@ std::optional<QuickValue> over_scale(double order, const DoubleDouble& beta, std
 
 }  // namespace
 
-std::optional<QuickValue> of_tiny_order(double alpha, const DoubleDouble& beta, std::complex<double> z) {
+std::optional<QuickValue> mittag_leffler_tiny_order(double alpha, const DoubleDouble& beta,
+                                                    std::complex<double> z) {
   if (std::abs(beta.hi) > most_beta) return std::nullopt;
   const auto sum = over_scale(alpha, beta, z);
   if (!sum) return std::nullopt;
@@ -103,14 +104,15 @@ std::optional<QuickValue> of_tiny_order(double alpha, const DoubleDouble& beta, 
 }
 
 // The scale is at least 1e4400 or at most 1e-4400: no double factor leads back into the range of double.
-std::optional<DoubleBounded> beyond_double_of_tiny_order(double alpha, double beta, std::complex<double> z) {
+std::optional<BoundedDouble> mittag_leffler_tiny_order_out_of_range(double alpha, double beta,
+                                                                    std::complex<double> z) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (std::abs(beta) <= most_beta) return std::nullopt;
   const auto sum = over_scale(alpha, {beta, 0.0}, z);
   if (!sum) return std::nullopt;
-  if (beta > 0.0) return DoubleBounded{0.0, std::numeric_limits<double>::denorm_min()};
+  if (beta > 0.0) return BoundedDouble{0.0, std::numeric_limits<double>::denorm_min()};
   const auto part = [](long double x) { return x == 0.0L ? 0.0 : std::signbit(x) ? -infinity : infinity; };
-  return DoubleBounded{{part(sum->value.real()), part(sum->value.imag())}, infinity};
+  return BoundedDouble{{part(sum->value.real()), part(sum->value.imag())}, infinity};
 }
 
 }  // namespace fde

@@ -13,10 +13,12 @@
 namespace fde {
 
 // For |beta| <= 1600, otherwise nullopt.
-std::optional<QuickValue> of_tiny_order(double alpha, const DoubleDouble& beta, std::complex<double> z);
+std::optional<QuickValue> mittag_leffler_tiny_order(double alpha, const DoubleDouble& beta,
+                                                    std::complex<double> z);
 
 // For |beta| > 1600, otherwise nullopt. The value underflows to 0 (beta > 0), or its nonzero parts overflow
 // to infinity.
-std::optional<DoubleBounded> beyond_double_of_tiny_order(double alpha, double beta, std::complex<double> z);
+std::optional<BoundedDouble> mittag_leffler_tiny_order_out_of_range(double alpha, double beta,
+                                                                    std::complex<double> z);
 
 }  // namespace fde

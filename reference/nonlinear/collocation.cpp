@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "collocation/march.hpp"
-#include "diffusive/march.hpp"
+#include "collocation/piecewise_solution.hpp"
+#include "diffusive/diffusive_solution.hpp"
 #include "march/jumps.hpp"
-#include "march/posed_problem.hpp"
 #include "march/rhs_at.hpp"
-#include "nonlinear/bound.hpp"
+#include "march/supported_problem.hpp"
+#include "nonlinear/error_estimates.hpp"
 #include "problem/multipliers.hpp"
 
 namespace fde {
@@ -24,14 +24,14 @@ namespace {
 // Both methods solve dense linear systems for all values of a panel or a step: one minute for 100 unknowns,
 // eight times as long for 200.
 void require_affordable(const Problem& problem) {
-  constexpr Eigen::Index most_unknowns = 200;
-  if (problem.size() <= most_unknowns) return;
+  constexpr Eigen::Index max_unknowns = 200;
+  if (problem.size() <= max_unknowns) return;
   throw std::runtime_error(fmt::format("the two methods of a reference take up to {} unknowns, not {}",
-                                       most_unknowns, problem.size()));
+                                       max_unknowns, problem.size()));
 }
 
-// Lengths of the first panel and the first step, and MarchOptions::weightless, relative to the end.
-struct Starts {
+// Lengths of the first panel and the first step, and PanelOptions::weightless, relative to the end.
+struct InitialLengths {
   double panel = 1e-32, step = 1e-20, weightless = 1e-18;
 };
 
@@ -40,21 +40,21 @@ struct Starts {
 // step of a grid, which is at least N^-10 of the end, 6e-58 for 2^19 steps. With multipliers it must be below
 // rounding, since the constraint propagates it to all components. For the second method, whose constraint
 // determines the reaction, t^(2 g) remains.
-Starts starts_of(const Problem& problem) {
+InitialLengths smoothness_of(const Problem& problem) {
   constexpr double rounding = 1e-17, before_grids = 1e-66, early = 1e-6, shortest = 1e-270;
   double order = 1.0;
   for (const auto& component : problem.components) {
     if (!algebraic(component)) order = std::min(order, component.order);
   }
-  Starts usual;
+  InitialLengths usual;
   const double unseen = std::min(usual.panel, std::pow(rounding, 1.0 / order));
   if (std::ranges::none_of(problem.components, algebraic)) {
     usual.panel = std::max(unseen, before_grids);
     return usual;
   }
-  const Starts starts{.panel = unseen,
-                      .step = std::min(usual.step, std::pow(rounding, 0.5 / order)),
-                      .weightless = std::min(usual.weightless, std::pow(early, 1.0 / order))};
+  const InitialLengths starts{.panel = unseen,
+                              .step = std::min(usual.step, std::pow(rounding, 0.5 / order)),
+                              .weightless = std::min(usual.weightless, std::pow(early, 1.0 / order))};
   if (starts.panel < shortest) {
     throw std::runtime_error(
         fmt::format("collocation: takes no order below {:.2g} with algebraic rows, one is {:.3g}",
@@ -65,7 +65,7 @@ Starts starts_of(const Problem& problem) {
 
 // Bound of the initial values: infinite for the multipliers, which are in no algebraic row, or, where the
 // algebraic rows do not hold at t = 0, for the unknowns of all algebraic rows.
-Vec bound_of_start(const Problem& problem) {
+Vec initial_bound(const Problem& problem) {
   constexpr double infinity = std::numeric_limits<double>::infinity(), rounding = 1e-14;
   Vec bound = Vec::Zero(problem.size());
   if (std::ranges::none_of(problem.components, algebraic)) return bound;
@@ -81,14 +81,14 @@ Vec bound_of_start(const Problem& problem) {
 
 }  // namespace
 
-Reference table_reference(PanelTable table, const Problem& problem) {
-  return panel_reference(std::move(table), bound_of_start(problem));
+Reference reference_from_table(PanelTable table, const Problem& problem) {
+  return reference_from_panels(std::move(table), initial_bound(problem));
 }
 
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options) {
   require_posed(problem);
   require_affordable(problem);
-  const Starts starts = starts_of(problem);
+  const InitialLengths starts = smoothness_of(problem);
   const auto solve = [&](int points, double shortest) -> PiecewiseSolution {
     return {problem,
             {.points = points,
@@ -110,7 +110,7 @@ PanelTable reference_table(const Problem& problem, const CollocationOptions& opt
 }
 
 Reference reference_solution(const Problem& problem, const CollocationOptions& options) {
-  return table_reference(reference_table(problem, options), problem);
+  return reference_from_table(reference_table(problem, options), problem);
 }
 
 }  // namespace fde

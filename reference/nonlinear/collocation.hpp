@@ -26,6 +26,6 @@ Reference reference_solution(const Problem& problem, const CollocationOptions& o
 // initial values are exact, and infinite where they are guesses: for multipliers, or for the unknowns of all
 // algebraic rows if these rows do not hold at t = 0.
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options = {});
-Reference table_reference(PanelTable table, const Problem& problem);
+Reference reference_from_table(PanelTable table, const Problem& problem);
 
 }  // namespace fde

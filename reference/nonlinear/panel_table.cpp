@@ -14,9 +14,9 @@ namespace {
 
 class TableReference {
  public:
-  TableReference(PanelTable table, Vec bound_of_start)
+  TableReference(PanelTable table, Vec initial_bound)
       : table_(std::move(table)),
-        bound_of_start_(std::move(bound_of_start)),
+        bound_of_start_(std::move(initial_bound)),
         basis_(static_cast<int>(table_.panels.front().values.rows()) - 2, PanelPoints::legendre) {}
 
   [[nodiscard]] ReferenceValue at(double t) const {
@@ -39,8 +39,8 @@ class TableReference {
 
 }  // namespace
 
-Reference panel_reference(PanelTable table, Vec bound_of_start) {
-  const auto reference = std::make_shared<const TableReference>(std::move(table), std::move(bound_of_start));
+Reference reference_from_panels(PanelTable table, Vec initial_bound) {
+  const auto reference = std::make_shared<const TableReference>(std::move(table), std::move(initial_bound));
   return {.at = [reference](double t) { return reference->at(t); }};
 }
 

@@ -19,8 +19,8 @@ struct PanelTable {
   std::vector<ReferencePanel> panels;
 };
 
-// The Reference of a table; at t = 0 its bound is bound_of_start. Reference::at throws std::invalid_argument
+// The Reference of a table; at t = 0 its bound is initial_bound. Reference::at throws std::invalid_argument
 // for a time outside the panels. Precondition: at least one panel, all with the same number of points.
-Reference panel_reference(PanelTable table, Vec bound_of_start);
+Reference reference_from_panels(PanelTable table, Vec initial_bound);
 
 }  // namespace fde

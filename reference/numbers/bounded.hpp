@@ -20,16 +20,16 @@ struct DecimalText {
   std::string value;
   BigReal bound;
 };
-DecimalText write_decimal(const BigReal& value, const BigReal& bound, int digits);
-std::string write_bound(const BigReal& bound);  // two digits, rounded up
+DecimalText to_decimal_text(const BigReal& value, const BigReal& bound, int digits);
+std::string to_bound_text(const BigReal& bound);  // two digits, rounded up
 
 // The nearest double and a bound that includes the rounding to it; the bound is infinite where the value
 // overflows. A multiprecision value not larger than its bound becomes 0.
-struct DoubleBounded {
+struct BoundedDouble {
   std::complex<double> value;
   double bound;
 };
-DoubleBounded to_double(const Complex<long double>& value, long double error);
-DoubleBounded to_double(const Bounded<BigReal>& x);
+BoundedDouble to_double(const Complex<long double>& value, long double error);
+BoundedDouble to_double(const Bounded<BigReal>& x);
 
 }  // namespace fde

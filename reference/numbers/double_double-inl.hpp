@@ -110,7 +110,7 @@ HWY_INLINE Pair operator*(const Pair& a, const Real& b) { return {a.re * b, a.im
 HWY_INLINE Pair operator*(const Pair& a, Vector b) { return {a.re * b, a.im * b}; }
 
 // |Re| + |Im| of the leading parts.
-HWY_INLINE Vector size_of(const Pair& a) { return hn::Add(hn::Abs(a.re.hi), hn::Abs(a.im.hi)); }
+HWY_INLINE Vector norm1(const Pair& a) { return hn::Add(hn::Abs(a.re.hi), hn::Abs(a.im.hi)); }
 
 // x times a power of two. Precondition: no overflow or underflow.
 HWY_INLINE Real scale(const Real& x, Vector power_of_two) {

@@ -50,7 +50,7 @@ DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
 
 const ElementaryTables& ElementaryTables::get() {
   constexpr int digits = 60;
-  return made_once<digits, make_tables>();
+  return lazy_table<digits, make_tables>();
 }
 
 }  // namespace fde

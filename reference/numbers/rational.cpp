@@ -6,7 +6,7 @@
 
 namespace fde {
 
-Rational exact_decimal(double x) {
+Rational shortest_decimal(double x) {
   if (!std::isfinite(x)) throw std::invalid_argument(fmt::format("'{}' is not a finite decimal number", x));
   const std::string shortest = fmt::format("{}", x);
   const std::size_t e = shortest.find('e'), point = shortest.find('.');

@@ -11,7 +11,7 @@ using Rational =
     boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 // The shortest decimal that rounds to x: 0.1 becomes 1/10. Throws std::invalid_argument unless x is finite.
-Rational exact_decimal(double x);
+Rational shortest_decimal(double x);
 
 // x rounded to the nearest Real.
 template <class Real>

@@ -51,7 +51,7 @@ BigReal parse<BigReal>(const std::string& text) {
 }
 
 // Not Boost's conversion: it writes all digits where 0 digits after the point are requested.
-std::string text_of(const BigReal& x, const char* format, int precision) {
+std::string to_text(const BigReal& x, const char* format, int precision) {
   const int length = mpfr_snprintf(nullptr, 0, format, precision, x.backend().data());
   std::string text(static_cast<std::size_t>(length) + 1, '\0');  // with the terminating null
   mpfr_snprintf(text.data(), text.size(), format, precision, x.backend().data());
@@ -59,7 +59,7 @@ std::string text_of(const BigReal& x, const char* format, int precision) {
   return text;
 }
 
-std::string text_of(const BigReal& x, int digits) { return text_of(x, "%.*Rg", digits); }
+std::string to_text(const BigReal& x, int digits) { return to_text(x, "%.*Rg", digits); }
 
 template <>
 long double decimal<long double>(double x) {

@@ -44,7 +44,7 @@ class Precision {
 // A table computed at its first use, under Precision(digits). The lock of Precision is taken before the guard
 // of the static variable, so that two threads cannot deadlock on the two.
 template <int digits, auto make>
-const auto& made_once() {
+const auto& lazy_table() {
   using Table = decltype(make());
   static std::atomic<const Table*> known = nullptr;
   if (const Table* table = known.load(std::memory_order_acquire)) return *table;
@@ -87,7 +87,7 @@ Real gamma(const Real& x) {
 }
 
 template <class Real>
-bool is_whole(const Real& x) {
+bool is_integer(const Real& x) {
   using std::floor;
   return floor(x) == x;
 }
@@ -95,15 +95,15 @@ bool is_whole(const Real& x) {
 // 1/Gamma, entire: 0 at 0, -1, -2, ...
 template <class Real>
 Real reciprocal_gamma(const Real& x) {
-  return x <= 0 && is_whole(x) ? Real(0) : Real(1) / gamma(x);
+  return x <= 0 && is_integer(x) ? Real(0) : Real(1) / gamma(x);
 }
 
 // |Re z| + |Im z|, in [|z|, sqrt(2) |z|]: replaces the modulus in error bounds, and is much cheaper.
 template <class Real>
-Real size_of(const std::complex<Real>& z) {
+Real norm1(const std::complex<Real>& z) {
   return std::abs(z.real()) + std::abs(z.imag());
 }
-inline BigReal size_of(const BigComplex& z) { return abs(BigReal(z.real())) + abs(BigReal(z.imag())); }
+inline BigReal norm1(const BigComplex& z) { return abs(BigReal(z.real())) + abs(BigReal(z.imag())); }
 
 template <class Real>
 Real real_part(const Complex<Real>& z) {
@@ -123,9 +123,9 @@ template <>
 BigReal parse<BigReal>(const std::string& text);
 
 // x in decimal with at most `digits` significant digits, as %g of printf writes it.
-std::string text_of(const BigReal& x, int digits);
+std::string to_text(const BigReal& x, int digits);
 // The same by a format of mpfr_snprintf that takes a precision.
-std::string text_of(const BigReal& x, const char* format, int precision);
+std::string to_text(const BigReal& x, const char* format, int precision);
 
 // The shortest decimal that rounds to x, as a Real: 0.1 becomes one tenth.
 template <class Real>
@@ -144,7 +144,7 @@ struct Sum {
   // relative_error is relative to size: the size of the term, or a larger one if the term comes from
   // cancellation. share times size is added to the scale.
   void add(const Complex<Real>& term, const Real& relative_error, const Real& share = Real(1)) {
-    add(term, size_of(term), relative_error, share);
+    add(term, norm1(term), relative_error, share);
   }
   void add(const Complex<Real>& term, const Real& size, const Real& relative_error, const Real& share) {
     if (!infinite) value += term;
@@ -178,7 +178,7 @@ struct Sum {
 // Whether e^z certainly overflows in Real and its argument is known, for a z with that relative error.
 template <class Real>
 bool exp_overflows(const Complex<Real>& z, const Real& relative_error) {
-  const Real error = size_of(z) * relative_error;
+  const Real error = norm1(z) * relative_error;
   // Below the largest exponent, since e^z is multiplied by factors.
   const double most = std::is_same_v<Real, BigReal> ? 0.6 * static_cast<double>(mpfr_get_emax()) : 11000.0;
   return real_part<Real>(z) - error > most && (imag_part<Real>(z) == 0 || error < 0.1);

@@ -1,6 +1,6 @@
 #include "numbers/reciprocal_gamma.hpp"
 
-#include "progress/work.hpp"
+#include "progress/progress.hpp"
 
 namespace fde {
 namespace {
@@ -14,7 +14,7 @@ BigReal gamma_by_series(const BigReal& x) {
   const auto smallest = epsilon<BigReal>();
   BigReal term = 1 / x, sum = term;
   for (unsigned k = 1; k < many || term > smallest * sum; ++k) {
-    report_work(k, std::size_t{terms} * many);
+    report_progress(k, std::size_t{terms} * many);
     term *= many;
     term /= x + k;
     sum += term;
@@ -26,7 +26,7 @@ BigReal gamma_by_series(const BigReal& x) {
 constexpr unsigned few_digits = 2000;
 
 // Gamma(x), x >= 1/2; can be cancelled at any precision.
-BigReal patient_gamma(const BigReal& x) {
+BigReal cancellable_gamma(const BigReal& x) {
   constexpr int guard_digits = 25;
   const unsigned digits = BigReal::default_precision();
   if (digits <= few_digits) return gamma(x);
@@ -38,7 +38,7 @@ BigReal patient_gamma(const BigReal& x) {
     factor /= argument;
     argument += 1;
   }
-  for (; argument > 2; report_work(0)) {
+  for (; argument > 2; report_progress(0)) {
     argument -= 1;
     factor *= argument;
   }
@@ -48,13 +48,13 @@ BigReal patient_gamma(const BigReal& x) {
 }
 
 // 1/Gamma(x), for x <= 1/2 by Gamma(x) Gamma(1-x) sin(pi x) = pi.
-BigReal patient_reciprocal_gamma(const BigReal& x) {
+BigReal cancellable_reciprocal_gamma(const BigReal& x) {
   if (BigReal::default_precision() <= few_digits) return reciprocal_gamma(x);
-  if (x > 0.5) return 1 / patient_gamma(x);
+  if (x > 0.5) return 1 / cancellable_gamma(x);
   const BigReal whole = round(x), beyond = x - whole;
   const bool even = BigReal(2 * round(BigReal(whole / 2))) == whole;
   const BigReal sine = sin(BigReal(pi<BigReal>() * beyond));
-  return patient_gamma(BigReal(1 - x)) * (even ? sine : BigReal(-sine)) / pi<BigReal>();
+  return cancellable_gamma(BigReal(1 - x)) * (even ? sine : BigReal(-sine)) / pi<BigReal>();
 }
 
 }  // namespace
@@ -63,12 +63,12 @@ void add_reciprocal_gamma(Sum<BigReal>& sum, const BigComplex& factor, const Big
                           const BigReal& factor_ulps) {
   const BigReal whole = round(x), rounding = 4 * size * epsilon<BigReal>();
   if (whole <= 0 && abs(BigReal(x - whole)) <= rounding) return;
-  sum.add(BigComplex(factor * patient_reciprocal_gamma(x)),
+  sum.add(BigComplex(factor * cancellable_reciprocal_gamma(x)),
           BigReal((factor_ulps + 12 + 4 * size) * epsilon<BigReal>()));
   if (x > 0.5) return;
   // An upper bound of |(1/Gamma)'|; next to a pole of Gamma this part is nearly all of the error.
-  const BigReal slope = patient_gamma(BigReal(1 - x)) * (2 + log(BigReal(2 + abs(x))));
-  sum.error += size_of(factor) * slope * rounding;
+  const BigReal slope = cancellable_gamma(BigReal(1 - x)) * (2 + log(BigReal(2 + abs(x))));
+  sum.error += norm1(factor) * slope * rounding;
 }
 
 }  // namespace fde

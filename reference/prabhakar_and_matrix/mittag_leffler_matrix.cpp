@@ -7,7 +7,7 @@
 #include "laplace/enclosed_transform.hpp"
 #include "laplace/roots_on_sheet.hpp"
 #include "mittag_leffler/decimal_arguments.hpp"
-#include "numbers/raise_digits.hpp"
+#include "numbers/adaptive_precision.hpp"
 #include "prabhakar_and_matrix/mittag_leffler_matrix_quick.hpp"
 #include "prabhakar_and_matrix/resolvent.hpp"
 #include "prabhakar_and_matrix/schur_form.hpp"
@@ -47,10 +47,10 @@ void add_node(const Arguments& x, const Node& node, std::vector<Sum<BigReal>>& s
   for (int i = 0; i < shifted.size; ++i) shifted(i, i) += s_alpha;
   const BoundedInverse resolvent = bounded_inverse(shifted);
   const BigReal unit = epsilon<BigReal>(),
-                ulps = 8 + 4 * size_of(node.s) + (4 * x.alpha + 4 * abs(x.beta)) * (1 + size_of(node.log_s));
+                ulps = 8 + 4 * norm1(node.s) + (4 * x.alpha + 4 * abs(x.beta)) * (1 + norm1(node.log_s));
   // a bound of the error of s^alpha
-  const BigReal shift = (4 + 4 * x.alpha * (1 + size_of(node.log_s))) * unit * size_of(s_alpha);
-  const BigReal off = size_of(weight) * (resolvent.bound + 2 * shift * resolvent.norm * resolvent.norm);
+  const BigReal shift = (4 + 4 * x.alpha * (1 + norm1(node.log_s))) * unit * norm1(s_alpha);
+  const BigReal off = norm1(weight) * (resolvent.bound + 2 * shift * resolvent.norm * resolvent.norm);
   for (std::size_t i = 0; i < sums.size(); ++i) {
     sums[i].add(BigComplex(weight * resolvent.value.entries[i]), BigReal(ulps * unit));
     sums[i].error += off;
@@ -61,7 +61,7 @@ void add_node(const Arguments& x, const Node& node, std::vector<Sum<BigReal>>& s
 EnclosingContour::Majorant majorant_of(const SchurForm& schur, Long alpha, Long power) {
   return [=](const Disc& disc) {
     const Long size = std::abs(disc.centre), nearest = size - disc.radius, farthest = size + disc.radius;
-    const bool whole = is_whole(alpha);
+    const bool whole = is_integer(alpha);
     if (nearest <= 0.0L && (!whole || power < 0.0L)) return infinity;
     // a bound of |s^alpha - centre^alpha| on the disc; the allowance for rounding follows
     const Long moved = whole ? std::pow(farthest, alpha) - std::pow(size, alpha)
@@ -79,7 +79,7 @@ EnclosingContour::Majorant majorant_of(const SchurForm& schur, Long alpha, Long 
 int digits_of_eigenvalues(const Read& read) {
   constexpr int enough = 70, most = 1000;
   BigReal largest(1);
-  for (const auto& entry : read().matrix.entries) largest = std::max(largest, size_of(entry));
+  for (const auto& entry : read().matrix.entries) largest = std::max(largest, norm1(entry));
   return enough + std::min(most, static_cast<int>(BigReal(log10(largest)).convert_to<double>()));
 }
 
@@ -91,7 +91,8 @@ EnclosedTransform transform_of(const Read& read) {
                               .hints = {.order = static_cast<Long>(std::min(x.matrix.size, 4)),
                                         .growth = 1.0L + alpha + std::abs(power)},
                               .real = x.real()};
-  if (!(is_whole(x.alpha) && is_whole(x.beta) && power >= 0.0L)) transform.singularities.emplace_back(0.0L);
+  if (!(is_integer(x.alpha) && is_integer(x.beta) && power >= 0.0L))
+    transform.singularities.emplace_back(0.0L);
   const SchurForm schur(x.matrix);
   for (const auto& logarithm : schur.log_eigenvalues()) {
     for (const auto& root : roots_on_sheet(alpha, logarithm)) transform.singularities.push_back(root.value);
@@ -124,12 +125,12 @@ void require_size(std::size_t rows, std::size_t entries) {
           fmt::format("the matrix has {} rows, but has to have 1 to {}", rows, most_rows));
 }
 
-DoubleBounded rounded(const QuickValue& x) { return to_double(x.value, x.error); }
-DoubleBounded rounded(const Bounded<BigReal>& x) { return to_double(x); }
+BoundedDouble rounded(const QuickValue& x) { return to_double(x.value, x.error); }
+BoundedDouble rounded(const Bounded<BigReal>& x) { return to_double(x); }
 
 // Entries row by row.
 template <class Entry>
-MatrixValue in_double(int size, const std::vector<Entry>& entries) {
+MatrixValue evaluate_in_double(int size, const std::vector<Entry>& entries) {
   const BigMatrix shape{size, {}};
   MatrixValue result{ComplexMatrix(size, size), Eigen::MatrixXd(size, size)};
   for (int i = 0; i < size; ++i) {
@@ -156,7 +157,8 @@ MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matri
   require_size(static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.size()));
   require(matrix.allFinite(), "entries of the matrix have to be finite");
   const auto size = static_cast<int>(matrix.rows());
-  if (const auto quick = mittag_leffler_matrix_quick(alpha, beta, matrix)) return in_double(size, *quick);
+  if (const auto quick = mittag_leffler_matrix_quick(alpha, beta, matrix))
+    return evaluate_in_double(size, *quick);
   const Read read = [&] {
     Arguments x{BigReal(alpha), BigReal(beta), {size, {}}};
     for (int i = 0; i < size; ++i) {
@@ -164,7 +166,7 @@ MatrixValue mittag_leffler(double alpha, double beta, const ComplexMatrix& matri
     }
     return x;
   };
-  return in_double(size, evaluate(read, double_digits));
+  return evaluate_in_double(size, evaluate(read, double_digits));
 }
 
 MatrixValue mittag_leffler(double alpha, double beta, const Eigen::MatrixXd& matrix) {
@@ -177,11 +179,12 @@ std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::
   const auto size = static_cast<int>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
   require_size(static_cast<std::size_t>(size), matrix.size());
   const Read read = [&] {
-    Arguments x{
-        read_argument(function_name, "alpha", alpha), read_argument(function_name, "beta", beta), {size, {}}};
+    Arguments x{parse_argument(function_name, "alpha", alpha),
+                parse_argument(function_name, "beta", beta),
+                {size, {}}};
     for (const auto& entry : matrix) {
-      x.matrix.entries.emplace_back(read_argument(function_name, "entry", entry.re),
-                                    read_argument(function_name, "entry", entry.im));
+      x.matrix.entries.emplace_back(parse_argument(function_name, "entry", entry.re),
+                                    parse_argument(function_name, "entry", entry.im));
     }
     return x;
   };
@@ -190,7 +193,8 @@ std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::
   require_order(function_name, x.alpha);
   require_parameter(function_name, "beta", x.beta);
   std::vector<DecimalComplex> texts;
-  for (const auto& value : evaluate(read, digits)) texts.push_back(write_complex(value, x.real(), digits));
+  for (const auto& value : evaluate(read, digits))
+    texts.push_back(to_decimal_complex(value, x.real(), digits));
   return texts;
 }
 

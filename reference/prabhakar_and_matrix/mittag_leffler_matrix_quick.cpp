@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "prabhakar_and_matrix/free_contours.hpp"
+#include "prabhakar_and_matrix/shifted_contours.hpp"
 
 namespace fde {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 using Long = long double;
 using Value = std::complex<Long>;
 template <class T>
-using Small = boost::container::static_vector<T, std::size_t{most_quick_rows} * std::size_t{most_quick_rows}>;
+using Small = boost::container::static_vector<T, std::size_t{max_quick_rows} * std::size_t{max_quick_rows}>;
 
 // Upper bound of the error of an operation in double-double, relative to the sizes of its operands.
 constexpr double unit = 0x1p-98;
@@ -44,8 +44,8 @@ ComplexDoubleDouble divided(const ComplexDoubleDouble& a, double by) {
   return {divided(a.re, by), divided(a.im, by)};
 }
 
-double size_of(const DoubleDouble& a) { return std::abs(a.hi); }
-double size_of(const ComplexDoubleDouble& a) { return std::abs(a.re.hi) + std::abs(a.im.hi); }
+double norm1(const DoubleDouble& a) { return std::abs(a.hi); }
+double norm1(const ComplexDoubleDouble& a) { return std::abs(a.re.hi) + std::abs(a.im.hi); }
 
 ComplexDoubleDouble to_complex(const DoubleDouble& a) { return {a, {0.0, 0.0}}; }
 ComplexDoubleDouble to_complex(const ComplexDoubleDouble& a) { return a; }
@@ -78,7 +78,7 @@ Adjugate adjugate_of(const ComplexMatrix& matrix) {
   for (std::size_t i = 0; i < n * n; ++i) {
     const auto entry = matrix(static_cast<int>(i / n), static_cast<int>(i % n));
     a.push_back(number_of<Number>(entry));
-    sizes.push_back(size_of(a.back()));
+    sizes.push_back(norm1(a.back()));
     part.push_back(number_of<Number>(i % (n + 1) == 0 ? 1.0 : 0.0));
   }
   Adjugate result{static_cast<int>(n), std::vector<Small<ComplexDoubleDouble>>(n),
@@ -95,20 +95,20 @@ Adjugate adjugate_of(const ComplexMatrix& matrix) {
         const std::size_t left = i / n * n + k, right = k * n + i % n;
         if (sizes[left] == 0.0) continue;
         product[i] = product[i] + a[left] * part[right];
-        product_error[i] += sizes[left] * (error[right] + unit * size_of(part[right]));
+        product_error[i] += sizes[left] * (error[right] + unit * norm1(part[right]));
       }
       if (i % (n + 1) != 0) continue;
       trace = trace + product[i];
-      trace_error += product_error[i] + unit * size_of(product[i]);
+      trace_error += product_error[i] + unit * norm1(product[i]);
     }
     const auto by = static_cast<double>(n - j);
     const Number coefficient = -divided(trace, by);
-    const double own = trace_error / by + unit * size_of(coefficient);
+    const double own = trace_error / by + unit * norm1(coefficient);
     result.coefficients[j] = to_complex(coefficient);
     result.errors[j] = own;
     for (std::size_t i = 0; i < n * n; i += n + 1) {
       product[i] = product[i] + coefficient;
-      product_error[i] += own + unit * size_of(product[i]);
+      product_error[i] += own + unit * norm1(product[i]);
     }
     part = product;
     error = product_error;
@@ -123,10 +123,10 @@ std::vector<Value> zeros_of_square(const Value& constant, const Value& linear) {
   return {larger == 0.0L ? 0.0L : constant / larger, larger};
 }
 
-std::vector<Value> by_iteration(const ComplexMatrix& matrix, bool real) {
-  using Complexes = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, most_quick_rows,
-                                  most_quick_rows>;
-  using Reals = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_quick_rows, most_quick_rows>;
+std::vector<Value> eigenvalues_by_qr(const ComplexMatrix& matrix, bool real) {
+  using Complexes =
+      Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, max_quick_rows, max_quick_rows>;
+  using Reals = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_quick_rows, max_quick_rows>;
   if (real) {
     const auto found = Eigen::EigenSolver<Reals>(Reals(matrix.real()), false).eigenvalues().eval();
     return {found.begin(), found.end()};
@@ -141,7 +141,7 @@ std::vector<Value> eigenvalues_of(const ComplexMatrix& matrix, const Adjugate& a
   const auto n = static_cast<std::size_t>(matrix.rows());
   const auto& p = adjugate.coefficients;
   std::vector<Value> eigenvalues =
-      n == 2 ? zeros_of_square(to_long(p[0]), to_long(p[1])) : by_iteration(matrix, real);
+      n == 2 ? zeros_of_square(to_long(p[0]), to_long(p[1])) : eigenvalues_by_qr(matrix, real);
   const int steps = n == 2 ? 0 : 2;
   for (int step = 0; step < steps; ++step) {
     for (std::size_t i = 0; i < n; ++i) {
@@ -189,19 +189,19 @@ class Spectrum {
   Spectrum(double alpha, const Adjugate& adjugate, std::vector<Value> eigenvalues)
       : alpha_(alpha), eigenvalues_(std::move(eigenvalues)), off_(distances(adjugate, eigenvalues_)) {
     for (const Value& eigenvalue : eigenvalues_)
-      roots_.emplace_back(alpha, std::complex<double>(std::log(eigenvalue)), -most_sheet);
-    for (const FreeRoots& root : roots_) factors_.push_back(root.factor(1.0));
+      roots_.emplace_back(alpha, std::complex<double>(std::log(eigenvalue)), -max_sheet);
+    for (const SingularityRoots& root : roots_) factors_.push_back(root.factor(1.0));
   }
 
   [[nodiscard]] double growth() const {
     double growth = 0.0;
-    for (const FreeRoots& root : roots_) growth = std::max(growth, root.growth());
+    for (const SingularityRoots& root : roots_) growth = std::max(growth, root.growth());
     return growth;
   }
 
   // log of a bound of the discretisation error for s^exponent x^j / p(x), for every j; nullopt where there is
   // none.
-  [[nodiscard]] std::optional<double> log_bound(const FreeContour& contour, double exponent) const {
+  [[nodiscard]] std::optional<double> log_bound(const ShiftedContour& contour, double exponent) const {
     const double more = alpha_ * (static_cast<double>(eigenvalues_.size()) - 1.0);
     const auto strip =
         contour.strip.at({.exponent = exponent, .alpha = alpha_, .factors = factors_, .more = more});
@@ -226,12 +226,12 @@ class Spectrum {
   double alpha_;
   std::vector<Value> eigenvalues_;  // by ascending modulus
   std::vector<Long> off_;
-  std::vector<FreeRoots> roots_;
+  std::vector<SingularityRoots> roots_;
   std::vector<FreeStrip::Factor> factors_;
 };
 
 // sum_j N_j c_j
-std::vector<QuickValue> combined(const Adjugate& adjugate, const std::array<QuotientSum, most_degree>& sums,
+std::vector<QuickValue> combined(const Adjugate& adjugate, const std::array<QuotientSum, max_degree>& sums,
                                  Long neglected) {
   const auto n = static_cast<std::size_t>(adjugate.rows);
   std::vector<QuickValue> entries;
@@ -240,12 +240,12 @@ std::vector<QuickValue> combined(const Adjugate& adjugate, const std::array<Quot
     Long error = 0.0L;
     for (std::size_t j = 0; j < n; ++j) {
       const ComplexDoubleDouble& part = adjugate.parts[j][i];
-      const Long part_size = size_of(part) + adjugate.part_errors[j][i];
+      const Long part_size = norm1(part) + adjugate.part_errors[j][i];
       value = value + part * sums[j].value;
       error += part_size * (sums[j].error + neglected) +
-               (adjugate.part_errors[j][i] + unit * part_size) * size_of(sums[j].value);
+               (adjugate.part_errors[j][i] + unit * part_size) * norm1(sums[j].value);
     }
-    entries.push_back({to_long(value), error + few_ulps * size_of(value)});
+    entries.push_back({to_long(value), error + few_ulps * norm1(value)});
   }
   return entries;
 }
@@ -253,12 +253,12 @@ std::vector<QuickValue> combined(const Adjugate& adjugate, const std::array<Quot
 double log_of_largest_part(const Adjugate& adjugate) {
   double largest = 0.0;
   for (const auto& part : adjugate.parts) {
-    for (const auto& entry : part) largest = std::max(largest, size_of(entry));
+    for (const auto& entry : part) largest = std::max(largest, norm1(entry));
   }
   return std::log(largest);
 }
 
-bool all_good(const std::vector<QuickValue>& entries) {
+bool all_meet_tolerance(const std::vector<QuickValue>& entries) {
   return std::ranges::all_of(
       entries, [](const QuickValue& x) { return x.error <= quick_tolerance * std::abs(x.value); });
 }
@@ -277,7 +277,7 @@ std::optional<std::vector<QuickValue>> of_one_row(double alpha, double beta, con
       alpha, {beta, 0.0}, mirrored ? std::conj(z) : std::complex(z.real(), std::abs(z.imag())));
   if (!value) return std::nullopt;
   const std::vector<QuickValue> entries{{mirrored ? std::conj(value->value) : value->value, value->error}};
-  return all_good(entries) ? std::optional(entries) : std::nullopt;
+  return all_meet_tolerance(entries) ? std::optional(entries) : std::nullopt;
 }
 
 }  // namespace
@@ -286,21 +286,21 @@ std::optional<std::vector<QuickValue>> mittag_leffler_matrix_quick(double alpha,
                                                                    const ComplexMatrix& matrix) {
   constexpr double most_beta = 40.0;
   if (matrix.rows() == 1) return of_one_row(alpha, beta, matrix(0, 0));
-  if (matrix.rows() > most_quick_rows || std::abs(beta) > most_beta || !is_moderate(matrix))
+  if (matrix.rows() > max_quick_rows || std::abs(beta) > most_beta || !is_moderate(matrix))
     return std::nullopt;
   const bool real = (matrix.imag().array() == 0.0).all();
   const Adjugate adjugate =
       real ? adjugate_of<DoubleDouble>(matrix) : adjugate_of<ComplexDoubleDouble>(matrix);
   const Spectrum spectrum(alpha, adjugate, eigenvalues_of(matrix, adjugate, real));
-  const double most_log = most_log_neglected + spectrum.growth() - log_of_largest_part(adjugate);
+  const double most_log = max_log_error + spectrum.growth() - log_of_largest_part(adjugate);
   const DoubleDouble exponent = exact_sum(alpha, -beta);
-  for (const FreeContour& contour : free_contours()) {
+  for (const ShiftedContour& contour : shifted_contours()) {
     const auto log_bound = spectrum.log_bound(contour, exponent.hi);
     if (!log_bound || *log_bound > most_log) continue;
     const auto sums = sum_over_nodes(
         contour.nodes, PolynomialQuotient{alpha, exponent, adjugate.coefficients, adjugate.errors});
     auto entries = combined(adjugate, sums, std::exp(static_cast<Long>(*log_bound)));
-    if (all_good(entries)) return entries;
+    if (all_meet_tolerance(entries)) return entries;
   }
   return std::nullopt;
 }

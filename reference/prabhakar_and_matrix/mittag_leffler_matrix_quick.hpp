@@ -15,7 +15,7 @@ namespace fde {
 // are bounded in every step; bounds of p on the contour come from approximate eigenvalues and from the
 // distance of p to the polynomial with these zeros. nullopt where an error is above quick_tolerance of its
 // entry.
-inline constexpr int most_quick_rows = 4;
+inline constexpr int max_quick_rows = 4;
 std::optional<std::vector<QuickValue>> mittag_leffler_matrix_quick(double alpha, double beta,
                                                                    const ComplexMatrix& matrix);
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "mittag_leffler/decimal_arguments.hpp"
-#include "numbers/raise_digits.hpp"
+#include "numbers/adaptive_precision.hpp"
 #include "prabhakar_and_matrix/prabhakar_quick.hpp"
 #include "prabhakar_and_matrix/prabhakar_transform.hpp"
 
@@ -24,36 +24,36 @@ struct Request {
 };
 
 void require_derivative(int k) {
-  if (k >= 0 && k <= most_derivatives) return;
+  if (k >= 0 && k <= max_derivative) return;
   throw std::invalid_argument(
-      fmt::format("mittag_leffler_derivative: k = {} has to be in [0, {}]", k, most_derivatives));
+      fmt::format("mittag_leffler_derivative: k = {} has to be in [0, {}]", k, max_derivative));
 }
 
-bool ends_or_is_small(const Arguments& x) {
-  return (x.gamma <= 0 && is_whole(x.gamma)) ||
-         size_of(x.z) <= 0.4 * pow(std::max(BigReal(1), x.beta), x.alpha);
+bool series_applies(const Arguments& x) {
+  return (x.gamma <= 0 && is_integer(x.gamma)) ||
+         norm1(x.z) <= 0.4 * pow(std::max(BigReal(1), x.beta), x.alpha);
 }
 
 // The terms of the series may cancel: the working digits are doubled until the value is accurate. If the
-// terms cancel completely even with most_digits(), the value counts as zero.
+// terms cancel completely even with max_working_digits(), the value counts as zero.
 Bounded<BigReal> sum_series(const Request& request, int wanted) {
-  const DigitSearch search{
+  const DigitSearchOptions search{
       .wanted = wanted, .guard = 10, .next = [](int digits, int /*missing*/) { return 2 * digits; }};
-  const Raised raised = raise_digits(search, [&](int digits) {
+  const DigitSearchResult raised = raise_digits(search, [&](int digits) {
     const Precision precision(digits + request.places);
     const Sum<BigReal> sum = prabhakar_series(request.read());
-    const bool last = digits == most_digits(wanted);
+    const bool last = digits == max_working_digits(wanted);
     return std::vector<WorkingEstimate>{
         {.known = {sum.value, sum.error}, .scale = last ? sum.scale : BigReal(0)}};
   });
-  if (raised.too_large) throw out_of_digits(raised);
+  if (raised.largest_missed_bound) throw insufficient_digits(raised);
   return raised.values.front();
 }
 
 Bounded<BigReal> evaluate(const Request& request, int wanted) {
   const auto value = [&] {
     try {
-      if (ends_or_is_small(request.read())) return sum_series(request, wanted);
+      if (series_applies(request.read())) return sum_series(request, wanted);
       return invert(prabhakar_transform(request.read), wanted).front();
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(fmt::format("{}: {}", request.name, error.what()));
@@ -61,10 +61,10 @@ Bounded<BigReal> evaluate(const Request& request, int wanted) {
   }();
   const BigReal factorial = gamma(BigReal(request.factorial + 1));
   return {BigComplex(value.value * factorial),
-          BigReal((value.bound + 8 * epsilon<BigReal>() * size_of(value.value)) * factorial)};
+          BigReal((value.bound + 8 * epsilon<BigReal>() * norm1(value.value)) * factorial)};
 }
 
-MittagLefflerValue in_double(const Request& request) {
+MittagLefflerValue evaluate_in_double(const Request& request) {
   const Precision precision(2 * double_digits + 10);
   const auto [value, bound] = to_double(evaluate(request, double_digits));
   if (!std::isfinite(bound)) throw std::runtime_error(request.name + " is beyond double");
@@ -74,7 +74,7 @@ MittagLefflerValue in_double(const Request& request) {
 
 // k! times a quick evaluation for Im z >= 0, or its conjugate for Im z < 0; nullopt where it gives none.
 template <class Quick>
-std::optional<MittagLefflerValue> quickly(const Quick& quick, std::complex<double> z, int k) {
+std::optional<MittagLefflerValue> evaluate_quick(const Quick& quick, std::complex<double> z, int k) {
   constexpr int most_exact = 25;  // largest k for which k! is exact in long double
   if (k > most_exact) return std::nullopt;
   const bool mirrored = z.imag() < 0.0;
@@ -82,7 +82,7 @@ std::optional<MittagLefflerValue> quickly(const Quick& quick, std::complex<doubl
   if (!known) return std::nullopt;
   long double times = 1.0L;
   for (int m = 2; m <= k; ++m) times *= static_cast<long double>(m);
-  const long double rounding = few_ulps * size_of(known->value);
+  const long double rounding = few_ulps * norm1(known->value);
   const auto [value, bound] = to_double(times * known->value, times * (known->error + rounding));
   if (!std::isfinite(bound)) return std::nullopt;
   if (z.imag() == 0.0) return MittagLefflerValue{std::complex(value.real() + 0.0), bound};
@@ -96,7 +96,7 @@ DecimalComplex in_digits(const std::string& function, const Request& request, in
   require_order(function, x.alpha);
   require_parameter(function, "beta", x.beta);
   require_parameter(function, "gamma", x.gamma);
-  return write_complex(evaluate(request, digits), x.real(), digits);
+  return to_decimal_complex(evaluate(request, digits), x.real(), digits);
 }
 
 void require_arguments(const std::string& name, double alpha, double beta, double gamma,
@@ -114,8 +114,8 @@ MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::compl
   const auto quick = [&](std::complex<double> upper) {
     return prabhakar_quick(alpha, {beta, 0.0}, gamma, upper);
   };
-  if (const auto value = quickly(quick, z, 0)) return *value;
-  return in_double(
+  if (const auto value = evaluate_quick(quick, z, 0)) return *value;
+  return evaluate_in_double(
       {fmt::format("prabhakar({}, {}, {}, z = {} {:+} i)", alpha, beta, gamma, z.real(), z.imag()),
        [=] {
          return Arguments{BigReal(alpha), BigReal(beta), BigReal(gamma), BigComplex(z.real(), z.imag())};
@@ -129,8 +129,8 @@ MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, s
   const auto quick = [&](std::complex<double> upper) {
     return prabhakar_quick(alpha, DoubleDouble{beta, 0.0} + exact_product(k, alpha), k + 1.0, upper);
   };
-  if (const auto value = quickly(quick, z, k)) return *value;
-  return in_double(
+  if (const auto value = evaluate_quick(quick, z, k)) return *value;
+  return evaluate_in_double(
       {fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} {:+} i)", k, alpha, beta, z.real(),
                    z.imag()),
        [=] {
@@ -147,8 +147,8 @@ DecimalComplex prabhakar(const std::string& alpha, const std::string& beta, cons
                    {fmt::format("prabhakar({}, {}, {}, z = {} + {} i)", alpha, beta, gamma, re, im),
                     [=] {
                       return Arguments{
-                          read_argument(function, "alpha", alpha), read_argument(function, "beta", beta),
-                          read_argument(function, "gamma", gamma), read_complex(function, re, im)};
+                          parse_argument(function, "alpha", alpha), parse_argument(function, "beta", beta),
+                          parse_argument(function, "gamma", gamma), parse_complex(function, re, im)};
                     },
                     std::max({decimal_places(alpha), decimal_places(beta), decimal_places(gamma)})},
                    digits);
@@ -162,9 +162,9 @@ DecimalComplex mittag_leffler_derivative(int k, const std::string& alpha, const 
       function,
       {fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} + {} i)", k, alpha, beta, re, im),
        [=] {
-         const BigReal order = read_argument(function, "alpha", alpha);
-         return Arguments{order, BigReal(read_argument(function, "beta", beta) + k * order), BigReal(k + 1),
-                          read_complex(function, re, im)};
+         const BigReal order = parse_argument(function, "alpha", alpha);
+         return Arguments{order, BigReal(parse_argument(function, "beta", beta) + k * order), BigReal(k + 1),
+                          parse_complex(function, re, im)};
        },
        std::max(decimal_places(alpha), decimal_places(beta)), k},
       digits);

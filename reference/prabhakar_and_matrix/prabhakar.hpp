@@ -16,8 +16,8 @@ namespace fde {
 MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::complex<double> z);
 
 // The k-th derivative of E_{alpha,beta} at z, k! E^{k+1}_{alpha,beta + k alpha}(z), for
-// 0 <= k <= most_derivatives; accuracy and exceptions as for prabhakar().
-inline constexpr int most_derivatives = 1000;
+// 0 <= k <= max_derivative; accuracy and exceptions as for prabhakar().
+inline constexpr int max_derivative = 1000;
 MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, std::complex<double> z);
 
 // The same to `digits` decimal digits, with decimal texts as arguments, like the mittag_leffler() of texts.

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "prabhakar_and_matrix/free_contours.hpp"
+#include "prabhakar_and_matrix/shifted_contours.hpp"
 
 namespace fde {
 namespace {
@@ -15,7 +15,7 @@ using Value = std::complex<long double>;
 
 long double to_long(const DoubleDouble& x) { return static_cast<long double>(x.hi) + x.lo; }
 
-bool is_good(const QuickValue& x) { return x.error <= quick_tolerance * std::abs(x.value); }
+bool meets_tolerance(const QuickValue& x) { return x.error <= quick_tolerance * std::abs(x.value); }
 
 // A bound of the sum of the terms from `next` on, as in prabhakar_series.cpp; size: the modulus of the first
 // of them without 1/Gamma.
@@ -32,7 +32,7 @@ std::optional<long double> tail(double alpha, long double argument, double gamma
 
 QuickValue with_factor(const QuickValue& x, const Value& factor, long double relative_error) {
   const Value value = x.value * factor;
-  return {value, size_of(factor) * x.error + (relative_error + few_ulps) * size_of(value)};
+  return {value, norm1(factor) * x.error + (relative_error + few_ulps) * norm1(value)};
 }
 
 // The coefficients of E_{alpha,beta-j} in z^k d^k/dz^k E_{alpha,beta} = theta (theta - 1) ... (theta - k + 1)
@@ -69,7 +69,7 @@ std::optional<QuickValue> by_recurrence(int k, double alpha, const DoubleDouble&
     const auto value = mittag_leffler_quick(alpha, beta + DoubleDouble{-static_cast<double>(j), 0.0}, z);
     if (!value) return std::nullopt;
     sum = sum + QuickValue{coefficients[j] * value->value, std::abs(coefficients[j]) * value->error +
-                                                               few_ulps * sizes[j] * size_of(value->value)};
+                                                               few_ulps * sizes[j] * norm1(value->value)};
   }
   Value factor = 1.0L;
   for (int m = 1; m <= k; ++m) factor /= static_cast<long double>(m) * Value(z);
@@ -88,7 +88,7 @@ struct PrabhakarParameters {
 // |s^alpha - z| >= max(|s|^alpha, |z|) delta / 10 and |F| <= |s|^-beta (delta/10)^-gamma, and
 // Re s <= -kappa |s|. The smallest bound over several delta: e^s favours a path next to the cut, F a wide
 // one.
-double log_beyond(const PrabhakarParameters& x, const std::complex<double>& log_pole) {
+double log_neglected_singularity(const PrabhakarParameters& x, const std::complex<double>& log_pole) {
   constexpr double quarter = std::numbers::pi / 2.0, infinity = std::numeric_limits<double>::infinity();
   const double turn = std::abs(log_pole.imag()), beta = x.beta.hi;
   double least = infinity;
@@ -108,43 +108,43 @@ double log_beyond(const PrabhakarParameters& x, const std::complex<double>& log_
 
 // The sum over the nodes, with the cuts of (1 - z s^-alpha)^-gamma inward, from each s* to 0, or outward:
 //   F = (-z)^-gamma s^(alpha gamma - beta) (1 - s^alpha / z)^-gamma.
-QuickValue power_sum(const PrabhakarParameters& x, const QuickArguments& argument, const FreeContour& contour,
-                     bool outward) {
+QuickValue power_sum(const PrabhakarParameters& x, const QuickArguments& argument,
+                     const ShiftedContour& contour, bool outward) {
   const DoubleDouble minus_beta{-x.beta.hi, -x.beta.lo};
   const DoubleDouble exponent = outward ? exact_product(x.alpha, x.gamma) + minus_beta : minus_beta;
   const QuotientSum sum = sum_over_nodes(
       contour.nodes,
-      PowerOfDifference{x.alpha, exponent, x.gamma, argument.scaled.log, argument.real(), outward});
+      BinomialPower{x.alpha, exponent, x.gamma, argument.scaled.log, argument.real(), outward});
   const Value value = to_long(sum.value);
-  const QuickValue known{value, sum.error + few_ulps * size_of(value)};
+  const QuickValue known{value, sum.error + few_ulps * norm1(value)};
   if (!outward) return known;
   const Value log = to_long(argument.scaled.log) - Value(0.0L, pi<long double>());  // of -z, for Im z >= 0
   const long double gamma = x.gamma;
   return with_factor(known,
                      argument.z.real() < 0.0 && argument.real() ? Value(std::exp(-gamma * log.real()))
                                                                 : std::exp(-gamma * log),
-                     few_ulps * (1.0L + std::abs(gamma) * (1.0L + size_of(log))));
+                     few_ulps * (1.0L + std::abs(gamma) * (1.0L + norm1(log))));
 }
 
 // The error bound for F on a contour and the direction of the cuts; nullopt where the contour is not
 // suitable.
-struct Placed {
+struct ContourChoice {
   double log_bound;
   bool outward;
 };
-std::optional<Placed> placed(const PrabhakarParameters& x, const QuickArguments& argument,
-                             const FreeRoots& roots, const FreeContour& contour) {
+std::optional<ContourChoice> contour_choice(const PrabhakarParameters& x, const QuickArguments& argument,
+                                            const SingularityRoots& roots, const ShiftedContour& contour) {
   const FreeStrip::Factor factor = roots.factor(x.gamma);
   const auto strip = contour.strip.at(
       {.exponent = x.alpha * x.gamma - x.beta.hi, .alpha = x.alpha, .factors = {&factor, 1}});
-  if (!strip || (strip->inside && strip->outside && !is_whole(x.gamma))) return std::nullopt;
+  if (!strip || (strip->inside && strip->outside && !is_integer(x.gamma))) return std::nullopt;
   double sum = std::exp(strip->log_bound);
   for (std::size_t i = 0; i < roots.roots.size() && strip->outside; ++i) {
-    const bool beyond = roots.roots[i].real() > 0.0 && contour.strip.place_of(roots.roots[i]) > 1.0;
+    const bool beyond = roots.roots[i].real() > 0.0 && contour.strip.position_of(roots.roots[i]) > 1.0;
     const double pair = argument.real() ? 2.0 : 1.0;
-    if (beyond) sum += pair * std::exp(log_beyond(x, roots.poles.seen[i].log));
+    if (beyond) sum += pair * std::exp(log_neglected_singularity(x, roots.poles.seen[i].log));
   }
-  return Placed{std::log(sum), strip->outside};
+  return ContourChoice{std::log(sum), strip->outside};
 }
 
 }  // namespace
@@ -158,13 +158,13 @@ std::optional<QuickValue> prabhakar_on_contour(double alpha, const DoubleDouble&
   if (std::abs(argument.log_size()) > most_log) return std::nullopt;
   const PrabhakarParameters x{alpha, beta, gamma};
   const auto& log = argument.scaled.log;
-  const FreeRoots roots(alpha, {log.re.hi, log.im.hi}, argument.real() ? 0 : -most_sheet);
-  for (const FreeContour& contour : free_contours()) {
-    const auto place = placed(x, argument, roots, contour);
-    if (!place || place->log_bound > most_log_neglected + roots.growth()) continue;
+  const SingularityRoots roots(alpha, {log.re.hi, log.im.hi}, argument.real() ? 0 : -max_sheet);
+  for (const ShiftedContour& contour : shifted_contours()) {
+    const auto place = contour_choice(x, argument, roots, contour);
+    if (!place || place->log_bound > max_log_error + roots.growth()) continue;
     QuickValue value = power_sum(x, argument, contour, place->outward);
     value.error += std::exp(place->log_bound);
-    if (is_good(value)) return value;
+    if (meets_tolerance(value)) return value;
   }
   return std::nullopt;
 }
@@ -181,24 +181,23 @@ std::optional<QuickValue> prabhakar_series_quick(double alpha, const DoubleDoubl
     const Value term = factor * reciprocal_gamma_of(argument);
     // Condition number of Gamma for large arguments.
     const long double size = 1.0L + std::abs(to_long(argument)), condition = size * (2.0L + std::ilogb(size));
-    sum =
-        sum + QuickValue{term, (few_ulps + (static_cast<long double>(j) + condition) * ulps) * size_of(term)};
+    sum = sum + QuickValue{term, (few_ulps + (static_cast<long double>(j) + condition) * ulps) * norm1(term)};
     factor *= Value(z) * ((static_cast<long double>(gamma) + j) / (j + 1.0L));
-    if (size_of(factor) > ulps * size_of(sum.value)) continue;
+    if (norm1(factor) > ulps * norm1(sum.value)) continue;
     const auto rest =
-        tail(alpha, to_long(beta + exact_product(j + 1, alpha)), gamma, j + 1, size_of(factor), modulus);
-    if (!rest || *rest > ulps * size_of(sum.value)) continue;
+        tail(alpha, to_long(beta + exact_product(j + 1, alpha)), gamma, j + 1, norm1(factor), modulus);
+    if (!rest || *rest > ulps * norm1(sum.value)) continue;
     sum.error += *rest;
-    return is_good(sum) ? std::optional(sum) : std::nullopt;
+    return meets_tolerance(sum) ? std::optional(sum) : std::nullopt;
   }
   return std::nullopt;
 }
 
 std::optional<QuickValue> derivative_by_recurrence(int k, double alpha, const DoubleDouble& beta,
                                                    std::complex<double> z) {
-  if (k > most_quick_derivative || z == 0.0) return std::nullopt;
+  if (k > max_quick_derivative || z == 0.0) return std::nullopt;
   const auto value = by_recurrence(k, alpha, beta, z);
-  return value && is_good(*value) ? value : std::nullopt;
+  return value && meets_tolerance(*value) ? value : std::nullopt;
 }
 
 std::optional<QuickValue> prabhakar_quick(double alpha, const DoubleDouble& beta, double gamma,
@@ -208,7 +207,7 @@ std::optional<QuickValue> prabhakar_quick(double alpha, const DoubleDouble& beta
     if (const auto series = prabhakar_series_quick(alpha, beta, gamma, z)) return series;
   }
   if (const auto on_contour = prabhakar_on_contour(alpha, beta, gamma, z)) return on_contour;
-  if (gamma >= 1.0 && gamma <= most_quick_derivative + 1.0 && is_whole(gamma)) {
+  if (gamma >= 1.0 && gamma <= max_quick_derivative + 1.0 && is_integer(gamma)) {
     const auto recurred = derivative_by_recurrence(static_cast<int>(gamma) - 1, alpha,
                                                    beta + exact_product(1.0 - gamma, alpha), z);
     if (recurred) return recurred;

@@ -11,11 +11,11 @@ std::optional<QuickValue> prabhakar_series_quick(double alpha, const DoubleDoubl
                                                  std::complex<double> z);
 
 // The k-th derivative of E_{alpha,beta} at z divided by k!, E^(k+1)_{alpha,beta+k alpha}(z), for
-// k <= most_quick_derivative, by k applications of
+// k <= max_quick_derivative, by k applications of
 //   alpha z E'_{alpha,beta} = E_{alpha,beta-1} - (beta - 1) E_{alpha,beta},
 // which lose about a factor |z|^k of accuracy. beta may have the rounding error of a double-double: it
 // matters only for |z| far below series_radius, where this loss makes the value useless anyway.
-inline constexpr int most_quick_derivative = 8;
+inline constexpr int max_quick_derivative = 8;
 std::optional<QuickValue> derivative_by_recurrence(int k, double alpha, const DoubleDouble& beta,
                                                    std::complex<double> z);
 

@@ -5,7 +5,7 @@
 #include "numbers/log_gamma.hpp"
 #include "numbers/reciprocal_gamma.hpp"
 #include "prabhakar_and_matrix/prabhakar_transform.hpp"
-#include "progress/work.hpp"
+#include "progress/progress.hpp"
 
 namespace fde {
 namespace {
@@ -23,7 +23,7 @@ BigReal tail(const PrabhakarArguments& x, int k, const BigComplex& next) {
   const BigReal first = argument < 2
                             ? BigReal(1.13)
                             : BigReal(upwards * exp(BigReal(-log_gamma(argument.convert_to<double>()))));
-  return size_of(next) * first / (1 - ratio);
+  return norm1(next) * first / (1 - ratio);
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ Sum<BigReal> prabhakar_series(const PrabhakarArguments& x) {
   BigComplex factor(1);  // (gamma)_k z^k / k!
   BigReal factor_ulps(0);
   for (int k = 0; k < most_terms; ++k) {
-    report_work(static_cast<std::size_t>(k));
+    report_progress(static_cast<std::size_t>(k));
     // for derivatives, x.beta is itself a sum beta + (gamma - 1) alpha
     const BigReal argument = x.alpha * k + x.beta, size = x.alpha * (k + 2 * abs(x.gamma)) + abs(x.beta);
     const BigReal ulps = factor_ulps + abs(argument) * (2 + 2 * log1p(abs(argument)));
@@ -45,7 +45,7 @@ Sum<BigReal> prabhakar_series(const PrabhakarArguments& x) {
     factor *= x.z * growing / BigReal(k + 1);
     factor_ulps += 6 + rounding / abs(growing);
     const BigReal rest = tail(x, k, factor);
-    if (rest > epsilon<BigReal>() * size_of(sum.value)) continue;
+    if (rest > epsilon<BigReal>() * norm1(sum.value)) continue;
     sum.error += rest;
     return sum;
   }

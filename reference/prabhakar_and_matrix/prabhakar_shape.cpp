@@ -6,7 +6,7 @@ namespace fde {
 namespace {
 
 using Long = long double;
-using Point = PrabhakarShape::Point;
+using Point = PrabhakarSingularities::Point;
 using Disc = EnclosingContour::Disc;
 
 constexpr Long infinity = std::numeric_limits<Long>::infinity();
@@ -20,7 +20,7 @@ Long log_power(const Disc& disc, Long power) {
 }
 
 // For integer alpha: F = s^(alpha gamma - beta) product of (s - s*)^-gamma.
-Long majorant_by_roots(const PrabhakarShape& x, const Disc& disc) {
+Long majorant_by_roots(const PrabhakarSingularities& x, const Disc& disc) {
   Long sum = log_power(disc, (x.alpha * x.gamma - x.beta));
   for (const auto& root : x.roots) sum += log_power({disc.centre - root, disc.radius}, -x.gamma);
   return sum + hair;
@@ -28,7 +28,7 @@ Long majorant_by_roots(const PrabhakarShape& x, const Disc& disc) {
 
 // With u = alpha log s - log z, 1 - z s^-alpha = 1 - e^-u; uses the one of 1 - e^-u and e^u - 1 that is not
 // large.
-Long majorant_by_logarithm(const PrabhakarShape& x, const Disc& disc) {
+Long majorant_by_logarithm(const PrabhakarSingularities& x, const Disc& disc) {
   const Long size = std::abs(disc.centre);
   if (disc.radius >= 0.5L * size) return infinity;
   const Long spread = -x.alpha * std::log1p(-disc.radius / size);  // of u on the disc
@@ -45,7 +45,7 @@ Long majorant_by_logarithm(const PrabhakarShape& x, const Disc& disc) {
 
 // For F without the term (-z)^-gamma s^power: |(1 - x)^-gamma - 1| <= e^(|gamma| |x| / (1 - |x|)) - 1,
 // x = s^alpha / z.
-Long majorant_without_head(const PrabhakarShape& x, const Disc& disc) {
+Long majorant_without_head(const PrabhakarSingularities& x, const Disc& disc) {
   const Long log_ratio = log_power(disc, x.alpha) - x.log_z.real();
   if (log_ratio > std::log(0.5L)) return infinity;
   const Long ratio = std::exp(log_ratio), exponent = std::abs(x.gamma) * ratio / (1.0L - ratio);
@@ -57,36 +57,36 @@ Long majorant_without_head(const PrabhakarShape& x, const Disc& disc) {
 
 }  // namespace
 
-PrabhakarShape::PrabhakarShape(const PrabhakarArguments& x)
+PrabhakarSingularities::PrabhakarSingularities(const PrabhakarArguments& x)
     : alpha(x.alpha.convert_to<Long>()),
       beta(x.beta.convert_to<Long>()),
       gamma(x.gamma.convert_to<Long>()),
-      whole_alpha(is_whole(x.alpha)) {
+      integer_alpha(is_integer(x.alpha)) {
   const BigComplex logarithm = log(x.z);
   log_z = {real_part<BigReal>(logarithm).convert_to<Long>(),
            imag_part<BigReal>(logarithm).convert_to<Long>()};
   const BigReal power = x.alpha * x.gamma - x.beta, nearest = round(power);
-  whole_power = nearest >= 0 && abs(BigReal(power - nearest)) < pow(BigReal(10), -100);
+  integer_power = nearest >= 0 && abs(BigReal(power - nearest)) < pow(BigReal(10), -100);
   for (const auto& root : roots_on_sheet(alpha, log_z)) {
     log_roots.push_back(root.logarithm);
     roots.push_back(root.value);
   }
 }
 
-BigReal PrabhakarShape::power_of(const PrabhakarArguments& x) const {
+BigReal PrabhakarSingularities::power_of(const PrabhakarArguments& x) const {
   const BigReal power = x.alpha * x.gamma - x.beta;
-  return whole_power ? BigReal(round(power)) : power;
+  return integer_power ? BigReal(round(power)) : power;
 }
 
-bool PrabhakarShape::peeled() const {
+bool PrabhakarSingularities::peeled() const {
   constexpr Long far = -1e6L;
   const auto is_far = [](const Point& s) { return s.real() < far; };
-  return whole_power && !whole_alpha && std::log(-far) * alpha < log_z.real() &&
+  return integer_power && !integer_alpha && std::log(-far) * alpha < log_z.real() &&
          std::ranges::all_of(roots, is_far);
 }
 
-long double PrabhakarShape::log_majorant(const Disc& disc) const {
-  if (whole_alpha) return majorant_by_roots(*this, disc);
+long double PrabhakarSingularities::log_majorant(const Disc& disc) const {
+  if (integer_alpha) return majorant_by_roots(*this, disc);
   return peeled() ? majorant_without_head(*this, disc) : majorant_by_logarithm(*this, disc);
 }
 

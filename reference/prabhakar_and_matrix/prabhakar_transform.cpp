@@ -19,7 +19,8 @@ Point long_point(const BigComplex& s) {
 // The logarithm of 1 - z s^-alpha with cuts from the s* to the left. The principal logarithm has its cuts
 // from 0 to the s* instead: between these and the negative axis it differs by 2 pi i. (Only for omitted s*
 // does the contour have points there.)
-BigComplex log_with_cuts_to_the_left(const PrabhakarShape& x, const Point& s, const BigComplex& argument) {
+BigComplex log_with_cuts_to_the_left(const PrabhakarSingularities& x, const Point& s,
+                                     const BigComplex& argument) {
   BigComplex value = log(argument);
   const Long height = std::abs(s.imag()), angle = std::arg(s);
   for (std::size_t k = 0; k < x.roots.size(); ++k) {
@@ -36,7 +37,7 @@ BigComplex log_with_cuts_to_the_left(const PrabhakarShape& x, const Point& s, co
 // Evaluation of F at the nodes, at one precision.
 class Evaluation {
  public:
-  Evaluation(const Arguments& x, const PrabhakarShape& shape)
+  Evaluation(const Arguments& x, const PrabhakarSingularities& shape)
       : x_(x), shape_(shape), power_(shape.power_of(x)), log_z_(log(x.z)) {
     for (const auto& root : shape.log_roots) {
       const auto turns = std::round((shape.alpha * root.imag() - shape.log_z.imag()) / (2.0L * half_turn));
@@ -47,10 +48,10 @@ class Evaluation {
 
   void add(const Node& node, std::vector<Sum<BigReal>>& sums) const {
     sums.resize(1);
-    BigReal ulps = 8 + 4 * size_of(node.s);
-    const BigComplex value = shape_.whole_alpha ? by_roots(node, ulps)
-                             : shape_.peeled()  ? without_head(node, ulps)
-                                                : by_logarithm(node, ulps);
+    BigReal ulps = 8 + 4 * norm1(node.s);
+    const BigComplex value = shape_.integer_alpha ? by_roots(node, ulps)
+                             : shape_.peeled()    ? without_head(node, ulps)
+                                                  : by_logarithm(node, ulps);
     sums.front().add(BigComplex(node.weight * value), BigReal(ulps * epsilon<BigReal>()));
   }
 
@@ -58,14 +59,14 @@ class Evaluation {
   // For integer alpha: F = s^(alpha gamma - beta) product of (s - s*)^-gamma.
   BigComplex by_roots(const Node& node, BigReal& ulps) const {
     BigComplex exponent = power_ * node.log_s;
-    const BigReal root_ulps = 2 + 2 * size_of(log_z_);
+    const BigReal root_ulps = 2 + 2 * norm1(log_z_);
     for (const auto& root : roots_) {
       const BigComplex difference = node.s - root, logarithm = log(difference);
       exponent -= x_.gamma * logarithm;
-      const BigReal loss = (size_of(node.s) + root_ulps * size_of(root)) / size_of(difference);
-      ulps += abs(x_.gamma) * (4 + 2 * size_of(logarithm) + 2 * loss);
+      const BigReal loss = (norm1(node.s) + root_ulps * norm1(root)) / norm1(difference);
+      ulps += abs(x_.gamma) * (4 + 2 * norm1(logarithm) + 2 * loss);
     }
-    ulps += 4 * abs(power_) * (1 + size_of(node.log_s));
+    ulps += 4 * abs(power_) * (1 + norm1(node.log_s));
     return exp(exponent);
   }
 
@@ -73,9 +74,9 @@ class Evaluation {
   BigComplex by_logarithm(const Node& node, BigReal& ulps) const {
     const BigComplex ratio = exp(BigComplex(log_z_ - x_.alpha * node.log_s)), factor = 1 - ratio;
     const BigComplex logarithm = log_with_cuts_to_the_left(shape_, long_point(node.s), factor);
-    const BigReal ratio_ulps = 4 + 4 * (size_of(log_z_) + x_.alpha * size_of(node.log_s));
-    ulps += abs(x_.gamma) * (4 + 2 * size_of(logarithm) + 2 * ratio_ulps * size_of(ratio) / size_of(factor));
-    ulps += 4 * abs(x_.beta) * (1 + size_of(node.log_s));
+    const BigReal ratio_ulps = 4 + 4 * (norm1(log_z_) + x_.alpha * norm1(node.log_s));
+    ulps += abs(x_.gamma) * (4 + 2 * norm1(logarithm) + 2 * ratio_ulps * norm1(ratio) / norm1(factor));
+    ulps += 4 * abs(x_.beta) * (1 + norm1(node.log_s));
     return exp(BigComplex(-x_.beta * node.log_s - x_.gamma * logarithm));
   }
 
@@ -84,8 +85,8 @@ class Evaluation {
   BigComplex without_head(const Node& node, BigReal& ulps) const {
     const BigComplex ratio = exp(BigComplex(x_.alpha * node.log_s - log_z_));
     BigComplex power = -x_.gamma * log_of_one_minus(ratio);
-    ulps += 16 + 8 * (size_of(log_z_) + x_.alpha * size_of(node.log_s)) + 4 * abs(x_.gamma);
-    ulps += 4 * (power_ + abs(x_.gamma)) * (1 + size_of(node.log_s) + size_of(log_z_));
+    ulps += 16 + 8 * (norm1(log_z_) + x_.alpha * norm1(node.log_s)) + 4 * abs(x_.gamma);
+    ulps += 4 * (power_ + abs(x_.gamma)) * (1 + norm1(node.log_s) + norm1(log_z_));
     const BigComplex head = power_ * node.log_s - x_.gamma * log(BigComplex(-x_.z));
     return exp(head) * exponential_less_one(power);
   }
@@ -95,14 +96,14 @@ class Evaluation {
   static BigComplex log_of_one_minus(const BigComplex& x) {
     const BigComplex y = x / (2 - x), square = y * y;
     BigComplex sum(0), power = y;
-    for (int k = 1; size_of(power) > epsilon<BigReal>() * size_of(sum); k += 2, power *= square)
+    for (int k = 1; norm1(power) > epsilon<BigReal>() * norm1(sum); k += 2, power *= square)
       sum += power / BigReal(k);
     return -2 * sum;
   }
   static BigComplex exponential_less_one(const BigComplex& x) {
-    if (size_of(x) > 0.5) return exp(x) - BigReal(1);
+    if (norm1(x) > 0.5) return exp(x) - BigReal(1);
     BigComplex sum(0), term = x;
-    for (int k = 2; size_of(term) > epsilon<BigReal>() * size_of(sum); ++k) {
+    for (int k = 2; norm1(term) > epsilon<BigReal>() * norm1(sum); ++k) {
       sum += term;
       term *= x / BigReal(k);
     }
@@ -110,7 +111,7 @@ class Evaluation {
   }
 
   Arguments x_;
-  PrabhakarShape shape_;
+  PrabhakarSingularities shape_;
   BigReal power_;
   BigComplex log_z_;
   std::vector<BigComplex> roots_;
@@ -122,13 +123,13 @@ EnclosedTransform prabhakar_transform(const ReadPrabhakar& read) {
   constexpr int enough_digits = 120;
   const Precision precision(enough_digits);
   const Arguments x = read();
-  const PrabhakarShape shape(x);
+  const PrabhakarSingularities shape(x);
   EnclosedTransform transform{
       .singularities = shape.roots,
       .hints = {.order = std::abs(shape.gamma),
                 .growth = std::abs(shape.beta) + std::abs(shape.gamma) * (1.0L + shape.alpha)},
       .real = x.real()};
-  if (!shape.cut_free()) transform.singularities.emplace_back(0.0L);
+  if (!shape.has_no_cut()) transform.singularities.emplace_back(0.0L);
   // On the real axis e^s s^-beta is smallest at s = beta: far left of it the terms would exceed their sum by
   // far.
   constexpr Long large = 30.0L;

@@ -17,7 +17,7 @@ void swap_rows(BigMatrix& matrix, int a, int b) {
 int pivot_of(const BigMatrix& matrix, int column) {
   int best = column;
   for (int i = column + 1; i < matrix.size; ++i) {
-    if (size_of(matrix(i, column)) > size_of(matrix(best, column))) best = i;
+    if (norm1(matrix(i, column)) > norm1(matrix(best, column))) best = i;
   }
   return best;
 }
@@ -61,21 +61,21 @@ BigReal residual_norm(const BigMatrix& matrix, const BigMatrix& inverse) {
       BigReal size(1);
       for (int k = 0; k < matrix.size; ++k) {
         sum -= matrix(i, k) * inverse(k, j);
-        size += size_of(matrix(i, k)) * size_of(inverse(k, j));
+        size += norm1(matrix(i, k)) * norm1(inverse(k, j));
       }
-      row += size_of(sum) + (4 + matrix.size) * epsilon<BigReal>() * size;
+      row += norm1(sum) + (4 + matrix.size) * epsilon<BigReal>() * size;
     }
     largest = std::max(largest, row);
   }
   return largest;
 }
 
-// Maximum row sum of size_of(entry).
+// Maximum row sum of norm1(entry).
 BigReal row_norm(const BigMatrix& matrix) {
   BigReal largest(0);
   for (int i = 0; i < matrix.size; ++i) {
     BigReal row(0);
-    for (int j = 0; j < matrix.size; ++j) row += size_of(matrix(i, j));
+    for (int j = 0; j < matrix.size; ++j) row += norm1(matrix(i, j));
     largest = std::max(largest, row);
   }
   return largest;

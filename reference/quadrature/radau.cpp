@@ -45,9 +45,9 @@ Stages radau_nodes(int count) {
 }  // namespace
 
 RadauRule::RadauRule(int stages) {
-  if (stages < 1 || stages > most_stages) {
+  if (stages < 1 || stages > max_stages) {
     throw std::invalid_argument("Radau method: stages = " + std::to_string(stages) + ": must be in [1, " +
-                                std::to_string(most_stages) + "]");
+                                std::to_string(max_stages) + "]");
   }
   nodes = radau_nodes(stages);
   StageMatrix values(stages, stages), integrals(stages, stages), dense(stages + 1, stages + 1);

@@ -5,16 +5,16 @@
 namespace fde {
 
 // Small matrices in extended precision with storage on the stack.
-constexpr int most_stages = 16;
-using Stages = Eigen::Matrix<long double, Eigen::Dynamic, 1, 0, most_stages, 1>;
+constexpr int max_stages = 16;
+using Stages = Eigen::Matrix<long double, Eigen::Dynamic, 1, 0, max_stages, 1>;
 using StageMatrix =
-    Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic, 0, most_stages + 1, most_stages + 1>;
+    Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic, 0, max_stages + 1, max_stages + 1>;
 
 // The Radau IIA method with s stages on the step [0, 1]: collocation at the zeros of
 // P_s(2x-1) - P_(s-1)(2x-1), the last of which is 1. L-stable, with rate 2s-1 at the end of a step and s+1 at
 // its stages. Hairer & Wanner, Solving Ordinary Differential Equations II, section IV.5.
 struct RadauRule {
-  explicit RadauRule(int stages);  // in [1, most_stages], else std::invalid_argument
+  explicit RadauRule(int stages);  // in [1, max_stages], else std::invalid_argument
 
   Stages nodes;
   StageMatrix

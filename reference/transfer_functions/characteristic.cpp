@@ -40,7 +40,7 @@ std::vector<Zero<Real>> polished(const Characteristic<Real>& characteristic,
     Real before(1);
     for (int i = 0; multiplicity == 1 && i < 60; ++i) {
       const Complex<Real> step = characteristic.newton_step(w);
-      const Real length = size_of(step);
+      const Real length = norm1(step);
       w -= step;
       // Quadratic convergence has ended when the steps no longer decrease: they are rounding errors.
       if (length == 0 || (length < Real(1e-9) && length > before / 16)) break;

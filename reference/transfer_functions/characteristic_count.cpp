@@ -15,8 +15,8 @@ constexpr long double pi_long = std::numbers::pi_v<long double>;
 // arg P changes by order Im(b - a) plus less than pi/4. For large |w|, where one term or terms of nearly the
 // same order dominate, the path may have any length. The values at a and b do not suffice: next to two close
 // zeros, arg P turns twice by nearly pi.
-std::optional<long double> clear_turn(const CharacteristicFunction& function, const Point& a,
-                                      const Point& b) {
+std::optional<long double> argument_change_on_segment(const CharacteristicFunction& function, const Point& a,
+                                                      const Point& b) {
   const auto [at_a, order, change] = function.way(a, b);
   if (!(change < 0.7L * std::abs(at_a))) return std::nullopt;
   const Point at_b = function.direction(b).value;
@@ -27,8 +27,8 @@ std::optional<long double> clear_turn(const CharacteristicFunction& function, co
 // Change of arg P from a to b, by bisection; nullopt where a zero is on the path up to rounding.
 std::optional<long double> turn(const CharacteristicFunction& function, const Point& a, const Point& b) {
   constexpr long double shortest = 1e-11L;
-  if (const auto there = clear_turn(function, a, b)) return there;
-  if (const auto back = clear_turn(function, b, a)) return -*back;
+  if (const auto there = argument_change_on_segment(function, a, b)) return there;
+  if (const auto back = argument_change_on_segment(function, b, a)) return -*back;
   const Point middle = (a + b) / 2.0L;
   const auto [at_middle, noise, digits] = function.direction(middle);
   if (std::abs(b - a) < shortest || middle == a || middle == b || std::abs(at_middle) < 2.0L * noise)

@@ -1,6 +1,6 @@
 #include "transfer_functions/characteristic_function.hpp"
 
-#include "progress/work.hpp"
+#include "progress/progress.hpp"
 
 namespace fde {
 namespace {
@@ -30,11 +30,11 @@ Point long_point(const Complex<Real>& z) {
 }
 
 // Upper bounds of |e^x - 1|, and of the remainder of the series of e^x after the first `terms` terms.
-long double off_one(const Point& x) {
+long double exp_minus_one_bound(const Point& x) {
   const long double size = std::abs(x);
   return x.real() > 0.0L ? size * std::exp(x.real()) : std::min(size, 2.0L);
 }
-long double off_series(const Point& x, std::size_t terms) {
+long double exp_remainder_bound(const Point& x, std::size_t terms) {
   long double rest = std::exp(std::max(0.0L, x.real()));
   for (std::size_t k = 1; k <= terms; ++k) rest *= std::abs(x) / static_cast<long double>(k);
   return rest;
@@ -54,7 +54,8 @@ CharacteristicFunction::CharacteristicFunction(const LinearTransform& exact)
 
 template <class Real>
 CharacteristicFunction::Moments CharacteristicFunction::moments(const Characteristic<Real>& characteristic,
-                                                                const Point& w, const Chosen& chosen) {
+                                                                const Point& w,
+                                                                const MomentSelection& chosen) {
   const auto terms = characteristic.scaled_terms(Complex<Real>(Real(w.real()), Real(w.imag())));
   const Real origin = chosen.origin ? characteristic.terms[*chosen.origin].order : Real(0);
   std::vector<Complex<Real>> sums(chosen.count, Complex<Real>(0));
@@ -73,9 +74,9 @@ CharacteristicFunction::Moments CharacteristicFunction::moments(const Characteri
 }
 
 CharacteristicFunction::Moments CharacteristicFunction::moments(int digits, const Point& w,
-                                                                const Chosen& chosen) const {
+                                                                const MomentSelection& chosen) const {
   if (digits == 0) return moments(rounded_, w, chosen);
-  report_work(0);
+  report_progress(0);
   const Precision precision(digits);
   auto known = precise_.find(digits);
   if (known == precise_.end())
@@ -112,29 +113,29 @@ CharacteristicFunction::Derivatives CharacteristicFunction::derivatives(const Po
   }
 }
 
-CharacteristicFunction::Direction CharacteristicFunction::direction(const Point& w) const {
+CharacteristicFunction::ScaledValue CharacteristicFunction::direction(const Point& w) const {
   for (int digits = 0;; digits = more(digits)) {
-    const Direction known{moments(digits, w, {})[0], noise_at(w, digits), digits};
+    const ScaledValue known{moments(digits, w, {})[0], noise_at(w, digits), digits};
     if (std::abs(known.value) > clear * known.noise || digits == most_digits_) return known;
   }
 }
 
 // By the series of e^(d (b-a)) for orders at a small distance d from the order of the largest term, whose
 // terms may cancel; the other terms are bounded by their moduli.
-CharacteristicFunction::Way CharacteristicFunction::way(const Point& a, const Point& b) const {
+CharacteristicFunction::PathBound CharacteristicFunction::way(const Point& a, const Point& b) const {
   constexpr long double near = 0.5L;
   const auto sizes = rounded_.log_sizes(a);
   const auto largest = static_cast<std::size_t>(std::ranges::max_element(sizes) - sizes.begin());
   const long double order = rounded_.terms[largest].order;
   const auto [start, noise, digits] = direction(a);
-  Chosen chosen{.count = most_moments, .origin = largest};
-  Way way{start, order, 0.0L};
+  MomentSelection chosen{.count = most_moments, .origin = largest};
+  PathBound way{start, order, 0.0L};
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const Point exponent = (rounded_.terms[i].order - order) * (b - a);
     const bool is_near = std::abs(exponent) < near;
     chosen.terms.push_back(is_near);
-    const long double off =
-        is_near ? off_series(exponent, most_moments) + noise * std::abs(exponent) : off_one(exponent);
+    const long double off = is_near ? exp_remainder_bound(exponent, most_moments) + noise * std::abs(exponent)
+                                    : exp_minus_one_bound(exponent);
     way.change += std::exp(sizes[i] - sizes[largest]) * off;
   }
   const Moments sums = moments(digits, a, chosen);

@@ -25,42 +25,42 @@ class CharacteristicFunction {
     long double noise;
 
     // flat(): |dP/dw| is as small, compared with its derivative, as between two zeros closer than this.
-    static constexpr long double too_close = 1e-6L;
-    [[nodiscard]] bool flat() const { return std::abs(first) < 10.0L * too_close * std::abs(second); }
+    static constexpr long double cluster_distance = 1e-6L;
+    [[nodiscard]] bool flat() const { return std::abs(first) < 10.0L * cluster_distance * std::abs(second); }
   };
   [[nodiscard]] Derivatives derivatives(const Point& w) const;
 
   // P scaled such that its largest term has modulus 1; the rounding error of that value; and the number of
   // digits of the summation, 0 for long double.
-  struct Direction {
+  struct ScaledValue {
     Point value;
     long double noise;
     int digits;
   };
-  [[nodiscard]] Direction direction(const Point& w) const;
+  [[nodiscard]] ScaledValue direction(const Point& w) const;
 
   // On the straight path from a to b, P(w) e^(-order (w - a)) differs from its value `start` at a by at most
   // `change`; all are scaled by the same positive number.
-  struct Way {
+  struct PathBound {
     Point start;
     long double order, change;
   };
-  [[nodiscard]] Way way(const Point& a, const Point& b) const;
+  [[nodiscard]] PathBound way(const Point& a, const Point& b) const;
 
  private:
   static constexpr std::size_t most_moments = 12;
   using Moments = std::array<Point, most_moments>;
   // sum_i t_i (o_i - origin)^k, k < count, over the terms t_i of the chosen orders o_i, scaled such that the
   // largest of all terms has modulus 1; digits as in Direction.
-  struct Chosen {
+  struct MomentSelection {
     std::size_t count = 1;
     std::optional<std::size_t> origin{};  // the order of this term; 0 by default
     std::vector<bool> terms{};            // empty: all
   };
   template <class Real>
   [[nodiscard]] static Moments moments(const Characteristic<Real>& characteristic, const Point& w,
-                                       const Chosen& chosen);
-  [[nodiscard]] Moments moments(int digits, const Point& w, const Chosen& chosen) const;
+                                       const MomentSelection& chosen);
+  [[nodiscard]] Moments moments(int digits, const Point& w, const MomentSelection& chosen) const;
   // Relative rounding error of a term, from log c + order w.
   [[nodiscard]] long double noise_at(const Point& w, int digits) const;
   [[nodiscard]] int more(int digits) const { return std::min(std::max(2 * digits, 40), most_digits_); }

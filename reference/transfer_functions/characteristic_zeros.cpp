@@ -44,7 +44,7 @@ Rectangle within_reach(const CharacteristicFunction& function, const Rectangle& 
 }
 
 // Zeros closer than this are treated as a cluster.
-constexpr long double too_close = CharacteristicFunction::Derivatives::too_close;
+constexpr long double cluster_distance = CharacteristicFunction::Derivatives::cluster_distance;
 
 // A zero and its uncertainty: P is rounding noise within about the distance blur.
 struct Found {
@@ -58,12 +58,14 @@ struct Found {
 std::optional<Found> newton(const CharacteristicFunction& function, const std::vector<Found>& found,
                             Point w) {
   constexpr long double most_blurred = 0.05L, longest = 100.0L;
-  const auto found_before = [&](const Found& other) { return std::abs(w - other.zero) < too_close; };
+  const auto detect_on_last_step = [&](const Found& other) {
+    return std::abs(w - other.zero) < cluster_distance;
+  };
   for (int i = 0; i < 80; ++i) {
     const auto known = function.derivatives(w);
     const auto& [value, first, second, noise] = known;
     const bool flat = known.flat();
-    if (!flat && std::ranges::any_of(found, found_before)) return std::nullopt;
+    if (!flat && std::ranges::any_of(found, detect_on_last_step)) return std::nullopt;
     const long double blur = std::min(noise / std::abs(first), most_blurred);
     if (flat && std::abs(value) < noise) return Found{w, blur};
     Point inverse = first / value;
@@ -80,16 +82,16 @@ std::optional<Found> newton(const CharacteristicFunction& function, const std::v
 }
 
 // The search for a given number of zeros of a rectangle.
-class Search {
+class ZeroSearch {
  public:
-  explicit Search(const CharacteristicFunction& function) : function_(function) {}
+  explicit ZeroSearch(const CharacteristicFunction& function) : function_(function) {}
 
   // First near the radii where two terms have the same modulus; if that does not find all, everywhere.
   bool finds_all(const Rectangle& box, int count) {
     for (std::size_t j = 1; j < function_.terms().size(); ++j) {
       for (std::size_t i = 0; i < j; ++i) {
         for (const long double offset : {0.0L, -0.5L, 0.5L, -1.5L, 1.5L})
-          if (starts_in(box, balance(function_, i, j) + offset, fewest_rows, count)) return true;
+          if (newton_from_column(box, balance(function_, i, j) + offset, fewest_rows, count)) return true;
       }
     }
     return halves(box, count);
@@ -110,7 +112,7 @@ class Search {
   }
 
   // Newton's method from `rows` starting points with Re w = column. True if `count` zeros of box are known.
-  bool starts_in(const Rectangle& box, long double column, int rows, int count) {
+  bool newton_from_column(const Rectangle& box, long double column, int rows, int count) {
     for (int k = 0; k < rows; ++k) {
       if (complete(box, count)) return true;
       const long double height = box.height * ((2.0L * static_cast<long double>(k) + 1.0L) / rows - 1.0L);
@@ -125,7 +127,7 @@ class Search {
     constexpr long double narrow = 1.0L;
     const long double width = box.right - box.left;
     for (int rows = fewest_rows; rows <= (width > narrow ? fewest_rows : most_rows); rows *= 2)
-      if (starts_in(box, (box.left + box.right) / 2.0L, rows, count)) return true;
+      if (newton_from_column(box, (box.left + box.right) / 2.0L, rows, count)) return true;
     if (width <= narrow / 16.0L) return false;
     for (const long double part : {0.5L, 0.47L, 0.54L}) {
       const long double middle = box.left + part * width;
@@ -147,7 +149,7 @@ std::vector<Found> all_zeros(const CharacteristicFunction& function) {
     const Rectangle box = within_reach(function, rectangle_of(function, pi_long + beyond));
     const std::optional<int> count = count_zeros(function, box);
     if (!count) continue;
-    Search search(function);
+    ZeroSearch search(function);
     if (search.finds_all(box, *count)) return search.inside(box);
   }
   throw std::runtime_error("linear problem: not all zeros of the characteristic function were found");
@@ -160,7 +162,7 @@ std::vector<std::size_t> cluster_of(const std::vector<Found>& found, std::size_t
     const Found& a = found[cluster[k]];
     for (std::size_t j = 0; j < found.size(); ++j) {
       const Found& b = found[j];
-      const long double apart = std::max(too_close, 8.0L * std::max(a.blur, b.blur));
+      const long double apart = std::max(cluster_distance, 8.0L * std::max(a.blur, b.blur));
       if (std::abs(a.zero - b.zero) <= apart && std::ranges::find(cluster, j) == cluster.end())
         cluster.push_back(j);
     }
@@ -205,7 +207,7 @@ std::vector<Zero<long double>> find_zeros(const LinearTransform& transform) {
     for (const std::size_t j : cluster) taken[j] = true;
     auto zero = merged(found, cluster);
     if (zero.multiplicity == 1) zero.log = polished(function, zero.log);
-    if (std::abs(zero.log.imag()) <= pi_long - std::max(too_close, zero.spread)) zeros.push_back(zero);
+    if (std::abs(zero.log.imag()) <= pi_long - std::max(cluster_distance, zero.spread)) zeros.push_back(zero);
   }
   return zeros;
 }

@@ -44,9 +44,9 @@ void add_term(GeneralizedPolynomial& sum, const Rational& exponent, const Ration
 }
 
 template <class Real>
-Sized<Real> rounded(const Coefficient& coefficient) {
+ValueAndScale<Real> rounded(const Coefficient& coefficient) {
   using std::abs, std::pow;
-  Sized<Real> sum{Real(0), Real(0)};
+  ValueAndScale<Real> sum{Real(0), Real(0)};
   for (const auto& [factor, fraction] : coefficient) {
     Real term = rounded<Real>(fraction);
     if (factor.power != 0) term *= pow(rounded<Real>(factor.base), rounded<Real>(factor.power));
@@ -57,7 +57,7 @@ Sized<Real> rounded(const Coefficient& coefficient) {
   return sum;
 }
 
-template Sized<long double> rounded(const Coefficient&);
-template Sized<BigReal> rounded(const Coefficient&);
+template ValueAndScale<long double> rounded(const Coefficient&);
+template ValueAndScale<BigReal> rounded(const Coefficient&);
 
 }  // namespace fde

@@ -33,10 +33,10 @@ void add_term(GeneralizedPolynomial& sum, const Rational& exponent, const Ration
 
 // A number and the sum of the moduli of its summands.
 template <class Real>
-struct Sized {
+struct ValueAndScale {
   Real value, size;
 };
 template <class Real>
-Sized<Real> rounded(const Coefficient& coefficient);
+ValueAndScale<Real> rounded(const Coefficient& coefficient);
 
 }  // namespace fde

@@ -1,6 +1,6 @@
 #include "transfer_functions/linear_response.hpp"
 
-#include "progress/work.hpp"
+#include "progress/progress.hpp"
 
 namespace fde {
 namespace {
@@ -8,13 +8,13 @@ namespace {
 // Long double evaluations are too short to report progress.
 template <class Real>
 void report_step(std::size_t done, std::size_t total) {
-  if constexpr (std::is_same_v<Real, BigReal>) report_work(done, total);
+  if constexpr (std::is_same_v<Real, BigReal>) report_progress(done, total);
 }
 
 // Whether e^p of a pole far in the left half plane is negligible at every number of digits; off: a bound of
 // the error of log p.
 template <class Real>
-bool is_nothing(const Complex<Real>& log_p, const Real& off) {
+bool is_negligible(const Complex<Real>& log_p, const Real& off) {
   using std::cos, std::exp;
   constexpr double least = 1e6;
   const Real cosine = cos(imag_part<Real>(log_p)) + off;
@@ -24,7 +24,7 @@ bool is_nothing(const Complex<Real>& log_p, const Real& off) {
 // Rounding error of log p for a zero found by Newton's method.
 template <class Real>
 Real rounding_of(const Complex<Real>& log_p) {
-  return Real(64 * (1 + size_of(log_p)) * epsilon<Real>());
+  return Real(64 * (1 + norm1(log_p)) * epsilon<Real>());
 }
 
 // Largest radius of a circle in the plane of log p around a cluster of zeros: it stays away from other zeros,
@@ -39,10 +39,10 @@ constexpr double largest_spread = 0.9;
 
 }  // namespace
 
-bool has_no_circle(const Zero<long double>& zero, long double log_time) {
+bool is_unresolvable_cluster(const Zero<long double>& zero, long double log_time) {
   const std::complex<long double> center = zero.log + log_time;
   return zero.multiplicity > 1 &&
-         !is_nothing<long double>(center, rounding_of<long double>(center) + zero.spread) &&
+         !is_negligible<long double>(center, rounding_of<long double>(center) + zero.spread) &&
          zero.spread > largest_spread * largest_radius<long double>(zero, center);
 }
 
@@ -76,11 +76,11 @@ void LinearResponse<Real>::evaluate(const Complex<Real>& log_p, const Complex<Re
   constexpr double coefficient_ulps = 4.0;
   p_ = p;
   transform_.table.evaluate(transform_.exponents, log_p, p, powers_);
-  const Real logs = size_of(log_p) + log_time_size_;
+  const Real logs = norm1(log_p) + log_time_size_;
   errors_.clear();
   for (std::size_t i = 0; i < powers_.size(); ++i) {
     const auto& entry = transform_.table.entries()[i];
-    errors_.push_back(size_of(powers_[i]) * (coefficient_ulps + 2 * entry.fixed + entry.growing * logs));
+    errors_.push_back(norm1(powers_[i]) * (coefficient_ulps + 2 * entry.fixed + entry.growing * logs));
   }
   characteristic_ = sum_of(denominator_);
 }
@@ -113,12 +113,12 @@ typename LinearResponse<Real>::Slope LinearResponse<Real>::slope() const {
 template <class Real>
 void LinearResponse<Real>::add_terms(LinearValues<Real>& values, const Complex<Real>& factor,
                                      const Real& ulps, const Real& share) const {
-  const Real factor_size = size_of(factor), relative = epsilon<Real>();
+  const Real factor_size = norm1(factor), relative = epsilon<Real>();
   for (std::size_t j = 0; j < numerators_.size(); ++j) {
     const auto [value, error] = sum_of(numerators_[j]);
     const Complex<Real> term = factor * value;
     values.rates[j] += p_ * term;
-    values.sums[j].add(term, Real(factor_size * error + ulps * size_of(term)), relative, share);
+    values.sums[j].add(term, Real(factor_size * error + ulps * norm1(term)), relative, share);
   }
 }
 
@@ -129,7 +129,7 @@ void LinearResponse<Real>::add_nodes(LinearValues<Real>& values, const Contour<R
     const auto& node = nodes[k];
     report_step<Real>(k, nodes.size());
     evaluate(node.log_s, node.s);
-    const Real ulps = 3 + size_of(node.s) + characteristic_.error / size_of(characteristic_.value);
+    const Real ulps = 3 + norm1(node.s) + characteristic_.error / norm1(characteristic_.value);
     // The real part of twice the term is its sum with the term of the conjugate node.
     add_terms(values, Real(2) * node.weight / characteristic_.value, ulps, contour.share());
   }
@@ -146,13 +146,13 @@ typename LinearResponse<Real>::Pole LinearResponse<Real>::at_pole(const Complex<
   const Complex<Real> pole = rough - rough * step;
   evaluate(log, pole);
   const auto [slope, change] = this->slope();
-  const Real noise = characteristic_.error / size_of(slope), ulps = 1 + size_of(log) + noise;
+  const Real noise = characteristic_.error / norm1(slope), ulps = 1 + norm1(log) + noise;
   const Real top = transform_.exponents[denominator_.back().power];
   for (std::size_t i = 0; i < powers_.size(); ++i) {
     using std::abs;
-    errors_[i] += abs(transform_.exponents[i]) * size_of(powers_[i]) * ulps;
+    errors_[i] += abs(transform_.exponents[i]) * norm1(powers_[i]) * ulps;
   }
-  return {log, pole, slope, ulps, Real(top * noise + size_of(change) / size_of(slope) * ulps)};
+  return {log, pole, slope, ulps, Real(top * noise + norm1(change) / norm1(slope) * ulps)};
 }
 
 // Simple pole: Res(e^p N/P) = e^p N / P', times the factor of the contour.
@@ -160,13 +160,13 @@ template <class Real>
 void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex<Real>& estimate,
                                        const Contour<Real>& contour, const Real& count) {
   using std::exp;
-  if (contour.at_branch_point(estimate) || is_nothing<Real>(estimate, rounding_of<Real>(estimate))) return;
+  if (contour.at_branch_point(estimate) || is_negligible<Real>(estimate, rounding_of<Real>(estimate))) return;
   const auto [log_pole, pole, slope, pole_ulps, slope_ulps] = at_pole(estimate);
   if (exp_overflows(pole, Real(pole_ulps * epsilon<Real>()))) {
     const Complex<Real> direction = exp(Complex<Real>(Real(0), imag_part<Real>(pole))) * pole / slope;
     for (std::size_t j = 0; j < numerators_.size(); ++j) {
       const auto [value, error] = sum_of(numerators_[j]);
-      if (size_of(value) > 16 * epsilon<Real>() * error) {
+      if (norm1(value) > 16 * epsilon<Real>() * error) {
         values.sums[j].add_infinite(direction * value, real_part<Real>(pole));
       } else {  // the residue may be 0: its numerator is lost in rounding
         values.sums[j].error = std::numeric_limits<double>::infinity();
@@ -175,7 +175,7 @@ void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex
     return;
   }
   const Complex<Real> factor = contour.pole_factor(log_pole);
-  const Real shift = 1 + size_of(pole) + contour.omega() * size_of(Complex<Real>(factor - Real(1)));
+  const Real shift = 1 + norm1(pole) + contour.omega() * norm1(Complex<Real>(factor - Real(1)));
   const Real ulps = 3 + slope_ulps + shift * pole_ulps;
   add_terms(values, count * exp(pole) * factor * pole / slope, ulps, Real(1));
 }
@@ -184,11 +184,11 @@ void LinearResponse<Real>::add_residue(LinearValues<Real>& values, const Complex
 // plane of log p. The circle stays away from the other poles and from the nodes, where the factor m of the
 // contour has poles.
 template <class Real>
-void LinearResponse<Real>::add_circle(LinearValues<Real>& values, const Zero<Real>& zero,
-                                      const Contour<Real>& contour, const Real& count) {
+void LinearResponse<Real>::add_cluster_residues(LinearValues<Real>& values, const Zero<Real>& zero,
+                                                const Contour<Real>& contour, const Real& count) {
   using std::abs, std::conj, std::exp, std::log, std::min;
   const Complex<Real> center = zero.log + log_time_;
-  if (contour.at_branch_point(center) || is_nothing<Real>(center, rounding_of<Real>(center) + zero.spread))
+  if (contour.at_branch_point(center) || is_negligible<Real>(center, rounding_of<Real>(center) + zero.spread))
     return;
   Real radius = largest_radius<Real>(zero, center);
   for (const auto& node : contour.nodes()) {
@@ -209,7 +209,7 @@ void LinearResponse<Real>::add_circle(LinearValues<Real>& values, const Zero<Rea
     const Complex<Real> offset = radius * exp(Complex<Real>(Real(0), Real(2 * i * pi<Real>() / points)));
     const Complex<Real> log_p = center + offset, p = exp(log_p);
     evaluate(log_p, p);
-    const Real ulps = 6 + 2 * size_of(p) + characteristic_.error / size_of(characteristic_.value);
+    const Real ulps = 6 + 2 * norm1(p) + characteristic_.error / norm1(characteristic_.value);
     const Complex<Real> weight = exp(p) * p * contour.pole_factor(log_p) * offset * Real(count / points);
     add_terms(values, weight / characteristic_.value, ulps, Real(1));
   }
@@ -225,7 +225,7 @@ void LinearResponse<Real>::add_to(LinearValues<Real>& values, const std::vector<
     if (height < -on_the_axis) continue;  // the real part of twice its conjugate is the sum of both
     const Real count(height > on_the_axis ? 2 : 1);
     if (zero.multiplicity > 1) {
-      add_circle(values, zero, contour, count);
+      add_cluster_residues(values, zero, contour, count);
     } else {
       add_residue(values, zero.log + log_time_, contour, count);
     }
@@ -237,11 +237,11 @@ template <class Real>
 void LinearResponse<Real>::add_discretisation(LinearValues<Real>& values, const Contour<Real>& contour) {
   using std::log;
   for (std::size_t j = 0; j < numerators_.size(); ++j) {
-    values.sums[j].error += contour.discretisation([&](const Real& r) {
+    values.sums[j].error += contour.discretisation_error([&](const Real& r) {
       evaluate(Complex<Real>(Real(log(r))), Complex<Real>(r));
       Real largest(0);
       for (const auto& [power, coefficient, size] : denominator_)
-        largest = std::max(largest, Real(size * size_of(powers_[power])));
+        largest = std::max(largest, Real(size * norm1(powers_[power])));
       return Real(sum_of(numerators_[j]).error / largest);
     });
   }

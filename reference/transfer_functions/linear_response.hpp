@@ -52,8 +52,8 @@ class LinearResponse {
   void add_nodes(LinearValues<Real>& values, const Contour<Real>& contour);
   void add_residue(LinearValues<Real>& values, const Complex<Real>& estimate, const Contour<Real>& contour,
                    const Real& count);
-  void add_circle(LinearValues<Real>& values, const Zero<Real>& zero, const Contour<Real>& contour,
-                  const Real& count);
+  void add_cluster_residues(LinearValues<Real>& values, const Zero<Real>& zero, const Contour<Real>& contour,
+                            const Real& count);
   void add_terms(LinearValues<Real>& values, const Complex<Real>& factor, const Real& ulps,
                  const Real& share) const;
 
@@ -72,7 +72,7 @@ class LinearResponse {
 
 // Whether the zeros of a cluster, not separated in long double, are at that time so far out that e^p varies
 // too much between them for a circle around them: more digits do not help then.
-bool has_no_circle(const Zero<long double>& zero, long double log_time);
+bool is_unresolvable_cluster(const Zero<long double>& zero, long double log_time);
 
 extern template class LinearResponse<long double>;
 extern template class LinearResponse<BigReal>;

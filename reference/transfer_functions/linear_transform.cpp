@@ -2,7 +2,7 @@
 
 namespace fde {
 
-LinearTransform::Group& LinearTransform::group_from(const Rational& time, std::size_t outputs) {
+LinearTransform::Group& LinearTransform::group_at(const Rational& time, std::size_t outputs) {
   const auto place = std::ranges::find(groups, time, &Group::from);
   if (place != groups.end()) return *place;
   return groups.emplace_back(Group{time, std::vector<GeneralizedPolynomial>(outputs)});
@@ -41,7 +41,7 @@ void RoundedTransform<Real>::add_start_values(const Group& group, std::vector<Su
       if (exponent < 0) continue;
       const Complex<Real> limit(Real(coefficient / leading));
       if (exponent == 0) {
-        sums[j].add(limit, Real(size / size_of(Complex<Real>(leading))), Real(16 * epsilon<Real>()), Real(1));
+        sums[j].add(limit, Real(size / norm1(Complex<Real>(leading))), Real(16 * epsilon<Real>()), Real(1));
       } else {
         sums[j].add_infinite(limit, rounded<Real>(exponent));
       }

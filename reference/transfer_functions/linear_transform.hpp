@@ -19,7 +19,7 @@ struct LinearTransform {
   std::vector<Group> groups;
   std::vector<Rational> generators;  // exponents of which the others are sums, as far as known
 
-  Group& group_from(const Rational& time, std::size_t outputs);  // added if there is none yet
+  Group& group_at(const Rational& time, std::size_t outputs);  // added if there is none yet
 };
 
 // The same rounded to Real, with all powers in one PowerTable.

@@ -11,7 +11,7 @@ PowerTable::PowerTable() {
   }
 }
 
-PowerTable::Entry PowerTable::made_of_others(const Rational& exponent) const {
+PowerTable::Entry PowerTable::cheapest_entry(const Rational& exponent) const {
   for (std::size_t i = 1; i < entries_.size(); ++i) {
     const auto other = places_.find(Rational(exponent - entries_[i].exponent));
     if (other == places_.end()) continue;
@@ -31,7 +31,7 @@ PowerTable::Entry PowerTable::made_of_others(const Rational& exponent) const {
 
 std::size_t PowerTable::index(const Rational& exponent) {
   const auto [place, is_new] = places_.try_emplace(exponent, entries_.size());
-  if (is_new) entries_.push_back(made_of_others(exponent));
+  if (is_new) entries_.push_back(cheapest_entry(exponent));
   return place->second;
 }
 

@@ -52,7 +52,7 @@ class PowerTable {
   }
 
  private:
-  [[nodiscard]] Entry made_of_others(const Rational& exponent) const;
+  [[nodiscard]] Entry cheapest_entry(const Rational& exponent) const;
 
   std::vector<Entry> entries_;
   std::map<Rational, std::size_t> places_;

@@ -10,11 +10,11 @@ constexpr int quadrature_points = 24;
 constexpr double same_place = 1e-12;  // points closer in x than this are the same
 
 // after - before without cancellation. Precondition: before <= after.
-double distance(BothShares before, BothShares after) {
+double distance(RelativeTime before, RelativeTime after) {
   return after.from_start < 0.5 ? after.from_start - before.from_start : before.from_end - after.from_end;
 }
 
-BothShares share(double x) { return {x, 1.0 - x}; }
+RelativeTime share(double x) { return {x, 1.0 - x}; }
 
 // Nodes and weights on [0, 1] in double, for the weight (1-u)^power. For a target at the end of the interval
 // the kernel has another exponent than for a target inside.
@@ -29,7 +29,7 @@ struct Rule {
 
 class ClusteredPanels {
  public:
-  ClusteredPanels(const PanelBasis& panel, int panels, const ClusteredTime& time)
+  ClusteredPanels(const PanelBasis& panel, int panels, const ClusteringMap& time)
       : time_(time),
         inner_(panel.nodes),
         barycentric_(barycentric_weights(panel.gauss.nodes).cast<double>()),
@@ -43,9 +43,9 @@ class ClusteredPanels {
     nodes_.push_back({1.0, 0.0});
   }
 
-  [[nodiscard]] const std::vector<BothShares>& nodes() const { return nodes_; }
+  [[nodiscard]] const std::vector<RelativeTime>& nodes() const { return nodes_; }
 
-  [[nodiscard]] Vec row(double order, const Rule& singular, BothShares t) const {
+  [[nodiscard]] Vec row(double order, const Rule& singular, RelativeTime t) const {
     Vec row = Vec::Zero(std::ssize(nodes_));
     const double x = time_.undone(t).from_start;
     for (int k = 0; k < panels_; ++k) {
@@ -60,7 +60,7 @@ class ClusteredPanels {
  private:
   // Adds the integral over the part [from, to] of a panel. A part that ends at the target takes the singular
   // rule; a part closer to the target than its length is bisected.
-  void add(double order, BothShares t, double x, int panel, double from, double to, const Rule& singular,
+  void add(double order, RelativeTime t, double x, int panel, double from, double to, const Rule& singular,
            Vec& row) const {
     const double length = to - from, gap = x - to;
     if (gap > 0.0 && gap < length) {
@@ -71,7 +71,7 @@ class ClusteredPanels {
     }
     const Rule& rule = gap > 0.0 ? regular_ : singular;
     for (Eigen::Index q = 0; q < rule.nodes.size(); ++q) {
-      const BothShares y = share(from + length * rule.nodes[q]);
+      const RelativeTime y = share(from + length * rule.nodes[q]);
       const double kernel =
           std::pow(distance(time_.at(y), t), order - 1.0) / std::pow(1.0 - rule.nodes[q], rule.power);
       const double weight = length * rule.weights[q] * kernel * time_.rate(y);
@@ -91,34 +91,34 @@ class ClusteredPanels {
     }
   }
 
-  ClusteredTime time_;
+  ClusteringMap time_;
   Vec inner_, barycentric_;
   int panels_;
-  std::vector<BothShares> nodes_;
+  std::vector<RelativeTime> nodes_;
   Rule regular_{0.0};
 };
 
 }  // namespace
 
-double ClusteredTime::cubic(double x) const {
+double ClusteringMap::cubic(double x) const {
   return x * (6.0 * bend_ + 2.0 / power_ - 12.0 * bend_ * x + 8.0 * bend_ * x * x);
 }
-double ClusteredTime::slope(double x) const {
+double ClusteringMap::slope(double x) const {
   return 6.0 * bend_ + 2.0 / power_ - 24.0 * bend_ * x * (1.0 - x);
 }
 
-double ClusteredTime::rate(BothShares x) const {
-  const BothShares t = at(x);
+double ClusteringMap::rate(RelativeTime x) const {
+  const RelativeTime t = at(x);
   return power_ * t.from_start * t.from_end * slope(x.from_start) / (cubic(x.from_start) * cubic(x.from_end));
 }
 
-BothShares ClusteredTime::at(BothShares x) const {
+RelativeTime ClusteringMap::at(RelativeTime x) const {
   const double start = std::pow(cubic(x.from_start), power_), end = std::pow(cubic(x.from_end), power_);
   return {start / (start + end), end / (start + end)};
 }
 
 // Newton's method for the share of the nearer end, where v is convex.
-BothShares ClusteredTime::undone(BothShares t) const {
+RelativeTime ClusteringMap::undone(RelativeTime t) const {
   const double start = std::pow(t.from_start, 1.0 / power_), end = std::pow(t.from_end, 1.0 / power_);
   const double nearer = std::min(start, end) / (start + end);
   double x = nearer / slope(0.0);
@@ -127,14 +127,14 @@ BothShares ClusteredTime::undone(BothShares t) const {
     x = std::min(x + step, 0.5);
     if (std::abs(step) <= 0x1p-52 * x) break;
   }
-  return start <= end ? BothShares{x, 1.0 - x} : BothShares{1.0 - x, x};
+  return start <= end ? RelativeTime{x, 1.0 - x} : RelativeTime{1.0 - x, x};
 }
 
-NodalBasis clustered_panels(const PanelBasis& panel, int panels, const ClusteredTime& time) {
+NodalBasis clustered_panels(const PanelBasis& panel, int panels, const ClusteringMap& time) {
   const auto basis = std::make_shared<const ClusteredPanels>(panel, panels, time);
   return {basis->nodes(), [basis, power = time.power()](double order) -> NodalBasis::Row {
             return [basis, order, inside = Rule(order - 1.0), at_end = Rule(power * order - 1.0)](
-                       BothShares t) { return basis->row(order, t.from_end == 0.0 ? at_end : inside, t); };
+                       RelativeTime t) { return basis->row(order, t.from_end == 0.0 ? at_end : inside, t); };
           }};
 }
 

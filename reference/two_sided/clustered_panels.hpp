@@ -8,14 +8,14 @@ namespace fde {
 // t = v^q / (v^q + (1-v)^q) where v(x) is the cubic with v(0) = 0, v(1) = 1 and dt/dx = 2 in the middle: a
 // function that starts like t^g, or like (1-t)^g at the end, starts like x^(q g) (R. Kress, Linear Integral
 // Equations, 1999, section 12.2).
-class ClusteredTime {
+class ClusteringMap {
  public:
-  explicit ClusteredTime(double power) : power_(power), bend_(0.5 - 1.0 / power) {}
+  explicit ClusteringMap(double power) : power_(power), bend_(0.5 - 1.0 / power) {}
 
   [[nodiscard]] double power() const { return power_; }
-  [[nodiscard]] BothShares at(BothShares x) const;      // t(x)
-  [[nodiscard]] BothShares undone(BothShares t) const;  // x(t)
-  [[nodiscard]] double rate(BothShares x) const;        // dt/dx
+  [[nodiscard]] RelativeTime at(RelativeTime x) const;      // t(x)
+  [[nodiscard]] RelativeTime undone(RelativeTime t) const;  // x(t)
+  [[nodiscard]] double rate(RelativeTime x) const;          // dt/dx
 
  private:
   // v(x) and v'(x); 1 - v(x) = v(1 - x).
@@ -26,6 +26,6 @@ class ClusteredTime {
 };
 
 // Basis of polynomials in x on panels of equal length, through the nodes of `panel` on each.
-NodalBasis clustered_panels(const PanelBasis& panel, int panels, const ClusteredTime& time);
+NodalBasis clustered_panels(const PanelBasis& panel, int panels, const ClusteringMap& time);
 
 }  // namespace fde

@@ -29,7 +29,7 @@ NodalEquations::NodalEquations(const Problem& problem, const NodalBasis& basis)
     auto& weights = at_nodes[{order, side}];
     if (weights.size() == 0) {
       const auto row = [left = side == Side::left, weights_of = basis.rows(order),
-                        scale = std::pow(problem.end, order)](BothShares t) -> Vec {
+                        scale = std::pow(problem.end, order)](RelativeTime t) -> Vec {
         if (left) return scale * weights_of(t);
         return scale * weights_of(t.reversed()).reverse();
       };
@@ -45,38 +45,38 @@ const Component& NodalEquations::component(Eigen::Index i) const {
   return problem_.components[static_cast<std::size_t>(i)];
 }
 
-double NodalEquations::own_time(Eigen::Index i, BothShares t) const {
+double NodalEquations::time_from_side(Eigen::Index i, RelativeTime t) const {
   return problem_.end * (component(i).side == Side::left ? t.from_start : t.from_end);
 }
 
-double NodalEquations::time(BothShares t) const {
+double NodalEquations::time(RelativeTime t) const {
   return t.from_start < 0.5 ? problem_.end * t.from_start : problem_.end - problem_.end * t.from_end;
 }
 
-Vec NodalEquations::start_at(BothShares t, In unknown) const {
+Vec NodalEquations::taylor_part_at(RelativeTime t, In unknown) const {
   Vec part = Vec::Zero(problem_.size());
   for (Eigen::Index i = 0; i < part.size(); ++i) {
     double term = 1.0, power = 0.0;
     for (const double value : component(i).initial) {
       part[i] += value * term;
-      term *= own_time(i, t) / ++power;
+      term *= time_from_side(i, t) / ++power;
     }
   }
   Eigen::Index next = 0;
   for (const auto& [i, power] : unknown_)
-    part[i] += unknown[next++] * std::pow(own_time(i, t), power) / std::tgamma(power + 1.0);
+    part[i] += unknown[next++] * std::pow(time_from_side(i, t), power) / std::tgamma(power + 1.0);
   return part;
 }
 
-Matrix NodalEquations::start_of(In unknown) const {
+Matrix NodalEquations::taylor_part_at_nodes(In unknown) const {
   Matrix part(nodes(), problem_.size());
-  for (Eigen::Index m = 0; m < nodes(); ++m) part.row(m) = start_at(node(m), unknown).transpose();
+  for (Eigen::Index m = 0; m < nodes(); ++m) part.row(m) = taylor_part_at(node(m), unknown).transpose();
   return part;
 }
 
 NodalValues NodalEquations::start() const {
   const Vec none = Vec::Zero(std::ssize(unknown_));
-  return {start_of(none), none};
+  return {taylor_part_at_nodes(none), none};
 }
 
 Matrix NodalEquations::rhs(const Matrix& y) const {
@@ -90,7 +90,7 @@ Matrix NodalEquations::rhs(const Matrix& y) const {
 }
 
 NodalResidual NodalEquations::residual(const NodalValues& values) const {
-  NodalResidual result{start_of(values.unknown) - values.y, conditions(values.y)};
+  NodalResidual result{taylor_part_at_nodes(values.unknown) - values.y, conditions(values.y)};
   const Matrix f = rhs(values.y);
   for (Eigen::Index i = 0; i < problem_.size(); ++i)
     result.rows.col(i) += weights_[static_cast<std::size_t>(i)] * f.col(i);
@@ -120,11 +120,11 @@ NodalValues NodalEquations::increment(const NodalValues& values, const NodalResi
   const auto count = std::ssize(unknown_);
   NodalValues increment{step.solve(residual.rows), Vec::Zero(count)};
   if (count == 0) return increment;
-  const Matrix known = start_of(Vec::Zero(count));
+  const Matrix known = taylor_part_at_nodes(Vec::Zero(count));
   std::vector<Matrix> answers;
   Matrix sensitivities(count, count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    answers.push_back(step.solve(start_of(Vec::Unit(count, k)) - known));
+    answers.push_back(step.solve(taylor_part_at_nodes(Vec::Unit(count, k)) - known));
     sensitivities.col(k) = conditions_along(values.y, answers.back());
   }
   const Vec missing = residual.conditions + conditions_along(values.y, increment.y);
@@ -134,10 +134,10 @@ NodalValues NodalEquations::increment(const NodalValues& values, const NodalResi
   return increment;
 }
 
-Vec NodalEquations::at(BothShares t, const Matrix& f, In unknown) const {
+Vec NodalEquations::at(RelativeTime t, const Matrix& f, In unknown) const {
   std::map<Kind, Vec> weights;
   for (const auto& [kind, row] : rows_) weights[kind] = row(t);
-  Vec y = start_at(t, unknown);
+  Vec y = taylor_part_at(t, unknown);
   for (Eigen::Index i = 0; i < y.size(); ++i)
     y[i] += weights.at({component(i).order, component(i).side}).dot(f.col(i));
   return y;

@@ -42,18 +42,18 @@ class NodalEquations {
   [[nodiscard]] NodalValues increment(const NodalValues& values, const NodalResidual& residual) const;
 
   // y at any time, from f at the nodes.
-  [[nodiscard]] Vec at(BothShares t, const Matrix& f, In unknown) const;
+  [[nodiscard]] Vec at(RelativeTime t, const Matrix& f, In unknown) const;
 
  private:
   using Kind = std::pair<double, Side>;  // rows of the same order and side share their weights
 
   [[nodiscard]] Eigen::Index nodes() const { return std::ssize(basis_.nodes); }
-  [[nodiscard]] BothShares node(Eigen::Index m) const { return basis_.nodes[static_cast<std::size_t>(m)]; }
+  [[nodiscard]] RelativeTime node(Eigen::Index m) const { return basis_.nodes[static_cast<std::size_t>(m)]; }
   [[nodiscard]] const Component& component(Eigen::Index i) const;
-  [[nodiscard]] double own_time(Eigen::Index i, BothShares t) const;
-  [[nodiscard]] double time(BothShares t) const;
-  [[nodiscard]] Vec start_at(BothShares t, In unknown) const;
-  [[nodiscard]] Matrix start_of(In unknown) const;
+  [[nodiscard]] double time_from_side(Eigen::Index i, RelativeTime t) const;
+  [[nodiscard]] double time(RelativeTime t) const;
+  [[nodiscard]] Vec taylor_part_at(RelativeTime t, In unknown) const;
+  [[nodiscard]] Matrix taylor_part_at_nodes(In unknown) const;
   [[nodiscard]] Vec conditions(const Matrix& y) const;
   [[nodiscard]] Vec conditions_along(const Matrix& y, const Matrix& change) const;
 

@@ -11,7 +11,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double last = 5.5;              // t^0.1 is 1e-16 there
 constexpr double quadrature_step = 0.02;  // resolves f next to the end of the interval
 
-BothShares mapped(double x) {
+RelativeTime mapped(double x) {
   const double exponent = pi * std::sinh(x);
   return {1.0 / (1.0 + std::exp(-exponent)), 1.0 / (1.0 + std::exp(exponent))};
 }
@@ -36,19 +36,19 @@ class SincNodes {
     nodes_.push_back({1.0, 0.0});
   }
 
-  [[nodiscard]] const std::vector<BothShares>& nodes() const { return nodes_; }
+  [[nodiscard]] const std::vector<RelativeTime>& nodes() const { return nodes_; }
 
   // With s = t u: t^order / Gamma(order) int_0^1 (1-u)^(order-1) f(t u) du. Beyond the last point u is 1 up
   // to rounding; for small orders that part of int (1-u)^(order-1) du = 1 / order is not negligible, and
   // takes f(t).
-  [[nodiscard]] Vec row(double order, BothShares t) const {
+  [[nodiscard]] Vec row(double order, RelativeTime t) const {
     Vec row = Vec::Zero(std::ssize(nodes_));
     if (t.from_start == 0.0) return row;
     const auto points = static_cast<int>(last / quadrature_step);
     double beyond = 1.0 / order;
     for (int k = -points; k <= points; ++k) {
       const double x = k * quadrature_step;
-      const BothShares u = mapped(x);
+      const RelativeTime u = mapped(x);
       const double weight = quadrature_step * pi * std::cosh(x) * u.from_start * std::pow(u.from_end, order);
       add_interpolated({t.from_start * u.from_start, t.from_end + t.from_start * u.from_end}, weight, row);
       beyond -= weight;
@@ -59,7 +59,7 @@ class SincNodes {
   }
 
  private:
-  void add_interpolated(BothShares t, double weight, Vec& row) const {
+  void add_interpolated(RelativeTime t, double weight, Vec& row) const {
     if (t.from_start < std::numeric_limits<double>::min()) {
       row[0] += weight;
       return;
@@ -72,7 +72,7 @@ class SincNodes {
     const Vec shares = weight * sinc(x / step_, count_);
     double at_start = weight * t.from_end, at_end = weight * t.from_start;
     for (Eigen::Index j = 0; j < shares.size(); ++j) {
-      const BothShares& node = nodes_[static_cast<std::size_t>(j) + 1];
+      const RelativeTime& node = nodes_[static_cast<std::size_t>(j) + 1];
       at_start -= shares[j] * node.from_end;
       at_end -= shares[j] * node.from_start;
     }
@@ -83,7 +83,7 @@ class SincNodes {
 
   double step_;
   Eigen::Index count_;
-  std::vector<BothShares> nodes_;
+  std::vector<RelativeTime> nodes_;
 };
 
 }  // namespace
@@ -91,7 +91,7 @@ class SincNodes {
 NodalBasis sinc_nodes(double step) {
   const SincNodes basis(step);
   return {basis.nodes(), [basis](double order) -> NodalBasis::Row {
-            return [basis, order](BothShares t) { return basis.row(order, t); };
+            return [basis, order](RelativeTime t) { return basis.row(order, t); };
           }};
 }
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "two_sided/all_nodes.hpp"
 #include "two_sided/clustered_panels.hpp"
+#include "two_sided/nodal_solution.hpp"
 #include "two_sided/sinc_nodes.hpp"
 
 namespace fde {
@@ -21,24 +21,24 @@ constexpr double roundings = 64 * 0x1p-53;
 
 // A solution that starts like t^g, g the smallest order, starts like x^4 (g >= 1/8), or like a lower power: a
 // stronger clustering would leave too few panels for the middle.
-ClusteredTime time_of(const Problem& problem) {
+ClusteringMap time_of(const Problem& problem) {
   constexpr double smooth = 4.0, usual = 8.0, most = 32.0;
   double smallest = 1.0;
   for (const auto& component : problem.components)
     if (!algebraic(component)) smallest = std::min(smallest, component.order);
-  return ClusteredTime(std::clamp(smooth / smallest, usual, most));
+  return ClusteringMap(std::clamp(smooth / smallest, usual, most));
 }
 
 // Number of panels, `usual` for the power 8: for a larger power t(x) is steeper between the ends and the
 // middle.
-int count_of(int usual, const ClusteredTime& time) {
+int count_of(int usual, const ClusteringMap& time) {
   return static_cast<int>(std::ceil(usual * std::sqrt(time.power() / 8.0)));
 }
 
 // The times of the points that the table stores for a panel.
-std::vector<BothShares> dense_times(const PanelBasis& basis, int panel, int panels,
-                                    const ClusteredTime& time) {
-  std::vector<BothShares> times;
+std::vector<RelativeTime> dense_times(const PanelBasis& basis, int panel, int panels,
+                                      const ClusteringMap& time) {
+  std::vector<RelativeTime> times;
   const auto count = basis.dense_nodes.size();
   for (Eigen::Index j = 0; j < count; ++j) {
     const double from_start = (panel + basis.dense_nodes[j]) / panels;
@@ -60,7 +60,7 @@ std::vector<Vec> spread(const std::vector<Vec>& differences) {
 
 // Newton's method from the Taylor part or, if that fails for a nonlinear problem, from smallest_solution() on
 // a coarse basis.
-NodalSolution solution_on(const Problem& problem, const NodalBasis& basis, const ClusteredTime& time) {
+NodalSolution solution_on(const Problem& problem, const NodalBasis& basis, const ClusteringMap& time) {
   try {
     return {problem, basis};
   } catch (const std::runtime_error&) {
@@ -68,7 +68,7 @@ NodalSolution solution_on(const Problem& problem, const NodalBasis& basis, const
     const PanelBasis few(few_points, PanelPoints::legendre);
     const NodalBasis of_few = clustered_panels(few, count_of(few_panels, time), time);
     const NodalSolution rough = smallest_solution(problem, of_few);
-    return {problem, basis, [&](BothShares t) { return rough.at(t); }};
+    return {problem, basis, [&](RelativeTime t) { return rough.at(t); }};
   }
 }
 
@@ -76,13 +76,13 @@ NodalSolution solution_on(const Problem& problem, const NodalBasis& basis, const
 
 PanelTable two_sided_table(const Problem& problem) {
   const PanelBasis fine(points, PanelPoints::legendre), coarse(coarse_points, PanelPoints::legendre);
-  const ClusteredTime time = time_of(problem);
+  const ClusteringMap time = time_of(problem);
   const int panels = count_of(9, time);
   const NodalBasis of_first = clustered_panels(fine, panels, time),
                    of_other = clustered_panels(coarse, count_of(8, time), time),
                    of_second = sinc_nodes(sinc_step);
   const NodalSolution first = solution_on(problem, of_first, time);
-  const auto found = [&](BothShares t) { return first.at(t); };
+  const auto found = [&](RelativeTime t) { return first.at(t); };
   const NodalSolution other(problem, of_other, found), second(problem, of_second, found);
   PanelTable table;
   std::vector<Vec> differences;
@@ -111,7 +111,7 @@ PanelTable two_sided_table(const Problem& problem) {
 Reference two_sided_reference(PanelTable table, const Problem& problem) {
   // The bound at t = 0 is not 0: components with right derivatives are not given there.
   Vec at_start = table.panels.front().bound;
-  return {[clustered_times = panel_reference(std::move(table), std::move(at_start)), end = problem.end,
+  return {[clustered_times = reference_from_panels(std::move(table), std::move(at_start)), end = problem.end,
            time = time_of(problem)](double t) -> ReferenceValue {
     if (!(t >= 0.0 && t <= end))
       throw std::invalid_argument(fmt::format("t = {}: must be in [0, {}]", t, end));

@@ -10,7 +10,7 @@ namespace fde {
 // of the first, on a panel and its neighbours, plus an allowance for rounding. Orders are positive, f is
 // finite at both ends.
 //
-// The panels of the table are intervals of end * x with t = end * ClusteredTime(x), more clustered for a
+// The panels of the table are intervals of end * x with t = end * ClusteringMap(x), more clustered for a
 // smaller smallest order; Reference::at takes times t, and throws std::invalid_argument for t outside
 // [0, end]. Throws std::runtime_error where one of the methods does not converge, std::invalid_argument for
 // algebraic rows.

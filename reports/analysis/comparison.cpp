@@ -19,27 +19,28 @@ double doubt(const MeasuredRun& run, std::string_view quantity) {
 }
 
 // The ratio of an error of this quantity to the absolute error at the end; 1 for absolute errors.
-double unit_of(const MeasuredRun& run, std::string_view quantity, double error) {
+double integral_of_one(const MeasuredRun& run, std::string_view quantity, double error) {
   const double at_end = run["error_end"].value_or(0.0);
   const bool is_absolute = quantity == "error_end" || quantity == "error_maximum";
   return is_absolute || at_end == 0.0 ? 1.0 : error / at_end;
 }
 
-std::optional<MovedError> moved(const CommonRun& run, std::string_view quantity, double before, double now) {
+std::optional<ErrorChange> moved(const CommonRun& run, std::string_view quantity, double before, double now) {
   constexpr double part = 0.01;
-  const double unknown = std::max(doubt(*run.before, quantity), doubt(*run.now, quantity)) *
-                         std::min(unit_of(*run.before, quantity, before), unit_of(*run.now, quantity, now));
+  const double unknown =
+      std::max(doubt(*run.before, quantity), doubt(*run.now, quantity)) *
+      std::min(integral_of_one(*run.before, quantity, before), integral_of_one(*run.now, quantity, now));
   if (std::abs(now - before) <= unknown) return std::nullopt;
   if (std::max(now, before) <= (1.0 + part) * std::min(now, before)) return std::nullopt;
-  return MovedError{.run = run, .quantity = quantity, .before = before, .now = now};
+  return ErrorChange{.run = run, .quantity = quantity, .before = before, .now = now};
 }
 
-double growth(const MovedError& error) {
+double growth(const ErrorChange& error) {
   return error.before > 0.0 ? error.now / error.before : std::numeric_limits<double>::infinity();
 }
 
-void compare_errors(const CommonRun& run, std::vector<MovedError>& all) {
-  std::optional<MovedError> worst;
+void compare_errors(const CommonRun& run, std::vector<ErrorChange>& all) {
+  std::optional<ErrorChange> worst;
   for (const auto& [quantity, before] : run.before->values) {
     const auto now = (*run.now)[quantity];
     if (!quantity.starts_with("error_") || !now) continue;
@@ -62,7 +63,7 @@ void compare_times(const CommonRun& run, Comparison& of) {
                       .high = now->high / before->low});
 }
 
-void compare_endings(const CommonRun& run, std::vector<ChangedEnding>& all) {
+void compare_endings(const CommonRun& run, std::vector<EndingChange>& all) {
   const Verdict before = verdict(*run.before), now = verdict(*run.now);
   if (before != now || run.before->ending.kind != run.now->ending.kind)
     all.push_back({.run = run, .before = before, .now = now});
@@ -75,7 +76,7 @@ int rank(const Verdict& verdict) {
 }
 
 void put_worst_first(Comparison& comparison) {
-  const auto fall = [](const ChangedEnding& change) { return rank(change.now) - rank(change.before); };
+  const auto fall = [](const EndingChange& change) { return rank(change.now) - rank(change.before); };
   std::ranges::stable_sort(comparison.endings, {}, fall);
   std::ranges::stable_sort(comparison.errors, std::ranges::greater{}, growth);
   std::ranges::stable_sort(comparison.times, std::ranges::greater{}, &TimeRatio::ratio);
@@ -92,10 +93,10 @@ std::map<RunKey, const MeasuredRun*> by_key(const Runs& runs) {
 
 }  // namespace
 
-bool ChangedEnding::fell() const { return rank(now) < rank(before); }
+bool EndingChange::fell() const { return rank(now) < rank(before); }
 
 bool Comparison::is_worse() const {
-  return std::ranges::any_of(errors, &MovedError::grew) || std::ranges::any_of(endings, &ChangedEnding::fell);
+  return std::ranges::any_of(errors, &ErrorChange::grew) || std::ranges::any_of(endings, &EndingChange::fell);
 }
 
 std::ptrdiff_t Comparison::slower_than(double factor) const {

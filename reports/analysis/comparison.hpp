@@ -20,7 +20,7 @@ struct CommonRun {
 // difference between the sessions as a whole (load, clock frequency) is not included.
 struct TimeRatio {
   CommonRun run;
-  TimeSpread before{}, now{};
+  MedianInterval before{}, now{};
   double ratio = 1.0;  // of the medians
   double low = 1.0, high = 1.0;
 
@@ -31,7 +31,7 @@ struct TimeRatio {
 // An error that changed by more than 1 % and by more than its uncertainty: four times the measured `rounding`
 // (one sample of the effect of rounding) plus the bound of the reference. Both are absolute and at the end;
 // for an error of another kind they are multiplied by its ratio to the absolute error at the end.
-struct MovedError {
+struct ErrorChange {
   CommonRun run;
   std::string_view quantity;
   double before = 0.0, now = 0.0;
@@ -41,7 +41,7 @@ struct MovedError {
 
 // A run with another ending or another verdict. A verdict falls from `survives` or `stops rightly` to any
 // other, and from `inaccurate`, `refuses` or `not judged` to `fails`.
-struct ChangedEnding {
+struct EndingChange {
   CommonRun run;
   Verdict before, now;
 
@@ -53,8 +53,8 @@ struct Comparison {
   std::size_t common = 0, only_before = 0, only_now = 0;  // runs
   std::size_t timed_before = 0;                           // common runs with a time in the first set only
   std::vector<TimeRatio> times{};                         // of all runs with a time in both sets
-  std::vector<MovedError> errors{};
-  std::vector<ChangedEnding> endings{};
+  std::vector<ErrorChange> errors{};
+  std::vector<EndingChange> endings{};
 
   // Whether an error grew or a verdict fell.
   [[nodiscard]] bool is_worse() const;

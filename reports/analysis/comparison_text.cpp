@@ -33,7 +33,7 @@ std::string table(const std::string& heading, const std::vector<Row>& rows, cons
   return lines;
 }
 
-std::string ending_text(const ChangedEnding& change) {
+std::string ending_text(const EndingChange& change) {
   const auto words = [](const MeasuredRun& run, const Verdict& verdict) {
     return fmt::format("{} ({})", verdict.word, sentence(run.ending));
   };
@@ -41,7 +41,7 @@ std::string ending_text(const ChangedEnding& change) {
                      words(*change.run.before, change.before), words(*change.run.now, change.now));
 }
 
-std::string error_change_text(const MovedError& error) {
+std::string error_change_text(const ErrorChange& error) {
   const auto factor = error.before > 0.0 ? fmt::format("x {:.3g}", error.now / error.before) : "from 0";
   return fmt::format("{:<4}  {:>10}  {:>8} -> {:>8}  {:<14}", error.grew() ? "grew" : "fell", factor,
                      error_text(error.before), error_text(error.now), error.quantity);
@@ -58,9 +58,9 @@ std::string time_change_text(const TimeRatio& time) {
 }
 
 std::string sum_of_times(const std::vector<TimeRatio>& times) {
-  TimeSpread before, now;
+  MedianInterval before, now;
   double logarithms = 0.0;
-  const auto add = [](TimeSpread& sum, const TimeSpread& time) {
+  const auto add = [](MedianInterval& sum, const MedianInterval& time) {
     sum.median += time.median;
     sum.low += time.low;
     sum.high += time.high;
@@ -84,8 +84,8 @@ std::string comparison_text(const Comparison& comparison, const LineNames& names
   std::vector<TimeRatio> beyond_noise;
   std::ranges::copy_if(times, std::back_inserter(beyond_noise),
                        [](const TimeRatio& time) { return time.slower() || time.faster(); });
-  const auto grew = std::ranges::count_if(errors, &MovedError::grew);
-  const auto fell = std::ranges::count_if(endings, &ChangedEnding::fell);
+  const auto grew = std::ranges::count_if(errors, &ErrorChange::grew);
+  const auto fell = std::ranges::count_if(endings, &EndingChange::fell);
   const auto slower = std::ranges::count_if(times, &TimeRatio::slower);
   const auto faster = std::ranges::count_if(times, &TimeRatio::faster);
   return table("verdicts and endings that changed", endings, names, ending_text) +

@@ -27,7 +27,7 @@ std::string formulation_of(const SceneSettings& scene) {
   const auto* maker = find_scene(scene.id);
   if (maker == nullptr) return {};
   const auto found = std::ranges::find(maker->parameters, choice_of_form, &Parameter::name);
-  return found == maker->parameters.end() ? "" : text_of(found->value);
+  return found == maker->parameters.end() ? "" : to_text(found->value);
 }
 
 template <class Items, class Name, class Value>
@@ -55,7 +55,7 @@ int finest_common(const ConstrainedScene& scene) {
 
 // Sort key of runs: drift, then error.
 std::pair<double, double> rank_of(const MeasuredRun& run) {
-  return {std::max(judged_drift(run), drift_of_rounding),
+  return {std::max(effective_drift(run), rounding_drift),
           run["error_end"].value_or(std::numeric_limits<double>::infinity())};
 }
 
@@ -79,7 +79,7 @@ std::vector<ConstrainedScene> constrained_scenes(const Runs& runs) {
   return scenes;
 }
 
-double judged_drift(const MeasuredRun& run) {
+double effective_drift(const MeasuredRun& run) {
   const auto independent = run["drift_independent"];
   return independent ? *independent : run["drift_internal"].value_or(0.0);
 }

@@ -26,10 +26,10 @@ std::vector<ConstrainedScene> constrained_scenes(const Runs& runs);
 
 // The independent drift of a run, or the internal one if the independent one was not measured; 0 if neither
 // was.
-double judged_drift(const MeasuredRun& run);
+double effective_drift(const MeasuredRun& run);
 
 // Drifts below this are rounding and compare as equal.
-inline constexpr double drift_of_rounding = 1e-12;
+inline constexpr double rounding_drift = 1e-12;
 
 // The run of a formulation with the least drift within a time limit; among drifts of rounding, the least
 // error.

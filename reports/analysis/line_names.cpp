@@ -11,7 +11,7 @@
 namespace fde {
 namespace {
 
-std::array<std::string, 4> means_of(const Setup& setup, bool one_grading = false) {
+std::array<std::string, 4> means_of(const RunSettings& setup, bool one_grading = false) {
   const auto grid = one_grading ? "graded" : grid_text(setup.grading);
   return {std::string(name(setup.history)), setup.grading == 1.0 ? "" : grid,
           fmt::format("tolerance {:g}", setup.tolerance),
@@ -19,7 +19,7 @@ std::array<std::string, 4> means_of(const Setup& setup, bool one_grading = false
 }
 
 // The selected settings, joined by commas.
-std::string told(const Setup& setup, const std::array<bool, 4>& which, bool one_grading) {
+std::string told(const RunSettings& setup, const std::array<bool, 4>& which, bool one_grading) {
   const auto means = means_of(setup, one_grading);
   std::vector<std::string> words;
   for (std::size_t i = 0; i < means.size(); ++i) {
@@ -62,7 +62,7 @@ LineNames::LineNames(const Runs& runs) {
   }
 }
 
-std::string LineNames::name(const std::string& scheme, const Setup& setup) const {
+std::string LineNames::name(const std::string& scheme, const RunSettings& setup) const {
   constexpr std::array grid_alone{false, true, false, false};
   const auto means = told(setup, external_.contains(scheme) ? grid_alone : differ_, one_grading_);
   return means.empty() ? scheme : fmt::format("{}, {}", scheme, means);
@@ -74,7 +74,7 @@ LineNames LineNames::of_several_scenes(const Runs& runs) {
   return names;
 }
 
-std::string LineNames::grid(const Setup& setup) const {
+std::string LineNames::grid(const RunSettings& setup) const {
   return one_grading_ && setup.grading != 1.0 ? grid_text(setup.grading) : "";
 }
 

@@ -22,7 +22,7 @@ std::optional<double> NormRate::deviation() const {
 }
 
 Fit observed_rate(RunSpan line, std::string_view quantity) {
-  std::vector<ErrorAt> points;
+  std::vector<ErrorSample> points;
   for (const MeasuredRun& run : finest(line)) {
     const auto value = run[quantity];
     if (value && run.h > 0.0) points.push_back({run.h, *value});
@@ -45,7 +45,7 @@ RateRow rate_of(RunSpan line) {
 std::vector<RateRow> rates(const Runs& runs) {
   std::vector<RateRow> rows;
   for (const RunSpan line : by_line(runs.finished)) {
-    if (!std::holds_alternative<Accuracy>(line.front().key.setup.resolution)) rows.push_back(rate_of(line));
+    if (!std::holds_alternative<Tolerance>(line.front().key.setup.resolution)) rows.push_back(rate_of(line));
   }
   return rows;
 }

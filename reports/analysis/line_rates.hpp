@@ -23,7 +23,7 @@ struct NormRate {
 struct RateRow {
   SceneSettings scene;
   std::string scheme;
-  Setup setup;
+  RunSettings setup;
   int coarsest = 0, finest = 0;  // steps
   NormRate end{}, maximum{};
 };

@@ -47,7 +47,7 @@ SceneSettings without(SceneSettings scene, const std::string& name) {
 using Family = std::map<double, RunSpan>;
 
 // A scheme with its setup except the resolution.
-using Line = std::pair<std::string, Setup>;
+using Line = std::pair<std::string, RunSettings>;
 
 Line line_of(const RunKey& run) {
   Line line{run.scheme, run.setup};

@@ -13,12 +13,12 @@ namespace {
 
 bool same_scheme(const Option& a, const Option& b) { return a.schemes == b.schemes; }
 
-bool meet(const TimeSpread& a, const TimeSpread& b) { return a.low <= b.high && b.low <= a.high; }
+bool meet(const MedianInterval& a, const MedianInterval& b) { return a.low <= b.high && b.low <= a.high; }
 
 // Why the first option is quicker than the second: fewer steps or cheaper steps.
 std::string reason(const Option& first, const Option& second, std::string_view error) {
   const double steps = static_cast<double>(second.steps) / first.steps,
-               cost = first.step_seconds() / second.step_seconds();
+               cost = first.seconds_per_step() / second.seconds_per_step();
   const auto compared = [](double ratio, const char* more, const char* less) {
     if (ratio > 1.05) return fmt::format("{:.2g} times {}", ratio, more);
     if (ratio < 0.95) return fmt::format("{:.2g} times {}", 1.0 / ratio, less);
@@ -38,7 +38,7 @@ std::string expected_text(const Option& option) {
                      time_text(option.time.low), time_text(option.time.high), rough_count_text(option.steps));
 }
 
-std::string way_text(const Way& way, int steps) {
+std::string way_text(const Configuration& way, int steps) {
   const auto grid = way.grading == 1.0 ? "" : ", " + grid_text(way.grading);
   return fmt::format("{}{} with N = {}", way.scheme->id, grid, count_text(steps));
 }
@@ -90,13 +90,13 @@ const Option* runner_up(const Recommendation& made) {
 
 std::string options_of(const Option& option) {
   if (option.external) return "";
-  const auto* accuracy = std::get_if<Accuracy>(&option.setup.resolution);
+  const auto* accuracy = std::get_if<Tolerance>(&option.setup.resolution);
   auto options = accuracy != nullptr ? fmt::format("--accuracy {}", accuracy->relative)
                                      : fmt::format("--steps {}", option.steps);
   if (option.setup.grading != 1.0) options += fmt::format(" --grid {}", grid_text(option.setup.grading));
   if (option.setup.history != HistoryKind::automatic)
     options += fmt::format(" --history {}", name(option.setup.history));
-  if (option.setup.tolerance != Setup().tolerance)
+  if (option.setup.tolerance != RunSettings().tolerance)
     options += fmt::format(" --tolerance {}", option.setup.tolerance);
   return options;
 }
@@ -107,7 +107,7 @@ std::string command_of(const SceneSettings& scene, const Option& option) {
                      options_of(option));
 }
 
-std::string estimate_text(const Estimate& estimate) {
+std::string estimate_text(const ErrorEstimate& estimate) {
   return fmt::format(
       "errors are estimated, not verified: there is no reference ({}); in its place stands {}, which {} "
       "differs from by {}, so it is taken to be off by {}, which counts as error",
@@ -127,7 +127,7 @@ std::string name_of(const Option& option) {
   return text;
 }
 
-std::string text_of(const Recommendation& made) {
+std::string to_text(const Recommendation& made) {
   const Option& first = made.options.front();
   std::string text =
       fmt::format("{} to {} ({})\n", label_of(made.scene), error_text(made.accuracy), kind_text(made.kind));

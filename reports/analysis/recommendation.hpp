@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/option.hpp"
+#include "analysis/recommended_run.hpp"
+#include "search/accuracy_target.hpp"
 #include "search/estimated_reference.hpp"
-#include "search/question.hpp"
 #include "search/search.hpp"
 
 namespace fde {
@@ -22,7 +22,7 @@ struct Recommendation {
   std::vector<Option> expected{};      // predictions for other schemes, which are slower and were not run
   std::vector<std::string> others{};   // one text per other scheme: its outcome
   bool constant = false;               // the solution equals its initial value at all times
-  std::optional<Estimate> estimate{};  // the basis of all errors; nullopt: there is a reference
+  std::optional<ErrorEstimate> estimate{};  // the basis of all errors; nullopt: there is a reference
 };
 
 // A recommendation from recorded runs. If no run is within the accuracy, `others` explain what is missing.
@@ -31,9 +31,9 @@ Recommendation recommend(const Runs& runs, const SceneSettings& scene, const Err
 
 // A recommendation from the result of search(). `columns` are the names of the scene's columns; `estimate` is
 // given if the errors are estimated.
-Recommendation recommend(const std::vector<SearchedWay>& searched, const SceneSettings& scene,
-                         const std::vector<std::string>& columns, const Question& question,
-                         const std::optional<Estimate>& estimate = {});
+Recommendation recommend(const std::vector<SearchCandidate>& searched, const SceneSettings& scene,
+                         const std::vector<std::string>& columns, const AccuracyTarget& question,
+                         const std::optional<ErrorEstimate>& estimate = {});
 
 // The word for its errors: "error" or "estimated error".
 std::string_view error_word(const Recommendation& made);
@@ -52,7 +52,7 @@ std::string options_of(const Option& option);
 std::string command_of(const SceneSettings& scene, const Option& option);
 
 // A sentence that says how the errors were estimated.
-std::string estimate_text(const Estimate& estimate);
+std::string estimate_text(const ErrorEstimate& estimate);
 
 // "maximum over all steps, mixed scale".
 std::string kind_text(const ErrorKind& kind);
@@ -61,7 +61,7 @@ std::string kind_text(const ErrorKind& kind);
 std::string name_of(const Option& option);
 
 // The recommendation as text. Precondition: there is an option.
-std::string text_of(const Recommendation& made);
+std::string to_text(const Recommendation& made);
 
 // The recommendation as one JSON object; docs/command.md lists the fields. Precondition: there is an option.
 std::string json_of(const Recommendation& made);

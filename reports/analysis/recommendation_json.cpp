@@ -5,11 +5,11 @@
 namespace fde {
 namespace {
 
-nlohmann::json json_of(const Way& way, int steps) {
+nlohmann::json json_of(const Configuration& way, int steps) {
   return {{"scheme", way.scheme->id}, {"grid", grid_text(way.grading)}, {"steps", steps}};
 }
 
-nlohmann::json json_of(const Estimate& estimate) {
+nlohmann::json json_of(const ErrorEstimate& estimate) {
   return {{"missing", estimate.missing},
           {"runs",
            {json_of(estimate.first, estimate.first_steps), json_of(estimate.second, estimate.second_steps)}},
@@ -41,7 +41,7 @@ std::string json_of(const Recommendation& made) {
             {"runner_up", nullptr},
             {"factor", nullptr},
             {"command", nullptr}};
-  if (const auto* asked = std::get_if<Accuracy>(&first.setup.resolution)) {
+  if (const auto* asked = std::get_if<Tolerance>(&first.setup.resolution)) {
     json["asked"] = asked->relative;
   } else {
     json["grid"] = grid_text(first.setup.grading);

@@ -23,30 +23,30 @@ std::ptrdiff_t position(const List& list, Id id, const std::string& of) {
 }
 
 // Increases with resolution: more steps, or a smaller tolerance.
-std::tuple<int, double, double> fineness(const Setup& setup) {
+std::tuple<int, double, double> fineness(const RunSettings& setup) {
   if (const auto* steps = std::get_if<int>(&setup.resolution)) return {*steps, 0.0, 0.0};
-  const auto& [relative, absolute] = std::get<Accuracy>(setup.resolution);
+  const auto& [relative, absolute] = std::get<Tolerance>(setup.resolution);
   return {0, -relative, -absolute};
 }
 
 // Sort key of runs. The runs of a line are contiguous.
 auto order_of(const RunKey& key) {
-  Setup line = key.setup;
-  line.resolution = std::holds_alternative<int>(line.resolution) ? StepsOrAccuracy(0) : Accuracy{};
-  return std::tuple(position(scenes(), &SceneMaker::id, key.scene.id), key.scene,
+  RunSettings line = key.setup;
+  line.resolution = std::holds_alternative<int>(line.resolution) ? StepsOrTolerance(0) : Tolerance{};
+  return std::tuple(position(scenes(), &SceneFactory::id, key.scene.id), key.scene,
                     position(schemes(), &Scheme::id, key.scheme), key.scheme, line, fineness(key.setup));
 }
 using Order = decltype(order_of({}));
 
 // A run made by one build.
-struct MadeRun {
+struct BuildRun {
   MeasuredRun run{};
   bool begun = false, ended = false;
 };
 
 // Adds a row to a run. Times may be from a later session than the examination; any other row of a later
 // session restarts the run.
-void add(MadeRun& made, const Record& row) {
+void add(BuildRun& made, const Record& row) {
   auto& run = made.run;
   if (!made.begun || (row.session != run.session && !is_time(row)))
     made = {.run = {.key = row.key, .steps = row.steps, .h = row.h, .session = row.session}, .begun = true};
@@ -60,11 +60,11 @@ void add(MadeRun& made, const Record& row) {
 }
 
 // The run as made by each build, the latest last.
-using Made = std::vector<std::pair<std::size_t, MadeRun>>;
+using RunsByBuild = std::vector<std::pair<std::size_t, BuildRun>>;
 
-MadeRun& run_of(Made& made, std::size_t build) {
-  const auto found = std::ranges::find(made, build, &Made::value_type::first);
-  std::pair<std::size_t, MadeRun> one{build, {}};
+BuildRun& run_of(RunsByBuild& made, std::size_t build) {
+  const auto found = std::ranges::find(made, build, &RunsByBuild::value_type::first);
+  std::pair<std::size_t, BuildRun> one{build, {}};
   if (found != made.end()) {
     one = std::move(*found);
     made.erase(found);
@@ -100,7 +100,7 @@ class Collector {
  private:
   std::vector<Session> sessions_{};
   std::vector<std::size_t> builds_{};  // for each session the first session of the same build and machine
-  std::map<Order, Made> all_{};
+  std::map<Order, RunsByBuild> all_{};
 };
 
 template <typename Same>
@@ -124,11 +124,11 @@ std::optional<double> MeasuredRun::operator[](std::string_view quantity) const {
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::optional<TimeSpread> time_of(const MeasuredRun& run) {
+std::optional<MedianInterval> time_of(const MeasuredRun& run) {
   const auto least = run["time_minimum"];
   if (!least) return std::nullopt;
   const double median = run["time_median"].value_or(*least);
-  return TimeSpread{median, run["time_low"].value_or(*least), run["time_high"].value_or(median)};
+  return MedianInterval{median, run["time_low"].value_or(*least), run["time_high"].value_or(median)};
 }
 
 ReadRuns read_runs(const Results& results) { return {results.sessions, runs_of(results)}; }
@@ -160,7 +160,7 @@ std::vector<RunSpan> by_scene(RunSpan runs) { return chunks(runs, same_scene); }
 
 std::vector<RunSpan> by_line(RunSpan runs) {
   return chunks(runs, [](const MeasuredRun& a, const MeasuredRun& b) {
-    return same_scene(a, b) && a.key.scheme == b.key.scheme && same_line(a.key.setup, b.key.setup);
+    return same_scene(a, b) && a.key.scheme == b.key.scheme && same_series(a.key.setup, b.key.setup);
   });
 }
 

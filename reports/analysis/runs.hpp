@@ -20,7 +20,7 @@ struct MeasuredRun {
   int steps = 0;
   double h = 0.0;
   std::size_t session = 0;  // session of the examination, index into Results::sessions
-  RunEnding ending{};
+  RunOutcome ending{};
   std::map<std::string, double, std::less<>> values{};  // by quantity
   bool wall_clock = false;                              // the times are of whole processes
 
@@ -29,7 +29,7 @@ struct MeasuredRun {
 };
 
 // The time of a solve. Results without an interval give [minimum, median]. nullopt if the run is not timed.
-std::optional<TimeSpread> time_of(const MeasuredRun& run);
+std::optional<MedianInterval> time_of(const MeasuredRun& run);
 
 // The runs of a results file, ordered by scene, scheme (as in their lists) and setup, from coarse to fine. If
 // a run was made in several sessions, the last one counts; its times may be from a later session of the same

@@ -30,9 +30,9 @@ Verdict verdict(const MeasuredRun& run) {
       return *error <= surviving ? survives : inaccurate;
     case Ending::singular:
       return stops;
-    case Ending::not_finite:
+    case Ending::non_finite:
     case Ending::not_converged:
-    case Ending::outran_growth:
+    case Ending::step_too_large:
     case Ending::step_too_small:
     case Ending::blow_up:
     case Ending::sliding:

@@ -26,7 +26,7 @@ ComplexText split_complex(std::string_view text) {
 
 const Scheme& scheme_named(std::string_view id) {
   const Scheme* const found = find_scheme(id);
-  return found != nullptr ? *found : entry_named(schemes(), "scheme", id);
+  return found != nullptr ? *found : entry_by_id(schemes(), "scheme", id);
 }
 
 void add_scene(Subcommand& command, SceneArguments& arguments, const std::string& what) {
@@ -38,7 +38,7 @@ SceneVariant read_variant(const SceneArguments& arguments, const Scenes& known) 
   return read_variant(arguments.scene, arguments.settings, known);
 }
 
-void add_options(Subcommand& command, MeansArguments& arguments) {
+void add_options(Subcommand& command, RunSettingsArguments& arguments) {
   command.option("--grid", arguments.grid, "uniform, graded:R, or graded:auto: R from the orders");
   command.option("--history", arguments.history, "auto, direct or exponentials");
   command.option("--tolerance", arguments.tolerance,
@@ -63,16 +63,18 @@ std::vector<double> sorted_times(std::string_view name, std::string_view text) {
   return times;
 }
 
-Accuracy parse_accuracy(std::string_view text) {
+Tolerance parse_accuracy(std::string_view text) {
   const double error = parse_number("--accuracy", text, positive);
   return {.relative = error, .absolute = error};
 }
 
-bool asks_optimal_grading(const MeansArguments& arguments) { return arguments.grid == "graded:auto"; }
+bool requests_optimal_grading(const RunSettingsArguments& arguments) {
+  return arguments.grid == "graded:auto";
+}
 
-Setup parse_means(const MeansArguments& arguments) {
-  const double grading = asks_optimal_grading(arguments) ? 1.0 : parse_grading(arguments.grid);
-  Setup setup{.grading = grading, .history = parse_history(arguments.history)};
+RunSettings parse_run_settings(const RunSettingsArguments& arguments) {
+  const double grading = requests_optimal_grading(arguments) ? 1.0 : parse_grading(arguments.grid);
+  RunSettings setup{.grading = grading, .history = parse_history(arguments.history)};
   if (arguments.tolerance)
     setup.tolerance = parse_number("--tolerance", *arguments.tolerance, {.low = 0.0, .high = 1.0});
   setup.budget = parse_number("--budget", arguments.budget, positive);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "command/command_line.hpp"
-#include "records/setup.hpp"
+#include "records/run_settings.hpp"
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
 
@@ -34,14 +34,14 @@ void add_scene(Subcommand& command, SceneArguments& arguments, const std::string
 SceneVariant read_variant(const SceneArguments& arguments, const Scenes& known);
 
 // Options of `solve` and `run` that set how a scheme runs.
-struct MeansArguments {
+struct RunSettingsArguments {
   std::string grid = "uniform", history = "auto", budget;
   std::optional<std::string> tolerance{};
 };
-void add_options(Subcommand& command, MeansArguments& arguments);
+void add_options(Subcommand& command, RunSettingsArguments& arguments);
 // For --grid graded:auto the grading is 1 here: it depends on scheme and scene (optimal_grading).
-Setup parse_means(const MeansArguments& arguments);
-bool asks_optimal_grading(const MeansArguments& arguments);
+RunSettings parse_run_settings(const RunSettingsArguments& arguments);
+bool requests_optimal_grading(const RunSettingsArguments& arguments);
 
 // Throws if the text is no decimal number; its value may exceed the range of double.
 void require_decimal(std::string_view name, std::string_view text);
@@ -52,9 +52,9 @@ std::optional<double> parse_budget(const std::optional<std::string>& text);
 // Times >= 0, sorted, without repetitions: "2,1,2" gives 1, 2.
 std::vector<double> sorted_times(std::string_view name, std::string_view text);
 
-Accuracy parse_accuracy(std::string_view text);  // one number, relative and absolute
+Tolerance parse_accuracy(std::string_view text);  // one number, relative and absolute
 
-inline constexpr int most_digits = 100'000;
+inline constexpr int max_working_digits = 100'000;
 inline constexpr int most_steps = 1'000'000'000;  // the weights are tested up to this lag
 
 }  // namespace fde

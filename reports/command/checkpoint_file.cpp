@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "references/atomic_file.hpp"
 #include "references/checksum.hpp"
-#include "references/whole_file.hpp"
 
 namespace fde {
 namespace {
@@ -31,14 +31,14 @@ bool is_there(const fs::path& path) {
 }
 
 // Buffered output to a file; appends the SHA-256 of the bytes at the end.
-class CheckedBytes {
+class ChecksummedOutput {
  public:
-  explicit CheckedBytes(const fs::path& path) : file_(path) {}
+  explicit ChecksummedOutput(const fs::path& path) : file_(path) {}
 
   void add(std::string_view bytes) {
     if (bytes.size() >= piece) {
       flush();
-      pass_on(bytes);
+      add_recent(bytes);
       return;
     }
     gathered_ += bytes;
@@ -56,23 +56,23 @@ class CheckedBytes {
 
  private:
   void flush() {
-    pass_on(gathered_);
+    add_recent(gathered_);
     gathered_.clear();
   }
-  void pass_on(std::string_view bytes) {
+  void add_recent(std::string_view bytes) {
     sum_.add(bytes);
     file_.write(bytes);
     count_ += bytes.size();
   }
 
-  WholeFile file_;
+  AtomicFile file_;
   std::uintmax_t count_ = digest_size;
   Sha256 sum_;
   std::string gathered_;
 };
 
 // Whether the last bytes of a file are the checksum of the bytes before them.
-bool is_whole(std::ifstream& stream, std::uintmax_t size) {
+bool is_integer(std::ifstream& stream, std::uintmax_t size) {
   if (size < digest_size) return false;
   Sha256 sum;
   std::string bytes(piece, '\0');
@@ -97,7 +97,7 @@ CheckpointFile::CheckpointFile(fs::path path, std::chrono::duration<double> betw
       observers_(std::move(observers)),
       say_(std::move(say)) {
   if (is_there(path_)) check();
-  const WholeFile trial(path_);
+  const AtomicFile trial(path_);
 }
 
 void CheckpointFile::check() const {
@@ -107,7 +107,7 @@ void CheckpointFile::check() const {
   if (!stream.read(begin.data(), static_cast<std::streamsize>(begin.size())) || begin != begin_of_header)
     reject_file(path_, "is no checkpoint, and is not replaced by one");
   stream.seekg(0);
-  if (!is_whole(stream, fs::file_size(path_)))
+  if (!is_integer(stream, fs::file_size(path_)))
     reject_file(path_, "is damaged: its checksum is of something else");
   stream.seekg(0);
   std::string header;
@@ -163,7 +163,7 @@ void CheckpointFile::offer(const State& state) {
 
 void CheckpointFile::write(const State& state) {
   const auto start = Clock::now();
-  CheckedBytes bytes(path_);
+  ChecksummedOutput bytes(path_);
   Json run;
   for (const auto& [name, value] : facts_) run[name] = value;
   bytes.add(Json{{"fdebench checkpoint", 1}, {"run", run}}.dump() + "\n");

@@ -17,7 +17,7 @@ using RunFacts = std::vector<std::pair<std::string, std::string>>;
 
 // The state of a run in a file: a line of JSON with the facts of the run, the bytes of the state, and the
 // SHA-256 of all of that. The file is replaced atomically.
-class CheckpointFile final : public Checkpoints {
+class CheckpointFile final : public CheckpointStore {
  public:
   // Writes the state, and the state of `observers`, when `between` seconds have passed since the last write.
   // If a write fails, the run goes on and `say` is called once. Throws std::invalid_argument naming the path
@@ -34,12 +34,12 @@ class CheckpointFile final : public Checkpoints {
   [[nodiscard]] bool resumed() const { return resumed_; }
 
   // The cost of the states written since the start.
-  struct Spent {
+  struct WriteCost {
     std::int64_t count = 0;
     std::uintmax_t bytes = 0;  // of the last state
     double seconds = 0.0;      // of all writes
   };
-  [[nodiscard]] const Spent& spent() const { return spent_; }
+  [[nodiscard]] const WriteCost& write_cost() const { return spent_; }
 
   // Removes the file. To be called when the run has ended.
   void remove() const;
@@ -57,7 +57,7 @@ class CheckpointFile final : public Checkpoints {
   std::function<void(const std::string&)> say_;
   Clock::time_point written_ = Clock::now();
   bool failed_ = false, resumed_ = false;
-  Spent spent_;
+  WriteCost spent_;
 };
 
 }  // namespace fde

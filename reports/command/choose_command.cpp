@@ -57,12 +57,12 @@ std::vector<Eigen::Index> chosen_columns(const Scene& scene, const std::optional
 }
 
 // Without a reference, an error estimate may take up to a third of the time.
-Recommendation searched(const SceneVariant& variant, Scene scene, const Question& question, double seconds,
-                        const Streams& streams) {
+Recommendation searched(const SceneVariant& variant, Scene scene, const AccuracyTarget& question,
+                        double seconds, const Streams& streams) {
   constexpr double part_of_estimate = 1.0 / 3.0;
   const auto show = progress_line(streams);
   const auto whole = static_cast<std::size_t>(std::max(1.0, seconds));
-  const Tell tell = [&](const std::string& what, double part) {
+  const SearchProgress tell = [&](const std::string& what, double part) {
     const auto done = static_cast<std::size_t>(part * static_cast<double>(whole));
     show(std::min(done, whole - 1), whole, what);
   };
@@ -85,7 +85,7 @@ std::set<SceneSettings> scenes_of(const Runs& runs) {
 
 // The settings of a scene whose equation file does not exist; nullopt otherwise.
 std::optional<SceneSettings> settings_without_file(const ChooseArguments& arguments) {
-  const auto file = equation_file_in(arguments.scene.scene);
+  const auto file = equation_file_of_label(arguments.scene.scene);
   if (!file || std::filesystem::exists(*file)) return std::nullopt;
   return read_settings(arguments.scene.scene, settings_of(arguments));
 }
@@ -95,15 +95,15 @@ std::optional<SceneSettings> settings_without_file(const ChooseArguments& argume
 SceneSettings scene_among(const std::set<SceneSettings>& scenes, const ChooseArguments& arguments,
                           const Scenes& known) {
   auto asked = settings_without_file(arguments);
-  const bool at_hand = !asked;
-  if (at_hand) asked = chosen_scene(arguments, known).key();
+  const bool current_run = !asked;
+  if (current_run) asked = chosen_scene(arguments, known).key();
   std::vector<SceneSettings> found;
   const SceneSettings* other = nullptr;
   for (const auto& scene : scenes) {
     auto same_name = scene;
     same_name.checksum = asked->checksum;
     if (same_name != *asked) continue;
-    const bool same_file = !at_hand || scene.checksum == asked->checksum;
+    const bool same_file = !current_run || scene.checksum == asked->checksum;
     same_file ? found.push_back(scene) : void(other = &scene);
   }
   if (found.size() == 1) return found.front();
@@ -136,7 +136,7 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
   } else {
     const auto variant = chosen_scene(arguments, known);
     const Scene scene = make_scene(variant);
-    const Question question{kind, accuracy, chosen_columns(scene, arguments.columns)};
+    const AccuracyTarget question{kind, accuracy, chosen_columns(scene, arguments.columns)};
     made = searched(variant, scene, question, seconds, streams);
     if (arguments.columns) made.columns = split_names(*arguments.columns);
   }
@@ -145,7 +145,7 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
     throw NumericalFailure(fmt::format("no run of {} is within {} ({}): {}", label_of(made.scene),
                                        error_text(accuracy), kind_text(kind), fmt::join(made.others, "; ")));
   }
-  streams.out << (arguments.json ? json_of(made) : text_of(made));
+  streams.out << (arguments.json ? json_of(made) : to_text(made));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace fde {
 
-std::string cost_text(const Scene& scene, const AskedRun& run, const Cost& cost, double seconds,
+std::string cost_text(const Scene& scene, const RequestedRun& run, const Cost& cost, double seconds,
                       const CheckpointFile* checkpoints) {
   nlohmann::ordered_json shown{{"seconds", seconds}};
   const auto add = [&shown](const char* key, const auto& count) {
@@ -14,7 +14,7 @@ std::string cost_text(const Scene& scene, const AskedRun& run, const Cost& cost,
   };
   add("rhs", cost.rhs_calls);
   add("newton", cost.newton_iterations);
-  if (!run.chosen_grid.empty()) shown["grid"] = run.chosen_grid;
+  if (!run.automatic_grid.empty()) shown["grid"] = run.automatic_grid;
   if (run.grid && cost.history_bytes)
     shown["history"] = name(resolve(run.options.history, step_plan(*run.grid)));
   add("history_bytes", cost.history_bytes);
@@ -23,11 +23,11 @@ std::string cost_text(const Scene& scene, const AskedRun& run, const Cost& cost,
   add("start_weights", cost.start_weights);
   add("rejected_steps", cost.rejected_steps);
   if (checkpoints != nullptr) {
-    const auto& spent = checkpoints->spent();
+    const auto& write_cost = checkpoints->write_cost();
     shown["continued"] = checkpoints->resumed();
-    shown["checkpoints"] = spent.count;
-    shown["checkpoint_bytes"] = spent.bytes;
-    shown["checkpoint_seconds"] = spent.seconds;
+    shown["checkpoints"] = write_cost.count;
+    shown["checkpoint_bytes"] = write_cost.bytes;
+    shown["checkpoint_seconds"] = write_cost.seconds;
   }
   if (run.grid)
     add("expected_rate", theoretical_rate(run.scheme, scene.problem, scene.smoothness, *run.grid, Norm::end));

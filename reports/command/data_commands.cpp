@@ -26,16 +26,16 @@ struct ReferenceArguments {
 void write_tables(const std::string& folder, const Streams& streams) {
   const auto tables = planned_tables(default_scenes());
   require_replaceable(folder, tables);
-  replace_folder(folder, make_files(tables, progress_line(streams)));
+  replace_folder(folder, compute_files(tables, progress_line(streams)));
   streams.out << std::filesystem::absolute(folder).string() << '\n';
 }
 
-std::string describe(const RowVerdict& row) {
+std::string describe(const RowComparison& row) {
   if (!row.failure.empty()) return fmt::format("no value: {}", row.failure);
   return fmt::format("{}: error {}, allowed {}, ratio {:.3g}", row.column, row.error, row.allowed, row.ratio);
 }
 
-void print(const TableVerdict& verdict, std::ostream& out) {
+void print(const TableCheck& verdict, std::ostream& out) {
   out << fmt::format("{}: {} rows, {} recomputed, {} wrong\n", verdict.table, verdict.rows,
                      verdict.recomputed, verdict.wrong);
   if (verdict.recomputed > 0) {
@@ -46,16 +46,16 @@ void print(const TableVerdict& verdict, std::ostream& out) {
 }
 
 // The summary if no row is wrong. Without a description, scene and parameters of a table are assumed.
-std::string outcome(const std::vector<TableVerdict>& tables) {
-  const auto guessed = std::ranges::count(tables, false, &TableVerdict::described);
+std::string outcome(const std::vector<TableCheck>& tables) {
+  const auto guessed = std::ranges::count(tables, false, &TableCheck::described);
   if (guessed == 0) return "all hold";
   return fmt::format("none is wrong, but {} without a JSON {} not say what {}", guessed,
                      guessed == 1 ? "does" : "do", guessed == 1 ? "it is" : "they are");
 }
 
-std::string summary(const std::vector<TableVerdict>& tables) {
+std::string summary(const std::vector<TableCheck>& tables) {
   const auto worst =
-      std::ranges::max_element(tables, {}, [](const TableVerdict& table) { return table.worst.ratio; });
+      std::ranges::max_element(tables, {}, [](const TableCheck& table) { return table.worst.ratio; });
   std::size_t rows = 0;
   for (const auto& table : tables) rows += table.recomputed;
   return fmt::format("{} tables, {} rows recomputed: {}; worst ratio {:.3g}, {} line {}", tables.size(), rows,

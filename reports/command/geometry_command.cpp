@@ -103,7 +103,7 @@ Vec velocity_at(In q, const StateGeometry& geometry, const std::optional<std::st
 
 void print_geometry(const GeometryArguments& arguments, const Streams& streams, const Scenes& known) {
   const auto variant = read_variant(arguments.scene, known);
-  const Scene scene = make_known_scene(*variant.maker, variant.values);
+  const Scene scene = make_scene_unchecked(*variant.maker, variant.values);
   if (!scene.geometry)
     reject_text("scene", variant.maker->id, "one of mechanics with a metric and constraints");
   const Vec q = state_of("--place", arguments.place, scene.geometry.place),

@@ -18,10 +18,10 @@
 #include "command/command.hpp"
 #include "external/temporary_file.hpp"
 #include "measures/measures.hpp"
-#include "records/possible.hpp"
+#include "records/external_trajectory.hpp"
+#include "records/record_validation.hpp"
 #include "records/results_file.hpp"
 #include "records/run_rows.hpp"
-#include "records/written_path.hpp"
 #include "scenes/number_text.hpp"
 
 namespace fde {
@@ -35,10 +35,10 @@ struct JudgeArguments {
 
 // Sets the end of the scene to the last time of the trajectory, so that the error at the end is at that time.
 // Throws std::invalid_argument for a two-sided problem, whose solution depends on its end.
-void end_with(const WrittenPath& path, const std::string& file, SceneVariant& variant, Scene& scene) {
+void end_with(const ExternalTrajectory& path, const std::string& file, SceneVariant& variant, Scene& scene) {
   const double last = path.times.back(), end = scene.problem.end;
   if (last == end) return;
-  if (two_sided(scene.problem)) {
+  if (is_two_sided(scene.problem)) {
     throw std::invalid_argument(fmt::format("{}: ends at t = {}, scene {} is posed at both ends, 0 and {}",
                                             file, last, variant.maker->id, end));
   }
@@ -67,17 +67,17 @@ std::unique_ptr<const TemporaryFile> file_of_pipe(const std::string& name) {
   return file;
 }
 
-WrittenPath path_in(const std::string& file, const Scene& scene) {
+ExternalTrajectory path_in(const std::string& file, const Scene& scene) {
   const auto piped = file_of_pipe(file);
-  if (piped) return read_path(piped->path(), scene, file == "-" ? "standard input" : file);
-  return file == "-" ? read_path("/dev/stdin", scene, "standard input") : read_path(file, scene);
+  if (piped) return read_trajectory(piped->path(), scene, file == "-" ? "standard input" : file);
+  return file == "-" ? read_trajectory("/dev/stdin", scene, "standard input") : read_trajectory(file, scene);
 }
 
 // How long to wait for the lock of the results file: each `judge` locks it only to append.
 constexpr std::chrono::seconds longest_wait{60};
 
 // A row without its value. The settings of the other program are unknown.
-Record row_of(const SceneVariant& scene, const std::string& name, const WrittenPath& path) {
+Record row_of(const SceneVariant& scene, const std::string& name, const ExternalTrajectory& path) {
   const auto steps = static_cast<int>(path.times.size());
   return {.key = {.scene = scene.key(), .scheme = name, .setup = {.resolution = steps}, .external = true},
           .steps = steps,
@@ -106,7 +106,7 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const Scenes
   if (!arguments.seconds && path.seconds) seconds = {*path.seconds};
   end_with(path, arguments.file, variant, scene);
   const Record row = row_of(variant, name, path);
-  const auto judgement = judge_path(scene, path);
+  const auto judgement = judge_trajectory(scene, path);
   auto rows = rows_of_examination(row, judgement);
   std::optional<ResultsFile> file;
   if (arguments.out) file.emplace(*arguments.out, known, longest_wait);

@@ -12,7 +12,7 @@
 #include "references/reference_of.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/registry.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace fde {
 namespace {
@@ -43,7 +43,7 @@ Json describe(const std::vector<std::string>& names) {
   if (names.size() <= few_names) return names;
   const std::string& first = names.front();
   const auto prefix = first.substr(0, first.find_last_not_of("0123456789") + 1);
-  const auto number = number_in(first.substr(prefix.size()));
+  const auto number = try_parse_number(first.substr(prefix.size()));
   if (!number) return names;
   const auto from = static_cast<std::size_t>(*number);
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -60,7 +60,7 @@ Json describe(const Parameter& parameter) {
           {"meaning", parameter.meaning}};
 }
 
-Json describe(const SceneMaker& maker) {
+Json describe(const SceneFactory& maker) {
   const Scene scene = make_scene(maker);
   Json parameters = Json::array();
   for (const auto& parameter : maker.parameters) parameters.push_back(describe(parameter));
@@ -78,18 +78,18 @@ Json needs_of(const Scheme& scheme) {
   return {{"implicit", scheme.needs.implicit},
           {"algebraic_rows", scheme.needs.algebraic_rows},
           {"uniform_grid", scheme.needs.uniform_grid},
-          {"largest_order", scheme.needs.largest_order},
-          {"two_sided", scheme.needs.two_sided},
-          {"takes_grid", scheme.needs.takes_grid},
+          {"largest_order", scheme.needs.max_order},
+          {"two_sided", scheme.needs.is_two_sided},
+          {"takes_grid", scheme.needs.solves_on_grid},
           {"takes_accuracy", scheme.needs.takes_accuracy},
           {"discretises_equations", scheme.needs.discretises_equations},
           {"checkpoints", scheme.needs.checkpoints},
-          {"start_weights", bool(scheme.start_powers)}};
+          {"start_weights", bool(scheme.starting_powers)}};
 }
 
 Json describe(const Scheme& scheme) {
   Json facts{{"id", scheme.id}, {"title", scheme.title}, {"source", scheme.source}};
-  if (!scheme.other_name.empty()) facts["other_name"] = scheme.other_name;
+  if (!scheme.alias.empty()) facts["other_name"] = scheme.alias;
   facts.update(needs_of(scheme));
   return facts;
 }
@@ -127,7 +127,7 @@ std::vector<Row> parameters_of(const Scenes& known) {
   for (const auto& maker : known) {
     std::string id = maker.id;
     for (const auto& parameter : maker.parameters) {
-      rows.push_back({id, parameter.name, text_of(parameter.value), parameter.allowed(), parameter.meaning});
+      rows.push_back({id, parameter.name, to_text(parameter.value), parameter.allowed(), parameter.meaning});
       id.clear();
     }
   }
@@ -153,13 +153,13 @@ std::vector<Row> needs_of_all(std::span<const Scheme> known) {
 }
 
 // Prints all data of one scene, one item a line.
-void print_one(const SceneMaker& maker, std::ostream& out) {
-  const Scene scene = make_known_scene(maker);
+void print_one(const SceneFactory& maker, std::ostream& out) {
+  const Scene scene = make_scene_unchecked(maker);
   std::vector<std::string> over_grids, to_accuracies;
   for (const auto& scheme : schemes()) {
     if (!scene.refusal.empty()) break;
     if (!refusal(scheme, scene.problem, Grid{scene.problem.end, 1024})) over_grids.emplace_back(scheme.id);
-    if (!refusal(scheme, scene.problem, Accuracy{1e-6, 1e-6})) to_accuracies.emplace_back(scheme.id);
+    if (!refusal(scheme, scene.problem, Tolerance{1e-6, 1e-6})) to_accuracies.emplace_back(scheme.id);
   }
   out << fmt::format(
       "{}: {}\nsource: {}\nend: {}\ncolumns: {}\nhas: {}\nreference: {}\nschemes: {}\n"
@@ -170,7 +170,7 @@ void print_one(const SceneMaker& maker, std::ostream& out) {
   if (!maker.parameters.empty()) {
     std::vector<Row> rows{{"parameter", "default", "allowed", "meaning"}};
     for (const auto& parameter : maker.parameters)
-      rows.push_back({parameter.name, text_of(parameter.value), parameter.allowed(), parameter.meaning});
+      rows.push_back({parameter.name, to_text(parameter.value), parameter.allowed(), parameter.meaning});
     out << '\n';
     print_table(rows, out);
   }
@@ -186,7 +186,7 @@ void print_one(const SceneMaker& maker, std::ostream& out) {
 
 void print_one(const Scheme& scheme, std::ostream& out) {
   out << fmt::format("{}: {}\nsource: {}\n", scheme.id, scheme.title, scheme.source);
-  if (!scheme.other_name.empty()) out << fmt::format("other name: {}\n", scheme.other_name);
+  if (!scheme.alias.empty()) out << fmt::format("other name: {}\n", scheme.alias);
   out << '\n';
   std::vector<Row> rows;
   const Json needs = needs_of(scheme);
@@ -228,7 +228,7 @@ void add_list_commands(CommandLine& program, const Streams& streams, const Scene
       Subcommand(program, "scenes", "List the scenes"), "--parameters",
       "the parameters of each, with defaults and what is allowed",
       [&known]() -> const Scenes& { return known; },
-      [&known](const std::string& id) -> const SceneMaker& { return known.named(id); }, parameters_of,
+      [&known](const std::string& id) -> const SceneFactory& { return known.named(id); }, parameters_of,
       streams.out);
   add_list(Subcommand(program, "schemes", "List the schemes"), "--needs",
            "what each takes and asks of a problem", schemes, scheme_named, needs_of_all, streams.out);

@@ -10,12 +10,12 @@
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
-#include "command/reference_work.hpp"
+#include "command/reference_progress.hpp"
 #include "mittag_leffler/decimal_arguments.hpp"
 #include "mittag_leffler/mittag_leffler.hpp"
 #include "prabhakar_and_matrix/mittag_leffler_matrix.hpp"
 #include "prabhakar_and_matrix/prabhakar.hpp"
-#include "references/written_bound.hpp"
+#include "references/decimal_bound.hpp"
 #include "scenes/number_text.hpp"
 
 namespace fde {
@@ -53,16 +53,16 @@ void check_parameters(const Arguments& x) {
 
 std::optional<int> digits_of(const Arguments& x) {
   if (!x.digits) return std::nullopt;
-  return parse_count("--digits", *x.digits, 1, most_digits);
+  return parse_count("--digits", *x.digits, 1, max_working_digits);
 }
 
 // A multiprecision value without a finite bound exceeds the exponent range of its type.
-void require_known(const DecimalComplex& value) {
+void require_accurate(const DecimalComplex& value) {
   if (!is_finite_bound(value.bound)) throw NumericalFailure("the value is beyond all exponents of --digits");
 }
 
 void print(const DecimalComplex& value, std::ostream& out) {
-  require_known(value);
+  require_accurate(value);
   out << fmt::format("{} {} {}\n", value.re, value.im, value.bound);
 }
 
@@ -72,12 +72,12 @@ void print(std::complex<double> value, double bound, std::ostream& out) {
   if (!std::isfinite(value.real()) || !std::isfinite(value.imag()) || !std::isfinite(bound))
     refuse_overflow();
   out << fmt::format("{:.17g} {:.17g} {}\n", value.real(), value.imag(),
-                     bound_text(bound_of_text(value.imag(), bound_of_text(value.real(), bound))));
+                     bound_text(bound_of_decimal(value.imag(), bound_of_decimal(value.real(), bound))));
 }
 
 DecimalComplex in_digits(const Arguments& x, const ComplexText& z, int digits) {
   if (x.derivative) {
-    const int k = parse_count("--derivative", *x.derivative, 0, most_derivatives);
+    const int k = parse_count("--derivative", *x.derivative, 0, max_derivative);
     return mittag_leffler_derivative(k, x.alpha, x.beta, z.re, z.im, digits);
   }
   return x.gamma ? prabhakar(x.alpha, x.beta, *x.gamma, z.re, z.im, digits)
@@ -85,7 +85,7 @@ DecimalComplex in_digits(const Arguments& x, const ComplexText& z, int digits) {
 }
 
 // The value in double. Takes microseconds if every argument is exactly a double (0.5, not 0.1).
-MittagLefflerValue in_double(const Arguments& x, const ComplexText& text) {
+MittagLefflerValue evaluate_in_double(const Arguments& x, const ComplexText& text) {
   if (!x.derivative && !x.gamma) return mittag_leffler_in_double(x.alpha, x.beta, text.re, text.im);
   const auto alpha = exact_double(x.alpha), beta = exact_double(x.beta),
              gamma = exact_double(x.gamma.value_or("1")), re = exact_double(text.re),
@@ -94,7 +94,7 @@ MittagLefflerValue in_double(const Arguments& x, const ComplexText& text) {
     return rounded_to_double(in_digits(x, text, digits_of_doubles));
   const std::complex<double> z(*re, *im);
   if (x.gamma) return prabhakar(*alpha, *beta, *gamma, z);
-  const int k = parse_count("--derivative", *x.derivative, 0, most_derivatives);
+  const int k = parse_count("--derivative", *x.derivative, 0, max_derivative);
   return mittag_leffler_derivative(k, *alpha, *beta, z);
 }
 
@@ -103,7 +103,7 @@ void of_number(const Arguments& x, std::ostream& out) {
   require_decimal("Z", z.re);
   require_decimal("Z", z.im);
   if (const auto digits = digits_of(x)) return print(in_digits(x, z, *digits), out);
-  const auto [value, bound] = in_double(x, z);
+  const auto [value, bound] = evaluate_in_double(x, z);
   print(value, bound, out);
 }
 
@@ -131,11 +131,12 @@ std::vector<DecimalComplex> entries_of(const std::string& text) {
   return entries;
 }
 
-void print(const std::vector<DecimalComplex>& entries, std::size_t size, bool in_double, std::ostream& out) {
-  std::ranges::for_each(entries, require_known);
+void print(const std::vector<DecimalComplex>& entries, std::size_t size, bool evaluate_in_double,
+           std::ostream& out) {
+  std::ranges::for_each(entries, require_accurate);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto place = fmt::format("{} {} ", i / size + 1, i % size + 1);
-    if (in_double) {
+    if (evaluate_in_double) {
       const auto [value, bound] = rounded_to_double(entries[i]);
       out << place;
       print(value, bound, out);
@@ -196,12 +197,12 @@ void add_mittag_leffler_command(CommandLine& program, const Streams& streams, co
   command.callback([=] {
     check(*arguments);
     check_parameters(*arguments);
-    ReferenceWork work(streams, parse_budget(arguments->budget), "the value");
+    ReferenceProgress work(streams, parse_budget(arguments->budget), "the value");
     try {
       std::ostringstream lines;
       arguments->matrix ? of_matrix(*arguments, lines) : of_number(*arguments, lines);
       streams.out << lines.str();
-    } catch (const WorkEnded&) {
+    } catch (const Cancelled&) {
       work.fail();
     }
   });

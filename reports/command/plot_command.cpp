@@ -23,7 +23,7 @@
 #include "external/shell_command.hpp"
 #include "external/temporary_file.hpp"
 #include "page/assets.hpp"
-#include "references/whole_file.hpp"
+#include "references/atomic_file.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/printable.hpp"
 
@@ -38,24 +38,24 @@ struct PlotArguments {
 };
 
 // The source of a figure's data.
-enum class Of { runs, drifts, solution, regions };
+enum class FigureData { runs, drifts, solution, regions };
 struct Kind {
   std::string_view name, chart,
       family;  // the charts of the page that it draws: for one scene; for several values of a parameter
-  Of of;
-  bool of_columns = false;
+  FigureData of;
+  bool depends_on_columns_only = false;
 };
-constexpr std::array kinds{Kind{"work-precision", "error-against-time", "", Of::runs},
-                           Kind{"memory", "error-against-memory", "", Of::runs},
-                           Kind{"rate", "error-against-step", "", Of::runs},
-                           Kind{"accuracy", "delivered-against-asked", "", Of::runs},
-                           Kind{"energy", "energy-against-step", "", Of::runs},
-                           Kind{"drift", "drift-against-step", "", Of::drifts},
-                           Kind{"drift-over-time", "drift-over-time", "", Of::drifts},
-                           Kind{"solution", "solution", "family", Of::solution, true},
-                           Kind{"phase", "phase-portrait", "family-phase", Of::solution, true},
-                           Kind{"motion", "motion", "", Of::solution},
-                           Kind{"stability", "stability-regions", "", Of::regions}};
+constexpr std::array kinds{Kind{"work-precision", "error-against-time", "", FigureData::runs},
+                           Kind{"memory", "error-against-memory", "", FigureData::runs},
+                           Kind{"rate", "error-against-step", "", FigureData::runs},
+                           Kind{"accuracy", "delivered-against-asked", "", FigureData::runs},
+                           Kind{"energy", "energy-against-step", "", FigureData::runs},
+                           Kind{"drift", "drift-against-step", "", FigureData::drifts},
+                           Kind{"drift-over-time", "drift-over-time", "", FigureData::drifts},
+                           Kind{"solution", "solution", "family", FigureData::solution, true},
+                           Kind{"phase", "phase-portrait", "family-phase", FigureData::solution, true},
+                           Kind{"motion", "motion", "", FigureData::solution},
+                           Kind{"stability", "stability-regions", "", FigureData::regions}};
 constexpr double most_seconds = 120.0;
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20;
 
@@ -71,16 +71,16 @@ void check(const PlotArguments& arguments, const Kind& kind) {
   const auto& out = arguments.out;
   if (!out.ends_with(".svg") && !out.ends_with(".pdf") && !out.ends_with(".vl.json"))
     throw std::invalid_argument(fmt::format("--out = {}: must end in .svg, .pdf or .vl.json", out));
-  const bool measured = kind.of == Of::runs || kind.of == Of::drifts;
+  const bool measured = kind.of == FigureData::runs || kind.of == FigureData::drifts;
   if (measured && !arguments.results) {
     throw std::invalid_argument(
         fmt::format("--results: --kind {} draws runs, and needs a results file", kind.name));
   }
-  if (!arguments.schemes.empty() && kind.of == Of::solution) {
+  if (!arguments.schemes.empty() && kind.of == FigureData::solution) {
     throw std::invalid_argument(fmt::format("--scheme = {}: --kind {} draws no schemes: must not be given",
                                             arguments.schemes.front(), kind.name));
   }
-  if (arguments.columns && !kind.of_columns) {
+  if (arguments.columns && !kind.depends_on_columns_only) {
     throw std::invalid_argument(
         fmt::format("--columns = {}: must be given with --kind solution or phase only", *arguments.columns));
   }
@@ -89,13 +89,13 @@ void check(const PlotArguments& arguments, const Kind& kind) {
 nlohmann::json data_of(const PlotArguments& arguments, const Kind& kind, const Scenes& known) {
   const auto& [scene, settings] = arguments.scene;
   switch (kind.of) {
-    case Of::runs:
+    case FigureData::runs:
       return data_of_runs(*arguments.results, read_variant(arguments.scene, known), known);
-    case Of::drifts:
+    case FigureData::drifts:
       return data_of_drifts(*arguments.results, read_variant(arguments.scene, known), known);
-    case Of::solution:
+    case FigureData::solution:
       return data_of_solutions(read_variants(scene, settings, known));
-    case Of::regions:
+    case FigureData::regions:
       return data_of_regions(read_variant(arguments.scene, known));
   }
   return {};
@@ -141,7 +141,7 @@ void draw(const std::string& program, const std::string& command, const std::fil
   const TemporaryFile complained(".txt");
   const auto end = run_command(command, argument.string(), said.descriptor(), complained.descriptor(),
                                {most_seconds, most_bytes});
-  if (end.how == CommandEnd::How::exited && end.code == 0) return;
+  if (end.how == CommandResult::How::exited && end.code == 0) return;
   const auto complaint = first_line_of(complained.path());
   throw std::invalid_argument(fmt::format(
       "{}: cannot be drawn by {}: {}", out, program,
@@ -153,7 +153,7 @@ void print_on_paper(const std::filesystem::path& svg, const std::string& out) {
   draw("rsvg-convert of Debian's librsvg2-bin", "rsvg-convert --format=pdf", svg, out, pdf);
   std::ifstream stream(pdf.path(), std::ios::binary);
   const std::string bytes(std::istreambuf_iterator<char>(stream), {});
-  WholeFile file(out);
+  AtomicFile file(out);
   file.write(bytes);
   file.finish();
 }

@@ -25,7 +25,7 @@ json page_of(json section) {
 }
 
 json solution(const SceneVariant& of) {
-  Scene scene = make_known_scene(*of.maker, of.values);
+  Scene scene = make_scene_unchecked(*of.maker, of.values);
   if (of.until) set_end(scene, *of.until);
   try {
     return solution_of(scene);
@@ -50,8 +50,8 @@ std::string parameter_of(const std::vector<SceneVariant>& scenes) {
 
 // Of a family over the parameter.
 json member(const SceneVariant& of, const std::string& parameter) {
-  json made{{"value", text_of(of.values.at(parameter))}, {"solution", solution(of)}};
-  for (const auto& [name, limit] : make_known_scene(*of.maker, of.values).discontinuities)
+  json made{{"value", to_text(of.values.at(parameter))}, {"solution", solution(of)}};
+  for (const auto& [name, limit] : make_scene_unchecked(*of.maker, of.values).discontinuities)
     if (name == parameter) made["limits"].push_back(limit);
   return made;
 }

@@ -26,18 +26,18 @@ void require_finite(const Vec& values, const SolvedTable& table, const Scheme& s
 
 }  // namespace
 
-bool keeps_columns(const Scene& scene, const AskedRun& run) {
-  return run.grid && !scene.reactions && !run.keeps_states && !run.options.all_solutions;
+bool keeps_columns(const Scene& scene, const RequestedRun& run) {
+  return run.grid && !scene.reactions && !run.stores_states && !run.options.all_solutions;
 }
 
-std::vector<double> times_to_return(const Scene& scene, const AskedRun& run) {
+std::vector<double> times_to_return(const Scene& scene, const RequestedRun& run) {
   const double end = scene.problem.end;
   auto times = keeps_columns(scene, run) ? std::vector{end}
-                                         : with_times_beside(scene.reactions, run.grid, run.times, end);
+                                         : with_neighbour_times(scene.reactions, run.grid, run.times, end);
   return run.grid ? with_times_looked_at(scene.problem, *run.grid, times) : times;
 }
 
-SolvedTable table_of(const Scene& scene, const AskedRun& run, const Trajectory& path,
+SolvedTable table_of(const Scene& scene, const RequestedRun& run, const Trajectory& path,
                      const std::vector<double>& times, const Rows& columns) {
   const ReactionPath reactions(scene, run.grid, path);
   SolvedTable table{.names = printed_names(scene), .times = run.times.empty() ? times : run.times};
@@ -72,7 +72,7 @@ SolvedTable table_of_events(const Scene& scene, const Scheme& scheme, const Traj
   return table;
 }
 
-void add_others(SolvedTable& table, const Scene& scene, const AskedRun& run,
+void add_others(SolvedTable& table, const Scene& scene, const RequestedRun& run,
                 const std::vector<Trajectory>& others) {
   table.solutions.emplace(table.times.size(), 1);
   for (const auto& path : others) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "command/asked_run.hpp"
+#include "command/requested_run.hpp"
 
 namespace fde {
 
@@ -25,21 +25,21 @@ struct SolvedTable {
 
 // Whether the columns at the printed times are all that a run has to keep: then neither reactions nor the
 // field need states.
-bool keeps_columns(const Scene& scene, const AskedRun& run);
+bool keeps_columns(const Scene& scene, const RequestedRun& run);
 
 // The times at which a run has to return states: the printed ones, those beside them that the rates of
 // reactions need, and those at which warnings compare it.
-std::vector<double> times_to_return(const Scene& scene, const AskedRun& run);
+std::vector<double> times_to_return(const Scene& scene, const RequestedRun& run);
 
 // The table of a path, its columns given at `times`. Throws NumericalFailure where a value is not finite.
-SolvedTable table_of(const Scene& scene, const AskedRun& run, const Trajectory& path,
+SolvedTable table_of(const Scene& scene, const RequestedRun& run, const Trajectory& path,
                      const std::vector<double>& times, const Rows& columns);
 
 // The events of a path in place of its times.
 SolvedTable table_of_events(const Scene& scene, const Scheme& scheme, const Trajectory& path);
 
 // Appends the rows of other solutions, and numbers all.
-void add_others(SolvedTable& table, const Scene& scene, const AskedRun& run,
+void add_others(SolvedTable& table, const Scene& scene, const RequestedRun& run,
                 const std::vector<Trajectory>& others);
 
 }  // namespace fde

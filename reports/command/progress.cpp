@@ -48,7 +48,7 @@ std::string progress_text(const Progress& progress, int columns) {
   text += fmt::format("{:3.0f} %  {}/{}", std::floor(100.0 * progress.part), progress.done, progress.total);
   if (progress.seconds_left) text += fmt::format("  {} left", duration_text(*progress.seconds_left));
   if (columns == 0) return text;
-  text += "  " + progress.at_hand;
+  text += "  " + progress.current_run;
   return text.substr(0, static_cast<std::size_t>(std::max(0, columns - 1)));
 }
 
@@ -61,7 +61,7 @@ std::function<void(std::size_t, std::size_t, const std::string&)> progress_line(
         if (!terminal && Clock::now() - shown < 1min) return;
         shown = Clock::now();
         const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 1.0;
-        show_line(streams, {.part = part, .done = done, .total = total, .at_hand = what});
+        show_line(streams, {.part = part, .done = done, .total = total, .current_run = what});
         if (terminal && done == total) streams.err << '\n';
       };
 }
@@ -69,7 +69,7 @@ std::function<void(std::size_t, std::size_t, const std::string&)> progress_line(
 void show_work(const Streams& streams, std::size_t done, std::size_t total, const std::string& what) {
   if (total > 0) {
     const double part = static_cast<double>(done) / static_cast<double>(total);
-    return show_line(streams, {.part = part, .done = done, .total = total, .at_hand = what});
+    return show_line(streams, {.part = part, .done = done, .total = total, .current_run = what});
   }
   show_line(streams, fmt::format("{}{}{} steps", what, what.empty() ? "" : "  ", done));
 }
@@ -111,7 +111,7 @@ void SweepProgress::show() {
                        .done = remaining_.runs_done(),
                        .total = remaining_.runs_expected(),
                        .seconds_left = remaining_.seconds_left(duration<double>(shown_ - start_).count()),
-                       .at_hand = remaining_.at_hand()});
+                       .current_run = remaining_.current_run()});
 }
 
 }  // namespace fde

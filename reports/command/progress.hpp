@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "command/command.hpp"
-#include "sweep/remaining.hpp"
+#include "sweep/sweep_estimate.hpp"
 
 namespace fde {
 
@@ -19,7 +19,7 @@ struct Progress {
   double part = 0.0;  // finished fraction, in [0, 1]
   std::size_t done = 0, total = 0;
   std::optional<double> seconds_left{};
-  std::string at_hand{};
+  std::string current_run{};
 };
 
 // "52 s", "3 min 05 s", "1 h 12 min".
@@ -57,7 +57,7 @@ class SweepProgress {
 
   const Streams& streams_;
   std::mutex mutex_{};  // guards the members below
-  Remaining remaining_;
+  SweepEstimate remaining_;
   Clock::time_point start_ = Clock::now(), shown_ = start_;
   bool line_is_open_ = false;
   std::condition_variable_any ended_{};

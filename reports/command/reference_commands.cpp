@@ -8,14 +8,14 @@
 
 #include "command/arguments.hpp"
 #include "command/command.hpp"
-#include "command/reference_work.hpp"
+#include "command/reference_progress.hpp"
+#include "references/decimal_bound.hpp"
 #include "references/reference_of.hpp"
-#include "references/tried_reference.hpp"
-#include "references/written_bound.hpp"
+#include "references/verified_reference.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/printable.hpp"
 #include "scenes/registry.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace fde {
 namespace {
@@ -56,14 +56,14 @@ std::string bounds_text(const std::vector<std::string>& all, bool each) {
 std::vector<std::string> bound_texts(In values, In bounds, double t) {
   std::vector<std::string> texts;
   for (Eigen::Index c = 0; c < bounds.size(); ++c) {
-    texts.push_back(bound_text(bound_of_text(values[c], bounds[c])));
+    texts.push_back(bound_text(bound_of_decimal(values[c], bounds[c])));
     require_finite(is_finite_bound(texts.back()), "bound of the exact solution", "double", t);
   }
   return texts;
 }
 
 std::string rows_in_double(const Scene& scene, const std::vector<double>& times, bool each_bound,
-                           ReferenceWork& work) {
+                           ReferenceProgress& work) {
   auto names = printed_names(scene);
   if (scene.reactions.known()) std::ranges::copy(reaction_names(scene), std::back_inserter(names));
   std::string rows = header(names, scene.outputs.names, each_bound);
@@ -72,7 +72,7 @@ std::string rows_in_double(const Scene& scene, const std::vector<double>& times,
   for (const double t : times) {
     work.begin(time_text(t));
     const auto [value, bounds] = exact.at(t);
-    report_work(1, 1);
+    report_progress(1, 1);
     require_finite(value.allFinite(), "exact solution", "double", t);
     const Vec values = printed_values(scene, t, value);
     for (Eigen::Index c = value.size(); c < values.size(); ++c)
@@ -87,12 +87,12 @@ std::string rows_in_double(const Scene& scene, const std::vector<double>& times,
 
 // Energies and constraints are computed in double only, so --digits has no columns for them.
 std::string rows_in_digits(const Scene& scene, const std::vector<double>& times, int digits, bool each_bound,
-                           ReferenceWork& work) {
+                           ReferenceProgress& work) {
   std::string rows = header(scene.outputs.names, scene.outputs.names, each_bound);
   for (const double t : times) {
     work.begin(time_text(t));
     const auto decimals = scene.reference.digits(t, digits);
-    report_work(1, 1);
+    report_progress(1, 1);
     rows += fmt::format("{}", t);
     std::vector<std::string> written;
     for (std::size_t c = 0; c < scene.outputs.names.size(); ++c) {
@@ -108,7 +108,7 @@ std::string rows_in_digits(const Scene& scene, const std::vector<double>& times,
 // The number of --digits; nullopt for double.
 std::optional<int> parse_digits(const ExactArguments& arguments, const Scene& scene, std::string_view id) {
   if (!arguments.digits) return std::nullopt;
-  const int digits = parse_count("--digits", *arguments.digits, 1, most_digits);
+  const int digits = parse_count("--digits", *arguments.digits, 1, max_working_digits);
   if (scene.reference.digits) return digits;
   throw std::invalid_argument(fmt::format(
       "--digits = {}: scene {} has no exact solution in digits, only what is known in double", digits, id));
@@ -116,21 +116,21 @@ std::optional<int> parse_digits(const ExactArguments& arguments, const Scene& sc
 
 void exact(const ExactArguments& arguments, const Streams& streams, const Scenes& known) {
   const auto variant = read_variant(arguments.scene, known);
-  Scene scene = make_known_scene(*variant.maker, variant.values);
+  Scene scene = make_scene_unchecked(*variant.maker, variant.values);
   const auto times = sorted_times("--at", arguments.at);
   const double last = times.back();
   const auto budget = parse_budget(arguments.budget);
-  const bool two_ends = two_sided(scene.problem);
+  const bool two_ends = is_two_sided(scene.problem);
   if (two_ends && last > scene.problem.end)
     reject("--at", last, fmt::format("in [0, {}], the time of the scene", scene.problem.end));
   const auto digits = parse_digits(arguments, scene, variant.maker->id);
   if (!digits && !two_ends && last > 0.0) set_end(scene, last);
-  ReferenceWork work(streams, budget, "the reference");
+  ReferenceProgress work(streams, budget, "the reference");
   try {
-    if (digits && scene.of_file) require_agreement(scene, scene.reference);
+    if (digits && scene.from_file) require_agreement(scene, scene.reference);
     streams.out << (digits ? rows_in_digits(scene, times, *digits, arguments.bounds, work)
                            : rows_in_double(scene, times, arguments.bounds, work));
-  } catch (const WorkEnded&) {
+  } catch (const Cancelled&) {
     work.fail();
   }
 }

@@ -36,16 +36,17 @@ std::vector<std::string> columns_of_components(const Scene& scene) {
 std::vector<std::string> names_of_functions(const Scene& scene) {
   std::vector<std::string> names;
   if (scene.energy) names.emplace_back("energy");
-  if (scene.reactions.of_columns()) std::ranges::copy(scene.reactions.names, std::back_inserter(names));
+  if (scene.reactions.depends_on_columns_only())
+    std::ranges::copy(scene.reactions.names, std::back_inserter(names));
   return names;
 }
 
 Vec functions_at(const Scene& scene, double t, In y) {
   const Vec columns = columns_at(scene.outputs, t, y);
   Vec energy(scene.energy ? 1 : 0),
-      lambda(scene.reactions.of_columns() ? std::ssize(scene.reactions.names) : 0);
+      lambda(scene.reactions.depends_on_columns_only() ? std::ssize(scene.reactions.names) : 0);
   if (scene.energy) energy[0] = scene.energy.value(columns);
-  if (scene.reactions.of_columns()) scene.reactions.multipliers(t, columns, Vec(), lambda);
+  if (scene.reactions.depends_on_columns_only()) scene.reactions.multipliers(t, columns, Vec(), lambda);
   Vec values(energy.size() + lambda.size());
   values << energy, lambda;
   return values;
@@ -79,21 +80,22 @@ std::vector<Eigen::Index> spread_columns(Eigen::Index count) {
 
 // Of a run that has chosen its steps and took so many seconds: what runs to other accuracies say against what
 // is printed. Each may take four times as long.
-std::optional<std::string> accuracy_warning(const Scene& scene, const AskedRun& run, const SolvedTable& table,
-                                            const Trajectory& path, double seconds, bool check) {
-  constexpr double most_times = 4.0, least_seconds = 0.05;
+std::optional<std::string> accuracy_warning(const Scene& scene, const RequestedRun& run,
+                                            const SolvedTable& table, const Trajectory& path, double seconds,
+                                            bool check) {
+  constexpr double most_times = 4.0, lower_bound_of_seconds = 0.05;
   if (table.times.empty()) return std::nullopt;
   const auto columns = spread_columns(std::ssize(table.times));
-  AskedRun other = run;
+  RequestedRun other = run;
   other.times.clear();
   for (const auto c : columns) other.times.push_back(table.times[static_cast<std::size_t>(c)]);
   other.options.events.clear();
   other.options.checkpoints = nullptr;
-  other.options.budget = std::max(most_times * seconds, least_seconds);
+  other.options.budget = std::max(most_times * seconds, lower_bound_of_seconds);
   other.options.at = times_to_return(scene, other);
   Problem problem = scene.problem;
   if (path.ending == Ending::event) problem.end = other.options.at.back();
-  const auto values = [&](const Accuracy& asked) -> std::optional<Rows> {
+  const auto values = [&](const Tolerance& asked) -> std::optional<Rows> {
     const auto solved = run.scheme.solve(problem, asked, other.options);
     if (solved.ending != Ending::finished) return std::nullopt;
     try {
@@ -102,7 +104,7 @@ std::optional<std::string> accuracy_warning(const Scene& scene, const AskedRun& 
       return std::nullopt;
     }
   };
-  const auto accuracy = std::get<Accuracy>(run.resolution);
+  const auto accuracy = std::get<Tolerance>(run.resolution);
   const auto missed = missed_accuracy(accuracy, table.values(Eigen::all, columns), values, check);
   if (!missed) return std::nullopt;
   return fmt::format("{} at t = {:.6g} is off by about {:.2g} times the accuracy that is asked",
@@ -112,7 +114,7 @@ std::optional<std::string> accuracy_warning(const Scene& scene, const AskedRun& 
 
 }  // namespace
 
-std::string warning_line(const Scene& scene, const AskedRun& run, const Trajectory& path, bool check) {
+std::string warning_line(const Scene& scene, const RequestedRun& run, const Trajectory& path, bool check) {
   std::vector<std::string> texts;
   for (const auto& event : scene.events) {
     if (!event.ends) continue;
@@ -129,10 +131,10 @@ std::string warning_line(const Scene& scene, const AskedRun& run, const Trajecto
   return as_warning(texts);
 }
 
-std::string warning_line(const Scene& scene, const AskedRun& run, const SolvedTable& table,
+std::string warning_line(const Scene& scene, const RequestedRun& run, const SolvedTable& table,
                          const Trajectory& path, double seconds, bool check) {
   constexpr double rounding = std::numeric_limits<double>::epsilon();
-  const auto accuracy = std::get<Accuracy>(run.resolution);
+  const auto accuracy = std::get<Tolerance>(run.resolution);
   std::vector<std::string> texts;
   if (accuracy.relative < rounding) {
     texts.push_back(

@@ -10,7 +10,7 @@
 #include "command/arguments.hpp"
 #include "command/command.hpp"
 #include "command/solved_table.hpp"
-#include "references/whole_file.hpp"
+#include "references/atomic_file.hpp"
 #include "scenes/number_text.hpp"
 #include "scenes/printable.hpp"
 
@@ -39,7 +39,7 @@ void print_rows(const SolvedTable& table, std::ostream& out) {
 
 // Writes CSV, one row a time: t and all unknowns of the problem.
 void write_field(const SolvedTable& table, const std::string& name) {
-  WholeFile file(name);
+  AtomicFile file(name);
   std::string line = "t";
   for (Eigen::Index i = 1; i <= table.field.rows(); ++i) line += fmt::format(",u{}", i);
   for (Eigen::Index c = 0; c < table.field.cols(); ++c) {
@@ -55,7 +55,7 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
   auto variant = read_variant(arguments.scene, known);
   if (arguments.until && variant.until)
     reject_text("--until", *arguments.until, "without until= in the scene");
-  if (arguments.until) variant.until = parse_number("--until", *arguments.until, any_end);
+  if (arguments.until) variant.until = parse_number("--until", *arguments.until, valid_end_times);
   const Scene scene = make_scene(variant);
   const SolvedTable table = solved_table(scene, arguments.run, [&](const std::string& problem) {
     streams.err << fmt::format("fdebench: {}\n", problem) << std::flush;

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "command/asked_checkpoint.hpp"
 #include "command/cost_text.hpp"
+#include "command/requested_checkpoint.hpp"
 #include "command/run_warnings.hpp"
 #include "measures/ending.hpp"
-#include "observers/kept_columns.hpp"
+#include "observers/retained_columns.hpp"
 
 namespace fde {
 namespace {
@@ -36,7 +36,7 @@ Rows states_at(const Trajectory& path, const std::vector<double>& times) {
 
 // Which times a scheme chooses it says at the end: then it is asked for those beside them, which reactions
 // need.
-void solve_beside_its_times(const Scene& scene, AskedRun& run, Trajectory& path) {
+void solve_beside_its_times(const Scene& scene, RequestedRun& run, Trajectory& path) {
   if (run.grid || !run.times.empty() || scene.reactions.rated.empty() || path.ending != Ending::finished)
     return;
   run.times = path.times;
@@ -49,13 +49,13 @@ void solve_beside_its_times(const Scene& scene, AskedRun& run, Trajectory& path)
 
 SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
                          const std::function<void(const std::string&)>& say) {
-  AskedRun run = asked_run(scene, arguments);
-  KeptColumns kept(scene.outputs, run.times);
+  RequestedRun run = requested_run(scene, arguments);
+  RetainedColumns kept(scene.outputs, run.times);
   const bool by_columns = keeps_columns(scene, run);
   if (by_columns) run.options.observer = [&kept](double t, In y) { kept.observe(t, y); };
   if (!run.grid) run.options.events = events_of(scene);
   run.options.at = times_to_return(scene, run);
-  auto checkpoints = asked_checkpoint(scene, run, arguments, kept, say);
+  auto checkpoints = requested_checkpoint(scene, run, arguments, kept, say);
   if (checkpoints) run.options.checkpoints = &*checkpoints;
 
   const auto start = std::chrono::steady_clock::now();
@@ -73,7 +73,7 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
   SolvedTable table = arguments.events ? table_of_events(scene, run.scheme, path)
                       : by_columns     ? table_of(scene, run, path, kept.times(), kept.columns())
                                    : table_of(scene, run, path, path.times, columns_of(scene.outputs, path));
-  if (run.keeps_states) table.field = states_at(path, table.times);
+  if (run.stores_states) table.field = states_at(path, table.times);
   if (checkpoints) table.checkpoint = *arguments.checkpoint;
   if (arguments.all) {  // with other steps the solutions are others, or in another order: nothing is compared
     add_others(table, scene, run, path.others);

@@ -14,7 +14,7 @@ namespace fde {
 // A run that did not come to its end.
 struct RunFailure : NumericalFailure {
   RunFailure(const std::string& message, std::string_view scheme_id, const Trajectory& path)
-      : NumericalFailure(message), scheme(scheme_id), step(path.steps + 1), time(path.failed_at) {}
+      : NumericalFailure(message), scheme(scheme_id), step(path.steps + 1), time(path.failure_time) {}
   std::string scheme;
   std::int64_t step;           // without a result
   std::optional<double> time;  // of that step

@@ -27,15 +27,15 @@ std::vector<const Scheme*> schemes_of(const Arguments& arguments, double gamma) 
   for (const auto& id : arguments.schemes) some.push_back(&scheme_named(id));
   if (!some.empty()) return some;
   for (const auto& scheme : schemes()) {
-    if (!refusal(scheme, scalar_problem(scheme, gamma, -1.0), {})) some.push_back(&scheme);
+    if (!refusal(scheme, test_problem(scheme, gamma, -1.0), {})) some.push_back(&scheme);
   }
   return some;
 }
 
 std::string region_row(const Scheme& scheme, double gamma) {
   constexpr int steps = 100;
-  const auto response = response_at_infinity(scheme, gamma, steps);
-  return fmt::format("{},{:.10g},{:.10g},{:.10g},{}\n", scheme.id, real_interval(scheme, gamma),
+  const auto response = stiff_limit(scheme, gamma, steps);
+  return fmt::format("{},{:.10g},{:.10g},{:.10g},{}\n", scheme.id, real_stability_interval(scheme, gamma),
                      stability_angle(scheme, gamma) / degree, 180.0 - 90.0 * gamma,
                      response ? fmt::format("{:.3g}", std::abs((*response)[steps])) : "");
 }

@@ -12,8 +12,8 @@
 #include "analysis/text.hpp"
 #include "command/arguments.hpp"
 #include "command/command.hpp"
-#include "command/last_words.hpp"
 #include "command/progress.hpp"
+#include "command/signal_cleanup.hpp"
 #include "page/report.hpp"
 #include "records/results_file.hpp"
 #include "scenes/number_text.hpp"
@@ -27,7 +27,7 @@ namespace fde {
 namespace {
 
 constexpr int most_repeats = 1000;
-constexpr Repeats of_default_sweep{.least_seconds = 0.003, .enough_seconds = 0.1};
+constexpr TimingRepeats of_default_sweep{.lower_bound_of_seconds = 0.003, .enough_seconds = 0.1};
 
 // Budgets of a run: in seconds with --steps or --accuracy; in seconds in a thorough sweep; otherwise as a
 // multiple of the goal's most_seconds. Schemes with adaptive step size may need very many steps on unsuitable
@@ -38,7 +38,7 @@ constexpr double thorough_budget = 60.0, far_from_an_answer = 5.0;
 struct SweepArguments {
   std::vector<std::string> scenes, settings, schemes, externals;
   std::optional<std::string> steps, accuracies;
-  MeansArguments means{.budget = usual_budget};
+  RunSettingsArguments means{.budget = usual_budget};
   std::string repeats = "3";
   std::optional<std::string> out;
   std::optional<std::string> shard;
@@ -77,11 +77,10 @@ std::vector<ExternalProgram> chosen_programs(const SweepArguments& arguments) {
   return programs;
 }
 
-// The requested numbers of steps and tolerances; by default default_ladder() or thorough_ladder().
-Ladder chosen_ladder(const SweepArguments& arguments) {
-  if (!arguments.steps && !arguments.accuracies)
-    return arguments.thorough ? thorough_ladder() : default_ladder();
-  Ladder chosen;
+// The requested numbers of steps and tolerances; by default default_plan() or thorough_plan().
+RefinementPlan chosen_ladder(const SweepArguments& arguments) {
+  if (!arguments.steps && !arguments.accuracies) return arguments.thorough ? thorough_plan() : default_plan();
+  RefinementPlan chosen;
   for (const auto& text : arguments.steps ? split_list(*arguments.steps) : std::vector<std::string>{})
     chosen.rungs.emplace_back(parse_count("--steps", text, 1, most_steps));
   for (const auto& text :
@@ -95,9 +94,9 @@ Sweep sweep_of(const SweepArguments& arguments, const Scenes& known) {
               .schemes = chosen_schemes(arguments),
               .programs = chosen_programs(arguments),
               .ladder = chosen_ladder(arguments),
-              .setup = parse_means(arguments.means),
-              .optimal_grids = asks_optimal_grading(arguments.means)};
-  if (arguments.accuracies && !arguments.steps && arguments.means.grid != MeansArguments{}.grid) {
+              .setup = parse_run_settings(arguments.means),
+              .optimal_grids = requests_optimal_grading(arguments.means)};
+  if (arguments.accuracies && !arguments.steps && arguments.means.grid != RunSettingsArguments{}.grid) {
     reject_text("--grid", arguments.means.grid,
                 "with --steps: schemes that take --accuracy choose their times");
   }
@@ -125,7 +124,7 @@ std::vector<Sweep> sweeps_of(const SweepArguments& arguments, const Scenes& know
   if (arguments.trials || (!listed && arguments.scenes.empty()))
     sweeps = sweeps_of_trials(sweep, arguments.thorough);
   const bool whole = !listed && arguments.scenes.empty() && arguments.schemes.empty();
-  if (whole && arguments.means.grid == MeansArguments{}.grid) sweep.graded = graded_schemes();
+  if (whole && arguments.means.grid == RunSettingsArguments{}.grid) sweep.graded = graded_schemes();
   if (!arguments.trials) sweeps.push_back(sweep);
   return arguments.shard ? shard_of(std::move(sweeps), parse_shard(*arguments.shard)) : sweeps;
 }
@@ -147,7 +146,7 @@ void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams,
                   const std::function<void(const std::vector<Record>&)>& append) {
   const Forecast expected = forecast_of(sweeps, recorded);
   SweepProgress progress(streams, expected, count_is_exact(sweeps));
-  const SweepHooks hooks{recorded, append, [&](const SweepEvent& event) { progress.hear(event); }};
+  const SweepCallbacks hooks{recorded, append, [&](const SweepEvent& event) { progress.hear(event); }};
   for (const auto& sweep : sweeps) run_sweep(sweep, hooks, expected);
 }
 
@@ -169,7 +168,7 @@ void run(const SweepArguments& arguments, const Streams& streams, const Scenes& 
   if (arguments.dry_run) return list_runs(sweeps, arguments, streams, known);
   if (!arguments.out) throw std::invalid_argument("--out is required");
   ResultsFile file(*arguments.out, known);
-  const LastWords words(
+  const SignalCleanup words(
       fmt::format("{}fdebench: stopped; the same command continues, what is measured is kept\n",
                   streams.columns > 0 ? "\n" : ""));
   run_and_show(
@@ -181,26 +180,26 @@ void run(const SweepArguments& arguments, const Streams& streams, const Scenes& 
 }  // namespace
 
 void add_sweep_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
-  auto of_run = std::make_shared<SweepArguments>();
+  auto for_steps = std::make_shared<SweepArguments>();
   Subcommand run_command(program, "run", "Measure schemes on scenes; a file that exists is continued");
-  run_command.list("--scene", of_run->scenes,
+  run_command.list("--scene", for_steps->scenes,
                    "ids of scenes or files of equations, or ID:NAME=VALUE,...; default all");
-  run_command.list("--set", of_run->settings,
+  run_command.list("--set", for_steps->settings,
                    "a parameter of all these scenes, NAME=VALUE or a range FIRST:LAST:STEP");
-  run_command.list("--scheme", of_run->schemes, "ids of schemes; default all");
-  run_command.list("--external", of_run->externals,
+  run_command.list("--scheme", for_steps->schemes, "ids of schemes; default all");
+  run_command.list("--external", for_steps->externals,
                    "NAME=COMMAND of another program; of ours then those that --scheme names");
-  run_command.option("--steps", of_run->steps, "numbers of steps N1,N2,...");
-  run_command.option("--accuracy", of_run->accuracies,
+  run_command.option("--steps", for_steps->steps, "numbers of steps N1,N2,...");
+  run_command.option("--accuracy", for_steps->accuracies,
                      "accuracies E1,E2,... of schemes that choose their steps");
-  run_command.option("--repeat", of_run->repeats, "timed repeats of each run");
-  add_options(run_command, of_run->means);
-  run_command.flag("--thorough", of_run->thorough, "all numbers of steps and all trials");
-  run_command.flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
-  run_command.option("--shard", of_run->shard, "I/N: every N-th scene, from the I-th on");
-  run_command.flag("--dry-run", of_run->dry_run, "list the runs and how long they take, and do nothing");
-  run_command.option("--out", of_run->out, "results file");
-  run_command.callback([=, &known] { run(*of_run, streams, known); });
+  run_command.option("--repeat", for_steps->repeats, "timed repeats of each run");
+  add_options(run_command, for_steps->means);
+  run_command.flag("--thorough", for_steps->thorough, "all numbers of steps and all trials");
+  run_command.flag("--trials", for_steps->trials, "only the stiff and extreme trials of the report");
+  run_command.option("--shard", for_steps->shard, "I/N: every N-th scene, from the I-th on");
+  run_command.flag("--dry-run", for_steps->dry_run, "list the runs and how long they take, and do nothing");
+  run_command.option("--out", for_steps->out, "results file");
+  run_command.callback([=, &known] { run(*for_steps, streams, known); });
 
   auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
   auto second = std::make_shared<std::optional<std::string>>();

@@ -6,7 +6,7 @@
 
 namespace fde {
 
-double in_chart(double value, int digits) {
+double rounded_for_chart(double value, int digits) {
   return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
 }
 

@@ -4,6 +4,6 @@ namespace fde {
 
 // Rounds to the significant digits that a chart can show: a page contains thousands of these numbers.
 inline constexpr int chart_digits = 5;
-double in_chart(double value, int digits = chart_digits);
+double rounded_for_chart(double value, int digits = chart_digits);
 
 }  // namespace fde

@@ -72,7 +72,7 @@ std::vector<std::string> line_labels(const PageInput& page) {
 bool is_trial(const MeasuredRun& run) {
   const auto& resolution = run.key.setup.resolution;
   return std::ranges::any_of(trials(), [&](const Trial& trial) {
-    return (resolution == StepsOrAccuracy(trial.steps) || resolution == StepsOrAccuracy(trial_accuracy)) &&
+    return (resolution == StepsOrTolerance(trial.steps) || resolution == StepsOrTolerance(trial_accuracy)) &&
            trial.scene.key() == run.key.scene;
   });
 }
@@ -95,7 +95,7 @@ std::vector<MeasuredRun> take_trials(Runs& runs) {
 bool at_rounding(const ConstrainedScene& scene) {
   return std::ranges::all_of(scene.formulations, [](const FormulationRuns& of) {
     return std::ranges::all_of(of.runs,
-                               [](const MeasuredRun& run) { return judged_drift(run) <= drift_of_rounding; });
+                               [](const MeasuredRun& run) { return effective_drift(run) <= rounding_drift; });
   });
 }
 
@@ -128,10 +128,10 @@ SceneName name_of_scene(const SceneSettings& scene) {
 
 // The equation files of scenes are not read here.
 std::optional<Scene> known_scene(const SceneSettings& settings) {
-  const SceneMaker* maker = settings.checksum.empty() ? find_scene(settings.id) : nullptr;
+  const SceneFactory* maker = settings.checksum.empty() ? find_scene(settings.id) : nullptr;
   if (maker == nullptr) return std::nullopt;
   try {
-    Scene scene = make_known_scene(*maker, settings.values);
+    Scene scene = make_scene_unchecked(*maker, settings.values);
     if (settings.until) set_end(scene, *settings.until);
     return scene;
   } catch (const std::invalid_argument&) {

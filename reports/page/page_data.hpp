@@ -9,7 +9,7 @@
 #include "analysis/formulations.hpp"
 #include "analysis/line_names.hpp"
 #include "analysis/line_rates.hpp"
-#include "analysis/option.hpp"
+#include "analysis/recommended_run.hpp"
 #include "page/table.hpp"
 #include "scenes/scene.hpp"
 
@@ -32,7 +32,7 @@ struct PageInput {
   [[nodiscard]] std::string label(const Option& of) const { return names.name(of.schemes.front(), of.setup); }
   [[nodiscard]] std::string label(const RateRow& of) const { return names.name(of.scheme, of.setup); }
   // The line's grid if its name omits it; otherwise empty.
-  [[nodiscard]] std::string grid(const Setup& setup) const { return names.grid(setup); }
+  [[nodiscard]] std::string grid(const RunSettings& setup) const { return names.grid(setup); }
 };
 
 // A titled part of the page. Empty parts are not shown.
@@ -58,8 +58,8 @@ Table scene_answers(const PageInput& page, const SceneSettings& scene, const Sce
                     const ErrorKind& kind);
 // Why the first of two lines of a scene is quicker than the second by the records: fewer steps (because of
 // its rate) or cheaper steps.
-std::string reason_it_leads(const PageInput& page, const SceneSettings& scene, const Option& first,
-                            const Option& second, Norm norm);
+std::string reason_for_speed(const PageInput& page, const SceneSettings& scene, const Option& first,
+                             const Option& second, Norm norm);
 // The changes since earlier results, by compare().
 Section compared_section(const PageInput& page, const Runs& before);
 // Observed and theoretical rates; drift from constraints; trials; cost at the finest step; decoupled chain

@@ -12,7 +12,7 @@
 
 #include "page/assets.hpp"
 #include "page/page_data.hpp"
-#include "references/whole_file.hpp"
+#include "references/atomic_file.hpp"
 
 namespace fde {
 namespace {
@@ -70,7 +70,7 @@ fs::path write_report(ReadRuns read, const fs::path& directory, const std::optio
   const std::string data = as_script_data(page_data(std::move(read), before)),
                     licences = as_html(assets::licences());
   fs::path path = directory / "index.html";
-  WholeFile file(path);
+  AtomicFile file(path);
   file.write(fill(assets::page(), {{"style", assets::style()},
                                    {"data", data},
                                    {"vega", assets::vega()},

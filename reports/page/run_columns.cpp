@@ -25,23 +25,25 @@ constexpr std::array<std::string_view, 6> told{"rhs_calls",      "newton_iterati
                                                "rounding",       "reference_bound_maximum"};
 constexpr int few_digits = 3;
 
-json number(const std::optional<double>& value) { return value ? json(in_chart(*value)) : json(); }
+json number(const std::optional<double>& value) { return value ? json(rounded_for_chart(*value)) : json(); }
 
 // h * steps if it is equal for all runs; otherwise nullopt.
 std::optional<double> common_end(const std::vector<const MeasuredRun*>& runs) {
   std::optional<double> end;
   for (const MeasuredRun* run : runs) {
-    const double of_run = run->h * run->steps;
-    if (!end) end = of_run;
-    if (std::abs(of_run - *end) > 1e-9 * *end) return std::nullopt;
+    const double for_steps = run->h * run->steps;
+    if (!end) end = for_steps;
+    if (std::abs(for_steps - *end) > 1e-9 * *end) return std::nullopt;
   }
   return end;
 }
 
-json few(const std::optional<double>& value) { return value ? json(in_chart(*value, few_digits)) : json(); }
+json few(const std::optional<double>& value) {
+  return value ? json(rounded_for_chart(*value, few_digits)) : json();
+}
 
 json asked(const MeasuredRun& run) {
-  const auto* accuracy = std::get_if<Accuracy>(&run.key.setup.resolution);
+  const auto* accuracy = std::get_if<Tolerance>(&run.key.setup.resolution);
   return accuracy != nullptr ? json(accuracy->relative) : json();
 }
 
@@ -65,9 +67,9 @@ json run_columns(const PageInput& page, const std::vector<const MeasuredRun*>& r
   columns["lines"] = lines;
   add("steps", [](const MeasuredRun& run) { return json(run.steps); });
   if (const auto end = common_end(runs)) {
-    columns["end"] = in_chart(*end, 10);
+    columns["end"] = rounded_for_chart(*end, 10);
   } else {
-    add("h", [](const MeasuredRun& run) { return json(in_chart(run.h)); });
+    add("h", [](const MeasuredRun& run) { return json(rounded_for_chart(run.h)); });
   }
   add("asked", asked);
   for (const ErrorKind& kind : error_kinds()) {

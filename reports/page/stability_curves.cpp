@@ -16,7 +16,7 @@ using nlohmann::json;
 double rounded(double x) { return std::round(1e4 * x) / 1e4; }
 
 json pieces_of(const Scheme& scheme, double order, int points) {
-  if (refusal(scheme, scalar_problem(scheme, order, -1.0), {})) return {};
+  if (refusal(scheme, test_problem(scheme, order, -1.0), {})) return {};
   json pieces = json::array();
   // The curves of implicit rules are longer, and cheap to compute.
   for (const auto& piece : region_boundary(scheme, order, scheme.needs.implicit ? 2 * points : points)) {

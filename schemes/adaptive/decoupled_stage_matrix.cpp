@@ -26,29 +26,29 @@ void DecoupledStageMatrix::factorise(Run& /*run*/, double t, In y, In /*f*/, con
   matrix.setIdentity();
   matrix -= values[real_].real() * *derivatives;
   matrix.makeCompressed();
-  of_real_ = sparse_factors(matrix);
-  of_complex_ = complex_factors(*derivatives, values[complex_]);
+  real_factors_ = sparse_factors(matrix);
+  complex_factors_ = complex_factors(*derivatives, values[complex_]);
 }
 
 void DecoupledStageMatrix::solve(Vec& b) const {
-  if (!of_real_ || !of_complex_) {
+  if (!real_factors_ || !complex_factors_) {
     b.setConstant(std::numeric_limits<double>::quiet_NaN());
     return;
   }
   auto values = b.reshaped(b.size() / stages, stages);
   Vec real = values * to_modes_.col(real_).real();
-  of_real_->solve(real);
+  real_factors_->solve(real);
   ComplexVec pair(real.size());
   pair.real() = values * to_modes_.col(complex_).real();
   pair.imag() = values * to_modes_.col(complex_).imag();
-  of_complex_->solve(pair);
+  complex_factors_->solve(pair);
   values = real * from_modes_.row(real_).real();
   values +=
       2.0 * (pair.real() * from_modes_.row(complex_).real() - pair.imag() * from_modes_.row(complex_).imag());
 }
 
 std::string_view DecoupledStageMatrix::solver() const {
-  return of_complex_ ? of_complex_->name() : std::string_view();
+  return complex_factors_ ? complex_factors_->name() : std::string_view();
 }
 
 }  // namespace fde

@@ -28,8 +28,8 @@ class DecoupledStageMatrix final : public StageMatrix {
   SparseMatrix jacobian_;
   ComplexStages to_modes_, from_modes_;  // Q and its inverse
   Eigen::Index real_ = 0, complex_ = 0;  // the columns of the real eigenvalue, and of one of the pair
-  std::unique_ptr<SparseFactors> of_real_;
-  std::unique_ptr<ComplexFactors> of_complex_;
+  std::unique_ptr<SparseFactors> real_factors_;
+  std::unique_ptr<ComplexFactors> complex_factors_;
 };
 
 }  // namespace fde

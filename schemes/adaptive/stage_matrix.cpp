@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "adaptive/decoupled_stage_matrix.hpp"
-#include "implicit/differences.hpp"
+#include "implicit/difference_jacobian.hpp"
 
 namespace fde {
 namespace {
@@ -18,7 +18,7 @@ class DenseStageMatrix final : public StageMatrix {
 
   void factorise(Run& run, double t, In y, In f, const StageWeights& weights) override {
     if (!evaluate_jacobian(problem_, t, y, jacobian_))
-      difference_rhs(run, problem_, t, y, f, Vec::Zero(y.size()), jacobian_);
+      difference_jacobian_of_rhs(run, problem_, t, y, f, Vec::Zero(y.size()), jacobian_);
     const auto size = y.size();
     matrix_.setIdentity(stages * size, stages * size);
     for (Eigen::Index row = 0; row < size; ++row) {

@@ -20,7 +20,7 @@ void Archive::require(bool holds) {
   if (!holds) throw std::invalid_argument("holds no state of this run");
 }
 
-Eigen::Index Archive::grown_count(Eigen::Index own, std::size_t bytes) {
+Eigen::Index Archive::resizable_count(Eigen::Index own, std::size_t bytes) {
   std::int64_t size = own;
   part(size);
   require(size >= 0 && static_cast<std::size_t>(size) <= left() / bytes);
@@ -34,7 +34,7 @@ void Archive::same_size(Eigen::Index own) {
 }
 
 void Archive::grown(Vec& values) {
-  values.resize(grown_count(values.size(), sizeof(double)));
+  values.resize(resizable_count(values.size(), sizeof(double)));
   this->values(values.data(), values.size());
 }
 
@@ -43,7 +43,7 @@ void Archive::grown(Matrix& values) {
   part(rows);
   require(rows >= 0);
   const auto of_column = sizeof(double) * static_cast<std::size_t>(std::max<std::int64_t>(rows, 1));
-  const auto columns = grown_count(values.cols(), of_column);
+  const auto columns = resizable_count(values.cols(), of_column);
   values.resize(rows, columns);
   this->values(values.data(), values.size());
 }

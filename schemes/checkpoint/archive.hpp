@@ -20,7 +20,7 @@ class Archive;
 // A type whose state changes from step to step and can be archived:
 //   void state(Archive& archive) { archive(count_, values_, part_); }
 template <class Part>
-concept HasState = requires(Part& part, Archive& archive) {
+concept Archivable = requires(Part& part, Archive& archive) {
   part.state(archive);
 };
 
@@ -67,7 +67,7 @@ class Archive {
   template <class Value>
   void grown(std::vector<Value>& values) {
     constexpr auto least = std::is_arithmetic_v<Value> ? sizeof(Value) : sizeof(double);
-    const auto size = grown_count(static_cast<Eigen::Index>(values.size()), least);
+    const auto size = resizable_count(static_cast<Eigen::Index>(values.size()), least);
     values.resize(static_cast<std::size_t>(size));
     each(values);
   }
@@ -95,7 +95,7 @@ class Archive {
     }
   }
   // Archives the number of entries, own when writing, each of `bytes` bytes.
-  Eigen::Index grown_count(Eigen::Index own, std::size_t bytes);
+  Eigen::Index resizable_count(Eigen::Index own, std::size_t bytes);
   void same_size(Eigen::Index own);
 
   template <class Part>
@@ -113,7 +113,7 @@ class Archive {
     same_size(values.cols());
     this->values(values.data(), values.size());
   }
-  template <HasState Part>
+  template <Archivable Part>
   void part(Part& one) {
     one.state(*this);
   }

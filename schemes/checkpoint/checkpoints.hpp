@@ -7,12 +7,12 @@ namespace fde {
 // Stores the state of a run between two steps, so that it can be resumed after a kill. The result of a
 // resumed run has the same bits as an uninterrupted run. Precondition: problem, resolution, options (except
 // threads and budget) and program are the same. One object a run.
-class Checkpoints {
+class CheckpointStore {
  public:
-  Checkpoints() = default;
-  Checkpoints(const Checkpoints&) = delete;
-  Checkpoints& operator=(const Checkpoints&) = delete;
-  virtual ~Checkpoints() = default;
+  CheckpointStore() = default;
+  CheckpointStore(const CheckpointStore&) = delete;
+  CheckpointStore& operator=(const CheckpointStore&) = delete;
+  virtual ~CheckpointStore() = default;
 
   // Called before the first step: restores a stored state. False where there is none.
   virtual bool resume(const State& state) = 0;

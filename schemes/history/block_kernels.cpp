@@ -371,7 +371,7 @@ std::vector<std::string_view> vector_targets() {
   return names;
 }
 
-void use_vector_target(std::string_view name) {
+void select_vector_target(std::string_view name) {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     if (hwy::TargetName(target) != name) continue;
     kernels = kernels_of(target);

@@ -82,6 +82,6 @@ std::vector<std::string_view> vector_targets();
 
 // Selects one of vector_targets(), for tests and benchmarks. Not thread-safe. Throws std::invalid_argument
 // naming the target where there is none of this name.
-void use_vector_target(std::string_view name);
+void select_vector_target(std::string_view name);
 
 }  // namespace fde

@@ -3,25 +3,26 @@
 namespace fde {
 namespace {
 
-std::variant<NarrowPast, WidePast> past_of(const MemoryTables& tables, Eigen::Index components, int threads) {
-  if (components < ExponentialMemory::fewest_wide) return NarrowPast(tables, components);
-  return WidePast(tables, components, threads);
+std::variant<NarrowMemory, WideMemory> past_of(const MemoryTables& tables, Eigen::Index components,
+                                               int threads) {
+  if (components < ExponentialMemory::fewest_wide) return NarrowMemory(tables, components);
+  return WideMemory(tables, components, threads);
 }
 
 }  // namespace
 
 ExponentialMemory::ExponentialMemory(const std::vector<WeightTable>& tables, Eigen::Index components,
                                      const ExponentialSum& sum, int threads)
-    : tables_(tables, sum), start_(tables, tables_), past_(past_of(tables_, components, threads)) {}
+    : tables_(tables, sum), start_(tables, tables_), memory_(past_of(tables_, components, threads)) {}
 
 void ExponentialMemory::begin(In first) {
-  std::visit([&](auto& past) { past.begin(first, start_); }, past_);
+  std::visit([&](auto& past) { past.begin(first, start_); }, memory_);
 }
 
 void ExponentialMemory::push(In sample) {
   const Eigen::Index next = (position_ + 1) % block;
   if (next == 0) start_.advance_block(tables_);
-  std::visit([&](auto& past) { past.push(tables_, position_, sample, start_); }, past_);
+  std::visit([&](auto& past) { past.push(tables_, position_, sample, start_); }, memory_);
   position_ = next;
 }
 
@@ -30,14 +31,14 @@ std::size_t ExponentialMemory::bytes() const {
                        tables_.spread.size() + tables_.join.size() + tables_.inner.size() +
                        tables_.near.size() + tables_.factors.size() + tables_.far.size() +
                        2 * tables_.together.nodes.size();
-  const auto of_past = std::visit([](const auto& past) { return past.bytes(); }, past_);
+  const auto of_past = std::visit([](const auto& past) { return past.bytes(); }, memory_);
   return sizeof(double) * static_cast<std::size_t>(doubles) + start_.bytes() + of_past;
 }
 
 void ExponentialMemory::state(Archive& archive) {
   archive.count(position_, 0, block - 1);
   archive(start_);
-  std::visit([&](auto& past) { archive(past); }, past_);
+  std::visit([&](auto& past) { archive(past); }, memory_);
 }
 
 }  // namespace fde

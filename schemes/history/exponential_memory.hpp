@@ -3,9 +3,9 @@
 #include <variant>
 #include <vector>
 
-#include "history/memory_start.hpp"
-#include "history/narrow_past.hpp"
-#include "history/wide_past.hpp"
+#include "history/first_sample_weights.hpp"
+#include "history/narrow_memory.hpp"
+#include "history/wide_memory.hpp"
 
 namespace fde {
 
@@ -21,7 +21,7 @@ class ExponentialMemory {
   // The sum of exponentials must be valid for times in [shortest_lag, steps + 2].
   static constexpr double shortest_lag = recent - 1;
 
-  // From this number of components on WidePast is faster than NarrowPast. Measured by fde_histories.
+  // From this number of components on WideMemory is faster than NarrowMemory. Measured by fde_histories.
   static constexpr Eigen::Index fewest_wide = 64;
 
   // Precondition: all tables have the same kernel exponent, and all or none of them weigh running sums.
@@ -34,15 +34,15 @@ class ExponentialMemory {
   // Appends x_n, n >= 1, one value a component.
   void push(In sample);
 
-  // start_weight(n) x_0 + sum_{1<=j<n} w(n-j) x_j with the weights of tables[table], after x_1 ... x_(n-1).
-  // One value a component.
+  // first_sample_weight(n) x_0 + sum_{1<=j<n} w(n-j) x_j with the weights of tables[table], after x_1 ...
+  // x_(n-1). One value a component.
   using Sums = Eigen::Map<const Vec, 0, Eigen::InnerStride<>>;
   [[nodiscard]] Sums convolved(Eigen::Index table) const {
     return std::visit(
         [&](const auto& past) {
           return Sums(past.sums(table, position_), past.components(), Eigen::InnerStride<>(past.stride()));
         },
-        past_);
+        memory_);
   }
 
   [[nodiscard]] std::size_t bytes() const;
@@ -50,8 +50,8 @@ class ExponentialMemory {
 
  private:
   MemoryTables tables_;
-  MemoryStart start_;
-  std::variant<NarrowPast, WidePast> past_;
+  FirstSampleWeights start_;
+  std::variant<NarrowMemory, WideMemory> memory_;
   Eigen::Index position_ = 0;  // of the next sample in its block
 };
 

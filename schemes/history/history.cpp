@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "history/direct.hpp"
-#include "history/exponentials.hpp"
+#include "history/direct_history.hpp"
+#include "history/exponential_history.hpp"
 #include "history/variable_step_direct.hpp"
 #include "history/variable_step_exponentials.hpp"
 #include "weights/weight_transform.hpp"
@@ -67,7 +67,7 @@ std::string_view name(HistoryKind kind) {
 
 std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
                                       double tolerance, int threads) {
-  const WeightTable* const only_direct = first_without(tables, has_exponentials);
+  const WeightTable* const only_direct = first_without(tables, has_exponential_sum);
   const bool direct = resolve(kind, steps) == HistoryKind::direct ||
                       (kind == HistoryKind::automatic && only_direct != nullptr);
   if (!direct) refuse(only_direct, "sum of exponentials");

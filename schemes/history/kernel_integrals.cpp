@@ -32,7 +32,7 @@ std::array<double, 3> ExponentialKernel::near(double power) const {
 }
 
 KernelIntegrals::KernelIntegrals(ExponentialKernel kernel)
-    : kernel_(std::move(kernel)), alive_(kernel_.nodes.size()) {}
+    : kernel_(std::move(kernel)), active_(kernel_.nodes.size()) {}
 
 void KernelIntegrals::begin() {
   polynomials_.setZero(3, functions_);
@@ -44,16 +44,16 @@ void KernelIntegrals::begin() {
 Eigen::Index KernelIntegrals::needed(double length) const {
   constexpr double more_than_rounding = 1.0 + 1e-6;
   const auto count = kernel_.needed(length);
-  return count <= alive_ ? count : std::max(alive_, kernel_.needed(length * more_than_rounding));
+  return count <= active_ ? count : std::max(active_, kernel_.needed(length * more_than_rounding));
 }
 
-// The states of the exponentials from alive_ to count, from the newest step alone.
-Matrix KernelIntegrals::revived(Eigen::Index count) const {
-  const auto rows = count - alive_;
+// The states of the exponentials from active_ to count, from the newest step alone.
+Matrix KernelIntegrals::reactivated(Eigen::Index count) const {
+  const auto rows = count - active_;
   Matrix states = Matrix::Zero(rows, polynomials_.cols()), phi(rows, 3);
   if (rows == 0) return states;
   Vec decay_minus_one(rows);
-  phi_functions(rows, length_, kernel_.nodes.data() + alive_, phi, decay_minus_one.data());
+  phi_functions(rows, length_, kernel_.nodes.data() + active_, phi, decay_minus_one.data());
   multiply_add(rows, phi.cols(), states.cols(), phi, polynomials_, states);
   return states;
 }
@@ -72,27 +72,28 @@ void KernelIntegrals::prepare(double length, double power, KernelStep& step) con
   phi_functions(step.count, length, kernel_.nodes.data(), step.phi, step.decay_minus_one.data());
   apply_decay(step.count, kernel_.coefficients.data(), step.decay_minus_one.data(), step.weights.data());
   step.near = kernel_.near(power);
-  step.revived = revived(std::max(step.count, alive_));
+  step.reactivated = reactivated(std::max(step.count, active_));
 }
 
 double KernelIntegrals::integral(const KernelStep& step, Eigen::Index function,
                                  const Polynomial& newest) const {
-  const auto alive = std::min(step.count, alive_);
+  const auto alive = std::min(step.count, active_);
   double far = dot_product(step.weights.data(), states_.col(function).data(), alive);
   if (step.count > alive) {
-    far += dot_product(step.weights.data() + alive, step.revived.col(function).data(), step.count - alive);
+    far +=
+        dot_product(step.weights.data() + alive, step.reactivated.col(function).data(), step.count - alive);
   }
   return far + (newest[0] * step.near[0] + newest[1] * step.near[1] + newest[2] * step.near[2]);
 }
 
 void KernelIntegrals::advance(const KernelStep& step) {
-  if (step.count > alive_) {
-    states_.middleRows(alive_, step.revived.rows()) = step.revived;
-    carries_.middleRows(alive_, step.revived.rows()).setZero();
+  if (step.count > active_) {
+    states_.middleRows(active_, step.reactivated.rows()) = step.reactivated;
+    carries_.middleRows(active_, step.reactivated.rows()).setZero();
   }
-  alive_ = step.count;
+  active_ = step.count;
   length_ = step.length;
-  advance_integrals(alive_, states_.cols(), step.decay_minus_one.data(), step.phi, polynomials_, states_,
+  advance_integrals(active_, states_.cols(), step.decay_minus_one.data(), step.phi, polynomials_, states_,
                     carries_);
 }
 
@@ -104,7 +105,7 @@ std::size_t KernelIntegrals::bytes() const {
 
 void KernelIntegrals::state(Archive& archive) {
   archive(length_, polynomials_, states_, carries_);
-  archive.count(alive_, 0, kernel_.nodes.size());
+  archive.count(active_, 0, kernel_.nodes.size());
 }
 
 }  // namespace fde

@@ -40,7 +40,7 @@ struct KernelStep {
   Matrix phi{};                  // phi_1, phi_2, phi_3 of x
   Vec weights{};                 // coefficients * exp(-x)
   std::array<double, 3> near{};  // ExponentialKernel::near
-  Matrix revived{};              // states of the exponentials that the previous step did not need
+  Matrix reactivated{};          // states of the exponentials that the previous step did not need
 };
 
 // Convolutions of functions u with one kernel, on steps of any length. For each exponential and each function
@@ -81,12 +81,12 @@ class KernelIntegrals {
 
  private:
   [[nodiscard]] Eigen::Index needed(double length) const;
-  [[nodiscard]] Matrix revived(Eigen::Index count) const;
+  [[nodiscard]] Matrix reactivated(Eigen::Index count) const;
 
   ExponentialKernel kernel_;
   Eigen::Index functions_ = 0;
   double length_ = 0.0;      // of the newest step
-  Eigen::Index alive_;       // number of exponentials whose states are up to date
+  Eigen::Index active_;      // number of exponentials whose states are up to date
   Matrix polynomials_;       // 3 x functions: the polynomials on the newest step times its length
   Matrix states_, carries_;  // nodes x functions
 };

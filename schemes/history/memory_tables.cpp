@@ -19,7 +19,7 @@ constexpr double largest_joined = straight / (MemoryTables::recent + MemoryTable
 // w(1), w(2), ..., or the differences w(k) - w(k-1) where running sums are weighed.
 Vec exact_weights(const WeightTable& table, Eigen::Index count) {
   return Vec::NullaryExpr(count, [&](Eigen::Index k) {
-    return weighs_running_sums(table) ? weight_increment(table, k + 1) : weight(table, k + 1);
+    return acts_on_running_sums(table) ? weight_increment(table, k + 1) : weight(table, k + 1);
   });
 }
 
@@ -71,7 +71,7 @@ MemoryTables::MemoryTables(const std::vector<WeightTable>& tables, const Exponen
       slow(joined(nodes)),
       together(sum) {
   decay_minus_one = (-double{block} * nodes).array().expm1();
-  if (slow > 0) join_slow(sum);
+  if (slow > 0) interpolate_slow(sum);
   if (slow == 0) together = {nodes, filled(sum.coefficients), sum.bound};
   const auto own = slow > 0 ? together.nodes.size() : exponentials;
   gather.setZero(together.nodes.size(), block);
@@ -86,7 +86,7 @@ MemoryTables::MemoryTables(const std::vector<WeightTable>& tables, const Exponen
   for (Eigen::Index table = 0; table < count; ++table) fill(tables[static_cast<std::size_t>(table)], table);
 }
 
-void MemoryTables::join_slow(const ExponentialSum& sum) {
+void MemoryTables::interpolate_slow(const ExponentialSum& sum) {
   const Vec points = chebyshev_points(nodes[slow - 1]), coefficients = filled(sum.coefficients);
   const auto others = nodes.size() - slow, fillers = nodes.size() - exponentials;
   together.nodes.resize(lanes + others);

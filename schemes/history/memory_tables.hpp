@@ -36,7 +36,7 @@ struct MemoryTables {
   [[nodiscard]] Eigen::Index points() const { return spread.cols(); }
 
  private:
-  void join_slow(const ExponentialSum& sum);
+  void interpolate_slow(const ExponentialSum& sum);
   void fill(const WeightTable& weights, Eigen::Index table);
 };
 

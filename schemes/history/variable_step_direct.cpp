@@ -47,7 +47,7 @@ double VariableStepDirectHistory::end_of_step(std::size_t j, double t) const {
   return j + 1 < times_.size() ? times_[j + 1] : t;
 }
 
-const VariableStepDirectHistory::Candidate& VariableStepDirectHistory::candidate(double t) const {
+const VariableStepDirectHistory::StepCache& VariableStepDirectHistory::candidate(double t) const {
   if (candidate_.time == t) return candidate_;
   candidate_.time = t;
   for (auto& [order, left, right] : candidate_.integrals) {
@@ -74,7 +74,7 @@ void VariableStepDirectHistory::convolve(double t, std::size_t sum, Out result) 
           table.family->ends(samples_(row, component), samples_(row + 1, component), length);
       total += left[row] * begin + right[row] * end;
     }
-    result[component] = total * integrals_to_sums(table, length);
+    result[component] = total * integral_to_sum_factor(table, length);
   }
 }
 

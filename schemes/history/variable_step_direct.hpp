@@ -25,12 +25,12 @@ class VariableStepDirectHistory final : public History {
     Vec left, right;
   };
   // The quantities of the last candidate time, cached.
-  struct Candidate {
+  struct StepCache {
     std::optional<double> time{};
     std::vector<Integral> integrals{};
   };
   // One component in one sum.
-  struct Track {
+  struct ComponentSum {
     Eigen::Index component;
     WeightTable table;
     std::size_t integral;
@@ -38,12 +38,12 @@ class VariableStepDirectHistory final : public History {
   void reserve(Eigen::Index steps);
   // The end of the step from sample j; t for the candidate step.
   [[nodiscard]] double end_of_step(std::size_t j, double t) const;
-  [[nodiscard]] const Candidate& candidate(double t) const;
+  [[nodiscard]] const StepCache& candidate(double t) const;
 
-  std::vector<double> times_;               // of the samples
-  Matrix samples_;                          // one row a time, then rows of zeros
-  std::vector<std::vector<Track>> tracks_;  // of each sum; only components with a memory term
-  mutable Candidate candidate_;
+  std::vector<double> times_;                      // of the samples
+  Matrix samples_;                                 // one row a time, then rows of zeros
+  std::vector<std::vector<ComponentSum>> tracks_;  // of each sum; only components with a memory term
+  mutable StepCache candidate_;
 };
 
 }  // namespace fde

@@ -16,7 +16,7 @@ VariableStepExponentialHistory::VariableStepExponentialHistory(const WeightTable
       const auto table = std::ranges::find(tables_, of_sum[i]);
       const auto kernel = kernel_of(of_sum[i], steps, tolerance);
       tracks.push_back({static_cast<Eigen::Index>(i), static_cast<std::size_t>(table - tables_.begin()),
-                        kernel, kernels_[kernel].add_function(), weighs_running_sums(of_sum[i])});
+                        kernel, kernels_[kernel].add_function(), acts_on_running_sums(of_sum[i])});
       if (table == tables_.end()) tables_.push_back(of_sum[i]);
     }
   }
@@ -45,14 +45,14 @@ void VariableStepExponentialHistory::push(double t, In sample) {
   candidate_.time.reset();
 }
 
-Polynomial VariableStepExponentialHistory::integrand(const Track& track, double before, double after,
+Polynomial VariableStepExponentialHistory::integrand(const ComponentSum& track, double before, double after,
                                                      double length) const {
   const auto [begin, end] = tables_[track.table].family->ends(before, after, length);
   if (!track.running_sums) return {begin, end - begin, 0.0};
   return {track.integral[0], length * begin, length * (end - begin)};
 }
 
-const VariableStepExponentialHistory::Candidate& VariableStepExponentialHistory::candidate(double t) const {
+const VariableStepExponentialHistory::StepCache& VariableStepExponentialHistory::candidate(double t) const {
   if (candidate_.time == t) return candidate_;
   const double length = t - time_;
   candidate_.time = t;
@@ -63,7 +63,7 @@ const VariableStepExponentialHistory::Candidate& VariableStepExponentialHistory:
   }
   for (std::size_t i = 0; i < tables_.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    candidate_.to_sums[row] = tables_[i].family->weighs_increments ? factors[row] : 1.0 / factors[row];
+    candidate_.to_sums[row] = tables_[i].family->acts_on_increments ? factors[row] : 1.0 / factors[row];
   }
   return candidate_;
 }

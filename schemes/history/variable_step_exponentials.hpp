@@ -22,7 +22,7 @@ class VariableStepExponentialHistory final : public History {
 
  private:
   // One component in one sum.
-  struct Track {
+  struct ComponentSum {
     Eigen::Index component;
     std::size_t table, kernel;
     Eigen::Index function;    // index in its KernelIntegrals
@@ -30,23 +30,23 @@ class VariableStepExponentialHistory final : public History {
     RunningSums integral{1};  // of the function, for orders above 1
   };
   // The quantities of the last candidate time, cached.
-  struct Candidate {
+  struct StepCache {
     std::optional<double> time{};
     std::vector<KernelStep> steps{};  // of each kernel
-    Vec to_sums{};                    // integrals_to_sums of each table
+    Vec to_sums{};                    // integral_to_sum_factor of each table
   };
   std::size_t kernel_of(const WeightTable& table, const StepPlan& steps, double tolerance);
-  [[nodiscard]] Polynomial integrand(const Track& track, double before, double after, double length) const;
-  [[nodiscard]] const Candidate& candidate(double t) const;
+  [[nodiscard]] Polynomial integrand(const ComponentSum& track, double before, double after, double length) const;
+  [[nodiscard]] const StepCache& candidate(double t) const;
   void advance(double t, In sample);
 
   std::vector<WeightTable> tables_;       // each once
   mutable StepFactors factors_{tables_};  // of tables_
   std::vector<KernelIntegrals> kernels_;
-  std::vector<std::vector<Track>> tracks_;  // of each sum; only components with a memory term
+  std::vector<std::vector<ComponentSum>> tracks_;  // of each sum; only components with a memory term
   double time_ = 0.0;                       // of the newest sample
   Vec newest_;
-  mutable Candidate candidate_;
+  mutable StepCache candidate_;
 };
 
 }  // namespace fde

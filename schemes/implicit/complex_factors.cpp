@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "implicit/fast_sine.hpp"
+#include "implicit/fast_sine_solver.hpp"
 #include "implicit/tridiagonal.hpp"
 
 namespace fde {
@@ -22,19 +22,19 @@ ComplexSparse one_minus(const SparseMatrix& matrix, Complex factor) {
 class ComplexTridiagonal final : public ComplexFactors {
  public:
   bool factorise(const SparseMatrix& matrix, Complex factor) override {
-    return Tridiagonal<double>::fits(matrix) && factors_.factorise(one_minus(matrix, factor));
+    return TridiagonalLu<double>::fits(matrix) && factors_.factorise(one_minus(matrix, factor));
   }
   void solve(ComplexVec& b) const override { factors_.solve(b); }
   [[nodiscard]] std::string_view name() const override { return "tridiagonal"; }
 
  private:
-  Tridiagonal<Complex> factors_;
+  TridiagonalLu<Complex> factors_;
 };
 
 class ComplexFastSine final : public ComplexFactors {
  public:
   bool factorise(const SparseMatrix& matrix, Complex factor) override {
-    const auto found = five_point(matrix);
+    const auto found = as_five_point(matrix);
     const auto stencil = found ? found->constant() : std::nullopt;
     if (!stencil) return false;
     if (!sines_) sines_.emplace(found->n, found->m);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "implicit/five_point.hpp"
+#include "implicit/five_point_matrix.hpp"
 
 namespace fde {
 

@@ -13,10 +13,10 @@ constexpr Eigen::Index fewest_unknowns = 2000;
 // Nanoseconds per unknown, as measured by `fde_large solvers`; only their ratio is used. An iteration
 // multiplies with sines of the shorter line and reads a few vectors; the cost of factors grows like the
 // square root of the number of unknowns.
-double iteration_cost(const FivePoint& matrix) {
+double iteration_cost(const FivePointMatrix& matrix) {
   return 8.0 + 0.04 * static_cast<double>(std::min(matrix.n, matrix.m));
 }
-double factor_cost(const FivePoint& matrix) {
+double factor_cost(const FivePointMatrix& matrix) {
   return 6.0 * std::sqrt(static_cast<double>(matrix.diagonal.size()));
 }
 
@@ -27,7 +27,7 @@ Vec lowest_mode(Eigen::Index n) {
 }
 
 // The mean stencil, its diagonal such that the lowest mode has the same Rayleigh quotient as with the matrix.
-Stencil<double> stencil_like(const FivePoint& matrix) {
+Stencil<double> stencil_like(const FivePointMatrix& matrix) {
   const Vec mode = (lowest_mode(matrix.n) * lowest_mode(matrix.m).transpose()).reshaped();
   Vec product(mode.size());
   matrix.multiply(mode, product);
@@ -41,7 +41,7 @@ Stencil<double> stencil_like(const FivePoint& matrix) {
 }
 
 // S M S for the diagonal s of S.
-FivePoint scaled(FivePoint matrix, const Vec& s) {
+FivePointMatrix scaled(FivePointMatrix matrix, const Vec& s) {
   const Eigen::Index size = s.size(), n = matrix.n;
   matrix.diagonal.array() *= s.array().square();
   matrix.along.head(size - 1).array() *= s.head(size - 1).array() * s.tail(size - 1).array();
@@ -51,7 +51,7 @@ FivePoint scaled(FivePoint matrix, const Vec& s) {
 
 // Whether the couplings with the previous and the next point differ much anywhere on a line. For a smooth
 // diffusivity they do not, after scaling.
-bool jumps(const FivePoint& matrix) {
+bool jumps(const FivePointMatrix& matrix) {
   constexpr double much = 0.2;
   const auto differ = [](double one, double other) {
     return std::abs(one - other) > much * std::max(std::abs(one), std::abs(other));
@@ -69,7 +69,7 @@ bool jumps(const FivePoint& matrix) {
 bool ConjugateGradients::fits(const SparseMatrix& matrix) { return matrix.rows() >= fewest_unknowns; }
 
 bool ConjugateGradients::factorise(const SparseMatrix& matrix) {
-  auto found = five_point(matrix);
+  auto found = as_five_point(matrix);
   if (!found || !found->dominated() || !found->diagonal.allFinite()) return false;
   const bool same_points = sines_ && matrix_.n == found->n && matrix_.m == found->m;
   scale_ = found->diagonal.cwiseSqrt().cwiseInverse();
@@ -83,21 +83,21 @@ bool ConjugateGradients::factorise(const SparseMatrix& matrix) {
     cholesky_.reset();
   }
   stencil_ = stencil_like(matrix_);
-  price_ = static_cast<int>(factor_cost(matrix_) / iteration_cost(matrix_));
-  spent_ = 0;
+  factorisation_cost_ = static_cast<int>(factor_cost(matrix_) / iteration_cost(matrix_));
+  iterations_ = 0;
   factorised_ = false;
   return sines_->serves(stencil_);
 }
 
 void ConjugateGradients::solve(Vec& b) const {
   if (!factorised_ && iterate(b)) return;
-  if (!factorised_) make_factors();
+  if (!factorised_) factorise_by_cholesky();
   b.array() *= scale_.array();
   cholesky_->solve(b);
   b.array() *= scale_.array();
 }
 
-void ConjugateGradients::make_factors() const {
+void ConjugateGradients::factorise_by_cholesky() const {
   const SparseMatrix matrix = sparse(matrix_);
   if (!cholesky_) cholesky_ = std::make_unique<CholeskyFactors>(matrix);
   factorised_ = cholesky_->factorise(matrix);
@@ -108,27 +108,27 @@ void ConjugateGradients::make_factors() const {
 bool ConjugateGradients::iterate(Vec& b) const {
   constexpr double rounding = 0x1p-53;
   x_ = Vec::Zero(b.size());
-  rest_ = scale_.cwiseProduct(b);
+  residual_ = scale_.cwiseProduct(b);
   double before = 0.0;
-  for (; spent_ < price_; ++spent_) {
-    answer_ = rest_;
-    sines_->solve(stencil_, answer_);
-    const double largest = scale_.cwiseProduct(answer_).lpNorm<Eigen::Infinity>();
+  for (; iterations_ < factorisation_cost_; ++iterations_) {
+    preconditioned_ = residual_;
+    sines_->solve(stencil_, preconditioned_);
+    const double largest = scale_.cwiseProduct(preconditioned_).lpNorm<Eigen::Infinity>();
     if (!(largest > rounding * scale_.cwiseProduct(x_).lpNorm<Eigen::Infinity>())) {
       b = scale_.cwiseProduct(x_);
       return true;
     }
-    const double now = rest_.dot(answer_);
+    const double now = residual_.dot(preconditioned_);
     if (before == 0.0) {
-      direction_ = answer_;
+      direction_ = preconditioned_;
     } else {
-      direction_ = answer_ + (now / before) * direction_;
+      direction_ = preconditioned_ + (now / before) * direction_;
     }
     before = now;
     matrix_.multiply(direction_, product_);
     const double length = now / direction_.dot(product_);
     x_ += length * direction_;
-    rest_ -= length * product_;
+    residual_ -= length * product_;
   }
   return false;
 }
@@ -136,9 +136,9 @@ bool ConjugateGradients::iterate(Vec& b) const {
 std::string_view ConjugateGradients::name() const { return factorised_ ? cholesky_->name() : id; }
 
 void ConjugateGradients::state(Archive& archive) {
-  archive.count(spent_, 0, price_);
+  archive.count(iterations_, 0, factorisation_cost_);
   archive(factorised_);
-  if (archive.reads() && factorised_) make_factors();
+  if (archive.reads() && factorised_) factorise_by_cholesky();
 }
 
 }  // namespace fde

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "implicit/cholesky_factors.hpp"
-#include "implicit/fast_sine.hpp"
+#include "implicit/fast_sine_solver.hpp"
 
 namespace fde {
 
@@ -40,21 +40,21 @@ class ConjugateGradients final : public SparseFactors {
   void state(Archive& archive) override;
 
   // The iterations of all solves with the matrix so far.
-  [[nodiscard]] int iterations() const { return spent_; }
+  [[nodiscard]] int iterations() const { return iterations_; }
 
  private:
   bool iterate(Vec& b) const;
-  void make_factors() const;
+  void factorise_by_cholesky() const;
 
-  FivePoint matrix_{};  // S M S
-  Vec scale_;           // the diagonal of S
+  FivePointMatrix matrix_{};  // S M S
+  Vec scale_;                 // the diagonal of S
   std::unique_ptr<FastSine> sines_;
   Stencil<double> stencil_{};
-  int price_ = 0;  // cost of the factors, in iterations
-  mutable int spent_ = 0;
+  int factorisation_cost_ = 0;  // cost of the factors, in iterations
+  mutable int iterations_ = 0;
   mutable std::unique_ptr<CholeskyFactors> cholesky_;  // its elimination order is reused for all matrices
   mutable bool factorised_ = false;
-  mutable Vec x_, rest_, answer_, direction_, product_;
+  mutable Vec x_, residual_, preconditioned_, direction_, product_;
 };
 
 }  // namespace fde

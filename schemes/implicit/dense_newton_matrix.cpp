@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "implicit/differences.hpp"
+#include "implicit/difference_jacobian.hpp"
 #include "problem/componentwise.hpp"
 
 namespace fde {
@@ -31,7 +31,7 @@ void DenseNewtonMatrix<size>::linearise(Run& run, const StepEquations& step, In 
   if (!evaluate_jacobian(problem_, step.t, y, matrix_)) {
     const Vec sizes =
         step.past.cwiseAbs().cwiseMax(step.kappa.cwiseProduct(f).cwiseAbs()).cwiseProduct(rows_.mass);
-    difference_rhs(run, problem_, step.t, y, f, sizes, matrix_);
+    difference_jacobian_of_rhs(run, problem_, step.t, y, f, sizes, matrix_);
   }
   assemble(step.kappa);
 }

@@ -7,8 +7,8 @@
 namespace fde {
 
 void Extrapolation::push(double t, In y) {
-  if (known_ > 0) newest_ = (newest_ + 1) % most;
-  known_ = std::min(known_ + 1, most);
+  if (point_count_ > 0) newest_ = (newest_ + 1) % most;
+  point_count_ = std::min(point_count_ + 1, most);
   times_[static_cast<std::size_t>(newest_)] = t;
   values_.col(newest_) = y;
 }
@@ -16,9 +16,9 @@ void Extrapolation::push(double t, In y) {
 // The known points are in the first columns, not ordered by time.
 void Extrapolation::at(double t, Out value) const {
   std::array<double, most> weights{};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(known_); ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(point_count_); ++i) {
     double above = 1.0, below = 1.0;
-    for (std::size_t j = 0; j < static_cast<std::size_t>(known_); ++j) {
+    for (std::size_t j = 0; j < static_cast<std::size_t>(point_count_); ++j) {
       if (j == i) continue;
       above *= t - times_[j];
       below *= times_[i] - times_[j];
@@ -27,16 +27,17 @@ void Extrapolation::at(double t, Out value) const {
   }
   for_each_component(value.size(), [&](Eigen::Index component) {
     double sum = 0.0;
-    for (int i = 0; i < known_; ++i) sum += weights[static_cast<std::size_t>(i)] * values_(component, i);
+    for (int i = 0; i < point_count_; ++i)
+      sum += weights[static_cast<std::size_t>(i)] * values_(component, i);
     value[component] = sum;
   });
 }
 
 void Extrapolation::state(Archive& archive) {
-  archive.count(known_, 0, most);
+  archive.count(point_count_, 0, most);
   archive.count(newest_, 0, most - 1);
   archive(times_);
-  archive.values(values_.data(), known_ * values_.rows());
+  archive.values(values_.data(), point_count_ * values_.rows());
 }
 
 }  // namespace fde

@@ -15,7 +15,7 @@ class Extrapolation {
 
   // Appends a point; the oldest of five is dropped.
   void push(double t, In y);
-  [[nodiscard]] bool empty() const { return known_ == 0; }
+  [[nodiscard]] bool empty() const { return point_count_ == 0; }
 
   // Sets value to the polynomial at t. Precondition: not empty().
   void at(double t, Out value) const;
@@ -27,7 +27,7 @@ class Extrapolation {
 
   std::array<double, most> times_{};
   Eigen::Matrix<double, Eigen::Dynamic, most> values_;  // a column a point; the newest is newest_
-  int newest_ = 0, known_ = 0;
+  int newest_ = 0, point_count_ = 0;
 };
 
 }  // namespace fde

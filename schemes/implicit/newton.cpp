@@ -34,55 +34,55 @@ NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
     : problem_(problem),
       tolerance_(tolerance),
       matrix_(make_newton_matrix(problem)),
-      wear_(static_cast<int>(2 * problem.size())),
-      path_(problem.size()),
+      jacobian_reuse_(static_cast<int>(2 * problem.size())),
+      extrapolation_(problem.size()),
       f_(problem.size()),
       increment_(problem.size()),
-      near_(problem.size()) {
-  if (linear(problem)) growth_.emplace(problem);
+      iterate_(problem.size()) {
+  if (linear(problem)) growth_check_.emplace(problem);
 }
 
 Ending NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
-  const bool solved = growth_ ? solve_linear(run, step, y) : solve_nonlinear(run, step, y);
-  if (outruns_) return Ending::outran_growth;
+  const bool solved = growth_check_ ? solve_linear(run, step, y) : solve_nonlinear(run, step, y);
+  if (step_too_large_) return Ending::step_too_large;
   if (solved) return Ending::finished;
-  return y.allFinite() ? Ending::not_converged : Ending::not_finite;
+  return y.allFinite() ? Ending::not_converged : Ending::non_finite;
 }
 
 bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out y) {
-  const bool first = path_.empty();
-  if (first || !iterate_kept(run, step, y)) {
-    if (!iterate_anew(run, step, y)) return false;
+  const bool first = extrapolation_.empty();
+  if (first || !iterate_with_kept_factors(run, step, y)) {
+    if (!iterate_from_previous(run, step, y)) return false;
     // The factors are from the last iteration, which began close to y.
-    wear_.renew();
-    sign_ = matrix_->determinant_sign();
-    outruns_ = first && sign_ < 0 && matrix_->rows().algebraic.empty();
+    jacobian_reuse_.renew();
+    determinant_sign_ = matrix_->determinant_sign();
+    step_too_large_ = first && determinant_sign_ < 0 && matrix_->rows().algebraic.empty();
   }
-  remember(step, y);
+  append_to_extrapolation(step, y);
   return true;
 }
 
-bool NewtonSolver::iterate_kept(Run& run, const StepEquations& step, Out y) {
+bool NewtonSolver::iterate_with_kept_factors(Run& run, const StepEquations& step, Out y) {
   const auto& rows = matrix_->rows();
-  near_ = y;
-  continue_path(step, near_);
-  for_each_component(y.size(), [&](Eigen::Index i) { increment_[i] = near_[i] - y[i]; });
+  iterate_ = y;
+  extrapolate_guess(step, iterate_);
+  for_each_component(y.size(), [&](Eigen::Index i) { increment_[i] = iterate_[i] - y[i]; });
   // The first increment is judged as if an increment of this size had led to the guess.
-  double last = std::max(most_doubt * relative_size(rows, increment_, near_), stagnation);
-  bool anew = wear_.worn(), fresh = anew;  // fresh: factorised in this step
-  f_ = run.rhs(step.t, near_);
+  double last = std::max(most_doubt * relative_norm(rows, increment_, iterate_), stagnation);
+  bool anew = jacobian_reuse_.worn(), fresh = anew;  // fresh: factorised in this step
+  f_ = run.rhs(step.t, iterate_);
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
-    if (anew && !renew_factors(run, step)) return false;
-    take_residual(step, rows, f_, near_, increment_);
+    if (anew && !refactorise(run, step)) return false;
+    compute_residual(step, rows, f_, iterate_, increment_);
     matrix_->solve(increment_);
-    for_each_component(y.size(), [&](Eigen::Index i) { near_[i] += increment_[i]; });
+    for_each_component(y.size(), [&](Eigen::Index i) { iterate_[i] += increment_[i]; });
     ++*run.cost().newton_iterations;
-    const double now = relative_size(rows, increment_, near_);
+    const double now = relative_norm(rows, increment_, iterate_);
     const bool rounding = iteration > 1 && stagnates(now, last);
     if (!(now <= last / 2) && !rounding) return false;
-    if (now <= tolerance_ || (rounding && fresh) || leaves_rounding(run, step, near_)) {
-      wear_.count(iteration);
-      y = near_;
+    if (now <= tolerance_ || (rounding && fresh) || is_solved_to_rounding(run, step, iterate_)) {
+      jacobian_reuse_.count(iteration);
+      y = iterate_;
       return true;
     }
     const bool slow = iteration > 1 && now > slowest * last;
@@ -94,38 +94,38 @@ bool NewtonSolver::iterate_kept(Run& run, const StepEquations& step, Out y) {
   return false;
 }
 
-bool NewtonSolver::renew_factors(Run& run, const StepEquations& step) {
-  matrix_->linearise(run, step, near_, f_);
+bool NewtonSolver::refactorise(Run& run, const StepEquations& step) {
+  matrix_->linearise(run, step, iterate_, f_);
   matrix_->factorise();
-  wear_.renew();
-  const int before = std::exchange(sign_, matrix_->determinant_sign());
-  return before == 0 || before == sign_;
+  jacobian_reuse_.renew();
+  const int before = std::exchange(determinant_sign_, matrix_->determinant_sign());
+  return before == 0 || before == determinant_sign_;
 }
 
-bool NewtonSolver::leaves_rounding(Run& run, const StepEquations& step, In y) {
+bool NewtonSolver::is_solved_to_rounding(Run& run, const StepEquations& step, In y) {
   f_ = run.rhs(step.t, y);
   return matrix_->rows().algebraic.empty() && holds(step, f_, y, part_of_tolerance * tolerance_);
 }
 
-void NewtonSolver::continue_path(const StepEquations& step, Vec& y) {
-  path_.at(step.t, f_);
+void NewtonSolver::extrapolate_guess(const StepEquations& step, Vec& y) {
+  extrapolation_.at(step.t, f_);
   for (const auto i : matrix_->rows().algebraic) y[i] = f_[i];
   const Vec& mass = matrix_->rows().mass;
   for_each_component(
       y.size(), [&](Eigen::Index i) { y[i] += mass[i] * (step.past[i] + step.kappa[i] * f_[i] - y[i]); });
 }
 
-void NewtonSolver::remember(const StepEquations& step, In y) {
+void NewtonSolver::append_to_extrapolation(const StepEquations& step, In y) {
   for_each_component(y.size(), [&](Eigen::Index i) { f_[i] = (y[i] - step.past[i]) / step.kappa[i]; });
   for (const auto i : matrix_->rows().algebraic) f_[i] = y[i];
-  path_.push(step.t, f_);
+  extrapolation_.push(step.t, f_);
 }
 
-bool NewtonSolver::iterate_anew(Run& run, const StepEquations& step, Out y) {
+bool NewtonSolver::iterate_from_previous(Run& run, const StepEquations& step, Out y) {
   const Vec guess = y;
   Vec near = y;
   if (iterate(run, step, y, few_setbacks)) return true;
-  if (approach(run, step, near) && iterate(run, step, near, few_setbacks)) {
+  if (pseudo_transient_continuation(run, step, near) && iterate(run, step, near, few_setbacks)) {
     y = near;
     return true;
   }
@@ -155,10 +155,10 @@ bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {
   if (factorised_for_ != step.kappa) {
     factorised_for_ = step.kappa;
     solvable_ = matrix_->factorise_linear(step.kappa);
-    outruns_ = growth_->outruns(*matrix_, step.kappa, solvable_);
+    step_too_large_ = growth_check_->outruns(*matrix_, step.kappa, solvable_);
   }
-  if (!solvable_ || outruns_) return false;
-  take_residual(step, matrix_->rows(), run.rhs(step.t, y), y, increment_);
+  if (!solvable_ || step_too_large_) return false;
+  compute_residual(step, matrix_->rows(), run.rhs(step.t, y), y, increment_);
   matrix_->solve(increment_);
   y += increment_;
   ++*run.cost().newton_iterations;
@@ -175,16 +175,16 @@ bool NewtonSolver::iterate(Run& run, const StepEquations& step, Out y, int most_
     matrix_->solve(increment_);
     y += increment_;
     ++*run.cost().newton_iterations;
-    const double now = relative_size(matrix_->rows(), increment_, y);
+    const double now = relative_norm(matrix_->rows(), increment_, y);
     if (std::isnan(now)) return false;
-    if (now <= tolerance_ || stagnates(now, last) || leaves_rounding(run, step, y)) return true;
+    if (now <= tolerance_ || stagnates(now, last) || is_solved_to_rounding(run, step, y)) return true;
     if (now >= last) ++setbacks;
     last = now;
   }
   return false;
 }
 
-bool NewtonSolver::approach(Run& run, const StepEquations& step, Out y) {
+bool NewtonSolver::pseudo_transient_continuation(Run& run, const StepEquations& step, Out y) {
   double inverse_step = 1.0;
   Vec increment(y.size());
   for (int work = 0; work < most_pseudo_steps && inverse_step < shortest_inverse; ++work) {
@@ -211,7 +211,7 @@ double NewtonSolver::bend(Run& run, const StepEquations& step, In y, const Vec& 
   const auto& rows = matrix_->rows();
   const Vec trial = y + increment;
   Vec next(y.size());
-  take_residual(step, rows, run.rhs(step.t, trial), trial, next);
+  compute_residual(step, rows, run.rhs(step.t, trial), trial, next);
   next -= inverse_step * rows.mass.cwiseProduct(increment);
   matrix_->solve(next);
   return next.lpNorm<Eigen::Infinity>() / increment.lpNorm<Eigen::Infinity>();
@@ -219,15 +219,15 @@ double NewtonSolver::bend(Run& run, const StepEquations& step, In y, const Vec& 
 
 void NewtonSolver::linearise(Run& run, const StepEquations& step, In y, Vec& rest) {
   matrix_->linearise(run, step, y, f_);
-  take_residual(step, matrix_->rows(), f_, y, rest);
+  compute_residual(step, matrix_->rows(), f_, y, rest);
 }
 
 void NewtonSolver::state(Archive& archive) {
-  bool factorised = factorised_for_ || !path_.empty();
-  archive(factorised, path_, wear_, sign_, growth_);
+  bool factorised = factorised_for_ || !extrapolation_.empty();
+  archive(factorised, extrapolation_, jacobian_reuse_, determinant_sign_, growth_check_);
   if (!factorised) return;
   archive(matrix_);
-  if (!growth_) return;
+  if (!growth_check_) return;
   if (!factorised_for_) factorised_for_ = Vec::Zero(problem_.size());
   archive(*factorised_for_, solvable_);
 }

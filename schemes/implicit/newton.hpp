@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "implicit/extrapolation.hpp"
+#include "implicit/growth_check.hpp"
+#include "implicit/jacobian_reuse.hpp"
 #include "implicit/newton_matrix.hpp"
-#include "implicit/outrun_growth.hpp"
-#include "implicit/wear.hpp"
 #include "stepping/run.hpp"
 #include "stepping/trajectory.hpp"
 
@@ -59,7 +59,7 @@ class NewtonSolver {
 
   // Replaces an error of the equations by its effect on the solution, (1 - kappa df/dy)^(-1) error. The
   // matrix is about that of the last step solved.
-  void respond(Vec& error) const { matrix_->solve(error); }
+  void apply_inverse(Vec& error) const { matrix_->solve(error); }
 
   // Saves or restores the state between two steps: the values to extrapolate, and the matrix with whose
   // factors the next step begins.
@@ -73,18 +73,19 @@ class NewtonSolver {
   bool solve_linear(Run& run, const StepEquations& step, Out y);
   // Iterates from the extrapolated path, of at least one step, with the kept factors. Returns false, with y
   // unchanged, where the guess or the factors are rejected.
-  bool iterate_kept(Run& run, const StepEquations& step, Out y);
-  // Factorises the matrix at near_, where f_ is f. Returns false where the determinant has changed its sign.
-  bool renew_factors(Run& run, const StepEquations& step);
+  bool iterate_with_kept_factors(Run& run, const StepEquations& step, Out y);
+  // Factorises the matrix at iterate_, where f_ is f. Returns false where the determinant has changed its
+  // sign.
+  bool refactorise(Run& run, const StepEquations& step);
   // Whether the equations hold at y up to rounding. Sets f_ to f(t, y).
-  bool leaves_rounding(Run& run, const StepEquations& step, In y);
+  bool is_solved_to_rounding(Run& run, const StepEquations& step, In y);
   // Sets y to past + kappa f with f extrapolated, and to extrapolated unknowns of algebraic rows; remember()
   // adds the values at a solution y.
-  void continue_path(const StepEquations& step, Vec& y);
-  void remember(const StepEquations& step, In y);
+  void extrapolate_guess(const StepEquations& step, Vec& y);
+  void append_to_extrapolation(const StepEquations& step, In y);
   // Newton's method from y with a new matrix in each iteration; where it fails, from the result of
   // pseudo-time steps, or from y = past + kappa f where y has no finite derivatives.
-  bool iterate_anew(Run& run, const StepEquations& step, Out y);
+  bool iterate_from_previous(Run& run, const StepEquations& step, Out y);
   // Where the derivatives at y are not finite: Newton's method from y = past + kappa f(t, y), repeatedly. y
   // is NaN where it fails.
   bool iterate_past_infinite_derivatives(Run& run, const StepEquations& step, Out y);
@@ -94,7 +95,7 @@ class NewtonSolver {
   // y' = past + kappa f(t, y) - y by linearly implicit Euler steps (Kelley & Keyes, SIAM J. Numer. Anal. 35
   // (1998)). The steps grow where the equations are nearly linear along them; an infinite step is a step of
   // Newton's method.
-  bool approach(Run& run, const StepEquations& step, Out y);
+  bool pseudo_transient_continuation(Run& run, const StepEquations& step, Out y);
   // Nonlinearity of the equations along an increment of a pseudo-time step: the next increment relative to
   // it.
   double bend(Run& run, const StepEquations& step, In y, const Vec& increment, double inverse_step);
@@ -104,16 +105,16 @@ class NewtonSolver {
   const Problem& problem_;
   double tolerance_;
   std::unique_ptr<NewtonMatrix> matrix_;
-  Wear wear_;
-  Extrapolation path_;
-  int sign_ = 0;  // sign of the determinant at the last solution; 0: there was none
-  Vec f_, increment_, near_;
+  JacobianReuse jacobian_reuse_;
+  Extrapolation extrapolation_;
+  int determinant_sign_ = 0;  // sign of the determinant at the last solution; 0: there was none
+  Vec f_, increment_, iterate_;
   // Of a linear problem: the kappa for which the matrix is factorised, and whether the equations can be
   // solved.
   std::optional<Vec> factorised_for_;
   bool solvable_ = false;
-  std::optional<OutrunGrowth> growth_;
-  bool outruns_ = false;
+  std::optional<GrowthCheck> growth_check_;
+  bool step_too_large_ = false;
 };
 
 }  // namespace fde

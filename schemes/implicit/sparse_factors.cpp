@@ -6,7 +6,7 @@
 
 #include "implicit/cholesky_factors.hpp"
 #include "implicit/conjugate_gradients.hpp"
-#include "implicit/fast_sine.hpp"
+#include "implicit/fast_sine_solver.hpp"
 #include "implicit/tridiagonal.hpp"
 
 namespace fde {
@@ -18,14 +18,14 @@ class TridiagonalFactors final : public SparseFactors {
 
   explicit TridiagonalFactors(const SparseMatrix& /*matrix*/) {}
 
-  static bool fits(const SparseMatrix& matrix) { return Tridiagonal<double>::fits(matrix); }
+  static bool fits(const SparseMatrix& matrix) { return TridiagonalLu<double>::fits(matrix); }
   bool factorise(const SparseMatrix& matrix) override { return factors_.factorise(matrix); }
   [[nodiscard]] int determinant_sign() override { return factors_.determinant_sign(); }
   void solve(Vec& b) const override { factors_.solve(b); }
   [[nodiscard]] std::string_view name() const override { return id; }
 
  private:
-  Tridiagonal<double> factors_;
+  TridiagonalLu<double> factors_;
 };
 
 class FastSineFactors final : public SparseFactors {
@@ -37,7 +37,7 @@ class FastSineFactors final : public SparseFactors {
   static bool fits(const SparseMatrix& /*matrix*/) { return true; }
 
   bool factorise(const SparseMatrix& matrix) override {
-    const auto found = five_point(matrix);
+    const auto found = as_five_point(matrix);
     const auto stencil = found ? found->constant() : std::nullopt;
     if (!stencil) return false;
     // The pattern is the same in every call.

@@ -10,7 +10,7 @@ SparseNewtonMatrix::Pattern::Pattern(const SparseMatrix& matrix)
     : outer(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.cols() + 1),
       inner(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros()) {}
 
-bool SparseNewtonMatrix::Pattern::is_of(const SparseMatrix& matrix) const {
+bool SparseNewtonMatrix::Pattern::matches(const SparseMatrix& matrix) const {
   return matrix.isCompressed() &&
          std::equal(outer.begin(), outer.end(), matrix.outerIndexPtr(),
                     matrix.outerIndexPtr() + matrix.cols() + 1) &&
@@ -46,7 +46,7 @@ std::string_view SparseNewtonMatrix::solver() const {
 
 void SparseNewtonMatrix::assemble(const SparseMatrix& derivatives, const Vec& kappa) {
   rows_.scale = kappa;
-  if (assembled_.is_of(derivatives)) {
+  if (assembled_pattern_.matches(derivatives)) {
     const auto* const rows = derivatives.innerIndexPtr();
     const auto* const starts = derivatives.outerIndexPtr();
     for (Eigen::Index j = 0; j < derivatives.outerSize(); ++j) {
@@ -57,14 +57,14 @@ void SparseNewtonMatrix::assemble(const SparseMatrix& derivatives, const Vec& ka
   }
   matrix_ = identity_ - SparseMatrix(kappa.asDiagonal() * derivatives);
   matrix_.makeCompressed();
-  assembled_ = Pattern();
-  if (Pattern places(matrix_); places.is_of(derivatives)) assembled_ = std::move(places);
+  assembled_pattern_ = Pattern();
+  if (Pattern places(matrix_); places.matches(derivatives)) assembled_pattern_ = std::move(places);
 }
 
 void SparseNewtonMatrix::factorise() {
-  const bool same_places = factors_ && analysed_.is_of(matrix_);
+  const bool same_places = factors_ && analysed_pattern_.matches(matrix_);
   if (same_places && factors_->factorise(matrix_)) return;
-  if (!same_places) analysed_ = Pattern(matrix_);
+  if (!same_places) analysed_pattern_ = Pattern(matrix_);
   factors_ = sparse_factors(matrix_);
 }
 
@@ -85,7 +85,7 @@ void SparseNewtonMatrix::state(Archive& archive) {
   archive.grown(matrix_);
   archive.grown(method);
   if (archive.reads()) {
-    analysed_ = Pattern(matrix_);
+    analysed_pattern_ = Pattern(matrix_);
     factors_ = method.empty() ? nullptr : sparse_factors(matrix_, {method.data(), method.size()});
   }
   if (factors_) archive(*factors_);

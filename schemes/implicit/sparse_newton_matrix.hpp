@@ -30,15 +30,15 @@ class SparseNewtonMatrix : public NewtonMatrix {
   struct Pattern {
     Pattern() = default;
     explicit Pattern(const SparseMatrix& matrix);
-    [[nodiscard]] bool is_of(const SparseMatrix& matrix) const;
+    [[nodiscard]] bool matches(const SparseMatrix& matrix) const;
     std::vector<int> outer, inner;
   };
 
   const Problem& problem_;
   RowScales rows_;
   SparseMatrix identity_, derivatives_, matrix_;
-  Pattern assembled_{};                     // of derivatives with a full diagonal, which the matrix shares
-  Pattern analysed_{};                      // of the matrix that the factors belong to
+  Pattern assembled_pattern_{};             // of derivatives with a full diagonal, which the matrix shares
+  Pattern analysed_pattern_{};              // of the matrix that the factors belong to
   std::unique_ptr<SparseFactors> factors_;  // nullptr: none, or singular
 };
 

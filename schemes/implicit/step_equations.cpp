@@ -23,7 +23,7 @@ RowScales::RowScales(const Problem& problem)
   }
 }
 
-void take_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest) {
+void compute_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest) {
   for_each_component(rest.size(),
                      [&](Eigen::Index i) { rest[i] = step.past[i] + step.kappa[i] * f[i] - y[i]; });
   for (const auto i : rows.algebraic) rest[i] = rows.scale[i] * f[i];
@@ -38,7 +38,7 @@ bool holds(const StepEquations& step, In f, In y, double tolerance) {
   return true;
 }
 
-double relative_size(const RowScales& rows, In increment, In y) {
+double relative_norm(const RowScales& rows, In increment, In y) {
   // For smaller numbers rounding errors are subnormal: they are relative to this value.
   static constexpr double smallest =
       std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();

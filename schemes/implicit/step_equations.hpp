@@ -31,13 +31,13 @@ struct RowScales {
 };
 
 // Sets rest to the residual of the scaled equations at y. f: f(t, y).
-void take_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest);
+void compute_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest);
 
 // Whether each equation holds to the tolerance, relative to its terms past_i and kappa_i f_i. Precondition:
 // no row is algebraic.
 bool holds(const StepEquations& step, In f, In y, double tolerance);
 
 // The largest increment relative to |y|, both measured as described at NewtonSolver.
-double relative_size(const RowScales& rows, In increment, In y);
+double relative_norm(const RowScales& rows, In increment, In y);
 
 }  // namespace fde

@@ -8,7 +8,7 @@ namespace fde {
 
 // Elimination without pivoting for tridiagonal matrices. determinant_sign() is for real ones.
 template <class Scalar>
-class Tridiagonal {
+class TridiagonalLu {
  public:
   using Values = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
   using Rows = Eigen::SparseMatrix<Scalar>;

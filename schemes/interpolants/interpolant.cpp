@@ -1,13 +1,13 @@
 #include "interpolants/interpolant.hpp"
 
 #include "implicit/newton.hpp"
-#include "interpolants/between_steps.hpp"
+#include "interpolants/off_step_problem.hpp"
 
 namespace fde {
 
-Trajectory solve_with(Interpolant& interpolant, const Problem& problem, const Grid& grid,
-                      const Options& options) {
-  BetweenSteps stepped(problem, interpolant.offsets());
+Trajectory solve_with_interpolant(Interpolant& interpolant, const Problem& problem, const Grid& grid,
+                                  const Options& options) {
+  OffStepProblem stepped(problem, interpolant.offsets());
   Run run(stepped.problem(), options, grid.steps);
   NewtonSolver newton(stepped.problem(), options.tolerance);
   run.cost().history_bytes = interpolant.bytes();
@@ -22,7 +22,7 @@ Trajectory solve_with(Interpolant& interpolant, const Problem& problem, const Gr
     run.offer(state);
     const double t = grid.time(n);
     before = y;
-    stepped.step_from(grid.time(n - 1), before, grid.step(n));
+    stepped.set_step(grid.time(n - 1), before, grid.step(n));
     interpolant.derivative(n, known, newest);
     kappa = newest.cwiseInverse();
     past = before - kappa.cwiseProduct(known);

@@ -30,7 +30,7 @@ class Interpolant {
 
 // Solves D^g_i y_i(t*) = f_i(t*, y*) at every step of the grid, y* on the line from y_(n-1) to y_n, by
 // Newton's method. Precondition: no row is algebraic.
-Trajectory solve_with(Interpolant& interpolant, const Problem& problem, const Grid& grid,
-                      const Options& options);
+Trajectory solve_with_interpolant(Interpolant& interpolant, const Problem& problem, const Grid& grid,
+                                  const Options& options);
 
 }  // namespace fde

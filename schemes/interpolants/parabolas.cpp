@@ -28,34 +28,34 @@ const WeightFamily& bends_of(const Grid& grid) {
 
 }  // namespace
 
-ParabolasFromBehind::ParabolasFromBehind(const Problem& problem, const Grid& grid, const Options& options)
+BackwardParabolas::BackwardParabolas(const Problem& problem, const Grid& grid, const Options& options)
     : grid_(grid),
       lines_(tables(problem, families::l1), step_plan(grid), options),
-      bends_(tables(problem, families::l1_bend), step_plan(grid), options),
+      second_differences_(tables(problem, families::l1_bend), step_plan(grid), options),
       factors_(tables(problem, families::l1)),
-      bent_line_(problem.size()),
+      second_difference_ratio_(problem.size()),
       increment_(Vec::Zero(problem.size())),
       bend_(Vec::Zero(problem.size())) {
-  for (Eigen::Index i = 0; i < bent_line_.size(); ++i) {
+  for (Eigen::Index i = 0; i < second_difference_ratio_.size(); ++i) {
     const double g = problem.components[static_cast<std::size_t>(i)].order;
-    bent_line_[i] = g / (2.0 - g);
+    second_difference_ratio_[i] = g / (2.0 - g);
   }
   lines_.push(0.0, increment_);
-  bends_.push(0.0, bend_);
+  second_differences_.push(0.0, bend_);
 }
 
-void ParabolasFromBehind::derivative(int n, Out known, Out newest) {
+void BackwardParabolas::derivative(int n, Out known, Out newest) {
   lines_.derivative(grid_.time(n), known);
-  bends_.derivative(grid_.time(n), bend_);
+  second_differences_.derivative(grid_.time(n), bend_);
   known += bend_;
   newest = factors_.at(grid_.step(n)).cwiseInverse();
   if (n == 1) return;
   const double ratio = grid_.step(n) / grid_.step(n - 1), share = ratio / (1.0 + ratio);
-  known -= share * ratio * newest.cwiseProduct(bent_line_).cwiseProduct(increment_);
-  newest += share * newest.cwiseProduct(bent_line_);
+  known -= share * ratio * newest.cwiseProduct(second_difference_ratio_).cwiseProduct(increment_);
+  newest += share * newest.cwiseProduct(second_difference_ratio_);
 }
 
-void ParabolasFromBehind::push(int n, In increment) {
+void BackwardParabolas::push(int n, In increment) {
   const double t = grid_.time(n);
   lines_.push(t, increment);
   if (n == 1) {
@@ -64,11 +64,11 @@ void ParabolasFromBehind::push(int n, In increment) {
     const double ratio = grid_.step(n) / grid_.step(n - 1);
     bend_ = ratio / (1.0 + ratio) * (increment - ratio * increment_);
   }
-  bends_.push(t, bend_);
+  second_differences_.push(t, bend_);
   increment_ = increment;
 }
 
-ParabolasFromAhead::ParabolasFromAhead(const Problem& problem, const Grid& grid, const Options& options)
+ForwardParabolas::ForwardParabolas(const Problem& problem, const Grid& grid, const Options& options)
     : grid_(grid), increment_(Vec::Zero(problem.size())), bend_(Vec::Zero(problem.size())) {
   std::vector<std::pair<double, std::vector<Eigen::Index>>> rows_of_order;
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
@@ -83,35 +83,35 @@ ParabolasFromAhead::ParabolasFromAhead(const Problem& problem, const Grid& grid,
     const std::vector<WeightTable> of_lines(rows.size(), {&lines_of(grid), order}),
         of_bends(rows.size(), {&bends_of(grid), order});
     groups_.push_back({order, offset, std::pow(offset, 1.0 - order), rows,
-                       SlopeMemory(of_lines, plan, options), SlopeMemory(of_bends, plan, options),
+                       SlopeHistory(of_lines, plan, options), SlopeHistory(of_bends, plan, options),
                        StepFactors({WeightTable{&families::l1, order}}), 0.0, Vec::Zero(std::ssize(rows))});
     auto& group = groups_.back();
-    if (grid.uniform() && grid.steps > 1) group.bend_factor = last_bend(group, 2);
+    if (grid.uniform() && grid.steps > 1) group.bend_factor = last_second_difference_weight(group, 2);
     group.lines.push(0.0, group.buffer);
     group.bends.push(0.0, group.buffer);
   }
 }
 
-Vec ParabolasFromAhead::offsets() const {
+Vec ForwardParabolas::offsets() const {
   Vec offsets(increment_.size());
   for (const auto& group : groups_) offsets(group.rows).setConstant(group.offset);
   return offsets;
 }
 
-std::size_t ParabolasFromAhead::bytes() const {
+std::size_t ForwardParabolas::bytes() const {
   std::size_t bytes = 0;
   for (const auto& group : groups_) bytes += group.lines.bytes() + group.bends.bytes();
   return bytes;
 }
 
-double ParabolasFromAhead::last_bend(const Group& group, int n) const {
+double ForwardParabolas::last_second_difference_weight(const Group& group, int n) const {
   if (group.order == 1.0) return 0.0;  // no memory
   const double before = grid_.step(n - 1);
   const auto [left, right] = interval_weights(1.0 - group.order, group.offset * grid_.step(n), before);
   return (right - left) / before;
 }
 
-void ParabolasFromAhead::derivative(int n, Out known, Out newest) {
+void ForwardParabolas::derivative(int n, Out known, Out newest) {
   const double length = grid_.step(n);
   const double ratio = n == 1 ? 0.0 : grid_.step(n - 1) / length, share = ratio / (1.0 + ratio);
   for (auto& group : groups_) {
@@ -120,13 +120,13 @@ void ParabolasFromAhead::derivative(int n, Out known, Out newest) {
     known(group.rows) = group.buffer;
     group.bends.derivative(at, group.buffer);
     double bend = 0.0;
-    if (n > 1) bend = grid_.uniform() ? group.bend_factor : last_bend(group, n);
+    if (n > 1) bend = grid_.uniform() ? group.bend_factor : last_second_difference_weight(group, n);
     known(group.rows) += group.buffer - bend * share * increment_(group.rows);
     newest(group.rows).setConstant(group.line / group.factors.at(length)[0] + bend * share * ratio);
   }
 }
 
-void ParabolasFromAhead::push(int n, In increment) {
+void ForwardParabolas::push(int n, In increment) {
   if (n > 1) {
     const double ratio = grid_.step(n - 1) / grid_.step(n);
     bend_ = ratio / (1.0 + ratio) * (ratio * increment - increment_);
@@ -141,7 +141,7 @@ void ParabolasFromAhead::push(int n, In increment) {
   increment_ = increment;
 }
 
-void ParabolasFromAhead::state(Archive& archive) {
+void ForwardParabolas::state(Archive& archive) {
   for (auto& group : groups_) archive(group.lines, group.bends);
   archive(increment_);
 }

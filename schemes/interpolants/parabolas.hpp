@@ -1,7 +1,7 @@
 #pragma once
 
 #include "interpolants/interpolant.hpp"
-#include "interpolants/slope_memory.hpp"
+#include "interpolants/slope_history.hpp"
 #include "weights/step_factors.hpp"
 
 namespace fde {
@@ -12,28 +12,29 @@ namespace fde {
 
 // L1-2 (Gao, Sun & Zhang 2014): on step n the parabola through y_(n-2), y_(n-1), y_n, linear on the first
 // step; derivatives at t_n.
-class ParabolasFromBehind final : public Interpolant {
+class BackwardParabolas final : public Interpolant {
  public:
-  ParabolasFromBehind(const Problem& problem, const Grid& grid, const Options& options);
+  BackwardParabolas(const Problem& problem, const Grid& grid, const Options& options);
   [[nodiscard]] Vec offsets() const override { return Vec::Ones(increment_.size()); }
   void derivative(int n, Out known, Out newest) override;
   void push(int n, In increment) override;
-  [[nodiscard]] std::size_t bytes() const override { return lines_.bytes() + bends_.bytes(); }
-  void state(Archive& archive) override { archive(lines_, bends_, increment_); }
+  [[nodiscard]] std::size_t bytes() const override { return lines_.bytes() + second_differences_.bytes(); }
+  void state(Archive& archive) override { archive(lines_, second_differences_, increment_); }
 
  private:
   Grid grid_;
-  SlopeMemory lines_, bends_;
-  StepFactors factors_;  // h^g Gamma(2-g)
-  Vec bent_line_;        // g / (2-g): weight of the bend of the newest step, if its increment has weight 1
+  SlopeHistory lines_, second_differences_;
+  StepFactors factors_;          // h^g Gamma(2-g)
+  Vec second_difference_ratio_;  // g / (2-g): weight of the bend of the newest step, if its increment has
+                                 // weight 1
   Vec increment_, bend_;
 };
 
 // L2-1_sigma (Alikhanov 2015): on step n the parabola through y_(n-1), y_n, y_(n+1), linear on the newest
 // step; derivatives at the offset sigma = 1 - g/2 of each component, where the linear part is exact for t^2.
-class ParabolasFromAhead final : public Interpolant {
+class ForwardParabolas final : public Interpolant {
  public:
-  ParabolasFromAhead(const Problem& problem, const Grid& grid, const Options& options);
+  ForwardParabolas(const Problem& problem, const Grid& grid, const Options& options);
   [[nodiscard]] Vec offsets() const override;
   void derivative(int n, Out known, Out newest) override;
   void push(int n, In increment) override;
@@ -46,13 +47,13 @@ class ParabolasFromAhead final : public Interpolant {
     double order, offset;
     double line;  // offset^(1-g): h^g Gamma(2-g) times the weight of the newest increment at t*
     std::vector<Eigen::Index> rows;
-    SlopeMemory lines, bends;
+    SlopeHistory lines, bends;
     StepFactors factors;  // h^g Gamma(2-g)
-    double bend_factor;   // last_bend, for equal steps
+    double bend_factor;   // last_second_difference_weight, for equal steps
     Vec buffer;
   };
   // The weight of the bend of step n - 1 in the derivative at t*.
-  [[nodiscard]] double last_bend(const Group& group, int n) const;
+  [[nodiscard]] double last_second_difference_weight(const Group& group, int n) const;
 
   Grid grid_;
   std::vector<Group> groups_;

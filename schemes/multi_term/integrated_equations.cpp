@@ -72,7 +72,7 @@ std::vector<Chain> chains_of(const Problem& problem) {
   return chains;
 }
 
-std::optional<std::string> refusal_of_equations(const Problem& problem) {
+std::optional<std::string> unsupported_equations_reason(const Problem& problem) {
   Eigen::Index rows = 0;
   for (const auto& chain : chains_of(problem)) {
     const double leading = chain.leading().order;
@@ -93,7 +93,7 @@ Problem integrated(const Problem& problem) {
           .domain = problem.domain};
 }
 
-StartPowers start_powers_of_equations(const WeightFamily& family, const Problem& problem) {
+StartingPowers start_powers_of_equations(const WeightFamily& family, const Problem& problem) {
   std::vector<double> orders, steps;
   for (const auto& chain : chains_of(problem)) {
     for (const double node : chain.nodes()) {
@@ -102,30 +102,30 @@ StartPowers start_powers_of_equations(const WeightFamily& family, const Problem&
       if (!whole(node)) steps.push_back(std::ceil(node) - node);  // D^v T, where g depends on it
     }
   }
-  return start_powers(family, orders, steps);
+  return starting_powers(family, orders, steps);
 }
 
 IntegratedEquations::IntegratedEquations(const Problem& problem, const WeightFamily& family, const Grid& grid,
-                                         const Options& options, const std::vector<double>& start_powers)
+                                         const Options& options, const std::vector<double>& starting_powers)
     : grid_(grid),
-      parts_(parts_of(problem)),
+      parts_(subsystems(problem)),
       tables_(tables(family)),
       history_(make_history(options.history, tables_, step_plan(grid), options.tolerance)),
-      first_samples_(Matrix::Zero(std::ssize(tables_.front()), std::ssize(start_powers))),
+      first_samples_(Matrix::Zero(std::ssize(tables_.front()), std::ssize(starting_powers))),
       factors_(Matrix::Zero(std::ssize(parts_), std::ssize(tables_))),
       sums_(std::ssize(tables_.front()), std::ssize(tables_)),
       sample_(sums_.rows()),
-      starts_(problem.size()),
-      drives_(problem.size()),
+      taylor_derivatives_(problem.size()),
+      taylor_integrals_(problem.size()),
       past_(problem.size()),
       kappa_(Vec::Zero(problem.size())) {
-  if (start_powers.empty()) return;
+  if (starting_powers.empty()) return;
   for (auto of_sum : tables_) {
     // Rows that are not in a sum get the table of one that is; their sums are not used.
     const auto used = *std::ranges::find_if(of_sum, [](const auto& table) { return table.order > 0.0; });
     std::ranges::replace_if(
         of_sum, [](const auto& table) { return table.order == 0.0; }, used);
-    corrections_.emplace_back(of_sum, start_powers, grid.steps);
+    corrections_.emplace_back(of_sum, starting_powers, grid.steps);
   }
 }
 
@@ -135,11 +135,11 @@ std::size_t IntegratedEquations::bytes() const {
   return bytes;
 }
 
-std::vector<IntegratedEquations::Part> IntegratedEquations::parts_of(const Problem& problem) {
-  std::vector<Part> parts;
+std::vector<IntegratedEquations::ChainSum> IntegratedEquations::subsystems(const Problem& problem) {
+  std::vector<ChainSum> parts;
   Eigen::Index first = 0;
   for (const auto& chain : chains_of(problem)) {
-    parts.push_back({chain, ratios_of(chain), first, StartIntegrals(chain)});
+    parts.push_back({chain, ratios_of(chain), first, TaylorPartIntegrals(chain)});
     first += chain.size() + 1;
   }
   return parts;
@@ -162,7 +162,7 @@ WeightTables IntegratedEquations::tables(const WeightFamily& family) const {
   return all;
 }
 
-Matrix IntegratedEquations::first_weights_of(const Part& part, Eigen::Index i) const {
+Matrix IntegratedEquations::first_weights_of(const ChainSum& part, Eigen::Index i) const {
   const auto steps = first_samples_.cols() - 1, sample = part.first + part.chain.size();
   Matrix weights(steps, steps + 1);
   for (Eigen::Index n = 1; n <= steps; ++n)
@@ -172,17 +172,17 @@ Matrix IntegratedEquations::first_weights_of(const Part& part, Eigen::Index i) c
 
 // The rows of an equation satisfy A D^v d = kappa_v Omega_v f - (the integrals of D^v T) at all first
 // steps together, A = 1 + sum_k c_k/a kappa_k Omega_k, and D^v d = 0 at t = 0.
-std::optional<FirstEquations> IntegratedEquations::first_equations() {
-  if (!find_factors(1)) return std::nullopt;
+std::optional<StartingEquations> IntegratedEquations::first_equations() {
+  if (!compute_factors(1)) return std::nullopt;
   const auto steps = first_samples_.cols() - 1;
-  FirstEquations equations{
+  StartingEquations equations{
       std::vector<Matrix>(static_cast<std::size_t>(steps), Matrix(past_.size(), steps + 1)),
       Matrix(past_.size(), steps)};
   Matrix drives(past_.size(), steps);
   for (Eigen::Index n = 1; n <= steps; ++n) {
-    integrate_starts(grid_.time(static_cast<int>(n)));
-    equations.known.col(n - 1) = starts_;
-    drives.col(n - 1) = drives_;
+    update_taylor_part(grid_.time(static_cast<int>(n)));
+    equations.known.col(n - 1) = taylor_derivatives_;
+    drives.col(n - 1) = taylor_integrals_;
   }
   for (std::size_t e = 0; e < parts_.size(); ++e) {
     const auto& part = parts_[e];
@@ -205,19 +205,21 @@ std::optional<FirstEquations> IntegratedEquations::first_equations() {
   return equations;
 }
 
-void IntegratedEquations::integrate_starts(double t) {
+void IntegratedEquations::update_taylor_part(double t) {
   if (t == time_) return;
   time_ = t;
   for (const auto& [chain, ratios, first, starts, own] : parts_) {
-    starts.at(t, starts_.segment(chain.first(), chain.size()), drives_.segment(chain.first(), chain.size()));
+    starts.at(t, taylor_derivatives_.segment(chain.first(), chain.size()),
+              taylor_integrals_.segment(chain.first(), chain.size()));
   }
 }
 
 void IntegratedEquations::push(double t, In y, In f) {
-  integrate_starts(t);
+  update_taylor_part(t);
   for (const auto& [chain, ratios, first, starts, own] : parts_) {
     const auto rows = chain.size();
-    sample_.segment(first, rows) = y.segment(chain.first(), rows) - starts_.segment(chain.first(), rows);
+    sample_.segment(first, rows) =
+        y.segment(chain.first(), rows) - taylor_derivatives_.segment(chain.first(), rows);
     sample_[first + rows] = f[chain.first()];
   }
   history_->push(t, sample_);
@@ -227,10 +229,10 @@ void IntegratedEquations::push(double t, In y, In f) {
   for (auto& correction : corrections_) correction.start(first_samples_);
 }
 
-bool IntegratedEquations::step_to(int n) {
+bool IntegratedEquations::prepare_step(int n) {
   const double t = grid_.time(n);
-  integrate_starts(t);
-  if ((n == 1 || !grid_.uniform()) && !find_factors(n)) return false;
+  update_taylor_part(t);
+  if ((n == 1 || !grid_.uniform()) && !compute_factors(n)) return false;
   for (Eigen::Index i = 0; i < sums_.cols(); ++i)
     history_->convolve(t, static_cast<std::size_t>(i), sums_.col(i));
   for (std::size_t i = 0; i < corrections_.size(); ++i)
@@ -239,18 +241,18 @@ bool IntegratedEquations::step_to(int n) {
     const auto& [chain, ratios, first, starts, own] = parts_[e];
     const auto rows = chain.size();
     auto past = past_.segment(chain.first(), rows);
-    past = -drives_.segment(chain.first(), rows);
+    past = -taylor_integrals_.segment(chain.first(), rows);
     for (Eigen::Index i = 0; i < rows; ++i) {
       const double factor = factors_(static_cast<Eigen::Index>(e), i);
       if (ratios[i] != 0.0) past -= ratios[i] * factor * sums_.col(i).segment(first, rows);
       past[i] += factor * sums_(first + rows, i);
     }
-    past = starts_.segment(chain.first(), rows) + past / own;
+    past = taylor_derivatives_.segment(chain.first(), rows) + past / own;
   }
   return true;
 }
 
-bool IntegratedEquations::find_factors(int n) {
+bool IntegratedEquations::compute_factors(int n) {
   for (std::size_t e = 0; e < parts_.size(); ++e) {
     auto& [chain, ratios, first, starts, own] = parts_[e];
     const auto rows = chain.size();

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "history/history.hpp"
-#include "multi_term/start_integrals.hpp"
+#include "multi_term/taylor_part_integrals.hpp"
 #include "problem/chain.hpp"
-#include "start_weights/first_steps.hpp"
 #include "start_weights/start_correction.hpp"
 #include "start_weights/start_powers.hpp"
+#include "start_weights/starting_procedure.hpp"
 #include "stepping/scheme.hpp"
 
 namespace fde {
@@ -28,7 +28,7 @@ std::vector<Chain> chains_of(const Problem& problem);
 
 // Why the integrated form is not applicable, as half a sentence: a leading order is above 2, or rows belong
 // to no equation. nullopt: it is applicable.
-std::optional<std::string> refusal_of_equations(const Problem& problem);
+std::optional<std::string> unsupported_equations_reason(const Problem& problem);
 
 // The problem that each step solves, y = past + kappa f(t, y), with the rows of the given one: f is g / a in
 // all rows of an equation, and row v has the order L - v. The given problem must outlive it.
@@ -36,27 +36,27 @@ Problem integrated(const Problem& problem);
 
 // The powers of t in D^v d and in g that start weights of this family make exact; they follow from the
 // orders.
-StartPowers start_powers_of_equations(const WeightFamily& family, const Problem& problem);
+StartingPowers start_powers_of_equations(const WeightFamily& family, const Problem& problem);
 
 // The memory terms of all equations.
 class IntegratedEquations {
  public:
-  // start_powers: powers of t in the samples that start weights make exact; empty: no start weights.
+  // starting_powers: powers of t in the samples that start weights make exact; empty: no start weights.
   IntegratedEquations(const Problem& problem, const WeightFamily& family, const Grid& grid,
-                      const Options& options, const std::vector<double>& start_powers = {});
+                      const Options& options, const std::vector<double>& starting_powers = {});
 
   [[nodiscard]] std::size_t bytes() const;
 
-  // The equations of the first steps, one for each start power beyond the first. nullopt where step_to(1) is
-  // false.
-  [[nodiscard]] std::optional<FirstEquations> first_equations();
+  // The equations of the first steps, one for each start power beyond the first. nullopt where
+  // prepare_step(1) is false.
+  [[nodiscard]] std::optional<StartingEquations> first_equations();
 
   // Appends y and f of integrated() at t: 0, or the time of the last step.
   void push(double t, In y, In f);
 
   // Computes past() and kappa() for the step to t_n, after the first steps. Returns false where the step is
   // too large for a growing mode: 1 + sum_k c_k/a kappa_k <= 0, which does not hold for small enough steps.
-  bool step_to(int n);
+  bool prepare_step(int n);
 
   // The rows at t_n are past + kappa f(t_n, y_n).
   [[nodiscard]] const Vec& past() const { return past_; }
@@ -66,31 +66,31 @@ class IntegratedEquations {
 
  private:
   // One equation. Its samples are those of its rows, then that of f.
-  struct Part {
+  struct ChainSum {
     Chain chain;
-    Vec ratios;             // c_k / a
-    Eigen::Index first;     // index of its first sample
-    StartIntegrals starts;  // of T
-    double own = 1.0;       // 1 + sum_k c_k/a kappa_k
+    Vec ratios;                  // c_k / a
+    Eigen::Index first;          // index of its first sample
+    TaylorPartIntegrals starts;  // of T
+    double own = 1.0;            // 1 + sum_k c_k/a kappa_k
   };
-  static std::vector<Part> parts_of(const Problem& problem);
+  static std::vector<ChainSum> subsystems(const Problem& problem);
   [[nodiscard]] WeightTables tables(const WeightFamily& family) const;
   // The weights of an equation in the i-th sum at the first steps, one row a step.
-  [[nodiscard]] Matrix first_weights_of(const Part& part, Eigen::Index i) const;
-  void integrate_starts(double t);
-  bool find_factors(int n);
+  [[nodiscard]] Matrix first_weights_of(const ChainSum& part, Eigen::Index i) const;
+  void update_taylor_part(double t);
+  bool compute_factors(int n);
 
   Grid grid_;
-  std::vector<Part> parts_;
+  std::vector<ChainSum> parts_;
   WeightTables tables_;  // of each sum; the order of the i-th is L - node i
   std::unique_ptr<History> history_;
-  std::vector<StartCorrection> corrections_;  // of each sum; empty: no start weights
-  Matrix first_samples_;                      // those with start weights, one column a step
-  Eigen::Index pushed_ = 0;                   // number of columns set
+  std::vector<StartingCorrection> corrections_;  // of each sum; empty: no start weights
+  Matrix first_samples_;                         // those with start weights, one column a step
+  Eigen::Index pushed_ = 0;                      // number of columns set
   Matrix factors_;      // weights of the newest sample, a row an equation, a column a sum
   Matrix sums_;         // one column a sum
-  double time_ = -1.0;  // time of starts_ and drives_
-  Vec sample_, starts_, drives_, past_, kappa_;
+  double time_ = -1.0;  // time of taylor_derivatives_ and taylor_integrals_
+  Vec sample_, taylor_derivatives_, taylor_integrals_, past_, kappa_;
 };
 
 }  // namespace fde

@@ -6,7 +6,7 @@
 
 #include "multi_term/integrated_equations.hpp"
 #include "problem/chain_problem.hpp"
-#include "start_weights/multistep.hpp"
+#include "start_weights/multistep_scheme.hpp"
 #include "stepping/rates.hpp"
 
 namespace fde {

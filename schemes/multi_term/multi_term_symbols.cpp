@@ -78,7 +78,7 @@ class LinearEquations {
     return result;
   }
   // 1 + sum_k c_k/a kappa_k
-  [[nodiscard]] Eigen::VectorXcd newest_own() const {
+  [[nodiscard]] Eigen::VectorXcd newest_denominators() const {
     Eigen::VectorXcd values(size());
     for (Eigen::Index e = 0; e < size(); ++e) values[e] = 1.0 + ratios(e).dot(integrals(e).newest());
     return values;
@@ -123,7 +123,7 @@ Symbol predicted_multi_term_symbol(const Problem& problem, double length) {
   const LinearEquations equations(problem, families::trapezoid, length);
   const ComplexMatrix newest = equations.newest();
   const ComplexMatrix unit = ComplexMatrix::Identity(newest.rows(), newest.cols());
-  const ComplexMatrix b = newest * equations.newest_own().cwiseInverse().asDiagonal();
+  const ComplexMatrix b = newest * equations.newest_denominators().cwiseInverse().asDiagonal();
   return [=](ComplexValue log_zeta) {
     const ComplexValue zeta = std::exp(log_zeta);
     const Eigen::VectorXcd own = equations.own(log_zeta), powers = equations.leading_powers(log_zeta);

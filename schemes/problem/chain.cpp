@@ -52,7 +52,7 @@ std::vector<Component> Chain::components() const {
   return components;
 }
 
-Smoothness chain_smoothness(const std::vector<Chain>& chains) {
+Smoothness smoothness_of_chains(const std::vector<Chain>& chains) {
   const double leading = chains.front().leading().order;
   std::vector<double> orders, start{leading};
   for (const auto& chain : chains) {

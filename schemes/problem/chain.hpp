@@ -44,6 +44,6 @@ class Chain {
 
 // The powers of t at t = 0 of all components of these chains, in the order of the chains, when the forces are
 // smooth functions of all u. Precondition: all chains have the same leading order, and there is at least one.
-Smoothness chain_smoothness(const std::vector<Chain>& chains);
+Smoothness smoothness_of_chains(const std::vector<Chain>& chains);
 
 }  // namespace fde

@@ -9,7 +9,7 @@
 namespace fde {
 namespace {
 
-using Equations = std::vector<DrivenChain>;
+using Equations = std::vector<MultiTermEquation>;
 
 Equations with_factors(Equations equations) {
   for (auto& equation : equations) {
@@ -28,7 +28,7 @@ double sum_of_terms(const Chain& chain, In y) {
 }
 
 // f_i = y_{i+1}; the last f of each chain is D^leading u. An empty factor is 1.
-void evaluate(const std::vector<DrivenChain>& equations, double t, In y, Out f) {
+void evaluate(const std::vector<MultiTermEquation>& equations, double t, In y, Out f) {
   for (const auto& [chain, force, factor, _] : equations) {
     const auto first = chain.first(), last = first + chain.size() - 1;
     for_each_component(chain.size() - 1, [&](Eigen::Index i) { f[first + i] = y[first + i + 1]; });
@@ -63,7 +63,7 @@ void differentiate(const Equations& equations, double t, In y, OutMatrix jacobia
 }
 
 template <class Kind>
-bool tells(const DrivenChain& equation) {
+bool tells(const MultiTermEquation& equation) {
   return std::holds_alternative<Kind>(equation.derivatives);
 }
 
@@ -80,7 +80,7 @@ Derivatives derivatives_of(const Equations& equations, Eigen::Index size) {
 
 }  // namespace
 
-Problem chain_problem(const std::vector<DrivenChain>& equations, double end) {
+Problem chain_problem(const std::vector<MultiTermEquation>& equations, double end) {
   const Equations driven = with_factors(equations);
   Problem problem{.rhs = [equations](double t, In y, Out f) { evaluate(equations, t, y, f); }, .end = end};
   for (const auto& [chain, force, factor, _] : driven) {

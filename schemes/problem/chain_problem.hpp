@@ -20,7 +20,7 @@ struct ForceGradient {
 
 // A multi-term equation of a scene: its left side, its force and their derivatives. y is the state of the
 // whole problem, so equations may be coupled.
-struct DrivenChain {
+struct MultiTermEquation {
   Chain chain;
   std::function<double(double t, In y)> force;
   std::function<double(double t, In y)> factor{};  // empty: 1
@@ -30,7 +30,7 @@ struct DrivenChain {
 // The problem of these equations on 0 < t <= end: components, right-hand side, derivatives as far as all
 // equations give them, and Problem::equations. Throws std::invalid_argument where the rows of the chains are
 // not contiguous from row 0 on.
-Problem chain_problem(const std::vector<DrivenChain>& equations, double end);
+Problem chain_problem(const std::vector<MultiTermEquation>& equations, double end);
 
 // The chain of one of problem.equations: its nodes, coefficients and initial values.
 Chain chain_of(const Problem& problem, const Equation& equation);

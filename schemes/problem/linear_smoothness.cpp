@@ -41,12 +41,12 @@ class Series {
   std::map<double, Sum> terms_;
 };
 
-// The coefficients of a power, with 0 for components that already have a power within distinct_powers: the
+// The coefficients of a power, with 0 for components that already have a power within power_separation: the
 // powers that follow from it are as close to those that follow from the other one.
 Vec distinct(double power, Vec coefficients, const std::vector<std::vector<double>>& powers) {
   for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
     const auto& before = powers[static_cast<std::size_t>(i)];
-    if (!before.empty() && power < before.back() + distinct_powers) coefficients[i] = 0.0;
+    if (!before.empty() && power < before.back() + power_separation) coefficients[i] = 0.0;
   }
   return coefficients;
 }

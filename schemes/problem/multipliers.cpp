@@ -90,7 +90,7 @@ std::vector<Eigen::Index> multipliers(const Problem& problem) {
   return found;
 }
 
-double integrated_orders(const Problem& problem) {
+double multiplier_integration_order(const Problem& problem) {
   const Growth growth(problem);
   double most = 0.0;
   for (const auto i : multipliers(problem)) {
@@ -101,7 +101,7 @@ double integrated_orders(const Problem& problem) {
   return most;
 }
 
-std::optional<Eigen::Index> row_off_at_start(const Problem& problem) {
+std::optional<Eigen::Index> inconsistent_initial_row(const Problem& problem) {
   constexpr double off = 1e-8;  // of the terms of a row: initial values may be given with 8 digits only
   constexpr double once = 1.0 - 1e-6;
   const auto constraints = algebraic_rows(problem);

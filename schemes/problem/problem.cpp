@@ -45,7 +45,7 @@ bool evaluate_jacobian(const Problem& problem, double t, In y, OutMatrix jacobia
 
 std::size_t initial_count(double order) { return static_cast<std::size_t>(std::max(std::ceil(order), 1.0)); }
 
-bool two_sided(const Problem& problem) {
+bool is_two_sided(const Problem& problem) {
   return problem.conditions || std::ranges::any_of(problem.components, [](const auto& component) {
            return component.side == Side::right;
          });

@@ -33,7 +33,7 @@ struct Domain {
 
 // A switching function of a discontinuous right-hand side (dry friction, for example): the right-hand side
 // jumps where this function changes its sign along the solution.
-using Switch = std::function<double(double t, In y)>;
+using SwitchingFunction = std::function<double(double t, In y)>;
 
 // A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end, with Caputo derivatives. In a right row D
 // is the right derivative,
@@ -56,7 +56,7 @@ struct Problem {
   std::function<void(In at_start, In at_end, Out residual)> conditions{};
   Domain domain{};              // a step that leaves it has crossed a singularity
   std::vector<double> jumps{};  // the times after 0, increasing, at which rhs jumps
-  std::vector<Switch> switches{};
+  std::vector<SwitchingFunction> switches{};
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };
@@ -74,7 +74,7 @@ bool evaluate_jacobian(const Problem& problem, double t, In y, OutMatrix jacobia
 std::size_t initial_count(double order);
 
 // Whether the problem has a right derivative or boundary conditions: it cannot be solved by time stepping.
-bool two_sided(const Problem& problem);
+bool is_two_sided(const Problem& problem);
 
 // Number of unknown initial values.
 Eigen::Index unknown_count(const Problem& problem);

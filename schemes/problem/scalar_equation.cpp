@@ -16,7 +16,7 @@ Problem scalar_equation(double order, std::complex<double> rate, double end) {
           .end = end};
 }
 
-Problem scalar_chain(double order, std::complex<double> rate, double end) {
+Problem scalar_multi_term_equation(double order, std::complex<double> rate, double end) {
   const bool real = rate.imag() == 0.0;
   const double x = rate.real(), y = rate.imag();
   std::vector<double> start(initial_count(order), 0.0);

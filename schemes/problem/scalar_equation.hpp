@@ -11,6 +11,6 @@ namespace fde {
 Problem scalar_equation(double order, std::complex<double> rate, double end = 1.0);
 
 // The same equation in multi-term form, as chains without terms.
-Problem scalar_chain(double order, std::complex<double> rate, double end = 1.0);
+Problem scalar_multi_term_equation(double order, std::complex<double> rate, double end = 1.0);
 
 }  // namespace fde

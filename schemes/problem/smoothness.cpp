@@ -12,8 +12,8 @@ std::vector<double> power_closure(std::vector<double> start, double last,
   while (!open.empty()) {
     const double p = open.back();
     open.pop_back();
-    const auto near = powers.lower_bound(p - distinct_powers);
-    if (p > last || (near != powers.end() && *near < p + distinct_powers)) continue;
+    const auto near = powers.lower_bound(p - power_separation);
+    if (p > last || (near != powers.end() && *near < p + power_separation)) continue;
     powers.insert(p);
     for (const double following : next(p)) open.push_back(following);
   }

@@ -24,10 +24,11 @@ inline bool same_order(double a, double b) { return std::abs(a - b) < 1e-9; }
 inline bool whole(double order) { return same_order(order, std::round(order)); }
 
 // Powers closer than this count as one in the closures below: near an integer order they are dense.
-inline constexpr double distinct_powers = 1e-5;
+inline constexpr double power_separation = 1e-5;
 
 // The smallest set of powers up to `last` that contains `start` and, with each p, all of next(p). In
-// increasing order; powers closer than distinct_powers count as one. Precondition: next(p) are larger than p.
+// increasing order; powers closer than power_separation count as one. Precondition: next(p) are larger than
+// p.
 std::vector<double> power_closure(std::vector<double> start, double last,
                                   const std::function<std::vector<double>(double p)>& next);
 

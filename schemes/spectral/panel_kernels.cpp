@@ -7,7 +7,7 @@
 
 namespace fde {
 
-PanelKernels::PanelKernels(const PanelRule& rule, const DrivenRows& driven) : rule_(rule) {
+PanelKernels::PanelKernels(const PanelRule& rule, const IntegratedRows& driven) : rule_(rule) {
   for (const auto& row : driven.rows) {
     if (row.order == 0.0) {
       order_of_.push_back(-1);
@@ -29,13 +29,13 @@ Vec PanelKernels::units(double width) const {
   return units;
 }
 
-const std::vector<Matrix>& PanelKernels::of(const Lie& lie) {
-  auto found = kept_.find(lie);
-  if (found == kept_.end()) found = kept_.emplace(lie, make(lie)).first;
+const std::vector<Matrix>& PanelKernels::of(const RelativePosition& lie) {
+  auto found = cache_.find(lie);
+  if (found == cache_.end()) found = cache_.emplace(lie, make(lie)).first;
   return found->second;
 }
 
-std::vector<Matrix> PanelKernels::make(const Lie& lie) const {
+std::vector<Matrix> PanelKernels::make(const RelativePosition& lie) const {
   const Vec beyond = (2.0 * lie.gap + 1.0 + rule_.places.array()) / lie.width;
   std::vector<Matrix> kernels;
   for (const double order : orders_) kernels.push_back(kernel_moments(order, beyond, rule_.size()));
@@ -43,7 +43,7 @@ std::vector<Matrix> PanelKernels::make(const Lie& lie) const {
 }
 
 std::size_t PanelKernels::bytes() const {
-  return sizeof(double) * (kept_.size() + 1) * orders_.size() *
+  return sizeof(double) * (cache_.size() + 1) * orders_.size() *
          static_cast<std::size_t>(rule_.size() * rule_.size());
 }
 

@@ -4,16 +4,16 @@
 #include <map>
 #include <vector>
 
-#include "spectral/driven_rows.hpp"
+#include "spectral/integrated_rows.hpp"
 #include "spectral/panel_rule.hpp"
 
 namespace fde {
 
 // The position of a panel relative to a later one, in widths of the later one: its own width, and the gap
 // between the two.
-struct Lie {
+struct RelativePosition {
   double width, gap;
-  auto operator<=>(const Lie&) const = default;
+  auto operator<=>(const RelativePosition&) const = default;
 };
 
 // The fractional integrals of functions on panels, as matrices that act on Legendre coefficients; for a panel
@@ -22,7 +22,7 @@ struct Lie {
 class PanelKernels {
  public:
   // The rule must outlive this object.
-  PanelKernels(const PanelRule& rule, const DrivenRows& driven);
+  PanelKernels(const PanelRule& rule, const IntegratedRows& driven);
 
   // The distinct orders of the rows, without 0; and the index of the order of a row among them, -1 for order
   // 0.
@@ -39,9 +39,9 @@ class PanelKernels {
 
   // The integrals at the points of a later panel, from Legendre coefficients, one matrix an order. The
   // reference is valid as long as this object exists.
-  const std::vector<Matrix>& of(const Lie& lie);
+  const std::vector<Matrix>& of(const RelativePosition& lie);
   // The same, not cached.
-  [[nodiscard]] std::vector<Matrix> make(const Lie& lie) const;
+  [[nodiscard]] std::vector<Matrix> make(const RelativePosition& lie) const;
 
   [[nodiscard]] std::size_t bytes() const;
 
@@ -50,7 +50,7 @@ class PanelKernels {
   std::vector<double> orders_;
   std::vector<Eigen::Index> order_of_;
   std::vector<Matrix> own_;
-  std::map<Lie, std::vector<Matrix>> kept_;
+  std::map<RelativePosition, std::vector<Matrix>> cache_;
 };
 
 }  // namespace fde

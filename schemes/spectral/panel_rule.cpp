@@ -76,8 +76,8 @@ PanelRule::PanelRule(Eigen::Index points) : places(radau_places(points)) {
   to_coefficients = coefficients.cast<double>();
   at_end = coefficients.colwise().sum().transpose().cast<double>();
   at_start = (at(Wide::Constant(1, 1, -1)) * coefficients).transpose().cast<double>();
-  older_half = (at(older(x)) * coefficients).cast<double>();
-  newer_half = (at(newer(x)) * coefficients).cast<double>();
+  to_older_half = (at(older(x)) * coefficients).cast<double>();
+  to_newer_half = (at(newer(x)) * coefficients).cast<double>();
   const Vec norms = Vec::LinSpaced(points, 0.5, static_cast<double>(points) - 0.5);  // 1 / int P_l^2
   const Vec gauss = gauss_places(points);
   const Wide inner = gauss.cast<long double>();

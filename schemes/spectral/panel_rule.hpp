@@ -21,10 +21,11 @@ struct PanelRule {
 
   [[nodiscard]] Eigen::Index size() const { return places.size(); }
 
-  Vec places;                     // increasing
-  Matrix to_coefficients;         // from values; exact for polynomials of degree size() - 1
-  Vec at_start, at_end;           // weights of the values in the polynomial's value at -1 and at 1
-  Matrix older_half, newer_half;  // values at the points of each half from values at the points of a block
+  Vec places;              // increasing
+  Matrix to_coefficients;  // from values; exact for polynomials of degree size() - 1
+  Vec at_start, at_end;    // weights of the values in the polynomial's value at -1 and at 1
+  Matrix to_older_half,
+      to_newer_half;  // values at the points of each half from values at the points of a block
   Matrix from_older,
       from_newer;  // coefficients of the least-squares fit on a block: sum of the contributions of its halves
 };

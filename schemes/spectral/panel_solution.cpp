@@ -7,16 +7,16 @@
 namespace fde {
 
 Vec PanelSolution::at(double t) const {
-  const auto found =
-      std::ranges::lower_bound(panels, t, {}, [](const PastBlock* panel) { return panel->block.time(1.0); });
-  const PastBlock& panel = found == panels.end() ? *panels.back() : **found;
-  if (panel.block.from == 0.0) return by_integrals(panel, t);
+  const auto found = std::ranges::lower_bound(
+      panels, t, {}, [](const MemoryBlock* panel) { return panel->block.time(1.0); });
+  const MemoryBlock& panel = found == panels.end() ? *panels.back() : **found;
+  if (panel.block.from == 0.0) return from_integrals(panel, t);
   const double place = panel.block.place(t);
   const Matrix weights = legendre_polynomials(Vec::Constant(1, place), rule.size()) * rule.to_coefficients;
   return (weights * panel.values).transpose();
 }
 
-Vec PanelSolution::by_integrals(const PastBlock& panel, double t) const {
+Vec PanelSolution::from_integrals(const MemoryBlock& panel, double t) const {
   Vec rows = driven.start(t);
   for (const auto& tree : trees) {
     if (tree->block.segment->start < panel.block.segment->start) past.add_at(*tree, t, rows);

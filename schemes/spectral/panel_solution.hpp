@@ -15,11 +15,12 @@ class PanelSolution {
   PanelSolution& operator=(const PanelSolution&) = delete;
 
   const PanelRule& rule;
-  const DrivenRows driven;
-  PastSum past;
+  const IntegratedRows driven;
+  MemorySum past;
   std::deque<Segment> segments{};
-  std::vector<std::unique_ptr<PastBlock>> trees{};  // one a segment, or its parts if the segment ended early
-  std::vector<const PastBlock*> panels{};           // in the order of time
+  std::vector<std::unique_ptr<MemoryBlock>>
+      trees{};                               // one a segment, or its parts if the segment ended early
+  std::vector<const MemoryBlock*> panels{};  // in the order of time
 
   // The rows at t. Precondition: the panels cover t. On the first panel of a segment, where the rows are not
   // smooth, they are computed from the integrals; on the others from the values at the points.
@@ -28,7 +29,7 @@ class PanelSolution {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  [[nodiscard]] Vec by_integrals(const PastBlock& panel, double t) const;
+  [[nodiscard]] Vec from_integrals(const MemoryBlock& panel, double t) const;
 };
 
 }  // namespace fde

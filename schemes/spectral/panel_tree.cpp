@@ -6,7 +6,7 @@ namespace fde {
 namespace {
 
 // The position of a source relative to a block, exact within a segment.
-Lie lie_of(const TimeBlock& source, const TimeBlock& block) {
+RelativePosition lie_of(const TimeBlock& source, const TimeBlock& block) {
   if (source.segment == block.segment)
     return {source.width / block.width, (block.from - (source.from + source.width)) / block.width};
   const double gap = (block.segment->start - (source.segment->start + source.segment->length)) +
@@ -16,17 +16,20 @@ Lie lie_of(const TimeBlock& source, const TimeBlock& block) {
 }
 
 // Whether the source is integrated as a whole at this distance.
-bool is_one(const PastBlock& source, const Lie& lie) { return source.panel() || lie.gap >= lie.width; }
+bool is_one(const MemoryBlock& source, const RelativePosition& lie) {
+  return source.panel() || lie.gap >= lie.width;
+}
 
 }  // namespace
 
-PastSum::PastSum(const PanelRule& rule, const DrivenRows& driven) : driven_(driven), kernels_(rule, driven) {}
+MemorySum::MemorySum(const PanelRule& rule, const IntegratedRows& driven)
+    : driven_(driven), kernels_(rule, driven) {}
 
-void PastSum::sort(const PastBlock& source, const TimeBlock& block, Matrix& smooth, Sources& near) {
-  const Lie lie = lie_of(source.block, block);
+void MemorySum::sort(const MemoryBlock& source, const TimeBlock& block, Matrix& smooth, Sources& near) {
+  const RelativePosition lie = lie_of(source.block, block);
   const bool far = lie.gap >= 1.0, one = is_one(source, lie);
   if (far && one) {
-    add_seen(source, block, lie, smooth);
+    add_whole(source, block, lie, smooth);
   } else if (!one && (far || lie.width > 1.0)) {
     sort(*source.older, block, smooth, near);
     sort(*source.newer, block, smooth, near);
@@ -35,14 +38,15 @@ void PastSum::sort(const PastBlock& source, const TimeBlock& block, Matrix& smoo
   }
 }
 
-void PastSum::add(const PastBlock& source, const TimeBlock& panel, Matrix& sums) {
-  const Lie lie = lie_of(source.block, panel);
-  if (is_one(source, lie)) return add_seen(source, panel, lie, sums);
+void MemorySum::add(const MemoryBlock& source, const TimeBlock& panel, Matrix& sums) {
+  const RelativePosition lie = lie_of(source.block, panel);
+  if (is_one(source, lie)) return add_whole(source, panel, lie, sums);
   add(*source.older, panel, sums);
   add(*source.newer, panel, sums);
 }
 
-void PastSum::add_seen(const PastBlock& source, const TimeBlock& block, const Lie& lie, Matrix& sums) {
+void MemorySum::add_whole(const MemoryBlock& source, const TimeBlock& block, const RelativePosition& lie,
+                          Matrix& sums) {
   std::vector<Matrix> once;
   if (source.block.segment != block.segment) once = kernels_.make(lie);
   const auto& kernels = once.empty() ? kernels_.of(lie) : once;
@@ -54,7 +58,7 @@ void PastSum::add_seen(const PastBlock& source, const TimeBlock& block, const Li
   }
 }
 
-void PastSum::add_at(const PastBlock& source, double t, Out sums) const {
+void MemorySum::add_at(const MemoryBlock& source, double t, Out sums) const {
   const double length = source.block.length(), gap = t - source.block.time(1.0);
   if (!source.panel() && gap < length) {
     add_at(*source.older, t, sums);
@@ -64,7 +68,7 @@ void PastSum::add_at(const PastBlock& source, double t, Out sums) const {
   const double since = source.block.since(t);
   const auto moments_of = [&](double order) -> Vec {
     const auto count = source.coefficients.rows();
-    if (since <= length) return own_moments(order, 2.0 * since / length, count);
+    if (since <= length) return moments_inside_panel(order, 2.0 * since / length, count);
     return kernel_moments(order, Vec::Constant(1, 2.0 * gap / length), count).row(0).transpose();
   };
   for (Eigen::Index i = 0; i < driven_.row_count(); ++i) {

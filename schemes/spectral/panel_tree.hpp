@@ -35,15 +35,15 @@ struct TimeBlock {
   [[nodiscard]] TimeBlock newer() const { return {segment, from + width / 2.0, width / 2.0}; }
 };
 
-// A node of the tree of the history: the x_k (DrivenRows) on a block as Legendre coefficients, one column a
-// function. They are exact on a panel. On a block of panels they suffice for integrals at a distance of at
+// A node of the tree of the history: the x_k (IntegratedRows) on a block as Legendre coefficients, one column
+// a function. They are exact on a panel. On a block of panels they suffice for integrals at a distance of at
 // least its width.
-struct PastBlock {
+struct MemoryBlock {
   TimeBlock block;
   Matrix coefficients;
-  Vec units;                                    // PanelKernels::units of its length
-  Matrix values{};                              // the rows at the points of a panel
-  std::unique_ptr<PastBlock> older{}, newer{};  // both halves, or none: a panel
+  Vec units;                                      // PanelKernels::units of its length
+  Matrix values{};                                // the rows at the points of a panel
+  std::unique_ptr<MemoryBlock> older{}, newer{};  // both halves, or none: a panel
 
   [[nodiscard]] bool panel() const { return !older; }
 };
@@ -53,29 +53,30 @@ struct PastBlock {
 // width. The contributions from a distance of at least the later block's width are smooth on that block, and
 // their values at its points represent them. Among N equal panels each block interacts with a few others: N
 // panels cost O(N).
-class PastSum {
+class MemorySum {
  public:
-  PastSum(const PanelRule& rule, const DrivenRows& driven);
+  MemorySum(const PanelRule& rule, const IntegratedRows& driven);
 
   [[nodiscard]] const PanelKernels& kernels() const { return kernels_; }
   [[nodiscard]] std::size_t bytes() const { return kernels_.bytes(); }
 
-  using Sources = std::vector<const PastBlock*>;
+  using Sources = std::vector<const MemoryBlock*>;
 
   // Adds to `smooth` the contributions of a source that are smooth on the block, and to `near` the source, or
   // its parts, with other contributions. smooth: one row a point, one column a row of the problem.
-  void sort(const PastBlock& source, const TimeBlock& block, Matrix& smooth, Sources& near);
+  void sort(const MemoryBlock& source, const TimeBlock& block, Matrix& smooth, Sources& near);
 
   // Adds to sums all contributions of a source at the points of a panel, in the same shape.
-  void add(const PastBlock& source, const TimeBlock& panel, Matrix& sums);
+  void add(const MemoryBlock& source, const TimeBlock& panel, Matrix& sums);
 
   // The same at one time t after the start of the source; sums: one entry a row.
-  void add_at(const PastBlock& source, double t, Out sums) const;
+  void add_at(const MemoryBlock& source, double t, Out sums) const;
 
  private:
-  void add_seen(const PastBlock& source, const TimeBlock& block, const Lie& lie, Matrix& sums);
+  void add_whole(const MemoryBlock& source, const TimeBlock& block, const RelativePosition& lie,
+                 Matrix& sums);
 
-  const DrivenRows& driven_;
+  const IntegratedRows& driven_;
   PanelKernels kernels_;
 };
 

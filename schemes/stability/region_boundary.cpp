@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "stability/across.hpp"
+#include "stability/boundary_normal.hpp"
 
 namespace fde {
 namespace {
@@ -49,7 +49,7 @@ class BoundaryCurve {
     return is_stable(at.z + out) != is_stable(at.z - out);
   }
   [[nodiscard]] bool is_stable(ComplexValue z) const {
-    return stable(scheme_, scalar_problem(scheme_, order_, z), 1.0);
+    return stable(scheme_, test_problem(scheme_, order_, z), 1.0);
   }
 
   // The end of a piece by bisection, between a point of the piece and a point that is not on it.

@@ -15,7 +15,7 @@ struct BoundaryPoint {
 
 // The boundary of the stability region of a scheme at one order: the parts of the root locus curve (where a
 // mode is on the unit circle) across which stability changes. Each piece is a polyline in the order of its
-// points; a whole curve has points + 1 points, denser at both ends. Throws as growing_modes does.
+// points; a whole curve has points + 1 points, denser at both ends. Throws as count_growing_modes does.
 std::vector<std::vector<BoundaryPoint>> region_boundary(const Scheme& scheme, double order, int points);
 
 }  // namespace fde

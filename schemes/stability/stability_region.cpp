@@ -23,8 +23,8 @@ class ScalarSymbol {
   ScalarSymbol(const Scheme& scheme, double order)
       : implicit_(scheme.needs.implicit),
         size_(implicit_ ? large : 1.0),
-        plus_(symbol_of(scheme, scalar_problem(scheme, order, size_), 1.0)),
-        minus_(symbol_of(scheme, scalar_problem(scheme, order, -size_), 1.0)),
+        plus_(symbol_of(scheme, test_problem(scheme, order, size_), 1.0)),
+        minus_(symbol_of(scheme, test_problem(scheme, order, -size_), 1.0)),
         order_(order) {}
 
   [[nodiscard]] Characteristic at(double theta) const { return at(ComplexValue{0.0, theta}); }
@@ -120,7 +120,7 @@ std::vector<double> crossings(const ScalarSymbol& symbol) {
 }
 
 bool stable_at(const Scheme& scheme, double order, double x) {
-  return stable(scheme, scalar_problem(scheme, order, -x), 1.0);
+  return stable(scheme, test_problem(scheme, order, -x), 1.0);
 }
 
 }  // namespace
@@ -129,7 +129,7 @@ std::vector<ComplexValue> boundary(const Scheme& scheme, double order, double th
   return roots(ScalarSymbol(scheme, order).at(theta));
 }
 
-double real_interval(const Scheme& scheme, double order) {
+double real_stability_interval(const Scheme& scheme, double order) {
   auto ends = crossings(ScalarSymbol(scheme, order));
   // Between two crossings the number of growing modes does not change.
   ends.push_back(std::numeric_limits<double>::infinity());
@@ -142,7 +142,7 @@ double real_interval(const Scheme& scheme, double order) {
 }
 
 double stability_angle(const Scheme& scheme, double order) {
-  if (std::isfinite(real_interval(scheme, order))) return 0.0;
+  if (std::isfinite(real_stability_interval(scheme, order))) return 0.0;
   const ScalarSymbol symbol(scheme, order);
   const Angles angles;
   double angle = pi - 0.5 * order * pi;  // the limit of the boundary for theta -> 0
@@ -153,10 +153,10 @@ double stability_angle(const Scheme& scheme, double order) {
   return angle;
 }
 
-std::optional<Vec> response_at_infinity(const Scheme& scheme, double order, int steps) {
+std::optional<Vec> stiff_limit(const Scheme& scheme, double order, int steps) {
   // A rate so large that 1 is negligible: the result is the limit, to rounding.
   constexpr double infinite = -1e100;
-  const Problem problem = scalar_problem(scheme, order, infinite, steps);
+  const Problem problem = test_problem(scheme, order, infinite, steps);
   symbol_of(scheme, problem, 1.0);
   if (!scheme.needs.implicit) return std::nullopt;
   const Rows y = scheme.solve(problem, Grid{problem.end, steps}, {}).y;

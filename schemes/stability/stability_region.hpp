@@ -3,13 +3,13 @@
 #include <optional>
 #include <vector>
 
-#include "stability/growing_modes.hpp"
+#include "stability/growing_mode_count.hpp"
 
 namespace fde {
 
 // The linear stability region of a scheme at one order g: the z = lambda h^g for which the scheme has no
 // growing mode for D^g y = lambda y. The exact solution decays in the sector |arg z| > g pi/2 (Matignon
-// 1996). All functions throw std::invalid_argument as growing_modes does.
+// 1996). All functions throw std::invalid_argument as count_growing_modes does.
 
 // The root locus: the z for which the symbol has a zero at zeta = e^(i theta). Precondition: 0 < theta <= pi.
 // One z for an implicit rule, two for a predictor-corrector, each of which may be on the boundary: the
@@ -19,7 +19,7 @@ std::vector<ComplexValue> boundary(const Scheme& scheme, double order, double th
 
 // The length of the real stability interval: the largest x such that z = -x' is stable for all 0 < x' < x;
 // infinity when all are.
-double real_interval(const Scheme& scheme, double order);
+double real_stability_interval(const Scheme& scheme, double order);
 
 // The largest angle phi, in radians, such that all z with |arg(-z)| < phi are stable: A(phi)-stability. For
 // the exact equation it is pi - g pi/2. 0 when the real interval is finite.
@@ -28,6 +28,6 @@ double stability_angle(const Scheme& scheme, double order);
 // The stiff limit y_n / y_0, n = 0 ... steps, for z -> -infinity with fixed h, y'(0) = 0 for orders above 1;
 // it is 0 where an infinitely fast transient is damped completely, infinity from where y_n overflows. nullopt
 // for a predictor-corrector, which has no limit.
-std::optional<Vec> response_at_infinity(const Scheme& scheme, double order, int steps);
+std::optional<Vec> stiff_limit(const Scheme& scheme, double order, int steps);
 
 }  // namespace fde

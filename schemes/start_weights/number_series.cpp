@@ -7,10 +7,10 @@ namespace {
 
 // B_2i / (2i)! for i = 0, 1, ...: the coefficients of t/2 coth(t/2), a quotient of the series of cosh and
 // sinh.
-const Numbers1& bernoulli_ratios() {
-  static const Numbers1 ratios = [] {
+const NumberVector& bernoulli_ratios() {
+  static const NumberVector ratios = [] {
     constexpr std::size_t count = 36;
-    Numbers1 even(count), odd(count), quotient(count);
+    NumberVector even(count), odd(count), quotient(count);
     Number factorial = 1;
     for (std::size_t i = 0; i < count; ++i) {
       if (i > 0) factorial *= Number(2 * i - 1) * Number(2 * i);
@@ -30,8 +30,8 @@ const Numbers1& bernoulli_ratios() {
 }  // namespace
 
 // Only powers of primes are computed; the others are products.
-Numbers1 powers_of_whole_numbers(double power, std::size_t last) {
-  Numbers1 values(last + 1, Number(0));
+NumberVector integer_powers(double power, std::size_t last) {
+  NumberVector values(last + 1, Number(0));
   values[0] = power == 0.0 ? 1 : 0;
   values[1] = 1;
   for (std::size_t j = 2; j <= last; ++j) {
@@ -43,8 +43,8 @@ Numbers1 powers_of_whole_numbers(double power, std::size_t last) {
   return values;
 }
 
-Numbers1 power_of_series(const Numbers1& a, const Number& exponent) {
-  Numbers1 b(a.size(), Number(0));
+NumberVector power_of_series(const NumberVector& a, const Number& exponent) {
+  NumberVector b(a.size(), Number(0));
   b[0] = pow(a[0], exponent);
   for (std::size_t n = 1; n < a.size(); ++n) {
     Number sum = 0;
@@ -54,16 +54,16 @@ Numbers1 power_of_series(const Numbers1& a, const Number& exponent) {
   return b;
 }
 
-Numbers1 product(const Numbers1& a, const Numbers1& b) {
-  Numbers1 c(a.size(), Number(0));
+NumberVector product(const NumberVector& a, const NumberVector& b) {
+  NumberVector c(a.size(), Number(0));
   for (std::size_t n = 0; n < c.size(); ++n) {
     for (std::size_t k = 0; k <= n; ++k) c[n] += a[k] * b[n - k];
   }
   return c;
 }
 
-Numbers1 at_exponential(const Numbers1& p, std::size_t terms) {
-  Numbers1 series(terms, Number(0));
+NumberVector compose_with_exponential(const NumberVector& p, std::size_t terms) {
+  NumberVector series(terms, Number(0));
   for (std::size_t j = 0; j < p.size(); ++j) {
     Number term = p[j];
     for (std::size_t k = 0; k < terms; ++k) {
@@ -74,10 +74,10 @@ Numbers1 at_exponential(const Numbers1& p, std::size_t terms) {
   return series;
 }
 
-Numbers1 zeta_values(double p, const Numbers1& powers, std::size_t count) {
+NumberVector zeta_values(double p, const NumberVector& powers, std::size_t count) {
   constexpr std::size_t from = 32;
   const auto& ratios = bernoulli_ratios();
-  Numbers1 values, shifted(powers.begin(), powers.begin() + from + 1);
+  NumberVector values, shifted(powers.begin(), powers.begin() + from + 1);
   const Number square = Number(1) / (Number(from) * Number(from));
   if (p == 0.0) shifted[0] = 0;
   for (std::size_t k = 0; k < count; ++k) {
@@ -95,7 +95,7 @@ Numbers1 zeta_values(double p, const Numbers1& powers, std::size_t count) {
   return values;
 }
 
-Numbers2 inverse(Numbers2 a) {
+NumberMatrix inverse(NumberMatrix a) {
   const std::size_t size = a.size();
   for (std::size_t i = 0; i < size; ++i) {
     a[i].resize(2 * size, Number(0));
@@ -119,8 +119,8 @@ Numbers2 inverse(Numbers2 a) {
   return a;
 }
 
-Numbers1 exponential_mean(std::size_t terms) {
-  Numbers1 mean(terms);
+NumberVector exponential_mean(std::size_t terms) {
+  NumberVector mean(terms);
   Number term = 1;
   for (std::size_t k = 0; k < terms; ++k) {
     mean[k] = term;

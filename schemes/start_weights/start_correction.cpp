@@ -19,8 +19,8 @@ Values chebyshev_sum(const double* coefficients, Eigen::Index count, const Value
 
 }  // namespace
 
-StartCorrection::StartCorrection(const std::vector<WeightTable>& tables, const std::vector<double>& powers,
-                                 int steps) {
+StartingCorrection::StartingCorrection(const std::vector<WeightTable>& tables,
+                                       const std::vector<double>& powers, int steps) {
   for (const auto& table : tables) {
     auto found = std::ranges::find(tables_, table);
     if (found == tables_.end()) {
@@ -33,7 +33,7 @@ StartCorrection::StartCorrection(const std::vector<WeightTable>& tables, const s
   sums_.setZero(block, std::ssize(tables));
 }
 
-Matrix StartCorrection::weights(int n) const {
+Matrix StartingCorrection::weights(int n) const {
   Matrix all(std::ssize(row_), of_orders_.front()->first.cols());
   for (Eigen::Index i = 0; i < all.rows(); ++i) {
     all.row(i) = of_row(i).first.row(n - 1);
@@ -43,15 +43,15 @@ Matrix StartCorrection::weights(int n) const {
   return all;
 }
 
-void StartCorrection::start(const Matrix& f) { f_ = f.transpose(); }
+void StartingCorrection::start(const Matrix& f) { f_ = f.transpose(); }
 
-void StartCorrection::add(int n, Out sums) {
+void StartingCorrection::add(int n, Out sums) {
   const int first = (n - 1) / block * block + 1;
   if (first != first_) fill(first);
   sums += sums_.row(n - first).transpose();
 }
 
-void StartCorrection::fill(int n) {
+void StartingCorrection::fill(int n) {
   first_ = n;
   if (n <= near_) {
     for (Eigen::Index i = 0; i < sums_.cols(); ++i)
@@ -63,7 +63,7 @@ void StartCorrection::fill(int n) {
   for (; 2.0 * begin < n; begin *= 2.0) ++piece;
   if (begin != begin_) {
     begin_ = begin;
-    enter_piece(piece);
+    load_piece(piece);
   }
   const Block steps = Block::LinSpaced(n, n + block - 1);
   const Block x = 2.0 * (steps - begin) / begin - 1.0;
@@ -77,7 +77,7 @@ void StartCorrection::fill(int n) {
   }
 }
 
-void StartCorrection::enter_piece(std::size_t piece) {
+void StartingCorrection::load_piece(std::size_t piece) {
   const auto rows = sums_.cols();
   const auto& any = of_row(0).pieces[piece].smooth;
   smooth_.resize(any.rows(), rows);
@@ -91,7 +91,7 @@ void StartCorrection::enter_piece(std::size_t piece) {
   }
 }
 
-std::size_t StartCorrection::bytes() const {
+std::size_t StartingCorrection::bytes() const {
   auto doubles = f_.size() + smooth_.size() + alternating_.size() + sums_.size();
   for (const auto& weights : of_orders_) {
     doubles += weights->first.size();
@@ -100,7 +100,7 @@ std::size_t StartCorrection::bytes() const {
   return sizeof(double) * static_cast<std::size_t>(doubles);
 }
 
-void StartCorrection::state(Archive& archive) {
+void StartingCorrection::state(Archive& archive) {
   archive.grown(f_);
   first_ = 0;
   begin_ = 0.0;

@@ -13,28 +13,29 @@ constexpr std::size_t most_powers = 24;
 
 }  // namespace
 
-std::vector<double> StartPowers::of_run(int steps) const {
+std::vector<double> StartingPowers::for_steps(int steps) const {
   const auto count = std::min(std::ssize(powers), std::ptrdiff_t{steps} + 1);
   return {powers.begin(), powers.begin() + count};
 }
 
-StartPowers start_powers(const WeightFamily& family, const Problem& problem) {
+StartingPowers starting_powers(const WeightFamily& family, const Problem& problem) {
   std::vector<double> orders;
   for (const auto& component : problem.components) {
     if (!algebraic(component)) orders.push_back(component.order);
   }
-  return start_powers(family, orders, orders);
+  return starting_powers(family, orders, orders);
 }
 
-StartPowers start_powers(const WeightFamily& family, std::vector<double> orders, std::vector<double> steps) {
+StartingPowers starting_powers(const WeightFamily& family, std::vector<double> orders,
+                               std::vector<double> steps) {
   std::ranges::sort(orders);
   orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
   steps.push_back(1.0);
   const double last = family.multistep->rate - 1.0;
   const auto sums = power_lattice({0.0}, steps, last + 2.0);
-  StartPowers start{{}, 0.0, 0.0};
+  StartingPowers start{{}, 0.0, 0.0};
   for (const double power : sums) {
-    if (power <= last + distinct_powers && start.powers.size() < most_powers) start.powers.push_back(power);
+    if (power <= last + power_separation && start.powers.size() < most_powers) start.powers.push_back(power);
   }
   for (const double order : orders) {
     const auto usable = usable_powers({&family, order}, start.powers);

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "start_weights/moments.hpp"
+#include "start_weights/starting_weight_equations.hpp"
 
 namespace fde {
 namespace {
@@ -69,21 +69,21 @@ class Kept {
 
 }  // namespace
 
-std::shared_ptr<const StartWeights> start_weights(const WeightTable& table, const std::vector<double>& powers,
-                                                  int steps) {
-  static Kept<std::shared_ptr<const StartWeights>> kept;
+std::shared_ptr<const StartingWeights> start_weights(const WeightTable& table,
+                                                     const std::vector<double>& powers, int steps) {
+  static Kept<std::shared_ptr<const StartingWeights>> kept;
   const Key key{table.family, table.order, powers};
   const auto known = kept.get(key);
-  auto made = std::make_shared<StartWeights>();
+  auto made = std::make_shared<StartingWeights>();
   if (known) {
     if ((*known)->pieces.size() >= pieces_for(steps, (*known)->first.rows())) return *known;
     *made = **known;
   } else {
     made->moments = std::make_shared<const Moments>(table, powers, chebyshev_points());
-    made->first = made->moments->near_weights();
+    made->first = made->moments->tabulated_weights();
   }
   while (made->pieces.size() < pieces_for(steps, made->first.rows())) {
-    auto piece = made->moments->far_weights(made->pieces.size());
+    auto piece = made->moments->asymptotic_weights(made->pieces.size());
     piece.smooth = coefficients(piece.smooth);
     if (piece.alternating.size() > 0) piece.alternating = coefficients(piece.alternating);
     made->pieces.push_back(std::move(piece));
@@ -96,7 +96,7 @@ UsablePowers usable_powers(const WeightTable& table, const std::vector<double>& 
   static Kept<UsablePowers> kept;
   const Key key{table.family, table.order, powers};
   if (const auto known = kept.get(key)) return *known;
-  const auto usable = Moments::usable(table, powers, most_growth);
+  const auto usable = Moments::usable(table, powers, max_growth);
   kept.put(key, usable);
   return usable;
 }

@@ -19,28 +19,28 @@ class Moments;
 // multiprecision; W(n, j) is accurate to rounding for every n. For n <= K the sum is evaluated directly; for
 // larger n its asymptotic expansion, which is smooth in n, is stored as Chebyshev polynomials on [K 2^i, K
 // 2^(i+1)]. Derivation: docs/schemes.md.
-struct StartWeights {
+struct StartingWeights {
   // Chebyshev coefficients on one interval, one column a j: W(n, j) = smooth + (-1)^n alternating; the second
   // is empty where the rule has no alternating part.
-  struct Piece {
+  struct ChebyshevPiece {
     Matrix smooth, alternating;
   };
 
   Matrix first;                            // W(n, j) in row n-1, for n up to K
-  std::vector<Piece> pieces;               // up to the requested number of steps
+  std::vector<ChebyshevPiece> pieces;      // up to the requested number of steps
   std::shared_ptr<const Moments> moments;  // computes further pieces
 };
 
 // The starting weights for these powers of f and n up to `steps`. Preconditions: table.family->multistep is
 // set; powers[0] = 0, powers increase. The result is cached by rule, order and powers, because the
 // computation takes milliseconds. Thread-safe.
-std::shared_ptr<const StartWeights> start_weights(const WeightTable& table, const std::vector<double>& powers,
-                                                  int steps);
+std::shared_ptr<const StartingWeights> start_weights(const WeightTable& table,
+                                                     const std::vector<double>& powers, int steps);
 
 // count: how many of these powers, from the first on, can be used such that the starting weights amplify the
-// rounding of f_0 ... f_(s-1) by at most most_growth. growth: this amplification, the maximum over the first
+// rounding of f_0 ... f_(s-1) by at most max_growth. growth: this amplification, the maximum over the first
 // steps of sum_j |W(n, j)| / max(1, n^(g-1)); the denominator is the size of w.
-inline constexpr double most_growth = 1e5;
+inline constexpr double max_growth = 1e5;
 struct UsablePowers {
   std::size_t count;
   double growth;

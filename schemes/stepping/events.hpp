@@ -20,7 +20,7 @@ struct Event {
 };
 
 // A zero of an event function, with y at its time.
-struct Occurrence {
+struct EventOccurrence {
   std::size_t event;  // index in Options::events
   double t;
   Vec y;

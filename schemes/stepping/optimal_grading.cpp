@@ -38,7 +38,7 @@ std::vector<Chain> started(const Problem& problem) {
   return chains;
 }
 
-// Whether every row belongs to a multi-term equation and all have one leading order, as chain_smoothness
+// Whether every row belongs to a multi-term equation and all have one leading order, as smoothness_of_chains
 // needs.
 bool only_chains(const Problem& problem, const std::vector<Chain>& chains) {
   Eigen::Index rows = 0;
@@ -51,16 +51,16 @@ bool only_chains(const Problem& problem, const std::vector<Chain>& chains) {
 
 }  // namespace
 
-Smoothness smoothness_of_orders(const Problem& problem) {
+Smoothness generic_smoothness(const Problem& problem) {
   const auto chains = started(problem);
-  if (!chains.empty() && only_chains(problem, chains)) return chain_smoothness(chains);
+  if (!chains.empty() && only_chains(problem, chains)) return smoothness_of_chains(chains);
   return smoothness_of_rows(problem);
 }
 
 double optimal_grading(const Scheme& scheme, const Problem& problem) {
-  if (!scheme.expected_rate || two_sided(problem)) return 1.0;
+  if (!scheme.expected_rate || is_two_sided(problem)) return 1.0;
   if (refusal(scheme, problem, Grid{.end = problem.end, .steps = 2, .grading = 2.0})) return 1.0;
-  const Smoothness smoothness = smoothness_of_orders(problem);
+  const Smoothness smoothness = generic_smoothness(problem);
   const auto rate = [&](double grading) {
     return scheme.expected_rate(problem, smoothness, grading, Norm::maximum);
   };

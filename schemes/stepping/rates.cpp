@@ -79,7 +79,7 @@ double smallest_at_jumps(const RateTheory& theory, const Problem& problem, const
   for (const auto i : smoothness.jumps) {
     const auto& component = problem.components[static_cast<std::size_t>(i)];
     if (algebraic(component)) continue;
-    if (!theory.between_steps) {
+    if (!theory.evaluates_inside_steps) {
       rate = std::min(rate, component.order);
       continue;
     }
@@ -110,7 +110,7 @@ double rate(const RateTheory& theory, const Problem& problem, const Smoothness& 
             Norm norm) {
   const double first_step = grading * smallest_at_first_step(theory, problem, smoothness,
                                                              smallest_shown_order(problem, smoothness));
-  if (norm == Norm::first_step && !two_sided(problem)) return first_step;
+  if (norm == Norm::first_step && !is_two_sided(problem)) return first_step;
   double end = grading * smallest_over_powers(theory.end, problem, smoothness);
   for (const auto& component : problem.components) {
     if (!algebraic(component)) end = std::min(end, theory.smooth(component.order));
@@ -123,7 +123,7 @@ double rate(const RateTheory& theory, const Problem& problem, const Smoothness& 
 }
 
 double split_rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
-                  const Links& links, double grading, Norm norm) {
+                  const OrderSplitting& links, double grading, Norm norm) {
   const Problem all = split(problem, links);
   const Smoothness starts = split(problem, smoothness, links);
   if (norm == Norm::end) return rate(theory, all, starts, grading, norm);
@@ -147,7 +147,7 @@ std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& prob
   return scheme.expected_rate(problem, smoothness, grading, norm);
 }
 
-bool meets_jumps(const Problem& problem, const Grid& grid) {
+bool has_breaking_points(const Problem& problem, const Grid& grid) {
   constexpr double rounding = 1e-12;
   return std::ranges::all_of(problem.jumps, [&](double t) {
     return t >= grid.end || std::abs(grid.time(grid.number(t)) - t) <= rounding * t;
@@ -157,7 +157,7 @@ bool meets_jumps(const Problem& problem, const Grid& grid) {
 std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
                                        const Smoothness& smoothness, const Grid& grid, Norm norm) {
   const auto expected = theoretical_rate(scheme, problem, smoothness, grid.grading, norm);
-  return expected && !meets_jumps(problem, grid) ? std::min(*expected, 1.0) : expected;
+  return expected && !has_breaking_points(problem, grid) ? std::min(*expected, 1.0) : expected;
 }
 
 }  // namespace fde

@@ -3,8 +3,8 @@
 #include <functional>
 #include <optional>
 
+#include "stepping/order_splitting.hpp"
 #include "stepping/scheme.hpp"
-#include "stepping/splitting.hpp"
 
 namespace fde {
 
@@ -20,7 +20,7 @@ struct RateTheory {
   double (*first_step)(double g, double p);  // q at t_1
   // Whether f is evaluated inside the steps, where it does not jump: after a jump only the new expansion has
   // an error. Other schemes take the mean of both one-sided values at the jump, an error O(1) in f.
-  bool between_steps = false;
+  bool evaluates_inside_steps = false;
 };
 
 // Piecewise linear interpolation of f = D^g y, for f ~ t^r, r = p - g. It is exact for r = 0 and 1. Any other
@@ -56,10 +56,10 @@ extern const RateTheory grunwald_letnikov_theory;
 double rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness, double grading,
             Norm norm);
 
-// The rate of a scheme that solves the split problem (splitting.hpp): all links count at a fixed time, only
-// the original components count in the first steps.
+// The rate of a scheme that solves the split problem (order_splitting.hpp): all links count at a fixed time,
+// only the original components count in the first steps.
 double split_rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
-                  const Links& links, double grading, Norm norm);
+                  const OrderSplitting& links, double grading, Norm norm);
 
 // The theoretical rate of a scheme, Scheme::expected_rate; nullopt where it has none, or where `smoothness`
 // does not give the powers of every component.
@@ -67,7 +67,7 @@ std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& prob
                                        const Smoothness& smoothness, double grading, Norm norm);
 
 // Whether every jump of the right-hand side before the end of the grid is at a grid time, to 1e-12 relative.
-bool meets_jumps(const Problem& problem, const Grid& grid);
+bool has_breaking_points(const Problem& problem, const Grid& grid);
 
 // The theoretical rate on this grid: at most 1 where a jump is inside a step.
 std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "problem/componentwise.hpp"
-#include "progress/work.hpp"
+#include "progress/progress.hpp"
 
 namespace fde {
 namespace {
@@ -27,7 +27,7 @@ Run::Run(const Problem& problem, const Options& options, int steps)
   const std::size_t expected = options.at.empty() ? static_cast<std::size_t>(steps) + 1 : options.at.size();
   path_.times.reserve(expected);
   path_.y.resize(problem.size(), static_cast<Eigen::Index>(expected));
-  if (!two_sided(problem)) record(0.0, start_);
+  if (!is_two_sided(problem)) record(0.0, start_);
 }
 
 const Vec& Run::rhs(double t, In y) {
@@ -39,14 +39,14 @@ const Vec& Run::rhs(double t, In y) {
 bool Run::accept(double t, In y) {
   if (events_)
     throw std::invalid_argument("events: are located by schemes that take an accuracy, not over a grid");
-  if (!goes_on(t, y)) return false;
+  if (!check_step(t, y)) return false;
   record(t, y);
   return true;
 }
 
 bool Run::accept(double t, In y, const std::function<Vec(double)>& between, int pieces) {
   const double before = path_.reached;
-  if (!goes_on(t, y)) return false;
+  if (!check_step(t, y)) return false;
   if (events_) {
     const auto found = events_->step(t, y, between, pieces);
     path_.events.insert(path_.events.end(), found.begin(), found.end());
@@ -67,18 +67,18 @@ void Run::record_step(double before, double t, In y, const std::function<Vec(dou
   constexpr double rounding = 1e-12;  // of the time at which a last step ends
   const bool last = t >= problem_.end * (1 - rounding) && !ended_by_event();
   const double until = last ? std::max(t, problem_.end) : t;
-  for (const auto& at = options_.at; next_at_ < at.size() && at[next_at_] <= until; ++next_at_) {
-    const double asked = at[next_at_];
+  for (const auto& at = options_.at; next_output_ < at.size() && at[next_output_] <= until; ++next_output_) {
+    const double asked = at[next_output_];
     if (asked > before) keep(asked, asked == t ? Vec(y) : between(std::min(asked, t)));
   }
 }
 
-bool Run::goes_on(double t, In y) {
+bool Run::check_step(double t, In y) {
   // Reading the clock at every step would take a quarter of the time of the cheapest step.
   constexpr int steps_between_looks = 16;
   const std::int64_t n = t > 0.0 ? path_.steps + 1 : 0;
   if (!all_finite(y)) {
-    fail(Ending::not_finite, t);
+    fail(Ending::non_finite, t);
   } else if (!problem_.domain.contains(t, y)) {
     fail(Ending::singular, t);
   } else if ((n < steps_between_looks || n % steps_between_looks == 0) && out_of_budget()) {
@@ -107,7 +107,7 @@ void Run::offer(const State& state) {
 
 void Run::state(Archive& archive) {
   archive(path_.steps, path_.reached, *path_.cost.rhs_calls, *path_.cost.newton_iterations);
-  archive.count(next_at_, 0, options_.at.size());
+  archive.count(next_output_, 0, options_.at.size());
   archive.grown(path_.times);
   archive.first_columns(path_.y, std::ssize(path_.times));
   archive.grown(path_.events);
@@ -116,16 +116,16 @@ void Run::state(Archive& archive) {
 
 void Run::fail(Ending ending, double t) {
   path_.ending = ending;
-  path_.failed_at = t;
+  path_.failure_time = t;
 }
 
-void Run::fail_at_once(double residual) {
+void Run::fail_without_convergence(double residual) {
   path_.ending = Ending::not_converged;
   path_.residual = residual;
 }
 
 bool Run::out_of_budget() const {
-  report_work(static_cast<std::size_t>(path_.steps));
+  report_progress(static_cast<std::size_t>(path_.steps));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin_;
   return taken.count() > options_.budget;
 }
@@ -145,8 +145,8 @@ void Run::keep(double t, In y) {
 bool Run::asked_for(double t) {
   constexpr double rounding = 1e-12;
   const auto& at = options_.at;
-  while (next_at_ < at.size() && at[next_at_] < t * (1 - rounding)) ++next_at_;
-  return next_at_ < at.size() && at[next_at_] <= t * (1 + rounding);
+  while (next_output_ < at.size() && at[next_output_] < t * (1 - rounding)) ++next_output_;
+  return next_output_ < at.size() && at[next_output_] <= t * (1 + rounding);
 }
 
 Trajectory Run::finish() {

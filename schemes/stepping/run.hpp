@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "checkpoint/checkpoints.hpp"
-#include "stepping/event_search.hpp"
+#include "stepping/event_locator.hpp"
 #include "stepping/scheme.hpp"
 
 namespace fde {
@@ -43,17 +43,17 @@ class Run {
   // Ends the run because the step to t has no result.
   void fail(Ending ending, double t);
   // Ends the run because Newton's method for all times at once has not converged, with its last residual.
-  void fail_at_once(double residual);
+  void fail_without_convergence(double residual);
 
   // Whether the run has taken longer than its budget. Reads the clock and reports the number of steps
-  // (report_work), so it throws what a listener throws.
+  // (report_progress), so it throws what a listener throws.
   [[nodiscard]] bool out_of_budget() const;
 
   Cost& cost() { return path_.cost; }
   Trajectory finish();
 
  private:
-  bool goes_on(double t, In y);
+  bool check_step(double t, In y);
   void record_step(double before, double t, In y, const std::function<Vec(double)>& between);
   void state(Archive& archive);
   void record(double t, In y);
@@ -64,8 +64,8 @@ class Run {
   const Options& options_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Vec start_, f_;
-  std::size_t next_at_ = 0;  // index in Options::at of the next output time
-  std::optional<EventSearch> events_{};
+  std::size_t next_output_ = 0;  // index in Options::at of the next output time
+  std::optional<EventLocator> events_{};
   Trajectory path_;
 };
 

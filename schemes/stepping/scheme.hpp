@@ -16,7 +16,7 @@
 
 namespace fde {
 
-class Checkpoints;
+class CheckpointStore;
 
 // Settings of a run that are not part of the problem.
 struct Options {
@@ -33,20 +33,20 @@ struct Options {
   std::function<void(double t, In y)> observer{};  // called after every step and at t = 0, whatever `at` is
   // Where the run stores its state and resumes from it, for schemes with Needs::checkpoints; nullptr: none.
   // The state of the observer is not part of a checkpoint.
-  Checkpoints* checkpoints = nullptr;
+  CheckpointStore* checkpoints = nullptr;
 };
 
 // The capabilities of a scheme: which resolutions it accepts and which problems it can solve.
-struct Needs {
-  bool takes_grid = true;
+struct Capabilities {
+  bool solves_on_grid = true;
   bool takes_accuracy = false;         // adaptive step size
   bool discretises_equations = false;  // discretises Problem::equations instead of the rows
   bool uniform_grid = false;           // only uniform grids
   bool implicit = false;               // solves an equation in each step and uses Problem::derivatives
   bool algebraic_rows = false;         // accepts order 0
-  double largest_order = 2.0;
-  bool two_sided = false;    // accepts right derivatives and boundary conditions
-  bool checkpoints = false;  // supports Options::checkpoints, for problems that it solves by time stepping
+  double max_order = 2.0;
+  bool is_two_sided = false;  // accepts right derivatives and boundary conditions
+  bool checkpoints = false;   // supports Options::checkpoints, for problems that it solves by time stepping
 };
 
 // Where an error is measured: at a fixed time t > 0, at t_1 = h, or as the maximum over all grid times. The
@@ -65,7 +65,7 @@ using GridSolve = std::function<Trajectory(const Problem&, const Grid&, const Op
 // A scheme: its description and the function that runs it; it has no state.
 struct Scheme {
   std::string_view id, title, source;
-  Needs needs;
+  Capabilities needs;
   // The theoretical rate as steps -> infinity on grids with this grading, with default options, for the
   // components that are not algebraic rows; empty: unknown.
   std::function<double(const Problem&, const Smoothness&, double grading, Norm)> expected_rate{};
@@ -82,8 +82,8 @@ struct Scheme {
   std::optional<Theorem> theorem{};
   // The powers of t in f for which the starting weights are exact, from the orders of the problem alone;
   // empty: the scheme has no starting weights.
-  std::function<std::vector<double>(const Problem&)> start_powers{};
-  std::string_view other_name{};  // an alias that find_scheme accepts; empty: none
+  std::function<std::vector<double>(const Problem&)> starting_powers{};
+  std::string_view alias{};  // an alias that find_scheme accepts; empty: none
 };
 
 // Scheme::solve from a function that takes a grid. Precondition of the result: the resolution is a Grid.
@@ -99,7 +99,7 @@ std::optional<std::string> refusal_of_checkpoints(const Scheme& scheme, const Pr
 // All schemes, in the order of list.def.
 std::span<const Scheme> schemes();
 
-// The scheme with this id or other_name; nullptr where there is none. The object has static lifetime.
+// The scheme with this id or alias; nullptr where there is none. The object has static lifetime.
 const Scheme* find_scheme(std::string_view id);
 
 }  // namespace fde

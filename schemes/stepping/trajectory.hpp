@@ -17,9 +17,9 @@ using Rows = Matrix;  // one row a component, one column a time
 // comparison with the reference.
 enum class Ending {
   finished,
-  not_finite,
+  non_finite,
   not_converged,   // Newton's method did not converge
-  outran_growth,   // the step is too large for a growing mode: its amplification passes through infinity
+  step_too_large,  // the step is too large for a growing mode: its amplification passes through infinity
   step_too_small,  // the error test failed down to the smallest step size
   blow_up,         // the solution grows without bound as time nears a finite one
   sliding,         // the state stays on a switching surface, no solution leaves it (Filippov sliding)
@@ -48,15 +48,15 @@ struct Cost {
 
 // The result of a scheme: y at the output times, by default at all of its own times, up to `reached`.
 struct Trajectory {
-  std::vector<double> times{};           // increasing
-  Rows y{};                              // y.col(c) belongs to times[c]
-  std::function<Vec(double t)> dense{};  // dense output, 0 <= t <= reached; empty: not available
-  std::vector<Occurrence> events{};      // zeros of Options::events, by increasing time
+  std::vector<double> times{};            // increasing
+  Rows y{};                               // y.col(c) belongs to times[c]
+  std::function<Vec(double t)> dense{};   // dense output, 0 <= t <= reached; empty: not available
+  std::vector<EventOccurrence> events{};  // zeros of Options::events, by increasing time
   Ending ending = Ending::finished;
-  double reached = 0.0;               // the last time with a result, also where it is no output time
-  std::optional<double> failed_at{};  // the end of the step that failed; nullopt: none did
-  std::optional<double> residual{};   // the last residual, where Newton's method for all times failed
-  std::int64_t steps = 0;             // number of steps with a result
+  double reached = 0.0;                  // the last time with a result, also where it is no output time
+  std::optional<double> failure_time{};  // the end of the step that failed; nullopt: none did
+  std::optional<double> residual{};      // the last residual, where Newton's method for all times failed
+  std::int64_t steps = 0;                // number of steps with a result
   Cost cost{};
   std::vector<Trajectory> others{};  // further solutions with Options::all_solutions
 

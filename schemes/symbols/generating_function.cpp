@@ -8,7 +8,7 @@ ComplexValue difference_power(double order, ComplexValue log_zeta) {
 
 ComplexValue generating_function(const WeightTable& table, ComplexValue log_zeta) {
   const ComplexValue regular = regular_part(table, log_zeta);
-  if (table.family->weighs_increments) return difference_power(table.order - 1.0, log_zeta) / regular;
+  if (table.family->acts_on_increments) return difference_power(table.order - 1.0, log_zeta) / regular;
   return difference_power(-table.order, log_zeta) * regular;
 }
 

@@ -14,7 +14,7 @@ std::optional<std::string> damped_oscillation(const SolvedRun& run) {
   constexpr double many_times = 2.0;
   const Scheme& undamped = *find_scheme("product_trapezoidal");
   const auto& components = run.problem.components;
-  if (&run.scheme == &undamped || two_sided(run.problem) ||
+  if (&run.scheme == &undamped || is_two_sided(run.problem) ||
       run.problem.size() * run.grid.steps > longest_settled)
     return std::nullopt;
   if (std::ranges::none_of(components, algebraic) && !may_damp_oscillation(run)) return std::nullopt;

@@ -7,12 +7,12 @@ namespace {
 
 constexpr double looser = 10.0, in_doubt = 3.0, missed = 5.0;
 
-Accuracy times(const Accuracy& accuracy, double factor) {
+Tolerance times(const Tolerance& accuracy, double factor) {
   return {.relative = factor * accuracy.relative, .absolute = factor * accuracy.absolute};
 }
 
 // The largest |value - other| in units of what was asked, of which the error of the run is this part.
-MissedAccuracy largest_error(const Accuracy& asked, const Rows& values, const Rows& others, double part) {
+MissedAccuracy largest_error(const Tolerance& asked, const Rows& values, const Rows& others, double part) {
   MissedAccuracy worst{.times = 0.0, .row = 0, .column = 0};
   for (Eigen::Index c = 0; c < values.cols(); ++c) {
     for (Eigen::Index i = 0; i < values.rows(); ++i) {
@@ -26,7 +26,7 @@ MissedAccuracy largest_error(const Accuracy& asked, const Rows& values, const Ro
 
 }  // namespace
 
-std::optional<MissedAccuracy> missed_accuracy(const Accuracy& asked, const Rows& values,
+std::optional<MissedAccuracy> missed_accuracy(const Tolerance& asked, const Rows& values,
                                               const OtherRun& other, bool check) {
   std::optional<MissedAccuracy> error;
   if (const auto rough = other(times(asked, looser)))

@@ -13,7 +13,7 @@
 
 #include "problem/jacobian.hpp"
 #include "problem/scalar_equation.hpp"
-#include "stability/growing_modes.hpp"
+#include "stability/growing_mode_count.hpp"
 #include "trust/stored_path.hpp"
 
 namespace fde {
@@ -24,7 +24,7 @@ using Spectrum = std::vector<ComplexValue>;
 constexpr Eigen::Index largest_dense = 64;  // eigenvalues of larger matrices would take longer than the run
 
 bool has_modes(const Problem& problem) {
-  return !two_sided(problem) && std::ranges::none_of(problem.components, algebraic);
+  return !is_two_sided(problem) && std::ranges::none_of(problem.components, algebraic);
 }
 
 // The order of all rows; nullopt: they differ.
@@ -93,7 +93,7 @@ std::optional<int> count(const Scheme& scheme, const Problem& problem, double le
   constexpr Eigen::Index most_rows = 24;  // of the symbol, where a scheme splits orders
   try {
     if (symbol_of(scheme, problem, length)(ComplexValue{0.0, 1.0}).rows() > most_rows) return std::nullopt;
-    return growing_modes(scheme, problem, length);
+    return count_growing_modes(scheme, problem, length);
   } catch (const std::exception&) {
     return std::nullopt;
   }

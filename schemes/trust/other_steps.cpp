@@ -17,7 +17,7 @@ constexpr Eigen::Index fewest_times = 4, most_times = 16;
 
 // How many times as many steps a finer run takes in so much work.
 Eigen::Index affordable_times(const SolvedRun& run, Eigen::Index work) {
-  return two_sided(run.problem) ? 0 : work / (run.problem.size() * run.grid.steps);
+  return is_two_sided(run.problem) ? 0 : work / (run.problem.size() * run.grid.steps);
 }
 
 Grid with_steps(const Grid& grid, int steps) { return {grid.end, steps, grid.grading}; }
@@ -26,7 +26,7 @@ Grid with_steps(const Grid& grid, int steps) { return {grid.end, steps, grid.gra
 std::vector<int> coarser_steps(const Problem& problem, const Grid& grid) {
   const int half = grid.steps / 2;
   // Problems at both ends take longer, and their solutions do not run away from a coarse one.
-  const Eigen::Index cheap = two_sided(problem)
+  const Eigen::Index cheap = is_two_sided(problem)
                                  ? std::max(grid.steps / 16, 16)
                                  : std::max<Eigen::Index>(grid.steps / 64, coarser_work / problem.size());
   std::vector<int> steps;
@@ -77,7 +77,7 @@ ComparedSteps compare_with_finer(const SolvedRun& run, Eigen::Index times_as_man
     return of_difference(worst, worst.part > doubtful_part, run, grid.steps);
   }
   // Newton's method and the budget may end a run of more steps that says nothing against this one.
-  if (finer.ending != Ending::not_finite && finer.ending != Ending::singular) return {};
+  if (finer.ending != Ending::non_finite && finer.ending != Ending::singular) return {};
   return {
       .agreement = Agreement::differs,
       .numbers = fmt::format("with {} steps the run breaks off after t = {:.6g}", grid.steps, finer.reached)};

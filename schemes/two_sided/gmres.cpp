@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unsupported/Eigen/IterativeSolvers>
 
-#include "progress/work.hpp"
+#include "progress/progress.hpp"
 
 namespace fde {
 class LinearOperator;
@@ -28,7 +28,7 @@ class LinearOperator : public Eigen::EigenBase<LinearOperator> {
   [[nodiscard]] Eigen::Index rows() const { return size_; }
   [[nodiscard]] Eigen::Index cols() const { return size_; }
   [[nodiscard]] Vec applied(const Vec& x) const {
-    report_work(0);
+    report_progress(0);
     return apply_(x);
   }
   template <typename Right>
@@ -69,7 +69,7 @@ Vec gmres(const std::function<Vec(const Vec&)>& apply, const Vec& b, double tole
   return solver.solve(b);
 }
 
-Eigen::Index most_vectors(Eigen::Index length) {
+Eigen::Index max_krylov_vectors(Eigen::Index length) {
   constexpr Eigen::Index most_values = 1 << 25;
   return std::min(length, std::clamp<Eigen::Index>(most_values / length, 20, 200));
 }

@@ -13,7 +13,7 @@ Vec gmres(const std::function<Vec(const Vec&)>& apply, const Vec& b, double tole
 
 // The largest number of vectors of this length stored for one solution: a quarter of a gigabyte, but 20 to
 // 200, and at most `length`.
-Eigen::Index most_vectors(Eigen::Index length);
+Eigen::Index max_krylov_vectors(Eigen::Index length);
 
 // The tolerance of GMRES for Newton's linear equations at all times at once.
 constexpr double linear_tolerance = 1e-10;

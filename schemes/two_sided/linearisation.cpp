@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "implicit/differences.hpp"
+#include "implicit/difference_jacobian.hpp"
 
 namespace fde {
-void Linearisation::update(Run& run, const Guess& guess, const Residual& residual) {
+void Linearisation::update(Run& run, const GridFunction& guess, const Residual& residual) {
   const auto& problem = equations_.problem();
   const auto size = problem.size();
   if (residual.conditions.size() > 0) differentiate_conditions(guess, residual.conditions);
@@ -16,13 +16,13 @@ void Linearisation::update(Run& run, const Guess& guess, const Residual& residua
     const double t = equations_.grid().time(static_cast<int>(n));
     Eigen::Map<Matrix> jacobian(jacobians_.col(n).data(), size, size);
     if (evaluate_jacobian(problem, t, guess.y.col(n), jacobian)) continue;
-    difference_rhs(run, problem, t, guess.y.col(n), residual.f.col(n), sizes, jacobian);
+    difference_jacobian_of_rhs(run, problem, t, guess.y.col(n), residual.f.col(n), sizes, jacobian);
   }
   left_inverses_ = equations_.left().inverses(jacobians_);
   right_inverses_ = equations_.right().inverses(jacobians_);
 }
 
-void Linearisation::differentiate_conditions(const Guess& guess, const Vec& conditions) {
+void Linearisation::differentiate_conditions(const GridFunction& guess, const Vec& conditions) {
   const Vec start = guess.y.col(0), end = guess.y.rightCols<1>();
   const Vec sizes = guess.y.cwiseAbs().rowwise().maxCoeff();
   const auto& problem = equations_.problem();
@@ -42,7 +42,7 @@ void Linearisation::differentiate_conditions(const Guess& guess, const Vec& cond
   differences(from_end, everywhere, end, conditions, sizes, by_end_);
 }
 
-Linearisation::Sides Linearisation::applied(const Guess& x) const {
+Linearisation::LeftHandSides Linearisation::applied(const GridFunction& x) const {
   Rows f(x.y.rows(), x.y.cols());
   for (Eigen::Index n = 0; n < f.cols(); ++n) f.col(n).noalias() = -jacobian(n) * x.y.col(n);
   Rows added = Rows::Zero(f.rows(), f.cols());
@@ -58,10 +58,10 @@ void Linearisation::forward_backward_sweep(const Rows& given, Rows& y) const {
   equations_.right().solve(given, jacobians_, right_inverses_, y);
 }
 
-Rows Linearisation::local_solution(const Rows& given) const {
+Rows Linearisation::block_diagonal_solution(const Rows& given) const {
   Rows y(given.rows(), given.cols());
-  equations_.left().solve_locally(given, left_inverses_, y);
-  equations_.right().solve_locally(given, right_inverses_, y);
+  equations_.left().solve_block_diagonal(given, left_inverses_, y);
+  equations_.right().solve_block_diagonal(given, right_inverses_, y);
   return y;
 }
 

@@ -32,31 +32,31 @@ SideRule::SideRule(const Problem& problem, Side side, const WeightFamily& family
       own.push_back({&family, component.order});
     }
   }
-  summed_ = static_cast<Eigen::Index>(rows_.size());
+  differential_count_ = static_cast<Eigen::Index>(rows_.size());
   rows_.insert(rows_.end(), algebraic.begin(), algebraic.end());
   const auto size = static_cast<Eigen::Index>(rows_.size());
   mass_.setOnes(size, 2);
-  mass_.col(1).tail(size - summed_).setZero();
+  mass_.col(1).tail(size - differential_count_).setZero();
   kappa_.setOnes(size, grid.uniform() ? 2 : steps_ + 1);
   kappa_.col(0).setZero();
-  if (summed_ == 0) return;
+  if (differential_count_ == 0) return;
   StepFactors factors(own);
-  for (int m = 1; m < kappa_.cols(); ++m) kappa_.col(m).head(summed_) = factors.at(grid.step(m));
-  unused_ = make_history(options.history, {own}, step_plan(grid), options.tolerance);
+  for (int m = 1; m < kappa_.cols(); ++m) kappa_.col(m).head(differential_count_) = factors.at(grid.step(m));
+  history_prototype_ = make_history(options.history, {own}, step_plan(grid), options.tolerance);
 }
 
 // Calls step(m, sum, f) for every own time m, with sum the weighted sum of all f before m; step sets f at m.
 template <typename Step>
 void SideRule::march(Step step) const {
   if (empty()) return;
-  const auto history = summed_ > 0 ? unused_->copy() : nullptr;
+  const auto history = differential_count_ > 0 ? history_prototype_->copy() : nullptr;
   Vec sum = Vec::Zero(kappa_.rows()), f(kappa_.rows());
   double t = 0.0;
   for (Eigen::Index m = 0; m <= steps_; ++m) {
     if (m > 0 && history) {
-      history->push(t, f.head(summed_));
-      t = own_time(m);
-      history->convolve(t, 0, sum.head(summed_));
+      history->push(t, f.head(differential_count_));
+      t = time_from_side(m);
+      history->convolve(t, 0, sum.head(differential_count_));
     }
     step(m, sum, f);
   }
@@ -85,7 +85,7 @@ void SideRule::solve(const Rows& given, const Matrix& jacobians, const Matrix& i
   });
 }
 
-void SideRule::solve_locally(const Rows& given, const Matrix& inverses, Rows& y) const {
+void SideRule::solve_block_diagonal(const Rows& given, const Matrix& inverses, Rows& y) const {
   for (Eigen::Index m = 0; m <= steps_; ++m) {
     const auto n = place(m);
     y.col(n)(rows_) = square(inverses, m, rows_.size()) * given.col(n)(rows_);

@@ -27,7 +27,7 @@ class SideRule {
   // The index in the grid of the m-th own time.
   [[nodiscard]] Eigen::Index place(Eigen::Index m) const { return right_ ? steps_ - m : m; }
   // The m-th own time, measured from the start of the rows.
-  [[nodiscard]] double own_time(Eigen::Index m) const { return grid_.time(static_cast<int>(m)); }
+  [[nodiscard]] double time_from_side(Eigen::Index m) const { return grid_.time(static_cast<int>(m)); }
 
   // value = mass value + kappa (weighted sum of f). mass is 1, and 0 in algebraic rows, which become f.
   void integrate(const Rows& f, Rows& value) const;
@@ -38,13 +38,13 @@ class SideRule {
   void solve(const Rows& given, const Matrix& jacobians, const Matrix& inverses, Rows& y) const;
 
   // The same without the sums over other times.
-  void solve_locally(const Rows& given, const Matrix& inverses, Rows& y) const;
+  void solve_block_diagonal(const Rows& given, const Matrix& inverses, Rows& y) const;
 
   // (mass - kappa J)^-1, J restricted to the rows of this side, one column an own time: two where steps and
   // Jacobians are all equal, the first for the start.
   [[nodiscard]] Matrix inverses(const Matrix& jacobians) const;
 
-  [[nodiscard]] std::size_t bytes() const { return unused_ ? unused_->bytes() : 0; }
+  [[nodiscard]] std::size_t bytes() const { return history_prototype_ ? history_prototype_->bytes() : 0; }
 
  private:
   template <typename Step>
@@ -56,11 +56,11 @@ class SideRule {
   bool right_;
   Grid grid_;
   Eigen::Index steps_;
-  std::vector<Eigen::Index> rows_;   // those with a sum, then the algebraic ones
-  Eigen::Index summed_ = 0;          // how many have one
-  Matrix mass_;                      // at the start, later
-  Matrix kappa_;                     // one column an own time, 0 at the start; on uniform grids two
-  std::unique_ptr<History> unused_;  // copied for each march
+  std::vector<Eigen::Index> rows_;       // those with a sum, then the algebraic ones
+  Eigen::Index differential_count_ = 0;  // how many have one
+  Matrix mass_;                          // at the start, later
+  Matrix kappa_;                         // one column an own time, 0 at the start; on uniform grids two
+  std::unique_ptr<History> history_prototype_;  // copied for each march
 };
 
 }  // namespace fde

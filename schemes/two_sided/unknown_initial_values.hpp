@@ -12,7 +12,7 @@ class UnknownInitialValues {
  public:
   explicit UnknownInitialValues(const Problem& problem);
 
-  [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(list_.size()); }
+  [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(unknowns_.size()); }
 
   // Adds to y the terms of these values at a time that is `left` from the start and `right` from the end.
   void add(In values, double left, double right, Out y) const;
@@ -24,7 +24,7 @@ class UnknownInitialValues {
     std::size_t power;
     bool algebraic;
   };
-  std::vector<Unknown> list_;
+  std::vector<Unknown> unknowns_;
 };
 
 }  // namespace fde

@@ -4,13 +4,13 @@
 #include <string_view>
 #include <vector>
 
-#include "weights/multistep.hpp"
+#include "weights/multistep_rule.hpp"
 #include "weights/polylogarithm.hpp"
 
 namespace fde {
 
 // The values of a linear function at both ends of a step.
-struct Ends {
+struct EndpointValues {
   double left, right;
 };
 
@@ -26,7 +26,7 @@ struct WeightFamily {
 
   // True: the samples are increments y_j - y_(j-1), and the rule integrates the slope of y with order 1 - g.
   // False: the samples are values of f, and the rule integrates f with order g.
-  bool weighs_increments = false;
+  bool acts_on_increments = false;
 
   // w(k) on equal steps, lag k >= 1, in extended precision, so that the result is correct up to the rounding
   // to double.
@@ -36,7 +36,7 @@ struct WeightFamily {
   std::vector<long double> (*first_weights)(long double order, std::size_t count) = nullptr;
 
   // The weight of x_0 at step n >= 1. Empty: w(n).
-  long double (*start_weight)(long double order, long double n) = nullptr;
+  long double (*first_sample_weight)(long double order, long double n) = nullptr;
 
   // The common value of all weights at order 1. Empty: they are not equal.
   std::optional<double> weight_at_order_one{};
@@ -52,8 +52,8 @@ struct WeightFamily {
   // coefficient of exp(-node t) in the kernel. Formulas: weight_transform.hpp.
   double (*coefficient)(double order, double node, double kernel) = nullptr;
 
-  // The same for start_weight. Empty: the start weight is 0 or w(n).
-  double (*start_coefficient)(double order, double node, double kernel) = nullptr;
+  // The same for first_sample_weight. Empty: the start weight is 0 or w(n).
+  double (*first_sample_coefficient)(double order, double node, double kernel) = nullptr;
 
   // phi_0 = 1, phi_1, ..., up to the last that is not negligible: w is the convolution of phi with the
   // weights of grunwald_letnikov, whose exponentials are used; then `coefficient` is not needed.
@@ -70,7 +70,7 @@ struct WeightFamily {
 
   // The linear function that replaces the integrand on a step of this length, from the samples at its ends;
   // `after` is 0 at the newest step of an implicit rule.
-  Ends (*ends)(double before, double after, double length) = nullptr;
+  EndpointValues (*ends)(double before, double after, double length) = nullptr;
 };
 
 namespace families {

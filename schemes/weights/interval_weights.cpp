@@ -34,12 +34,12 @@ IntervalWeights interval_weights(double order, double distance, double length) {
 }
 
 double integral_order(const WeightTable& table) {
-  return table.family->weighs_increments ? 1.0 - table.order : table.order;
+  return table.family->acts_on_increments ? 1.0 - table.order : table.order;
 }
 
-double integrals_to_sums(const WeightTable& table, double length) {
+double integral_to_sum_factor(const WeightTable& table, double length) {
   const double kappa = step_factor(table, length);
-  return table.family->weighs_increments ? kappa : 1.0 / kappa;
+  return table.family->acts_on_increments ? kappa : 1.0 / kappa;
 }
 
 }  // namespace fde

@@ -20,6 +20,6 @@ double integral_order(const WeightTable& table);
 
 // The factor from the integral up to the end of a step of this length to the memory sum, in which the newest
 // sample has weight 1: 1/step_factor where f is integrated, step_factor where the slope of y is.
-double integrals_to_sums(const WeightTable& table, double length);
+double integral_to_sum_factor(const WeightTable& table, double length);
 
 }  // namespace fde

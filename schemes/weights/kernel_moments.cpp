@@ -65,7 +65,7 @@ Matrix kernel_moments(double order, const Vec& beyond, Eigen::Index count) {
   return moments.transpose() / std::tgamma(order);
 }
 
-Vec own_moments(double order, double since, Eigen::Index count) {
+Vec moments_inside_panel(double order, double since, Eigen::Index count) {
   Vec moments(count);
   const double power = std::pow(since, order);
   upwards(order, since - 1.0, power / order, power * since / (order + 1.0), moments);

@@ -14,6 +14,6 @@ Matrix kernel_moments(double order, const Vec& beyond, Eigen::Index count);
 
 // The m_l at one point z = -1 + since, 0 <= since <= 2, with an error relative to since^order also for small
 // since.
-Vec own_moments(double order, double since, Eigen::Index count);
+Vec moments_inside_panel(double order, double since, Eigen::Index count);
 
 }  // namespace fde

@@ -23,17 +23,17 @@ namespace fde {
 long double kernel_exponent(const WeightTable& table);
 
 // Whether the sum of exponentials gives the differences of the weights, applied to running sums.
-bool weighs_running_sums(const WeightTable& table);
+bool acts_on_running_sums(const WeightTable& table);
 
 // Whether the family has a sum of exponentials: its own, through its filter, or through its two parts.
-bool has_exponentials(const WeightTable& table);
+bool has_exponential_sum(const WeightTable& table);
 
 // The c_m in w(k) = sum_m c_m exp(-nodes[m] k), or in w(k) - w(k-1) where running sums are weighed. The
 // relative error at lag k is at most the error of the kernel's sum at times in [k - 2, k + 1]; for
 // Grunwald-Letnikov in [k, k + 2].
 Vec weight_coefficients(const WeightTable& table, const ExponentialSum& sum);
 
-// The same for start_weight(k). Precondition: the family has a start_coefficient.
-Vec start_coefficients(const WeightTable& table, const ExponentialSum& sum);
+// The same for first_sample_weight(k). Precondition: the family has a first_sample_coefficient.
+Vec first_sample_coefficients(const WeightTable& table, const ExponentialSum& sum);
 
 }  // namespace fde

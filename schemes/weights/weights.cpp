@@ -32,9 +32,9 @@ std::optional<double> constant_weight(const WeightTable& table) {
   return table.order == 1.0 ? table.family->weight_at_order_one : std::nullopt;
 }
 
-std::optional<double> start_weight(const WeightTable& table, std::int64_t n) {
-  if (table.family->start_weight == nullptr) return std::nullopt;
-  return static_cast<double>(table.family->start_weight(table.order, static_cast<long double>(n)));
+std::optional<double> first_sample_weight(const WeightTable& table, std::int64_t n) {
+  if (table.family->first_sample_weight == nullptr) return std::nullopt;
+  return static_cast<double>(table.family->first_sample_weight(table.order, static_cast<long double>(n)));
 }
 
 double step_factor(const WeightTable& table, double length) {

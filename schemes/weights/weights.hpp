@@ -34,7 +34,7 @@ double weight_increment(const WeightTable& table, std::int64_t lag);
 std::optional<double> constant_weight(const WeightTable& table);
 
 // The weight of x_0 at step n >= 1; nullopt where it is w(n), as in a plain convolution.
-std::optional<double> start_weight(const WeightTable& table, std::int64_t n);
+std::optional<double> first_sample_weight(const WeightTable& table, std::int64_t n);
 
 // kappa in y_n = memory + kappa f(t_n, y_n) for a step of this length.
 double step_factor(const WeightTable& table, double length);

@@ -1,12 +1,11 @@
 // Properties of every scheme with a tolerance and adaptive step size.
 
-#include "support/accuracy_schemes.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "mittag_leffler/mittag_leffler.hpp"
+#include "support/adaptive_schemes.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -16,7 +15,7 @@ class AccuracyScheme : public testing::TestWithParam<const Scheme*> {
  protected:
   static Trajectory run(const Problem& problem, double accuracy, Options options = {}) {
     options.budget = 2.0;
-    return GetParam()->solve(problem, Accuracy{accuracy, accuracy}, options);
+    return GetParam()->solve(problem, Tolerance{accuracy, accuracy}, options);
   }
 };
 
@@ -49,7 +48,7 @@ TEST_P(AccuracyScheme, DoesNotDependOnTheOrderOfRows) {
   EXPECT_LT((path.y - exchanged.y.colwise().reverse()).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-TEST_P(AccuracyScheme, ReturnsTheTimesAskedForOnItsStepsOrBetween) {
+TEST_P(AccuracyScheme, ReturnsRequestedTimesOnAndBetweenSteps) {
   const Scene scene = scene_of("relaxation");
   const std::vector<double> at{1e-6, 0.013, 0.5, 0.77, 1.0};
   const auto path = run(scene.problem, 1e-6, {.at = at});
@@ -66,7 +65,7 @@ TEST_P(AccuracyScheme, ReturnsTimesThatAreRoundingApart) {
 }
 
 // D^0.5 y = 1, which one step may solve: y = t^0.5 / Gamma(1.5).
-TEST_P(AccuracyScheme, KnowsTheStartToAsManyDigits) {
+TEST_P(AccuracyScheme, HasTheSameRelativeAccuracyAtTheStart) {
   const Problem problem{.components = {{0.5, {0.0}}}, .rhs = [](double, In, Out f) { f[0] = 1.0; }};
   const std::vector<double> at{1e-60, 1e-30, 1e-17, 1e-6};
   const auto path = run(problem, 1e-6, {.at = at});
@@ -79,7 +78,7 @@ TEST_P(AccuracyScheme, KnowsTheStartToAsManyDigits) {
 
 // D^g y = lambda y: the error of f is lambda times the error of y, and dense output from f alone would have
 // an error of that size between steps.
-TEST_P(AccuracyScheme, KnowsStiffRowsBetweenStepsAsWellAsOnThem) {
+TEST_P(AccuracyScheme, DenseOutputOfStiffRowsIsAccurate) {
   if (!GetParam()->needs.implicit) GTEST_SKIP() << "is not for stiff problems";
   constexpr double within = 1e-4;  // a factor of ten
   for (const double order : {0.36, 0.9, 1.4}) {
@@ -101,7 +100,7 @@ TEST_P(AccuracyScheme, KnowsStiffRowsBetweenStepsAsWellAsOnThem) {
 
 // Where the equations hardly damp an error of f, the integral of f is more accurate within long steps than
 // interpolation of y at their ends.
-TEST_P(AccuracyScheme, KnowsRowsThatBendBetweenLongSteps) {
+TEST_P(AccuracyScheme, DenseOutputOfLongStepsIsAccurate) {
   const Scene scene = scene_of("diethelm", {{"gamma", 0.33}});
   const std::vector<double> at{0.0625, 0.15, 0.2, 0.25, 0.3125, 0.8};
   const auto path = run(scene.problem, 6.6e-4, {.at = at});
@@ -112,7 +111,7 @@ TEST_P(AccuracyScheme, KnowsRowsThatBendBetweenLongSteps) {
 }
 
 // After a corrector, f is one correction ahead of y.
-TEST_P(AccuracyScheme, KnowsTheSolutionAtAnyTimeAfterTheRun) {
+TEST_P(AccuracyScheme, HasDenseOutput) {
   const Scene scene = scene_of("relaxation");
   const auto path = run(scene.problem, 1e-6);
   ASSERT_TRUE(path.dense);
@@ -124,12 +123,12 @@ TEST_P(AccuracyScheme, KnowsTheSolutionAtAnyTimeAfterTheRun) {
 }
 
 // y' = z and 0 = y + z: y = e^-t. The error estimate is for y; z between the points of a step is a parabola.
-TEST_P(AccuracyScheme, KnowsAlgebraicRowsAtAnyTimeAfterTheRun) {
+TEST_P(AccuracyScheme, HasDenseOutputOfAlgebraicRows) {
   const Problem problem{.components = {{1.0, {1.0}}, {0.0, {-1.0}}}, .rhs = [](double, In y, Out f) {
                           f[0] = y[1];
                           f[1] = y[0] + y[1];
                         }};
-  if (refusal(*GetParam(), problem, Accuracy{1e-6, 1e-6})) GTEST_SKIP() << "takes no algebraic rows";
+  if (refusal(*GetParam(), problem, Tolerance{1e-6, 1e-6})) GTEST_SKIP() << "takes no algebraic rows";
   const auto path = run(problem, 1e-6);
   for (const double t : {0.1, 0.35, 0.9}) {
     EXPECT_NEAR(path.dense(t)[0], std::exp(-t), 2e-6) << t;
@@ -139,10 +138,10 @@ TEST_P(AccuracyScheme, KnowsAlgebraicRowsAtAnyTimeAfterTheRun) {
 
 // A multiplier that starts like t^-0.38, which a first step does not resolve: at the end of the step the
 // constraint removes the error that this leaves in the velocities.
-TEST_P(AccuracyScheme, KnowsConstrainedRowsWithinTheFirstStep) {
+TEST_P(AccuracyScheme, DenseOutputOfConstrainedRowsIsAccurateInTheFirstStep) {
   const Scene scene = make_scene(scene_maker("fractional_constraint_2d"),
                                  {{"alpha", 0.376}, {"formulation", std::string("multiplier")}});
-  if (refusal(*GetParam(), scene.problem, Accuracy{1e-7, 1e-7})) GTEST_SKIP() << "takes no algebraic rows";
+  if (refusal(*GetParam(), scene.problem, Tolerance{1e-7, 1e-7})) GTEST_SKIP() << "takes no algebraic rows";
   const std::vector<double> at{1e-8, 1e-6, 6e-6, 1e-5, 1e-4};
   const auto path = run(scene.problem, 1e-7, {.at = at});
   ASSERT_EQ(path.times, at);
@@ -153,7 +152,7 @@ TEST_P(AccuracyScheme, KnowsConstrainedRowsWithinTheFirstStep) {
 }
 
 // D^0.5 y = 1 up to t = 1 and -1 after it: y = (2 sqrt t - 4 sqrt(t - 1)) / sqrt pi.
-TEST_P(AccuracyScheme, StartsAnewWhereTheRightHandSideJumps) {
+TEST_P(AccuracyScheme, RestartsAfterAJumpOfTheRightHandSide) {
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double t, In, Out f) { f[0] = t <= 1.0 ? 1.0 : -1.0; },
                         .end = 3.0,
@@ -169,7 +168,7 @@ TEST_P(AccuracyScheme, StartsAnewWhereTheRightHandSideJumps) {
 
 // If a row of order 0.37 contains the jump, f varies so fast next to it that the steps are short compared
 // with any time.
-TEST_P(AccuracyScheme, StartsAnewInRowsOfLowOrder) {
+TEST_P(AccuracyScheme, RestartsInRowsOfLowOrder) {
   const Scene scene = scene_of("bagley_torvik", {{"alpha", 1.63}, {"B", 0.95}, {"load_until", 2.7}});
   const auto path = run(scene.problem, 1e-5, {.at = {4.0}});
   ASSERT_EQ(path.ending, Ending::finished);
@@ -250,7 +249,7 @@ TEST_P(AccuracyScheme, EndsWithItsBudget) {
   Options options;
   options.budget = 0.0;
   const Scene scene = scene_of("brusselator");
-  EXPECT_EQ(GetParam()->solve(scene.problem, Accuracy{1e-8, 1e-8}, options).ending, Ending::out_of_budget);
+  EXPECT_EQ(GetParam()->solve(scene.problem, Tolerance{1e-8, 1e-8}, options).ending, Ending::out_of_budget);
 }
 
 TEST_P(AccuracyScheme, RefusesAGrid) {
@@ -258,7 +257,7 @@ TEST_P(AccuracyScheme, RefusesAGrid) {
             "takes an accuracy, not a grid");
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, AccuracyScheme, testing::ValuesIn(accuracy_schemes()), id_of_param);
+INSTANTIATE_TEST_SUITE_P(Schemes, AccuracyScheme, testing::ValuesIn(adaptive_schemes()), id_of_param);
 
 }  // namespace
 }  // namespace fde

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "adaptive/step_control.hpp"
+#include "adaptive/pi_controller.hpp"
 #include "mittag_leffler/mittag_leffler.hpp"
 #include "references/reference_of.hpp"
 #include "support/testing.hpp"
@@ -45,7 +45,7 @@ TEST_P(Adaptive, DeliversTheAccuracy) {
   const Scene scene = scene_of(id, values);
   const bool third_order = scheme == "radau_exponentials";
   for (const double accuracy : {1e-3, third_order ? 1e-7 : 1e-5}) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Accuracy{accuracy, accuracy}, {});
+    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{accuracy, accuracy}, {});
     ASSERT_EQ(path.ending, Ending::finished) << accuracy;
     EXPECT_EQ(path.reached, scene.problem.end);
     EXPECT_EQ(path.steps, std::ssize(path.times) - 1);
@@ -103,7 +103,7 @@ TEST(AdaptiveRules, AreExactForTheirPolynomials) {
   const auto error_of = [](const char* scheme, double p) {
     const Problem problem{.components = {{0.5, {0.0}}},
                           .rhs = [=](double t, In, Out f) { f[0] = std::pow(t, p); }};
-    const auto path = find_scheme(scheme)->solve(problem, Accuracy{1e-4, 1e-4}, {.at = {1.0}});
+    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-4, 1e-4}, {.at = {1.0}});
     return std::abs(path.y(0, 0) - std::tgamma(p + 1.0) / std::tgamma(p + 1.5));
   };
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
@@ -120,7 +120,8 @@ TEST(AdaptiveRules, TakeAsManyStepsAsTheirRateSays) {
       .components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f = -y; }, .end = 10.0};
   const auto more_steps = [&](const char* scheme) {
     const auto steps = [&](double accuracy) {
-      return static_cast<double>(find_scheme(scheme)->solve(problem, Accuracy{accuracy, accuracy}, {}).steps);
+      return static_cast<double>(
+          find_scheme(scheme)->solve(problem, Tolerance{accuracy, accuracy}, {}).steps);
     };
     return steps(1e-8) / steps(1e-6);
   };
@@ -132,7 +133,7 @@ TEST(AdaptiveRules, TakeAsManyStepsAsTheirRateSays) {
 TEST(AdaptiveMemory, DoesNotGrowWithTheSteps) {
   const Scene scene = scene_of("brusselator");
   const auto bytes = [&](const char* scheme, double accuracy) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Accuracy{accuracy, accuracy}, {});
+    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{accuracy, accuracy}, {});
     return static_cast<double>(path.cost.history_bytes.value());
   };
   for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"})
@@ -144,7 +145,7 @@ TEST(AdaptiveStiff, KeepsTheDigitsOfWhatIsLeft) {
   const Scene scene = scene_of("stiff_relaxation");
   const double exact = mittag_leffler(0.5, 1.0, -1e6);
   for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"}) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Accuracy{1e-4, 1e-300}, {.at = {1.0}});
+    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{1e-4, 1e-300}, {.at = {1.0}});
     EXPECT_NEAR(path.y(0, 0) / exact, 1.0, 1e-4) << scheme;
   }
 }
@@ -154,7 +155,7 @@ TEST(AdaptiveEnd, IsLocatedWhereTheDomainEnds) {
   Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In, Out f) { f[0] = -1.0; }, .end = 3.0};
   problem.domain = {"y = 0", [](double, In y) { return y[0]; }};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
-    const auto path = find_scheme(scheme)->solve(problem, Accuracy{1e-3, 1e-3}, {});
+    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-3, 1e-3}, {});
     EXPECT_EQ(path.ending, Ending::singular) << scheme;
     EXPECT_NEAR(path.reached, 1.0, 1e-14) << scheme;
   }
@@ -167,7 +168,7 @@ TEST(AdaptiveEnd, IsWhereARunSlidesAlongASwitch) {
                         .end = 2.0,
                         .switches = {[](double, In y) { return y[0] - 1.0; }}};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
-    const auto path = find_scheme(scheme)->solve(problem, Accuracy{1e-4, 1e-4}, {.budget = 20.0});
+    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
     EXPECT_EQ(path.ending, Ending::sliding) << scheme;
     EXPECT_NEAR(path.reached, M_PI / 4.0, 1e-3) << scheme;
   }
@@ -179,9 +180,9 @@ TEST(AdaptiveEnd, IsNamedWhereTheSolutionBlowsUp) {
   const auto expect = [](const char* scheme, double order, double time) {
     const Problem problem{
         .components = {{order, {1.0}}}, .rhs = [](double, In y, Out f) { f = y.cwiseAbs2(); }, .end = 2.0};
-    const auto path = find_scheme(scheme)->solve(problem, Accuracy{0.1, 0.1}, {.at = {0.5}});
+    const auto path = find_scheme(scheme)->solve(problem, Tolerance{0.1, 0.1}, {.at = {0.5}});
     EXPECT_EQ(path.ending, Ending::blow_up) << scheme << ' ' << order;
-    EXPECT_NEAR(path.failed_at.value(), time, 1e-2) << scheme << ' ' << order;
+    EXPECT_NEAR(path.failure_time.value(), time, 1e-2) << scheme << ' ' << order;
   };
   expect("radau_exponentials", 1.0, 1.0);
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"})
@@ -192,7 +193,7 @@ TEST(AdaptiveEnd, IsNamedWhereTheSolutionBlowsUp) {
 TEST(AdaptiveEnd, IsNoneWhereTheSolutionGrowsExponentially) {
   const Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f = 300.0 * y; }};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
-    const auto path = find_scheme(scheme)->solve(problem, Accuracy{1e-2, 1e-2}, {});
+    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-2, 1e-2}, {});
     EXPECT_EQ(path.ending, Ending::finished) << scheme;
   }
 }
@@ -202,7 +203,7 @@ TEST(AdaptiveEnd, IsThatNoStepIsShortEnoughWhereTheRightHandSideIsNotIntegrable)
   const Problem problem{
       .components = {{1.0, {0.0}}}, .rhs = [](double t, In, Out f) { f[0] = 1.0 / (1.0 - t); }, .end = 2.0};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
-    const auto path = find_scheme(scheme)->solve(problem, Accuracy{0.3, 0.3}, {.at = {0.5}});
+    const auto path = find_scheme(scheme)->solve(problem, Tolerance{0.3, 0.3}, {.at = {0.5}});
     EXPECT_EQ(path.ending, Ending::step_too_small) << scheme;
     EXPECT_NEAR(path.reached, 1.0, 1e-12) << scheme;
   }
@@ -213,7 +214,7 @@ TEST(AdaptiveEnd, IsThatNoStepIsShortEnoughWhereTheRightHandSideIsNotIntegrable)
 TEST(AdaptiveStart, MayBeShorterThanTheRootOfTheSmallestDouble) {
   const Scene scene = scene_of("fractional_diffusion", {{"gamma", 0.02}});
   for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"}) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Accuracy{3e-6, 3e-6}, {.at = {0.5, 1.0}});
+    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{3e-6, 3e-6}, {.at = {0.5, 1.0}});
     ASSERT_EQ(path.ending, Ending::finished) << scheme;
     EXPECT_LT(largest_error(scene, path), 3e-5) << scheme;
   }
@@ -221,12 +222,12 @@ TEST(AdaptiveStart, MayBeShorterThanTheRootOfTheSmallestDouble) {
 
 // D^0.5 y = 1 up to t = 1 and -1 after it, not listed in Problem::jumps: y = (2 sqrt t - 4 sqrt(t - 1)) /
 // sqrt pi.
-TEST(AdaptiveJumps, AreFoundWhereNobodySaysThem) {
+TEST(AdaptiveJumps, AreDetectedWhereTheyAreNotListed) {
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double t, In, Out f) { f[0] = t <= 1.0 ? 1.0 : -1.0; },
                         .end = 3.0};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
-    const auto path = find_scheme(scheme)->solve(problem, Accuracy{1e-5, 1e-5}, {.at = {0.5, 1.25, 3.0}});
+    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-5, 1e-5}, {.at = {0.5, 1.25, 3.0}});
     ASSERT_EQ(path.ending, Ending::finished) << scheme;
     for (std::size_t i = 0; i < path.times.size(); ++i) {
       const double t = path.times[i];
@@ -246,7 +247,7 @@ TEST(AdaptiveJumps, AreFoundOneAfterTheOther) {
   for (double jump = M_PI / 3.0; jump < 5.0; jump += M_PI / 3.0) told.jumps.push_back(jump);
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
     const auto y = [&](const Problem& one) {
-      const auto path = find_scheme(scheme)->solve(one, Accuracy{1e-5, 1e-5}, {.at = {2.0, 5.0}});
+      const auto path = find_scheme(scheme)->solve(one, Tolerance{1e-5, 1e-5}, {.at = {2.0, 5.0}});
       EXPECT_EQ(path.ending, Ending::finished) << scheme;
       return path.y;
     };
@@ -256,14 +257,14 @@ TEST(AdaptiveJumps, AreFoundOneAfterTheOther) {
 
 // A component of order 0.05 that starts from 0 needs a first step far shorter than 1e-14 of the end, where
 // t^0.05 is 0.2.
-TEST(AdaptiveStart, IsAsShortAsRowsOfLowOrderAsk) {
+TEST(AdaptiveStart, IsShortEnoughForRowsOfLowOrder) {
   const Scene pendulum = scene_of("pendulum", {{"alpha", 1.95}});
   const Scene system = scene_of(
       "linear_system",
       {{"gamma1", 0.04521}, {"gamma2", 0.962}, {"x0", 0.0}, {"y0", 0.0}, {"c1", -1.742}, {"c2", 0.7194}});
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
     for (const Scene* scene : {&pendulum, &system}) {
-      const auto path = find_scheme(scheme)->solve(scene->problem, Accuracy{1e-4, 1e-4}, {.budget = 20.0});
+      const auto path = find_scheme(scheme)->solve(scene->problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
       ASSERT_EQ(path.ending, Ending::finished) << scheme << ' ' << path.reached;
       EXPECT_LT(largest_error(*scene, path), 1e-3) << scheme;
     }
@@ -275,7 +276,7 @@ TEST(AdaptiveStart, IsAsShortAsRowsOfLowOrderAsk) {
 TEST(AdaptiveTrapezoidal, ReturnsNoGrownResultOfDiffusion) {
   const Scene scene = scene_of("fractional_diffusion", {{"start", "step"}});
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Accuracy{2e-3, 2e-3}, {.budget = 2.0});
+    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{2e-3, 2e-3}, {.budget = 2.0});
     EXPECT_LE(path.y.cwiseAbs().maxCoeff(), 1.1) << scheme;
   }
 }
@@ -293,33 +294,33 @@ TEST(AdaptiveTrapezoidal, AddsUpErrorsOfEachOrderByItself) {
                                                  {"dy0", 0.6468},
                                                  {"c1", -1.348},
                                                  {"c2", -1.827}});
-  const auto path = find_scheme("adaptive_trapezoidal")->solve(scene.problem, Accuracy{1e-8, 1e-8}, {});
+  const auto path = find_scheme("adaptive_trapezoidal")->solve(scene.problem, Tolerance{1e-8, 1e-8}, {});
   EXPECT_LT(largest_error(scene, path), 3e-8);
 }
 
-TEST(StepControl, TakesStepsWithAnErrorOfAtMostWhatIsAllowed) {
-  StepControl control(2.0, 1.0);
+TEST(PiController, AcceptsErrorsUpToTheTolerance) {
+  PiController control(2.0, 1.0);
   EXPECT_TRUE(control.judge(1.0, 1.0));
   EXPECT_FALSE(control.judge(1.01, 1.0));
   EXPECT_FALSE(control.judge(std::nan(""), 1.0));
 }
 
-TEST(StepControl, AimsBelowWhatIsAllowed) {
-  StepControl control(2.0, 1.0);
+TEST(PiController, AimsBelowTheTolerance) {
+  PiController control(2.0, 1.0);
   control.judge(4.0, 1.0);  // the error of half the step would be 1
   EXPECT_DOUBLE_EQ(control.length(), 0.4);
   control.judge(std::numeric_limits<double>::infinity(), 0.4);
   EXPECT_DOUBLE_EQ(control.length(), 0.1);
 }
 
-TEST(StepControl, KeepsALengthThatMayHardlyGrow) {
-  StepControl control(2.0, 1.0);
+TEST(PiController, KeepsALengthThatMayHardlyGrow) {
+  PiController control(2.0, 1.0);
   control.judge(0.5, 1.0);
   EXPECT_EQ(control.length(), 1.0);
 }
 
-TEST(StepControl, DoesNotGrowRightAfterARejection) {
-  StepControl control(2.0, 1.0);
+TEST(PiController, DoesNotGrowRightAfterARejection) {
+  PiController control(2.0, 1.0);
   control.judge(2.0, 1.0);
   const double length = control.length();
   control.judge(1e-6, length);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "mittag_leffler/mittag_leffler.hpp"
-#include "support/accuracy_schemes.hpp"
+#include "support/adaptive_schemes.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -14,7 +14,7 @@ namespace {
 class Events : public testing::TestWithParam<const Scheme*> {
  protected:
   static Trajectory run(const Problem& problem, double accuracy, const Options& options) {
-    return GetParam()->solve(problem, Accuracy{accuracy, accuracy}, options);
+    return GetParam()->solve(problem, Tolerance{accuracy, accuracy}, options);
   }
   static std::vector<double> times(const Trajectory& path) {
     std::vector<double> result;
@@ -152,7 +152,7 @@ TEST_P(Events, EndARunWhereTheyAre) {
     EXPECT_NEAR(path.dense(t)[0], 2.0 * std::sqrt(t / M_PI), 1e-14) << t;
 }
 
-TEST_P(Events, EndARunBehindTheTimesAskedFor) {
+TEST_P(Events, EndARunAfterTheRequestedTimes) {
   Event last = reaches(1.0);
   last.ends = true;
   const auto path = run(half_integral(), 1e-6, {.at = {0.1, 0.7, 0.8, 2.0}, .events = {last}});
@@ -178,7 +178,7 @@ TEST_P(Events, EndAFallAtTheGround) {
 }
 
 // Events do not change the solution.
-TEST_P(Events, LeaveTheRunAsItIs) {
+TEST_P(Events, DoNotChangeTheSolution) {
   const Scene scene = scene_of("brusselator", {{"gamma", 0.8}});
   Problem problem = scene.problem;
   problem.end = 5.0;
@@ -189,7 +189,7 @@ TEST_P(Events, LeaveTheRunAsItIs) {
 }
 
 // Events are located after jumps and switches too: y = 2 sqrt(t / pi) up to 1 at pi / 4, then D^0.5 y = 2.
-TEST_P(Events, AreLocatedBehindASwitch) {
+TEST_P(Events, AreLocatedAfterASwitch) {
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? 2.0 : 1.0; },
                         .end = 2.0,
@@ -200,7 +200,7 @@ TEST_P(Events, AreLocatedBehindASwitch) {
   EXPECT_NEAR(path.events[0].t, at, 1e-5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, Events, testing::ValuesIn(accuracy_schemes()), id_of_param);
+INSTANTIATE_TEST_SUITE_P(Schemes, Events, testing::ValuesIn(adaptive_schemes()), id_of_param);
 
 TEST(EventsOverAGrid, AreRefused) {
   expect_message([] { solve("l1", half_integral(), 8, {.events = {reaches(1.0)}}); }, "not over a grid");

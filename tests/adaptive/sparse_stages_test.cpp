@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(, SparseStages, testing::ValuesIn(cases()),
 
 Trajectory solved(const Problem& problem) {
   auto path =
-      find_scheme("radau_exponentials")->solve(problem, Accuracy{1e-6, 1e-6}, {.at = {0.01, 0.3, 1.0}});
+      find_scheme("radau_exponentials")->solve(problem, Tolerance{1e-6, 1e-6}, {.at = {0.01, 0.3, 1.0}});
   EXPECT_EQ(path.ending, Ending::finished);
   return path;
 }
@@ -83,7 +83,7 @@ TEST_P(SparseStages, OfANonlinearProblemAreTheDenseOnes) {
 TEST(SparseSteps, DeliverASmallAccuracyOfAStiffProblem) {
   const Scene scene = scene_of("fractional_diffusion", {});
   const auto path = find_scheme("radau_exponentials")
-                        ->solve(scene.problem, Accuracy{1e-9, 1e-9}, {.at = {0.001, 0.1, 1.0}});
+                        ->solve(scene.problem, Tolerance{1e-9, 1e-9}, {.at = {0.001, 0.1, 1.0}});
   ASSERT_EQ(path.ending, Ending::finished);
   for (const Eigen::Index column : {0, 1, 2}) {
     const auto exact = scene.reference.at(path.time(column));
@@ -95,7 +95,7 @@ TEST(SparseSteps, DeliverASmallAccuracyOfAStiffProblem) {
 TEST(SparseSteps, PassAStartThatJumpsInSpace) {
   const Scene scene = make_scene(parse_variant("fractional_diffusion:start=step"));
   const auto path = find_scheme("radau_exponentials")
-                        ->solve(scene.problem, Accuracy{1e-4, 1e-4}, {.at = {1e-6, 1e-3, 1.0}});
+                        ->solve(scene.problem, Tolerance{1e-4, 1e-4}, {.at = {1e-6, 1e-3, 1.0}});
   ASSERT_EQ(path.ending, Ending::finished);
   for (const Eigen::Index column : {0, 1, 2}) {
     const auto exact = scene.reference.at(path.time(column));
@@ -103,10 +103,10 @@ TEST(SparseSteps, PassAStartThatJumpsInSpace) {
   }
 }
 
-TEST(SparseSteps, OfTheTrapezoidalRuleSayWhatSolvesThem) {
+TEST(SparseSteps, OfTheTrapezoidalRuleReportTheLinearSolver) {
   const Scene scene = scene_of("fractional_diffusion_2d", {{"n", 6.0}});
   const auto path =
-      find_scheme("adaptive_trapezoidal")->solve(scene.problem, Accuracy{1e-3, 1e-3}, {.at = {1.0}});
+      find_scheme("adaptive_trapezoidal")->solve(scene.problem, Tolerance{1e-3, 1e-3}, {.at = {1.0}});
   EXPECT_EQ(path.cost.linear_solver, "fast_sine");
 }
 

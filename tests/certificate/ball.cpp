@@ -10,13 +10,13 @@ namespace fde::certificate {
 namespace {
 
 template <class Function>
-Ball made_by(Function function) {
+Ball new_ball(Function function) {
   Ball result;
   function(result.get());
   return result;
 }
 
-std::string text_of(arb_srcptr x, int digits) {
+std::string to_text(arb_srcptr x, int digits) {
   const std::unique_ptr<char, decltype(&flint_free)> text(arb_get_str(x, digits, ARB_STR_NO_RADIUS),
                                                           flint_free);
   return text.get();
@@ -47,11 +47,11 @@ Ball Ball::parse(const std::string& re, const std::string& im) {
 }
 
 Ball Ball::pi() {
-  return made_by([](acb_ptr y) { acb_const_pi(y, WorkingBits::get()); });
+  return new_ball([](acb_ptr y) { acb_const_pi(y, WorkingBits::get()); });
 }
 
 Ball Ball::i() {
-  return made_by([](acb_ptr y) { acb_onei(y); });
+  return new_ball([](acb_ptr y) { acb_onei(y); });
 }
 
 std::complex<double> Ball::mid() const {
@@ -59,20 +59,20 @@ std::complex<double> Ball::mid() const {
 }
 
 std::pair<std::string, std::string> Ball::text(int digits) const {
-  return {text_of(real_part(), digits), text_of(imag_part(), digits)};
+  return {to_text(real_part(), digits), to_text(imag_part(), digits)};
 }
 
 std::string Ball::upper_bound_text() const {
   arf_t bound;
   arf_init(bound);
   arb_get_ubound_arf(bound, real_part(), MAG_BITS);
-  const Ball rounded_up = made_by([&](acb_ptr y) {
+  const Ball rounded_up = new_ball([&](acb_ptr y) {
     arb_set_arf(acb_realref(y), bound);
     arb_mul_ui(acb_realref(y), acb_realref(y), 101, MAG_BITS);
     arb_div_ui(acb_realref(y), acb_realref(y), 100, MAG_BITS);
   });
   arf_clear(bound);
-  return text_of(rounded_up.real_part(), 3);
+  return to_text(rounded_up.real_part(), 3);
 }
 
 void Ball::widen(const Ball& error) {
@@ -84,62 +84,62 @@ void Ball::widen(const Ball& error) {
 }
 
 Ball operator+(const Ball& a, const Ball& b) {
-  return made_by([&](acb_ptr y) { acb_add(y, a.get(), b.get(), WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_add(y, a.get(), b.get(), WorkingBits::get()); });
 }
 Ball operator-(const Ball& a, const Ball& b) {
-  return made_by([&](acb_ptr y) { acb_sub(y, a.get(), b.get(), WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_sub(y, a.get(), b.get(), WorkingBits::get()); });
 }
 Ball operator*(const Ball& a, const Ball& b) {
-  return made_by([&](acb_ptr y) { acb_mul(y, a.get(), b.get(), WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_mul(y, a.get(), b.get(), WorkingBits::get()); });
 }
 Ball operator/(const Ball& a, const Ball& b) {
-  return made_by([&](acb_ptr y) { acb_div(y, a.get(), b.get(), WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_div(y, a.get(), b.get(), WorkingBits::get()); });
 }
 Ball operator-(const Ball& a) {
-  return made_by([&](acb_ptr y) { acb_neg(y, a.get()); });
+  return new_ball([&](acb_ptr y) { acb_neg(y, a.get()); });
 }
 
 Ball exp(const Ball& x) {
-  return made_by([&](acb_ptr y) { acb_exp(y, x.get(), WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_exp(y, x.get(), WorkingBits::get()); });
 }
 Ball log(const Ball& x) {
-  return made_by([&](acb_ptr y) { acb_log(y, x.get(), WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_log(y, x.get(), WorkingBits::get()); });
 }
 Ball sin(const Ball& x) {
-  return made_by([&](acb_ptr y) { acb_sin(y, x.get(), WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_sin(y, x.get(), WorkingBits::get()); });
 }
 Ball cos(const Ball& x) {
-  return made_by([&](acb_ptr y) { acb_cos(y, x.get(), WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_cos(y, x.get(), WorkingBits::get()); });
 }
 Ball erfc(const Ball& x) {
-  return made_by([&](acb_ptr y) { acb_hypgeom_erfc(y, x.get(), WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_hypgeom_erfc(y, x.get(), WorkingBits::get()); });
 }
 Ball reciprocal_gamma(const Ball& x) {
-  return made_by([&](acb_ptr y) { acb_rgamma(y, x.get(), WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_rgamma(y, x.get(), WorkingBits::get()); });
 }
 Ball power(const Ball& x, unsigned long exponent) {
-  return made_by([&](acb_ptr y) { acb_pow_ui(y, x.get(), exponent, WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_pow_ui(y, x.get(), exponent, WorkingBits::get()); });
 }
 Ball abs(const Ball& x) {
-  return made_by([&](acb_ptr y) { acb_abs(acb_realref(y), x.get(), WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_abs(acb_realref(y), x.get(), WorkingBits::get()); });
 }
 Ball arg(const Ball& x) {
-  return made_by([&](acb_ptr y) { acb_arg(acb_realref(y), x.get(), WorkingBits::get()); });
+  return new_ball([&](acb_ptr y) { acb_arg(acb_realref(y), x.get(), WorkingBits::get()); });
 }
 Ball conj(const Ball& x) {
-  return made_by([&](acb_ptr y) { acb_conj(y, x.get()); });
+  return new_ball([&](acb_ptr y) { acb_conj(y, x.get()); });
 }
 Ball real(const Ball& x) {
-  return made_by([&](acb_ptr y) { arb_set(acb_realref(y), x.real_part()); });
+  return new_ball([&](acb_ptr y) { arb_set(acb_realref(y), x.real_part()); });
 }
 Ball imag(const Ball& x) {
-  return made_by([&](acb_ptr y) { arb_set(acb_realref(y), x.imag_part()); });
+  return new_ball([&](acb_ptr y) { arb_set(acb_realref(y), x.imag_part()); });
 }
 
 bool operator<(const Ball& a, const Ball& b) { return arb_lt(a.real_part(), b.real_part()) != 0; }
 bool operator>(const Ball& a, const Ball& b) { return arb_gt(a.real_part(), b.real_part()) != 0; }
 
-double log2_above(const Ball& x) {
+double log2_upper_bound(const Ball& x) {
   arf_t bound;
   arf_init(bound);
   acb_get_abs_ubound_arf(bound, x.get(), 30);
@@ -148,7 +148,7 @@ double log2_above(const Ball& x) {
   return bits;
 }
 
-double log2_below(const Ball& x) {
+double log2_lower_bound(const Ball& x) {
   arf_t bound;
   arf_init(bound);
   acb_get_abs_lbound_arf(bound, x.get(), 30);

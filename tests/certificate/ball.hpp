@@ -94,7 +94,7 @@ bool operator<(const Ball& a, const Ball& b);
 bool operator>(const Ball& a, const Ball& b);
 
 // Upper and lower bound of log2 |x|, for estimates; infinite where x is 0 or not finite.
-double log2_above(const Ball& x);
-double log2_below(const Ball& x);
+double log2_upper_bound(const Ball& x);
+double log2_lower_bound(const Ball& x);
 
 }  // namespace fde::certificate

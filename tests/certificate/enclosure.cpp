@@ -10,14 +10,14 @@
 namespace fde::certificate {
 namespace {
 
-bool is_whole(const Ball& x) { return acb_is_int(x.get()) != 0; }
+bool is_integer(const Ball& x) { return acb_is_int(x.get()) != 0; }
 
 // A term of the series costs one evaluation of Gamma, a point of the integral three complex exponentials.
 constexpr double most_terms = 800.0;
 
 Method method_for(const Arguments& x, long bits) {
   const bool small = std::abs(x.z.mid()) <= 1.0;
-  if (is_whole(x.alpha) && is_whole(x.beta) && !small) return Method::residues;
+  if (is_integer(x.alpha) && is_integer(x.beta) && !small) return Method::residues;
   const auto [terms, lost] = series_effort(x, bits);
   return terms <= most_terms && lost < 2.0 * static_cast<double>(bits) ? Method::power_series
                                                                        : Method::hankel;
@@ -25,7 +25,7 @@ Method method_for(const Arguments& x, long bits) {
 
 Ball attempt(const Arguments& x, Method method) {
   const Ball value = method == Method::power_series ? power_series(x)
-                     : method == Method::residues   ? whole_residues(x)
+                     : method == Method::residues   ? integer_residues(x)
                                                     : hankel_integral(x);
   return x.real() ? real(value) : value;
 }

@@ -25,8 +25,8 @@ Ball enclose(const Arguments& x, int digits, Method method = Method::automatic);
 
 // One evaluation by each method at the working precision of this thread.
 Ball power_series(const Arguments& x);
-Ball whole_residues(const Arguments& x);   // alpha and beta integers, z != 0
-Ball hankel_integral(const Arguments& x);  // z != 0
+Ball integer_residues(const Arguments& x);  // alpha and beta integers, z != 0
+Ball hankel_integral(const Arguments& x);   // z != 0
 
 // Estimates for the choice of the method: terms that the series needs for `bits` bits, and bits lost by
 // cancellation.

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "certificate/judge.hpp"
+#include "certificate/point_check.hpp"
 #include "certificate/prabhakar.hpp"
 
 namespace fde::certificate {
@@ -40,19 +40,19 @@ std::vector<int> chosen_points(const Options& options) {
   return chosen;
 }
 
-Judgement judge_or_fault(const Point& point, int digits) {
+PointCheck judge_or_fault(const Point& point, int digits) {
   try {
     return judge(point, digits);
   } catch (const std::exception& error) {
-    Judgement row;
+    PointCheck row;
     row.point = point;
     row.faults.emplace_back(error.what());
     return row;
   }
 }
 
-std::vector<Judgement> judge_all(const std::vector<int>& chosen, const Options& options) {
-  std::vector<Judgement> rows(chosen.size());
+std::vector<PointCheck> measure_maximum_error(const std::vector<int>& chosen, const Options& options) {
+  std::vector<PointCheck> rows(chosen.size());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t i = next++; i < rows.size(); i = next++) {
@@ -70,7 +70,7 @@ struct Total {
   int count = 0, near_zero = 0, faulty = 0;
   double worst = 0.0, squares = 0.0, ball = 0.0, face = 0.0, digits = 0.0;
 
-  void add(const Judgement& row) {
+  void add(const PointCheck& row) {
     ++count;
     near_zero += row.conditioned_ulps < row.ulps ? 1 : 0;
     faulty += row.faults.empty() ? 0 : 1;
@@ -88,22 +88,22 @@ void print_line(std::string_view name, const Total& total) {
              1e6 * total.face / total.count, 1e3 * total.digits / total.count);
 }
 
-void print_regions(const std::vector<Judgement>& rows) {
+void print_regions(const std::vector<PointCheck>& rows) {
   fmt::print("{:24} {:>6} {:>7} {:>10} {:>9} {:>9} {:>8} {:>11} {:>11}\n", "region", "points", "faulty",
              "worst ulp", "rms ulp", "near zero", "ball s", "double us", "digits ms");
   for (const std::string_view name : region_names()) {
     Total total;
-    for (const Judgement& row : rows) {
+    for (const PointCheck& row : rows) {
       if (row.point.region == name) total.add(row);
     }
     if (total.count > 0) print_line(name, total);
   }
   Total all;
-  for (const Judgement& row : rows) all.add(row);
+  for (const PointCheck& row : rows) all.add(row);
   print_line("all", all);
 }
 
-void print_row(const Judgement& row) {
+void print_row(const PointCheck& row) {
   fmt::print(
       "{}: E_{{{:.17g},{:.17g}}}({:.17g}{:+.17g}i)\n  certified {} {} +- {}\n  computed  {:.17g} {:.17g} +- "
       "{:.3g}: {:.3f} ulp",
@@ -117,14 +117,14 @@ void print_row(const Judgement& row) {
 }
 
 template <class Measure>
-void print_top(std::string_view title, std::vector<Judgement> rows, int count, Measure measure) {
+void print_top(std::string_view title, std::vector<PointCheck> rows, int count, Measure measure) {
   std::ranges::stable_sort(rows, std::greater{}, measure);
   rows.resize(std::min(rows.size(), static_cast<std::size_t>(std::max(count, 0))));
   if (!rows.empty()) fmt::print("\n{}\n", title);
-  for (const Judgement& row : rows) print_row(row);
+  for (const PointCheck& row : rows) print_row(row);
 }
 
-void write_table(const std::vector<Judgement>& rows, const std::string& path) {
+void write_table(const std::vector<PointCheck>& rows, const std::string& path) {
   std::ofstream file(path);
   file << "region,alpha,beta,re,im,value_re,value_im,radius\n";
   for (const auto& row : rows) {
@@ -145,7 +145,7 @@ int run_prabhakar(int points) {
     double worst = 0.0;
     int wrong = 0;
     for (int i = kind; i < points; i += 2) {
-      const PrabhakarJudgement row = judge(prabhakar_point(i));
+      const PrabhakarCheck row = judge(prabhakar_point(i));
       times.push_back(row.seconds);
       worst = std::max(worst, row.ulps);
       wrong += row.faults.empty() ? 0 : 1;
@@ -166,14 +166,14 @@ int run_prabhakar(int points) {
 
 int run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Judgement> rows = judge_all(chosen_points(options), options);
+  const std::vector<PointCheck> rows = measure_maximum_error(chosen_points(options), options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   print_regions(rows);
   print_top("worst points", rows, options.worst,
-            [](const Judgement& row) { return std::pair(row.faults.size(), row.conditioned_ulps); });
+            [](const PointCheck& row) { return std::pair(row.faults.size(), row.conditioned_ulps); });
   print_top("slowest points", rows, options.slowest,
-            [](const Judgement& row) { return row.double_seconds + row.digits_seconds; });
-  const auto faulty = std::ranges::count_if(rows, [](const Judgement& row) { return !row.faults.empty(); });
+            [](const PointCheck& row) { return row.double_seconds + row.digits_seconds; });
+  const auto faulty = std::ranges::count_if(rows, [](const PointCheck& row) { return !row.faults.empty(); });
   fmt::print("\n{} points, {} faulty, {:.1f} s on {} threads\n", rows.size(), faulty, seconds.count(),
              options.threads);
   if (!options.out.empty()) write_table(rows, options.out);

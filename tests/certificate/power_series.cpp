@@ -22,7 +22,7 @@ Ball power_series(const Arguments& x) {
     // effect).
     const Ball term = power(x.z, static_cast<unsigned long>(k)) * head;
     sum = sum + term;
-    const double size = log2_above(term);
+    const double size = log2_upper_bound(term);
     largest = std::max(largest, size);
     const bool small = size < largest - static_cast<double>(WorkingBits::get());
     if (small && argument - x.alpha > Ball(0.0)) {

@@ -20,8 +20,8 @@ Ball series(const Ball& alpha, const Ball& beta, const Ball& gamma, const Ball& 
   for (int j = 0; j < most_terms; ++j) {
     const Ball argument = alpha * Ball(j) + beta, head = reciprocal_gamma(argument), term = factor * head;
     sum = sum + term;
-    largest = std::max(largest, log2_above(term));
-    const bool small = log2_above(term) < largest - static_cast<double>(WorkingBits::get());
+    largest = std::max(largest, log2_upper_bound(term));
+    const bool small = log2_upper_bound(term) < largest - static_cast<double>(WorkingBits::get());
     if (small && argument - alpha > Ball(0.0) && gamma + Ball(j) > Ball(0.0)) {
       const Ball growth = (gamma + Ball(j)) / Ball(j + 1.0);
       const Ball ratio = abs(z) * (growth > Ball(1.0) ? growth : Ball(1.0)) * head / last_head;
@@ -70,9 +70,9 @@ Ball prabhakar_enclosure(const PrabhakarPoint& x, int digits) {
   throw std::runtime_error("certificate: not that many digits of the value within 4000 bits");
 }
 
-PrabhakarJudgement judge(const PrabhakarPoint& point) {
+PrabhakarCheck judge(const PrabhakarPoint& point) {
   constexpr double allowed = 8.0;
-  PrabhakarJudgement row{.point = point};
+  PrabhakarCheck row{.point = point};
   const Ball value = prabhakar_enclosure(point, 30);
   const auto start = std::chrono::steady_clock::now();
   const auto [stated, bound] = computed(point);

@@ -26,7 +26,7 @@ PrabhakarPoint prabhakar_point(int index);
 // Throws std::runtime_error where 4000 bits do not suffice.
 Ball prabhakar_enclosure(const PrabhakarPoint& x, int digits);
 
-struct PrabhakarJudgement {
+struct PrabhakarCheck {
   PrabhakarPoint point;
   double ulps = 0.0;  // |error| in units of the last place of the value
   double seconds = 0.0;
@@ -35,6 +35,6 @@ struct PrabhakarJudgement {
 
 // Checks the value in double: its error is within the stated bound, and the bound is at most 8 ulp of the
 // value.
-PrabhakarJudgement judge(const PrabhakarPoint& point);
+PrabhakarCheck judge(const PrabhakarPoint& point);
 
 }  // namespace fde::certificate

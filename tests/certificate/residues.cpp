@@ -6,7 +6,7 @@ namespace fde::certificate {
 
 // For integers alpha = n and beta the integrand of Hankel's integral has no branch cut, so E is the sum of
 // its residues at the n roots s^n = z, e^s s^(1-beta)/n, and at 0, - sum_{j>=1} z^-j / Gamma(beta - n j).
-Ball whole_residues(const Arguments& x) {
+Ball integer_residues(const Arguments& x) {
   const int roots = static_cast<int>(std::lround(x.alpha.mid().real()));
   const long beta = std::lround(x.beta.mid().real());
   Ball sum;

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
 #include "support/full_disk.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
@@ -35,12 +35,12 @@ class CheckpointOfSolve : public testing::Test {
 
   static constexpr auto plain = "solve pendulum --scheme product_trapezoidal --steps 20000 --points 5";
 
-  [[nodiscard]] Answer keeping(const std::string& command) const {
+  [[nodiscard]] CommandOutput solve_with_checkpoint(const std::string& command) const {
     return fdebench(command + " --checkpoint " + file());
   }
   // Writes the state of a run that was ended early.
-  void leave_state() const {
-    const auto ended = keeping(std::string(plain) + " --checkpoint-every 0 --budget 0.02");
+  void write_state() const {
+    const auto ended = solve_with_checkpoint(std::string(plain) + " --checkpoint-every 0 --budget 0.02");
     ASSERT_EQ(ended.code, 3) << ended.err;
     ASSERT_TRUE(fs::exists(file()));
   }
@@ -49,7 +49,8 @@ class CheckpointOfSolve : public testing::Test {
 };
 
 TEST_F(CheckpointOfSolve, IsGoneAtTheEnd) {
-  const auto [code, out, err] = keeping("solve relaxation --scheme l1 --steps 200 --checkpoint-every 0");
+  const auto [code, out, err] =
+      solve_with_checkpoint("solve relaxation --scheme l1 --steps 200 --checkpoint-every 0");
   EXPECT_EQ(code, 0) << err;
   EXPECT_EQ(out, fdebench("solve relaxation --scheme l1 --steps 200").out);
   EXPECT_EQ(err, "");
@@ -57,9 +58,9 @@ TEST_F(CheckpointOfSolve, IsGoneAtTheEnd) {
 }
 
 TEST_F(CheckpointOfSolve, ContinuesToTheBitsOfAWholeRun) {
-  leave_state();
+  write_state();
   // Budget, threads and additional output may differ.
-  const auto [code, out, err] = keeping(std::string(plain) + " --threads 2 --cost");
+  const auto [code, out, err] = solve_with_checkpoint(std::string(plain) + " --threads 2 --cost");
   EXPECT_EQ(code, 0);
   EXPECT_EQ(out, fdebench(plain).out);
   EXPECT_THAT(err, HasSubstr(R"("continued":true)"));
@@ -67,7 +68,7 @@ TEST_F(CheckpointOfSolve, ContinuesToTheBitsOfAWholeRun) {
 }
 
 TEST_F(CheckpointOfSolve, IsOfOneRunOnly) {
-  leave_state();
+  write_state();
   const auto kept = content();
   const std::vector<std::pair<std::string, std::string>> others{
       {"solve pendulum --scheme l1 --steps 20000 --points 5", "scheme = product_trapezoidal, not l1"},
@@ -82,7 +83,7 @@ TEST_F(CheckpointOfSolve, IsOfOneRunOnly) {
       {"solve pendulum --scheme product_trapezoidal --steps 20000 --at 20",
        "times = --points 5, not --at 20"}};
   for (const auto& [command, difference] : others) {
-    const auto [code, out, err] = keeping(command);
+    const auto [code, out, err] = solve_with_checkpoint(command);
     EXPECT_EQ(code, 2) << command;
     EXPECT_EQ(out, "") << command;
     EXPECT_THAT(err, testing::StartsWith("fdebench: " + file() + ": is of another run: " + difference));
@@ -92,19 +93,19 @@ TEST_F(CheckpointOfSolve, IsOfOneRunOnly) {
 }
 
 TEST_F(CheckpointOfSolve, IsRefusedWhereItIsDamaged) {
-  leave_state();
+  write_state();
   const auto kept = content();
   for (const std::size_t at : {std::size_t{40}, kept.size() / 2, kept.size() - 100, kept.size() - 1}) {
     auto damaged = kept;
     damaged[at] = static_cast<char>(damaged[at] ^ 1);
     replace(damaged);
-    const auto [code, out, err] = keeping(plain);
+    const auto [code, out, err] = solve_with_checkpoint(plain);
     EXPECT_EQ(code, 2) << at;
     EXPECT_EQ(err, "fdebench: " + file() + ": is damaged: its checksum is of something else\n") << at;
   }
   for (const std::size_t size : {std::size_t{30}, std::size_t{100}, kept.size() / 3, kept.size() - 1}) {
     replace(kept.substr(0, size));
-    const auto [code, out, err] = keeping(plain);
+    const auto [code, out, err] = solve_with_checkpoint(plain);
     EXPECT_EQ(code, 2) << size;
     EXPECT_EQ(err, "fdebench: " + file() + ": is damaged: its checksum is of something else\n") << size;
   }
@@ -113,21 +114,22 @@ TEST_F(CheckpointOfSolve, IsRefusedWhereItIsDamaged) {
 TEST_F(CheckpointOfSolve, ReplacesNoFileOfAnotherKind) {
   for (const auto& text : std::vector<std::string>{"", "{", "t,y\n0,1\n"}) {
     replace(text);
-    const auto [code, out, err] = keeping(plain);
+    const auto [code, out, err] = solve_with_checkpoint(plain);
     EXPECT_EQ(code, 2);
     EXPECT_EQ(err, "fdebench: " + file() + ": is no checkpoint, and is not replaced by one\n");
     EXPECT_EQ(content(), text);
   }
   fs::remove(file());
   fs::create_directory(file());
-  EXPECT_EQ(keeping(plain).err, "fdebench: " + file() + ": is no file\n");
+  EXPECT_EQ(solve_with_checkpoint(plain).err, "fdebench: " + file() + ": is no file\n");
 }
 
 TEST_F(CheckpointOfSolve, NeedsAFolderAndNumbers) {
   const auto missing = (folder_.path() / "missing" / "state").string();
   EXPECT_EQ(fdebench(std::string(plain) + " --checkpoint " + missing).err,
             "fdebench: " + missing + ": cannot be written: No such file or directory\n");
-  EXPECT_THAT(keeping(std::string(plain) + " --checkpoint-every x").err, HasSubstr("--checkpoint-every = x"));
+  EXPECT_THAT(solve_with_checkpoint(std::string(plain) + " --checkpoint-every x").err,
+              HasSubstr("--checkpoint-every = x"));
   EXPECT_THAT(fdebench(std::string(plain) + " --checkpoint-every 5").err,
               HasSubstr("--checkpoint-every = 5: must be with --checkpoint"));
   EXPECT_EQ(files(), 0);
@@ -136,30 +138,31 @@ TEST_F(CheckpointOfSolve, NeedsAFolderAndNumbers) {
 TEST_F(CheckpointOfSolve, IsRefusedForSchemesThatKeepNone) {
   for (const auto* scheme : all_schemes()) {
     if (scheme->needs.checkpoints) continue;
-    const auto* const resolution = scheme->needs.takes_grid ? " --steps 8" : " --accuracy 1e-3";
+    const auto* const resolution = scheme->needs.solves_on_grid ? " --steps 8" : " --accuracy 1e-3";
     const auto [code, out, err] =
-        keeping("solve relaxation --scheme " + std::string(scheme->id) + resolution);
+        solve_with_checkpoint("solve relaxation --scheme " + std::string(scheme->id) + resolution);
     EXPECT_EQ(code, 2);
     EXPECT_THAT(err, HasSubstr(std::string(scheme->id) + " keeps no checkpoints"));
   }
-  EXPECT_THAT(keeping("solve two_sided_constraint --scheme grunwald_letnikov --steps 8").err,
+  EXPECT_THAT(solve_with_checkpoint("solve two_sided_constraint --scheme grunwald_letnikov --steps 8").err,
               HasSubstr("keeps no checkpoints of a problem that it solves at all times at once"));
 }
 
 // The run continues, reports the failure once, and keeps the earlier state.
 TEST_F(CheckpointOfSolve, MayFindAFullDisk) {
-  leave_state();
+  write_state();
   const auto kept = content();
   const auto whole = fdebench(plain);
   {
     const FullDisk full(100);
-    const auto [code, out, err] = keeping(std::string(plain) + " --checkpoint-every 0 --budget 0.05");
+    const auto [code, out, err] =
+        solve_with_checkpoint(std::string(plain) + " --checkpoint-every 0 --budget 0.05");
     EXPECT_EQ(code, 3);
     EXPECT_THAT(err, testing::StartsWith("fdebench: " + file() + ": cannot be written: File too large\n"));
     EXPECT_EQ(std::ranges::count(err, '\n'), 2) << err;
     EXPECT_EQ(content(), kept);
     EXPECT_EQ(files(), 1);
-    EXPECT_EQ(keeping(std::string(plain) + " --checkpoint-every 0.001").out, whole.out);
+    EXPECT_EQ(solve_with_checkpoint(std::string(plain) + " --checkpoint-every 0.001").out, whole.out);
   }
   EXPECT_EQ(files(), 0);
 }
@@ -169,7 +172,7 @@ TEST_F(CheckpointOfSolve, RemovesWhatKilledRunsLeft) {
   folder_.write("state.2147483647.0.tmp", "half");
   folder_.write("state.2147483647.tmp", "of another kind");
   folder_.write(fmt::format("state.{}.7.tmp", getpid()), "at work");
-  EXPECT_EQ(keeping("solve relaxation --scheme l1 --steps 20").code, 0);
+  EXPECT_EQ(solve_with_checkpoint("solve relaxation --scheme l1 --steps 20").code, 0);
   EXPECT_FALSE(fs::exists(folder_.path() / "state.2147483647.0.tmp"));
   EXPECT_EQ(files(), 2);
 }

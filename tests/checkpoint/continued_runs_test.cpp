@@ -50,18 +50,18 @@ Trajectory interrupted(const Scheme& scheme, const Problem& problem, const Resol
                        Options options, const std::vector<int>& ends) {
   std::string kept;
   for (const int n : ends) {
-    InterruptedAt checkpoints(n, kept);
+    InterruptingCheckpoints checkpoints(n, kept);
     options.checkpoints = &checkpoints;
     try {
       auto path = scheme.solve(problem, resolution, options);
       EXPECT_GT(n, 1) << "no state is offered before a step";
       return path;
-    } catch (const Interrupted&) {
+    } catch (const RunInterrupted&) {
       kept = checkpoints.kept();
       EXPECT_FALSE(kept.empty());
     }
   }
-  InterruptedAt checkpoints(0, kept);
+  InterruptingCheckpoints checkpoints(0, kept);
   options.checkpoints = &checkpoints;
   return scheme.solve(problem, resolution, options);
 }
@@ -87,8 +87,8 @@ class ContinuedRuns : public testing::TestWithParam<const Scheme*> {
                          fmt::format("{}, grading {}, {}", what, grading, name(history)));
       }
     }
-    expect_same_bits(problem, Accuracy{1e-3, 1e-3}, {}, what + ", 1e-3");
-    expect_same_bits(problem, Accuracy{1e-3, 1e-3}, {.at = {0.2 * problem.end, 0.9 * problem.end}},
+    expect_same_bits(problem, Tolerance{1e-3, 1e-3}, {}, what + ", 1e-3");
+    expect_same_bits(problem, Tolerance{1e-3, 1e-3}, {.at = {0.2 * problem.end, 0.9 * problem.end}},
                      what + ", 1e-3 at two times");
   }
   static void expect_same_bits(const std::string& scene) {
@@ -179,14 +179,14 @@ TEST_P(ContinuedRuns, TakeNoStateOfOtherUnknowns) {
   const Problem one = scene_of("relaxation").problem, two = scene_of("relaxation_pair").problem;
   const Grid grid{one.end, 75};
   if (refusal(scheme(), one, grid)) GTEST_SKIP();
-  InterruptedAt first(40);
-  EXPECT_THROW(scheme().solve(one, grid, {.checkpoints = &first}), Interrupted);
-  InterruptedAt other(0, first.kept()), cut(0, first.kept().substr(0, first.kept().size() - 1));
+  InterruptingCheckpoints first(40);
+  EXPECT_THROW(scheme().solve(one, grid, {.checkpoints = &first}), RunInterrupted);
+  InterruptingCheckpoints other(0, first.kept()), cut(0, first.kept().substr(0, first.kept().size() - 1));
   if (!refusal(scheme(), two, grid)) {
     EXPECT_THROW(scheme().solve(two, grid, {.checkpoints = &other}), std::invalid_argument);
   }
   EXPECT_THROW(scheme().solve(one, grid, {.checkpoints = &cut}), std::invalid_argument);
-  InterruptedAt more(0, first.kept() + "more");
+  InterruptingCheckpoints more(0, first.kept() + "more");
   EXPECT_THROW(scheme().solve(one, grid, {.checkpoints = &more}), std::invalid_argument);
 }
 
@@ -200,16 +200,16 @@ TEST(ContinuedRunsOfManyThreads, AreThoseOfOne) {
   Options of_two = options;
   of_two.threads = 2;
   expect_same(interrupted(scheme, problem, grid, of_two, {30, 5}), whole, "two threads");
-  InterruptedAt first(40);
+  InterruptingCheckpoints first(40);
   of_two.checkpoints = &first;
-  EXPECT_THROW(scheme.solve(problem, grid, of_two), Interrupted);
-  InterruptedAt second(0, first.kept());
+  EXPECT_THROW(scheme.solve(problem, grid, of_two), RunInterrupted);
+  InterruptingCheckpoints second(0, first.kept());
   Options of_one = options;
   of_one.checkpoints = &second;
   expect_same(scheme.solve(problem, grid, of_one), whole, "two threads, then one");
 }
 
-TEST(Checkpoints, AreRefusedWhereAllTimesAreSolvedAtOnce) {
+TEST(CheckpointStore, AreRefusedWhereAllTimesAreSolvedAtOnce) {
   const Scheme& scheme = *find_scheme("grunwald_letnikov");
   EXPECT_EQ(refusal_of_checkpoints(scheme, scene_of("relaxation").problem), std::nullopt);
   EXPECT_NE(refusal_of_checkpoints(scheme, scene_of("two_sided_constraint").problem), std::nullopt);

@@ -8,13 +8,13 @@
 namespace fde {
 
 // Ends a run.
-struct Interrupted : std::exception {};
+struct RunInterrupted : std::exception {};
 
 // Stores the n-th offered state in memory and ends the run there by throwing Interrupted; n = 0: never. kept:
 // a state to resume from; empty: none.
-class InterruptedAt final : public Checkpoints {
+class InterruptingCheckpoints final : public CheckpointStore {
  public:
-  explicit InterruptedAt(int n, std::string kept = {}) : left_(n), kept_(std::move(kept)) {}
+  explicit InterruptingCheckpoints(int n, std::string kept = {}) : left_(n), kept_(std::move(kept)) {}
 
   bool resume(const State& state) override {
     if (kept_.empty()) return false;
@@ -31,7 +31,7 @@ class InterruptedAt final : public Checkpoints {
     kept_.clear();
     WritingArchive archive([&](std::string_view bytes) { kept_ += bytes; });
     state(archive);
-    throw Interrupted();
+    throw RunInterrupted();
   }
 
   // The stored state; empty if the run ended before.

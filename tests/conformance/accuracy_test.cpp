@@ -7,7 +7,7 @@
 #include "measures/rounding.hpp"
 #include "scenes/registry.hpp"
 #include "support/testing.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace fde {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 // One column of ten times, 1 everywhere.
 Rows ones() { return Rows::Ones(1, 10); }
 
-TEST(Accuracy, IsLostFromWhereTheErrorStaysAboveTheValue) {
+TEST(Tolerance, IsLostFromWhereTheErrorStaysAboveTheValue) {
   Rows values = ones();
   values.rightCols(3).setConstant(2.5);
   EXPECT_EQ(accuracy_lost(values, ones()), 7);
@@ -23,34 +23,34 @@ TEST(Accuracy, IsLostFromWhereTheErrorStaysAboveTheValue) {
   EXPECT_EQ(accuracy_lost(values, ones()), std::nullopt);
 }
 
-TEST(Accuracy, IsLostWhereZeroWouldBeNoWorse) {
+TEST(Tolerance, IsLostWhereZeroWouldBeNoWorse) {
   EXPECT_EQ(accuracy_lost(Rows::Constant(1, 10, 1e-30), ones()), 0);
   EXPECT_EQ(accuracy_lost(Rows::Zero(1, 10), Rows::Zero(1, 10)), std::nullopt);
 }
 
-TEST(Accuracy, IsNotLostWhereTheValueOnlyPassesThroughZero) {
+TEST(Tolerance, IsNotLostWhereTheValueOnlyPassesThroughZero) {
   Rows reference = Rows::Ones(1, 100), values = reference;
   reference(0, 99) = 0.0;
   values(0, 99) = 1e-3;
   EXPECT_EQ(accuracy_lost(values, reference), std::nullopt);
 }
 
-TEST(Accuracy, IsNotLostToRoundingOfLargerValues) {
+TEST(Tolerance, IsNotLostToRoundingOfLargerValues) {
   Rows reference = ones(), values = reference;
   reference.rightCols(5).setZero();
   values.rightCols(5).setConstant(1e-16);
   EXPECT_EQ(accuracy_lost(values, reference), std::nullopt);
 }
 
-TEST(Accuracy, IsLostWhereTheReferenceIsInfinite) {
+TEST(Tolerance, IsLostWhereTheReferenceIsInfinite) {
   Rows reference = ones();
   reference.rightCols(5).setConstant(std::numeric_limits<double>::infinity());
   EXPECT_EQ(accuracy_lost(ones(), reference), 5);
-  EXPECT_EQ(first_overflow(reference), 5);
+  EXPECT_EQ(first_infinite_reference(reference), 5);
   EXPECT_EQ(accuracy_lost(3.0 * ones(), reference), 0);
 }
 
-TEST(Accuracy, OfSeveralColumnsIsThatOfTheWorst) {
+TEST(Tolerance, OfSeveralColumnsIsThatOfTheWorst) {
   Rows reference(2, 10), values(2, 10);
   reference << Rows::Ones(1, 10), 1e-6 * Rows::Ones(1, 10);
   values << Rows::Ones(1, 10), 1.5e-6 * Rows::Ones(1, 10);
@@ -58,7 +58,7 @@ TEST(Accuracy, OfSeveralColumnsIsThatOfTheWorst) {
   EXPECT_EQ(accuracy_lost(values, reference), std::nullopt);
 }
 
-TEST(Accuracy, RelativeToAThousandthOfTheSizeNearAZero) {
+TEST(Tolerance, RelativeToAThousandthOfTheSizeNearAZero) {
   Rows reference = Rows::Ones(1, 20), values = reference;
   reference(0, 19) = 1e-9;
   values(0, 19) = 1e-9 + 1e-4;
@@ -70,13 +70,13 @@ TEST(Accuracy, RelativeToAThousandthOfTheSizeNearAZero) {
 // Values in other units are the same values up to rounding, in every scene and scheme that fits. The steps
 // are small: with 32 steps on relaxation_pair, bdf5 solves the first ten as one system and amplifies rounding
 // 1e7 times.
-class OtherUnits : public testing::TestWithParam<const SceneMaker*> {};
+class OtherUnits : public testing::TestWithParam<const SceneFactory*> {};
 
 TEST_P(OtherUnits, ChangeNothingButRounding) {
   constexpr double unit = 0.7;
   constexpr int steps = 256;
   const Scene scene = make_scene(*GetParam());
-  const Problem other = in_units_of(unit, scene.problem);
+  const Problem other = rescaled_problem(unit, scene.problem);
   for (const auto& scheme : schemes()) {
     const Grid grid{scene.problem.end, steps};
     if (refusal(scheme, scene.problem, grid)) continue;
@@ -88,8 +88,8 @@ TEST_P(OtherUnits, ChangeNothingButRounding) {
   }
 }
 
-std::vector<const SceneMaker*> makers() {
-  std::vector<const SceneMaker*> all;
+std::vector<const SceneFactory*> makers() {
+  std::vector<const SceneFactory*> all;
   for (const auto& maker : scenes()) all.push_back(&maker);
   return all;
 }
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(, OtherUnits, testing::ValuesIn(makers()),
 
 std::string ending(const ParameterValues& values, std::string_view scheme, int steps) {
   const Scene scene = make_scene(*find_scene("relaxation"), values);
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   return sentence(*examine({}, scene, reference, *find_scheme(scheme), {steps}).back().ending);
 }
 
@@ -112,7 +112,7 @@ TEST(Examination, SaysWhereTheAccuracyIsLost) {
 // place.
 TEST(Examination, MeasuresWhatRoundingDoes) {
   const Scene scene = make_scene(*find_scene("power"), {{"gamma", 1.0}, {"p", 2.0}});
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   const auto rounding = [&](int steps) {
     const auto rows = examine({}, scene, reference, *find_scheme("l1"), {steps});
     return std::ranges::find(rows, "rounding", &Record::quantity)->value;

@@ -14,12 +14,12 @@
 #include <vector>
 
 #include "scenes/registry.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace fde {
 
 // The final values of a run, to the bit: an entry of tests/bits.txt, as printed by fde_bits.
-struct EndOfRun {
+struct FinalValues {
   std::string run;  // "relaxation l1 64"
   std::vector<double> values;
   double size = 0.0;  // the largest |value| of any component during the run; not in the table
@@ -28,12 +28,12 @@ struct EndOfRun {
 // The final values of every scheme on scenes of each kind: linear, nonlinear, a chain, with a constraint,
 // two-sided; with the direct history (few steps) and with exponentials. A scheme that refuses a scene has no
 // entry there.
-inline std::vector<EndOfRun> endings() {
-  std::vector<EndOfRun> found;
+inline std::vector<FinalValues> endings() {
+  std::vector<FinalValues> found;
   for (const std::string_view id :
        {"relaxation", "relaxation_pair", "diethelm", "bagley_torvik", "pendulum", "brusselator", "knife_edge",
         "fractional_constraint_2d", "two_sided_constraint"}) {
-    const SceneMaker& maker = *find_scene(id);
+    const SceneFactory& maker = *find_scene(id);
     const Scene scene = make_scene(maker);
     for (const auto& scheme : schemes()) {
       for (const int steps : {64, 1500}) {
@@ -53,7 +53,7 @@ inline std::vector<EndOfRun> endings() {
 
 // The largest difference from the table, in units in the last place of the largest value of the run: rounding
 // errors of this size remain where the values have become small.
-inline double ulps_between(const EndOfRun& run, const std::vector<double>& table) {
+inline double ulps_between(const FinalValues& run, const std::vector<double>& table) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (run.values.size() != table.size()) return infinity;
   double difference = 0.0;
@@ -63,14 +63,14 @@ inline double ulps_between(const EndOfRun& run, const std::vector<double>& table
 }
 
 // Reads a file written by fde_bits.
-inline std::vector<EndOfRun> read_endings(const std::string& file) {
-  std::vector<EndOfRun> found;
+inline std::vector<FinalValues> read_final_values(const std::string& file) {
+  std::vector<FinalValues> found;
   std::ifstream table(file);
   for (std::string line; std::getline(table, line);) {
     std::istringstream cells(line);
     std::string scene, scheme, steps, text;
     cells >> scene >> scheme >> steps;
-    EndOfRun ending{fmt::format("{} {} {}", scene, scheme, steps), {}};
+    FinalValues ending{fmt::format("{} {} {}", scene, scheme, steps), {}};
     while (cells >> text) ending.values.push_back(std::strtod(text.c_str(), nullptr));
     found.push_back(std::move(ending));
   }

@@ -10,8 +10,8 @@
 namespace fde {
 namespace {
 
-const std::vector<EndOfRun>& table() {
-  static const auto read = read_endings(FDE_SOURCE_DIR "/tests/bits.txt");
+const std::vector<FinalValues>& table() {
+  static const auto read = read_final_values(FDE_SOURCE_DIR "/tests/bits.txt");
   return read;
 }
 
@@ -23,8 +23,8 @@ TEST(Bits, AreTheSameOnRepeatedRuns) {
 
 class BitsOfTarget : public testing::TestWithParam<std::string_view> {
  protected:
-  void SetUp() override { use_vector_target(GetParam()); }
-  void TearDown() override { use_vector_target(vector_targets().front()); }
+  void SetUp() override { select_vector_target(GetParam()); }
+  void TearDown() override { select_vector_target(vector_targets().front()); }
 };
 
 // The table is from g++ 12 on a processor that fuses multiply and add; clang 14 gives the same bits there.

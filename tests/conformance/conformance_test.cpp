@@ -137,7 +137,7 @@ TEST_P(Conformance, PermutingComponentsPermutesTheAnswer) {
 
 // Start weights depend on the orders of all rows, so these are the same in every run.
 TEST_P(Conformance, UncoupledSystemsEqualTheirScalarRuns) {
-  const double other = GetParam()->start_powers ? 0.5 : 1.5;
+  const double other = GetParam()->starting_powers ? 0.5 : 1.5;
   const auto scalar = [](double order, double rate) {
     return Problem{.components = {component(order, 1.0)}, .rhs = [=](double, In y, Out f) { f = rate * y; }};
   };
@@ -205,7 +205,7 @@ TEST_P(Conformance, BlowUpIsAnOutcomeWithItsStep) {
   EXPECT_LT(path.steps, 100);
   EXPECT_EQ(path.y.cols(), path.steps + 1);
   EXPECT_EQ(path.reached, path.times.back());
-  EXPECT_DOUBLE_EQ(path.failed_at.value(), path.reached + 0.5);
+  EXPECT_DOUBLE_EQ(path.failure_time.value(), path.reached + 0.5);
   EXPECT_TRUE(path.y.allFinite());
 }
 
@@ -215,7 +215,7 @@ TEST_P(ImplicitConformance, AnImpossibleStepIsAnOutcome) {
       run({.components = {{0.5, {0.0}}}, .rhs = [](double, In y, Out f) { f[0] = 1e6 + y[0] * y[0]; }}, 4);
   EXPECT_EQ(path.ending, Ending::not_converged);
   EXPECT_EQ(path.reached, 0.0);
-  EXPECT_EQ(path.failed_at, 0.25);
+  EXPECT_EQ(path.failure_time, 0.25);
 }
 
 TEST_P(Conformance, RefusalsNameTheReason) {
@@ -227,7 +227,7 @@ TEST_P(Conformance, RefusalsNameTheReason) {
   const Grid grid{1.0, 10};
   const auto& needs = GetParam()->needs;
   const auto in_range = fmt::format("takes orders in {}0, {}], component 0 has ",
-                                    needs.algebraic_rows ? '[' : '(', needs.largest_order);
+                                    needs.algebraic_rows ? '[' : '(', needs.max_order);
   EXPECT_EQ(refuses(2.5, {1, 0, 0}, grid), in_range + "2.5");
   EXPECT_EQ(refuses(-0.5, {1}, grid), in_range + "-0.5");
   EXPECT_EQ(refuses(0.0, {1}, grid),

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "problem/chain_problem.hpp"
-#include "stability/growing_modes.hpp"
+#include "stability/growing_mode_count.hpp"
 #include "support/implicit_schemes.hpp"
 
 namespace fde {
@@ -70,7 +70,7 @@ TEST_P(OnEquations, WithoutTermsTheRowSchemeIsLeft) {
   const auto* row_scheme = find_scheme(rule == "trapezoidal" ? "product_trapezoidal" : rule);
   if (!GetParam()->needs.implicit) return;
   for (const double order : {0.4, 1.0, 1.6, 2.0}) {
-    if (GetParam()->start_powers && order > 1.0) continue;  // u' is a row with start powers of its own
+    if (GetParam()->starting_powers && order > 1.0) continue;  // u' is a row with start powers of its own
     std::vector<double> initial{1.0, -0.3};
     initial.resize(initial_count(order));
     const auto force = [](double t, In y) { return std::cos(t) - y[0] * y[0] * y[0]; };
@@ -121,11 +121,11 @@ TEST_P(OnEquations, HistoriesAgree) {
 // One equation alone, and beside another with which it is not coupled. Start weights would depend on the
 // orders of both.
 TEST_P(OnEquations, EquationsThatDoNotDriveEachOtherEqualTheirOwnRuns) {
-  if (GetParam()->start_powers) return;
+  if (GetParam()->starting_powers) return;
   const auto equation = [](Eigen::Index first, double alpha) {
     const Chain chain({1.0, 1.9}, {{0.5, alpha}}, {1.0, 0.5}, first);
     const auto u = chain.first();
-    return DrivenChain{.chain = chain, .force = [=](double, In y) { return -std::sin(y[u]); }};
+    return MultiTermEquation{.chain = chain, .force = [=](double, In y) { return -std::sin(y[u]); }};
   };
   const auto first = equation(0, 0.4), second = equation(first.chain.size(), 1.2);
   const Rows together = run(chain_problem({first, second}, 2.0), 128).y;
@@ -168,7 +168,7 @@ TEST_P(OnEquations, ALinearProblemTakesOneNewtonIterationAStep) {
   EXPECT_EQ(path.cost.newton_iterations, GetParam()->needs.implicit ? 32 : 0);
 }
 
-TEST_P(OnEquations, DerivativesThatAreToldAndDifferencesGiveTheSameAnswer) {
+TEST_P(OnEquations, GivenDerivativesAndDifferencesGiveTheSameResult) {
   Problem problem = scene_of("extensible_pendulum").problem;
   problem.end = 2.0;
   const Rows told = run(problem, 64).y;
@@ -188,7 +188,7 @@ TEST_P(OnEquations, BlowUpIsAnOutcomeWithItsStep) {
       chain_problem({{.chain = chain, .force = [](double, In y) { return y[0] * y[0] * y[0]; }}}, 50.0), 100);
   EXPECT_NE(path.ending, Ending::finished);
   EXPECT_EQ(path.reached, path.times.back());
-  EXPECT_DOUBLE_EQ(path.failed_at.value(), path.reached + 0.5);
+  EXPECT_DOUBLE_EQ(path.failure_time.value(), path.reached + 0.5);
   EXPECT_TRUE(path.y.allFinite());
 }
 
@@ -199,7 +199,7 @@ TEST_P(OnEquations, TermsThatGrowFasterThanTheStepsEndTheRun) {
     return run(chain_problem({{.chain = chain, .force = [](double, In) { return 1.0; }}}, 1e-3), steps)
         .ending;
   };
-  EXPECT_EQ(path(1), Ending::outran_growth);
+  EXPECT_EQ(path(1), Ending::step_too_large);
   EXPECT_EQ(path(4), Ending::finished);
 }
 
@@ -223,7 +223,7 @@ TEST_P(OnEquations, RefusalsNameTheReason) {
 // prediction (slopes extrapolated linearly), which in the first step is Heun's method.
 TEST(OnEquationsOfOrderOne, TheSchemesAreClassicalMethods) {
   constexpr double h = 0.05;
-  const Problem decay = scalar_problem(*find_scheme("multi_term_pc"), 1.0, -1.0);
+  const Problem decay = test_problem(*find_scheme("multi_term_pc"), 1.0, -1.0);
   const Rows trapezoidal = solve("multi_term_trapezoidal", decay, 20).y,
              euler = solve("multi_term_grunwald_letnikov", decay, 20).y,
              predicted = solve("multi_term_pc", decay, 20).y;

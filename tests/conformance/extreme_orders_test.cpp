@@ -102,7 +102,7 @@ TEST(ExtremeOrders, PowersNextToEachOtherAreListedOnce) {
     for (const auto& of_component : powers) {
       EXPECT_LT(of_component.size(), 10U) << gamma;
       for (std::size_t k = 1; k < of_component.size(); ++k)
-        EXPECT_GE(of_component[k] - of_component[k - 1], distinct_powers) << gamma;
+        EXPECT_GE(of_component[k] - of_component[k - 1], power_separation) << gamma;
     }
   }
 }

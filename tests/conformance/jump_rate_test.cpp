@@ -42,8 +42,8 @@ TEST_P(JumpRate, IsThatOfTheSchemeWhereTheGridMeetsTheJump) {
 // largest of several errors falls like h.
 TEST_P(JumpRate, IsOneWhereTheJumpFallsInsideAStep) {
   const Scene scene = loaded_until_one(1.6875);
-  WatchedReference reference(scene);
-  std::vector<ErrorAt> points;
+  MemoizedReference reference(scene);
+  std::vector<ErrorSample> points;
   for (const int steps : {200, 400, 800, 1600}) {
     double largest = 0.0;
     for (int more = 0; more < 16; ++more) {

@@ -5,7 +5,7 @@
 
 #include "scenes/registry.hpp"
 #include "support/testing.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace fde {
 namespace {

@@ -63,7 +63,7 @@ TEST(OptimalGrading, IsTheLeastWithTheLargestRate) {
       const auto scene = scene_of(id);
       if (refusal(*scheme, scene.problem, Grid{1.0, 8, 2.0})) continue;
       const double grading = optimal_grading(*scheme, scene.problem);
-      const Smoothness starts = smoothness_of_orders(scene.problem);
+      const Smoothness starts = generic_smoothness(scene.problem);
       const auto rate = [&](double r) {
         return scheme->expected_rate(scene.problem, starts, r, Norm::maximum);
       };

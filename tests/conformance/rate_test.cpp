@@ -18,12 +18,12 @@ namespace fde {
 namespace {
 
 struct Case {
-  const Variant& variant;
+  const RateScene& variant;
   const Scheme* scheme;
 };
 
 // Created once: computing the poles of an exact solution takes a millisecond.
-const Scene& make(const Variant& variant) {
+const Scene& make(const RateScene& variant) {
   static std::map<std::string, Scene> made;
   auto found = made.find(variant.name);
   if (found == made.end()) {
@@ -48,11 +48,11 @@ bool the_rest(const Case& c) {
 // Calls check for every one of these schemes that takes the scene on this grid. Excepted are, on graded
 // grids, the commensurate expansion, which is adams_pc again with powers of h too close to separate, and
 // schemes with start weights, whose errors are at rounding with so many steps (rates: tests/start_weights).
-void for_each_of(const std::vector<const Scheme*>& some, const Variant& variant,
+void for_each_of(const std::vector<const Scheme*>& some, const RateScene& variant,
                  const std::function<void(const Case&)>& check) {
   const Scene& scene = make(variant);
   for (const auto* scheme : some) {
-    if (scheme->start_powers) continue;
+    if (scheme->starting_powers) continue;
     if (refusal(*scheme, scene.problem, Grid{variant.end, 256, variant.grading})) continue;
     if (variant.grading != 1.0 && !scheme->expansion_of.empty()) continue;
     // Its hidden rows have errors h and -h, which cancel in the output columns.
@@ -62,12 +62,12 @@ void for_each_of(const std::vector<const Scheme*>& some, const Variant& variant,
     check({variant, scheme});
   }
 }
-void for_each_scheme(const Variant& variant, const std::function<void(const Case&)>& check) {
+void for_each_scheme(const RateScene& variant, const std::function<void(const Case&)>& check) {
   for_each_of(grid_schemes(), variant, check);
 }
 
 // Errors y - reference of the scene's columns with N steps: at the end, or at every step.
-Rows errors(const Case& c, const Scene& scene, WatchedReference& reference, int steps, Norm norm) {
+Rows errors(const Case& c, const Scene& scene, MemoizedReference& reference, int steps, Norm norm) {
   const Grid grid{scene.problem.end, steps, c.variant.grading};
   Options options;
   if (norm == Norm::end) options.at = {grid.end};
@@ -76,7 +76,7 @@ Rows errors(const Case& c, const Scene& scene, WatchedReference& reference, int 
   return columns_of(scene.outputs, path) - reference.at(path.times);
 }
 
-void expect_rate(const std::vector<ErrorAt>& points, double theory) {
+void expect_rate(const std::vector<ErrorSample>& points, double theory) {
   std::string rows;
   for (const auto& [h, error] : points) rows += fmt::format("h = {:.3e}: error {:.3e}\n", h, error);
   const Fit fit = fit_rate(points);
@@ -142,9 +142,9 @@ std::vector<double> later_powers(const Case& c, Norm norm) {
 
 // The largest error at the end, or over all steps, of 256 ... 4096 steps; finer by a level for each power
 // eliminated.
-std::vector<ErrorAt> error_points(const Case& c, Norm norm) {
+std::vector<ErrorSample> error_points(const Case& c, Norm norm) {
   const Scene& scene = make(c.variant);
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   const auto powers = later_powers(c, norm);
   constexpr int coarsest = 256, levels = 5;
   std::vector<Rows> by_level;
@@ -161,7 +161,7 @@ std::vector<ErrorAt> error_points(const Case& c, Norm norm) {
     }
     by_level.pop_back();
   }
-  std::vector<ErrorAt> points;
+  std::vector<ErrorSample> points;
   for (int level = 0; level < levels; ++level) {
     points.push_back({scene.problem.end / (coarsest << level),
                       by_level[static_cast<std::size_t>(level)].cwiseAbs().maxCoeff()});
@@ -169,7 +169,7 @@ std::vector<ErrorAt> error_points(const Case& c, Norm norm) {
   return points;
 }
 
-class EndRate : public testing::TestWithParam<Variant> {};
+class EndRate : public testing::TestWithParam<RateScene> {};
 
 TEST_P(EndRate, MatchesTheory) {
   for_each_scheme(GetParam(),
@@ -184,8 +184,8 @@ INSTANTIATE_TEST_SUITE_P(OnGradedGrids, EndRate, testing::ValuesIn(graded_varian
 void expect_first_step_rate(const Case& c) {
   const double theory = expected(c, Norm::first_step);
   const Scene& scene = make(c.variant);
-  WatchedReference reference(scene);
-  std::vector<ErrorAt> points;
+  MemoizedReference reference(scene);
+  std::vector<ErrorSample> points;
   const double shortest = std::min(9.0 / theory, 16.0), longest = std::min(5.0 / theory, 10.0);  // -log10 h
   for (int k = 0; k < 5; ++k) {
     Scene first = scene;
@@ -198,7 +198,7 @@ void expect_first_step_rate(const Case& c) {
   expect_rate(points, theory);
 }
 
-class FirstStepRate : public testing::TestWithParam<Variant> {};
+class FirstStepRate : public testing::TestWithParam<RateScene> {};
 
 TEST_P(FirstStepRate, MatchesTheory) {
   for_each_scheme(GetParam(), [](const Case& c) {
@@ -210,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(, FirstStepRate, testing::ValuesIn(variants()), name_of
 
 // In other cases the maximum over all steps falls like the error at the end, or like the error next to a
 // jump.
-class MaximumRate : public testing::TestWithParam<Variant> {};
+class MaximumRate : public testing::TestWithParam<RateScene> {};
 
 TEST_P(MaximumRate, MatchesTheory) {
   for_each_scheme(GetParam(), [](const Case& c) {
@@ -221,7 +221,7 @@ TEST_P(MaximumRate, MatchesTheory) {
 INSTANTIATE_TEST_SUITE_P(, MaximumRate, testing::ValuesIn(variants()), name_of_variant);
 INSTANTIATE_TEST_SUITE_P(OnGradedGrids, MaximumRate, testing::ValuesIn(graded_variants()), name_of_variant);
 
-class EquationRate : public testing::TestWithParam<Variant> {};
+class EquationRate : public testing::TestWithParam<RateScene> {};
 
 TEST_P(EquationRate, MatchesTheoryAtTheEnd) {
   for_each_of(equation_schemes(), GetParam(),
@@ -239,9 +239,9 @@ INSTANTIATE_TEST_SUITE_P(, EquationRate, testing::ValuesIn(multi_term_variants()
 // f = 1.5 sqrt(pi)/2 t + t^1.5 - y starts like t: the corrector is exact for it, the error of the prediction
 // is h^(1+g).
 TEST(FirstStep, OfThePredictorCorrectorForALinearStart) {
-  const Variant linear{"power_linear", "power", {{"gamma", 0.5}, {"p", 1.5}}, 1.0};
+  const RateScene linear{"power_linear", "power", {{"gamma", 0.5}, {"p", 1.5}}, 1.0};
   const Case pair{linear, find_scheme("adams_pc")};
-  std::vector<ErrorAt> points;
+  std::vector<ErrorSample> points;
   for (double h = 1e-2; h > 1e-5; h /= 4) {
     const auto path = pair.scheme->solve(make(pair.variant).problem, Grid{h, 1}, {});
     points.push_back({h, std::abs(path.y(0, 1) - std::pow(h, 1.5))});
@@ -264,7 +264,7 @@ TEST(AWrongWeight, IsCaughtByTheRate) {
              },
          .sample = [&](fde::Run& run, double t, In y, In, Out sample) { last = sample = run.rhs(t, y); }});
   });
-  const Variant smooth{"power_5", "power", {{"gamma", 0.5}, {"p", 2.5}}, 1.0};
+  const RateScene smooth{"power_5", "power", {{"gamma", 0.5}, {"p", 2.5}}, 1.0};
   const Fit right = fit_rate(error_points({smooth, find_scheme("product_trapezoidal")}, Norm::end));
   const Fit caught = fit_rate(error_points({smooth, &wrong}, Norm::end));
   EXPECT_NEAR(right.slope, 2.0, 0.1);

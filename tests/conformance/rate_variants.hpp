@@ -15,15 +15,15 @@
 namespace fde {
 
 // A scene with parameters and an end at which 256 ... 4096 steps are in the asymptotic range.
-struct Variant {
+struct RateScene {
   std::string name, scene;
   ParameterValues values;
   double end;
   double grading = 1.0;
 };
 
-inline std::vector<Variant> variants() {
-  std::vector<Variant> all;
+inline std::vector<RateScene> variants() {
+  std::vector<RateScene> all;
   for (const double g : {0.2, 0.5, 0.8, 1.0, 1.3, 1.7}) {
     const auto tag = fmt::format("{:.0f}", 10 * g);
     all.push_back({"relaxation_" + tag, "relaxation", {{"gamma", g}}, 1.0});
@@ -126,8 +126,8 @@ inline ParameterValues multi_term_of(double leading) {
 }
 
 // Solutions that start like t^g, on grids whose grading restores the rate, or a part of it.
-inline std::vector<Variant> graded_variants() {
-  std::vector<Variant> all;
+inline std::vector<RateScene> graded_variants() {
+  std::vector<RateScene> all;
   for (const double g : {0.4, 0.6, 0.8, 1.5}) {
     for (const double grading : {1.5, 2.5, 4.0}) {
       const auto tag = fmt::format("{:.0f}__graded_{:.0f}", 10 * g, 10 * grading);
@@ -148,8 +148,8 @@ inline std::vector<Variant> graded_variants() {
 }
 
 // Equations of several leading orders, for the schemes that discretise these.
-inline std::vector<Variant> multi_term_variants() {
-  std::vector<Variant> all;
+inline std::vector<RateScene> multi_term_variants() {
+  std::vector<RateScene> all;
   for (const double leading : {0.5, 0.8, 1.3, 1.7, 2.0}) {
     for (const double grading : {1.0, 2.0}) {
       all.push_back({fmt::format("multi_term_{:.0f}__graded_{:.0f}", 10 * leading, 10 * grading),
@@ -160,7 +160,7 @@ inline std::vector<Variant> multi_term_variants() {
 }
 
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
-inline void PrintTo(const Variant& variant, std::ostream* out) { *out << variant.name; }
+inline void PrintTo(const RateScene& variant, std::ostream* out) { *out << variant.name; }
 inline constexpr auto name_of_variant = [](const auto& test) { return test.param.name; };
 
 }  // namespace fde

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "stepping/order_splitting.hpp"
 #include "stepping/run.hpp"
-#include "stepping/splitting.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -20,7 +20,7 @@ Problem decay(double order) {
 
 // Euler's method for order 1; the step from y keeps its error h^2 |y| / 2 at the tolerance.
 Trajectory adaptive_euler(const Problem& problem, const Resolution& resolution, const Options& options) {
-  const auto [relative, absolute] = std::get<Accuracy>(resolution);
+  const auto [relative, absolute] = std::get<Tolerance>(resolution);
   Run run(problem, options);
   Vec y = run.start();
   for (double t = 0.0, h = 0.0; t < problem.end; t += h) {
@@ -35,21 +35,21 @@ Scheme adaptive() {
   return {.id = "adaptive_euler",
           .title = "Adaptive Euler",
           .source = "",
-          .needs = {.takes_grid = false, .takes_accuracy = true, .largest_order = 1.0},
+          .needs = {.solves_on_grid = false, .takes_accuracy = true, .max_order = 1.0},
           .solve = adaptive_euler};
 }
 
 TEST(Resolution, ASchemeOnAGridRefusesAnAccuracy) {
   for (const auto& scheme : schemes()) {
     if (scheme.needs.takes_accuracy) continue;
-    EXPECT_EQ(refusal(scheme, decay(1.0), Accuracy{1e-6, 1e-9}), "takes a grid, not an accuracy");
+    EXPECT_EQ(refusal(scheme, decay(1.0), Tolerance{1e-6, 1e-9}), "takes a grid, not an accuracy");
   }
 }
 
 TEST(Resolution, ASchemeThatChoosesItsTimesRefusesAGrid) {
   EXPECT_EQ(refusal(adaptive(), decay(1.0), Grid{2.0, 8}), "takes an accuracy, not a grid");
-  EXPECT_EQ(refusal(adaptive(), decay(1.0), Accuracy{1e-3, 0.0}), std::nullopt);
-  EXPECT_EQ(refusal(adaptive(), decay(1.0), Accuracy{0.0, 0.0}),
+  EXPECT_EQ(refusal(adaptive(), decay(1.0), Tolerance{1e-3, 0.0}), std::nullopt);
+  EXPECT_EQ(refusal(adaptive(), decay(1.0), Tolerance{0.0, 0.0}),
             "needs an accuracy above 0, not 0 relative and 0 absolute");
 }
 
@@ -67,7 +67,7 @@ TEST(Refusal, OfASchemeThatDiscretisesEquationsNamesThem) {
 TEST(Resolution, TheTimesOfAnAdaptiveRunAreItsOwn) {
   std::vector<double> heard;
   const Options options{.observer = [&](double t, In /*y*/) { heard.push_back(t); }};
-  const auto path = adaptive().solve(decay(1.0), Accuracy{1e-5, 1e-7}, options);
+  const auto path = adaptive().solve(decay(1.0), Tolerance{1e-5, 1e-7}, options);
   EXPECT_EQ(path.ending, Ending::finished);
   EXPECT_EQ(path.times, heard);
   EXPECT_EQ(path.steps, path.y.cols() - 1);
@@ -88,7 +88,7 @@ TEST(Resolution, ADenseSolutionOfASplitProblemIsThatOfItsComponents) {
                       },
                       .reached = chain.end};
   };
-  const auto path = split_into(links_up_to_one, whole_interval)(decay(1.5), Grid{}, {});
+  const auto path = with_split_orders(splitting_up_to_one, whole_interval)(decay(1.5), Grid{}, {});
   EXPECT_EQ(path.y.rows(), 1);
   EXPECT_EQ(path.dense(0.25), Vec::Constant(1, 0.125));
   EXPECT_FALSE(path.cost.rhs_calls.has_value());

@@ -15,8 +15,8 @@
 namespace fde {
 namespace {
 
-std::vector<const SceneMaker*> scenes_with(bool (*capability)(const Scene&)) {
-  std::vector<const SceneMaker*> some;
+std::vector<const SceneFactory*> scenes_with(bool (*capability)(const Scene&)) {
+  std::vector<const SceneFactory*> some;
   for (const auto& maker : scenes()) {
     if (capability(make_scene(maker))) some.push_back(&maker);
   }
@@ -25,11 +25,11 @@ std::vector<const SceneMaker*> scenes_with(bool (*capability)(const Scene&)) {
 
 bool any(const Scene& /*scene*/) { return true; }
 // Right rows have their initial values at the end: their values at t = 0 are part of the solution.
-bool exact_start(const Scene& scene) { return scene.reference.at && !two_sided(scene.problem); }
+bool exact_start(const Scene& scene) { return scene.reference.at && !is_two_sided(scene.problem); }
 bool derivatives(const Scene& scene) { return has_jacobian(scene.problem); }
 bool power(const Scene& scene) { return static_cast<bool>(scene.energy.power); }
 
-class EveryScene : public testing::TestWithParam<const SceneMaker*> {
+class EveryScene : public testing::TestWithParam<const SceneFactory*> {
  protected:
   const Scene scene_ = make_scene(*GetParam());
 
@@ -68,7 +68,7 @@ TEST_P(EveryScene, FitsEverySchemeOrIsRefusedWithAReason) {
 }
 
 TEST_P(EveryScene, SaysItsEquations) {
-  const SceneMaker& maker = *GetParam();
+  const SceneFactory& maker = *GetParam();
   EXPECT_FALSE(maker.equations.empty() && maker.shown.empty());
 }
 

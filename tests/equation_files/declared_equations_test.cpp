@@ -23,17 +23,17 @@ namespace {
 
 FormulaText formula(const std::string& text) { return {.text = text}; }
 
-bool is_unknown(const SceneMaker& maker, const std::string& name) {
-  return std::ranges::find(maker.equations, name, &WrittenEquation::unknown) != maker.equations.end();
+bool is_unknown(const SceneFactory& maker, const std::string& name) {
+  return std::ranges::find(maker.equations, name, &EquationFormula::unknown) != maker.equations.end();
 }
 
 // A parameter may have the name of the unknown whose initial value it is.
-std::string of_parameters(const SceneMaker& maker, const std::string& formula) {
+std::string of_parameters(const SceneFactory& maker, const std::string& formula) {
   return is_unknown(maker, formula) ? formula + "_0" : formula;
 }
 
 // Replaces a derived parameter by its formula, also an initial value that has the name of its unknown.
-std::string without_derived(const SceneMaker& maker, std::string formula) {
+std::string without_derived(const SceneFactory& maker, std::string formula) {
   for (const auto& parameter : maker.parameters) {
     if (!parameter.derived.empty()) {
       formula = std::regex_replace(formula, std::regex("\\b" + parameter.name + "\\b"),
@@ -65,14 +65,14 @@ void add_nodes(EquationText& text) {
   }
 }
 
-bool has_algebraic_rows(const SceneMaker& maker) {
+bool has_algebraic_rows(const SceneFactory& maker) {
   return std::ranges::any_of(
-      maker.equations, [](const WrittenEquation& equation) { return equation.terms.front().order == "0"; });
+      maker.equations, [](const EquationFormula& equation) { return equation.terms.front().order == "0"; });
 }
 
-EquationText text_of(const SceneMaker& maker, double end) {
+EquationText to_text(const SceneFactory& maker, double end) {
   EquationText text{
-      .file = maker.id, .title = maker.title, .end = formula(fde::text_of(ParameterValue(end)))};
+      .file = maker.id, .title = maker.title, .end = formula(fde::to_text(ParameterValue(end)))};
   for (const auto& parameter : maker.parameters) {
     if (const auto* value = std::get_if<double>(&parameter.value))
       text.parameters.push_back({of_parameters(maker, parameter.name), *value});
@@ -101,23 +101,23 @@ void keep_initial_values(EquationText& text, const Parameters& parameters) {
   }
 }
 
-class DeclaredEquations : public testing::TestWithParam<const SceneMaker*> {};
+class DeclaredEquations : public testing::TestWithParam<const SceneFactory*> {};
 
 TEST_P(DeclaredEquations, AreThoseOfTheProblem) {
-  const SceneMaker& maker = *GetParam();
+  const SceneFactory& maker = *GetParam();
   Scene code = make_scene(maker);
-  EquationText text = text_of(maker, code.problem.end);
+  EquationText text = to_text(maker, code.problem.end);
   for (const double jump : code.problem.jumps)
-    text.jumps.push_back(formula(fde::text_of(ParameterValue(jump))));
+    text.jumps.push_back(formula(fde::to_text(ParameterValue(jump))));
   keep_initial_values(text, Parameters(maker.id, maker.parameters, {}));
   const Scene written = make_scene(equation_scene(text));
   const bool constrained = has_algebraic_rows(maker);
   const auto* scheme = find_scheme(constrained ? "radau_exponentials" : "spectral_collocation");
   const double error = constrained ? 1e-8 : 1e-10;
-  const Accuracy accuracy{error, error};
+  const Tolerance accuracy{error, error};
   const Options options{.at = {code.problem.end / 4, code.problem.end}};
   const auto a = scheme->solve(written.problem, accuracy, options),
-             b = find_scheme("spectral_collocation")->solve(code.problem, Accuracy{1e-10, 1e-10}, options);
+             b = find_scheme("spectral_collocation")->solve(code.problem, Tolerance{1e-10, 1e-10}, options);
   ASSERT_EQ(a.ending, b.ending);
   const auto theirs = columns_of(written.outputs, a), ours = columns_of(code.outputs, b);
   for (const auto& equation : maker.equations) {
@@ -131,9 +131,9 @@ TEST_P(DeclaredEquations, AreThoseOfTheProblem) {
   }
 }
 
-std::vector<const SceneMaker*> with_equations() {
-  std::vector<const SceneMaker*> makers;
-  for (const SceneMaker& maker : scenes()) {
+std::vector<const SceneFactory*> with_equations() {
+  std::vector<const SceneFactory*> makers;
+  for (const SceneFactory& maker : scenes()) {
     if (!maker.equations.empty()) makers.push_back(&maker);
   }
   return makers;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "equation_files/equation_files_testing.hpp"
-#include "support/answer_of.hpp"
+#include "support/command_output.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
@@ -17,11 +17,11 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-struct Wrong {
+struct InvalidFile {
   std::string text, place, what;
 };
 
-class WrongEquationFile : public testing::TestWithParam<Wrong> {};
+class WrongEquationFile : public testing::TestWithParam<InvalidFile> {};
 
 TEST_P(WrongEquationFile, IsRefusedInOneLine) {
   const auto& [text, place, what] = GetParam();
@@ -56,118 +56,128 @@ std::string deep_table() {
 
 INSTANTIATE_TEST_SUITE_P(
     Toml, WrongEquationFile,
-    testing::Values(Wrong{"end = = 1", "line 1, column 7", "no TOML: "},
-                    Wrong{"end = 1\nend = 2\n" + x, "line 2, column 7", "no TOML: "},
-                    Wrong{std::string("end = 1\n\0", 9) + x, "line 2, column 1", "no TOML: "},
-                    Wrong{"end = 1\nx = " + std::string(1'000'000, '['), "line 2, column 261", "no TOML: "},
-                    Wrong{deep_table(), "line 1, column 33", "a key of more than 16 parts"},
-                    Wrong{"end = 1e400\n" + x, "line 1, column 12", "'1e400'"},
-                    Wrong{"\xff\xfe", "line 1, column 1", "no TOML: "}));
+    testing::Values(InvalidFile{"end = = 1", "line 1, column 7", "no TOML: "},
+                    InvalidFile{"end = 1\nend = 2\n" + x, "line 2, column 7", "no TOML: "},
+                    InvalidFile{std::string("end = 1\n\0", 9) + x, "line 2, column 1", "no TOML: "},
+                    InvalidFile{"end = 1\nx = " + std::string(1'000'000, '['), "line 2, column 261",
+                                "no TOML: "},
+                    InvalidFile{deep_table(), "line 1, column 33", "a key of more than 16 parts"},
+                    InvalidFile{"end = 1e400\n" + x, "line 1, column 12", "'1e400'"},
+                    InvalidFile{"\xff\xfe", "line 1, column 1", "no TOML: "}));
 
 INSTANTIATE_TEST_SUITE_P(
     Keys, WrongEquationFile,
     testing::Values(
-        Wrong{"", "line 1, column 1", "the file: has no end"},
-        Wrong{"end = 1", "line 1, column 1", "the file: has no unknown"},
-        Wrong{with("  unknwon = 1\n" + x), "line 2, column 3",
-              "unknwon: no such key of the file, did you mean 'unknown'?; there are title, end"},
-        Wrong{with(x + "rsh = 1\n"), "line 6, column 1",
-              "rsh: no such key of unknown x, did you mean 'rhs'?; there are terms, order, rhs, initial"},
-        Wrong{with("__proto__ = 1\n" + x), "line 2, column 1", "__proto__: no such key"},
-        Wrong{with("[unknown]\n"), "line 2, column 1", "there are 0 unknowns: must be 1 to 100"},
-        Wrong{with("unknown = 3"), "line 2, column 11", "unknown: is a number, must be a table"},
-        Wrong{with("[unknown]\nx = 3"), "line 3, column 5", "unknown x: is a number, must be a table"},
-        Wrong{with("[unknown.x]\norder = 1\ninitial = [1]"), "line 2, column 10", "unknown x: has no rhs"},
-        Wrong{with("[unknown.x]\nrhs = 1\ninitial = [1]"), "line 2, column 10",
-              "unknown x: must have either order or terms"},
-        Wrong{unknown("order = 1", "true", "[1]"), "line 4, column 7",
-              "rhs: is true or false, must be a number or a formula"},
-        Wrong{unknown("order = 1", "1", "1"), "line 5, column 11",
-              "initial: is a number, must be a list of numbers or formulas"},
-        Wrong{unknown("terms = [[1, 0.5, 2]]", "1", "[1]"), "line 3, column 10",
-              "a term has 3 entries: must be [coefficient, order]"},
-        Wrong{unknown("terms = []", "1", "[1]"), "line 3, column 9", "terms: has 0 terms"},
-        Wrong{with("[parameters]\na = \"1\"\n" + x), "line 3, column 5", "a: is a text, must be a number"},
-        Wrong{with("[parameters]\na = nan\n" + x), "line 3, column 5", "a = nan: must be a finite number"},
-        Wrong{with("[constraint]\nf = []\n" + x), "line 3, column 5", "f: has 0 formulas"},
-        Wrong{with("[energy]\npower = 1\n" + x), "line 2, column 1", "energy: has no value"},
-        Wrong{with("[[jump]]\n" + x), "line 2, column 1", "jump: has no at"}));
+        InvalidFile{"", "line 1, column 1", "the file: has no end"},
+        InvalidFile{"end = 1", "line 1, column 1", "the file: has no unknown"},
+        InvalidFile{with("  unknwon = 1\n" + x), "line 2, column 3",
+                    "unknwon: no such key of the file, did you mean 'unknown'?; there are title, end"},
+        InvalidFile{
+            with(x + "rsh = 1\n"), "line 6, column 1",
+            "rsh: no such key of unknown x, did you mean 'rhs'?; there are terms, order, rhs, initial"},
+        InvalidFile{with("__proto__ = 1\n" + x), "line 2, column 1", "__proto__: no such key"},
+        InvalidFile{with("[unknown]\n"), "line 2, column 1", "there are 0 unknowns: must be 1 to 100"},
+        InvalidFile{with("unknown = 3"), "line 2, column 11", "unknown: is a number, must be a table"},
+        InvalidFile{with("[unknown]\nx = 3"), "line 3, column 5", "unknown x: is a number, must be a table"},
+        InvalidFile{with("[unknown.x]\norder = 1\ninitial = [1]"), "line 2, column 10",
+                    "unknown x: has no rhs"},
+        InvalidFile{with("[unknown.x]\nrhs = 1\ninitial = [1]"), "line 2, column 10",
+                    "unknown x: must have either order or terms"},
+        InvalidFile{unknown("order = 1", "true", "[1]"), "line 4, column 7",
+                    "rhs: is true or false, must be a number or a formula"},
+        InvalidFile{unknown("order = 1", "1", "1"), "line 5, column 11",
+                    "initial: is a number, must be a list of numbers or formulas"},
+        InvalidFile{unknown("terms = [[1, 0.5, 2]]", "1", "[1]"), "line 3, column 10",
+                    "a term has 3 entries: must be [coefficient, order]"},
+        InvalidFile{unknown("terms = []", "1", "[1]"), "line 3, column 9", "terms: has 0 terms"},
+        InvalidFile{with("[parameters]\na = \"1\"\n" + x), "line 3, column 5",
+                    "a: is a text, must be a number"},
+        InvalidFile{with("[parameters]\na = nan\n" + x), "line 3, column 5",
+                    "a = nan: must be a finite number"},
+        InvalidFile{with("[constraint]\nf = []\n" + x), "line 3, column 5", "f: has 0 formulas"},
+        InvalidFile{with("[energy]\npower = 1\n" + x), "line 2, column 1", "energy: has no value"},
+        InvalidFile{with("[[jump]]\n" + x), "line 2, column 1", "jump: has no at"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Names, WrongEquationFile,
-    testing::Values(Wrong{with("[unknown.t]\n"), "line 2, column 10", "unknown t: must be another name"},
-                    Wrong{with("[unknown.D]\n"), "line 2, column 10", "unknown D: must be another name"},
-                    Wrong{with("[unknown.sin]\n"), "line 2, column 10", "unknown sin: must be another name"},
-                    Wrong{with("[unknown.energy]\n"), "line 2, column 10", "a column has this one"},
-                    Wrong{with("[unknown.__proto__]\n"), "line 2, column 10",
-                          "unknown __proto__: must be letters, digits and _, at most 64, a letter first"},
-                    Wrong{with("[unknown.\"x,y\"]\n"), "line 2, column 10", "must be letters, digits and _"},
-                    Wrong{with("[parameters]\nx = 1\n" + x), "line 4, column 10",
-                          "unknown x: must be another name, a parameter has this one"},
-                    Wrong{with("[parameters]\nuntil = 1\n" + x), "line 3, column 1", "parameter until"},
-                    Wrong{with("[parameters]\npi = 3\n" + x), "line 3, column 1", "parameter pi"}));
+    testing::Values(
+        InvalidFile{with("[unknown.t]\n"), "line 2, column 10", "unknown t: must be another name"},
+        InvalidFile{with("[unknown.D]\n"), "line 2, column 10", "unknown D: must be another name"},
+        InvalidFile{with("[unknown.sin]\n"), "line 2, column 10", "unknown sin: must be another name"},
+        InvalidFile{with("[unknown.energy]\n"), "line 2, column 10", "a column has this one"},
+        InvalidFile{with("[unknown.__proto__]\n"), "line 2, column 10",
+                    "unknown __proto__: must be letters, digits and _, at most 64, a letter first"},
+        InvalidFile{with("[unknown.\"x,y\"]\n"), "line 2, column 10", "must be letters, digits and _"},
+        InvalidFile{with("[parameters]\nx = 1\n" + x), "line 4, column 10",
+                    "unknown x: must be another name, a parameter has this one"},
+        InvalidFile{with("[parameters]\nuntil = 1\n" + x), "line 3, column 1", "parameter until"},
+        InvalidFile{with("[parameters]\npi = 3\n" + x), "line 3, column 1", "parameter pi"}));
 
 // x' = lambda with x(0) = 1 and the constraint x = a: for a != 1, lambda would not be integrable.
-std::string held_at(const std::string& a, const std::string& order) {
+std::string constrained_to(const std::string& a, const std::string& order) {
   return with("[unknown.x]\norder = " + order +
               "\nrhs = \"lambda\"\ninitial = [1]\n[unknown.lambda]\norder = 0\nrhs = \"x - " + a +
               "\"\ninitial = [0]\n");
 }
 
 INSTANTIATE_TEST_SUITE_P(Constraints, WrongEquationFile,
-                         testing::Values(Wrong{held_at("0.75", "1"), "line 8, column 8",
-                                               "is 0.25 at t = 0: must be 0 with these initial values"}));
+                         testing::Values(InvalidFile{
+                             constrained_to("0.75", "1"), "line 8, column 8",
+                             "is 0.25 at t = 0: must be 0 with these initial values"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Values, WrongEquationFile,
     testing::Values(
-        Wrong{"end = 0\n" + x, "line 1, column 7", "end = 0: must be a number in [1e-290, 1e+290]"},
-        Wrong{"end = \"2*q\"\n" + x, "line 1, column 10", "q: no such name here"},
-        Wrong{"end = \"t\"\n" + x, "line 1, column 8", "t: no such name here"},
-        Wrong{"end = inf\n" + x, "line 1, column 7", "end = inf: must be a finite number"},
-        Wrong{unknown("order = 2.5", "1", "[1, 0, 0]"), "line 3, column 9",
-              "order = 2.5: must be a number in [0, 2]"},
-        Wrong{unknown("order = -0.5", "1", "[1]"), "line 3, column 9", "order = -0.5: must be"},
-        Wrong{unknown("order = nan", "1", "[1]"), "line 3, column 9", "order = nan: must be"},
-        Wrong{unknown("order = \"1/0\"", "1", "[1]"), "line 3, column 10", "order = inf: must be"},
-        Wrong{unknown("order = 1.5", "1", "[1]"), "line 2, column 10",
-              "unknown x: has 1 initial value: must have 2, as its order is 1.5"},
-        Wrong{unknown("order = 0.5", "1", "[1, 2]"), "line 2, column 10",
-              "has 2 initial values: must have 1"},
-        Wrong{unknown("order = 0.5", "1", "[\"x\"]"), "line 5, column 13", "x: no such name here"},
-        Wrong{unknown("terms = [[0, 1.5], [1, 0.5]]", "1", "[1, 0]"), "line 3, column 11",
-              "the coefficient of the highest order is 0"},
-        Wrong{unknown("terms = [[1, 0]]", "1", "[1]"), "line 3, column 14", "the highest order is 0"},
-        Wrong{with("[[jump]]\nat = -1\n" + x), "line 3, column 6",
-              "at = -1: must be a finite number above 0"}));
+        InvalidFile{"end = 0\n" + x, "line 1, column 7", "end = 0: must be a number in [1e-290, 1e+290]"},
+        InvalidFile{"end = \"2*q\"\n" + x, "line 1, column 10", "q: no such name here"},
+        InvalidFile{"end = \"t\"\n" + x, "line 1, column 8", "t: no such name here"},
+        InvalidFile{"end = inf\n" + x, "line 1, column 7", "end = inf: must be a finite number"},
+        InvalidFile{unknown("order = 2.5", "1", "[1, 0, 0]"), "line 3, column 9",
+                    "order = 2.5: must be a number in [0, 2]"},
+        InvalidFile{unknown("order = -0.5", "1", "[1]"), "line 3, column 9", "order = -0.5: must be"},
+        InvalidFile{unknown("order = nan", "1", "[1]"), "line 3, column 9", "order = nan: must be"},
+        InvalidFile{unknown("order = \"1/0\"", "1", "[1]"), "line 3, column 10", "order = inf: must be"},
+        InvalidFile{unknown("order = 1.5", "1", "[1]"), "line 2, column 10",
+                    "unknown x: has 1 initial value: must have 2, as its order is 1.5"},
+        InvalidFile{unknown("order = 0.5", "1", "[1, 2]"), "line 2, column 10",
+                    "has 2 initial values: must have 1"},
+        InvalidFile{unknown("order = 0.5", "1", "[\"x\"]"), "line 5, column 13", "x: no such name here"},
+        InvalidFile{unknown("terms = [[0, 1.5], [1, 0.5]]", "1", "[1, 0]"), "line 3, column 11",
+                    "the coefficient of the highest order is 0"},
+        InvalidFile{unknown("terms = [[1, 0]]", "1", "[1]"), "line 3, column 14", "the highest order is 0"},
+        InvalidFile{with("[[jump]]\nat = -1\n" + x), "line 3, column 6",
+                    "at = -1: must be a finite number above 0"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Formulas, WrongEquationFile,
     testing::Values(
-        Wrong{unknown("order = 0.5", "\"-x +\"", "[1]"), "line 4, column 12", "the formula ends"},
-        Wrong{unknown("order = 0.5", "'-x + yy'", "[1]"), "line 4, column 13", "yy: no such name here"},
-        Wrong{unknown("order = 0.5", "'-x**2'", "[1]"), "line 4, column 11", "'**': must be '^' for a power"},
-        Wrong{unknown("order = 0.5", "'-x*e^t'", "[1]"), "line 4, column 11", "e^x is exp(x)"},
-        Wrong{unknown("order = 0.5", "'D(D(x, 1), 0.5)'", "[1]"), "line 4, column 10",
-              "D of D: must be of an unknown"},
-        Wrong{unknown("order = 0.5", "'" + brackets(201) + "'", "[1]"), "line 4, column 209",
-              "brackets, signs and powers stand more than 200 deep"},
-        Wrong{unknown("order = 0.5", "\"\\u002dx + yy\"", "[1]"), "line 4, column 7",
-              "byte 6 of the text: yy: no such name here"},
-        Wrong{unknown("order = 0.5", "\"D(x, 0.3)\"", "[1]"), "line 4, column 8",
-              "D(x, 0.3): must be of an order of its chain, 0"},
-        Wrong{unknown("order = 0.5", "\"D(y, 0.3)\"", "[1]"), "line 4, column 8", "y: must be an unknown"},
-        Wrong{unknown("order = 0.5", "\"D(x, t)\"", "[1]"), "line 4, column 8",
-              "D: its order must be a formula of the parameters"},
-        Wrong{unknown("order = 0.5", "\"gamma(x)\"", "[1]"), "line 4, column 8",
-              "gamma: its argument must be without unknowns"},
-        Wrong{with(x + "[exact]\nx = \"5 + 0*t\"\n"), "line 7, column 1",
-              "exact: x is 5 at t = 0: must be 1, its initial value"},
-        Wrong{with(x + "[exact]\nz = \"t\"\n"), "line 7, column 1", "exact z: no such column; there are x"},
-        Wrong{with(x + "[exact]\nx = \"x\"\n"), "line 7, column 6",
-              "x: no such name here, did you mean 't'?; there are t, pi and functions"},
-        Wrong{with(x + "[energy]\nvalue = \"t*x\"\n"), "line 7, column 10", "t: no such name here"},
-        Wrong{with(x + "[constraint]\nf = [\"x - \"]\n"), "line 7, column 11", "the formula ends"}));
+        InvalidFile{unknown("order = 0.5", "\"-x +\"", "[1]"), "line 4, column 12", "the formula ends"},
+        InvalidFile{unknown("order = 0.5", "'-x + yy'", "[1]"), "line 4, column 13", "yy: no such name here"},
+        InvalidFile{unknown("order = 0.5", "'-x**2'", "[1]"), "line 4, column 11",
+                    "'**': must be '^' for a power"},
+        InvalidFile{unknown("order = 0.5", "'-x*e^t'", "[1]"), "line 4, column 11", "e^x is exp(x)"},
+        InvalidFile{unknown("order = 0.5", "'D(D(x, 1), 0.5)'", "[1]"), "line 4, column 10",
+                    "D of D: must be of an unknown"},
+        InvalidFile{unknown("order = 0.5", "'" + brackets(201) + "'", "[1]"), "line 4, column 209",
+                    "brackets, signs and powers stand more than 200 deep"},
+        InvalidFile{unknown("order = 0.5", "\"\\u002dx + yy\"", "[1]"), "line 4, column 7",
+                    "byte 6 of the text: yy: no such name here"},
+        InvalidFile{unknown("order = 0.5", "\"D(x, 0.3)\"", "[1]"), "line 4, column 8",
+                    "D(x, 0.3): must be of an order of its chain, 0"},
+        InvalidFile{unknown("order = 0.5", "\"D(y, 0.3)\"", "[1]"), "line 4, column 8",
+                    "y: must be an unknown"},
+        InvalidFile{unknown("order = 0.5", "\"D(x, t)\"", "[1]"), "line 4, column 8",
+                    "D: its order must be a formula of the parameters"},
+        InvalidFile{unknown("order = 0.5", "\"gamma(x)\"", "[1]"), "line 4, column 8",
+                    "gamma: its argument must be without unknowns"},
+        InvalidFile{with(x + "[exact]\nx = \"5 + 0*t\"\n"), "line 7, column 1",
+                    "exact: x is 5 at t = 0: must be 1, its initial value"},
+        InvalidFile{with(x + "[exact]\nz = \"t\"\n"), "line 7, column 1",
+                    "exact z: no such column; there are x"},
+        InvalidFile{with(x + "[exact]\nx = \"x\"\n"), "line 7, column 6",
+                    "x: no such name here, did you mean 't'?; there are t, pi and functions"},
+        InvalidFile{with(x + "[energy]\nvalue = \"t*x\"\n"), "line 7, column 10", "t: no such name here"},
+        InvalidFile{with(x + "[constraint]\nf = [\"x - \"]\n"), "line 7, column 11", "the formula ends"}));
 
 TEST(Formulas, HaveTwoHundredBracketsAtMost) {
   EXPECT_EQ(scene_of_text(relaxation_file("-" + brackets(199))).problem.size(), 1);
@@ -220,8 +230,8 @@ TEST(EquationThatBreaksDown, IsANumericalFailure) {
 // A multiplier like t^-0.5 is integrable, and a difference within rounding is not a jump.
 TEST(EquationFiles, BeginOnTheirConstraintsOrWhereAMultiplierTakesThem) {
   const TemporaryFolder folder;
-  folder.write("near.toml", held_at("(1 - 1e-12)", "1"));
-  folder.write("jumps.toml", held_at("0.75", "0.5"));
+  folder.write("near.toml", constrained_to("(1 - 1e-12)", "1"));
+  folder.write("jumps.toml", constrained_to("0.75", "0.5"));
   for (const char* name : {"near.toml", "jumps.toml"}) {
     const auto answer = fdebench({"solve", folder.path() / name, "--scheme", "l1", "--steps", "4"});
     EXPECT_EQ(answer.code, 0) << answer.err;

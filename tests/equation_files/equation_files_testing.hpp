@@ -8,7 +8,7 @@
 
 namespace fde {
 
-inline SceneMaker maker_of(std::string_view text) {
+inline SceneFactory maker_of(std::string_view text) {
   return equation_scene(parse_equation_text("test.toml", text));
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "equation_files/equation_files_testing.hpp"
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace fde {
@@ -32,7 +32,7 @@ class EquationFileCommand : public testing::Test {
   void SetUp() override { folder_.write("decay.toml", decay); }
   [[nodiscard]] std::string file() const { return folder_.path() / "decay.toml"; }
   [[nodiscard]] std::string results() const { return folder_.path() / "results.jsonl"; }
-  [[nodiscard]] Answer run(const std::string& scene) const {
+  [[nodiscard]] CommandOutput run(const std::string& scene) const {
     return fdebench("run --scene " + scene + " --scheme l1 --steps 16,32 --repeat 1 --out " + results());
   }
   TemporaryFolder folder_;

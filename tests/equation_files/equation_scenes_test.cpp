@@ -14,12 +14,12 @@
 namespace fde {
 namespace {
 
-struct Twin {
+struct BuiltInCounterpart {
   std::string id;
   double until;  // short enough that rounding errors do not grow further
 };
 
-class TwinScenes : public testing::TestWithParam<std::tuple<const Scheme*, Twin>> {};
+class TwinScenes : public testing::TestWithParam<std::tuple<const Scheme*, BuiltInCounterpart>> {};
 
 // Columns with the same name are compared; in files, derivatives are named by their orders.
 TEST_P(TwinScenes, HaveTheSameColumns) {
@@ -30,9 +30,10 @@ TEST_P(TwinScenes, HaveTheSameColumns) {
   ASSERT_EQ(refusal(*scheme, file.problem, grid).has_value(),
             refusal(*scheme, code.problem, grid).has_value());
   if (refusal(*scheme, code.problem, grid)) return;
-  const auto of_file = scheme->solve(file.problem, grid, {}), of_code = scheme->solve(code.problem, grid, {});
-  ASSERT_EQ(of_file.ending, of_code.ending);
-  const auto a = columns_of(file.outputs, of_file), b = columns_of(code.outputs, of_code);
+  const auto from_file = scheme->solve(file.problem, grid, {}),
+             of_code = scheme->solve(code.problem, grid, {});
+  ASSERT_EQ(from_file.ending, of_code.ending);
+  const auto a = columns_of(file.outputs, from_file), b = columns_of(code.outputs, of_code);
   const double allowed = rounding(*scheme, 1e-12);
   int compared = 0;
   for (std::size_t i = 0; i < file.outputs.names.size(); ++i) {
@@ -47,8 +48,9 @@ TEST_P(TwinScenes, HaveTheSameColumns) {
 
 INSTANTIATE_TEST_SUITE_P(OfEveryScheme, TwinScenes,
                          testing::Combine(testing::ValuesIn(grid_schemes()),
-                                          testing::Values(Twin{"brusselator", 5.0}, Twin{"pendulum", 20.0},
-                                                          Twin{"bagley_torvik", 16.0})),
+                                          testing::Values(BuiltInCounterpart{"brusselator", 5.0},
+                                                          BuiltInCounterpart{"pendulum", 20.0},
+                                                          BuiltInCounterpart{"bagley_torvik", 16.0})),
                          [](const auto& test) {
                            return std::string(std::get<0>(test.param)->id) + "_" + std::get<1>(test.param).id;
                          });

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "equation_files/equation_files_testing.hpp"
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
@@ -26,7 +26,7 @@ TEST(EventsOfAFile, ArePrintedWithTheirTimes) {
   EXPECT_THAT(answer.out, HasSubstr("\nground,"));
   const Scene scene = scene_of_example("falling.toml");
   const auto path = find_scheme("spectral_collocation")
-                        ->solve(scene.problem, Accuracy{1e-12, 1e-12}, {.events = events_of(scene)});
+                        ->solve(scene.problem, Tolerance{1e-12, 1e-12}, {.events = events_of(scene)});
   ASSERT_EQ(path.events.size(), 2U);
   EXPECT_NEAR(scene.reference.at(path.events[0].t).value[0], 0.5, 1e-11);
   EXPECT_NEAR(scene.reference.at(path.events[1].t).value[0], 0.0, 1e-11);

@@ -16,7 +16,7 @@
 namespace fde {
 namespace {
 
-FormulaNames names_of(Expressions& all) {
+FormulaNames names_of(ExpressionPool& all) {
   return {.of = [&all](std::string_view name) -> std::optional<Expression> {
             if (name == "t") return all.variable(0);
             if (name == "x") return all.variable(1);
@@ -28,7 +28,7 @@ FormulaNames names_of(Expressions& all) {
 
 // The value at t = 0.7, x = 0.3, y = -1.2.
 double value_of(const std::string& text) {
-  Expressions all(Numbers::folded);
+  ExpressionPool all(NumberStorage::folded);
   const auto formula = read_formula(text, names_of(all), all);
   return Program(all, {formula}, 2)(0.7, (Vec(2) << 0.3, -1.2).finished());
 }
@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
 class Derivative : public testing::TestWithParam<std::string> {};
 
 TEST_P(Derivative, IsThatOfTheDifferences) {
-  Expressions all(Numbers::folded);
+  ExpressionPool all(NumberStorage::folded);
   const auto formula = read_formula(GetParam(), names_of(all), all);
   const Vec y = (Vec(2) << 0.3, -1.2).finished();
   for (int variable = 1; variable <= 2; ++variable) {
@@ -93,14 +93,14 @@ INSTANTIATE_TEST_SUITE_P(OfEveryOperation, Derivative,
                                          "abs(x*y)", "sign(x)*x", "step(x)*y", "min(x, y)*x", "max(x, y)*y",
                                          "mittag_leffler(0.7, 1.3, x*y)"));
 
-TEST(Expressions, AreMadeOnce) {
-  Expressions all(Numbers::folded);
+TEST(ExpressionPool, AreMadeOnce) {
+  ExpressionPool all(NumberStorage::folded);
   const auto names = names_of(all);
   EXPECT_EQ(read_formula("sin(x)*y", names, all), read_formula("(sin( x ))*y", names, all));
 }
 
 // (((x + x)^2)^2)^2 ...: expanded, it would have 2^(2^60) as its coefficient.
-TEST(Expressions, ArePowersNotMultipliedOut) {
+TEST(ExpressionPool, ArePowersNotMultipliedOut) {
   std::string text = "x + x";
   for (int i = 0; i < 60; ++i) text = fmt::format("({})^2", text);
   EXPECT_EQ(value_of(text), 0.0);
@@ -116,11 +116,11 @@ class FormulaFaults : public testing::TestWithParam<Fault> {};
 
 TEST_P(FormulaFaults, SayWhatAndWhere) {
   const auto& [text, what, place] = GetParam();
-  Expressions all(Numbers::folded);
+  ExpressionPool all(NumberStorage::folded);
   try {
     read_formula(text, names_of(all), all);
     FAIL() << text;
-  } catch (const FormulaFault& fault) {
+  } catch (const FormulaError& fault) {
     EXPECT_EQ(std::string(fault.what()).find(what), 0U) << fault.what();
     EXPECT_EQ(fault.place, place) << text;
   }
@@ -148,13 +148,13 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(FormulaFaults, OfDeepBracketsEndsAtOnce) {
   for (const std::string& text :
        {std::string(9'000, '('), std::string(19'000, '-'), std::string(100'000, '(')}) {
-    Expressions all(Numbers::folded);
-    EXPECT_THROW(read_formula(text, names_of(all), all), FormulaFault);
+    ExpressionPool all(NumberStorage::folded);
+    EXPECT_THROW(read_formula(text, names_of(all), all), FormulaError);
   }
   std::string powers = "x";
   for (int i = 0; i < 5'000; ++i) powers += "^x";
-  Expressions all(Numbers::folded);
-  EXPECT_THROW(read_formula(powers, names_of(all), all), FormulaFault);
+  ExpressionPool all(NumberStorage::folded);
+  EXPECT_THROW(read_formula(powers, names_of(all), all), FormulaError);
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ TEST(MultiOrder, IsSolvedToTheAccuracyAsked) {
                                                           {"radau_exponentials", 1e-4},
                                                           {"radau_exponentials", 1e-9}};
   for (const auto& [id, accuracy] : asked) {
-    const auto path = find_scheme(id)->solve(scene.problem, Accuracy{accuracy, accuracy}, {.at = {0.1, 1.0}});
+    const auto path =
+        find_scheme(id)->solve(scene.problem, Tolerance{accuracy, accuracy}, {.at = {0.1, 1.0}});
     ASSERT_EQ(path.ending, Ending::finished) << id << accuracy;
     for (Eigen::Index c = 0; c < path.y.cols(); ++c) {
       const Vec exact = scene.reference.at(path.time(c)).value, error = (path.y.col(c) - exact).cwiseAbs();

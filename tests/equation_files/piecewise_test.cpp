@@ -10,7 +10,7 @@
 
 #include "equation_files/equation_files_testing.hpp"
 #include "references/reference_of.hpp"
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 

@@ -41,11 +41,12 @@ TEST(ErrataTarasov, ReactionOfEquation38LacksItsMultiplier) {
 // S = 1/2 int_0^1 (D^(1/2) q)^2 at q = t, in the direction e = t (1 - t), which vanishes at both ends.
 TEST(ErrataTarasov, Equation70KeepsTheLeftDerivative) {
   const double order = 0.5;
-  const auto momentum = [&](double t) { return caputo_of_power(1.0, order, t); };  // of D^(1/2) q
+  const auto momentum = [&](double t) { return caputo_derivative_of_power(1.0, order, t); };  // of D^(1/2) q
   const auto direction = [](double t) { return t * (1.0 - t); };
   const double exact = integral(
       [&](double t) {
-        return momentum(t) * (caputo_of_power(1.0, order, t) - caputo_of_power(2.0, order, t));
+        return momentum(t) *
+               (caputo_derivative_of_power(1.0, order, t) - caputo_derivative_of_power(2.0, order, t));
       },
       0.0, 1.0);
   EXPECT_NEAR(exact, 0.0707355302631, 1e-12);
@@ -57,7 +58,8 @@ TEST(ErrataTarasov, Equation70KeepsTheLeftDerivative) {
       0.0, 1.0);
   EXPECT_NEAR(adjoint, exact, 1e-10);
   const double printed = integral(
-      [&](double t) { return direction(t) * caputo_of_power(0.5, order, t) / gamma(1.5); }, 0.0, 1.0);
+      [&](double t) { return direction(t) * caputo_derivative_of_power(0.5, order, t) / gamma(1.5); }, 0.0,
+      1.0);
   EXPECT_NEAR(printed, 1.0 / 6.0, 1e-12);
 }
 
@@ -71,7 +73,7 @@ TEST(ErrataTarasov, Equation70KeepsTheRightDerivative) {
   const double adjoint = integral(
       [&](double t) {
         const double of_constant = std::pow(t, -order) / gamma(1.0 - order);
-        return direction(t) * (of_constant + caputo_of_power(1.0, order, t));
+        return direction(t) * (of_constant + caputo_derivative_of_power(1.0, order, t));
       },
       0.0, 1.0);
   EXPECT_NEAR(adjoint, exact, 1e-11);
@@ -87,7 +89,10 @@ TEST(ErrataTarasov, Equation82InheritsTheLeftDerivative) {
   const double order = 0.5;
   const auto direction = [](double t) { return t * (1.0 - t); };
   const double exact = integral(
-      [&](double t) { return 2.0 * t * (caputo_of_power(1.0, order, t) - caputo_of_power(2.0, order, t)); },
+      [&](double t) {
+        return 2.0 * t *
+               (caputo_derivative_of_power(1.0, order, t) - caputo_derivative_of_power(2.0, order, t));
+      },
       0.0, 1.0);
   const double adjoint = integral(
       [&](double t) {
@@ -95,8 +100,8 @@ TEST(ErrataTarasov, Equation82InheritsTheLeftDerivative) {
       },
       0.0, 1.0);
   EXPECT_NEAR(adjoint, exact, 1e-11);
-  const double printed =
-      integral([&](double t) { return direction(t) * 2.0 * caputo_of_power(1.0, order, t); }, 0.0, 1.0);
+  const double printed = integral(
+      [&](double t) { return direction(t) * 2.0 * caputo_derivative_of_power(1.0, order, t); }, 0.0, 1.0);
   EXPECT_GT(std::abs(printed - exact), 0.1);
 }
 

@@ -16,25 +16,25 @@ namespace {
 // correct.
 TEST(ErrataYin, DerivativesDoNotComposeAcrossAWholeOrder) {
   const double alpha = 1.25, beta = 0.75, t = 1.0;
-  const double factor = caputo_of_power(1.0, beta, 1.0);  // D^beta t = factor t^(1 - beta)
-  const double composed = factor * caputo_of_power(1.0 - beta, alpha - beta, t);
+  const double factor = caputo_derivative_of_power(1.0, beta, 1.0);  // D^beta t = factor t^(1 - beta)
+  const double composed = factor * caputo_derivative_of_power(1.0 - beta, alpha - beta, t);
   EXPECT_NEAR(composed, 0.816048939098263, 1e-14);
   const double by_quadrature =
       fractional_integral([&](double) { return factor * (1.0 - beta); }, 1.0 - alpha + beta, t, -beta);
   EXPECT_NEAR(by_quadrature, composed, 1e-12);
-  EXPECT_EQ(caputo_of_power(1.0, alpha, t), 0.0);
-  EXPECT_NEAR(factor * caputo_of_power(1.0 - beta, 1.0 - beta, t), 1.0, 1e-15);
+  EXPECT_EQ(caputo_derivative_of_power(1.0, alpha, t), 0.0);
+  EXPECT_NEAR(factor * caputo_derivative_of_power(1.0 - beta, 1.0 - beta, t), 1.0, 1e-15);
 }
 
 // m = 1, 1 < alpha < 2: the printed condition on f^(s)(0) for s = 2 ... 1 is empty.
 TEST(ErrataYin, Lemma22NeedsInitialValuesUpToNPlusMMinusOne) {
   const double alpha = 1.5, t = 1.0;
   const auto rate_of_derivative = [&](double power) {  // d/dt D^alpha t^power
-    return caputo_of_power(power, alpha, 1.0) * (power - alpha) * std::pow(t, power - alpha - 1.0);
+    return caputo_derivative_of_power(power, alpha, 1.0) * (power - alpha) * std::pow(t, power - alpha - 1.0);
   };
   EXPECT_NEAR(rate_of_derivative(2.0) / 2.0, 0.564189583547756, 1e-14);  // f = t^2/2, f''(0) = 1
-  EXPECT_EQ(caputo_of_power(2.0, alpha + 1.0, t), 0.0);
-  EXPECT_NEAR(rate_of_derivative(3.0), caputo_of_power(3.0, alpha + 1.0, t), 1e-14);  // f''(0) = 0
+  EXPECT_EQ(caputo_derivative_of_power(2.0, alpha + 1.0, t), 0.0);
+  EXPECT_NEAR(rate_of_derivative(3.0), caputo_derivative_of_power(3.0, alpha + 1.0, t), 1e-14);  // f''(0) = 0
 }
 
 constexpr double a = 3.0, b = 0.5, c = 0.4, d = 0.3;

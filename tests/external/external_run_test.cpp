@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "records/results_file.hpp"
-#include "support/answer_of.hpp"
+#include "support/command_output.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
@@ -41,7 +41,8 @@ class ExternalRuns : public testing::Test {
                    name);
   }
 
-  [[nodiscard]] Answer run(const std::string& external, const std::vector<std::string>& more = {}) const {
+  [[nodiscard]] CommandOutput run(const std::string& external,
+                                  const std::vector<std::string>& more = {}) const {
     std::vector<std::string> words{"run", "--scene",    "power:p=2", "--steps", "8",     "--repeat",
                                    "2",   "--external", external,    "--out",   results_};
     words.insert(words.end(), more.begin(), more.end());

@@ -69,7 +69,7 @@ class Bytes {
 };
 
 // Whether a text contains nan or inf as a number.
-inline bool shows_no_number(std::string_view text) {
+inline bool contains_nan_or_inf(std::string_view text) {
   for (const std::string_view word : {"nan", "-nan", "inf", "-inf"}) {
     for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
       const auto separates = [](char c) {

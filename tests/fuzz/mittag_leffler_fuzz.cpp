@@ -10,7 +10,7 @@ namespace {
 
 using namespace fde;
 
-void in_double(double alpha, double beta, std::complex<double> z) {
+void evaluate_in_double(double alpha, double beta, std::complex<double> z) {
   const auto [value, bound] = mittag_leffler(alpha, beta, z);
   const auto shown = fmt::format("E_{{{},{}}}({}, {}) = {} {} bound {}", alpha, beta, z.real(), z.imag(),
                                  value.real(), value.imag(), bound);
@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       in_digits(std::max(0.05, moderate(alpha, 5.5)), moderate(beta, 50.0),
                 {moderate(re, 20.0), moderate(im, 20.0)}, 20);
     } else {
-      in_double(alpha, beta, {re, im});
+      evaluate_in_double(alpha, beta, {re, im});
     }
   });
   return 0;

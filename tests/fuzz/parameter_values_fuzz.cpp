@@ -8,7 +8,7 @@
 
 #include "fuzz/fuzzing.hpp"
 #include "scenes/registry.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace {
 
@@ -71,7 +71,7 @@ void solve(const Scene& scene, const Scheme& scheme, const Resolution& resolutio
 }
 
 // Closed forms and inverse Laplace transforms; other references take up to minutes.
-void look_up(const Scene& scene, double t) {
+void check_reference(const Scene& scene, double t) {
   if (!scene.reference.at) return;
   const auto [value, bound] = scene.reference.at(t);
   const auto shown =
@@ -100,10 +100,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Scene scene = make_scene(maker, values);
     if (!scene.refusal.empty()) return;
     if (exact) {
-      look_up(scene, scene.problem.end);
+      check_reference(scene, scene.problem.end);
     } else if (scheme.needs.takes_accuracy) {
       const double error = std::pow(10.0, -steps / 2.0);
-      solve(scene, scheme, Accuracy{error, error});
+      solve(scene, scheme, Tolerance{error, error});
     } else {
       solve(scene, scheme, Grid{.end = scene.problem.end, .steps = steps});
     }

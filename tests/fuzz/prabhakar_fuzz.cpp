@@ -34,7 +34,7 @@ std::complex<double> moderate(std::complex<double> z, double alpha) {
   return std::isfinite(size) && size > most ? z * (most / size) : z;
 }
 
-double without_dust(double x) { return std::abs(x) < 1e-10 ? 0.0 : x; }
+double without_tiny_values(double x) { return std::abs(x) < 1e-10 ? 0.0 : x; }
 
 void of_a_number(fuzz::Bytes& bytes, double alpha, double beta, bool derivative) {
   const auto re = bytes.take<double>(), im = bytes.take<double>();
@@ -61,7 +61,7 @@ void of_a_matrix(fuzz::Bytes& bytes, double alpha, double beta, int rows) {
       const auto re = bytes.take<double>();
       const auto entry =
           moderate({re, real ? 0.0 : bytes.take<double>()}, alpha) / static_cast<double>(rows * rows);
-      matrix(i, j) = {without_dust(entry.real()), without_dust(entry.imag())};
+      matrix(i, j) = {without_tiny_values(entry.real()), without_tiny_values(entry.imag())};
     }
   }
   const auto [values, bounds] = mittag_leffler(alpha, beta, matrix);

@@ -26,17 +26,17 @@ bool all_finite(const nlohmann::json& value) {
 void show(const Results& results) {
   const auto data = page_data(read_runs(results));
   const std::string page = data.dump();
-  fuzz::require(!fuzz::shows_no_number(page), "numbers on the page", page);
+  fuzz::require(!fuzz::contains_nan_or_inf(page), "numbers on the page", page);
   fuzz::require(all_finite(data), "numbers of the charts are finite", page);
   if (results.records.empty()) return;
   for (const double accuracy : {1e-3, 1e-12}) {
     for (const ErrorKind& kind : error_kinds()) {
       const auto made = recommend(runs_of(results), results.records.front().key.scene, kind, accuracy);
       for (const auto& text : made.others)
-        fuzz::require(!fuzz::shows_no_number(text), "numbers of what is missing", text);
+        fuzz::require(!fuzz::contains_nan_or_inf(text), "numbers of what is missing", text);
       if (made.options.empty()) continue;
-      const std::string text = text_of(made) + json_of(made);
-      fuzz::require(!fuzz::shows_no_number(text), "numbers of the recommendation", text);
+      const std::string text = to_text(made) + json_of(made);
+      fuzz::require(!fuzz::contains_nan_or_inf(text), "numbers of the recommendation", text);
     }
   }
 }
@@ -63,7 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                    .h = 1.0,
                    .quantity = "ending",
                    .unit = "t",
-                   .ending = RunEnding{}};
+                   .ending = RunOutcome{}};
   ResultsFile(file).append({row});
   fuzz::require(read_results(file).records.size() == count + 1, "a file that was read can be continued");
   return 0;

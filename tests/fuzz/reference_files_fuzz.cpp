@@ -11,7 +11,7 @@
 #include "references/checksum.hpp"
 #include "scenes/registry.hpp"
 #include "support/temporary_folder.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace {
 

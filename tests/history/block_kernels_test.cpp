@@ -52,17 +52,17 @@ struct Sum {
 
 class BlockKernels : public testing::TestWithParam<std::string_view> {
  protected:
-  void SetUp() override { use_vector_target(GetParam()); }
-  void TearDown() override { use_vector_target(vector_targets().front()); }
+  void SetUp() override { select_vector_target(GetParam()); }
+  void TearDown() override { select_vector_target(vector_targets().front()); }
 
   // Expects the same bits as with the widest target, where both have a fused multiply-add.
   template <typename Compute>
   static void expect_the_bits_of_the_widest(Compute compute) {
     if (!multiplies_and_adds_at_once(GetParam())) return;
     const auto here = compute();
-    use_vector_target(vector_targets().front());
+    select_vector_target(vector_targets().front());
     EXPECT_EQ(here, compute());
-    use_vector_target(GetParam());
+    select_vector_target(GetParam());
   }
 };
 

@@ -20,7 +20,7 @@ inline Exact power(const Exact& base, const Exact& exponent) {
 
 // The weight of the second difference on a step that ends at the distance `near`, scaled like L1 (Gao, Sun &
 // Zhang 2014, twice their b).
-inline Exact printed_bend(const Exact& g, const Exact& near) {
+inline Exact published_second_difference(const Exact& g, const Exact& near) {
   const Exact far = near + 1;
   return 2 / (2 - g) * (pow(far, 2 - g) - pow(near, 2 - g)) - (pow(far, 1 - g) + pow(near, 1 - g));
 }
@@ -33,14 +33,14 @@ inline Exact printed(const WeightTable& table, std::int64_t lag) {
     return power(k + 1, g + 1) - 2 * power(k, g + 1) + power(k - 1, g + 1);
   if (table.family == &families::grunwald_letnikov) return exp(lgamma(k + g) - lgamma(g) - lgamma(k + 1));
   if (table.family == &families::l1) return pow(k + 1, 1 - g) - pow(k, 1 - g);
-  if (table.family == &families::l1_bend) return printed_bend(g, k);
+  if (table.family == &families::l1_bend) return published_second_difference(g, k);
   const Exact sigma = 1 - g / 2;
   if (table.family == &families::l2_1_sigma) return pow(k + sigma, 1 - g) - pow(k - 1 + sigma, 1 - g);
-  if (table.family == &families::l2_1_sigma_bend) return printed_bend(g, k + sigma);
+  if (table.family == &families::l2_1_sigma_bend) return published_second_difference(g, k + sigma);
   throw std::invalid_argument(std::string(table.family->id));
 }
 
-inline Exact printed_start(double order, std::int64_t n) {
+inline Exact published_first_sample_weight(double order, std::int64_t n) {
   const Exact g = order, k = n;
   return power(k - 1, g + 1) - (k - 1 - g) * power(k, g);
 }

@@ -183,7 +183,7 @@ class WeightTransform : public testing::Test {
   static std::vector<WeightTable> tables(const WeightFamily& family) {
     std::vector<WeightTable> tables;
     for (const double order : {0.01, 0.3, 0.5, 0.9, 1.2, 1.7, 2.0}) {
-      if (!family.weighs_increments || order < 1.0) tables.push_back({&family, order});
+      if (!family.acts_on_increments || order < 1.0) tables.push_back({&family, order});
     }
     return tables;
   }
@@ -191,7 +191,7 @@ class WeightTransform : public testing::Test {
   // number(lag), or number(lag) - number(lag - 1) where running sums are weighed.
   template <typename Number>
   static Exact weighed(const WeightTable& table, std::int64_t lag, Number number) {
-    return weighs_running_sums(table) ? Exact(number(lag) - number(lag - 1)) : number(lag);
+    return acts_on_running_sums(table) ? Exact(number(lag) - number(lag - 1)) : number(lag);
   }
 
   // The bound of the sum holds for weights that are means of the kernel. In addition to the rounding of the
@@ -253,7 +253,8 @@ TEST_F(WeightTransform, GivesBendsAsWellAsTheLinesBesideThem) {
 
 TEST_F(WeightTransform, GivesTheStartWeightsOfTheTrapezoidalRule) {
   for (const auto& table : tables(families::trapezoid)) {
-    expect_weights(table, start_coefficients, [&](std::int64_t n) { return printed_start(table.order, n); });
+    expect_weights(table, first_sample_coefficients,
+                   [&](std::int64_t n) { return published_first_sample_weight(table.order, n); });
   }
 }
 

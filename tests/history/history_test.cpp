@@ -8,8 +8,8 @@
 #include <string>
 
 #include "history/block_kernels.hpp"
-#include "history/direct.hpp"
-#include "history/exponentials.hpp"
+#include "history/direct_history.hpp"
+#include "history/exponential_history.hpp"
 #include "history/variable_step_direct.hpp"
 #include "history/variable_step_exponentials.hpp"
 #include "stepping/trajectory.hpp"
@@ -51,8 +51,8 @@ struct Defined {
 };
 Defined by_definition(const WeightTable& table, const Vec& weights, const Rows& samples,
                       Eigen::Index component, Eigen::Index n) {
-  const long double first =
-      start_weight(table, n).value_or(weight(table, n)) * static_cast<long double>(samples(component, 0));
+  const long double first = first_sample_weight(table, n).value_or(weight(table, n)) *
+                            static_cast<long double>(samples(component, 0));
   long double sum = first, size = std::abs(first);
   for (Eigen::Index j = 1; j < n; ++j) {
     const long double term = static_cast<long double>(weights[n - j - 1]) * samples(component, j);
@@ -151,14 +151,14 @@ INSTANTIATE_TEST_SUITE_P(, Histories,
 
 class HistoriesOnVectorTargets : public testing::TestWithParam<std::string_view> {
  protected:
-  void TearDown() override { use_vector_target(vector_targets().front()); }
+  void TearDown() override { select_vector_target(vector_targets().front()); }
 };
 
 // Without fused multiply-add each term has one more rounding.
 TEST_P(HistoriesOnVectorTargets, DifferByRoundingOnly) {
   const Rows samples = random_samples(3, 1000);
   const auto on = [&](HistoryKind kind, std::string_view target) {
-    use_vector_target(target);
+    select_vector_target(target);
     return convolutions(*make_history(kind, every_family, equal_steps(1000), 1e-15), every_family.size(),
                         samples, step_number);
   };

@@ -45,7 +45,7 @@ TEST_P(WeightFamilies, AreGoodToOneUlpUpToABillion) {
   const WeightFamily* const family = GetParam();
   Worst worst;
   for (const double order : orders) {
-    if (family->weighs_increments && order >= 1.0) continue;
+    if (family->acts_on_increments && order >= 1.0) continue;
     for (const auto lag : lags())
       worst.see(ulps(weight({family, order}, lag), printed({family, order}, lag)), order, lag);
   }
@@ -63,7 +63,9 @@ TEST(StartWeight, IsGoodToOneUlpUpToABillion) {
   Worst worst;
   for (const double order : orders) {
     for (const auto n : lags()) {
-      worst.see(ulps(*start_weight({&families::trapezoid, order}, n), printed_start(order, n)), order, n);
+      worst.see(ulps(*first_sample_weight({&families::trapezoid, order}, n),
+                     published_first_sample_weight(order, n)),
+                order, n);
     }
   }
   worst.print("trapezoid start");
@@ -71,9 +73,9 @@ TEST(StartWeight, IsGoodToOneUlpUpToABillion) {
 }
 
 TEST(StartWeight, IsNoneForGrunwaldLetnikovAndL1AndThePlainOneForTheRectangleRule) {
-  EXPECT_EQ(start_weight({&families::rectangle, 0.3}, 7), std::nullopt);
-  EXPECT_EQ(start_weight({&families::grunwald_letnikov, 0.3}, 7), 0.0);
-  EXPECT_EQ(start_weight({&families::l1, 0.3}, 7), 0.0);
+  EXPECT_EQ(first_sample_weight({&families::rectangle, 0.3}, 7), std::nullopt);
+  EXPECT_EQ(first_sample_weight({&families::grunwald_letnikov, 0.3}, 7), 0.0);
+  EXPECT_EQ(first_sample_weight({&families::l1, 0.3}, 7), 0.0);
 }
 
 TEST(ConstantWeight, OrderOneHasNoMemory) {
@@ -89,7 +91,7 @@ TEST(ConstantWeight, OrderOneHasNoMemory) {
 TEST(Weights, OfTheProductRulesIntegrateConstantsExactly) {
   for (const double g : orders) {
     constexpr std::int64_t n = 200;
-    double rectangle = 0.0, trapezoid = 1.0 + *start_weight({&families::trapezoid, g}, n);
+    double rectangle = 0.0, trapezoid = 1.0 + *first_sample_weight({&families::trapezoid, g}, n);
     for (std::int64_t k = 1; k <= n; ++k) rectangle += weight({&families::rectangle, g}, k);
     for (std::int64_t k = 1; k < n; ++k) trapezoid += weight({&families::trapezoid, g}, k);
     EXPECT_NEAR(rectangle / std::pow(n, g), 1.0, 1e-14) << g;

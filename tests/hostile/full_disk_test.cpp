@@ -11,7 +11,7 @@
 #include "reference_data/reference_folder.hpp"
 #include "references/cache.hpp"
 #include "support/testing.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace fde {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "reference_data/description.hpp"
 #include "reference_data/reference_check.hpp"
-#include "support/answer_of.hpp"
+#include "support/command_output.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 

@@ -61,7 +61,7 @@ TEST_F(Unwritable, AFolderThatVanishesDuringARun) {
                       .h = 1.0,
                       .quantity = "ending",
                       .unit = "t",
-                      .ending = RunEnding{}};
+                      .ending = RunOutcome{}};
   results.append({ending});
   fs::remove_all(folder_.path() / "here");
   EXPECT_THAT([&] { results.append({ending}); },

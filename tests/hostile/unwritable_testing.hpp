@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/answer_of.hpp"
+#include "support/command_output.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace fde {
@@ -25,7 +25,7 @@ class Unwritable : public testing::Test {
     std::ranges::sort(found);
     return found;
   }
-  static Answer run_into(const fs::path& file) {
+  static CommandOutput run_into(const fs::path& file) {
     return fdebench({"run", "--scene", "power", "--scheme", "l1", "--steps", "8", "--repeat", "1", "--out",
                      file.string()});
   }

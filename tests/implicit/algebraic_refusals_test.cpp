@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "problem/linear_smoothness.hpp"
-#include "stepping/splitting.hpp"
+#include "stepping/order_splitting.hpp"
 #include "support/algebraic_problems.hpp"
 #include "support/testing.hpp"
 
@@ -19,7 +19,7 @@ TEST(AlgebraicRefusals, ExplicitSchemesRefuseWithTheReason) {
     if (scheme.needs.implicit || scheme.needs.discretises_equations) continue;
     ++refused;
     Resolution resolution = Grid{2.0, 8};
-    if (!scheme.needs.takes_grid) resolution = Accuracy{1e-3, 1e-3};
+    if (!scheme.needs.solves_on_grid) resolution = Tolerance{1e-3, 1e-3};
     EXPECT_EQ(refusal(scheme, decay_through(0.5), resolution),
               "steps explicitly: component 0 is an algebraic row (order 0)");
   }
@@ -33,9 +33,9 @@ TEST(AlgebraicRefusals, LinearSmoothnessNamesTheComponent) {
 
 TEST(AlgebraicRefusals, SplittingLeavesThemAlone) {
   const auto problem = decay_through(1.5);
-  EXPECT_EQ(links_up_to_one(problem), (Links{{0.0}, {1.0, 0.5}}));
-  EXPECT_EQ(commensurate_links(problem), (Links{{0.0}, {0.5, 0.5, 0.5}}));
-  const Problem all = split(problem, *commensurate_links(problem));
+  EXPECT_EQ(splitting_up_to_one(problem), (OrderSplitting{{0.0}, {1.0, 0.5}}));
+  EXPECT_EQ(commensurate_splitting(problem), (OrderSplitting{{0.0}, {0.5, 0.5, 0.5}}));
+  const Problem all = split(problem, *commensurate_splitting(problem));
   EXPECT_EQ(all.size(), 4);
   EXPECT_EQ(all.components[0].order, 0.0);
   EXPECT_EQ(all.components[0].initial, std::vector{1.0});

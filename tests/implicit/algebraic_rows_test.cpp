@@ -65,7 +65,7 @@ TEST_P(AlgebraicRows, LeaveTheRateAsItIs) {
                         }};
   const Smoothness smoothness{.powers = {{2.0}, {}}, .jumps = {1}};
   const auto theory = [&](Norm norm) { return GetParam()->expected_rate(problem, smoothness, 1.0, norm); };
-  std::vector<ErrorAt> of_y, of_z;
+  std::vector<ErrorSample> of_y, of_z;
   for (int steps = 128; steps <= 2048; steps *= 2) {
     const auto path = run(problem, {1.0, steps});
     of_y.push_back({1.0 / steps, std::abs(path.y(0, steps) - 1.0)});

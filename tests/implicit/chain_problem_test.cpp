@@ -29,21 +29,21 @@ TEST(ChainProblem, LinksAreDerivativesOfEachOtherAndTheLastSolvesTheEquation) {
   EXPECT_NEAR(2.0 * f[3] + 0.1 * 2.0 + 0.2 * 3.0 + 0.3 * 4.0, 5.0, 1e-15);
 }
 
-TEST(ChainProblem, TellsDerivativesWhereItsEquationsDo) {
+TEST(ChainProblem, HasDerivativesWhereItsEquationsHaveThem) {
   const Chain chain({2.0, 2.0}, damping, {1.0, -0.3});
   EXPECT_FALSE(has_jacobian(driven(chain, 5.0)));
-  const DrivenChain equation{
+  const MultiTermEquation equation{
       .chain = chain, .force = [](double, In y) { return -3.0 * y[0]; }, .derivatives = LinearForce{-3.0}};
   const Matrix linear = std::get<DenseLinearPart>(chain_problem({equation}, 1.0).derivatives).matrix;
   EXPECT_EQ(linear.topRightCorner(3, 3), Matrix::Identity(3, 3));
   EXPECT_LT((linear.row(3) - Eigen::RowVector4d(-1.5, -0.05, -0.1, -0.15)).cwiseAbs().maxCoeff(), 1e-16);
 }
 
-TEST(ChainProblem, ChainsStandOneBehindTheOther) {
+TEST(ChainProblem, ChainsAreStoredConsecutively) {
   EXPECT_THROW(driven({{1.0, 2.0}, damping, {1.0, -0.3}, 1}, 0.0), std::invalid_argument);
 }
 
-TEST(ChainProblem, TellsItsEquations) {
+TEST(ChainProblem, HasItsEquations) {
   const Chain chain({2.0, 2.0}, damping, {1.0, -0.3});
   const Problem problem = driven(chain, 5.0);
   const Chain told = chain_of(problem, problem.equations.front());

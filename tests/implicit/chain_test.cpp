@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "stepping/splitting.hpp"
+#include "stepping/order_splitting.hpp"
 
 namespace fde {
 namespace {
@@ -64,7 +64,7 @@ TEST(Chain, RefusesTermsThatAreNotBelowTheLeadingOrder) {
 // u'' = c + t^(1/2) + ... for (1.5, 0.5): D^beta u starts like t^(1-beta), D^alpha u
 // like t^(2-alpha).
 TEST(ChainSmoothness, OfThePendulum) {
-  const auto smoothness = chain_smoothness({Chain({1.0, 2.0}, damping, {1.0, -0.3})});
+  const auto smoothness = smoothness_of_chains({Chain({1.0, 2.0}, damping, {1.0, -0.3})});
   EXPECT_THAT(smoothness.powers[0], ElementsAre(1.0, 2.0, 2.5, 3.0, 3.5, 4.0));
   EXPECT_DOUBLE_EQ(smoothness.powers[1].front(), 0.5);
   EXPECT_THAT(smoothness.powers[2].front(), DoubleNear(1.0, 1e-15));
@@ -72,7 +72,7 @@ TEST(ChainSmoothness, OfThePendulum) {
 }
 
 TEST(ChainSmoothness, WithoutInitialVelocityTheLowerDerivativeIsSmoother) {
-  const auto smoothness = chain_smoothness({Chain({1.0, 2.0}, damping, {1.0, 0.0})});
+  const auto smoothness = smoothness_of_chains({Chain({1.0, 2.0}, damping, {1.0, 0.0})});
   EXPECT_DOUBLE_EQ(smoothness.powers[0].front(), 2.0);
   EXPECT_DOUBLE_EQ(smoothness.powers[1].front(), 1.5);
 }
@@ -82,7 +82,7 @@ Problem order_and_half() {
 }
 
 TEST(Splitting, OrdersAboveOneBecomeLinks) {
-  const auto links = links_up_to_one(order_and_half());
+  const auto links = splitting_up_to_one(order_and_half());
   EXPECT_THAT(links, ElementsAre(ElementsAre(1.0, 0.5), ElementsAre(0.5)));
   const auto problem = split(order_and_half(), links);
   EXPECT_THAT(orders(problem.components), ElementsAre(1.0, 0.5, 0.5));
@@ -96,10 +96,10 @@ TEST(Splitting, OrdersAboveOneBecomeLinks) {
 TEST(Splitting, TheCommensurateExpansionHasManyStates) {
   const Chain chain({1.0, 2.0}, {{0.1, 0.1}, {0.3, 1.9}}, {1.0, -0.3});
   const Problem problem{.components = chain.components(), .rhs = {}};
-  const auto links = commensurate_links(problem).value();
+  const auto links = commensurate_splitting(problem).value();
   EXPECT_EQ(split(problem, links).components.size(), 20U);
   const Problem eighths{.components = {{0.375, {0.0}}, {1.0, {0.0}}}, .rhs = {}};
-  EXPECT_THAT(commensurate_links(eighths)->at(0), Pointwise(DoubleNear(1e-15), {0.125, 0.125, 0.125}));
+  EXPECT_THAT(commensurate_splitting(eighths)->at(0), Pointwise(DoubleNear(1e-15), {0.125, 0.125, 0.125}));
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(ConjugateGradients, GiveWayToFactorsWhenTheseWouldHaveCostLess) {
   EXPECT_EQ(solver.name(), "conjugate_gradients");
 }
 
-TEST(ConjugateGradients, DoNotServeWhereAMatrixMayBeIndefinite) {
+TEST(ConjugateGradients, RefuseIndefiniteMatrices) {
   const auto growth = [](double, double) { return -40.0; };
   const SparseMatrix a = step_matrix(60, 60, 0.03, smooth, growth);
   EXPECT_FALSE(ConjugateGradients(a).factorise(a));

@@ -1,8 +1,6 @@
 // Constant coefficients in a rectangle are solved by sine transforms, in agreement with the known
 // eigenvectors and with elimination.
 
-#include "implicit/fast_sine.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -11,6 +9,7 @@
 
 #include "implicit/cholesky_factors.hpp"
 #include "implicit/complex_factors.hpp"
+#include "implicit/fast_sine_solver.hpp"
 #include "implicit/sparse_factors.hpp"
 #include "programs/large/step_matrix.hpp"
 
@@ -102,7 +101,7 @@ TEST(FastSine, SolvesForEigenvectorsByTheirEigenvalues) {
   }
 }
 
-TEST(FastSine, IsToldByTheValuesAlone) {
+TEST(FastSine, IsRecognisedFromTheEntries) {
   const SparseMatrix matrix = step_matrix(9, 6, 0.1);
   const auto with = [&](Eigen::Index i, Eigen::Index k, double value) {
     SparseMatrix other = matrix;
@@ -133,7 +132,7 @@ TEST(FastSine, KnowsTheSignOfItsDeterminant) {
   }
 }
 
-TEST(FastSine, DoesNotServeWhereEliminationWouldLoseDigits) {
+TEST(FastSine, RefusesUnstableElimination) {
   SparseMatrix indefinite = step_matrix(9, 6, 0.1);
   const auto factors = sparse_factors(indefinite);
   indefinite.diagonal().array() -= 20.0;

@@ -44,9 +44,9 @@ TEST_P(RobustNewton, DoesNotBeginFarFromTheStart) {
                       .derivatives = DenseJacobian{
                           [](double, In y, OutMatrix jacobian) { jacobian(0, 0) = 3.0 * y[0] * y[0]; }}};
   const auto path = run(cubic, {1.0, 2});
-  EXPECT_EQ(path.ending, Ending::outran_growth);
+  EXPECT_EQ(path.ending, Ending::step_too_large);
   EXPECT_EQ(path.reached, 0.0);
-  EXPECT_EQ(path.failed_at, 0.5);
+  EXPECT_EQ(path.failure_time, 0.5);
   EXPECT_EQ(run(cubic, {0.01, 2}).ending, Ending::finished);
 }
 

@@ -74,7 +74,7 @@ TEST_P(SparseMatrixOf, HasTheSignOfItsDeterminant) {
   EXPECT_EQ(factors->determinant_sign(), GetParam().matrix.determinant() > 0.0 ? 1 : -1);
 }
 
-TEST(SparseFactors, OfOtherValuesInTheSamePlacesAreMadeAgain) {
+TEST(SparseFactors, AreRecomputedForTheSamePattern) {
   for (const bool square : {false, true}) {
     const auto factors = sparse_factors(diffusion(5, square, 3.0).sparseView());
     const Matrix other = diffusion(5, square, 0.25);

@@ -49,10 +49,10 @@ TEST(Multipliers, AreTheUnknownsThatNoAlgebraicRowHolds) {
 }
 
 TEST(Multipliers, AreAsManyOrdersFromTheirConstraintAsTheRowsBetweenIntegrate) {
-  EXPECT_NEAR(integrated_orders(Driven{Driven::velocity}.problem()), 1.0, 1e-3);
-  EXPECT_NEAR(integrated_orders(Driven{Driven::position}.problem()), 2.0, 1e-3);
-  EXPECT_NEAR(integrated_orders(Driven{Driven::memory, 0.4}.problem()), 1.4, 1e-3);
-  EXPECT_NEAR(integrated_orders(AlgebraicPlane{}.multiplier(0.0)), 1.0, 1e-3);
+  EXPECT_NEAR(multiplier_integration_order(Driven{Driven::velocity}.problem()), 1.0, 1e-3);
+  EXPECT_NEAR(multiplier_integration_order(Driven{Driven::position}.problem()), 2.0, 1e-3);
+  EXPECT_NEAR(multiplier_integration_order(Driven{Driven::memory, 0.4}.problem()), 1.4, 1e-3);
+  EXPECT_NEAR(multiplier_integration_order(AlgebraicPlane{}.multiplier(0.0)), 1.0, 1e-3);
 }
 
 TEST(Multipliers, FarFromTheirConstraintAreRefusedByTheTrapezoidalRule) {
@@ -82,7 +82,7 @@ class UnknownMultipliers : public testing::TestWithParam<const Scheme*> {
   // The rate of the error off(y) at the end.
   template <class Off>
   static double rate(const Problem& problem, double grading, Off off) {
-    std::vector<ErrorAt> errors;
+    std::vector<ErrorSample> errors;
     for (int steps = 128; steps <= 2048; steps *= 2) {
       const Trajectory path = GetParam()->solve(problem, Grid{problem.end, steps, grading}, {});
       EXPECT_EQ(path.ending, Ending::finished);

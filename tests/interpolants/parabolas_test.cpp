@@ -40,7 +40,7 @@ std::vector<double> derivatives(double order, const Grid& grid, const std::funct
   return values;
 }
 
-double caputo_of_power(double order, double p, double t) {
+double caputo_derivative_of_power(double order, double p, double t) {
   return std::tgamma(p + 1.0) / std::tgamma(p + 1.0 - order) * std::pow(t, p - order);
 }
 
@@ -53,11 +53,11 @@ TEST_P(ParabolasOfOrder, FromAheadAreExactForSquaresOnEveryGrid) {
   for (const auto& grid : grids()) {
     for (const auto history : {HistoryKind::direct, HistoryKind::exponentials}) {
       for (const double p : {1.0, 2.0}) {
-        const auto values = derivatives<ParabolasFromAhead>(
+        const auto values = derivatives<ForwardParabolas>(
             order, grid, [=](double t) { return std::pow(t, p); }, history);
         for (int n = 1; n <= steps; ++n) {
           const double at = grid.time(n) - (1.0 - sigma) * grid.step(n),
-                       exact = caputo_of_power(order, p, at);
+                       exact = caputo_derivative_of_power(order, p, at);
           EXPECT_NEAR(values[static_cast<std::size_t>(n - 1)], exact, 2e-13 * exact)
               << "p " << p << ", grading " << grid.grading << ", n " << n;
         }
@@ -71,7 +71,7 @@ TEST_P(ParabolasOfOrder, FromBehindMissTheFirstBendOfSquaresOnEveryGrid) {
   const double order = GetParam();
   for (const auto& grid : grids()) {
     for (const auto history : {HistoryKind::direct, HistoryKind::exponentials}) {
-      const auto values = derivatives<ParabolasFromBehind>(
+      const auto values = derivatives<BackwardParabolas>(
           order, grid, [](double t) { return t * t; }, history);
       for (int n = 1; n <= steps; ++n) {
         const double t = grid.time(n), first = grid.step(1);
@@ -80,7 +80,7 @@ TEST_P(ParabolasOfOrder, FromBehindMissTheFirstBendOfSquaresOnEveryGrid) {
           const auto [left, right] = interval_weights(1.0 - order, t - grid.time(1), first);
           bend = first * (right - left);
         }
-        const double exact = caputo_of_power(order, 2.0, t);
+        const double exact = caputo_derivative_of_power(order, 2.0, t);
         EXPECT_NEAR(values[static_cast<std::size_t>(n - 1)], exact - bend, 2e-13 * exact)
             << "grading " << grid.grading << ", n " << n;
       }
@@ -131,10 +131,10 @@ void expect_published(double order, double (*coefficient)(double g, int j, int k
 
 TEST_P(ParabolasOfOrder, FromBehindHaveTheCoefficientsOfGaoSunAndZhang) {
   if (GetParam() == 1.0) return;  // the published formula has 0^0
-  expect_published<ParabolasFromBehind>(GetParam(), published_l1_2);
+  expect_published<BackwardParabolas>(GetParam(), published_l1_2);
 }
 TEST_P(ParabolasOfOrder, FromAheadHaveTheCoefficientsOfAlikhanov) {
-  expect_published<ParabolasFromAhead>(GetParam(), published_l2_1_sigma);
+  expect_published<ForwardParabolas>(GetParam(), published_l2_1_sigma);
 }
 
 const Problem logistic{

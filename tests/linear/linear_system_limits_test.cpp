@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "progress/work.hpp"
+#include "progress/progress.hpp"
 #include "support/linear_system_testing.hpp"
 
 namespace fde {
@@ -47,7 +47,7 @@ TEST(LinearSystem, HasNothingOfDoubleZerosFarOnTheLeft) {
 // s* = 1e33 in the right half-plane has 17 correct digits, so e^s* has none, and more digits do not help.
 TEST(LinearSystem, RefusesAtOnceDoubleZerosFarOnTheRight) {
   std::size_t work = 0;
-  const ListeningToWork listening([&](std::size_t, std::size_t) { ++work; });
+  const ProgressScope listening([&](std::size_t, std::size_t) { ++work; });
   EXPECT_THROW(linear_reference(pair(0.6, 1e20, 3e-20)).at(1.0), std::runtime_error);
   EXPECT_EQ(work, 0U);
 }

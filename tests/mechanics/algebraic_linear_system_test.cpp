@@ -15,17 +15,17 @@ class BelowOne : public testing::TestWithParam<Motion> {};
 TEST_P(BelowOne, IsTheIntegratedForm) {
   const auto precision = test_precision();
   const Motion& m = GetParam();
-  const Reference multiplier = linear_reference(with_multiplier(m, Shown::positions_and_memory)),
+  const Reference multiplier = linear_reference(with_multiplier(m, OutputChoice::positions_and_memory)),
                   integrated = linear_reference(integrated_form(m));
   for (const double t : {0.03125, 1.0, 7.0}) {
     const auto values = digits_at(multiplier, t), exact = digits_at(integrated, t);
-    const ReferenceValue in_double = multiplier.at(t), other = integrated.at(t);
+    const ReferenceValue evaluate_in_double = multiplier.at(t), other = integrated.at(t);
     for (std::size_t i = 0; i < 2; ++i) {
       expect_equal(values[i], exact[i], fmt::format("q{} at {}", i, t), BigReal(1));
       expect_equal(values[2 + i], exact[4 + i], fmt::format("w{} at {}", i, t), BigReal(1));
       const auto k = static_cast<Eigen::Index>(i);
-      EXPECT_NEAR(in_double.value[k], other.value[k], 1e-14);
-      EXPECT_NEAR(in_double.value[2 + k], other.value[4 + k], 1e-14);
+      EXPECT_NEAR(evaluate_in_double.value[k], other.value[k], 1e-14);
+      EXPECT_NEAR(evaluate_in_double.value[2 + k], other.value[4 + k], 1e-14);
     }
   }
 }
@@ -33,7 +33,7 @@ TEST_P(BelowOne, IsTheIntegratedForm) {
 TEST_P(BelowOne, KeepsTheConstraint) {
   const auto precision = test_precision();
   const Motion& m = GetParam();
-  const Reference solution = linear_reference(with_multiplier(m, Shown::velocities_and_memory));
+  const Reference solution = linear_reference(with_multiplier(m, OutputChoice::velocities_and_memory));
   BigReal start(0);
   for (std::size_t i = 0; i < 2; ++i) start += decimal<BigReal>(m.a[i]) * decimal<BigReal>(m.v0[i]);
   for (const double t : {1e-6, 0.5, 20.0}) {
@@ -94,7 +94,7 @@ TEST(AlgebraicLinearSystem, FollowsAFreeCoordinate) {
   const auto precision = test_precision();
   const Motion m{
       .alpha = 0.3, .rest = 0.7, .k = {4.0, 1.0}, .g = {0.0, 2.0}, .a = {0.0, 2.0}, .b = {0.5, 0.0}};
-  const Reference solution = linear_reference(with_multiplier(m, Shown::velocities_and_memory)),
+  const Reference solution = linear_reference(with_multiplier(m, OutputChoice::velocities_and_memory)),
                   free = linear_reference({.terms = {{1.0, 2.0}, {4.0, 0.0}}, .initial = {m.q0[0], m.v0[0]}},
                                           {1.0, m.alpha});
   for (const double t : {0.25, 3.0}) {
@@ -110,7 +110,7 @@ TEST(AlgebraicLinearSystem, RelaxesBehindAFallingCoordinate) {
   const auto precision = test_precision();
   const Motion m{
       .alpha = 0.3, .rest = 0.7, .k = {0.0, 1.0}, .g = {1.5, 2.0}, .a = {0.0, 2.0}, .b = {0.5, 1.0}};
-  const auto v = digits_at(linear_reference(with_multiplier(m, Shown::velocities_and_memory)), 1.0);
+  const auto v = digits_at(linear_reference(with_multiplier(m, OutputChoice::velocities_and_memory)), 1.0);
   const auto e = [](const char* beta) {
     return real_part<BigReal>(mittag_leffler_digits("0.7", beta, "-0.5"));
   };
@@ -124,8 +124,8 @@ TEST(AlgebraicLinearSystem, RelaxesBehindAFallingCoordinate) {
 TEST(AlgebraicLinearSystem, IsContinuousAtOrderOne) {
   const Motion next{.alpha = 1.0 - 0x1p-53, .rest = 0x1p-53};
   const Motion one{.alpha = 1.0, .rest = 0.0};
-  const Reference limit = linear_reference(with_multiplier(one, Shown::positions_and_memory)),
-                  solution = linear_reference(with_multiplier(next, Shown::positions_and_memory));
+  const Reference limit = linear_reference(with_multiplier(one, OutputChoice::positions_and_memory)),
+                  solution = linear_reference(with_multiplier(next, OutputChoice::positions_and_memory));
   for (const double t : {0.01, 1.0, 10.0}) {
     const Vec difference = solution.at(t).value - limit.at(t).value;
     EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-14) << t;
@@ -136,7 +136,7 @@ TEST(AlgebraicLinearSystem, IsContinuousAtOrderOne) {
 TEST(AlgebraicLinearSystem, MayHaveTheMemoryOnACopy) {
   const auto precision = test_precision();
   const Motion m;
-  const Reference on_velocity = linear_reference(with_multiplier(m, Shown::positions_and_memory)),
+  const Reference on_velocity = linear_reference(with_multiplier(m, OutputChoice::positions_and_memory)),
                   on_copy = linear_reference(with_memory_on_copies(m));
   const Oscillator o{"", 1.75, 0.75, 0.25, 0.0};
   const Motion fast{.alpha = o.alpha};
@@ -156,7 +156,7 @@ TEST(AlgebraicLinearSystem, MayHaveTheMemoryOnACopy) {
 
 // lambda = (a.grad u - b.(d/dt) w) / |a|^2 starts like t^-alpha.
 TEST(AlgebraicLinearSystem, MultiplierIsInfiniteAtTheStart) {
-  LinearSystem system = with_multiplier({.v0 = {3.0, 0.25}}, Shown::velocities_and_memory);
+  LinearSystem system = with_multiplier({.v0 = {3.0, 0.25}}, OutputChoice::velocities_and_memory);
   system.outputs = {multiplier_component};
   const Reference multiplier = linear_reference(system);
   EXPECT_EQ(multiplier.at(0.0).value[0], -std::numeric_limits<double>::infinity());
@@ -167,15 +167,16 @@ TEST(AlgebraicLinearSystem, MultiplierIsInfiniteAtTheStart) {
 // b = -2a for alpha near 1: a.v (1 - 2 t^1e-16) = C0 grows with the rate 2^(1e16).
 TEST(AlgebraicLinearSystem, SaysWhatGrowsAtOnce) {
   const Motion next{.alpha = 1.0 - 0x1p-53, .rest = 0x1p-53, .b = {-2.0, -4.0}};
-  EXPECT_THROW(linear_reference(with_multiplier(next, Shown::velocities_and_memory)).at(1.0),
+  EXPECT_THROW(linear_reference(with_multiplier(next, OutputChoice::velocities_and_memory)).at(1.0),
                std::runtime_error);
 }
 
 TEST(AlgebraicLinearSystem, RefusesWhatDeterminesNothing) {
   Motion m;
   m.a = {0.0, 0.0};
-  EXPECT_THROW(linear_reference(with_multiplier(m, Shown::velocities_and_memory)), std::invalid_argument);
-  LinearSystem system = with_multiplier(Motion{}, Shown::velocities_and_memory);
+  EXPECT_THROW(linear_reference(with_multiplier(m, OutputChoice::velocities_and_memory)),
+               std::invalid_argument);
+  LinearSystem system = with_multiplier(Motion{}, OutputChoice::velocities_and_memory);
   system.outputs = {9};
   EXPECT_THROW(linear_reference(system), std::invalid_argument);
 }

@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(, AlgebraicRowsOfScenes,
 // motions() has every scene with algebraic rows, and the schemes that support such rows accept the multiplier
 // form.
 TEST(ConstrainedMotions, AreOfAllScenesWithAlgebraicRows) {
-  for (const SceneMaker& maker : scenes()) {
+  for (const SceneFactory& maker : scenes()) {
     const auto choice = std::ranges::find(maker.parameters, "formulation", &Parameter::name);
     const bool has = choice != maker.parameters.end();
     const auto all = motions();

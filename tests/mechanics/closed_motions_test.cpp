@@ -20,7 +20,7 @@ struct Motion {
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
 void PrintTo(const Motion& motion, std::ostream* out) {
   *out << motion.scene;
-  for (const auto& [name, value] : motion.values) *out << ' ' << name << '=' << text_of(value);
+  for (const auto& [name, value] : motion.values) *out << ' ' << name << '=' << to_text(value);
 }
 
 class ClosedMotion : public testing::TestWithParam<Motion> {

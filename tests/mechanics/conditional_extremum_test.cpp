@@ -37,14 +37,14 @@ Vector<double, n> some(std::mt19937& generator) {
 TEST(ExtremumResidual, IsZeroForDerivativesOfFunctionsOfThePlace) {
   std::mt19937 generator(3);
   for (int i = 0; i < 20; ++i) {
-    const Instant<3> at{0.4, some<3>(generator), some<3>(generator), some<3>(generator)};
+    const MotionState<3> at{0.4, some<3>(generator), some<3>(generator), some<3>(generator)};
     EXPECT_LT(extremum_residual(Derived{}, at, some<2>(generator)).cwiseAbs().maxCoeff(), 1e-13);
   }
 }
 
 // mu (y', -x', 0), projected along (-y, 0, 1).
 TEST(ExtremumResidual, OfTheParticle) {
-  const Instant<3> at{0.0, {0.2, 0.5, 0.1}, {2.0, 3.0, 1.0}, {0.3, 0.0, -0.4}};
+  const MotionState<3> at{0.0, {0.2, 0.5, 0.1}, {2.0, 3.0, 1.0}, {0.3, 0.0, -0.4}};
   const Vector<double, 3> expected = 1.5 * Vector<double, 3>(3.0 / 1.25, -2.0, 0.5 * 3.0 / 1.25);
   EXPECT_LT((extremum_residual(Particle{}, at, Vector<double, 1>(1.5)) - expected).norm(), 1e-15);
   EXPECT_EQ(extremum_residual(Particle{}, at, Vector<double, 1>(0.0)).norm(), 0.0);
@@ -53,7 +53,7 @@ TEST(ExtremumResidual, OfTheParticle) {
 // q'' of the extremum by differences along its flow, minus q'' of the motion at the same q and v: the
 // residual with its index raised.
 template <class System>
-void expect_residual_between(const System& system, const Motion<System::coordinates>& start,
+void expect_residual_between(const System& system, const InitialState<System::coordinates>& start,
                              const Vector<double, System::constraints>& multiplier) {
   constexpr int n = System::coordinates;
   using State = Vector<double, 2 * n>;
@@ -66,7 +66,7 @@ void expect_residual_between(const System& system, const Motion<System::coordina
     return Vector<double, n>(extremum.template rhs<double>(0.0, y + h * f).template head<n>());
   };
   const Vector<double, n> acceleration = (at(1e-5) - at(-1e-5)) / 2e-5;
-  const Vector<double, n> motion = WholeAcceleration<System>{system, start, 0.0}
+  const Vector<double, n> motion = AccelerationWithoutMemory<System>{system, start, 0.0}
                                        .template rhs<double>(0.0, State(joined<double>(start.q, start.v)))
                                        .template tail<n>();
   const Vector<double, n> residual =
@@ -88,8 +88,8 @@ TEST(ExtremumResidual, IsTheDifferenceOfTheAccelerations) {
 // In two dimensions every constraint a(q) v = 0 is a multiple of the derivative of some phi(q): extremum and
 // motion coincide.
 TEST(ExtremumResidual, IsZeroWithTwoCoordinates) {
-  const Instant<2> at{0.0, {0.7, 0.2}, {0.4, 0.8 / std::sin(0.7)}, {0.3, -0.9}};
-  EXPECT_LT(extremum_residual(SphereWithCourse{2.0}, at, Vector<double, 1>(1.5)).norm(), 1e-15);
+  const MotionState<2> at{0.0, {0.7, 0.2}, {0.4, 0.8 / std::sin(0.7)}, {0.3, -0.9}};
+  EXPECT_LT(extremum_residual(ConstantCourseOnSphere{2.0}, at, Vector<double, 1>(1.5)).norm(), 1e-15);
 }
 
 // The constraints of a rolling disc are nonholonomic, and yet each of its free motions is an extremum, with
@@ -98,9 +98,9 @@ TEST(ConditionalExtremum, EveryFreeMotionOfTheDiscIsOne) {
   const Scene disc = scene_of("rolling_disc");
   const double mass = 1.0, radius = 0.5, spin = 2.0;
   const auto extremum = [&](double times) {
-    const Setting<Disc> setting{.system = {radius, mass, 0.125, 0.0625, 0.0},
-                                .start = {Vector<double, 4>::Zero(), {radius * spin, 0.0, 1.0, spin}},
-                                .coordinates = {"x", "y", "phi", "psi"}};
+    const MechanicalSetup<Disc> setting{.system = {radius, mass, 0.125, 0.0625, 0.0},
+                                        .start = {Vector<double, 4>::Zero(), {radius * spin, 0.0, 1.0, spin}},
+                                        .coordinates = {"x", "y", "phi", "psi"}};
     Scene scene = extremum_scene(setting, Vector<double, 2>(-times * mass * radius * spin, 0.0));
     scene.problem.end = 3.0;
     return Vec(reference_of(scene).at(3.0).value);

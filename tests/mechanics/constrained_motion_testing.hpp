@@ -14,7 +14,7 @@ struct Motion {
   std::array<double, 2> k{1.0, 2.0}, g{0.5, -1.0}, a{1.0, 2.0}, b{0.5, -0.3}, q0{0.7, -0.2}, v0{0.2, -0.1};
 };
 
-enum class Shown { positions_and_memory, velocities_and_memory };
+enum class OutputChoice { positions_and_memory, velocities_and_memory };
 inline constexpr std::size_t multiplier_component = 8;
 
 inline std::vector<double> initial_of(double order, double value) {
@@ -51,7 +51,7 @@ inline void add_forces(LinearSystem& system, const Motion& m, std::size_t first_
 }
 
 // v' = forces, D^(1-alpha) w = v.
-inline LinearSystem with_multiplier(const Motion& m, Shown shown) {
+inline LinearSystem with_multiplier(const Motion& m, OutputChoice shown) {
   LinearSystem system = without_memory(m);
   add_forces(system, m, 2);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -60,8 +60,8 @@ inline LinearSystem with_multiplier(const Motion& m, Shown shown) {
     system.initial[4 + i] = initial_of(m.rest, 0.0);
     system.matrix(4 + k, 2 + k) = 1.0;
   }
-  system.outputs = shown == Shown::positions_and_memory ? std::vector<std::size_t>{0, 1, 4, 5}
-                                                        : std::vector<std::size_t>{2, 3, 4, 5};
+  system.outputs = shown == OutputChoice::positions_and_memory ? std::vector<std::size_t>{0, 1, 4, 5}
+                                                               : std::vector<std::size_t>{2, 3, 4, 5};
   return system;
 }
 

@@ -30,7 +30,7 @@ Drifts drifts_of(const Scene& scene, std::string_view scheme, int steps) {
 }
 
 // A path that satisfies the constraint v + w = 0: v = 1 and w = -1, while D^(1/2) q is 2 sqrt(t/pi).
-Scene made_scene() {
+Scene manufactured_drift_scene() {
   Scene scene;
   scene.problem.end = 4.0;
   scene.outputs.names = {"q", "v", "w"};
@@ -40,7 +40,7 @@ Scene made_scene() {
 }
 
 TEST(DriftObserver, TellsWhatTheSchemeSaysFromWhatItsVelocitiesSay) {
-  const Scene scene = made_scene();
+  const Scene scene = manufactured_drift_scene();
   const Grid grid{.end = scene.problem.end, .steps = 1000};
   DriftObserver watch(scene, grid);
   for (int n = 0; n <= grid.steps; ++n)
@@ -56,7 +56,7 @@ bool has_independent_drift(const Scene& scene, const std::optional<Grid>& grid, 
 }
 
 TEST(DriftObserver, HasAnIndependentDriftWithMemoriesAndTheStepsOfAUniformGrid) {
-  Scene scene = made_scene();
+  Scene scene = manufactured_drift_scene();
   const Grid grid{.end = 4.0, .steps = 64}, few{.end = 4.0, .steps = 15}, graded{4.0, 64, 2.0}, more{4.0, 65};
   EXPECT_TRUE(has_independent_drift(scene, grid, grid));
   EXPECT_FALSE(has_independent_drift(scene, few, few));
@@ -67,9 +67,9 @@ TEST(DriftObserver, HasAnIndependentDriftWithMemoriesAndTheStepsOfAUniformGrid) 
   EXPECT_FALSE(has_independent_drift(scene, grid, grid));
 }
 
-// The error of IndependentMemory for the exact velocities.
-double error_of_judge(const Scene& scene, const Rows& exact, const Grid& grid) {
-  const IndependentMemory memory(grid, scene.memories[0].order, scene.memories[0].powers);
+// The error of IndependentMemoryRule for the exact velocities.
+double error_of_memory_rule(const Scene& scene, const Rows& exact, const Grid& grid) {
+  const IndependentMemoryRule memory(grid, scene.memories[0].order, scene.memories[0].powers);
   double largest = 0.0;
   for (int n = 1; n <= grid.steps; ++n)
     largest = std::max(largest, std::abs(memory.at(n, exact.row(2)) - exact(4, n)));
@@ -83,14 +83,14 @@ Rows exact_columns(const Scene& scene, const Grid& grid) {
   return exact;
 }
 
-// IndependentMemory is much more accurate than the schemes: for the exact velocities its error in w is far
-// below the errors of w in the schemes.
-TEST(IndependentMemory, IsFarBelowTheErrorsOfTheSchemes) {
+// IndependentMemoryRule is much more accurate than the schemes: for the exact velocities its error in w is
+// far below the errors of w in the schemes.
+TEST(IndependentMemoryRule, IsFarBelowTheErrorsOfTheSchemes) {
   for (const double alpha : {0.3, 0.5, 0.8}) {
     const Scene scene = constrained(alpha);
     const Grid grid{scene.problem.end, 512};
     const Rows exact = exact_columns(scene, grid);
-    const double judge = error_of_judge(scene, exact, grid);
+    const double judge = error_of_memory_rule(scene, exact, grid);
     for (const auto* scheme : {"adams_pc", "product_trapezoidal", "l1", "grunwald_letnikov"}) {
       const auto path = solve(scheme, scene.problem, grid.steps);
       const double error = (columns_of(scene.outputs, path).row(4) - exact.row(4)).cwiseAbs().maxCoeff();
@@ -117,18 +117,18 @@ TEST(Drift, OfTheIntegratedFormIsInternallyRounding) {
 class IndependentDrift : public testing::TestWithParam<const Scheme*> {};
 
 // The drift is the difference of w and D^alpha of the computed q: the quadrature error of the scheme, as long
-// as it exceeds the error of IndependentMemory.
+// as it exceeds the error of IndependentMemoryRule.
 TEST_P(IndependentDrift, FallsAtTheRateOfTheScheme) {
   const Scheme& scheme = *GetParam();
   const Scene scene = constrained(0.5);
-  std::vector<ErrorAt> points;
+  std::vector<ErrorSample> points;
   for (const int steps : {256, 512, 1024, 2048})
     points.push_back({scene.problem.end / steps, drifts_of(scene, scheme.id, steps).independent->largest});
   const double expected = scheme.expected_rate(scene.problem, scene.smoothness, 1.0, Norm::maximum);
   const Fit fit = fit_rate(points);
   EXPECT_GT(fit.correlation, 0.99);
   const Grid finest{scene.problem.end, 2048};
-  const double judge = error_of_judge(scene, exact_columns(scene, finest), finest);
+  const double judge = error_of_memory_rule(scene, exact_columns(scene, finest), finest);
   EXPECT_TRUE(fit.slope > expected - 0.15 || points.back().error < 2.0 * judge)
       << fit.slope << ' ' << points.back().error << ' ' << judge;
 }
@@ -147,7 +147,7 @@ TEST(Drift, OfTheAccelerationFormIsNotRoundingAndFallsWithTheStep) {
 TEST(Drift, IsRecordedWithItsGrowthAlsoWithoutAReference) {
   Scene scene = constrained(0.5);
   scene.reference.at = [](double) -> ReferenceValue { throw std::runtime_error("none is known"); };
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   const auto rows = examine({}, scene, reference, *find_scheme("l1"), {64});
   EXPECT_EQ(sentence(*rows.back().ending), "no reference: none is known");
   const auto has = [&](std::string_view quantity) {

@@ -25,7 +25,7 @@ Vec power_path(const Grid& grid, double p) {
 }
 
 // The largest error over the steps, divided by 1 + |exact|.
-double error_of_power(const IndependentMemory& memory, const Grid& grid, double order, double p) {
+double error_of_power(const IndependentMemoryRule& memory, const Grid& grid, double order, double p) {
   double largest = 0.0;
   const Vec v = power_path(grid, p);
   for (int n = 1; n <= grid.steps; ++n) {
@@ -47,14 +47,14 @@ class IndependentMemories : public testing::TestWithParam<double> {
 
 TEST_P(IndependentMemories, AreExactForCubics) {
   const Grid grid{.end = 4.0, .steps = 40};
-  const IndependentMemory memory(grid, order(), {});
+  const IndependentMemoryRule memory(grid, order(), {});
   for (const double p : {0.0, 1.0, 2.0, 3.0}) EXPECT_LT(error_of_power(memory, grid, order(), p), 2e-13) << p;
 }
 
 TEST_P(IndependentMemories, AreExactForThePowersOfTheStart) {
   const Grid grid{.end = 4.0, .steps = 40};
-  const IndependentMemory memory(grid, order(), powers());
-  for (std::size_t p = 0; p < std::min(powers().size(), FittedPowers::most); ++p)
+  const IndependentMemoryRule memory(grid, order(), powers());
+  for (std::size_t p = 0; p < std::min(powers().size(), FittedExponents::most); ++p)
     EXPECT_LT(error_of_power(memory, grid, order(), powers()[p]), 2e-12) << powers()[p];
 }
 
@@ -65,7 +65,7 @@ TEST_P(IndependentMemories, HaveOrderFourForSmoothVelocities) {
   const auto error = [](int steps) {
     const Grid grid{.end = 2.0, .steps = steps};
     const double exact = memory_of_power(order(), 4.0, 2.0);
-    return std::abs(IndependentMemory(grid, order(), {}).at(steps, power_path(grid, 4.0)) - exact);
+    return std::abs(IndependentMemoryRule(grid, order(), {}).at(steps, power_path(grid, 4.0)) - exact);
   };
   if (order() < 1.0) {
     for (const int steps : {32, 128, 512})
@@ -77,7 +77,7 @@ TEST_P(IndependentMemories, HaveOrderFourForSmoothVelocities) {
 
 TEST_P(IndependentMemories, DoNotBlowUpWhatTheFirstStepsAreOffBy) {
   const Grid grid{.end = 4.0, .steps = 400};
-  const IndependentMemory memory(grid, order(), powers()), plain(grid, order(), {});
+  const IndependentMemoryRule memory(grid, order(), powers()), plain(grid, order(), {});
   double with_start = 0.0, without = 0.0;
   for (int l = 0; l <= 12; ++l) {
     with_start += std::abs(memory.at(400, Vec::Unit(401, l)));
@@ -89,39 +89,39 @@ TEST_P(IndependentMemories, DoNotBlowUpWhatTheFirstStepsAreOffBy) {
 INSTANTIATE_TEST_SUITE_P(, IndependentMemories, testing::Values(0.1, 0.3, 0.5, 0.75, 0.9, 1.2, 1.5, 1.8),
                          [](const auto& test) { return "order_" + std::to_string(int(100 * test.param)); });
 
-TEST(IndependentMemory, NamesWhatItDoesNotTake) {
+TEST(IndependentMemoryRule, NamesWhatItDoesNotTake) {
   const Grid grid{.end = 1.0, .steps = 64};
-  EXPECT_THROW(IndependentMemory(grid, 1.0, {}), std::invalid_argument);
-  EXPECT_THROW(IndependentMemory(grid, 2.5, {}), std::invalid_argument);
-  EXPECT_THROW(IndependentMemory({1.0, 64, 2.0}, 0.5, {}), std::invalid_argument);
-  EXPECT_THROW(IndependentMemory({1.0, 15}, 0.5, {}), std::invalid_argument);
+  EXPECT_THROW(IndependentMemoryRule(grid, 1.0, {}), std::invalid_argument);
+  EXPECT_THROW(IndependentMemoryRule(grid, 2.5, {}), std::invalid_argument);
+  EXPECT_THROW(IndependentMemoryRule({1.0, 64, 2.0}, 0.5, {}), std::invalid_argument);
+  EXPECT_THROW(IndependentMemoryRule({1.0, 15}, 0.5, {}), std::invalid_argument);
 }
 
-DriftCourse course_of(const std::function<double(double)>& drift, int steps = 1000) {
-  DriftCourse course(5.0);
+DriftGrowth course_of(const std::function<double(double)>& drift, int steps = 1000) {
+  DriftGrowth course(5.0);
   const Grid grid{.end = 5.0, .steps = steps};
   for (int n = 0; n <= steps; ++n) course.observe(grid.time(n), drift(grid.time(n)));
   return course;
 }
 
-TEST(DriftCourse, GrowsLikeThePowerOfTimeThatItIs) {
+TEST(DriftGrowth, GrowsLikeThePowerOfTimeThatItIs) {
   const auto squares = course_of([](double t) { return 1e-6 * t * t; });
   EXPECT_NEAR(squares.growth().value(), 2.0, 1e-12);
   EXPECT_NEAR(squares.largest(), 25e-6, 1e-18);
   EXPECT_NEAR(course_of([](double t) { return 1e-3 * std::sqrt(t); }).growth().value(), 0.5, 1e-12);
 }
 
-TEST(DriftCourse, DoesNotGrowWhereItStaysBoundedOrFalls) {
+TEST(DriftGrowth, DoesNotGrowWhereItStaysBoundedOrFalls) {
   EXPECT_NEAR(course_of([](double t) { return std::abs(std::sin(50.0 * t)); }).growth().value(), 0.0, 1e-3);
   EXPECT_EQ(course_of([](double t) { return std::exp(-t); }).growth().value(), 0.0);
 }
 
-TEST(DriftCourse, HasNoGrowthAtRoundingOrWithTooFewSteps) {
+TEST(DriftGrowth, HasNoGrowthAtRoundingOrWithTooFewSteps) {
   EXPECT_FALSE(course_of([](double t) { return 1e-15 * t; }).growth().has_value());
   EXPECT_FALSE(course_of([](double t) { return t; }, 2).growth().has_value());
 }
 
-TEST(DriftCourse, OfWhatIsNoNumberIsNone) {
+TEST(DriftGrowth, OfWhatIsNoNumberIsNone) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(course_of([=](double t) { return t == 2.5 ? none : 1.0; }).largest()));
 }

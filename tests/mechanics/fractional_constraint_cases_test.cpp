@@ -58,8 +58,8 @@ TEST(ConstraintCases, TheReducedEquationIsTheSystem) {
       const ReferenceValue known = of_reduced.at(t), other = of_system.at(t);
       const Vec seen = columns_at(reduced.outputs, t, known.value),
                 same = columns_at(system.outputs, t, other.value);
-      const Vec bound = bound_of_columns(reduced.outputs, t, known, seen) +
-                        bound_of_columns(system.outputs, t, other, same);
+      const Vec bound = propagated_bound(reduced.outputs, t, known, seen) +
+                        propagated_bound(system.outputs, t, other, same);
       for (int c = 0; c < 2; ++c) EXPECT_NEAR(seen[c], same[c], bound[c]) << alpha << ' ' << t << ' ' << c;
       EXPECT_LT(bound.maxCoeff(), 1e-10);
     }

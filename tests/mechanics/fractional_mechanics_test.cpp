@@ -143,7 +143,7 @@ TEST(FractionalConstraintNonlinear, FromOneHalfOnTheMultiplierFits) {
 // none. Measures that need no reference are still recorded.
 TEST(FractionalConstraintNonlinear, NextToOneAnExaminationSaysThatNothingIsKnown) {
   const Scene scene = thermostat({{"alpha", 0.95}, {"formulation", "multiplier"}});
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   const auto rows = examine({}, scene, reference, *find_scheme("product_trapezoidal"), {64});
   ASSERT_GT(rows.size(), 3U);
   EXPECT_EQ(rows.back().ending->kind, Ending::no_reference);

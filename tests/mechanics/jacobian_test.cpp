@@ -86,7 +86,7 @@ TEST_P(FormWithConstraint, PassesTheJacobianOfItsRightHandSide) {
   std::uniform_real_distribution<double> uniform(-0.2, 0.2);
   for (const double t : {0.3, 0.9, 2.5}) {
     // The forcing of manufactured solutions contains powers of end - t.
-    if (two_sided(problem) && t > problem.end) continue;
+    if (is_two_sided(problem) && t > problem.end) continue;
     const Vec y =
         taylor_part(problem, 0.0) + Vec::NullaryExpr(problem.size(), [&] { return uniform(generator); });
     Matrix jacobian(y.size(), y.size());

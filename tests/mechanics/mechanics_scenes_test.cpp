@@ -27,8 +27,8 @@ auto differenced(const Function& function, const Vector<double, 2>& at, int k) {
 const Vector<double, 2> place(0.7, 0.3), speed(0.4, -0.9);
 
 TEST(Derivatives, OfAConstraintAreThoseByDifferences) {
-  const SphereWithCourse sphere{2.0};
-  const auto rates = constraint_rates<double>(sphere, 0.0, place, speed, speed);
+  const ConstantCourseOnSphere sphere{2.0};
+  const auto rates = linearize_constraints<double>(sphere, 0.0, place, speed, speed);
   double flow = 0.0;
   for (int k = 0; k < 2; ++k) {
     const auto of_speed = [&](const Vector<double, 2>& v) {
@@ -45,7 +45,7 @@ TEST(Derivatives, OfAConstraintAreThoseByDifferences) {
 
 // d/dt (G v) - 1/2 grad(v'G v) - G v'.
 TEST(Derivatives, OfAMetricAreThoseByDifferences) {
-  const SphereWithCourse sphere{2.0};
+  const ConstantCourseOnSphere sphere{2.0};
   const auto momentum = [&](const Vector<double, 2>& q) {
     return Vector<double, 2>(sphere.metric<double>(q) * speed);
   };
@@ -67,9 +67,9 @@ struct UnitParticle : Particle {
 
 TEST(Metric, OfTheIdentityIsNone) {
   static_assert(HasMetric<UnitParticle> && !HasMetric<Particle>);
-  const mechanics::Motion<3> start{{0.0, 0.5, 0.0}, {1.0, 1.0, 0.5}};
+  const mechanics::InitialState<3> start{{0.0, 0.5, 0.0}, {1.0, 1.0, 0.5}};
   const auto both = [&]<class System>(const System& system) {
-    return posed(Setting<System>{system, start, {"x", "y", "z"}}, {Formulation::integrated}).problem;
+    return posed(MechanicalSetup<System>{system, start, {"x", "y", "z"}}, {Formulation::integrated}).problem;
   };
   const Problem with = both(UnitParticle{}), without = both(Particle{});
   const Vec y = (Vec(6) << 0.3, -0.7, 0.2, 1.1, 0.4, -0.6).finished();
@@ -82,8 +82,8 @@ TEST(Metric, OfTheIdentityIsNone) {
 // On the constraint all formulations have the same v'. Off it the stabilised one differs by -kappa f /
 // |df/dv|^2 along df/dv.
 TEST(Formulations, AgreeOnTheConstraint) {
-  const mechanics::Motion<3> start{{0.0, 0.5, 0.0}, {1.0, 1.0, 0.5}};
-  const WholeAcceleration<Particle> plain{{}, start, 0.0}, stabilised{{}, start, 10.0};
+  const mechanics::InitialState<3> start{{0.0, 0.5, 0.0}, {1.0, 1.0, 0.5}};
+  const AccelerationWithoutMemory<Particle> plain{{}, start, 0.0}, stabilised{{}, start, 10.0};
   Vector<double, 6> y;
   y << 0.0, 0.5, 0.0, 1.0, 1.0, 0.5;
   EXPECT_EQ((plain.rhs<double>(0.0, y) - stabilised.rhs<double>(0.0, y)).norm(), 0.0);

@@ -49,21 +49,21 @@ struct Plane {
 
 // x(2h) - 2 Re(e^(sh)) x(h) + |e^(sh)|^2 x(0), which is 0 for x = Re(A e^(st)), divided by the size of its
 // terms.
-double left_of_mode(const std::array<double, 3>& x, double h, Complex s) {
+double mode_residual(const std::array<double, 3>& x, double h, Complex s) {
   const Complex factor = std::exp(s * h);
   const std::array<double, 3> terms{x[2], -2.0 * factor.real() * x[1], std::norm(factor) * x[0]};
   return std::abs(terms[0] + terms[1] + terms[2]) / (std::abs(terms[0]) + std::abs(terms[2]));
 }
-double left_of_mode(const Reference& reference, double t, double h, Complex s) {
+double mode_residual(const Reference& reference, double t, double h, Complex s) {
   const auto x = [&](double at) { return reference.at(at).value[0]; };
-  return left_of_mode({x(t), x(t + h), x(t + 2 * h)}, h, s);
+  return mode_residual({x(t), x(t + h), x(t + 2 * h)}, h, s);
 }
 
 TEST(Modes, ThePartOfBAcrossACountsWhereStiffnessesDiffer) {
   const Plane plane{1.5, {1.0, 1.0}, {1.5, -1.0}, {6.0, 1.0}};
   const Complex mode = plane.mode_near({0.5, 1.1});
   EXPECT_LT(std::abs(mode - Complex(0.53498315955529860, 1.1214565627167905)), 1e-12);
-  EXPECT_LT(left_of_mode(reference_of(plane.scene()), 30.0, 0.7, mode), 1e-6);
+  EXPECT_LT(mode_residual(reference_of(plane.scene()), 30.0, 0.7, mode), 1e-6);
 }
 
 // The multiplier form has the same solution.
@@ -74,7 +74,7 @@ TEST(Modes, GrowInEveryForm) {
     Scene scene = plane.scene(formulation);
     scene.problem.end = 20.0;
     const auto path = solve("product_trapezoidal", scene.problem, 4000);
-    EXPECT_LT(left_of_mode({path.y(0, 3600), path.y(0, 3800), path.y(0, 4000)}, 1.0, mode), 1e-3)
+    EXPECT_LT(mode_residual({path.y(0, 3600), path.y(0, 3800), path.y(0, 4000)}, 1.0, mode), 1e-3)
         << formulation;
   }
 }
@@ -106,7 +106,7 @@ TEST(Modes, OfTheDefaultSceneGrow) {
   const Plane plane{0.5, {1.0, 2.0}, {0.5, -0.3}, {1.0, 2.0}};
   const Complex mode = plane.mode_near({0.03, 1.1});
   EXPECT_LT(std::abs(mode - Complex(0.031110186638392912, 1.1274693707127523)), 1e-12);
-  EXPECT_LT(left_of_mode(reference_of(scene_of("fractional_constraint_2d")), 400.0, 0.7, mode), 1e-4);
+  EXPECT_LT(mode_residual(reference_of(scene_of("fractional_constraint_2d")), 400.0, 0.7, mode), 1e-4);
 }
 
 }  // namespace

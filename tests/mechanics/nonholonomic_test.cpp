@@ -49,7 +49,7 @@ Problem particle(double initial_multiplier) {
 TEST_P(Nonholonomic, TheParticleHasItsRate) {
   const double t = 2.0, x = std::asinh(t), z = std::hypot(1.0, t) - 1.0;
   for (const double initial_multiplier : {1.0, 3.0}) {
-    std::vector<ErrorAt> points;
+    std::vector<ErrorSample> points;
     for (int steps = 128; steps <= 2048; steps *= 2) {
       const Vec end = run(particle(initial_multiplier), steps).y.col(steps);
       EXPECT_NEAR(end[1], t, 1e-12);

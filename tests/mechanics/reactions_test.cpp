@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "observers/differentiation_rule.hpp"
 #include "observers/energy_balance.hpp"
-#include "observers/local_rate.hpp"
 #include "observers/reaction_path.hpp"
 #include "references/reference_of.hpp"
 #include "support/testing.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 // Multipliers and power at the end of a run.
 Vec reactions_at_end(const Scene& scene, const Grid& grid, std::string_view scheme = "product_trapezoidal") {
-  const auto times = with_times_beside(scene.reactions, grid, {grid.end}, grid.end);
+  const auto times = with_neighbour_times(scene.reactions, grid, {grid.end}, grid.end);
   const auto path = find_scheme(scheme)->solve(scene.problem, grid, {.at = times});
   return ReactionPath(scene, grid, path).at(path.y.cols() - 1, columns_of(scene.outputs, path).rightCols(1));
 }
@@ -34,7 +34,7 @@ TEST(Reactions, OfThePlaneAreThoseOfItsTransform) {
     const Scene scene = scene_of("fractional_constraint_2d", {{"alpha", alpha}});
     const Vec columns = scene.reference.at(t).value, exact = scene.reactions.exact.at(t).value;
     EXPECT_NEAR(exact[0], lambda, 1e-14);
-    EXPECT_NEAR(with_power(scene, t, columns, exact)[1], power, 1e-14);
+    EXPECT_NEAR(with_reaction_power(scene, t, columns, exact)[1], power, 1e-14);
   }
 }
 
@@ -96,9 +96,9 @@ TEST(Reactions, OfRunsToAnAccuracyAreTheExactOnes) {
     Scene scene = scene_of(id, values);
     scene.problem.end = 2.0;
     for (const auto* scheme : {"spectral_collocation", "radau_exponentials"}) {
-      const Accuracy accuracy{.relative = 1e-8, .absolute = 1e-8};
+      const Tolerance accuracy{.relative = 1e-8, .absolute = 1e-8};
       if (refusal(*find_scheme(scheme), scene.problem, accuracy)) continue;
-      const auto times = with_times_beside(scene.reactions, std::nullopt, asked, 2.0);
+      const auto times = with_neighbour_times(scene.reactions, std::nullopt, asked, 2.0);
       const auto path = find_scheme(scheme)->solve(scene.problem, accuracy, {.at = times});
       const ReactionPath reactions(scene, std::nullopt, path);
       const Rows columns = columns_of(scene.outputs, path);
@@ -187,11 +187,11 @@ TEST(EnergyOfMemory, BalanceCloses) {
 }
 
 // Exact for polynomials of degree 4, and at the start for sums of the powers.
-TEST(LocalRate, IsThatOfWhatItIsMadeFor) {
+TEST(DifferentiationRule, IsThatOfWhatItIsMadeFor) {
   for (const double grading : {1.0, 2.5}) {
     const Grid grid{3.0, 100, grading};
     const auto differentiated = [&](int n, const std::vector<double>& powers, const auto& f) {
-      const auto [steps, weights] = local_rate(grid, n, powers);
+      const auto [steps, weights] = differentiation_rule(grid, n, powers);
       double sum = 0.0;
       for (std::size_t k = 0; k < steps.size(); ++k)
         sum += weights[static_cast<Eigen::Index>(k)] * f(grid.time(steps[k]));
@@ -208,22 +208,22 @@ TEST(LocalRate, IsThatOfWhatItIsMadeFor) {
           << n;
     }
   }
-  EXPECT_EQ(local_rate({1.0, 2}, 2, {0.5}).steps, (std::vector{0, 1, 2}));
+  EXPECT_EQ(differentiation_rule({1.0, 2}, 2, {0.5}).steps, (std::vector{0, 1, 2}));
 }
 
 // A start like t^0.4 plus an oscillation, with perturbed values; up to the end.
-TEST(LocalRate, OfValuesAtAnyTime) {
+TEST(DifferentiationRule, OfValuesAtAnyTime) {
   for (const double noise : {0.0, 1e-9}) {
     const auto value = [&](double x) {
       return Vec::Constant(1, std::pow(x, 0.4) + std::sin(40.0 * x) + noise * std::sin(1e7 * x)).eval();
     };
     for (const double t : {1e-9, 1e-3, 0.7, 4.999, 5.0}) {
       const double slope = 0.4 * std::pow(t, -0.6) + 40.0 * std::cos(40.0 * t);
-      EXPECT_NEAR(rate_at(t, 5.0, value)[0], slope, (noise == 0.0 ? 1e-7 : 1e-4) * (40.0 + slope)) << t;
-      const auto times = times_around(t, 5.0);
+      EXPECT_NEAR(derivative_at(t, 5.0, value)[0], slope, (noise == 0.0 ? 1e-7 : 1e-4) * (40.0 + slope)) << t;
+      const auto times = derivative_times(t, 5.0);
       EXPECT_TRUE(std::ranges::is_sorted(times));
       EXPECT_TRUE(times.front() > 0.0 && times.back() <= 5.0);
-      (void)rate_at(t, 5.0, [&](double at) {
+      (void)derivative_at(t, 5.0, [&](double at) {
         EXPECT_TRUE(at == t || std::ranges::binary_search(times, at)) << at;
         return value(at);
       });

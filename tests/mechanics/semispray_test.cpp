@@ -19,7 +19,7 @@ Vector<double, n> first(const Vec& columns) {
   return columns.head<n>();
 }
 
-const SphereWithCourse sphere{2.0};
+const ConstantCourseOnSphere sphere{2.0};
 
 // Gamma^theta_phi,phi = -sin cos, Gamma^phi_theta,phi = cot; the others are 0.
 TEST(ChristoffelSymbols, OfTheSphere) {
@@ -115,7 +115,7 @@ void expect_evolution(const System& system, const Scene& scene) {
 
 TEST(Semispray, HasTheEvolutionCurvesAsItsIntegralCurves) {
   expect_evolution(Particle{}, scene_of("nonholonomic_particle"));
-  expect_evolution(SphereWithCourse{2.0}, scene_of("loxodrome", {{"speed", 0.5}}));
+  expect_evolution(ConstantCourseOnSphere{2.0}, scene_of("loxodrome", {{"speed", 0.5}}));
   expect_evolution(Blade{9.81 * std::sin(0.5)}, scene_of("knife_edge"));
   expect_evolution(Disc{0.5, 1.0, 0.125, 0.0625, 0.6}, scene_of("rolling_disc", {{"pull", 0.6}}));
 }

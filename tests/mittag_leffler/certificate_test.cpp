@@ -6,7 +6,7 @@
 #include <complex>
 
 #include "certificate/enclosure.hpp"
-#include "certificate/judge.hpp"
+#include "certificate/point_check.hpp"
 #include "certificate/points.hpp"
 
 namespace fde::certificate {
@@ -31,15 +31,15 @@ TEST(Points, FillTheRegionsOneAfterTheOther) {
 // One point of each region; the command fde_certificate checks all of them.
 TEST(Judge, FindsNoFault) {
   for (int i = 3; i < point_count; i += points_in_a_region) {
-    const Judgement row = judge(point(i), 50);
+    const PointCheck row = judge(point(i), 50);
     EXPECT_THAT(row.faults, IsEmpty()) << row.point.region;
   }
 }
 
 // Results with an error of `ulps` ulp and a stated bound of `stated_ulps` ulp.
-Faces off_by(double ulps, double stated_ulps) {
-  Faces faces = library_faces();
-  faces.in_double = [=](const Point& x) {
+Implementations with_error(double ulps, double stated_ulps) {
+  Implementations faces = library_implementations();
+  faces.evaluate_in_double = [=](const Point& x) {
     const double value = enclose(x.alpha, x.beta, x.z, 30).mid().real();
     const double ulp = std::ldexp(1.0, std::ilogb(value) - 52);
     return MittagLefflerValue{value + ulps * ulp, stated_ulps * ulp};
@@ -50,47 +50,47 @@ Faces off_by(double ulps, double stated_ulps) {
 constexpr Point steep{"", 1.0, 1.0, 600.0};  // e^600: |z E'| = 600 |E|, and no zero
 
 TEST(Judge, SeesAnErrorAboveTheStatedBound) {
-  EXPECT_THAT(judge(steep, 0, off_by(3, 4)).faults, IsEmpty());
-  EXPECT_THAT(judge(steep, 0, off_by(3, 2)).faults, ElementsAre("error above the stated bound"));
-  EXPECT_THAT(judge(steep, 0, off_by(NAN, 4)).faults, ElementsAre(HasSubstr("not finite")));
-  EXPECT_THAT(judge(steep, 0, off_by(0, NAN)).faults, ElementsAre("error above the stated bound"));
+  EXPECT_THAT(judge(steep, 0, with_error(3, 4)).faults, IsEmpty());
+  EXPECT_THAT(judge(steep, 0, with_error(3, 2)).faults, ElementsAre("error above the stated bound"));
+  EXPECT_THAT(judge(steep, 0, with_error(NAN, 4)).faults, ElementsAre(HasSubstr("not finite")));
+  EXPECT_THAT(judge(steep, 0, with_error(0, NAN)).faults, ElementsAre("error above the stated bound"));
 }
 
 TEST(Judge, SeesEightUlp) {
-  EXPECT_NEAR(judge(steep, 0, off_by(7, 20)).ulps, 7.0, 0.5);
-  EXPECT_THAT(judge(steep, 0, off_by(7, 20)).faults, IsEmpty());
-  EXPECT_THAT(judge(steep, 0, off_by(9, 20)).faults, ElementsAre("error above 8 ulp"));
+  EXPECT_NEAR(judge(steep, 0, with_error(7, 20)).ulps, 7.0, 0.5);
+  EXPECT_THAT(judge(steep, 0, with_error(7, 20)).faults, IsEmpty());
+  EXPECT_THAT(judge(steep, 0, with_error(9, 20)).faults, ElementsAre("error above 8 ulp"));
 }
 
 // E_2(z) = cos sqrt(-z) has a zero at -(pi/2)^2, where |z E'| = pi/4.
 TEST(Judge, MeasuresAgainstTheSlopeNextToAZero) {
   const double zero = -0.25 * M_PI * M_PI;
   const Point close{"", 2.0, 1.0, zero * (1.0 + 1e-9)}, far{"", 2.0, 1.0, 0.25 * zero};
-  const Judgement row = judge(close, 0, off_by(1e6, 2e6));
+  const PointCheck row = judge(close, 0, with_error(1e6, 2e6));
   EXPECT_THAT(row.faults, IsEmpty());
   EXPECT_NEAR(row.ulps, 1e6, 1.0);
   EXPECT_LT(row.conditioned_ulps, 0.01);
-  EXPECT_THAT(judge(close, 0, off_by(1e11, 2e11)).faults, ElementsAre("error above 8 ulp"));
-  EXPECT_THAT(judge(far, 0, off_by(9, 20)).faults, ElementsAre("error above 8 ulp"));
+  EXPECT_THAT(judge(close, 0, with_error(1e11, 2e11)).faults, ElementsAre("error above 8 ulp"));
+  EXPECT_THAT(judge(far, 0, with_error(9, 20)).faults, ElementsAre("error above 8 ulp"));
 }
 
 // E_{2,3}(-x) = (1 - cos sqrt x)/x has a double zero at (2 pi)^2.
 TEST(Judge, MeasuresAgainstTheSlopeNextToADoubleZero) {
   const Point close{"", 2.0, 3.0, -4.0 * M_PI * M_PI * (1.0 + 1e-4)};
-  EXPECT_THAT(judge(close, 0, off_by(1e3, 2e3)).faults, IsEmpty());
-  EXPECT_THAT(judge(close, 0, off_by(1e7, 2e7)).faults, ElementsAre("error above 8 ulp"));
+  EXPECT_THAT(judge(close, 0, with_error(1e3, 2e3)).faults, IsEmpty());
+  EXPECT_THAT(judge(close, 0, with_error(1e7, 2e7)).faults, ElementsAre("error above 8 ulp"));
 }
 
 TEST(Judge, AllowsInfinityOnlyWhereTheValueOverflows) {
-  Faces infinite = library_faces();
-  infinite.in_double = [](const Point&) { return MittagLefflerValue{INFINITY, INFINITY}; };
+  Implementations infinite = library_implementations();
+  infinite.evaluate_in_double = [](const Point&) { return MittagLefflerValue{INFINITY, INFINITY}; };
   EXPECT_THAT(judge({"", 1.0, 1.0, 710.0}, 0, infinite).faults, IsEmpty());
   EXPECT_THAT(judge({"", 1.0, 1.0, 709.5}, 0, infinite).faults, ElementsAre(HasSubstr("not finite")));
   EXPECT_THAT(judge({"", 1.0, 0.0, -710.0}, 0, infinite).faults, ElementsAre(HasSubstr("not finite")));
 }
 
 TEST(Judge, SeesDigitsThatAreWrongOrFew) {
-  Faces faces = library_faces();
+  Implementations faces = library_implementations();
   faces.in_digits = [](const Point&, int) { return DecimalComplex{"2.71828182845904523536", "0", "1e-20"}; };
   const Point one{"", 1.0, 1.0, 1.0};
   EXPECT_THAT(judge(one, 20, faces).faults, IsEmpty());

@@ -22,7 +22,7 @@ class OnCoarseContours : public testing::TestWithParam<Case> {
   using Roots = std::vector<std::complex<double>>;
 
   // 1 + i theta of the poles with |arg s*| < 2 pi.
-  [[nodiscard]] static Roots roots_of(const Case& x, double mu, double& nearest_sheet) {
+  [[nodiscard]] static Roots roots_of(const Case& x, double mu, double& nearest_other_argument) {
     Roots roots;
     for (int sheet = -6; sheet <= 6; ++sheet) {
       const double argument = std::arg(x.z) + 2.0 * sheet * std::numbers::pi;
@@ -30,7 +30,7 @@ class OnCoarseContours : public testing::TestWithParam<Case> {
         const std::complex<double> log(std::log(std::abs(x.z)), argument);
         roots.push_back(std::exp((log / x.alpha - std::log(mu)) / 2.0));
       } else {
-        nearest_sheet = std::min(nearest_sheet, std::abs(argument));
+        nearest_other_argument = std::min(nearest_other_argument, std::abs(argument));
       }
     }
     return roots;
@@ -68,16 +68,16 @@ TEST_P(OnCoarseContours, WhatIsNeglectedIsBounded) {
       ContourBound::Quotient quotient{.exponent = x.alpha - x.beta,
                                       .alpha = x.alpha,
                                       .log_size = std::log(std::abs(x.z)),
-                                      .nearest_sheet = 100.0,
+                                      .nearest_other_argument = 100.0,
                                       .roots = {}};
-      const auto roots = roots_of(x, shape.mu, quotient.nearest_sheet);
+      const auto roots = roots_of(x, shape.mu, quotient.nearest_other_argument);
       quotient.roots = roots;
       const auto [log_bound, distance] = ContourBound(shape).at(quotient);
       const Precision precision(60);
       const Contour<BigReal> contour(shape.mu, omega, omega, shifted);
       const BigComplex off =
           sum_with_residues(x, contour, roots, distance) - BigComplex(BigReal(exact.re), BigReal(exact.im));
-      EXPECT_LE(log(size_of(off)).convert_to<double>(), log_bound + std::numbers::ln2)
+      EXPECT_LE(log(norm1(off)).convert_to<double>(), log_bound + std::numbers::ln2)
           << "omega = " << omega << (shifted ? ", shifted" : "");
     }
   }
@@ -93,9 +93,9 @@ TEST_P(OnCoarseContours, TheIntegralAlongALineIsBounded) {
       ContourBound::Quotient quotient{.exponent = x.alpha - x.beta,
                                       .alpha = x.alpha,
                                       .log_size = std::log(std::abs(x.z)),
-                                      .nearest_sheet = 100.0,
+                                      .nearest_other_argument = 100.0,
                                       .roots = {}};
-      const auto roots = roots_of(x, mu, quotient.nearest_sheet);
+      const auto roots = roots_of(x, mu, quotient.nearest_other_argument);
       quotient.roots = roots;
       std::complex<double> integral = value;
       for (const auto& root : roots) {

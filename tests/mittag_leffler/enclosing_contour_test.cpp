@@ -54,7 +54,7 @@ TEST_P(EnclosingContourOf, InvertsWithinItsBound) {
       sum.add(BigComplex(node.weight * transform(x, node)), BigReal(100 * epsilon<BigReal>()));
     const BigComplex value = x.real ? BigComplex(2 * real_part<BigReal>(sum.value)) : sum.value;
     const BigReal bound = exp(BigReal(contour.log_bound(majorant(x)))),
-                  off = size_of(BigComplex(value - x.exact()));
+                  off = norm1(BigComplex(value - x.exact()));
     const BigReal unit = exp(BigReal(contour.sigma()));
     EXPECT_LE(off, 2 * (bound + sum.error)) << digits;
     EXPECT_LE(bound, unit * pow(BigReal(10), 2 - digits)) << digits;

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "laplace/contour.hpp"
-#include "prabhakar_and_matrix/free_contours.hpp"
 #include "prabhakar_and_matrix/prabhakar.hpp"
+#include "prabhakar_and_matrix/shifted_contours.hpp"
 
 namespace fde {
 namespace {
@@ -44,7 +44,7 @@ TEST_P(OnCoarseShiftedContours, WhatIsNeglectedIsBounded) {
   const auto text = [](double number) { return fmt::format("{}", number); };
   const auto exact =
       prabhakar(text(x.alpha), text(x.beta), text(x.gamma), text(x.z.real()), text(x.z.imag()), 45);
-  const FreeRoots roots(x.alpha, std::log(x.z), -most_sheet);
+  const SingularityRoots roots(x.alpha, std::log(x.z), -max_sheet);
   const FreeStrip::Factor factor = roots.factor(x.gamma);
   int bounded = 0;
   for (const ShiftedShape& shape :
@@ -57,7 +57,7 @@ TEST_P(OnCoarseShiftedContours, WhatIsNeglectedIsBounded) {
     ++bounded;
     const Precision precision(60);
     const BigComplex off = trapezoidal_sum(x, shape) - BigComplex(BigReal(exact.re), BigReal(exact.im));
-    EXPECT_LE(log(size_of(off)).convert_to<double>(), strip->log_bound + std::numbers::ln2)
+    EXPECT_LE(log(norm1(off)).convert_to<double>(), strip->log_bound + std::numbers::ln2)
         << "mu = " << shape.mu << ", omega = " << shape.omega;
   }
   EXPECT_GE(bounded, 2);

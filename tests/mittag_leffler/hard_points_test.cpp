@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "certificate/judge.hpp"
+#include "certificate/point_check.hpp"
 
 namespace fde::certificate {
 namespace {
@@ -66,7 +66,7 @@ class HardPoints : public testing::TestWithParam<Hard> {};
 TEST_P(HardPoints, AreRight) {
   for (const Point& point : GetParam().points) {
     if (point.z == 0.0) continue;  // the value is 1/Gamma(beta); Arb's integral does not apply
-    const Judgement row = judge(point, 50);
+    const PointCheck row = judge(point, 50);
     EXPECT_THAT(row.faults, testing::IsEmpty())
         << fmt::format("E_{{{},{}}}({}{:+}i)", point.alpha, point.beta, point.z.real(), point.z.imag());
   }

@@ -7,8 +7,8 @@
 
 #include "history/block_kernels.hpp"
 #include "mittag_leffler/contour_kernels.hpp"
-#include "mittag_leffler/digits.hpp"
 #include "mittag_leffler/mittag_leffler.hpp"
+#include "mittag_leffler/multiprecision.hpp"
 #include "mittag_leffler/quick.hpp"
 
 namespace fde {
@@ -56,7 +56,7 @@ std::string name_of(const Point& x) {
 // The value to 40 digits.
 Bounded<BigReal> exact_value(const Point& x) {
   const Precision precision(60);
-  return mittag_leffler_to(40, 60, [&] {
+  return mittag_leffler_multiprecision(40, 60, [&] {
     return MittagLefflerArguments{BigReal(x.alpha), BigReal(x.beta), BigComplex(x.z.real(), x.z.imag())};
   });
 }
@@ -72,14 +72,14 @@ TEST(MittagLefflerQuick, IsWithinItsBoundOnEveryVectorTarget) {
   for (const Point& x : points) {
     const auto exact = exact_value(x);
     for (const auto& target : vector_targets()) {
-      use_vector_target(target);
+      select_vector_target(target);
       const auto quick = mittag_leffler_quick(x.alpha, {x.beta, 0.0}, x.z);
       ASSERT_TRUE(quick) << name_of(x);
       EXPECT_LE(error_over_bound(exact, *quick), 1.0) << name_of(x) << " on " << target;
       EXPECT_LE(quick->error, quick_tolerance * std::abs(quick->value)) << name_of(x) << " on " << target;
     }
   }
-  use_vector_target(vector_targets().front());
+  select_vector_target(vector_targets().front());
 }
 
 TEST(MittagLefflerQuick, IsNotThereWhereThePhaseOfAPoleIsUnknown) {
@@ -133,9 +133,9 @@ struct Bracket {
   double alpha, beta, from, to;
 };
 
-class AtAZero : public testing::TestWithParam<Bracket> {};
+class NearZero : public testing::TestWithParam<Bracket> {};
 
-TEST_P(AtAZero, KeepsItsAccuracy) {
+TEST_P(NearZero, KeepsItsAccuracy) {
   auto [alpha, beta, low, high] = GetParam();
   const auto at = [a = alpha, b = beta](double z) { return mittag_leffler(a, b, z); };
   ASSERT_LT(at(low) * at(high), 0.0);
@@ -149,7 +149,7 @@ TEST_P(AtAZero, KeepsItsAccuracy) {
   EXPECT_LE(bound, 8 * 0x1p-53 * std::abs(value));
 }
 
-INSTANTIATE_TEST_SUITE_P(MittagLeffler, AtAZero,
+INSTANTIATE_TEST_SUITE_P(MittagLeffler, NearZero,
                          testing::Values(Bracket{1.5, 1.0, -2.5, -2.0}, Bracket{1.5, 1.0, -15.0, -12.0},
                                          Bracket{1.75, 1.75, -10.0, -6.0}, Bracket{2.0, 1.0, -3.0, -2.0},
                                          Bracket{1.999, 1.0, -1e4, -9.4e3}),

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "progress/work.hpp"
+#include "progress/progress.hpp"
 
 namespace fde {
 namespace {
@@ -254,7 +254,7 @@ TEST(MittagLeffler, OverflowsWithoutAContourWhereThePhaseIsKnown) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   mittag_leffler(0.5, 1.0, -1.0);  // computes the tables
   std::size_t work = 0;
-  const ListeningToWork listening([&](std::size_t, std::size_t) { ++work; });
+  const ProgressScope listening([&](std::size_t, std::size_t) { ++work; });
   EXPECT_EQ(mittag_leffler(0.05625, 1.0, {6.5e91, 1e-231}).value, Value(infinity, infinity));
   EXPECT_EQ(mittag_leffler(0.05625, 1.0, {6.5e91, 1e80}).value, Value(-infinity, -infinity));
   EXPECT_EQ(work, 0U);
@@ -319,7 +319,7 @@ TEST(MittagLeffler, TakesTheSmallestOrders) {
 // s = beta (1 + i x)^2, with s* on another sheet, to the left of it, or with a negligible e^s*.
 TEST(MittagLeffler, VanishesWithoutWorkForALargeBeta) {
   std::size_t work = 0;
-  const ListeningToWork listening([&](std::size_t, std::size_t) { ++work; });
+  const ProgressScope listening([&](std::size_t, std::size_t) { ++work; });
   for (const auto& [alpha, beta, z] : {std::tuple{0.5, 500.0, std::complex(-3.0)},
                                        {0.01, 9000.0, {0.3, 400.0}},
                                        {2.0, 200.5, {50.0, -70.0}},

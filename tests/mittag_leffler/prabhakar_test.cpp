@@ -92,7 +92,7 @@ TEST(PrabhakarOnContour, MeetsValuesFromAnIndependentSummation) {
   }
 }
 
-// mpmath 1.3, as above: beyond most_quick_derivative, and at a small z.
+// mpmath 1.3, as above: beyond max_quick_derivative, and at a small z.
 TEST(MittagLefflerDerivative, OfHighOrderMeetsAnIndependentSummation) {
   struct Row {
     int k;

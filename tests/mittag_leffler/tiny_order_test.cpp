@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "mittag_leffler/mittag_leffler.hpp"
-#include "progress/work.hpp"
+#include "progress/progress.hpp"
 
 namespace fde {
 namespace {
@@ -26,7 +26,7 @@ struct Known {
 template <class Call>
 std::size_t work_of(const Call& call) {
   std::size_t work = 0;
-  const ListeningToWork listening([&](std::size_t, std::size_t) { ++work; });
+  const ProgressScope listening([&](std::size_t, std::size_t) { ++work; });
   call();
   return work;
 }

@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-#include "diffusive/march.hpp"
+#include "diffusive/diffusive_solution.hpp"
 #include "diffusive/memory.hpp"
 #include "diffusive/stages.hpp"
 #include "mittag_leffler/mittag_leffler.hpp"
@@ -119,7 +119,7 @@ TEST_P(RateOfOrder, IsThatOfTheMethod) {
                         }};
   const auto error = [&](int steps) {
     const RadauRule rule(2);
-    DiffusiveMemory memory(problem, rule, 1e-20);
+    MemoryVariables memory(problem, rule, 1e-20);
     const StageEquations equations(problem, rule.nodes.cast<double>());
     const double length = problem.end / steps;
     Vec y = Vec::Zero(1);

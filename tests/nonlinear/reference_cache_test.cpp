@@ -18,10 +18,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // Tests must not read or write the cache of the user.
-class NoCacheOfTheUser : public testing::Environment {
+class DisabledUserCache : public testing::Environment {
   void SetUp() override { setenv("FDEBENCH_CACHE", "", 1); }
 };
-const auto* const no_cache = testing::AddGlobalTestEnvironment(new NoCacheOfTheUser);
+const auto* const no_cache = testing::AddGlobalTestEnvironment(new DisabledUserCache);
 
 // D^order y = -y^3 that counts its evaluations.
 struct Counted {

@@ -6,7 +6,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "diffusive/march.hpp"
+#include "diffusive/diffusive_solution.hpp"
 #include "nonlinear/collocation.hpp"
 #include "support/testing.hpp"
 

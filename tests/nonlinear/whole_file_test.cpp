@@ -1,5 +1,3 @@
-#include "references/whole_file.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -11,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "references/atomic_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace fde {
@@ -27,10 +26,10 @@ std::ptrdiff_t files_in(const fs::path& folder) {
   return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
 }
 
-TEST(WholeFile, ReplacesAnotherWhenItIsFinished) {
+TEST(AtomicFile, ReplacesAnotherWhenItIsFinished) {
   const TemporaryFolder folder;
   folder.write("page", "old");
-  WholeFile file(folder.path() / "page");
+  AtomicFile file(folder.path() / "page");
   file.write("new ");
   file.write("text");
   EXPECT_EQ(content(folder.path() / "page"), "old");
@@ -39,9 +38,9 @@ TEST(WholeFile, ReplacesAnotherWhenItIsFinished) {
   EXPECT_EQ(files_in(folder.path()), 1);
 }
 
-TEST(WholeFile, LeavesNothingWhereItIsNotFinished) {
+TEST(AtomicFile, LeavesNothingWhereItIsNotFinished) {
   const TemporaryFolder folder;
-  { WholeFile(folder.path() / "page").write("half a "); }
+  { AtomicFile(folder.path() / "page").write("half a "); }
   EXPECT_EQ(files_in(folder.path()), 0);
 }
 
@@ -53,7 +52,7 @@ class WholeFiles : public testing::Test {
     other_.write("other");
   }
   TemporaryFolder folder_;
-  WholeFile one_{folder_.path() / "page"}, other_{folder_.path() / "page"};
+  AtomicFile one_{folder_.path() / "page"}, other_{folder_.path() / "page"};
 };
 
 TEST_F(WholeFiles, OfOneNameAreTheLastThatIsFinished) {
@@ -63,38 +62,38 @@ TEST_F(WholeFiles, OfOneNameAreTheLastThatIsFinished) {
 }
 
 TEST_F(WholeFiles, ThatMustBeNewAreTheFirstThatIsFinished) {
-  one_.finish_new();
-  EXPECT_THROW(other_.finish_new(), std::invalid_argument);
+  one_.commit_new();
+  EXPECT_THROW(other_.commit_new(), std::invalid_argument);
   EXPECT_EQ(content(folder_.path() / "page"), "one");
 }
 
 // 2147483647 is not the id of a running process.
-TEST(WholeFile, RemovesWhatAKilledWriterHasLeft) {
+TEST(AtomicFile, RemovesWhatAKilledWriterHasLeft) {
   const TemporaryFolder folder;
   folder.write("page.2147483647.0.tmp", "half a ");
   folder.write("page.not.tmp", "another's");
-  WholeFile(folder.path() / "page").finish();
+  AtomicFile(folder.path() / "page").finish();
   EXPECT_EQ(files_in(folder.path()), 2);
   EXPECT_EQ(content(folder.path() / "page.not.tmp"), "another's");
 }
 
-TEST(WholeFile, NamesThePathThatCannotBeWritten) {
+TEST(AtomicFile, NamesThePathThatCannotBeWritten) {
   const TemporaryFolder folder;
   const auto missing = folder.path() / "missing" / "page";
-  EXPECT_THAT([&] { WholeFile{missing}; },
+  EXPECT_THAT([&] { AtomicFile{missing}; },
               testing::ThrowsMessage<std::invalid_argument>(
                   missing.string() + ": cannot be written: No such file or directory"));
-  EXPECT_THROW(WholeFile{folder.path()}, std::invalid_argument) << "a folder is not replaced";
+  EXPECT_THROW(AtomicFile{folder.path()}, std::invalid_argument) << "a folder is not replaced";
 }
 
-TEST(WholeFile, ReplacesTheTargetOfALinkAndTakesItsPermissions) {
+TEST(AtomicFile, ReplacesTheTargetOfALinkAndTakesItsPermissions) {
   const TemporaryFolder folder;
   const auto target = folder.path() / "target", link = folder.path() / "link";
   folder.write("target", "old");
   const auto mine = fs::perms::owner_read | fs::perms::owner_write;
   fs::permissions(target, mine);
   fs::create_symlink(target, link);
-  WholeFile file(link);
+  AtomicFile file(link);
   file.write("new");
   file.finish();
   EXPECT_TRUE(fs::is_symlink(link));
@@ -103,13 +102,13 @@ TEST(WholeFile, ReplacesTheTargetOfALinkAndTakesItsPermissions) {
 }
 
 // The reader starts before the writer: opening a pipe blocks until the other end is open.
-TEST(WholeFile, IsWrittenIntoAPipe) {
+TEST(AtomicFile, IsWrittenIntoAPipe) {
   const TemporaryFolder folder;
   const auto pipe = folder.path() / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR), 0);
   auto read = std::async(std::launch::async, [&] { return content(pipe); });
   {
-    WholeFile file(pipe);
+    AtomicFile file(pipe);
     file.write("text");
     file.finish();
   }

@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-#include "reference_data/written_number.hpp"
+#include "reference_data/decimal_precision.hpp"
 #include "references/checksum.hpp"
 
 namespace fde {
@@ -71,33 +71,34 @@ INSTANTIATE_TEST_SUITE_P(
                     Malformed{"t,y,t\n", "a.csv: line 1: column t stands there twice"},
                     Malformed{"t,y\n0,\"1\n", "a.csv: line 2: a quoted cell has no end"}));
 
-struct Written {
+struct WrittenNumberCase {
   const char* text;
   int digits, first_place, last_place;
 };
 
-class Number : public testing::TestWithParam<Written> {};
+class Number : public testing::TestWithParam<WrittenNumberCase> {};
 
 TEST_P(Number, SaysHowPreciselyItIsWritten) {
   const auto [text, digits, first, last] = GetParam();
-  const auto number = read_written(text);
+  const auto number = decimal_precision(text);
   ASSERT_TRUE(number) << text;
   EXPECT_EQ(number->digits, digits) << text;
   EXPECT_EQ(number->first_place, first) << text;
   EXPECT_EQ(number->last_place, last) << text;
 }
 
-INSTANTIATE_TEST_SUITE_P(WrittenNumbers, Number,
-                         testing::Values(Written{"12.50", 4, 1, -2}, Written{"-0.00120", 3, -3, -5},
-                                         Written{"+1e-9", 1, -9, -9}, Written{"1.25E+3", 3, 3, 1},
-                                         Written{"100", 3, 2, 0}, Written{".5", 1, -1, -1},
-                                         Written{"5.", 1, 0, 0}, Written{"0", 0, 0, 0},
-                                         Written{"0.000", 0, -3, -3}, Written{"0e5", 0, 5, 5}));
+INSTANTIATE_TEST_SUITE_P(
+    WrittenNumbers, Number,
+    testing::Values(WrittenNumberCase{"12.50", 4, 1, -2}, WrittenNumberCase{"-0.00120", 3, -3, -5},
+                    WrittenNumberCase{"+1e-9", 1, -9, -9}, WrittenNumberCase{"1.25E+3", 3, 3, 1},
+                    WrittenNumberCase{"100", 3, 2, 0}, WrittenNumberCase{".5", 1, -1, -1},
+                    WrittenNumberCase{"5.", 1, 0, 0}, WrittenNumberCase{"0", 0, 0, 0},
+                    WrittenNumberCase{"0.000", 0, -3, -3}, WrittenNumberCase{"0e5", 0, 5, 5}));
 
 TEST(WrittenNumbers, NothingElseIsANumber) {
   for (const auto* text : {"", "-", ".", "1e", "1e+", "nan", "inf", "1.2.3", "1,5", "0x1p3", "1 2", "--1",
                            "1e9999999", "1e2.5", "1d5"})
-    EXPECT_FALSE(read_written(text)) << text;
+    EXPECT_FALSE(decimal_precision(text)) << text;
 }
 
 // FIPS 180-4: the one-block example, and the empty message.

@@ -16,11 +16,11 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-std::vector<TableVerdict> check(const TemporaryFolder& folder) {
+std::vector<TableCheck> check(const TemporaryFolder& folder) {
   return check_folder(folder.path(), 1, [](std::size_t, std::size_t, const std::string&) {}).tables;
 }
 
-TableVerdict verdict_of(const std::string& file, const std::string& text) {
+TableCheck verdict_of(const std::string& file, const std::string& text) {
   const TemporaryFolder folder;
   folder.write(file, text);
   return check(folder).at(0);
@@ -93,7 +93,7 @@ TEST(ReferenceCheck, ABoundThatSaysNothingMakesItsRowWrong) {
   EXPECT_EQ(verdict.wrong, 1U);
   EXPECT_EQ(verdict.worst_line, 2U);
   EXPECT_THAT(verdict.worst.failure, HasSubstr("a bound of 1e999 says nothing of a value"));
-  EXPECT_THROW(verdict_of("e.csv", "alpha,beta,re_z,re,bound\n1,1,1,7,inf\n"), BadTable);
+  EXPECT_THROW(verdict_of("e.csv", "alpha,beta,re_z,re,bound\n1,1,1,7,inf\n"), InvalidTable);
 }
 
 // The double nearest to e, as %.17g and as the shortest text that rounds to it, in a column of 17 digits; and
@@ -125,7 +125,7 @@ TEST(ReferenceCheck, ANonlinearTrajectoryIsRecomputed) {
 
 TEST(ReferenceCheck, AConvergenceTableIsRecomputed) {
   const Scene scene = scene_of("relaxation");
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   const auto rows = examine({}, scene, reference, *find_scheme("l1"), {64});
   const double error = std::ranges::find(rows, "error_end", &Record::quantity)->value;
   const auto table = [](double e) { return fmt::format("scheme,steps,error_end\nl1,64,{:.7g}\n", e); };

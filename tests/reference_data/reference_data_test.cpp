@@ -9,7 +9,7 @@
 #include <set>
 
 #include "reference_data/data_table.hpp"
-#include "reference_data/some_tables.hpp"
+#include "reference_data/example_tables.hpp"
 #include "reference_data/tables/mittag_leffler_points.hpp"
 #include "references/checksum.hpp"
 #include "scenes/registry.hpp"
@@ -27,16 +27,16 @@ TEST(ReferenceData, HasATableOfEveryKindAndScene) {
   const auto tables = planned_tables(all);
   EXPECT_EQ(tables.size(), 1 + 2 * scenes().size() - 1);  // no trajectories of fractional_diffusion
   EXPECT_EQ(tables[0].stem(), "mittag_leffler");
-  EXPECT_EQ(some_tables().at(1).stem(), "trajectories/relaxation,gamma=0.2");
+  EXPECT_EQ(example_tables().at(1).stem(), "trajectories/relaxation,gamma=0.2");
 }
 
 TEST(ReferenceData, IsTheSameBytesEachTime) {
-  const auto again = make_files(some_tables(), [](std::size_t, std::size_t, const std::string&) {});
-  EXPECT_EQ(again, some_files());
+  const auto again = compute_files(example_tables(), [](std::size_t, std::size_t, const std::string&) {});
+  EXPECT_EQ(again, example_files());
 }
 
 TEST(ReferenceData, IsDescribed) {
-  const auto json = nlohmann::json::parse(some_files().at("trajectories/relaxation,gamma=0.2.json"));
+  const auto json = nlohmann::json::parse(example_files().at("trajectories/relaxation,gamma=0.2.json"));
   EXPECT_EQ(json["schema"]["id"], "fdebench.trajectory");
   EXPECT_EQ(json["schema"]["columns"][1]["name"], "y");
   EXPECT_EQ(json["parameters"]["gamma"], 0.2);
@@ -44,17 +44,19 @@ TEST(ReferenceData, IsDescribed) {
   EXPECT_EQ(json["digits"], 50);
   for (const auto* field : {"bound", "method", "source"}) EXPECT_NE(json[field], "") << field;
   EXPECT_EQ(json["generator"]["version"], this_session().version);
-  const auto& csv = some_files().at("trajectories/relaxation,gamma=0.2.csv");
+  const auto& csv = example_files().at("trajectories/relaxation,gamma=0.2.csv");
   EXPECT_EQ(json["rows"], std::ranges::count(csv, '\n') - 1);
   EXPECT_EQ(json["sha256"], sha256(csv));
-  EXPECT_EQ(nlohmann::json::parse(some_files().at("index.json"))["tables"].size(), some_tables().size());
-  EXPECT_THAT(some_files().at("SHA256SUMS"),
+  EXPECT_EQ(nlohmann::json::parse(example_files().at("index.json"))["tables"].size(),
+            example_tables().size());
+  EXPECT_THAT(example_files().at("SHA256SUMS"),
               HasSubstr(sha256(csv) + "  trajectories/relaxation,gamma=0.2.csv\n"));
 }
 
 // t^2 at t = 12 is exactly 144.
 TEST(ReferenceData, HasFiftyDigits) {
-  EXPECT_THAT(some_files().at("trajectories/power.csv"), HasSubstr("\n12,144." + std::string(47, '0') + ","));
+  EXPECT_THAT(example_files().at("trajectories/power.csv"),
+              HasSubstr("\n12,144." + std::string(47, '0') + ","));
 }
 
 // The examples on the page are the files that ctest runs.

@@ -12,8 +12,8 @@
 #include <stdexcept>
 
 #include "reference_data/data_table.hpp"
-#include "reference_data/some_tables.hpp"
-#include "support/answer_of.hpp"
+#include "reference_data/example_tables.hpp"
+#include "support/command_output.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
@@ -27,7 +27,7 @@ using testing::IsEmpty;
 using testing::StartsWith;
 using testing::ThrowsMessage;
 
-Answer check(const fs::path& folder) { return fdebench({"reference", "--check", folder.string()}); }
+CommandOutput check(const fs::path& folder) { return fdebench({"reference", "--check", folder.string()}); }
 
 void change(const fs::path& file, const std::string& from, const std::string& to) {
   std::string text = read_file(file);
@@ -48,14 +48,14 @@ std::string recomputed() {
   return fmt::format("\n4 tables, {} rows recomputed: ", tables * (times + steps * row_schemes().size()));
 }
 
-class Written : public testing::Test {
+class ReferenceFolderTest : public testing::Test {
  protected:
-  void SetUp() override { replace_folder(data_, some_files()); }
+  void SetUp() override { replace_folder(data_, example_files()); }
   TemporaryFolder folder_;
   fs::path data_ = folder_.path() / "new" / "data";
 };
 
-TEST_F(Written, PassesItsOwnCheck) {
+TEST_F(ReferenceFolderTest, PassesItsOwnCheck) {
   const auto answer = check(data_);
   EXPECT_EQ(answer.code, 0) << answer.err;
   EXPECT_EQ(answer.err, "");
@@ -65,7 +65,7 @@ TEST_F(Written, PassesItsOwnCheck) {
 }
 
 // The parameters of a table without a description are a guess; the check only reports that it is not wrong.
-TEST_F(Written, ATableWithoutItsJsonIsNotSaidToHold) {
+TEST_F(ReferenceFolderTest, ATableWithoutItsJsonIsNotSaidToHold) {
   for (const auto* name : {"index.json", "SHA256SUMS", "trajectories/power.json"}) fs::remove(data_ / name);
   const auto answer = check(data_);
   EXPECT_EQ(answer.code, 0) << answer.err;
@@ -75,7 +75,7 @@ TEST_F(Written, ATableWithoutItsJsonIsNotSaidToHold) {
                     testing::Not(HasSubstr("hold"))));
 }
 
-TEST_F(Written, AWrongDigitIsFoundAndItsRowNamed) {
+TEST_F(ReferenceFolderTest, AWrongDigitIsFoundAndItsRowNamed) {
   change(data_ / "trajectories/power.csv", "\n12,144.", "\n12,145.");
   const auto answer = check(data_);
   EXPECT_EQ(answer.code, 3);
@@ -87,9 +87,9 @@ TEST_F(Written, AWrongDigitIsFoundAndItsRowNamed) {
                          "error 1.00e+00, allowed "));
 }
 
-TEST_F(Written, AChangeThatLeavesTheNumbersRightIsToldByItsChecksum) {
+TEST_F(ReferenceFolderTest, AChangeThatLeavesTheNumbersRightIsToldByItsChecksum) {
   for (const auto* name : {"convergence/power.json", "index.json"}) {
-    replace_folder(data_, some_files());
+    replace_folder(data_, example_files());
     change(data_ / name, R"("commit": ")", R"("commit": "my)");
     const auto answer = check(data_);
     EXPECT_EQ(answer.code, 2);
@@ -98,7 +98,7 @@ TEST_F(Written, AChangeThatLeavesTheNumbersRightIsToldByItsChecksum) {
 }
 
 // A CSV and its JSON without the rest of the folder.
-TEST_F(Written, TheChecksumOfADescriptionCountsToo) {
+TEST_F(ReferenceFolderTest, TheChecksumOfADescriptionCountsToo) {
   fs::remove(data_ / "SHA256SUMS");
   change(data_ / "trajectories/power.csv", "\n12,144.", "\n12,+144.");
   const auto answer = check(data_);
@@ -106,33 +106,33 @@ TEST_F(Written, TheChecksumOfADescriptionCountsToo) {
   EXPECT_EQ(answer.err, "fdebench: trajectories/power.csv: all rows hold, but its checksum differs\n");
 }
 
-TEST_F(Written, AMissingFileIsNamed) {
+TEST_F(ReferenceFolderTest, AMissingFileIsNamed) {
   fs::remove(data_ / "convergence/power.csv");
   const auto answer = check(data_);
   EXPECT_EQ(answer.code, 2);
   EXPECT_THAT(answer.err, HasSubstr("convergence/power.csv: cannot be read: No such file"));
 }
 
-TEST_F(Written, IsReplacedByNewTablesAndLeavesNothingElse) {
+TEST_F(ReferenceFolderTest, IsReplacedByNewTablesAndLeavesNothingElse) {
   change(data_ / "index.json", "fdebench", "other");
-  require_replaceable(data_, some_tables());
-  replace_folder(fs::path(data_.string() + "/"), some_files());
-  EXPECT_EQ(read_file(data_ / "index.json"), some_files().at("index.json"));
+  require_replaceable(data_, example_tables());
+  replace_folder(fs::path(data_.string() + "/"), example_files());
+  EXPECT_EQ(read_file(data_ / "index.json"), example_files().at("index.json"));
   EXPECT_EQ(names_in(data_.parent_path()), std::set<std::string>{"data"});
 }
 
 // Without files no new folder is written: the last rename fails.
-TEST_F(Written, IsThereAgainWhereItCannotBeReplaced) {
+TEST_F(ReferenceFolderTest, IsThereAgainWhereItCannotBeReplaced) {
   EXPECT_THAT([&] { replace_folder(data_, {}); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("data: cannot be written: No such file")));
-  for (const auto& [name, text] : some_files()) EXPECT_EQ(read_file(data_ / name), text);
+  for (const auto& [name, text] : example_files()) EXPECT_EQ(read_file(data_ / name), text);
   EXPECT_EQ(names_in(data_.parent_path()), std::set<std::string>{"data"});
 }
 
-TEST_F(Written, AFolderWithOtherFilesIsRefusedAndKept) {
+TEST_F(ReferenceFolderTest, AFolderWithOtherFilesIsRefusedAndKept) {
   std::ofstream(data_ / "thesis.tex") << "years";
   EXPECT_THAT(
-      [&] { require_replaceable(data_, some_tables()); },
+      [&] { require_replaceable(data_, example_tables()); },
       ThrowsMessage<std::invalid_argument>(HasSubstr("cannot be written: holds thesis.tex, which is not")));
   std::ostringstream out, err;
   EXPECT_EQ(run_fdebench({"reference", "--out", data_.string()}, {.out = out, .err = err}), 2);
@@ -143,7 +143,7 @@ TEST(ReferenceFolder, IsNoFile) {
   const TemporaryFolder folder;
   folder.write("data", "");
   for (const auto* path : {"data", "data/below"}) {
-    EXPECT_THAT([&] { require_replaceable(folder.path() / path, some_tables()); },
+    EXPECT_THAT([&] { require_replaceable(folder.path() / path, example_tables()); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("cannot be written: ")))
         << path;
   }
@@ -152,7 +152,7 @@ TEST(ReferenceFolder, IsNoFile) {
 // A name too long for the file system makes the writing fail halfway.
 TEST(ReferenceFolder, AFailureLeavesNothingBehind) {
   const TemporaryFolder folder;
-  auto files = some_files();
+  auto files = example_files();
   files["z/" + std::string(300, 'z')] = "";
   EXPECT_THAT([&] { replace_folder(folder.path() / "data", files); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("data: cannot be written: File name too long")));

@@ -1,7 +1,5 @@
 // Bounds as texts of two digits: never below the number, and compared beyond the range of double.
 
-#include "references/written_bound.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "references/decimal_bound.hpp"
 
 namespace fde {
 namespace {
@@ -27,10 +27,10 @@ TEST(WrittenBound, IsNeverBelowTheNumberAndAtMostTwelvePercentAbove) {
 
 // 0.1 is written as 0.10000000000000001, which differs from the double by 0.45e-17.
 TEST(BoundOfText, HoldsForTheDecimal) {
-  EXPECT_GE(bound_of_text(0.1, 0.0), 0.44e-17);
-  EXPECT_LE(bound_of_text(0.1, 0.0), 0.46e-17);
-  EXPECT_EQ(bound_of_text(0.5, 0.25), 0.25);
-  EXPECT_EQ(bound_of_text(std::numeric_limits<double>::infinity(), 1.0), 1.0);
+  EXPECT_GE(bound_of_decimal(0.1, 0.0), 0.44e-17);
+  EXPECT_LE(bound_of_decimal(0.1, 0.0), 0.46e-17);
+  EXPECT_EQ(bound_of_decimal(0.5, 0.25), 0.25);
+  EXPECT_EQ(bound_of_decimal(std::numeric_limits<double>::infinity(), 1.0), 1.0);
 }
 
 TEST(FiniteBound, IsANumberOfAnySize) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
 #include "support/testing.hpp"
 
 namespace fde {

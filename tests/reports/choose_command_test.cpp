@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "observers/watched_steps.hpp"
-#include "records/setup.hpp"
-#include "references/watched_reference.hpp"
-#include "support/answer_of_words.hpp"
+#include "observers/comparison_steps.hpp"
+#include "records/run_settings.hpp"
+#include "references/memoized_reference.hpp"
+#include "support/command_line_result.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -59,11 +59,12 @@ TEST(Choose, CountsTheColumnsThatAreNamed) {
   Scene scene = scene_of("pendulum");
   scene.problem.end = 2.0;
   const double asked = chosen["asked"];
-  const auto path = find_scheme(chosen["scheme"].get<std::string>())
-                        ->solve(scene.problem, Accuracy{asked, asked}, {.at = watched_times(scene.problem)});
+  const auto path =
+      find_scheme(chosen["scheme"].get<std::string>())
+          ->solve(scene.problem, Tolerance{asked, asked}, {.at = comparison_times(scene.problem)});
   EXPECT_EQ(path.steps, chosen["steps"]);
   EXPECT_TRUE(chosen["grid"].is_null());
-  const Rows errors = columns_of(scene.outputs, path) - WatchedReference(scene).at(path.times);
+  const Rows errors = columns_of(scene.outputs, path) - MemoizedReference(scene).at(path.times);
   const double largest = errors.row(0).cwiseAbs().maxCoeff();
   EXPECT_LE(largest, 1e-4);
   EXPECT_NEAR(chosen["error"], largest, 1e-3 * largest);

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
 
 namespace fde {
 namespace {

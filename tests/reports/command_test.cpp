@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "records/results_file.hpp"
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 

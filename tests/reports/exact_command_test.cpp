@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
 
 namespace fde {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "scenes/number_text.hpp"
-#include "support/answer_of.hpp"
+#include "support/command_output.hpp"
 
 namespace fde {
 namespace {
@@ -16,7 +16,7 @@ double value_of(const std::string& text, const std::string& beginning) {
   const auto at = text.find("\n" + beginning + ",");
   if (at == std::string::npos) return std::nan("");
   const auto from = at + beginning.size() + 2;
-  return *number_in(text.substr(from, text.find('\n', from) - from));
+  return *try_parse_number(text.substr(from, text.find('\n', from) - from));
 }
 
 // On the unit sphere Gamma^theta_phi,phi = -sin cos and Gamma^phi_theta,phi = cot.
@@ -56,8 +56,8 @@ TEST(GeometryCommand, RefusesVelocitiesThatViolateTheConstraint) {
   ASSERT_NE(at, std::string::npos) << answer.err;
   const auto nearest = answer.err.substr(at + allowed.size(), answer.err.find('\n') - at - allowed.size());
   const double theta = (0.3 + 0.2 * std::sin(0.5)) / 2;
-  EXPECT_NEAR(*number_in(nearest.substr(0, nearest.find(','))), theta, 1e-15);
-  EXPECT_NEAR(*number_in(nearest.substr(nearest.find(',') + 1)), theta / std::sin(0.5), 1e-15);
+  EXPECT_NEAR(*try_parse_number(nearest.substr(0, nearest.find(','))), theta, 1e-15);
+  EXPECT_NEAR(*try_parse_number(nearest.substr(nearest.find(',') + 1)), theta / std::sin(0.5), 1e-15);
   EXPECT_EQ(
       fdebench({"geometry", "loxodrome", "--set", "k=1", "--place", "0.5,0", "--velocity", nearest}).code, 0);
 }

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "records/results_file.hpp"
-#include "support/answer_of.hpp"
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
+#include "support/command_output.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
@@ -25,8 +25,8 @@ using testing::HasSubstr;
 
 class Judging : public testing::Test {
  protected:
-  [[nodiscard]] Answer judge(const std::string& csv, std::vector<std::string> more = {},
-                             const std::string& scene = "power:p=2") const {
+  [[nodiscard]] CommandOutput judge(const std::string& csv, std::vector<std::string> more = {},
+                                    const std::string& scene = "power:p=2") const {
     folder_.write("path.csv", csv);
     std::vector<std::string> words{"judge", scene, file_};
     words.insert(words.end(), more.begin(), more.end());
@@ -44,7 +44,7 @@ class Judging : public testing::Test {
   }
 
   // The number printed after a name.
-  static double number(const Answer& answer, const std::string& name) {
+  static double number(const CommandOutput& answer, const std::string& name) {
     const auto at = ("\n" + answer.out).find("\n" + name + " ");
     EXPECT_NE(at, std::string::npos) << answer.out << answer.err;
     return at == std::string::npos ? std::nan("") : std::stod(answer.out.substr(at + name.size()));
@@ -159,7 +159,7 @@ TEST_F(Judging, EndsWhereAValueIsNotFinite) {
     EXPECT_EQ(answer.out, "scene power:p=2\nrows 3\nending not finite at t = 0.5\n");
   }
   const auto row = read_results(results_).records.back();
-  EXPECT_EQ(row.ending->kind, Ending::not_finite);
+  EXPECT_EQ(row.ending->kind, Ending::non_finite);
   EXPECT_EQ(row.value, 0.5);
 }
 

@@ -17,7 +17,7 @@
 #include "command/command.hpp"
 #include "records/results_file.hpp"
 #include "scenes/variant.hpp"
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
@@ -105,7 +105,7 @@ TEST(Lists, GiveManyColumnsAsAPattern) {
 }
 
 // D^g y = -k y or + k y, a scene defined at run time.
-SceneMaker decay() {
+SceneFactory decay() {
   return {.id = "decay",
           .title = "Made at run time",
           .source = "here",
@@ -125,7 +125,7 @@ TEST(ScenesMadeAtRunTime, NeedNoSmoothness) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "r.jsonl").string();
   Scenes mine;
-  SceneMaker bare = decay(), wrong = decay();
+  SceneFactory bare = decay(), wrong = decay();
   bare.make = [](const Parameters& p) {
     Scene scene = decay().make(p);
     scene.smoothness = {};
@@ -176,7 +176,7 @@ TEST(ScenesMadeAtRunTime, AreListedSolvedAndKnown) {
 
 TEST(ScenesMadeAtRunTime, HaveIdsOfTheirOwn) {
   Scenes mine;
-  const SceneMaker& first = mine.add(decay());
+  const SceneFactory& first = mine.add(decay());
   expect_message([&] { mine.add(decay()); }, "id = decay: must be that of no other scene");
   auto named = decay();
   named.id = "decay:2";

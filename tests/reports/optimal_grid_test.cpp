@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
 #include "support/testing.hpp"
 #include "sweep/default_sweep.hpp"
 #include "sweep/sweep.hpp"

@@ -6,7 +6,7 @@
 namespace fde {
 
 // The text of a cell: the cell is a string, or an object whose text defaults to the label of its line.
-inline std::string text_of(const nlohmann::json& cell) {
+inline std::string to_text(const nlohmann::json& cell) {
   if (cell.is_string()) return cell;
   return cell.contains("text") ? cell["text"] : cell["line"];
 }

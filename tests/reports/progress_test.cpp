@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 const Progress quarter{
-    .part = 0.25, .done = 530, .total = 2120, .seconds_left = 151.0, .at_hand = "pendulum l1 N = 64"};
+    .part = 0.25, .done = 530, .total = 2120, .seconds_left = 151.0, .current_run = "pendulum l1 N = 64"};
 
 TEST(ProgressTexts, FillATerminalOfEightyColumns) {
   const auto text = progress_text(quarter, 80);
@@ -24,7 +24,7 @@ TEST(ProgressTexts, FillATerminalOfEightyColumns) {
 
 TEST(ProgressTexts, AreShorterThanAnyTerminal) {
   Progress longest = quarter;
-  longest.at_hand = std::string(200, 'x');
+  longest.current_run = std::string(200, 'x');
   for (const int columns : {1, 10, 40, 59, 60, 80, 200}) {
     EXPECT_LT(progress_text(longest, columns).size(), static_cast<std::size_t>(columns)) << columns;
   }

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/made_results.hpp"
+#include "reports/synthetic_results.hpp"
 
 namespace fde {
 namespace {
@@ -64,7 +64,7 @@ TEST(Options, CountARunMeasuredAgainWithItsLastSession) {
 
 TEST(Options, AreNoRunsThatZeroWouldMatch) {
   Results results = empty_results();
-  const MadeRun run{"pendulum", "l1", 64};
+  const SyntheticRun run{"pendulum", "l1", 64};
   add_row(results, run, "trivial_end", 5e-4);
   add_run(results, run, 1e-3, 1.0);
   EXPECT_TRUE(within(results, 1e-2).empty());
@@ -95,7 +95,7 @@ TEST(Shortfall, NamesTheBestErrorAndTheStepsThatAreNeeded) {
 // A run that is examined but not timed is no option; it is counted as untimed.
 TEST(Shortfall, CountsRunsThatAreNotTimedYet) {
   Results results = empty_results();
-  const MadeRun run{"pendulum", "l1", 64};
+  const SyntheticRun run{"pendulum", "l1", 64};
   add_row(results, run, "error_end", 1e-5);
   add_ending(results, run, end_time);
   EXPECT_TRUE(within(results, 1e-3).empty());
@@ -111,7 +111,7 @@ TEST(Options, OfOneAlgorithmAreOneWithSeveralNames) {
   for (const auto* scheme : {"adams_pc", "decoupled_multi_order"}) {
     for (const int steps : {8, 16, 32, 64, 128, 256}) {
       if (steps == 256 && std::string_view(scheme) == "decoupled_multi_order") continue;
-      const MadeRun run{"pendulum", scheme, steps};
+      const SyntheticRun run{"pendulum", scheme, steps};
       add_row(results, run, "error_maximum", 1.0 / steps);
       add_run(results, run, 1.0 / steps, 1e-6 * steps);
     }
@@ -127,7 +127,7 @@ TEST(Options, OfOneAlgorithmAreOneWithSeveralNames) {
   EXPECT_GE(missed->steps_needed->low, 257.0);
 }
 
-Option option(const std::string& scheme, int steps, const TimeSpread& time) {
+Option option(const std::string& scheme, int steps, const MedianInterval& time) {
   return {.schemes = {scheme}, .setup = {.resolution = steps}, .steps = steps, .error = 1e-7, .time = time};
 }
 
@@ -152,13 +152,13 @@ TEST(Recommendation, TellsWhatIsWithinNoise) {
   EXPECT_EQ(json["steps"], 512);
   EXPECT_DOUBLE_EQ(json["factor"], 1.2);
   EXPECT_EQ(json["command"], "fdebench solve pendulum --scheme l1 --steps 512");
-  EXPECT_THAT(text_of(made), HasSubstr("within noise of adams_pc\n"));
-  EXPECT_THAT(text_of(made), HasSubstr("2 times more steps"));
+  EXPECT_THAT(to_text(made), HasSubstr("within noise of adams_pc\n"));
+  EXPECT_THAT(to_text(made), HasSubstr("2 times more steps"));
 }
 
 TEST(Recommendation, SaysWhatToAskASchemeWithoutAGridFor) {
   Option asked = option("spectral_collocation", 12, {1.0, 1.0, 1.0});
-  asked.setup.resolution = Accuracy{.relative = 1e-7, .absolute = 1e-7};
+  asked.setup.resolution = Tolerance{.relative = 1e-7, .absolute = 1e-7};
   const auto json = nlohmann::json::parse(
       json_of({.scene = {"pendulum"}, .kind = at_end, .accuracy = 1e-6, .options = {asked}}));
   EXPECT_TRUE(json["grid"].is_null()) << json["grid"];

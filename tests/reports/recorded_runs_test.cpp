@@ -23,14 +23,14 @@ class RecordedRuns : public testing::Test {
                     : quantity == "ending"        ? "t"
                                                   : ""};
   }
-  static std::vector<Record> examination(const RunEnding& how = {}, double error = 0.1) {
+  static std::vector<Record> examination(const RunOutcome& how = {}, double error = 0.1) {
     Record ending = row("ending", 1.0);
     ending.ending = how;
     return {row("error_end", error), ending};
   }
   static std::vector<Record> times() { return {row("time_minimum", 0.5), row("time_median", 0.6)}; }
 
-  [[nodiscard]] Recorded recorded() const { return ResultsFile(file_).recorded(key()).amount(); }
+  [[nodiscard]] RecordedAmount recorded() const { return ResultsFile(file_).recorded(key()).amount(); }
   [[nodiscard]] std::string text() const {
     std::ostringstream all;
     all << std::ifstream(file_).rdbuf();
@@ -52,24 +52,24 @@ class RecordedRuns : public testing::Test {
 };
 
 TEST_F(RecordedRuns, HaveNothingThenAllButTimesThenEverything) {
-  EXPECT_EQ(recorded(), Recorded::nothing);
+  EXPECT_EQ(recorded(), RecordedAmount::nothing);
   ResultsFile(file_).append(examination());
-  EXPECT_EQ(recorded(), Recorded::all_but_times);
+  EXPECT_EQ(recorded(), RecordedAmount::all_but_times);
   ResultsFile(file_).append(times());
-  EXPECT_EQ(recorded(), Recorded::everything);
+  EXPECT_EQ(recorded(), RecordedAmount::everything);
 }
 
 TEST_F(RecordedRuns, ThatDidNotFinishHaveNoTimes) {
   ResultsFile(file_).append(examination({Ending::refused, "no"}));
-  EXPECT_EQ(recorded(), Recorded::everything);
+  EXPECT_EQ(recorded(), RecordedAmount::everything);
 }
 
 // A continued sweep examines such a run, so that the file becomes complete.
 TEST_F(RecordedRuns, WithTimesAloneAreNotRecorded) {
   ResultsFile(file_).append(times());
-  EXPECT_EQ(recorded(), Recorded::nothing);
+  EXPECT_EQ(recorded(), RecordedAmount::nothing);
   ResultsFile(file_).append(examination());
-  EXPECT_EQ(recorded(), Recorded::all_but_times);
+  EXPECT_EQ(recorded(), RecordedAmount::all_but_times);
 }
 
 // A killed sweep leaves a prefix of the file: the rows of complete writes are kept.
@@ -85,9 +85,9 @@ TEST_F(RecordedRuns, OfAFileCutAnywhereAreThoseOfItsWholeWrites) {
     write(whole.substr(0, length));
     const std::size_t kept = length < examined ? 0 : length < whole.size() ? 2 : 4;
     EXPECT_EQ(read_results(file_).records.size(), kept) << length;
-    EXPECT_EQ(recorded(), kept == 0   ? Recorded::nothing
-                          : kept == 2 ? Recorded::all_but_times
-                                      : Recorded::everything)
+    EXPECT_EQ(recorded(), kept == 0   ? RecordedAmount::nothing
+                          : kept == 2 ? RecordedAmount::all_but_times
+                                      : RecordedAmount::everything)
         << length;
   }
 }
@@ -111,7 +111,7 @@ TEST_F(RecordedRuns, TimesOfAnotherBuildDoNotJoin) {
   ASSERT_EQ(runs.finished.size(), 1U);
   EXPECT_EQ(runs.finished[0]["time_minimum"], std::nullopt);
   EXPECT_EQ(runs.failed.size(), 0U);
-  EXPECT_EQ(recorded(), Recorded::all_but_times);
+  EXPECT_EQ(recorded(), RecordedAmount::all_but_times);
 }
 
 TEST_F(RecordedRuns, ALaterExaminationReplacesTheEarlierWithItsTimes) {

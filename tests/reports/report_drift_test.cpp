@@ -25,7 +25,7 @@ constexpr double end_time = 8.0;
 struct Line {
   SceneSettings scene;
   double internal, independent, rate, seconds_a_step;
-  RunEnding ending{};
+  RunOutcome ending{};
   int finest = 512;
 };
 
@@ -45,7 +45,7 @@ void add_line(Results& results, const Line& line) {
       add("drift_independent", line.independent * fallen);
       add("drift_independent_growth", 1.25);
     }
-    if (line.ending == RunEnding{}) {
+    if (line.ending == RunOutcome{}) {
       add("error_end", 0.01 * h);
       add("time_minimum", line.seconds_a_step * steps);
     }
@@ -83,7 +83,7 @@ std::vector<std::string> column(const nlohmann::json& section, const std::string
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (columns[c]["text"] != text || columns[c].value("over", "") != over) continue;
     for (const auto& group : section["table"]["groups"]) {
-      for (const auto& row : group["rows"]) cells.push_back(text_of(row[c]));
+      for (const auto& row : group["rows"]) cells.push_back(to_text(row[c]));
     }
   }
   return cells;
@@ -164,7 +164,7 @@ TEST(DriftSection, IsThereOnlyWithDrift) {
   results.records.push_back({.key = {.scene = {"pendulum"}, .scheme = "l1", .setup = {64}},
                              .steps = 64,
                              .quantity = "ending",
-                             .ending = RunEnding{}});
+                             .ending = RunOutcome{}});
   EXPECT_TRUE(section_of(results).is_null());
 }
 

@@ -14,7 +14,7 @@ using testing::ElementsAre;
 
 // Adds a run of a scene: its ending and, if it finished, its error and time.
 void add_run(Results& results, const SceneSettings& scene, const std::string& scheme, int steps,
-             const RunEnding& ending, double error) {
+             const RunOutcome& ending, double error) {
   const Record row{.key = {.scene = scene, .scheme = scheme, .setup = {.resolution = steps}},
                    .steps = steps,
                    .h = 1.0 / steps};
@@ -24,7 +24,7 @@ void add_run(Results& results, const SceneSettings& scene, const std::string& sc
     results.records.back().value = value;
     return results.records.back();
   };
-  const bool finished = ending == RunEnding{};
+  const bool finished = ending == RunOutcome{};
   if (finished) {
     add("error_end", error);
     add("error_relative", error);
@@ -35,14 +35,14 @@ void add_run(Results& results, const SceneSettings& scene, const std::string& sc
 
 std::vector<std::string> texts(const nlohmann::json& row) {
   std::vector<std::string> all;
-  for (const auto& cell : row) all.push_back(text_of(cell));
+  for (const auto& cell : row) all.push_back(to_text(cell));
   return all;
 }
 
 TEST(StabilitySection, HasAVerdictInEveryCell) {
   const Trial& first = trials().front();
   Results results{.sessions = {Session{}}, .records = {}};
-  add_run(results, first.scene.key(), "adams_pc", first.steps, {Ending::not_finite, "at step 7, t = 0.5"},
+  add_run(results, first.scene.key(), "adams_pc", first.steps, {Ending::non_finite, "at step 7, t = 0.5"},
           0.0);
   add_run(results, first.scene.key(), "l1", first.steps, {}, 1e-4);
   add_run(results, trials()[1].scene.key(), "l1", trials()[1].steps, {}, 0.5);

@@ -17,8 +17,8 @@
 #include "analysis/recommendation.hpp"
 #include "analysis/text.hpp"
 #include "page/page_data.hpp"
-#include "reports/made_results.hpp"
 #include "reports/page_section.hpp"
+#include "reports/synthetic_results.hpp"
 
 namespace fde {
 namespace {
@@ -118,7 +118,7 @@ TEST(Report, HoldsEverySceneSchemeSessionAndFailure) {
   add_run(results, {"brusselator", "grunwald_letnikov", 64}, 1e-3, 1.0);
   add_ending(results, {"diethelm", "product_trapezoidal", 64}, 0.0,
              {Ending::refused, "takes </script> for an order"});
-  add_ending(results, {"diethelm", "l1", 64}, 1.5, {Ending::not_finite, "at step 13, t = 1.5"});
+  add_ending(results, {"diethelm", "l1", 64}, 1.5, {Ending::non_finite, "at step 13, t = 1.5"});
   const auto data = data_of(written(results));
   const std::string shown = data.dump();
   for (const auto* text :
@@ -141,11 +141,11 @@ TEST(Report, MapsTheCheapestRunAndLeadsToItsScene) {
   EXPECT_EQ(row[0]["to"], "scene-pendulum");
   const auto column = std::ranges::find(map["columns"], "≤ 1e-4", [](const auto& of) { return of["text"]; });
   const auto& cell = row[static_cast<std::size_t>(column - map["columns"].begin())];
-  EXPECT_EQ(text_of(cell), "l1");
+  EXPECT_EQ(to_text(cell), "l1");
   EXPECT_EQ(cell["detail"], "256 µs");
   EXPECT_NEAR(cell["strength"].get<double>(), std::log10(1.5), 5e-3);
   const auto said = section(data, "scene-pendulum")["tables"]["error_end"]["groups"][0]["rows"][1];
-  EXPECT_EQ(text_of(said[3]),
+  EXPECT_EQ(to_text(said[3]),
             "1.5 times as quick as adams_pc: a step takes 1.00 µs where one of adams_pc takes 3.00 µs");
 }
 
@@ -153,27 +153,27 @@ TEST(Report, MapsTheCheapestRunAndLeadsToItsScene) {
 // scheme.
 TEST(Report, SaysOfEachSchemeWhereItWinsAndWhatSpeaksAgainstIt) {
   Results results = two_lines();
-  add_ending(results, {"brusselator", "l1", 64}, 1.5, {Ending::not_finite, "at step 13, t = 1.5"});
+  add_ending(results, {"brusselator", "l1", 64}, 1.5, {Ending::non_finite, "at step 13, t = 1.5"});
   add_ending(results, {"diethelm", "adams_pc", 64}, 0.0, {Ending::refused, "takes no such order"});
   const auto rows =
       section(data_of(written(results)), "answer")["verdicts"]["error_end"]["groups"][0]["rows"];
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(text_of(rows[0][0]), "l1");  // sorted by the cells won
-  EXPECT_THAT(text_of(rows[0][1]), HasSubstr("Cheapest in 2 of 2 cells: pendulum. The next takes"));
-  EXPECT_EQ(text_of(rows[0][2]), "Fails on brusselator.");
-  EXPECT_EQ(text_of(rows[1][0]), "adams_pc");
-  EXPECT_EQ(text_of(rows[1][1]),
+  EXPECT_EQ(to_text(rows[0][0]), "l1");  // sorted by the cells won
+  EXPECT_THAT(to_text(rows[0][1]), HasSubstr("Cheapest in 2 of 2 cells: pendulum. The next takes"));
+  EXPECT_EQ(to_text(rows[0][2]), "Fails on brusselator.");
+  EXPECT_EQ(to_text(rows[1][0]), "adams_pc");
+  EXPECT_EQ(to_text(rows[1][1]),
             "Cheapest nowhere; nearest on pendulum to 1e-4, in 1.5 times the least time.");
-  EXPECT_EQ(text_of(rows[1][2]), "Refuses diethelm (takes no such order).");
+  EXPECT_EQ(to_text(rows[1][2]), "Refuses diethelm (takes no such order).");
 }
 
 TEST(Report, SaysHowFarTheBestRunIsFromAnAccuracy) {
   const auto data = data_of(written(two_lines()));
   const auto rows = section(data, "scene-pendulum")["tables"]["error_end"]["groups"][0]["rows"];
-  EXPECT_EQ(text_of(rows[1][1]), "l1");
-  EXPECT_EQ(text_of(rows[2][1]), "none measured reaches it");
-  EXPECT_THAT(text_of(rows[2][2]), HasSubstr("adams_pc, N = 512, error 2.4e-6"));
-  EXPECT_THAT(text_of(rows[2][3]), HasSubstr("would need about N = "));
+  EXPECT_EQ(to_text(rows[1][1]), "l1");
+  EXPECT_EQ(to_text(rows[2][1]), "none measured reaches it");
+  EXPECT_THAT(to_text(rows[2][2]), HasSubstr("adams_pc, N = 512, error 2.4e-6"));
+  EXPECT_THAT(to_text(rows[2][3]), HasSubstr("would need about N = "));
 }
 
 // The same runs with another grid, history or tolerance are other lines, with names that say so.
@@ -188,7 +188,7 @@ TEST(Report, NamesALineByWhatTellsItsSetupFromOthers) {
     return data_of(written(of))["lines"].get<std::vector<std::string>>();
   };
   EXPECT_THAT(lines(results), testing::UnorderedElementsAre("adams_pc", "l1", "l1, graded:2"));
-  EXPECT_THAT(text_of(recommend(runs_of(results), {"pendulum"}, {Norm::end, Scale::absolute}, 3e-5)),
+  EXPECT_THAT(to_text(recommend(runs_of(results), {"pendulum"}, {Norm::end, Scale::absolute}, 3e-5)),
               HasSubstr("l1, graded:2: N = 512"));
   EXPECT_THAT(lines(two_lines()), testing::UnorderedElementsAre("adams_pc", "l1"));
 }
@@ -216,7 +216,7 @@ TEST(Report, NamesALineOnceWhoseGradingDiffersFromSceneToScene) {
 TEST(Rates, AreOfRunsOverGridsOnly) {
   Results results = two_lines();
   for (auto& row : results.records) {
-    if (row.key.scheme == "l1") row.key.setup.resolution = Accuracy{.relative = row.h, .absolute = row.h};
+    if (row.key.scheme == "l1") row.key.setup.resolution = Tolerance{.relative = row.h, .absolute = row.h};
   }
   const auto rows = rates(runs_of(results));
   ASSERT_EQ(rows.size(), 1);
@@ -227,7 +227,7 @@ TEST(Rates, AreOfRunsOverGridsOnly) {
 TEST(Report, SaysWhatAReferenceRestsOnAndTakes) {
   const auto of = section(data_of(written(two_lines())), "reference");
   const auto cell = of["table"]["groups"][0]["rows"][0][1];
-  EXPECT_EQ(text_of(cell), "two methods");
+  EXPECT_EQ(to_text(cell), "two methods");
   EXPECT_THAT(cell["detail"].get<std::string>(), testing::MatchesRegex("computed in [0-9.]+ m?s"));
   EXPECT_THAT(of["paragraphs"].back().get<std::string>(),
               testing::StartsWith("Where two methods have to agree, a reference took "));
@@ -265,11 +265,11 @@ TEST(Report, SetsTwoResultsSideBySide) {
   EXPECT_EQ(groups[0]["title"], "Errors: 4");
   const auto& row = groups[0]["rows"][0];
   EXPECT_EQ(row[0]["to"], "scene-pendulum");
-  EXPECT_EQ(text_of(row[1]), "adams_pc");
-  EXPECT_THAT(text_of(row[4]), HasSubstr("× 2"));
+  EXPECT_EQ(to_text(row[1]), "adams_pc");
+  EXPECT_THAT(to_text(row[4]), HasSubstr("× 2"));
   EXPECT_TRUE(row[4]["marked"]);
   EXPECT_EQ(groups[1]["title"], "Times: 4");
-  EXPECT_THAT(text_of(groups[1]["rows"][0][4]), testing::StartsWith("× 0.2 "));
+  EXPECT_THAT(to_text(groups[1]["rows"][0][4]), testing::StartsWith("× 0.2 "));
   EXPECT_THAT(section_ids(page_data(read_runs(now))), Not(testing::Contains("compared")));
 }
 

@@ -14,8 +14,8 @@
 #include "analysis/comparison.hpp"
 #include "records/record_text.hpp"
 #include "records/results_file.hpp"
-#include "support/answer_of.hpp"
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
+#include "support/command_output.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
@@ -25,7 +25,7 @@ namespace {
 using testing::HasSubstr;
 
 // A run of l1 on `power` with its measures.
-struct Made {
+struct SyntheticRun {
   int steps = 64;
   double error = 1e-3, relative = 1e-3, rounding = 1e-15;
   Ending ending = Ending::finished;
@@ -35,7 +35,7 @@ struct Made {
 
 class Comparisons : public testing::Test {
  protected:
-  [[nodiscard]] std::string write(const std::string& name, const std::vector<Made>& runs,
+  [[nodiscard]] std::string write(const std::string& name, const std::vector<SyntheticRun>& runs,
                                   const std::string& machine = "m") const {
     Session session{};
     session.machine = machine;
@@ -45,11 +45,12 @@ class Comparisons : public testing::Test {
     return (folder_.path() / name).string();
   }
 
-  [[nodiscard]] Answer compare(const std::vector<Made>& before, const std::vector<Made>& now) const {
+  [[nodiscard]] CommandOutput compare(const std::vector<SyntheticRun>& before,
+                                      const std::vector<SyntheticRun>& now) const {
     return fdebench({"compare", write("before", before), write("now", now)});
   }
 
-  static std::string lines_of(const Made& made) {
+  static std::string lines_of(const SyntheticRun& made) {
     Record row{.key = {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = made.steps}},
                .steps = made.steps,
                .h = 1.0 / made.steps};
@@ -68,7 +69,7 @@ class Comparisons : public testing::Test {
       if (made.bound) add("reference_bound", *made.bound, "", false);
       if (made.largest_bound) add("reference_bound_maximum", *made.largest_bound, "", false);
     }
-    row.ending = RunEnding{made.ending, {}};
+    row.ending = RunOutcome{made.ending, {}};
     add("ending", 1.0, "t", true);
     row.ending.reset();
     if (!made.least) return text;
@@ -123,7 +124,7 @@ TEST_F(Comparisons, EndWithOneWhereMoreIsAskedOfTimesAndRuns) {
 
 // Errors of 1e-15 with rounding effects of 1e-15 count as grown from 5e-15 on.
 TEST_F(Comparisons, TakeRoundingForNoChange) {
-  const Made before{.error = 1e-15, .relative = 1e-12, .rounding = 1e-15};
+  const SyntheticRun before{.error = 1e-15, .relative = 1e-12, .rounding = 1e-15};
   EXPECT_EQ(compare({before}, {{.error = 4.9e-15, .relative = 4.9e-12, .rounding = 1e-15}}).code, 0);
   EXPECT_EQ(compare({before}, {{.error = 5.1e-15, .relative = 1e-12, .rounding = 1e-15}}).code, 1);
   EXPECT_EQ(compare({before}, {{.error = 1e-15, .relative = 5.1e-12, .rounding = 1e-15}}).code, 1);
@@ -134,7 +135,8 @@ TEST_F(Comparisons, TakeRoundingForNoChange) {
 // bound at the end only.
 TEST_F(Comparisons, TakeWhatTheReferenceLeavesOpenForNoChange) {
   const auto made = [](double error, double bound, std::optional<double> largest_bound) {
-    return Made{.rounding = 0.0, .largest_error = error, .bound = bound, .largest_bound = largest_bound};
+    return SyntheticRun{
+        .rounding = 0.0, .largest_error = error, .bound = bound, .largest_bound = largest_bound};
   };
   EXPECT_EQ(compare({made(1e-9, 1e-12, 1e-9)}, {made(1.9e-9, 1e-12, 1e-9)}).code, 0);
   EXPECT_EQ(compare({made(1e-9, 1e-12, 1e-9)}, {made(2.1e-9, 1e-12, 1e-9)}).code, 1);
@@ -143,9 +145,9 @@ TEST_F(Comparisons, TakeWhatTheReferenceLeavesOpenForNoChange) {
 }
 
 TEST_F(Comparisons, EndWithOneWhereAVerdictFell) {
-  const Made inaccurate{.relative = 0.5}, lost{.relative = 0.5, .ending = Ending::accuracy_lost},
-      refused{.ending = Ending::refused, .least = {}}, diverged{.ending = Ending::not_finite, .least = {}};
-  const Made relative_same{};
+  const SyntheticRun inaccurate{.relative = 0.5}, lost{.relative = 0.5, .ending = Ending::accuracy_lost},
+      refused{.ending = Ending::refused, .least = {}}, diverged{.ending = Ending::non_finite, .least = {}};
+  const SyntheticRun relative_same{};
   EXPECT_EQ(compare({relative_same}, {refused}).code, 1);
   EXPECT_EQ(compare({relative_same}, {diverged}).code, 1);
   EXPECT_EQ(compare({inaccurate}, {lost}).code, 1);
@@ -168,7 +170,7 @@ TEST_F(Comparisons, TellARatioOfTimesWithItsNoise) {
 }
 
 TEST_F(Comparisons, PutTheWorstFirst) {
-  std::vector<Made> before, now;
+  std::vector<SyntheticRun> before, now;
   for (int i = 1; i <= 30; ++i) {
     before.push_back({.steps = i});
     now.push_back({.steps = i, .error = 1e-3 * (1 + i)});

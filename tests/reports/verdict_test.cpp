@@ -27,7 +27,7 @@ TEST(Verdict, SaysFromWhereRoundingDominates) {
 }
 
 TEST(Verdict, OfEveryEndSaysWhy) {
-  const MeasuredRun blown{.ending = {Ending::not_finite, "at step 3, t = 0.5"}};
+  const MeasuredRun blown{.ending = {Ending::non_finite, "at step 3, t = 0.5"}};
   EXPECT_EQ(verdict(blown), fails);
   EXPECT_EQ(because(blown), "not finite at step 3, t = 0.5");
   const MeasuredRun refused{.ending = {Ending::refused, "takes orders in (0, 2], component 0 has 3"}};
@@ -43,7 +43,7 @@ TEST(Verdict, OfEveryEndSaysWhy) {
   EXPECT_EQ(of(Ending::finished), not_judged) << "without an error";
 }
 
-TEST(Variant, TakesItsEndAnywhere) {
+TEST(RateScene, TakesItsEndAnywhere) {
   const auto variant = parse_variant("pendulum:until=5,beta=0.1");
   EXPECT_EQ(variant.until, 5.0);
   EXPECT_EQ(variant.label(), "pendulum:beta=0.1,until=5");

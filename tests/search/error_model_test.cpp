@@ -11,9 +11,9 @@
 namespace fde {
 namespace {
 
-std::vector<ErrorWith> errors(const std::function<double(double n)>& error, int coarsest = 16,
-                              int count = 5) {
-  std::vector<ErrorWith> made;
+std::vector<TrialError> errors(const std::function<double(double n)>& error, int coarsest = 16,
+                               int count = 5) {
+  std::vector<TrialError> made;
   for (int steps = coarsest; count > 0; steps *= 2, --count) made.push_back({steps, error(steps)});
   return made;
 }

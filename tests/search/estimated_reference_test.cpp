@@ -12,9 +12,9 @@
 #include <string>
 
 #include "scenes/variant.hpp"
-#include "search/asked.hpp"
-#include "search/sampled_run.hpp"
+#include "search/interpolated_run.hpp"
 #include "search/search.hpp"
+#include "search/search_case.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -31,10 +31,10 @@ Scene without_reference(const Scene& scene) {
   return unknown;
 }
 
-class EstimatedErrors : public testing::TestWithParam<Asked> {
+class EstimatedErrors : public testing::TestWithParam<SearchCase> {
  protected:
   const Scene scene_ = make_scene(parse_variant(GetParam().scene));
-  const Question question_ = question_of(scene_, GetParam());
+  const AccuracyTarget question_ = question_of(scene_, GetParam());
   const Scene unknown_ = without_reference(scene_);
   const SearchReference found_ = estimated_reference(unknown_, question_, "it is taken away", 30.0, silence);
 };
@@ -42,12 +42,12 @@ class EstimatedErrors : public testing::TestWithParam<Asked> {
 // The error of the run that replaces the reference is at most the estimate.
 TEST_P(EstimatedErrors, AreAgainstARunThatIsAsAccurateAsItSays) {
   ASSERT_TRUE(found_.estimate);
-  const Estimate& estimate = *found_.estimate;
+  const ErrorEstimate& estimate = *found_.estimate;
   EXPECT_EQ(estimate.missing, "it is taken away");
   EXPECT_NE(estimate.first.scheme, estimate.second.scheme);
   EXPECT_EQ(estimate.first_steps, 2 * estimate.second_steps);
-  EXPECT_LE(estimate.error(), estimate_part * GetParam().accuracy);
-  Examiner examiner(scene_, question_);
+  EXPECT_LE(estimate.error(), largest_estimate_fraction * GetParam().accuracy);
+  RunEvaluator examiner(scene_, question_);
   const auto run = examiner.examine(estimate.first, estimate.first_steps, 8192, 60.0);
   EXPECT_LE(run.error, estimate.error());
 }
@@ -58,28 +58,29 @@ TEST_P(EstimatedErrors, ChooseRunsWithinTheAccuracy) {
   estimated.reference = found_.reference;
   const auto ways = search(estimated, question_, 10.0, silence);
   ASSERT_EQ(ways.front().found, Found::within);
-  Examiner examiner(scene_, question_);
-  for (const SearchedWay& of : ways) {
+  RunEvaluator examiner(scene_, question_);
+  for (const SearchCandidate& of : ways) {
     if (of.found != Found::within || !of.time) continue;
     const auto run = examiner.examine(of.way, resolution_of(of.best), 2048, 60.0);
     EXPECT_LE(run.error, GetParam().accuracy) << of.way.scheme->id << " " << of.best.steps;
-    EXPECT_NEAR(run.error, of.best.error, estimate_part * GetParam().accuracy) << of.way.scheme->id;
+    EXPECT_NEAR(run.error, of.best.error, largest_estimate_fraction * GetParam().accuracy)
+        << of.way.scheme->id;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, EstimatedErrors,
-                         testing::Values(Asked{"relaxation", {Norm::maximum, Scale::mixed}, 1e-5},
-                                         Asked{"relaxation:gamma=0.2", {Norm::maximum, Scale::mixed}, 1e-3},
-                                         Asked{"relaxation:gamma=1.5", {Norm::end, Scale::relative}, 1e-5},
-                                         Asked{"power", {Norm::maximum, Scale::absolute}, 1e-4},
-                                         Asked{"diethelm", {Norm::end, Scale::mixed}, 1e-6},
-                                         Asked{"linear_system", {Norm::maximum, Scale::mixed}, 1e-4},
-                                         Asked{"stiff_relaxation", {Norm::end, Scale::absolute}, 1e-10},
-                                         Asked{"damped_oscillator", {Norm::maximum, Scale::mixed}, 1e-3},
-                                         Asked{"relaxation:gamma=0.05", {Norm::maximum, Scale::mixed}, 1e-2},
-                                         Asked{
-                                             "fractional_constraint_2d", {Norm::maximum, Scale::mixed}, 1e-4},
-                                         Asked{"fractional_extremum", {Norm::maximum, Scale::mixed}, 1e-3}));
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, EstimatedErrors,
+    testing::Values(SearchCase{"relaxation", {Norm::maximum, Scale::mixed}, 1e-5},
+                    SearchCase{"relaxation:gamma=0.2", {Norm::maximum, Scale::mixed}, 1e-3},
+                    SearchCase{"relaxation:gamma=1.5", {Norm::end, Scale::relative}, 1e-5},
+                    SearchCase{"power", {Norm::maximum, Scale::absolute}, 1e-4},
+                    SearchCase{"diethelm", {Norm::end, Scale::mixed}, 1e-6},
+                    SearchCase{"linear_system", {Norm::maximum, Scale::mixed}, 1e-4},
+                    SearchCase{"stiff_relaxation", {Norm::end, Scale::absolute}, 1e-10},
+                    SearchCase{"damped_oscillator", {Norm::maximum, Scale::mixed}, 1e-3},
+                    SearchCase{"relaxation:gamma=0.05", {Norm::maximum, Scale::mixed}, 1e-2},
+                    SearchCase{"fractional_constraint_2d", {Norm::maximum, Scale::mixed}, 1e-4},
+                    SearchCase{"fractional_extremum", {Norm::maximum, Scale::mixed}, 1e-3}));
 
 std::string refusal(const Scene& scene, double accuracy, double seconds) {
   try {
@@ -124,7 +125,7 @@ TEST(Estimates, SeeALoadThatFewStepsMiss) {
                           .end = 1.0,
                           .jumps = {1e-4, 3e-4}},
               .outputs = {.names = {"y"}}};
-  const Question question{{Norm::end, Scale::absolute}, 0.1, all_columns(scene)};
+  const AccuracyTarget question{{Norm::end, Scale::absolute}, 0.1, all_columns(scene)};
   const auto found = estimated_reference(scene, question, "there is none", 30.0, silence);
   EXPECT_NEAR(found.reference.at(1.0).value[0], 2.0, question.accuracy);
 }
@@ -135,7 +136,7 @@ TEST(SampledRuns, AreCubicsBetweenTheirSteps) {
                                 .rhs = [](double t, In, Out f) { f[0] = 2.0 * t; },
                                 .end = 2.0},
                     .outputs = {.names = {"y"}}};
-  const SampledRun run(scene, {find_scheme("product_trapezoidal"), 1.5}, 16, 60.0);
+  const InterpolatedRun run(scene, {find_scheme("product_trapezoidal"), 1.5}, 16, 60.0);
   ASSERT_TRUE(run.finished());
   for (const double t : {0.0, 1e-3, 0.1, 0.7, 1.3, 1.99, 2.0}) EXPECT_NEAR(run.at(t)[0], t * t, 1e-14) << t;
 }

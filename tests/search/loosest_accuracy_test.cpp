@@ -1,10 +1,10 @@
-// loosest_accuracy() with errors that are given functions of the tolerance.
-
-#include "search/loosest_accuracy.hpp"
+// largest_tolerance() with errors that are given functions of the tolerance.
 
 #include <gtest/gtest.h>
 
 #include <functional>
+
+#include "search/largest_tolerance.hpp"
 
 namespace fde {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr double wanted = 1e-6;
 
 std::optional<Attempt> found_for(const std::function<double(double asked)>& delivered) {
-  return loosest_accuracy(wanted, [&](double asked) {
+  return largest_tolerance(wanted, [&](double asked) {
     const double error = delivered(asked);
     return Attempt{.asked = asked, .error = error, .within = error <= wanted};
   });
@@ -39,7 +39,7 @@ TEST(LoosestAccuracy, IsNoneWhereErrorsDoNotFall) {
 
 TEST(LoosestAccuracy, IsGivenUpWhereTimeRunsOut) {
   int attempts = 0;
-  const auto found = loosest_accuracy(wanted, [&](double asked) {
+  const auto found = largest_tolerance(wanted, [&](double asked) {
     ++attempts;
     return Attempt{.asked = asked, .ending = {.kind = Ending::out_of_budget}};
   });

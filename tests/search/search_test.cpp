@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "observers/watched_steps.hpp"
+#include "observers/comparison_steps.hpp"
 #include "scenes/variant.hpp"
-#include "search/asked.hpp"
-#include "search/attempt.hpp"
+#include "search/candidate_run.hpp"
 #include "search/error_model.hpp"
+#include "search/search_case.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -20,25 +20,25 @@ namespace {
 
 using testing::ElementsAre;
 
-std::vector<SearchedWay> found_for(const Scene& scene, const Asked& asked) {
+std::vector<SearchCandidate> found_for(const Scene& scene, const SearchCase& asked) {
   return search(scene, question_of(scene, asked), 100.0, [](const std::string&, double) {});
 }
 
-class SearchFor : public testing::TestWithParam<Asked> {};
+class SearchFor : public testing::TestWithParam<SearchCase> {};
 
 // The best run is within the accuracy at all its steps, and no run with clearly fewer steps on the same grids
 // is. At a fixed time an error may be small by chance, and may grow with the steps before it decreases.
-void expect_the_fewest_steps(const Asked& asked) {
+void expect_the_fewest_steps(const SearchCase& asked) {
   const Scene scene = make_scene(parse_variant(asked.scene));
   const auto found = found_for(scene, asked);
-  const SearchedWay& first = found.front();
+  const SearchCandidate& first = found.front();
   ASSERT_EQ(first.found, Found::within);
-  Examiner examiner(scene, question_of(scene, asked));
-  const int watched = first.way.chooses_steps() ? evenly_watched : first.best.steps;
+  RunEvaluator examiner(scene, question_of(scene, asked));
+  const int watched = first.way.is_adaptive() ? evenly_spaced_comparisons : first.best.steps;
   const auto again = examiner.examine(first.way, resolution_of(first.best), watched, 60.0);
   EXPECT_TRUE(again.within);
   EXPECT_EQ(again.error, first.best.error);
-  if (first.way.chooses_steps()) return;
+  if (first.way.is_adaptive()) return;
   for (double steps = 0.95 * first.best.steps; steps >= 4.0; steps /= 1.1) {
     const auto fewer = examiner.examine(first.way, static_cast<int>(steps), 8192, 60.0);
     EXPECT_FALSE(fewer.within) << fewer.steps << " of " << first.best.steps;
@@ -57,14 +57,14 @@ TEST(SearchOverGrids, FindsTheFewestSteps) {
 // by chance, so the median over all schemes is compared.
 TEST_P(SearchFor, KnowsErrorsBetweenTheRunsItHasMade) {
   const Scene scene = make_scene(parse_variant(GetParam().scene));
-  Examiner examiner(scene, question_of(scene, GetParam()));
+  RunEvaluator examiner(scene, question_of(scene, GetParam()));
   std::vector<double> ratios;
   for (const Scheme& scheme : schemes()) {
     if (refusal(scheme, scene.problem, Grid{scene.problem.end, 16})) continue;
     const auto error = [&](int steps) { return examiner.examine({&scheme}, steps, 8192, 60.0).error; };
-    std::vector<ErrorWith> known;
+    std::vector<TrialError> known;
     for (const int steps : {16, 32, 64, 128, 256}) known.push_back({steps, error(steps)});
-    if (std::ranges::any_of(known, [](const ErrorWith& of) { return !std::isfinite(of.error); })) continue;
+    if (std::ranges::any_of(known, [](const TrialError& of) { return !std::isfinite(of.error); })) continue;
     if (const ErrorModel model(known); !model.empty()) ratios.push_back(model.error(181).value / error(181));
   }
   ASSERT_GE(ratios.size(), 8U);
@@ -73,7 +73,7 @@ TEST_P(SearchFor, KnowsErrorsBetweenTheRunsItHasMade) {
 }
 
 TEST(SearchOverGrids, PredictsTheErrorsThatItFindsByTheRunsBefore) {
-  const Asked asked{"fractional_hamilton", {Norm::maximum, Scale::mixed}, 1e-3};
+  const SearchCase asked{"fractional_hamilton", {Norm::maximum, Scale::mixed}, 1e-3};
   const Scene scene = make_scene(parse_variant(asked.scene));
   int predictions = 0;
   for (const auto& way : found_for(scene, asked)) {
@@ -86,17 +86,18 @@ TEST(SearchOverGrids, PredictsTheErrorsThatItFindsByTheRunsBefore) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SearchFor,
-                         testing::Values(Asked{"relaxation", {Norm::maximum, Scale::mixed}, 1e-6},
-                                         Asked{"relaxation:gamma=1.5", {Norm::end, Scale::relative}, 1e-9},
-                                         Asked{"power:p=0.83", {Norm::maximum, Scale::absolute}, 1e-3},
-                                         Asked{"diethelm", {Norm::end, Scale::mixed}, 1e-4},
-                                         Asked{"linear_system", {Norm::maximum, Scale::mixed}, 1e-3}));
+                         testing::Values(SearchCase{"relaxation", {Norm::maximum, Scale::mixed}, 1e-6},
+                                         SearchCase{
+                                             "relaxation:gamma=1.5", {Norm::end, Scale::relative}, 1e-9},
+                                         SearchCase{"power:p=0.83", {Norm::maximum, Scale::absolute}, 1e-3},
+                                         SearchCase{"diethelm", {Norm::end, Scale::mixed}, 1e-4},
+                                         SearchCase{"linear_system", {Norm::maximum, Scale::mixed}, 1e-3}));
 
 // Schemes with adaptive step size are tried too, with the largest tolerance that suffices.
 TEST(Search, TriesSchemesThatChooseTheirSteps) {
   const auto found = found_for(scene_of("pendulum"), {"", {Norm::maximum, Scale::mixed}, 1e-9});
   const auto way = std::ranges::find(found, "spectral_collocation",
-                                     [](const SearchedWay& of) { return of.way.scheme->id; });
+                                     [](const SearchCandidate& of) { return of.way.scheme->id; });
   ASSERT_EQ(way->found, Found::within);
   EXPECT_LE(way->best.error, 1e-9);
   EXPECT_GT(way->best.asked, 1e-9);
@@ -107,7 +108,8 @@ TEST(Search, TriesSchemesThatChooseTheirSteps) {
 TEST(Search, ComparesRunsByWhatTheyCostOnceStartWeightsAreMade) {
   const Scene scene = scene_of("relaxation", {{"gamma", 0.4321}});
   const auto found = found_for(scene, {"", {Norm::end, Scale::mixed}, 1e-10});
-  const auto rule = std::ranges::find(found, "bdf5", [](const SearchedWay& of) { return of.way.scheme->id; });
+  const auto rule =
+      std::ranges::find(found, "bdf5", [](const SearchCandidate& of) { return of.way.scheme->id; });
   EXPECT_GT(rule->once_seconds, 10.0 * rule->ladder.front().seconds);
   EXPECT_GT(rule->ladder.size(), 1U);
 }
@@ -128,7 +130,7 @@ TEST(Search, TakesAConstantSolutionForOne) {
 TEST(Search, SeesMotionBetweenTheTimesOfAGrid) {
   const Scene scene = scene_of("relaxation", {{"lambda", -1e6}});
   for (const auto& [norm, within] : {std::pair{Norm::end, true}, {Norm::maximum, false}}) {
-    Examiner examiner(scene, question_of(scene, {"", {norm, Scale::mixed}, 1e-3}));
+    RunEvaluator examiner(scene, question_of(scene, {"", {norm, Scale::mixed}, 1e-3}));
     for (const int steps : {1, 64})
       EXPECT_EQ(examiner.examine({find_scheme("l1")}, steps, 8192, 60.0).within, within) << steps;
   }
@@ -137,8 +139,9 @@ TEST(Search, SeesMotionBetweenTheTimesOfAGrid) {
 TEST(Search, GivesOneAlgorithmAllItsNames) {
   const Scene scene = scene_of("relaxation");
   const auto found = found_for(scene, {"", {Norm::end, Scale::mixed}, 1e-2});
-  const auto adams = std::ranges::find_if(
-      found, [](const SearchedWay& of) { return of.way.scheme->id == "adams_pc" && of.way.grading == 1.0; });
+  const auto adams = std::ranges::find_if(found, [](const SearchCandidate& of) {
+    return of.way.scheme->id == "adams_pc" && of.way.grading == 1.0;
+  });
   EXPECT_THAT(adams->names, ElementsAre("adams_pc", "decoupled_multi_order", "commensurate_adams_pc"));
 }
 
@@ -168,7 +171,7 @@ TEST(Search, CountsWhatIsNotKnownOfTheReferenceAsError) {
     Scene scene = scene_of("relaxation");
     const Reference exact = scene.reference;
     scene.reference = {[=](double t) { return ReferenceValue{exact.at(t).value, Vec::Constant(1, bound)}; }};
-    Examiner examiner(scene, {{Norm::end, Scale::absolute}, 1e-4, all_columns(scene)});
+    RunEvaluator examiner(scene, {{Norm::end, Scale::absolute}, 1e-4, all_columns(scene)});
     return examiner.examine({find_scheme("adams_pc"), 1.0}, 64, 64, 10.0);
   };
   const auto exactly = within(0.0);

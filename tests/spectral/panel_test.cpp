@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "spectral/growing_modes.hpp"
+#include "spectral/mode_count.hpp"
 #include "spectral/panel_rule.hpp"
 #include "weights/kernel_moments.hpp"
 
@@ -25,15 +25,15 @@ TEST(PanelRule, AreExactForPolynomialsOnAPanelAndItsHalves) {
   EXPECT_NEAR(rule.at_end.dot(values), -1.0, 1e-13);
   EXPECT_NEAR(rule.at_start.dot(values), -3.0, 1e-13);
   const Vec older = (rule.places.array() - 1.0) / 2.0, newer = (rule.places.array() + 1.0) / 2.0;
-  EXPECT_LT((rule.older_half * values - some_polynomial(older)).lpNorm<Eigen::Infinity>(), 1e-13);
-  EXPECT_LT((rule.newer_half * values - some_polynomial(newer)).lpNorm<Eigen::Infinity>(), 1e-13);
+  EXPECT_LT((rule.to_older_half * values - some_polynomial(older)).lpNorm<Eigen::Infinity>(), 1e-13);
+  EXPECT_LT((rule.to_newer_half * values - some_polynomial(newer)).lpNorm<Eigen::Infinity>(), 1e-13);
 }
 
 TEST(PanelRule, JoinTheHalvesOfAPolynomial) {
   const PanelRule rule(points);
   const Vec values = some_polynomial(rule.places);
-  const Vec joined = rule.from_older * (rule.to_coefficients * (rule.older_half * values)) +
-                     rule.from_newer * (rule.to_coefficients * (rule.newer_half * values));
+  const Vec joined = rule.from_older * (rule.to_coefficients * (rule.to_older_half * values)) +
+                     rule.from_newer * (rule.to_coefficients * (rule.to_newer_half * values));
   EXPECT_LT((joined - rule.to_coefficients * values).lpNorm<Eigen::Infinity>(), 1e-13);
 }
 
@@ -89,7 +89,7 @@ TEST_P(KernelMoments, AreTheIntegralsOfLegendrePolynomials) {
 TEST_P(KernelMoments, AreTheSameOfAPanelAtItsOwnPoints) {
   const double order = GetParam();
   for (const double since : {0.125, 1.0, 2.0}) {
-    const Vec own = own_moments(order, since, 12);
+    const Vec own = moments_inside_panel(order, since, 12);
     const Vec moments = kernel_moments(order, Vec::Constant(1, since - 2.0), 12).row(0).transpose();
     EXPECT_LT((own - moments).cwiseAbs().maxCoeff(), 1e-15 * own[0]) << since;
   }
@@ -98,7 +98,7 @@ TEST_P(KernelMoments, AreTheSameOfAPanelAtItsOwnPoints) {
 // All polynomials are +1 or -1 at the start of the panel: the moments are +-s^order / Gamma(order + 1).
 TEST_P(KernelMoments, StartAsPowersOfTheTimeSince) {
   const double order = GetParam(), since = 1e-30;
-  const Vec own = own_moments(order, since, 12) * std::tgamma(order + 1.0) / std::pow(since, order);
+  const Vec own = moments_inside_panel(order, since, 12) * std::tgamma(order + 1.0) / std::pow(since, order);
   for (Eigen::Index l = 0; l < own.size(); ++l) EXPECT_NEAR(own[l], l % 2 == 0 ? 1.0 : -1.0, 1e-13) << l;
 }
 

@@ -17,7 +17,7 @@ namespace {
 const Scheme& scheme() { return *find_scheme("spectral_collocation"); }
 
 Trajectory run(const Problem& problem, double accuracy, const Options& options = {}) {
-  return scheme().solve(problem, Accuracy{accuracy, accuracy}, options);
+  return scheme().solve(problem, Tolerance{accuracy, accuracy}, options);
 }
 
 struct Asked {
@@ -129,7 +129,7 @@ TEST(SpectralSwitch, IsLocatedToRounding) {
 
 // D^0.8 y = sign(sin 50 t) - y, with jumps at k pi/50 that are not listed in Problem::jumps: each changes y
 // by 2 (1 - E(-(t - t_k)^0.8)).
-TEST(SpectralJump, IsSeenWhereItIsNotTold) {
+TEST(SpectralJump, IsDetectedWhereItIsNotListed) {
   const Problem problem{
       .components = {{0.8, {0.0}}},
       .rhs = [](double t, In y, Out f) { f[0] = std::copysign(1.0, std::sin(50.0 * t)) - y[0]; },
@@ -160,7 +160,8 @@ TEST(SpectralSwitch, EndsWhereTheSolutionSlides) {
                             .switches = {[](double, In y) { return y[0] - 0.5; }}};
       const auto path = run(problem, accuracy);
       EXPECT_EQ(path.ending, Ending::sliding) << order << ' ' << accuracy;
-      EXPECT_NEAR(path.failed_at.value_or(0.0), std::pow(0.5 * std::tgamma(1.0 + order), 1.0 / order), 1e-3);
+      EXPECT_NEAR(path.failure_time.value_or(0.0), std::pow(0.5 * std::tgamma(1.0 + order), 1.0 / order),
+                  1e-3);
     }
   }
 }
@@ -211,7 +212,7 @@ TEST(SpectralAlgebraic, RowsMayJump) {
 }
 
 // lambda ~ t^-0.8 at the start.
-TEST(SpectralAlgebraic, RowsKnowASingularReaction) {
+TEST(SpectralAlgebraic, RowsResolveASingularReaction) {
   const Scene scene = scene_of("fractional_constraint_2d", {{"formulation", "multiplier"}, {"alpha", 0.8}});
   const auto reference = reference_of(scene);
   const auto path = run(scene.problem, 1e-10);
@@ -224,7 +225,7 @@ TEST(SpectralAlgebraic, RowsKnowASingularReaction) {
 // D^0.5 y = -1e6 y falls to 5.6e-7, a millionth of the terms that are summed to y.
 TEST(SpectralStiff, KeepsTheDigitsOfWhatIsLeft) {
   const Scene scene = scene_of("stiff_relaxation");
-  const auto path = scheme().solve(scene.problem, Accuracy{1e-10, 1e-300}, {.at = {1.0}});
+  const auto path = scheme().solve(scene.problem, Tolerance{1e-10, 1e-300}, {.at = {1.0}});
   const double exact = mittag_leffler(0.5, 1.0, -1e6);
   EXPECT_NEAR(path.y(0, 0) / exact, 1.0, 1e-8);
 }
@@ -236,7 +237,7 @@ TEST(SpectralStiff, TakesFewPanelsToARelativeAccuracy) {
     const Scene scene = scene_of("relaxation", {{"lambda", lambda}});
     Problem problem = scene.problem;
     problem.end = end;
-    const auto path = scheme().solve(problem, Accuracy{1e-6, 1e-300}, {.budget = 2.0});
+    const auto path = scheme().solve(problem, Tolerance{1e-6, 1e-300}, {.budget = 2.0});
     EXPECT_EQ(path.ending, Ending::finished) << lambda;
     EXPECT_LT(path.steps, 500) << lambda;
   }
@@ -343,7 +344,7 @@ TEST(SpectralEnd, IsThatOfTheBudget) {
 }
 
 TEST(SpectralRefusal, SaysWhatItDoesNotTake) {
-  const Accuracy accuracy{1e-6, 1e-6};
+  const Tolerance accuracy{1e-6, 1e-6};
   const auto reason = [&](const Problem& problem) {
     return refusal(scheme(), problem, accuracy).value_or("");
   };

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/answer_of.hpp"
+#include "support/command_output.hpp"
 
 namespace fde {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-Answer stability(std::vector<std::string> arguments) {
+CommandOutput stability(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "stability");
   return fdebench(arguments);
 }

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "programs/stability/late.hpp"
-#include "stability/across.hpp"
+#include "programs/stability/late_growth.hpp"
+#include "stability/boundary_normal.hpp"
 #include "stability/stability_region.hpp"
 #include "support/testing.hpp"
 
@@ -13,8 +13,8 @@ namespace fde {
 namespace {
 
 // Above order 1.8 the decay ends at about 1e-9, by rounding.
-bool decays(const Late& x) { return x.size < 1e-6 || (x.size < 1.0 && x.growth < 1.0); }
-bool grows(const Late& x) { return x.growth > 1.1; }
+bool decays(const LateGrowth& x) { return x.size < 1e-6 || (x.size < 1.0 && x.growth < 1.0); }
+bool grows(const LateGrowth& x) { return x.growth > 1.1; }
 
 struct Case {
   std::string_view scheme;
@@ -29,13 +29,13 @@ TEST_P(Interval, EndsWhereRunsBeginToGrow) {
   const int steps = GetParam().steps;
   const Scheme& scheme = *find_scheme(GetParam().scheme);
   for (int i = 1; i < 20; ++i) {
-    const double order = 0.1 * i, x = real_interval(scheme, order);
+    const double order = 0.1 * i, x = real_stability_interval(scheme, order);
     if (std::isinf(x)) {
-      EXPECT_TRUE(decays(late(scheme, scalar_problem(scheme, order, -1e3), 1.0, steps))) << order;
+      EXPECT_TRUE(decays(late(scheme, test_problem(scheme, order, -1e3), 1.0, steps))) << order;
       continue;
     }
     const auto at = [&](double factor) {
-      return late(scheme, scalar_problem(scheme, order, -factor * x), 1.0, steps);
+      return late(scheme, test_problem(scheme, order, -factor * x), 1.0, steps);
     };
     EXPECT_TRUE(decays(at(1.0 - tolerance))) << order;
     EXPECT_TRUE(grows(at(1.0 + tolerance))) << order;
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Interval,
                                          Case{"multi_term_pc", 1e-3, 10000}),
                          [](const auto& test) { return std::string(test.param.scheme); });
 
-// Complex lambda on both sides of the boundary; growing_modes determines which side is stable.
+// Complex lambda on both sides of the boundary; count_growing_modes determines which side is stable.
 class Boundary : public testing::TestWithParam<const Scheme*> {};
 
 TEST_P(Boundary, IsWhereRunsBeginToGrow) {
@@ -62,9 +62,9 @@ TEST_P(Boundary, IsWhereRunsBeginToGrow) {
       for (const ComplexValue z : boundary(*GetParam(), order, theta)) {
         for (const double side : {1.0, -1.0}) {
           const Problem problem =
-              scalar_problem(*GetParam(), order, z + side * across(*GetParam(), order, theta, z, 0.01));
+              test_problem(*GetParam(), order, z + side * across(*GetParam(), order, theta, z, 0.01));
           const bool expected = stable(*GetParam(), problem, 1.0);
-          const Late x = late(*GetParam(), problem, 1.0, 4000);
+          const LateGrowth x = late(*GetParam(), problem, 1.0, 4000);
           EXPECT_TRUE(expected ? decays(x) : grows(x)) << order << ' ' << theta << ' ' << side;
           ++(expected ? decaying : growing);
         }

@@ -70,7 +70,7 @@ TEST(GeneratingFunction, InsideTheCircleIsThePowerSeries) {
         &families::bdf2, &families::bdf3, &families::bdf4, &families::bdf5, &families::bdf6,
         &families::newton_gregory_3, &families::fractional_trapezoidal}) {
     for (const double order : all_orders()) {
-      if (family->weighs_increments && order > 1.0) continue;
+      if (family->acts_on_increments && order > 1.0) continue;
       const WeightTable table{family, order};
       for (const Value mu : {Value{-0.65, 0.3}, {-0.65, 2.9}, {-0.2, 0.0}, {-0.2, 1.0}, {-0.2, pi}}) {
         Value sum = family == &families::rectangle ? 0.0 : 1.0;

@@ -47,9 +47,9 @@ TEST_P(Systems, OfSeparateEquationsHaveTheModesOfAll) {
       const double order = 0.5 * std::uniform_int_distribution(0, 3)(random) + 0.25;
       parts.push_back(
           scalar_equation(order, std::polar(std::pow(10.0, uniform(-2.0, 1.5)), uniform(-3.14, 3.14))));
-      sum += growing_modes(*GetParam(), parts.back(), 1.0).value();
+      sum += count_growing_modes(*GetParam(), parts.back(), 1.0).value();
     }
-    EXPECT_EQ(growing_modes(*GetParam(), side_by_side(parts), 1.0), sum) << i;
+    EXPECT_EQ(count_growing_modes(*GetParam(), side_by_side(parts), 1.0), sum) << i;
     growing += sum;
   }
   EXPECT_GT(growing, 8);
@@ -64,7 +64,7 @@ TEST(Systems, OfLinksNearOrdersZeroAndOneAreStableUnderImplicitRules) {
         scene_of("damped_oscillator", {{"alpha", orders.first}, {"beta", orders.second}}).problem;
     for (const auto* id : {"l1", "grunwald_letnikov", "product_trapezoidal"}) {
       for (const double h : {0.1, 1e9})
-        EXPECT_EQ(growing_modes(*find_scheme(id), problem, h), 0) << id << orders.first << ' ' << h;
+        EXPECT_EQ(count_growing_modes(*find_scheme(id), problem, h), 0) << id << orders.first << ' ' << h;
     }
   }
 }
@@ -73,9 +73,9 @@ TEST(Systems, OfLinksNearOrdersZeroAndOneAreStableUnderImplicitRules) {
 TEST(Systems, MayBeLarge) {
   constexpr int count = 20;
   const auto modes = [](int n, double rate) {
-    return growing_modes(*find_scheme("grunwald_letnikov"),
-                         side_by_side(std::vector(static_cast<std::size_t>(n), scalar_equation(1.9, rate))),
-                         1.0)
+    return count_growing_modes(
+               *find_scheme("grunwald_letnikov"),
+               side_by_side(std::vector(static_cast<std::size_t>(n), scalar_equation(1.9, rate))), 1.0)
         .value();
   };
   EXPECT_EQ(modes(count, -1.0), 0);
@@ -87,23 +87,23 @@ TEST(Systems, OfDiffusionAreStableAsTheirFastestRate) {
   const Problem problem = scene_of("fractional_diffusion", {{"gamma", 0.5}, {"components", 9.0}}).problem;
   const Matrix linear = std::get<SparseLinearPart>(problem.derivatives).matrix;
   const double fastest = -linear.selfadjointView<Eigen::Lower>().eigenvalues()[0];
-  const double end = std::pow(real_interval(*find_scheme("adams_pc"), 0.5) / fastest, 2.0);
-  EXPECT_EQ(growing_modes(*find_scheme("adams_pc"), problem, 0.99 * end), 0);
-  EXPECT_EQ(growing_modes(*find_scheme("adams_pc"), problem, 1.01 * end), 1);
-  EXPECT_EQ(growing_modes(*find_scheme("l1"), problem, 1e3 * end), 0);
+  const double end = std::pow(real_stability_interval(*find_scheme("adams_pc"), 0.5) / fastest, 2.0);
+  EXPECT_EQ(count_growing_modes(*find_scheme("adams_pc"), problem, 0.99 * end), 0);
+  EXPECT_EQ(count_growing_modes(*find_scheme("adams_pc"), problem, 1.01 * end), 1);
+  EXPECT_EQ(count_growing_modes(*find_scheme("l1"), problem, 1e3 * end), 0);
 }
 
 // Modes with |lambda h^g| below max(1e-6, 1e-300^g) are not counted.
 TEST(GrowingModes, OfSmallOrdersAreCountedFromTheirLimitOn) {
   const auto& scheme = *find_scheme("l1");
-  EXPECT_EQ(growing_modes(scheme, scalar_equation(0.5, 2e-6), 1.0), 1);
-  EXPECT_EQ(growing_modes(scheme, scalar_equation(0.5, 5e-7), 1.0), 0);
-  EXPECT_EQ(growing_modes(scheme, scalar_equation(0.01, 1.1e-3), 1.0), 1);
-  EXPECT_EQ(growing_modes(scheme, scalar_equation(0.01, 9e-4), 1.0), 0);
+  EXPECT_EQ(count_growing_modes(scheme, scalar_equation(0.5, 2e-6), 1.0), 1);
+  EXPECT_EQ(count_growing_modes(scheme, scalar_equation(0.5, 5e-7), 1.0), 0);
+  EXPECT_EQ(count_growing_modes(scheme, scalar_equation(0.01, 1.1e-3), 1.0), 1);
+  EXPECT_EQ(count_growing_modes(scheme, scalar_equation(0.01, 9e-4), 1.0), 0);
 }
 
 TEST(GrowingModes, AreNotCountedBeyondDouble) {
-  expect_message([] { growing_modes(*find_scheme("l1"), scalar_equation(1.5, -1e300), 1e10); },
+  expect_message([] { count_growing_modes(*find_scheme("l1"), scalar_equation(1.5, -1e300), 1e10); },
                  "beyond double");
 }
 

@@ -29,9 +29,7 @@ TEST(RegionBoundary, OfHeunsMethodIsWhereItsPolynomialHasSizeOne) {
 TEST(RegionBoundary, OfAPredictorHasNoPointInsideOrOutsideOfTheRegion) {
   const Scheme& scheme = *find_scheme("multi_term_pc");
   const double order = 1.5;
-  const auto is_stable = [&](ComplexValue z) {
-    return stable(scheme, scalar_problem(scheme, order, z), 1.0);
-  };
+  const auto is_stable = [&](ComplexValue z) { return stable(scheme, test_problem(scheme, order, z), 1.0); };
   for (const auto& piece : region_boundary(scheme, order, 12)) {
     ASSERT_GE(piece.size(), 3U);
     const ComplexValue z = piece[1].z, along = piece[2].z - piece[0].z;

@@ -83,7 +83,7 @@ std::vector<double> powers_without_start_weights(const Case& c) {
   auto steps = c.orders;
   steps.push_back(1.0);
   auto powers = power_lattice({0.0}, steps, c.rate + 1.0);
-  const double covered = c.rate - 1.0 + distinct_powers;
+  const double covered = c.rate - 1.0 + power_separation;
   std::erase_if(powers, [=](double r) { return r < covered; });
   return powers;
 }
@@ -98,7 +98,7 @@ void take_out(double q, std::vector<Error>& errors) {
 
 template <class Error>
 void expect_rate(const std::vector<Error>& errors, double h, double theory) {
-  std::vector<ErrorAt> points;
+  std::vector<ErrorSample> points;
   std::string rows;
   for (const auto& error : errors) {
     points.push_back({h, error.cwiseAbs().maxCoeff()});
@@ -136,11 +136,11 @@ TEST_P(MultistepFirstSteps, HaveTheRateOfTheory) {
   const Scheme& scheme = *find_scheme(id);
   const auto reference = reference_of(scene);
   const double theory = scheme.expected_rate(scene.problem, scene.smoothness, 1.0, Norm::first_step);
-  const int steps = static_cast<int>(scheme.start_powers(scene.problem).size()) - 1;
+  const int steps = static_cast<int>(scheme.starting_powers(scene.problem).size()) - 1;
   std::vector<double> later;
   for (const double order : orders) {
     for (const double r : powers_without_start_weights(GetParam())) {
-      if (order + r > theory + distinct_powers) later.push_back(order + r);
+      if (order + r > theory + power_separation) later.push_back(order + r);
     }
   }
   std::ranges::sort(later);
@@ -203,7 +203,7 @@ class HighMultistepRate : public testing::TestWithParam<HighRule> {
   static void expect_own_rate(const Scene& scene, const Vec& exact, const std::vector<int>& all_steps) {
     const auto [id, rate] = GetParam();
     const double end = scene.problem.end;
-    std::vector<ErrorAt> points;
+    std::vector<ErrorSample> points;
     std::string rows;
     for (const int steps : all_steps) {
       const auto path = solve(id, scene.problem, steps, {.at = {end}});

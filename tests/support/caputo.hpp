@@ -38,8 +38,8 @@ inline double integral(const Function& f, double from, double to, double at_from
 }
 
 // D^order x^power from 0, a fractional integral for order < 0; 0 for an integer power below the order.
-inline double caputo_of_power(double power, double order, double x) {
-  if (is_whole(power) && power < order) return 0.0;
+inline double caputo_derivative_of_power(double power, double order, double x) {
+  if (is_integer(power) && power < order) return 0.0;
   return gamma(power + 1.0) * reciprocal_gamma(power + 1.0 - order) * std::pow(x, power - order);
 }
 

@@ -9,12 +9,12 @@
 
 #include "scenes/registry.hpp"
 #include "start_weights/start_weights.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace fde {
 
-inline const SceneMaker& scene_maker(std::string_view id) {
-  return *std::ranges::find(scenes(), id, &SceneMaker::id);
+inline const SceneFactory& scene_maker(std::string_view id) {
+  return *std::ranges::find(scenes(), id, &SceneFactory::id);
 }
 
 inline Scene scene_of(std::string_view id, const ParameterValues& values = {}) {
@@ -30,7 +30,7 @@ inline Trajectory solve(std::string_view scheme, const Problem& problem, int ste
 // amplify it.
 inline double rounding(const Scheme& scheme, double plain) {
   constexpr double unit = 1e-16;
-  return scheme.start_powers ? std::max(plain, unit * most_growth) : plain;
+  return scheme.starting_powers ? std::max(plain, unit * max_growth) : plain;
 }
 
 // Names of parameterised tests: the id of the scheme or scene.
@@ -46,7 +46,7 @@ inline std::vector<const Scheme*> all_schemes() {
 inline std::vector<const Scheme*> grid_schemes() {
   auto some = all_schemes();
   std::erase_if(some,
-                [](const Scheme* scheme) { return !scheme->needs.takes_grid || !scheme->expected_rate; });
+                [](const Scheme* scheme) { return !scheme->needs.solves_on_grid || !scheme->expected_rate; });
   return some;
 }
 

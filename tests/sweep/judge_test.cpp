@@ -9,19 +9,19 @@
 #include <cmath>
 #include <limits>
 
-#include "observers/watched_steps.hpp"
+#include "observers/comparison_steps.hpp"
 #include "reference_data/data_table.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
 namespace {
 
-std::optional<double> value(const Judgement& judgement, std::string_view id) {
-  const auto found = std::ranges::find(judgement.measured, id, &Measured::id);
+std::optional<double> value(const Assessment& judgement, std::string_view id) {
+  const auto found = std::ranges::find(judgement.measured, id, &MeasuredValue::id);
   return found == judgement.measured.end() ? std::nullopt : std::optional(found->value);
 }
 
-std::vector<std::string_view> ids(const Judgement& judgement) {
+std::vector<std::string_view> ids(const Assessment& judgement) {
   std::vector<std::string_view> all;
   for (const auto& measured : judgement.measured) all.push_back(measured.id);
   return all;
@@ -37,9 +37,9 @@ TEST(Judge, TakesWhatAnotherProgramWrote) {
     columns(0, static_cast<Eigen::Index>(row)) = std::stod(table.rows[row][1]);
   }
   const Scene scene = scene_of("power", {{"p", 2.0}});
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   const auto judged = judge_columns(times, columns, reference);
-  EXPECT_EQ(judged.ending, RunEnding{});
+  EXPECT_EQ(judged.ending, RunOutcome{});
   EXPECT_EQ(judged.until, 2.0);
   EXPECT_NEAR(*value(judged, "error_end"), 0.02, 1e-15);
   EXPECT_NEAR(*value(judged, "error_maximum"), 0.02, 1e-15);
@@ -54,7 +54,7 @@ TEST(Judge, TakesWhatAnotherProgramWrote) {
 TEST(Judge, SaysHowWellTheReferenceIsKnownAtTheEndAndAtItsWorst) {
   const Trajectory path{.times = {0.0, 0.5, 1.0}, .y = Rows::Zero(2, 3)};
   const Rows reference = Rows::Ones(2, 3), bounds{{0.0, 1e-3, 1e-9}, {0.0, 1e-5, 1e-8}};
-  const Observed observed;
+  const RunObservations observed;
   const FinishedRun run{path, path.y, reference, bounds, observed};
   EXPECT_EQ(measure::reference_bound.value(run), 1e-8);
   EXPECT_EQ(measure::reference_bound_maximum.value(run), 1e-3);
@@ -62,18 +62,18 @@ TEST(Judge, SaysHowWellTheReferenceIsKnownAtTheEndAndAtItsWorst) {
 
 TEST(Judge, SaysFromWhenOnTheAccuracyIsLost) {
   const Scene scene = scene_of("power", {{"p", 2.0}});
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   const std::vector<double> times{0.0, 0.5, 1.0};
   const Rows columns{{0.0, 0.25, 3.0}};
   const auto judged = judge_columns(times, columns, reference);
-  EXPECT_EQ(judged.ending, (RunEnding{Ending::accuracy_lost, "at t = 1"}));
+  EXPECT_EQ(judged.ending, (RunOutcome{Ending::accuracy_lost, "at t = 1"}));
   const Grid grid{.end = 1.0, .steps = 2};
   EXPECT_EQ(judge_columns(times, columns, reference, {.grid = grid}).ending.detail, "at step 2, t = 1");
 }
 
 TEST(Judge, OfASchemesTrajectoryCountsItsCost) {
   const Scene scene = scene_of("relaxation");
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   const auto path = solve("l1", scene.problem, 64);
   const auto judged = judge(scene, path, reference);
   EXPECT_EQ(value(judged, "states"), 1.0);
@@ -84,19 +84,19 @@ TEST(Judge, OfASchemesTrajectoryCountsItsCost) {
 
 TEST(Judge, OfARunThatStoppedHasNoMeasures) {
   const Scene scene = scene_of("brusselator");
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   const auto judged = judge(scene, solve("adams_pc", scene.problem, 256), reference);
-  EXPECT_EQ(judged.ending.kind, Ending::not_finite);
+  EXPECT_EQ(judged.ending.kind, Ending::non_finite);
   EXPECT_EQ(judged.ending.detail.find("at step 94, t = "), 0U);
   EXPECT_TRUE(judged.measured.empty());
 }
 
 TEST(Judge, ANumberThatIsNotFiniteIsNoMeasure) {
   const Scene scene = scene_of("relaxation");
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   const double infinity = std::numeric_limits<double>::infinity();
   const auto judged = judge(scene, solve("l1", scene.problem, 8), reference, {.energy_residual = infinity});
-  EXPECT_EQ(judged.ending, (RunEnding{Ending::not_finite, "in energy_residual"}));
+  EXPECT_EQ(judged.ending, (RunOutcome{Ending::non_finite, "in energy_residual"}));
   EXPECT_TRUE(judged.measured.empty());
 }
 
@@ -110,7 +110,7 @@ TEST(Endings, HaveNamesThatAreReadBack) {
 
 TEST(Endings, AreSentences) {
   EXPECT_EQ(sentence({}), "finished");
-  EXPECT_EQ(sentence({Ending::not_finite, "at step 3, t = 0.5"}), "not finite at step 3, t = 0.5");
+  EXPECT_EQ(sentence({Ending::non_finite, "at step 3, t = 0.5"}), "not finite at step 3, t = 0.5");
   EXPECT_EQ(sentence({Ending::refused, "needs a uniform grid"}), "refused: needs a uniform grid");
   EXPECT_EQ(sentence({Ending::overflow, "at t = 2"}), "the solution overflows at t = 2");
 }

@@ -1,5 +1,3 @@
-#include "sweep/ladder.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,26 +6,27 @@
 #include "support/testing.hpp"
 #include "sweep/default_sweep.hpp"
 #include "sweep/forecast.hpp"
-#include "sweep/remaining.hpp"
+#include "sweep/refinement_plan.hpp"
 #include "sweep/sweep.hpp"
+#include "sweep/sweep_estimate.hpp"
 
 namespace fde {
 namespace {
 
-const Ladder ladder{{64, 128, 256, 512, 1024, 2048, 4096, 8192}, Goal{}};
+const RefinementPlan ladder{{64, 128, 256, 512, 1024, 2048, 4096, 8192}, RefinementGoal{}};
 
 // A refinement with errors C N^-rate and seconds s N.
-Climb climb_of(int rungs, double constant, double rate, double seconds_a_step = 1e-7) {
-  Climb climb;
+Refinement climb_of(int rungs, double constant, double rate, double seconds_a_step = 1e-7) {
+  Refinement climb;
   for (int i = 0; i < rungs; ++i) {
     const int steps = std::get<int>(ladder.rungs[static_cast<std::size_t>(i)]);
-    const FallingError error{constant * std::pow(steps, -rate), rate};
+    const ErrorWithRate error{constant * std::pow(steps, -rate), rate};
     climb.push_back({.steps = steps, .end = error, .maximum = error, .seconds = seconds_a_step * steps});
   }
   return climb;
 }
 
-bool ends(const std::vector<Climb>& of_scene) { return has_ended(ladder, of_scene, of_scene.front()); }
+bool ends(const std::vector<Refinement>& of_scene) { return is_finished(ladder, of_scene, of_scene.front()); }
 
 TEST(Ladders, EndAtTheFirstRungWithinTheLeastError) {
   EXPECT_FALSE(ends({climb_of(1, 1e-4, 2.0)}));
@@ -60,18 +59,18 @@ TEST(Ladders, EndBeforeARungOfMoreThanTheMostSeconds) {
 // Wall time with 0.5 s to start the process and 1 ms a step: only the steps count, up to 256 of them.
 TEST(Ladders, DoNotCountTheStartOfAProcess) {
   auto climb = climb_of(2, 10.0, 2.0);
-  for (Rung& rung : climb) {
+  for (RefinementRun& rung : climb) {
     rung.wall_clock = true;
     rung.seconds = 0.5 + 1e-3 * rung.steps;
   }
   EXPECT_FALSE(ends({climb}));
   climb = climb_of(3, 10.0, 2.0);
-  for (Rung& rung : climb) {
+  for (RefinementRun& rung : climb) {
     rung.wall_clock = true;
     rung.seconds = 0.5 + 1e-3 * rung.steps;
   }
   EXPECT_TRUE(ends({climb}));  // 512 steps are forecast to take more than 0.3 s
-  for (Rung& rung : climb) rung.wall_clock = false;
+  for (RefinementRun& rung : climb) rung.wall_clock = false;
   climb.pop_back();
   EXPECT_TRUE(ends({climb}));
 }
@@ -102,21 +101,21 @@ TEST(Ladders, EndWhereAnotherSchemeIsWithinEachErrorInLessTime) {
 }
 
 // Tolerances 1e-2, 1e-4, ... with equal errors, and seconds first * 1, 10, ...
-Climb climb_of_accuracies(int rungs, double first) {
-  Climb climb;
+Refinement climb_of_accuracies(int rungs, double first) {
+  Refinement climb;
   for (int i = 0; i < rungs; ++i) {
-    const FallingError error{std::pow(10.0, -2 * (i + 1)), {}};
+    const ErrorWithRate error{std::pow(10.0, -2 * (i + 1)), {}};
     climb.push_back({.end = error, .maximum = error, .seconds = first * std::pow(10.0, i)});
   }
   return climb;
 }
 
 TEST(Ladders, OfAccuraciesEndWhereAnotherSchemeHasEveryErrorInFarLessTime) {
-  const Ladder accuracies{std::vector<StepsOrAccuracy>(8, Accuracy{}), Goal{}};
+  const RefinementPlan accuracies{std::vector<StepsOrTolerance>(8, Tolerance{}), RefinementGoal{}};
   const auto quick = climb_of_accuracies(4, 1e-6);
-  const auto ends_beside = [&](const Climb& climb, const Climb& other) {
-    const std::vector<Climb> of_scene{climb, other};
-    return has_ended(accuracies, of_scene, of_scene.front());
+  const auto ends_beside = [&](const Refinement& climb, const Refinement& other) {
+    const std::vector<Refinement> of_scene{climb, other};
+    return is_finished(accuracies, of_scene, of_scene.front());
   };
   EXPECT_FALSE(ends_beside(climb_of_accuracies(2, 1e-4), quick)) << "three rungs are the fewest";
   EXPECT_TRUE(ends_beside(climb_of_accuracies(3, 1e-4), quick));
@@ -126,8 +125,8 @@ TEST(Ladders, OfAccuraciesEndWhereAnotherSchemeHasEveryErrorInFarLessTime) {
 }
 
 TEST(Ladders, EndWhereAnotherSchemeListedBeforeIsTheSameAlgorithm) {
-  const auto ended = [](const std::vector<Climb>& climbs, std::size_t i) {
-    return has_ended(ladder, climbs, climbs[i]);
+  const auto ended = [](const std::vector<Refinement>& climbs, std::size_t i) {
+    return is_finished(ladder, climbs, climbs[i]);
   };
   const auto four = climb_of(4, 0.1, 2.0), five = climb_of(5, 0.1, 2.0);
   EXPECT_TRUE(ended({five, five}, 1));
@@ -140,17 +139,17 @@ TEST(Ladders, EndWhereAnotherSchemeListedBeforeIsTheSameAlgorithm) {
 }
 
 TEST(Ladders, WithoutAGoalEndAtTheTop) {
-  const Ladder all{ladder.rungs};
-  const std::vector<Climb> climbs{climb_of(7, 1e-9, 2.0), climb_of(8, 1e-9, 2.0)};
-  EXPECT_FALSE(has_ended(all, climbs, climbs[0]));
-  EXPECT_TRUE(has_ended(all, climbs, climbs[1]));
+  const RefinementPlan all{ladder.rungs};
+  const std::vector<Refinement> climbs{climb_of(7, 1e-9, 2.0), climb_of(8, 1e-9, 2.0)};
+  EXPECT_FALSE(is_finished(all, climbs, climbs[0]));
+  EXPECT_TRUE(is_finished(all, climbs, climbs[1]));
 }
 
 TEST(Rungs, AreAtTheFloorOfRoundingOrOfTheReference) {
   const auto rung = [](const std::map<std::string, double>& values) {
     RecordedRun run;
     for (const auto& [quantity, value] : values) run.note({.quantity = quantity, .value = value});
-    return rung_of({64}, run);
+    return refinement_run({64}, run);
   };
   EXPECT_FALSE(rung({{"error_end", 1e-9}, {"reference_bound", 1e-15}}).end.at_floor);
   EXPECT_TRUE(rung({{"error_end", 1e-9}, {"reference_bound", 1e-9}}).end.at_floor);
@@ -160,9 +159,9 @@ TEST(Rungs, AreAtTheFloorOfRoundingOrOfTheReference) {
 }
 
 // Stores the records of a sweep in memory, like a results file.
-class Notebook {
+class RecordedSweep {
  public:
-  explicit Notebook(std::size_t most = 1'000'000) : left_(most) {}
+  explicit RecordedSweep(std::size_t most = 1'000'000) : left_(most) {}
 
   // Runs the sweep; fails after the number of writes given to the constructor.
   void run(const Sweep& sweep) {
@@ -172,7 +171,7 @@ class Notebook {
       left_ = 1'000'000;
     }
   }
-  [[nodiscard]] SweepHooks hooks() {
+  [[nodiscard]] SweepCallbacks hooks() {
     return {.recorded = [this](const RunKey& key) { return runs_[key]; },
             .append =
                 [this](const std::vector<Record>& rows) {
@@ -185,7 +184,8 @@ class Notebook {
   [[nodiscard]] std::map<std::string, std::vector<int>> steps() const {
     std::map<std::string, std::vector<int>> steps;
     for (const auto& [key, run] : runs_) {
-      if (run.amount() != Recorded::nothing) steps[key.scheme].push_back(std::get<int>(key.setup.resolution));
+      if (run.amount() != RecordedAmount::nothing)
+        steps[key.scheme].push_back(std::get<int>(key.setup.resolution));
     }
     return steps;
   }
@@ -199,14 +199,14 @@ class Notebook {
 Sweep sweep_of_power() {
   return {.scenes = {{&scene_maker("power")}},
           .schemes = {find_scheme("product_trapezoidal"), find_scheme("adams_pc")},
-          .ladder = {ladder.rungs, Goal{.errors = {1e-5}, .most_seconds = 1e9, .margin = 1e9}},
+          .ladder = {ladder.rungs, RefinementGoal{.errors = {1e-5}, .most_seconds = 1e9, .margin = 1e9}},
           .repeats = {.most = 1},
           .threads = 1};
 }
 
 // product_trapezoidal is within 1e-5 with 128 steps, adams_pc with 2048.
 TEST(Sweeps, ClimbUntilTheirGoalIsReached) {
-  Notebook book;
+  RecordedSweep book;
   book.run(sweep_of_power());
   EXPECT_THAT(
       book.steps(),
@@ -215,10 +215,10 @@ TEST(Sweeps, ClimbUntilTheirGoalIsReached) {
 }
 
 TEST(Sweeps, ContinuedAnywhereTakeTheRunsOfAnUninterruptedOne) {
-  Notebook whole;
+  RecordedSweep whole;
   whole.run(sweep_of_power());
   for (std::size_t writes = 0; writes < 15; writes += 3) {
-    Notebook killed(writes);
+    RecordedSweep killed(writes);
     killed.run(sweep_of_power());
     EXPECT_NE(killed.steps(), whole.steps()) << writes;
     killed.run(sweep_of_power());
@@ -227,15 +227,15 @@ TEST(Sweeps, ContinuedAnywhereTakeTheRunsOfAnUninterruptedOne) {
 }
 
 TEST(DefaultSweeps, ClimbTheLadderOfAThoroughOneForAGoal) {
-  EXPECT_EQ(default_ladder().rungs, thorough_ladder().rungs);
-  EXPECT_TRUE(default_ladder().goal);
-  EXPECT_FALSE(thorough_ladder().goal);
+  EXPECT_EQ(default_plan().rungs, thorough_plan().rungs);
+  EXPECT_TRUE(default_plan().goal);
+  EXPECT_FALSE(thorough_plan().goal);
 }
 
 TEST(Forecasts, OfAFixedSweepAreItsRuns) {
   Sweep sweep = sweep_of_power();
   sweep.ladder = {{16, 64, 48}};
-  Notebook book;
+  RecordedSweep book;
   const auto expected = forecast(sweep, book.hooks().recorded);
   book.run(sweep);
   std::map<std::string, std::vector<int>> steps;
@@ -249,7 +249,7 @@ TEST(Forecasts, OfAFixedSweepAreItsRuns) {
 
 TEST(Forecasts, ClimbAsTheSweepDoes) {
   const Sweep sweep = sweep_of_power();
-  Notebook book;
+  RecordedSweep book;
   const auto expected = forecast(sweep, book.hooks().recorded).size();
   EXPECT_GE(expected, 7U);
   EXPECT_LE(expected, 9U);  // the sweep makes 8 runs
@@ -260,19 +260,19 @@ RunKey run_with(int steps, const std::string& scheme = "l1") {
 }
 
 TEST(Remainings, LeaveOutTheRunsOfALineThatEnds) {
-  Remaining remaining(
+  SweepEstimate remaining(
       {{run_with(64), 1.0}, {run_with(128), 2.0}, {run_with(256), 4.0}, {run_with(64, "x"), 1.0}});
   EXPECT_EQ(remaining.part_done(), 0.0);
   remaining.hear({SweepEvent::Kind::is_done, run_with(64)});
   EXPECT_EQ(remaining.part_done(), 1.0 / 8.0);
   EXPECT_EQ(remaining.runs_expected(), 4U);
-  remaining.hear({SweepEvent::Kind::line_ends, run_with(64)});
+  remaining.hear({SweepEvent::Kind::refinement_ends, run_with(64)});
   EXPECT_EQ(remaining.part_done(), 1.0 / 2.0);
   EXPECT_EQ(remaining.runs_expected(), 2U);
 }
 
 TEST(Remainings, TakeThePaceSoFar) {
-  Remaining remaining({{run_with(64), 990.0}, {run_with(128), 100.0}});
+  SweepEstimate remaining({{run_with(64), 990.0}, {run_with(128), 100.0}});
   EXPECT_EQ(remaining.seconds_left(0.0), 1090.0);
   remaining.hear({SweepEvent::Kind::is_done, run_with(64)});
   EXPECT_DOUBLE_EQ(remaining.seconds_left(1990.0), 200.0);

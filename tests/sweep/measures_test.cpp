@@ -16,9 +16,9 @@
 
 #include "measures/error_kind.hpp"
 #include "measures/time_spread.hpp"
+#include "observers/comparison_steps.hpp"
 #include "observers/energy_balance.hpp"
 #include "observers/rate.hpp"
-#include "observers/watched_steps.hpp"
 #include "references/reference_of.hpp"
 #include "support/testing.hpp"
 
@@ -60,9 +60,9 @@ TEST(RelativeErrors, TakeAZeroForAThousandthOfTheSizeNearby) {
 // |y - 0| is 1, 2, 4 and |y - y(0)| is 0, 1, 3; t = 0 is left out.
 TEST(TrivialError, IsThatOfZeroOrOfTheInitialValue) {
   const Rows reference = (Rows(1, 3) << 1.0, 2.0, 4.0).finished(), one = Rows::Ones(1, 3);
-  EXPECT_EQ(trivial_error(Norm::end, {0.0, 1.0, 2.0}, reference, one), 3.0);
-  EXPECT_EQ(trivial_error(Norm::maximum, {0.0, 1.0, 2.0}, reference, one), 3.0);
-  EXPECT_EQ(trivial_error(Norm::end, {0.5, 1.0, 2.0}, reference, one), 4.0);
+  EXPECT_EQ(constant_solution_error(Norm::end, {0.0, 1.0, 2.0}, reference, one), 3.0);
+  EXPECT_EQ(constant_solution_error(Norm::maximum, {0.0, 1.0, 2.0}, reference, one), 3.0);
+  EXPECT_EQ(constant_solution_error(Norm::end, {0.5, 1.0, 2.0}, reference, one), 4.0);
 }
 
 TEST(ErrorKinds, HaveAMeasureAndAWordEach) {
@@ -70,7 +70,7 @@ TEST(ErrorKinds, HaveAMeasureAndAWordEach) {
   for (const auto* measure : measures()) ids.insert(measure->id);
   for (const ErrorKind& kind : error_kinds()) {
     EXPECT_TRUE(ids.contains(error_measure(kind))) << error_measure(kind);
-    EXPECT_TRUE(ids.contains(trivial_measure(kind))) << trivial_measure(kind);
+    EXPECT_TRUE(ids.contains(baseline_measure(kind))) << baseline_measure(kind);
     EXPECT_EQ(parse_norm(name(kind.norm)), kind.norm);
     EXPECT_EQ(parse_scale(name(kind.scale)), kind.scale);
   }
@@ -85,7 +85,7 @@ TEST(Measures, OfTimes) {
 }
 
 // The 8th and the 18th of 25 values enclose the median with 95 % probability (any table of the sign test).
-TEST(TimeSpread, IsAnIntervalOfTheMedian) {
+TEST(MedianInterval, IsAnIntervalOfTheMedian) {
   std::vector<double> seconds(25);
   std::iota(seconds.rbegin(), seconds.rend(), 1.0);
   const auto [median, low, high] = spread_of(seconds);
@@ -97,14 +97,14 @@ TEST(TimeSpread, IsAnIntervalOfTheMedian) {
 }
 
 TEST(WatchedSteps, AreAllUpToALimitAndThenSpread) {
-  EXPECT_EQ(watched_steps(3), (std::vector<int>{0, 1, 2, 3}));
-  EXPECT_EQ(watched_steps(8192).size(), 8193U);
-  const auto some = watched_steps(1'000'000'000);
+  EXPECT_EQ(comparison_steps(3), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(comparison_steps(8192).size(), 8193U);
+  const auto some = comparison_steps(1'000'000'000);
   EXPECT_EQ(some.front(), 0);
   EXPECT_EQ(some[16], 16);
   EXPECT_EQ(some[17], 1'000'000'000 / 8192);
   EXPECT_EQ(some.back(), 1'000'000'000);
-  EXPECT_EQ(watched_times({.end = 0.75, .steps = 3}), (std::vector{0.0, 0.25, 0.5, 0.75}));
+  EXPECT_EQ(comparison_times({.end = 0.75, .steps = 3}), (std::vector{0.0, 0.25, 0.5, 0.75}));
 }
 
 // Whether the distances t - start include four values per power of ten from `least` to `most`.
@@ -121,7 +121,7 @@ bool meet_powers_of_ten(const std::vector<double>& times, double start, double l
 TEST(WatchedTimes, OfAProblemLieCloserTowardsItsStartAndItsJumps) {
   const Problem problem{
       .components = {{0.5, {1.0}}, {0.0, {0.0}}, {1.5, {0.0, 0.0}}}, .end = 2.0, .jumps = {1.25, 2.0}};
-  const auto times = watched_times(problem, 8);
+  const auto times = comparison_times(problem, 8);
   EXPECT_TRUE(std::ranges::is_sorted(times, std::less_equal<>())) << "none is there twice";
   for (int i = 0; i <= 8; ++i) EXPECT_TRUE(std::ranges::binary_search(times, 0.25 * i)) << i;
   EXPECT_EQ(times.front(), 0.0);
@@ -168,7 +168,7 @@ TEST(EnergyResidual, IsTheDriftOfAConservedEnergy) {
 TEST(EnergyResidual, IsExactForAParabolicPower) {
   const Energy cubic{.value = [](In y) { return y[0] * y[0] * y[0]; },
                      .power = [](double t, In) { return 3.0 * t * t; }};
-  Trajectory path{.times = watched_times({2.0, 40, 1.7})};
+  Trajectory path{.times = comparison_times({2.0, 40, 1.7})};
   path.y = Eigen::Map<const Eigen::RowVectorXd>(path.times.data(), 41);
   EXPECT_LT(residual(cubic, path).value(), 1e-14);
 }
@@ -187,7 +187,7 @@ TEST(EnergyResidual, OfAnInfiniteEnergyIsNotZero) {
 }
 
 TEST(FitRate, RecoversAPowerLaw) {
-  std::vector<ErrorAt> points;
+  std::vector<ErrorSample> points;
   for (int k = 0; k < 6; ++k) points.push_back({std::pow(2.0, -k), 3.0 * std::pow(2.0, -1.25 * k)});
   const Fit fit = fit_rate(points);
   EXPECT_NEAR(fit.slope, 1.25, 1e-14);
@@ -196,7 +196,8 @@ TEST(FitRate, RecoversAPowerLaw) {
 }
 
 TEST(FitRate, StopsAtRounding) {
-  const std::vector<ErrorAt> points{{1, 1e-6}, {0.1, 1e-8}, {0.01, 1e-10}, {0.001, 3e-13}, {0.0001, 2e-13}};
+  const std::vector<ErrorSample> points{
+      {1, 1e-6}, {0.1, 1e-8}, {0.01, 1e-10}, {0.001, 3e-13}, {0.0001, 2e-13}};
   EXPECT_NEAR(fit_rate(points).slope, 2.0, 1e-12);
   EXPECT_EQ(fit_rate(points).points, 3U);
   EXPECT_EQ(fit_rate(std::span(points).first(2)).points, 0U);

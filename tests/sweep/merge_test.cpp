@@ -39,14 +39,14 @@ class Merges : public testing::Test {
       text += line_of(row, false);
       row.quantity = "ending";
       row.unit = "t";
-      row.ending = RunEnding{};
+      row.ending = RunOutcome{};
       text += line_of(row, true);
     }
     folder_.write(name, text);
     return folder_.path() / name;
   }
 
-  static std::string text_of(const std::filesystem::path& file) {
+  static std::string to_text(const std::filesystem::path& file) {
     std::ostringstream text;
     text << std::ifstream(file).rdbuf();
     return text.str();
@@ -77,7 +77,7 @@ TEST_F(Merges, KeepTheSessionsOfSeveralMachinesApart) {
 TEST_F(Merges, OfOneFileAreThatFile) {
   const auto file = file_of("a", "one", {8, 16});
   merge_results({file}, out_);
-  EXPECT_EQ(text_of(out_), text_of(file));
+  EXPECT_EQ(to_text(out_), to_text(file));
 }
 
 // Sessions that began in the same second on equal machines have equal session lines and count as one.
@@ -94,7 +94,7 @@ TEST_F(Merges, TakeWhatStandsInSeveralFilesOnce) {
 
 TEST_F(Merges, PassOverTheLastRowsOfAKilledSweep) {
   const auto file = file_of("a", "one", {8, 16});
-  const auto whole = text_of(file);
+  const auto whole = to_text(file);
   folder_.write("cut", whole.substr(0, whole.size() - 20));
   merge_results({folder_.path() / "cut", file_of("b", "other", {32})}, out_);
   EXPECT_THAT(steps_of(read_results(out_), "one"), testing::ElementsAre(8));
@@ -102,10 +102,10 @@ TEST_F(Merges, PassOverTheLastRowsOfAKilledSweep) {
 
 TEST_F(Merges, WriteNoFileThatIsThereAndNoneOfWhatIsNone) {
   const auto file = file_of("a", "one", {8});
-  const auto before = text_of(file);
+  const auto before = to_text(file);
   EXPECT_THAT([&] { merge_results({file}, file); }, testing::ThrowsMessage<std::invalid_argument>(
                                                         file.string() + ": exists, it must be a new file"));
-  EXPECT_EQ(text_of(file), before);
+  EXPECT_EQ(to_text(file), before);
   folder_.write("other", "t,y\n");
   const auto other = folder_.path() / "other";
   EXPECT_THAT(
@@ -128,7 +128,7 @@ std::multiset<std::string> labels(const std::vector<Sweep>& sweeps) {
 
 // Each run of the default sweep is in one shard, and all runs of a scene are in the same.
 TEST(Shards, AreAllOfASweepTogether) {
-  const Sweep sweep{.scenes = sweep_scenes(), .schemes = sweep_schemes(), .ladder = default_ladder()};
+  const Sweep sweep{.scenes = sweep_scenes(), .schemes = sweep_schemes(), .ladder = default_plan()};
   auto sweeps = sweeps_of_trials(sweep, false);
   sweeps.push_back(sweep);
   std::multiset<std::string> together;

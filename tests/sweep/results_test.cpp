@@ -41,7 +41,7 @@ class ResultsFiles : public testing::Test {
     error.value = 0.1 / steps;
     ending.quantity = "ending";
     ending.unit = "t";
-    ending.ending = RunEnding{};
+    ending.ending = RunOutcome{};
     return {error, ending};
   }
 
@@ -69,8 +69,8 @@ TEST_F(ResultsFiles, ReturnWhatWasAppended) {
   EXPECT_EQ(results.records[0].quantity, "error_end");
   EXPECT_EQ(results.records[0].value, 0.1 / 64);
   const ResultsFile again(file_);
-  EXPECT_EQ(again.recorded(key("l1", 64)).amount(), Recorded::all_but_times);
-  EXPECT_EQ(again.recorded(key("l1", 128)).amount(), Recorded::nothing);
+  EXPECT_EQ(again.recorded(key("l1", 64)).amount(), RecordedAmount::all_but_times);
+  EXPECT_EQ(again.recorded(key("l1", 128)).amount(), RecordedAmount::nothing);
   EXPECT_FALSE(results.sessions.at(0).compiler.empty());
 }
 
@@ -83,19 +83,20 @@ TEST_F(ResultsFiles, TellRunsApartByTheirWholeKey) {
     change(other);
     return again.recorded(other);
   };
-  EXPECT_EQ(recorded_with([](RunKey&) {}).amount(), Recorded::all_but_times);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.scene.values["gamma"] = 0.5; }).amount(), Recorded::nothing);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.scene.until = 1.0; }).amount(), Recorded::nothing);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.scheme = "adams_pc"; }).amount(), Recorded::nothing);
+  EXPECT_EQ(recorded_with([](RunKey&) {}).amount(), RecordedAmount::all_but_times);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.scene.values["gamma"] = 0.5; }).amount(),
+            RecordedAmount::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.scene.until = 1.0; }).amount(), RecordedAmount::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.scheme = "adams_pc"; }).amount(), RecordedAmount::nothing);
   EXPECT_EQ(recorded_with([](RunKey& k) {
-              k.setup.resolution = Accuracy{1e-6, 1e-9};
+              k.setup.resolution = Tolerance{1e-6, 1e-9};
             }).amount(),
-            Recorded::nothing);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.grading = 2.0; }).amount(), Recorded::nothing);
+            RecordedAmount::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.grading = 2.0; }).amount(), RecordedAmount::nothing);
   EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.history = HistoryKind::direct; }).amount(),
-            Recorded::nothing);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.tolerance = 1e-8; }).amount(), Recorded::nothing);
-  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.budget = 60.0; }).amount(), Recorded::nothing);
+            RecordedAmount::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.tolerance = 1e-8; }).amount(), RecordedAmount::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.budget = 60.0; }).amount(), RecordedAmount::nothing);
 }
 
 TEST_F(ResultsFiles, KeepEveryMemberOfARun) {
@@ -103,9 +104,9 @@ TEST_F(ResultsFiles, KeepEveryMemberOfARun) {
   for (auto& row : some) {
     row.key = {.scene = {"knife_edge", {{"omega", 1.9}, {"formulation", "multiplier"}}, 5.0},
                .scheme = "l1",
-               .setup = {Accuracy{1e-6, 1e-9}, 2.5, HistoryKind::direct, 1e-8, 60.0}};
+               .setup = {Tolerance{1e-6, 1e-9}, 2.5, HistoryKind::direct, 1e-8, 60.0}};
   }
-  some.back().ending = RunEnding{Ending::not_finite, "at step 3, t = 0.5"};
+  some.back().ending = RunOutcome{Ending::non_finite, "at step 3, t = 0.5"};
   ResultsFile(file_).append(some);
   const Record read = read_results(file_).records.back();
   EXPECT_EQ(read.key, some.back().key);
@@ -135,7 +136,7 @@ TEST_F(ResultsFiles, OfAnotherBuildDoNotCount) {
   const std::string commit = R"("commit":")";
   other.insert(other.find(commit) + commit.size(), "x");
   write(other);
-  EXPECT_EQ(ResultsFile(file_).recorded(key("l1", 64)).amount(), Recorded::nothing);
+  EXPECT_EQ(ResultsFile(file_).recorded(key("l1", 64)).amount(), RecordedAmount::nothing);
   EXPECT_EQ(read_results(file_).records.size(), 2U);
 }
 

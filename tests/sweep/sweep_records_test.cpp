@@ -17,7 +17,7 @@ namespace {
 
 RecordedRun complete(const RunKey& key) {
   RecordedRun run;
-  run.note({.key = key, .quantity = "ending", .ending = RunEnding{}});
+  run.note({.key = key, .quantity = "ending", .ending = RunOutcome{}});
   run.note({.key = key, .quantity = "time_minimum"});
   return run;
 }
@@ -32,7 +32,7 @@ TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
   run_sweep(sweep, {.recorded =
                         [](const RunKey& run) {
                           const bool first =
-                              run.scheme == "l1" && run.setup.resolution == StepsOrAccuracy(16);
+                              run.scheme == "l1" && run.setup.resolution == StepsOrTolerance(16);
                           return first ? complete(run) : RecordedRun();
                         },
                     .append =
@@ -131,7 +131,7 @@ TEST(Sweeps, RecordAMissingReferenceAndGoOn) {
     rhs(t, y, f);
     if (t > 1.0) f[0] += 1.0;  // the collocation reference fails at a jump that is not in problem.jumps
   };
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   for (int repeat = 0; repeat < 2; ++repeat) {
     const auto rows = examine({"brusselator"}, scene, reference, *find_scheme("l1"), {64});
     EXPECT_EQ(rows.back().ending->kind, Ending::no_reference);
@@ -142,12 +142,12 @@ TEST(Sweeps, RecordAMissingReferenceAndGoOn) {
 
 TEST(Sweeps, RecordRefusalsAndFailuresWithTheirReason) {
   const auto rows_of = [](const Scene& scene, std::string_view scheme) {
-    WatchedReference reference(scene);
+    MemoizedReference reference(scene);
     return examine({"brusselator"}, scene, reference, *find_scheme(scheme), {256});
   };
   const auto failed = rows_of(scene_of("brusselator"), "adams_pc");
   ASSERT_EQ(failed.size(), 1U);
-  EXPECT_EQ(failed[0].ending->kind, Ending::not_finite);
+  EXPECT_EQ(failed[0].ending->kind, Ending::non_finite);
   EXPECT_EQ(failed[0].ending->detail.find("at step "), 0U);
   EXPECT_GT(failed[0].value, 0.0);
   Scene odd = scene_of("brusselator");

@@ -18,7 +18,7 @@ constexpr auto silence = [](const auto&) {};
 
 RecordedRun examined(const RunKey& key) {
   RecordedRun run;
-  run.note({.key = key, .quantity = "ending", .ending = RunEnding{}});
+  run.note({.key = key, .quantity = "ending", .ending = RunOutcome{}});
   return run;
 }
 
@@ -45,7 +45,7 @@ std::string words_of(const SweepEvent& event) {
       return "times " + run;
     case SweepEvent::Kind::is_done:
       return run + " is done";
-    case SweepEvent::Kind::line_ends:
+    case SweepEvent::Kind::refinement_ends:
       return "line ends at " + run;
   }
   return {};
@@ -92,7 +92,7 @@ TEST_P(SlowAppends, LoseNoExaminationAndNoTime) {
   EXPECT_TRUE(times == endings);
 }
 
-INSTANTIATE_TEST_SUITE_P(Repeats, SlowAppends, testing::Range(0, 3));
+INSTANTIATE_TEST_SUITE_P(TimingRepeats, SlowAppends, testing::Range(0, 3));
 
 }  // namespace
 }  // namespace fde

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -27,14 +27,14 @@ struct Runs {
   Rows exact = Rows{{1.0, -3.0}, {0.0, 1e3}};
   std::vector<double> asked{};
 
-  [[nodiscard]] Rows values(const Accuracy& accuracy) const {
+  [[nodiscard]] Rows values(const Tolerance& accuracy) const {
     Rows result = exact;
     result(1, 0) += times * accuracy.absolute;
     return result;
   }
   std::optional<MissedAccuracy> missed(bool check = false) {
-    constexpr Accuracy accuracy{.relative = 1e-6, .absolute = 1e-6};
-    const auto other = [this](const Accuracy& another) {
+    constexpr Tolerance accuracy{.relative = 1e-6, .absolute = 1e-6};
+    const auto other = [this](const Tolerance& another) {
       asked.push_back(another.relative);
       return std::optional(values(another));
     };
@@ -67,17 +67,17 @@ TEST(MissedAccuracy, IsNoneWithinFiveTimesAndOneOtherRunSaysSoOfAGoodOne) {
 // The looser run is off by more than in proportion: the finer one acquits. Where that does not end, the
 // looser one is believed.
 TEST(MissedAccuracy, IsDecidedByTheFinerRun) {
-  const Accuracy accuracy{.relative = 1e-6, .absolute = 1e-6};
+  const Tolerance accuracy{.relative = 1e-6, .absolute = 1e-6};
   const Rows exact = Rows::Ones(1, 1);
-  const auto apart = [&](const Accuracy& another) -> std::optional<Rows> {
+  const auto apart = [&](const Tolerance& another) -> std::optional<Rows> {
     return Rows(exact.array() + (another.relative > 1e-6 ? 1e-3 : 0.0));
   };
   EXPECT_FALSE(missed_accuracy(accuracy, exact, apart));
-  const auto alone = [&](const Accuracy& another) {
+  const auto alone = [&](const Tolerance& another) {
     return another.relative > 1e-6 ? apart(another) : std::nullopt;
   };
   EXPECT_NEAR(missed_accuracy(accuracy, exact, alone)->times, 1e-3 / 9.0 / 2e-6, 1e-3);
-  EXPECT_FALSE(missed_accuracy(accuracy, exact, [](const Accuracy&) { return std::nullopt; }));
+  EXPECT_FALSE(missed_accuracy(accuracy, exact, [](const Tolerance&) { return std::nullopt; }));
 }
 
 // y'' = -1e6 y over 160 periods, in which errors of steps add up; y(1) = cos 1000.

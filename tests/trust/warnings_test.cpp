@@ -10,7 +10,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "support/answer_of_words.hpp"
+#include "support/command_line_result.hpp"
 #include "support/testing.hpp"
 #include "sweep/default_sweep.hpp"
 
@@ -199,7 +199,7 @@ TEST_P(DefaultScenes, AreNotWarnedOfWhereTheyAreGood) {
       if (path.ending != Ending::finished) continue;
       if (warnings({scheme, problem, grid, options, path}).empty()) continue;
       const auto exact =
-          solve("product_trapezoidal", problem, (two_sided(problem) ? 8 : 64) * steps, {.at = late});
+          solve("product_trapezoidal", problem, (is_two_sided(problem) ? 8 : 64) * steps, {.at = late});
       EXPECT_GT(largest_difference(path, exact, late), 0.1) << scheme.id << ' ' << steps;
     }
   }

@@ -26,7 +26,7 @@ TEST(FractionalExtremum, OfOrderOneIsAHyperbolicSine) {
   scene.reference = {[=](double t) -> ReferenceValue {
     return {Vec::Constant(1, std::sinh(2.0 * t) / std::sinh(2.0)), Vec::Zero(1)};
   }};
-  std::vector<ErrorAt> errors;
+  std::vector<ErrorSample> errors;
   for (int steps = 64; steps <= 1024; steps *= 2)
     errors.push_back({1.0 / steps, largest_error(scene, "product_trapezoidal", steps)});
   EXPECT_NEAR(fit_rate(errors).slope, 2.0, 0.1);
@@ -86,7 +86,7 @@ TEST(FractionalExtremum, WithASpringShowsTheRateOfItsEnds) {
       middle.push_back(columns_of(scene.outputs, path)(0, 0));
       if (middle.size() > 1) differences.push_back(middle.end()[-2] - middle.end()[-1]);
     }
-    std::vector<ErrorAt> first_power;
+    std::vector<ErrorSample> first_power;
     for (std::size_t i = 0; i + 1 < differences.size(); ++i) {
       const double rest = differences[i] - std::pow(2.0, 4.0 * alpha - 1.0) * differences[i + 1];
       first_power.push_back({std::pow(2.0, -static_cast<double>(i)), std::abs(rest)});

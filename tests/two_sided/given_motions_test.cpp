@@ -47,8 +47,8 @@ TEST_P(GivenMotion, HasAReferenceOnWhichTwoMethodsAgree) {
 
 TEST_P(GivenMotion, IsApproachedByBothSchemes) {
   for (const auto* id : both_schemes) {
-    std::vector<ErrorAt> errors;
-    WatchedReference reference(scene_);
+    std::vector<ErrorSample> errors;
+    MemoizedReference reference(scene_);
     for (int steps = 128; steps <= 1024; steps *= 2) {
       const auto path = solve(id, scene_.problem, steps, {.at = {scene_.problem.end}});
       ASSERT_EQ(path.ending, Ending::finished);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "two_sided/all_at_once.hpp"
+#include "two_sided/global_solver.hpp"
 
 namespace fde {
 namespace {
@@ -30,8 +30,8 @@ TEST_P(TwoSidedAlgebraic, ARowThatDefinesAnUnknownCanBeEliminated) {
           },
       .conditions = [=](In at_start, In,
                         Out residual) { residual[0] = at_start[0] - z_of(at_start.tail(2)); }};
-  const auto a = solve_all_at_once(eliminated, {1.0, 200}, {}, *GetParam());
-  const auto b = solve_all_at_once(whole, {1.0, 200}, {}, *GetParam());
+  const auto a = solve_globally(eliminated, {1.0, 200}, {}, *GetParam());
+  const auto b = solve_globally(whole, {1.0, 200}, {}, *GetParam());
   ASSERT_EQ(a.ending, Ending::finished);
   ASSERT_EQ(b.ending, Ending::finished);
   for (Eigen::Index n = 0; n <= 200; ++n) {
@@ -56,7 +56,7 @@ TEST_P(TwoSidedAlgebraic, AMultiplierKeepsItsConstraint) {
           },
       .end = 2.0};
   for (const int steps : {50, 8192}) {
-    const auto path = solve_all_at_once(problem, {2.0, steps}, {}, *GetParam());
+    const auto path = solve_globally(problem, {2.0, steps}, {}, *GetParam());
     ASSERT_EQ(path.ending, Ending::finished);
     double drift = 0.0, off = 0.0, multiplier = 0.0;
     for (int n = 0; n <= steps; ++n) {

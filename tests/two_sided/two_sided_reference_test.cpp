@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "references/cache.hpp"
-#include "scenes/two_sided/made_problem.hpp"
+#include "scenes/two_sided/manufactured_problem.hpp"
 #include "support/testing.hpp"
-#include "two_sided/all_nodes.hpp"
 #include "two_sided/clustered_panels.hpp"
+#include "two_sided/nodal_solution.hpp"
 #include "two_sided/sinc_nodes.hpp"
 #include "two_sided/solution.hpp"
 
@@ -17,10 +17,10 @@ namespace {
 
 NodalBasis panels() {
   static const PanelBasis fourteen(14, PanelPoints::legendre);
-  return clustered_panels(fourteen, 9, ClusteredTime(8.0));
+  return clustered_panels(fourteen, 9, ClusteringMap(8.0));
 }
 
-Vec at_nodes(const NodalBasis& basis, double (*f)(BothShares t)) {
+Vec at_nodes(const NodalBasis& basis, double (*f)(RelativeTime t)) {
   return Vec::NullaryExpr(std::ssize(basis.nodes),
                           [&](Eigen::Index m) { return f(basis.nodes[static_cast<std::size_t>(m)]); });
 }
@@ -28,7 +28,7 @@ Vec at_nodes(const NodalBasis& basis, double (*f)(BothShares t)) {
 // J^g t^p = Gamma(p+1)/Gamma(p+1+g) t^(p+g), J^g (1-t) = t^g/Gamma(g+1) - t^(1+g)/Gamma(g+2).
 TEST(NodalBasis, IntegratesPowersOfBothEnds) {
   for (const auto& [basis, off] : {std::pair{panels(), 5e-12}, {sinc_nodes(0.08), 1e-14}}) {
-    const Vec f = at_nodes(basis, [](BothShares t) { return std::pow(t.from_start, 0.4) + t.from_end; });
+    const Vec f = at_nodes(basis, [](RelativeTime t) { return std::pow(t.from_start, 0.4) + t.from_end; });
     for (const double order : {0.3, 0.5, 1.0, 1.7}) {
       const auto row = basis.rows(order);
       for (const double t : {1e-6, 0.1, 0.5, 0.77, 0.999, 1.0}) {
@@ -46,7 +46,7 @@ TEST(NodalBasis, IntegratesPowersOfBothEnds) {
 TEST(NodalBasis, SincFunctionsIntegrateTheWholeKernelOfSmallOrders) {
   const NodalBasis basis = sinc_nodes(0.08);
   const Vec one = Vec::Ones(std::ssize(basis.nodes));
-  const Vec falling = at_nodes(basis, [](BothShares t) { return t.from_end; });
+  const Vec falling = at_nodes(basis, [](RelativeTime t) { return t.from_end; });
   for (const double order : {0.01, 0.02, 0.03, 0.05, 0.07, 0.1}) {
     const auto row = basis.rows(order);
     for (const double t : {1e-6, 0.1, 0.5, 0.999, 1.0}) {
@@ -58,11 +58,11 @@ TEST(NodalBasis, SincFunctionsIntegrateTheWholeKernelOfSmallOrders) {
   }
 }
 
-TEST(ClusteredTime, IsUndoneWithTheDigitsOfBothEnds) {
+TEST(ClusteringMap, IsUndoneWithTheDigitsOfBothEnds) {
   for (const double power : {8.0, 32.0}) {
-    const ClusteredTime time(power);
+    const ClusteringMap time(power);
     for (const double x : {1e-3, 0.2, 0.5, 0.9, 0.999}) {
-      const BothShares back = time.undone(time.at({x, 1.0 - x}));
+      const RelativeTime back = time.undone(time.at({x, 1.0 - x}));
       EXPECT_NEAR(back.from_start, x, 1e-14 * x) << power;
       EXPECT_NEAR(back.from_end, 1.0 - x, 1e-12 * (1.0 - x)) << power;
     }
@@ -70,8 +70,9 @@ TEST(ClusteredTime, IsUndoneWithTheDigitsOfBothEnds) {
 }
 
 // A nonlinear problem with one row a side, of orders below and above 1.
-TEST(TwoSidedReference, IsTheMadeSolutionByEitherMethod) {
-  const Made made = made_problem({{0.6, 3.0, Side::left}, {1.7, 3.5, Side::right}}, 1.0);
+TEST(TwoSidedReference, IsTheManufacturedSolutionByEitherMethod) {
+  const ManufacturedProblem made =
+      manufactured_problem({{0.6, 3.0, Side::left}, {1.7, 3.5, Side::right}}, 1.0);
   for (const auto& basis : {panels(), sinc_nodes(0.08)}) {
     const NodalSolution solution(made.problem, basis);
     for (const double t : {0.01, 0.3, 0.5, 0.9, 0.99})
@@ -89,7 +90,8 @@ TEST(TwoSidedReference, IsTheMadeSolutionByEitherMethod) {
 // Orders of 0.3 need 12 panels, and 1.4 * 12 / 12 is below 1.4 in double.
 TEST(TwoSidedReference, ReachesTheEnd) {
   const double end = 1.4;
-  const Made made = made_problem({{0.3, 3.0, Side::left}, {0.3, 3.5, Side::right}}, end);
+  const ManufacturedProblem made =
+      manufactured_problem({{0.3, 3.0, Side::left}, {0.3, 3.5, Side::right}}, end);
   const PanelTable table = two_sided_table(made.problem);
   EXPECT_EQ(table.panels.size(), 12U);
   const auto [value, bound] = two_sided_reference(table, made.problem).at(end);

@@ -13,7 +13,7 @@ inline constexpr std::array both_schemes{"product_trapezoidal", "grunwald_letnik
 inline double largest_error(const Scene& scene, std::string_view scheme, int steps) {
   const auto path = solve(scheme, scene.problem, steps);
   EXPECT_EQ(path.ending, Ending::finished);
-  WatchedReference reference(scene);
+  MemoizedReference reference(scene);
   return (columns_of(scene.outputs, path) - reference.at(path.times)).cwiseAbs().maxCoeff();
 }
 

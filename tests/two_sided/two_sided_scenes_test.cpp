@@ -28,7 +28,7 @@ class MadeScene : public testing::TestWithParam<Made> {
 
 TEST_P(MadeScene, ShowsTheRateAtAllTimes) {
   for (const auto* id : both_schemes) {
-    std::vector<ErrorAt> errors;
+    std::vector<ErrorSample> errors;
     for (int steps = 128; steps <= 2048; steps *= 2)
       errors.push_back({scene_.problem.end / steps, largest_error(scene_, id, steps)});
     const double expected =
@@ -88,8 +88,8 @@ TEST(FractionalHamilton, MakesTheFirstVariationZero) {
       find_scheme("grunwald_letnikov")->expected_rate(scene.problem, scene.smoothness, 1.0, Norm::maximum),
       1.0);
   const double end = scene.problem.end;
-  const auto first = [](double t, double order) { return caputo_of_power(3.0, order, t); };
-  const auto second = [](double t, double order) { return caputo_of_power(2.0, order, t); };
+  const auto first = [](double t, double order) { return caputo_derivative_of_power(3.0, order, t); };
+  const auto second = [](double t, double order) { return caputo_derivative_of_power(2.0, order, t); };
   const auto integrand = [&](double t) {
     const Vec c = scene.reference.at(t).value;  // q1 q2 v1 v2 w1 r1 p1 p2 mu
     Vec y(6), f(6);

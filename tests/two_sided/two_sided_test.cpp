@@ -5,16 +5,16 @@
 #include <cmath>
 
 #include "observers/rate.hpp"
-#include "scenes/two_sided/made_problem.hpp"
+#include "scenes/two_sided/manufactured_problem.hpp"
 #include "support/testing.hpp"
-#include "two_sided/all_at_once.hpp"
+#include "two_sided/global_solver.hpp"
 
 namespace fde {
 namespace {
 
 std::vector<const Scheme*> two_sided_schemes() {
   auto some = grid_schemes();
-  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.two_sided; });
+  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.is_two_sided; });
   return some;
 }
 
@@ -35,8 +35,8 @@ class TwoSided : public testing::TestWithParam<const Scheme*> {
   }
 
   // Largest error of any component at these fractions of the interval.
-  static Fit fit(const Made& made, const std::vector<double>& fractions) {
-    std::vector<ErrorAt> errors;
+  static Fit fit(const ManufacturedProblem& made, const std::vector<double>& fractions) {
+    std::vector<ErrorSample> errors;
     for (int steps = 128; steps <= 2048; steps *= 2) {
       Options options;
       for (const double fraction : fractions) options.at.push_back(fraction * made.problem.end);
@@ -53,7 +53,7 @@ class TwoSided : public testing::TestWithParam<const Scheme*> {
 };
 
 TEST_P(TwoSided, SmoothSolutionsShowTheRate) {
-  const Made made = smooth_two_sided();
+  const ManufacturedProblem made = smooth_two_sided();
   const double expected = GetParam()->expected_rate(made.problem, made.smoothness, 1.0, Norm::end);
   EXPECT_EQ(expected, GetParam()->id == "grunwald_letnikov" ? 1.0 : 2.0);
   const auto observed = fit(made, {0.0, 0.25, 0.5, 0.75, 1.0});
@@ -64,7 +64,8 @@ TEST_P(TwoSided, SmoothSolutionsShowTheRate) {
 
 // The right row starts like (T - t)^0.9 with order 0.5, f like (T - t)^0.4.
 TEST_P(TwoSided, ARightRowCostsWhatItsStartCosts) {
-  const Made made = made_problem({{0.7, 3.0, Side::left}, {0.5, 0.9, Side::right}}, 1.0);
+  const ManufacturedProblem made =
+      manufactured_problem({{0.7, 3.0, Side::left}, {0.5, 0.9, Side::right}}, 1.0);
   const double expected = GetParam()->expected_rate(made.problem, made.smoothness, 1.0, Norm::end);
   EXPECT_NEAR(expected, GetParam()->id == "grunwald_letnikov" ? 1.0 : 1.4, 1e-12);
   EXPECT_NEAR(fit(made, {0.25, 0.5, 0.75}).slope, expected, 0.1);
@@ -72,12 +73,13 @@ TEST_P(TwoSided, ARightRowCostsWhatItsStartCosts) {
 
 // (T - t)^0.9 has an error h^0.9 in the first step of its row, the last of the grid.
 TEST_P(TwoSided, TheWorstErrorIsInTheFirstStepOfARightRow) {
-  const Made made = made_problem({{0.7, 3.0, Side::left}, {0.5, 0.9, Side::right}}, 1.0);
+  const ManufacturedProblem made =
+      manufactured_problem({{0.7, 3.0, Side::left}, {0.5, 0.9, Side::right}}, 1.0);
   const auto rate = [&](Norm norm) {
     return GetParam()->expected_rate(made.problem, made.smoothness, 1.0, norm);
   };
   EXPECT_NEAR(rate(Norm::maximum), 0.9, 1e-12);
-  std::vector<ErrorAt> errors;
+  std::vector<ErrorSample> errors;
   for (int steps = 128; steps <= 2048; steps *= 2) {
     const Grid grid{made.problem.end, steps};
     const auto path = run(made.problem, steps, {.at = {grid.time(steps - 1)}});
@@ -89,7 +91,7 @@ TEST_P(TwoSided, TheWorstErrorIsInTheFirstStepOfARightRow) {
 
 // With time reversed, left rows are right rows.
 TEST_P(TwoSided, TheMirroredProblemHasTheMirroredSolution) {
-  const Made made = smooth_two_sided();
+  const ManufacturedProblem made = smooth_two_sided();
   Problem mirrored = made.problem;
   for (auto& [order, initial, side] : mirrored.components)
     side = side == Side::left ? Side::right : Side::left;
@@ -104,14 +106,14 @@ TEST_P(TwoSided, WithoutRightRowsTheSolutionIsThatOfStepping) {
     const double end = std::min(scene.problem.end, 5.0);
     const Grid grid{.end = end, .steps = 700};
     const Rows marched = GetParam()->solve(scene.problem, grid, {}).y;
-    const auto path = solve_all_at_once(scene.problem, grid, {}, family_of(*GetParam()));
+    const auto path = solve_globally(scene.problem, grid, {}, family_of(*GetParam()));
     ASSERT_EQ(path.ending, Ending::finished) << id;
     EXPECT_LT((path.y - marched).cwiseAbs().maxCoeff(), 1e-12 * marched.cwiseAbs().maxCoeff()) << id;
   }
 }
 
 TEST_P(TwoSided, PermutingComponentsPermutesTheAnswer) {
-  const Made made = smooth_two_sided();
+  const ManufacturedProblem made = smooth_two_sided();
   const std::vector<Eigen::Index> order{3, 5, 0, 1, 4, 2};
   Problem permuted{.end = made.problem.end};
   for (const auto i : order)
@@ -127,7 +129,8 @@ TEST_P(TwoSided, PermutingComponentsPermutesTheAnswer) {
 }
 
 TEST_P(TwoSided, EnginesAndJacobiansAgree) {
-  const Made made = made_problem({{0.7, 3.0, Side::left}, {0.5, 2.0, Side::right}}, 2.0);
+  const ManufacturedProblem made =
+      manufactured_problem({{0.7, 3.0, Side::left}, {0.5, 2.0, Side::right}}, 2.0);
   Problem with_jacobian = made.problem;
   with_jacobian.derivatives = DenseJacobian{[](double, In y, OutMatrix jacobian) {
     const auto row = [&](Eigen::Index i) {
@@ -143,8 +146,8 @@ TEST_P(TwoSided, EnginesAndJacobiansAgree) {
   EXPECT_LT(exponentials.cost.rhs_calls, direct.cost.rhs_calls);
 }
 
-TEST_P(TwoSided, CallsAreCountedAndStepsHeardInOrder) {
-  const Made made = smooth_two_sided();
+TEST_P(TwoSided, CallsAreCountedAndStepsObservedInOrder) {
+  const ManufacturedProblem made = smooth_two_sided();
   std::int64_t calls = 0;
   Problem problem = made.problem;
   problem.rhs = [&](double t, In y, Out f) {
@@ -175,7 +178,7 @@ TEST_P(TwoSided, AnImpossibleProblemIsAnOutcome) {
   const auto path = GetParam()->solve(problem, Grid{1.0, 16}, {});
   EXPECT_EQ(path.ending, Ending::not_converged);
   EXPECT_EQ(path.reached, 0.0);
-  EXPECT_EQ(path.failed_at, std::nullopt);
+  EXPECT_EQ(path.failure_time, std::nullopt);
   EXPECT_GT(path.residual, 1.0);
   EXPECT_EQ(path.times, std::vector<double>{0.0});
   EXPECT_EQ(path.y, (Rows(2, 1) << 0.0, 0.25).finished());

@@ -13,12 +13,12 @@ namespace fde::mechanics {
 // Constraints without memory, f(t, q, v) = 0, or f(t, q, v, w) = 0 at order 1, where w = v: equations for q'
 // = v and v'. The reaction is along df/dv only, not along df/dw.
 template <class System>
-struct WholeAcceleration {
+struct AccelerationWithoutMemory {
   static constexpr int n = System::coordinates;
   static constexpr Layout layout{.q = {0, n}, .v = {n, n}};
   static constexpr int states = layout.size();
   System system;
-  Motion<n> start;
+  InitialState<n> start;
   double kappa;
 
   [[nodiscard]] std::vector<Component> components() const { return rows(1.0, start.q, 1.0, start.v); }
@@ -26,14 +26,14 @@ struct WholeAcceleration {
   template <class S>
   [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
     const Vector<S, n> q = part<layout.q>(y), v = part<layout.v>(y);
-    const auto rates = constraint_rates<S>(system, S(t), q, v, v);
+    const auto rates = linearize_constraints<S>(system, S(t), q, v, v);
     const Reaction<S, System> reaction(system, q, rates);
     const Vector<S, n> free = free_acceleration<S>(system, S(t), q, v);
     Vector<S, System::constraints> defect = rates.slope * free + rates.flow;
     if (kappa != 0.0) defect += S(kappa) * rates.value;
     return joined<S>(v, Vector<S, n>(free + reaction.answer(defect)));
   }
-  [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
+  [[nodiscard]] OutputValues<n> columns(double /*t*/, const Vector<double, states>& y) const {
     return {part<layout.q>(y), part<layout.v>(y), part<layout.v>(y)};
   }
 };
@@ -43,12 +43,12 @@ struct WholeAcceleration {
 // of 0 counts as 0.
 template <class System>
 Vector<double, System::coordinates> singular_direction(const System& system,
-                                                       const Motion<System::coordinates>& start) {
+                                                       const InitialState<System::coordinates>& start) {
   const auto none = zeros<double, System::coordinates>();
-  const auto rates = constraint_rates<double>(system, 0.0, start.q, start.v, none);
+  const auto rates = linearize_constraints<double>(system, 0.0, start.q, start.v, none);
   Vector<double, System::constraints> moved = rates.memory * start.v;
   const Vector<double, System::constraints> size = rates.memory.cwiseAbs() * start.v.cwiseAbs();
-  for (int i = 0; i < System::constraints; ++i) moved[i] = unless_rounding(moved[i], size[i]);
+  for (int i = 0; i < System::constraints; ++i) moved[i] = zero_if_rounding(moved[i], size[i]);
   return Reaction<double, System>(system, start.q, rates).answer(moved);
 }
 
@@ -63,7 +63,7 @@ struct AccelerationBelowOne {
   static constexpr Layout layout{.q = {0, n}, .v = {n, n}, .s = {2 * n, n}, .w = {3 * n, n}};
   static constexpr int states = layout.size();
   System system;
-  Motion<n> start;
+  InitialState<n> start;
   double kappa;
   Vector<double, n> singular = singular_direction(system, start);
 
@@ -88,21 +88,21 @@ struct AccelerationBelowOne {
     const double alpha = system.order;
     Vector<S, n> s = part<layout.s>(y);
     if (!singular.isZero(0.0))
-      s += lifted<S, n>(singular * (std::pow(t, 1.0 - 2.0 * alpha) / std::tgamma(2.0 - 2.0 * alpha)));
-    const auto rates = constraint_rates<S>(system, S(t), q, v, w);
+      s += converted_to<S, n>(singular * (std::pow(t, 1.0 - 2.0 * alpha) / std::tgamma(2.0 - 2.0 * alpha)));
+    const auto rates = linearize_constraints<S>(system, S(t), q, v, w);
     const Reaction<S, System> reaction(system, q, rates);
     const Vector<S, n> free = free_acceleration<S>(system, S(t), q, v);
     Vector<S, System::constraints> defect = rates.slope * free + rates.flow + rates.memory * s;
     if (kappa != 0.0) defect += S(kappa) * rates.value;
     Vector<S, n> acceleration = free + reaction.answer(defect);
     if (t > 0.0 && !start.v.isZero(0.0)) {
-      const Vector<S, System::constraints> started = rates.memory * lifted<S, n>(start.v);
-      acceleration += (reaction.answer(started) - lifted<S, n>(singular)) *
+      const Vector<S, System::constraints> started = rates.memory * converted_to<S, n>(start.v);
+      acceleration += (reaction.answer(started) - converted_to<S, n>(singular)) *
                       S(std::pow(t, -alpha) / std::tgamma(1.0 - alpha));
     }
     return joined<S>(v, s, acceleration, v);
   }
-  [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
+  [[nodiscard]] OutputValues<n> columns(double /*t*/, const Vector<double, states>& y) const {
     return {part<layout.q>(y), part<layout.v>(y), part<layout.w>(y)};
   }
 };

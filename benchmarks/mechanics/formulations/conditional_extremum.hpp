@@ -17,7 +17,7 @@ struct ConditionalExtremum {
   static constexpr Layout layout{.q = {0, n}, .p = {n, n}};
   static constexpr int states = layout.size();
   System system;
-  Motion<n> start;
+  InitialState<n> start;
   Vector<double, r> multiplier;  // mu(0)
 
   template <class S>
@@ -29,7 +29,7 @@ struct ConditionalExtremum {
   template <class S>
   [[nodiscard]] Velocity<S> velocity(double t, const Vector<S, n>& q, const Vector<S, n>& p) const {
     const auto none = zeros<S, n>();
-    const auto rates = constraint_rates<S>(system, S(t), q, none, none);
+    const auto rates = linearize_constraints<S>(system, S(t), q, none, none);
     const Reaction<S, System> reaction(system, q, rates);
     const Vector<S, n> free = raised<S>(system, q, p);
     const Vector<S, r> defect = rates.slope * free + rates.value;
@@ -39,7 +39,8 @@ struct ConditionalExtremum {
   [[nodiscard]] std::vector<Component> components() const {
     Vector<double, n> p = start.v;
     if constexpr (HasMetric<System>) p = system.template metric<double>(start.q) * p;
-    p += constraint_rates<double>(system, 0.0, start.q, start.v, start.v).reaction.transpose() * multiplier;
+    p += linearize_constraints<double>(system, 0.0, start.q, start.v, start.v).reaction.transpose() *
+         multiplier;
     return rows(1.0, start.q, 1.0, p);
   }
 
@@ -56,7 +57,7 @@ struct ConditionalExtremum {
     for (int i = 0; i < r; ++i) action += at.mu[i] * f[i];
     return joined<S>(at.v, derivatives<n>(action));
   }
-  [[nodiscard]] Columns<n> columns(double t, const Vector<double, states>& y) const {
+  [[nodiscard]] OutputValues<n> columns(double t, const Vector<double, states>& y) const {
     const Vector<double, n> q = part<layout.q>(y);
     const Vector<double, n> v = velocity<double>(t, q, part<layout.p>(y)).v;
     return {q, v, v};
@@ -65,7 +66,7 @@ struct ConditionalExtremum {
 
 // The scene of the conditional extremum of a setting; mu: the multipliers at t = 0.
 template <class System>
-Scene extremum_scene(const Setting<System>& of, const Vector<double, System::constraints>& mu) {
+Scene extremum_scene(const MechanicalSetup<System>& of, const Vector<double, System::constraints>& mu) {
   Scene scene;
   auto form = pose(ConditionalExtremum<System>{of.system, of.start, mu}, of.end);
   scene.problem = std::move(form.problem);

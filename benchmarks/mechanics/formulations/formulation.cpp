@@ -38,7 +38,7 @@ std::vector<Parameter> with_formulations(std::vector<Parameter> parameters,
   return parameters;
 }
 
-Asked asked_of(const Parameters& parameters) {
+FormulationChoice formulation_choice_of(const Parameters& parameters) {
   const Formulation formulation = formulation_named(parameters.choice("formulation"));
   return {formulation, formulation == Formulation::stabilised ? parameters["kappa"] : 0.0};
 }

@@ -33,10 +33,10 @@ std::vector<Parameter> with_formulations(std::vector<Parameter> parameters,
                                          const std::vector<Formulation>& fitting);
 
 // The formulation that such parameters select.
-struct Asked {
+struct FormulationChoice {
   Formulation formulation = Formulation::integrated;
   double kappa = 0.0;  // nonzero for stabilised only
 };
-Asked asked_of(const Parameters& parameters);
+FormulationChoice formulation_choice_of(const Parameters& parameters);
 
 }  // namespace fde::mechanics

@@ -19,7 +19,7 @@ struct Integrated {
   static constexpr Layout layout{.q = {0, n}, .z = {n, n}, .w = {2 * n, m}};
   static constexpr int states = layout.size();
   System system;
-  Motion<n> start;
+  InitialState<n> start;
 
   [[nodiscard]] std::vector<Component> components() const {
     const auto none = zeros<double, n>();
@@ -39,7 +39,7 @@ struct Integrated {
     const Vector<S, n> turned = projection_rate<S>(system, S(t), q, v);
     return joined<S>(v, Vector<S, n>(projection.of(free) + turned), Vector<S, m>(v.template head<m>()));
   }
-  [[nodiscard]] Columns<n> columns(double t, const Vector<double, states>& y) const {
+  [[nodiscard]] OutputValues<n> columns(double t, const Vector<double, states>& y) const {
     const Vector<double, n> q = part<layout.q>(y), z = part<layout.z>(y), w = remembered<double>(y);
     const Vector<double, n> v = Projection<double, System>(system, t, q, w).velocity(z);
     return {q, v, memory == MemoryRows::none ? v : w};

@@ -22,7 +22,7 @@ class ConstantConstraint {
         slope_(projection_.rates().slope.transpose()),
         memory_(projection_.rates().memory.transpose()),
         constant_(projection_.rates().value[0]),
-        alignment_(unless_rounding(memory_.dot(direction_), size_of(memory_, direction_))) {}
+        alignment_(zero_if_rounding(memory_.dot(direction_), norm1(memory_, direction_))) {}
 
   [[nodiscard]] Vector<double, n> projected(const Vector<double, n>& x) const { return projection_.of(x); }
   [[nodiscard]] const Vector<double, n>& direction() const { return direction_; }  // a^#: a.a^# = 1
@@ -30,14 +30,14 @@ class ConstantConstraint {
   [[nodiscard]] double constant() const { return constant_; }                      // c
   [[nodiscard]] double alignment() const { return alignment_; }                    // b.a^#
   // The w(0) along a^# with f = 0; 0 if C0 = -c equals a.v(0). Requires b.a^# != 0.
-  [[nodiscard]] Vector<double, n> first_memory(const Vector<double, n>& velocity) const {
-    const double size = size_of(slope_, velocity) + std::abs(constant_);
-    const double missing = -unless_rounding(slope_.dot(velocity) + constant_, size);
+  [[nodiscard]] Vector<double, n> initial_memory(const Vector<double, n>& velocity) const {
+    const double size = norm1(slope_, velocity) + std::abs(constant_);
+    const double missing = -zero_if_rounding(slope_.dot(velocity) + constant_, size);
     return direction_ * (missing / alignment_);
   }
 
  private:
-  static double size_of(const Vector<double, n>& x, const Vector<double, n>& y) {
+  static double norm1(const Vector<double, n>& x, const Vector<double, n>& y) {
     return x.cwiseAbs().dot(y.cwiseAbs());
   }
 
@@ -56,7 +56,7 @@ struct IntegratedAboveOne {
   static constexpr Layout layout{.q = {0, n}, .z = {n, n}, .chi = {2 * n, 1}, .w = {2 * n + 1, n}};
   static constexpr int states = layout.size();
   System system;
-  Motion<n> start;
+  InitialState<n> start;
   ConstantConstraint<System> constraint{system, start.q};
 
   [[nodiscard]] std::vector<Component> components() const {
@@ -70,13 +70,13 @@ struct IntegratedAboveOne {
   [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
     const Vector<S, n> q = part<layout.q>(y), z = part<layout.z>(y);
     const S fixed =
-        (y[layout.chi.first] - lifted<S, n>(constraint.memory()).dot(z)) / S(constraint.alignment());
-    const Vector<S, n> v = z + lifted<S, n>(constraint.direction()) * fixed;
+        (y[layout.chi.first] - converted_to<S, n>(constraint.memory()).dot(z)) / S(constraint.alignment());
+    const Vector<S, n> v = z + converted_to<S, n>(constraint.direction()) * fixed;
     const Vector<S, n> free =
         Projection<S, System>(system, S(t), q, zeros<S, n>()).of(free_acceleration<S>(system, S(t), q, v));
     return joined<S>(v, free, Vector<S, 1>(S(-constraint.constant()) - fixed), free);
   }
-  [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
+  [[nodiscard]] OutputValues<n> columns(double /*t*/, const Vector<double, states>& y) const {
     const Vector<double, n> z = part<layout.z>(y), free_memory = part<layout.w>(y);
     const auto &b = constraint.memory(), &direction = constraint.direction();
     const double fixed = (y[layout.chi.first] - b.dot(z)) / constraint.alignment();

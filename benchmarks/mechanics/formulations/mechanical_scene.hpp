@@ -24,10 +24,10 @@ Constraint constraint_of(const System& system) {
 // The memories of the columns w, with powers derived from those of the rows q, which are the same in all
 // formulations.
 template <class System>
-std::vector<Memory> memories_of(const System& system, const std::vector<std::vector<double>>& powers,
-                                Group q) {
+std::vector<MemoryColumn> memories_of(const System& system, const std::vector<std::vector<double>>& powers,
+                                      Group q) {
   static constexpr Layout at = column_layout<System>();
-  std::vector<Memory> memories;
+  std::vector<MemoryColumn> memories;
   for (int i = 0; i < q.size; ++i)
     memories.push_back({at.w.first + i, at.v.first + i, system.order, powers_of_derivative(powers[q[i]])});
   return memories;
@@ -36,7 +36,7 @@ std::vector<Memory> memories_of(const System& system, const std::vector<std::vec
 // The scene of a setting, without an exact reference. Columns: coordinates, velocities and, with memory, w =
 // D^order q.
 template <class System>
-Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
+Scene mechanical_scene(const MechanicalSetup<System>& of, const FormulationChoice& asked) {
   Scene scene;
   auto form = posed(of, asked);
   const auto names = column_names(of.coordinates, HasMemory<System>);
@@ -52,7 +52,7 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
   }
   scene.energy = energy_of(of.system);
   scene.constraint = constraint_of(of.system);
-  scene.geometry = geometry_of(of.system, of.coordinates, after_jump(of.system, of.start));
+  scene.geometry = geometry_of(of.system, of.coordinates, consistent_initial_state(of.system, of.start));
   std::vector<double> powers_of_w;
   if constexpr (HasMemory<System>) {
     if (remembers(of.system)) {
@@ -66,7 +66,7 @@ Scene mechanical_scene(const Setting<System>& of, const Asked& asked) {
 
 // Restricts a scene on a sphere, whose first column is the distance from a pole, to the domain between the
 // poles.
-inline void end_at_the_poles(Scene& scene) {
+inline void exclude_poles(Scene& scene) {
   const auto domain = [](const Outputs& outputs) -> Domain {
     return {"a pole, theta = 0 or pi", [outputs](double t, In y) {
               const double theta = columns_at(outputs, t, y)[0];

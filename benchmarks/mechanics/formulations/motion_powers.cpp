@@ -35,30 +35,31 @@ Smoothness starting(const Layout& layout, const std::vector<std::pair<Group, std
 
 }  // namespace
 
-MotionPowers powers_below_one(double order, bool moving, ReactionStart reaction) {
+MotionExponents powers_below_one(double order, bool moving, ReactionStart reaction) {
   const std::vector<double> steps{1.0, 1.0 - order};
   const bool regular = reaction == ReactionStart::regular;
   const auto leaving = power_lattice(regular ? std::vector{1.0} : std::vector{1.0 - order, 1.0}, steps, last);
   const auto all = with_zero(leaving);
-  return {moving ? all : leaving, reaction == ReactionStart::singular_and_turning
+  return {moving ? all : leaving, reaction == ReactionStart::singular_with_varying_direction
                                       ? power_lattice({2.0 - 2.0 * order, 1.0}, steps, last)
                                       : shifted(all, 1.0)};
 }
 
 // a.v - a.v(0) depends on z and on itself: A = (b.z - b.v)/(b.a^#), b.v - b.v(0) = -J^(order-1) A.
-MotionPowers powers_above_one(double order, bool moving) {
+MotionExponents powers_above_one(double order, bool moving) {
   const auto leaving = power_lattice({1.0}, {1.0, order - 1.0}, last);
   const auto all = with_zero(leaving);
   return {moving ? all : leaving, shifted(all, 1.0)};
 }
 
-Smoothness integrated_start(const MotionPowers& powers, double order, const Layout& layout) {
+Smoothness integrated_start(const MotionExponents& powers, double order, const Layout& layout) {
   return starting(layout, {{layout.q, shifted(powers.velocity, 1.0)},
                            {layout.z, powers.free_part},
                            {layout.w, shifted(powers.velocity, 1.0 - order)}});
 }
 
-Smoothness acceleration_start(const MotionPowers& powers, double order, const Layout& layout, bool singular) {
+Smoothness acceleration_start(const MotionExponents& powers, double order, const Layout& layout,
+                              bool singular) {
   const auto leaving = without(powers.velocity, 0.0);
   return starting(layout, {{layout.q, shifted(powers.velocity, 1.0)},
                            {layout.v, leaving},
@@ -67,7 +68,7 @@ Smoothness acceleration_start(const MotionPowers& powers, double order, const La
 }
 
 // D^(2-order) W = z'.
-Smoothness integrated_start_above_one(const MotionPowers& powers, double order, const Layout& layout) {
+Smoothness integrated_start_above_one(const MotionExponents& powers, double order, const Layout& layout) {
   return starting(layout, {{layout.q, shifted(powers.velocity, 1.0)},
                            {layout.z, powers.free_part},
                            {layout.chi, shifted(without(powers.velocity, 0.0), order - 1.0)},

@@ -12,17 +12,17 @@ namespace fde::mechanics {
 // wrong then, because the constraint determines the effect of lambda on v.
 template <MemoryRows memory, class System>
 Vector<double, System::constraints> first_multiplier(const System& system,
-                                                     const Motion<System::coordinates>& start) {
+                                                     const InitialState<System::coordinates>& start) {
   constexpr int n = System::coordinates, r = System::constraints;
   const Vector<double, n> w = memory == MemoryRows::none ? start.v : zeros<double, n>();
-  auto rates = constraint_rates<double>(system, 0.0, start.q, start.v, w);
+  auto rates = linearize_constraints<double>(system, 0.0, start.q, start.v, w);
   if constexpr (memory == MemoryRows::below_one) {
     if (!singular_direction(system, start).isZero(0.0)) return zeros<double, r>();
   }
   if constexpr (memory == MemoryRows::above_one) {
     const ConstantConstraint<System> constraint(system, start.q);
     if (constraint.alignment() == 0.0) return zeros<double, r>();
-    if (!constraint.first_memory(start.v).isZero(0.0)) return zeros<double, r>();
+    if (!constraint.initial_memory(start.v).isZero(0.0)) return zeros<double, r>();
     rates.slope = rates.memory;  // b.v'(0) = 0: otherwise b.w, and with it a.v, starts like t^(2-alpha)
   }
   return enforcing_multiplier<double>(system, 0.0, start.q, start.v, rates);
@@ -41,7 +41,7 @@ struct Multiplier {
   static constexpr Group memory_rows =
       memory == MemoryRows::none ? layout.v : layout.w;  // without memory w = v
   System system;
-  Motion<n> start;
+  InitialState<n> start;
 
   [[nodiscard]] std::vector<Component> components() const {
     const auto none = zeros<double, n>();
@@ -53,7 +53,7 @@ struct Multiplier {
     } else {
       const ConstantConstraint<System> constraint(system, start.q);
       const Vector<double, n> memory_at_start =
-          constraint.alignment() == 0.0 ? none : constraint.first_memory(start.v);
+          constraint.alignment() == 0.0 ? none : constraint.initial_memory(start.v);
       return rows(1.0, start.q, system.order - 1.0, start.v, 2.0 - system.order, memory_at_start, 0.0,
                   lambda);
     }
@@ -63,7 +63,7 @@ struct Multiplier {
   [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
     const Vector<S, n> q = part<layout.q>(y), v = part<layout.v>(y), w = part<memory_rows>(y);
     const Vector<S, r> lambda = part<layout.lambda>(y);
-    const auto rates = constraint_rates<S>(system, S(t), q, v, w);
+    const auto rates = linearize_constraints<S>(system, S(t), q, v, w);
     const Vector<S, n> acceleration = free_acceleration<S>(system, S(t), q, v) +
                                       raised<S>(system, q, Vector<S, n>(rates.reaction.transpose() * lambda));
     if constexpr (memory == MemoryRows::none) {
@@ -74,7 +74,7 @@ struct Multiplier {
       return joined<S>(v, w, acceleration, rates.value);
     }
   }
-  [[nodiscard]] Columns<n> columns(double /*t*/, const Vector<double, states>& y) const {
+  [[nodiscard]] OutputValues<n> columns(double /*t*/, const Vector<double, states>& y) const {
     return {part<layout.q>(y), part<layout.v>(y), part<memory_rows>(y)};
   }
 };

@@ -54,13 +54,13 @@ Smoothness nonlinear_start(const std::vector<Component>& components) {
   return smoothness;
 }
 
-PosedMechanics with_multipliers(PosedMechanics form, const Smoothness& other) {
+MechanicalProblem with_multipliers(MechanicalProblem form, const Smoothness& other) {
   form.smoothness = other;
   form.smoothness.powers.resize(form.problem.components.size());
   return form;
 }
 
-PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechanics& integrated) {
+MechanicalProblem with_multipliers_above_one(MechanicalProblem form, const MechanicalProblem& integrated) {
   const auto &to = form.layout, &from = integrated.layout;
   const auto& known = integrated.smoothness.powers;
   const auto& of_chi = known[from.chi[0]];
@@ -107,21 +107,21 @@ std::vector<std::string> column_names(const std::vector<std::string>& coordinate
   return names;
 }
 
-PosedMechanics refused_as_singular(Formulation formulation, double order) {
+MechanicalProblem refused_as_singular(Formulation formulation, double order) {
   return {.refusal = fmt::format(
               "formulation = {}: must be neither acceleration nor stabilised for alpha = {}: "
               "v' starts like t^-alpha unless (df/dw) v(0) = 0, which they take for alpha < 1/2 only",
               name_of(formulation), order)};
 }
 
-PosedMechanics refused_above_one(Formulation formulation, double order) {
+MechanicalProblem refused_above_one(Formulation formulation, double order) {
   return {.refusal =
               fmt::format("formulation = {}: must be integrated or multiplier for alpha = {}: above 1 the "
                           "highest derivative is D^(1+alpha) q inside the reaction",
                           name_of(formulation), order)};
 }
 
-PosedMechanics refused_as_unaligned(double order) {
+MechanicalProblem refused_as_unaligned(double order) {
   return {.refusal =
               fmt::format("formulation = integrated: must be multiplier for alpha = {} and a.b = 0: above "
                           "1 the constraint then fixes no derivative of order alpha",

@@ -14,7 +14,7 @@
 namespace fde::mechanics {
 
 // A mechanical problem with its layout, its columns q, v and, with memory, w, and its smoothness.
-struct PosedMechanics {
+struct MechanicalProblem {
   Problem problem{};
   Layout layout{};
   std::function<void(double t, In y, Out columns)> columns{};
@@ -35,10 +35,10 @@ Smoothness nonlinear_start(const std::vector<Component>& components);
 
 // The multiplier form with the smoothness of another form, whose rows it has; the rows of the multipliers
 // follow and have no powers.
-PosedMechanics with_multipliers(PosedMechanics form, const Smoothness& other);
+MechanicalProblem with_multipliers(MechanicalProblem form, const Smoothness& other);
 
 // The same for order > 1, where v is a component: it has the powers of its free part z and of chi = b.v.
-PosedMechanics with_multipliers_above_one(PosedMechanics form, const PosedMechanics& integrated);
+MechanicalProblem with_multipliers_above_one(MechanicalProblem form, const MechanicalProblem& integrated);
 
 // The powers of the derivative of a function that starts with these powers, without the constant.
 std::vector<double> powers_of_derivative(const std::vector<double>& powers);
@@ -51,13 +51,13 @@ std::vector<std::string> column_names(const std::vector<std::string>& coordinate
 
 // A refusal with its reason and the formulations that are well posed: for a term unbounded at t = 0; for a
 // derivative of order above 1 + alpha; for a constraint without a derivative of order alpha along a^#.
-PosedMechanics refused_as_singular(Formulation formulation, double order);
-PosedMechanics refused_above_one(Formulation formulation, double order);
-PosedMechanics refused_as_unaligned(double order);
+MechanicalProblem refused_as_singular(Formulation formulation, double order);
+MechanicalProblem refused_above_one(Formulation formulation, double order);
+MechanicalProblem refused_as_unaligned(double order);
 
 // A form whose right-hand side contains non-constant powers of t.
 template <class Form>
-concept Loaded = requires(const Form& form) {
+concept HasTimeLoads = requires(const Form& form) {
   form.loads();
 };
 
@@ -79,11 +79,11 @@ void differentiate(const Form& form, double t, const Vector<double, Form::states
 
 // The problem of a form up to `end`, with its derivatives, columns and smoothness.
 template <class Form>
-PosedMechanics pose(const Form& form, double end) {
+MechanicalProblem pose(const Form& form, double end) {
   static_assert(Form::layout.is_partition());
   constexpr bool linear = Linear<decltype(form.system)>;
   using Unknowns = Vector<double, Form::states>;
-  PosedMechanics result;
+  MechanicalProblem result;
   result.layout = Form::layout;
   result.problem.components = form.components();
   result.problem.rhs = [form](double t, In y, Out f) { f = form.template rhs<double>(t, Unknowns(y)); };
@@ -103,7 +103,7 @@ PosedMechanics pose(const Form& form, double end) {
     return result;
   }
   std::vector<PowerLoad> loads;
-  if constexpr (Loaded<Form>) loads = form.loads();
+  if constexpr (HasTimeLoads<Form>) loads = form.loads();
   result.smoothness = linear_start(result.problem, std::move(loads));
   return result;
 }

@@ -35,13 +35,13 @@ struct ReactionAt {
   static constexpr Layout at = column_layout<System>();
   using Point = Vector<double, n>;
   Point q, v;
-  ConstraintRates<double, System> rates;
+  ConstraintLinearization<double, System> rates;
   Reaction<double, System> reaction;
 
   ReactionAt(const System& system, double t, In columns)
       : q(part<at.q>(columns)),
         v(part<at.v>(columns)),
-        rates(constraint_rates<double>(system, t, q, v, Point(part<at.w>(columns)))),
+        rates(linearize_constraints<double>(system, t, q, v, Point(part<at.w>(columns)))),
         reaction(system, q, rates) {}
 
   // lambda without the contribution of w', and that contribution.
@@ -58,11 +58,12 @@ struct ReactionAt {
 
 // lambda(0), or nullopt if it is unbounded.
 template <class System>
-std::optional<Vec> multiplier_at_start(const System& system, const Motion<System::coordinates>& start) {
+std::optional<Vec> multiplier_at_start(const System& system, const InitialState<System::coordinates>& start) {
   if constexpr (ConstantCoefficients<System>) {
     if (system.order > 1.0) {
       const ConstantConstraint<System> constraint(system, start.q);
-      if (constraint.alignment() == 0.0 || !constraint.first_memory(start.v).isZero(0.0)) return std::nullopt;
+      if (constraint.alignment() == 0.0 || !constraint.initial_memory(start.v).isZero(0.0))
+        return std::nullopt;
       return Vec(first_multiplier<MemoryRows::above_one>(system, start));
     }
   }
@@ -79,7 +80,7 @@ inline std::vector<std::string> multiplier_names(int count) {
 
 // `powers`: those with which the columns w start; used if remembers(system).
 template <class System>
-Reactions reactions_of(const System& system, const Motion<System::coordinates>& start,
+Reactions reactions_of(const System& system, const InitialState<System::coordinates>& start,
                        std::vector<double> powers) {
   using At = ReactionAt<System>;
   Reactions reactions{.names = multiplier_names(System::constraints)};

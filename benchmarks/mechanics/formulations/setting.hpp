@@ -15,9 +15,9 @@ namespace fde::mechanics {
 
 // The mechanics of a scene. System::constant: f = a.v + b.w + c with constant a, b, c.
 template <class System>
-struct Setting {
+struct MechanicalSetup {
   System system;
-  Motion<System::coordinates> start;
+  InitialState<System::coordinates> start;
   std::vector<std::string> coordinates;  // their names
   double end = 10.0;
   Formulation reference = Formulation::integrated;  // the formulation used for a reference
@@ -29,19 +29,19 @@ concept ConstantCoefficients = HasMemory<System> && System::constant;
 // How the reaction starts below order 1. At first v - v(0) is along the singular direction, and w is along
 // v(0); the result depends on whether the direction of the reaction changes, not on the size of the change.
 template <class System>
-ReactionStart reaction_start(const System& system, const Motion<System::coordinates>& start) {
+ReactionStart reaction_start(const System& system, const InitialState<System::coordinates>& start) {
   constexpr double rounding = 1e-12;
   constexpr int n = System::coordinates;
   const Vector<double, n> singular = singular_direction(system, start), moved = start.v + singular;
   if (singular.isZero(0.0)) return ReactionStart::regular;
-  const auto before = constraint_rates<double>(system, 0.0, start.q, start.v, zeros<double, n>()),
-             after = constraint_rates<double>(system, 0.0, start.q, moved, start.v);
+  const auto before = linearize_constraints<double>(system, 0.0, start.q, start.v, zeros<double, n>()),
+             after = linearize_constraints<double>(system, 0.0, start.q, moved, start.v);
   const Reaction<double, System> reaction(system, start.q, before);
   for (int i = 0; i < System::constraints; ++i) {
     const Vector<double, n> direction =
         raised<double>(system, start.q, Vector<double, n>(after.reaction.row(i).transpose()));
     if (reaction.projected(direction).norm() > rounding * direction.norm())
-      return ReactionStart::singular_and_turning;
+      return ReactionStart::singular_with_varying_direction;
   }
   return ReactionStart::singular;
 }
@@ -50,9 +50,10 @@ ReactionStart reaction_start(const System& system, const Motion<System::coordina
 // with f != 0 must jump. It is the limit from below: for order < 1, w(0) = 0, and as the order tends to 1, w
 // approaches v ever faster.
 template <class System>
-Motion<System::coordinates> after_jump(const System& system, Motion<System::coordinates> start) {
+InitialState<System::coordinates> consistent_initial_state(const System& system,
+                                                           InitialState<System::coordinates> start) {
   if constexpr (HasMemory<System>) {
-    const auto rates = constraint_rates<double>(system, 0.0, start.q, start.v, start.v);
+    const auto rates = linearize_constraints<double>(system, 0.0, start.q, start.v, start.v);
     start.v += Reaction<double, System>(system, start.q, rates).answer(rates.value);
   }
   return start;
@@ -60,12 +61,12 @@ Motion<System::coordinates> after_jump(const System& system, Motion<System::coor
 
 // Order 1, or no memory.
 template <class System>
-PosedMechanics posed_at_one(Setting<System> of, const Asked& asked) {
+MechanicalProblem posed_at_one(MechanicalSetup<System> of, const FormulationChoice& asked) {
   constexpr auto memory = MemoryRows::none;
-  of.start = after_jump(of.system, of.start);
+  of.start = consistent_initial_state(of.system, of.start);
   if (asked.formulation == Formulation::integrated)
     return pose(Integrated<System, memory>{of.system, of.start}, of.end);
-  auto acceleration = pose(WholeAcceleration<System>{of.system, of.start, asked.kappa}, of.end);
+  auto acceleration = pose(AccelerationWithoutMemory<System>{of.system, of.start, asked.kappa}, of.end);
   if (asked.formulation != Formulation::multiplier) return acceleration;
   return with_multipliers(pose(Multiplier<System, memory>{of.system, of.start}, of.end),
                           acceleration.smoothness);
@@ -73,11 +74,11 @@ PosedMechanics posed_at_one(Setting<System> of, const Asked& asked) {
 
 // 0 < order < 1.
 template <class System>
-PosedMechanics posed_below_one(const Setting<System>& of, const Asked& asked) {
+MechanicalProblem posed_below_one(const MechanicalSetup<System>& of, const FormulationChoice& asked) {
   constexpr auto memory = MemoryRows::below_one;
   const double order = of.system.order;
   const ReactionStart reaction = reaction_start(of.system, of.start);
-  const MotionPowers powers = powers_below_one(order, !of.start.v.isZero(0.0), reaction);
+  const MotionExponents powers = powers_below_one(order, !of.start.v.isZero(0.0), reaction);
   auto integrated = pose(Integrated<System, memory>{of.system, of.start}, of.end);
   if constexpr (!Linear<System>) integrated.smoothness = integrated_start(powers, order, integrated.layout);
   if (asked.formulation == Formulation::integrated) return integrated;
@@ -96,7 +97,7 @@ PosedMechanics posed_below_one(const Setting<System>& of, const Asked& asked) {
 
 // 1 < order < 2.
 template <ConstantCoefficients System>
-PosedMechanics posed_above_one(const Setting<System>& of, const Asked& asked) {
+MechanicalProblem posed_above_one(const MechanicalSetup<System>& of, const FormulationChoice& asked) {
   const double order = of.system.order;
   const bool multiplied = asked.formulation == Formulation::multiplier;
   if (!multiplied && asked.formulation != Formulation::integrated)
@@ -111,7 +112,7 @@ PosedMechanics posed_above_one(const Setting<System>& of, const Asked& asked) {
   }
   auto form = pose(integrated, of.end);
   if constexpr (!Linear<System>) {
-    const MotionPowers powers = powers_above_one(order, !of.start.v.isZero(0.0));
+    const MotionExponents powers = powers_above_one(order, !of.start.v.isZero(0.0));
     form.smoothness = integrated_start_above_one(powers, order, form.layout);
   }
   return multiplied ? with_multipliers_above_one(with_rows(), form) : form;
@@ -119,7 +120,7 @@ PosedMechanics posed_above_one(const Setting<System>& of, const Asked& asked) {
 
 // The equations of the setting in one formulation, or the reason why it is not well posed.
 template <class System>
-PosedMechanics posed(const Setting<System>& of, const Asked& asked) {
+MechanicalProblem posed(const MechanicalSetup<System>& of, const FormulationChoice& asked) {
   if constexpr (HasMemory<System>) {
     if (of.system.order < 1.0) return posed_below_one(of, asked);
   }
@@ -131,7 +132,7 @@ PosedMechanics posed(const Setting<System>& of, const Asked& asked) {
 
 // Whether the formulation of the reference is well posed.
 template <class System>
-bool has_reference_form([[maybe_unused]] const Setting<System>& of) {
+bool has_reference_form([[maybe_unused]] const MechanicalSetup<System>& of) {
   if constexpr (ConstantCoefficients<System>) {
     if (of.system.order > 1.0) return IntegratedAboveOne<System>{of.system, of.start}.posed();
   }

@@ -40,7 +40,7 @@ Vec allowed_velocity(const System& system, const Vector<double, System::coordina
   constexpr int most_steps = 50;
   constexpr double rounding = 1e-15;
   for (int i = 0; i < most_steps; ++i) {
-    const auto rates = constraint_rates<double>(system, 0.0, q, v, v);
+    const auto rates = linearize_constraints<double>(system, 0.0, q, v, v);
     const Vector<double, System::coordinates> step =
         Reaction<double, System>(system, q, rates).answer(rates.value);
     v += step;
@@ -51,7 +51,7 @@ Vec allowed_velocity(const System& system, const Vector<double, System::coordina
 
 template <class System>
 StateGeometry geometry_of(const System& system, const std::vector<std::string>& coordinates,
-                          const Motion<System::coordinates>& start) {
+                          const InitialState<System::coordinates>& start) {
   using Point = Vector<double, System::coordinates>;
   StateGeometry geometry{coordinates, start.q, start.v,
                          [system](In q, In v) { return geometry_at(system, Point(q), Point(v)); }};

@@ -4,14 +4,14 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "scenes/two_sided/made_problem.hpp"
+#include "scenes/two_sided/manufactured_problem.hpp"
 
 namespace {
 
 using namespace fde;
 
 void solve(benchmark::State& state, const Scheme& scheme, int steps) {
-  const Made made = smooth_two_sided();
+  const ManufacturedProblem made = smooth_two_sided();
   const Grid grid{.end = made.problem.end, .steps = steps};
   Trajectory path;
   for (auto _ : state) path = scheme.solve(made.problem, grid, {});
@@ -31,7 +31,7 @@ void solve(benchmark::State& state, const Scheme& scheme, int steps) {
 
 int main(int count, char** arguments) {
   for (const auto& scheme : schemes()) {
-    if (!scheme.needs.two_sided) continue;
+    if (!scheme.needs.is_two_sided) continue;
     for (const int steps : {1 << 10, 1 << 12, 1 << 14, 1 << 16}) {
       benchmark::RegisterBenchmark(fmt::format("all_at_once/{}/{}", scheme.id, steps).c_str(),
                                    [&scheme, steps](benchmark::State& state) { solve(state, scheme, steps); })

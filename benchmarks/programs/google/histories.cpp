@@ -70,7 +70,7 @@ void bare_loop(benchmark::State& state, int count) {
   state.counters["per_step"] = per_iteration(block);
 }
 
-// Steps of many components that share one table. NarrowPast stores each component as a column, WidePast
+// Steps of many components that share one table. NarrowMemory stores each component as a column, WideMemory
 // components side by side.
 template <class Past, class... Rest>
 void many_components(benchmark::State& state, Eigen::Index count, Rest... rest) {
@@ -78,7 +78,7 @@ void many_components(benchmark::State& state, Eigen::Index count, Rest... rest) 
   const MemoryTables tables({{&families::l1, order}},
                             exponential_sum(1.0 - order, ExponentialMemory::shortest_lag, 1002.0, full));
   Past past(tables, count, rest...);
-  const MemoryStart start({{&families::l1, order}}, tables);
+  const FirstSampleWeights start({{&families::l1, order}}, tables);
   const Vec sample = Vec::LinSpaced(count, 0.5, 1.5);
   for (auto _ : state) {
     for (int n = 0; n < steps_of_run; ++n) past.push(tables, n % MemoryTables::block, sample, start);
@@ -119,17 +119,17 @@ int main(int argument_count, char** arguments) {
   const auto targets = vector_targets();
   for (const auto target : targets) {
     add(fmt::format("target/{}", target), [=](benchmark::State& state) {
-      use_vector_target(target);
+      select_vector_target(target);
       steps(state, HistoryKind::exponentials, {1.0, usual}, full);
-      use_vector_target(targets.front());
+      select_vector_target(targets.front());
     });
   }
   for (const Eigen::Index count : {4, 16, 32, 64, 128, 1'000, 10'000, 100'000, 1'000'000}) {
-    add(fmt::format("components/narrow/{}", count), many_components<NarrowPast>, count);
+    add(fmt::format("components/narrow/{}", count), many_components<NarrowMemory>, count);
     for (const int threads : {1, 2}) {
       if (threads > 1 && count < 100'000) continue;
-      add(fmt::format("components/wide/{}/threads/{}", count, threads), many_components<WidePast, int>, count,
-          threads);
+      add(fmt::format("components/wide/{}/threads/{}", count, threads), many_components<WideMemory, int>,
+          count, threads);
     }
   }
   benchmark::Initialize(&argument_count, arguments);

@@ -7,7 +7,7 @@
 #include <list>
 
 #include "scenes/registry.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace {
 
@@ -15,10 +15,10 @@ using namespace fde;
 
 // A scene with its reference, which is computed once, by the first benchmark of the scene.
 struct Subject {
-  explicit Subject(const SceneMaker& maker) : id(maker.id), scene(make_scene(maker)) {}
+  explicit Subject(const SceneFactory& maker) : id(maker.id), scene(make_scene(maker)) {}
   std::string_view id;
   Scene scene;
-  WatchedReference reference{scene};
+  MemoizedReference reference{scene};
 };
 
 void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int steps,

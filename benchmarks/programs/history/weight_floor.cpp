@@ -26,7 +26,7 @@
 #include <utility>
 
 #include "scenes/registry.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 #include "weights/interval_weights.hpp"
 #include "weights/weights.hpp"
 
@@ -41,7 +41,7 @@ struct Relaxation {
 };
 
 Relaxation relaxation() {
-  const auto maker = std::ranges::find(scenes(), std::string_view("relaxation"), &SceneMaker::id);
+  const auto maker = std::ranges::find(scenes(), std::string_view("relaxation"), &SceneFactory::id);
   Scene scene = make_scene(*maker);
   const Component component = scene.problem.components.front();
   const double rate = std::get<DenseLinearPart>(scene.problem.derivatives).matrix(0, 0);
@@ -60,7 +60,7 @@ double printed_start_weight(double g, double n) {
 double naive_last_sum(const Relaxation& equation, const Grid& grid, const Trajectory& path) {
   const WeightTable table{&families::trapezoid, equation.order};
   const int n = grid.steps;
-  double sum = (printed_start_weight(equation.order, n) - *start_weight(table, n)) * path.y(0, 0);
+  double sum = (printed_start_weight(equation.order, n) - *first_sample_weight(table, n)) * path.y(0, 0);
   for (int k = 1; k < n; ++k) {
     sum += (printed_weight(equation.order, k) - weight(table, k)) * path.y(0, n - k);
   }

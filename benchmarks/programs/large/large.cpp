@@ -61,7 +61,7 @@ Scene scene_of(const Row& row) {
   const bool line = row.dimensions == 1;
   const auto& makers = scenes();
   const auto maker =
-      std::ranges::find(makers, line ? "fractional_diffusion" : "fractional_diffusion_2d", &SceneMaker::id);
+      std::ranges::find(makers, line ? "fractional_diffusion" : "fractional_diffusion_2d", &SceneFactory::id);
   return make_scene(*maker, {{"gamma", order}, {line ? "components" : "n", points}});
 }
 

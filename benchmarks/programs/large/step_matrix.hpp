@@ -1,6 +1,6 @@
 #pragma once
 
-#include "implicit/five_point.hpp"
+#include "implicit/five_point_matrix.hpp"
 
 namespace fde {
 
@@ -9,7 +9,7 @@ namespace fde {
 template <class Diffusivity, class Reaction>
 SparseMatrix step_matrix(Eigen::Index n, Eigen::Index m, double strength, Diffusivity a, Reaction r) {
   const Eigen::Index size = n * m;
-  FivePoint matrix{n, m, Vec(size), Vec::Zero(size), Vec::Zero(size)};
+  FivePointMatrix matrix{n, m, Vec(size), Vec::Zero(size), Vec::Zero(size)};
   const double dx = 1.0 / static_cast<double>(n + 1), dy = 1.0 / static_cast<double>(m + 1);
   const double cx = strength / (dx * dx), cy = strength / (dy * dy);
   for (Eigen::Index j = 0; j < m; ++j) {

@@ -20,11 +20,11 @@
 #include <utility>
 #include <vector>
 
-#include "diffusive/march.hpp"
+#include "diffusive/diffusive_solution.hpp"
 #include "nonlinear/collocation.hpp"
 #include "references/reference_of.hpp"
 #include "scenes/registry.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace fde {
 namespace {
@@ -36,17 +36,17 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 // The initial value problems among the nonlinear scenes: problems at both ends have two other methods.
-std::vector<const SceneMaker*> nonlinear_scenes() {
-  std::vector<const SceneMaker*> found;
+std::vector<const SceneFactory*> nonlinear_scenes() {
+  std::vector<const SceneFactory*> found;
   for (const auto& maker : scenes()) {
     const Scene scene = make_scene(maker);
-    if (!scene.reference.at && !two_sided(scene.problem)) found.push_back(&maker);
+    if (!scene.reference.at && !is_two_sided(scene.problem)) found.push_back(&maker);
   }
   return found;
 }
 
 // Draws each number within a third of its default, if allowed; integers, words and lists keep their defaults.
-ParameterValues drawn_values(const SceneMaker& maker, std::mt19937_64& generator) {
+ParameterValues drawn_values(const SceneFactory& maker, std::mt19937_64& generator) {
   std::uniform_real_distribution<double> factor(2.0 / 3.0, 4.0 / 3.0);
   ParameterValues values;
   for (const Parameter& parameter : maker.parameters) {
@@ -84,14 +84,14 @@ int random_problems(int count) {
   std::uniform_real_distribution<double> end(0.3, 10.0);
   int without = 0, beyond = 0;
   for (int i = 0; i < count; ++i) {
-    const SceneMaker& maker = *makers[static_cast<std::size_t>(i) % makers.size()];
+    const SceneFactory& maker = *makers[static_cast<std::size_t>(i) % makers.size()];
     const auto values = drawn_values(maker, generator);
     std::string label = maker.id;
-    for (const auto& [name, value] : values) label += fmt::format(" {}={}", name, text_of(value));
+    for (const auto& [name, value] : values) label += fmt::format(" {}={}", name, to_text(value));
     try {
       Scene scene = make_scene(maker, values);
       scene.problem.end = end(generator);
-      const double difference = difference_in_bounds(posed_for_reference(scene).problem);
+      const double difference = difference_in_bounds(reference_problem_of(scene).problem);
       if (difference <= 1.0) continue;
       ++beyond;
       fmt::print("{} until {:.3g}: {:.3g} times the bound\n", label, scene.problem.end, difference);
@@ -104,10 +104,10 @@ int random_problems(int count) {
   return beyond;
 }
 
-void print_rows(const SceneMaker& maker, Scene scene) {
+void print_rows(const SceneFactory& maker, Scene scene) {
   scene.problem.end = times.back();
   const auto start = std::chrono::steady_clock::now();
-  const auto [problem, outputs] = posed_for_reference(scene);
+  const auto [problem, outputs] = reference_problem_of(scene);
   const Reference reference = reference_solution(problem);  // runs the second method too
   const double both = seconds_since(start);
   const auto second = diffusive_solution(problem, {}, {times.begin(), times.end()});
@@ -118,7 +118,7 @@ void print_rows(const SceneMaker& maker, Scene scene) {
     const auto k = std::ranges::find(second.times, t) - second.times.begin();
     const Vec values = columns_at(outputs, t, known.value),
               others = columns_at(outputs, t, second.values[static_cast<std::size_t>(k)]);
-    const Vec bounds = bound_of_columns(outputs, t, known, values);
+    const Vec bounds = propagated_bound(outputs, t, known, values);
     for (Eigen::Index c = 0; c < values.size(); ++c) {
       fmt::print("{},{},{},{:.17g},{:.17g},{:.1e},{:.1e}\n", maker.id, t,
                  scene.outputs.names[static_cast<std::size_t>(c)], values[c], others[c],

@@ -31,52 +31,52 @@ constexpr std::array accuracies{1e-2, 1e-4, 1e-6, 1e-8};
 constexpr std::array gradings{1.0, 1.5, 2.0, 3.0, 4.0};
 
 struct Best {
-  Way way{};
+  Configuration way{};
   Attempt run{};
   double seconds = std::numeric_limits<double>::infinity();
 };
 
 // Makes a run and updates `best`. Returns whether finer runs of the configuration may still be quick enough.
-bool try_one(Examiner& examiner, const Way& way, const StepsOrAccuracy& resolution, double most_seconds,
-             Best& best) {
+bool try_one(RunEvaluator& examiner, const Configuration& way, const StepsOrTolerance& resolution,
+             double most_seconds, Best& best) {
   constexpr int watched = 2048;
   const auto made = examiner.examine(way, resolution, watched, 10.0 * most_seconds + 1.0);
   if (made.seconds > 2.0 * most_seconds) return false;
   if (!made.within) return true;
-  const auto time = time_interleaved({[&] { examiner.solve_to_end(way, resolution); }}, 0.0);
+  const auto time = time_interleaved({[&] { examiner.solve_for_timing(way, resolution); }}, 0.0);
   if (time.front().median < best.seconds) best = {way, made, time.front().median};
   return time.front().low <= most_seconds;
 }
 
 // Makes all runs of one configuration that take up to `most_seconds`.
-void try_all(Examiner& examiner, const Way& way, double most_seconds, Best& best) {
+void try_all(RunEvaluator& examiner, const Configuration& way, double most_seconds, Best& best) {
   constexpr double ratio = 1.1;
-  const auto goes_on = [&](const StepsOrAccuracy& resolution) {
+  const auto check_step = [&](const StepsOrTolerance& resolution) {
     return try_one(examiner, way, resolution, most_seconds, best);
   };
-  if (way.chooses_steps()) {
-    for (double asked = 0.1; asked > 1e-14 && goes_on(Accuracy{asked, asked}); asked /= ratio) {
+  if (way.is_adaptive()) {
+    for (double asked = 0.1; asked > 1e-14 && check_step(Tolerance{asked, asked}); asked /= ratio) {
     }
     return;
   }
   for (double steps = 4.0; steps < 1e8; steps = std::max(steps + 1.0, std::floor(ratio * steps))) {
-    if (!goes_on(static_cast<int>(steps))) return;
+    if (!check_step(static_cast<int>(steps))) return;
   }
 }
 
 void compare(const char* label, const ErrorKind& kind, double accuracy) {
   const Scene scene = make_scene(parse_variant(label));
-  const Question question{kind, accuracy, all_columns(scene)};
+  const AccuracyTarget question{kind, accuracy, all_columns(scene)};
   const auto found = search(scene, question, 60.0, [](const std::string&, double) {});
-  const SearchedWay& first = found.front();
+  const SearchCandidate& first = found.front();
   if (first.found != Found::within) {
     fmt::print("{},{},{:g},none\n", label, error_measure(kind), accuracy);
     return;
   }
-  Examiner examiner(scene, question);
+  RunEvaluator examiner(scene, question);
   Best best;
   for (const Scheme& scheme : schemes()) {
-    if (!refusal(scheme, scene.problem, Accuracy{accuracy, accuracy}))
+    if (!refusal(scheme, scene.problem, Tolerance{accuracy, accuracy}))
       try_all(examiner, {&scheme}, first.time->median, best);
     for (const double grading : gradings) {
       if (!refusal(scheme, scene.problem, Grid{scene.problem.end, 4, grading}))
@@ -85,9 +85,10 @@ void compare(const char* label, const ErrorKind& kind, double accuracy) {
   }
   double ratio = 0.0;
   if (best.run.within) {
-    const auto times = time_interleaved({[&] { examiner.solve_to_end(first.way, resolution_of(first.best)); },
-                                         [&] { examiner.solve_to_end(best.way, resolution_of(best.run)); }},
-                                        1.0);
+    const auto times =
+        time_interleaved({[&] { examiner.solve_for_timing(first.way, resolution_of(first.best)); },
+                          [&] { examiner.solve_for_timing(best.way, resolution_of(best.run)); }},
+                         1.0);
     ratio = times[0].median / times[1].median;
   }
   fmt::print("{},{},{:g},{},{},{},{:.3g},{:.3g},{},{},{},{:.2f}\n", label, error_measure(kind), accuracy,

@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "records/setup.hpp"
+#include "records/run_settings.hpp"
 #include "scenes/variant.hpp"
 #include "search/search.hpp"
 
@@ -30,7 +30,7 @@ std::string time_of(double seconds) {
 }
 
 // "`l1`, graded:3, 12: 12 µs": scheme, grid if not uniform, steps (or requested tolerance) and time.
-std::string cell(const SearchedWay& first) {
+std::string cell(const SearchCandidate& first) {
   if (first.found != Found::within) return "-";
   const auto grid = first.way.grading == 1.0 ? "" : ", " + grid_text(first.way.grading);
   const auto asked =
@@ -39,15 +39,15 @@ std::string cell(const SearchedWay& first) {
 }
 
 // The rate and the cost of a step of each scheme, on the grid with the largest rate.
-std::string reasons(std::vector<SearchedWay> found) {
+std::string reasons(std::vector<SearchCandidate> found) {
   std::ranges::stable_sort(found, std::greater<>{},
-                           [](const SearchedWay& way) { return way.rate.value_or(0.0); });
+                           [](const SearchCandidate& way) { return way.rate.value_or(0.0); });
   std::set<std::string_view> told;
   std::string text;
   for (const auto& way : found) {
     if (!way.rate || way.ladder.empty() || !told.insert(way.way.scheme->id).second) continue;
     text += fmt::format("{}{} {:.1f} ({}, {:.0f} ns a step)", text.empty() ? "" : "; ", way.names.front(),
-                        *way.rate, grid_text(way.way.grading), 1e9 * way.step_seconds);
+                        *way.rate, grid_text(way.way.grading), 1e9 * way.seconds_per_step);
   }
   return text;
 }
@@ -56,9 +56,9 @@ std::string reasons(std::vector<SearchedWay> found) {
 std::string tell(const char* label) {
   const Scene scene = make_scene(parse_variant(label));
   fmt::print("| `{}`", label);
-  std::vector<SearchedWay> found;
+  std::vector<SearchCandidate> found;
   for (const double accuracy : accuracies) {
-    const Question question{{Norm::end, Scale::mixed}, accuracy, all_columns(scene)};
+    const AccuracyTarget question{{Norm::end, Scale::mixed}, accuracy, all_columns(scene)};
     found = search(scene, question, 60.0, [](const std::string&, double) {});
     fmt::print(" | {}", cell(found.front()));
     std::fflush(stdout);

@@ -38,7 +38,7 @@ int main() try {
   int piece = 0;
   for (const double order : {0.3, 0.5, 0.7, 1.0, 1.2, 1.5, 1.8}) {
     for (const auto& scheme : schemes()) {
-      if (!scheme.symbol || refusal(scheme, scalar_problem(scheme, order, -1.0), {})) continue;
+      if (!scheme.symbol || refusal(scheme, test_problem(scheme, order, -1.0), {})) continue;
       ++piece;
       for (const double r : {0.0, 1000.0})
         print(scheme, order, "sector", piece, r, std::polar(r, 0.5 * pi * order));

@@ -13,15 +13,15 @@
 #include <stdexcept>
 
 #include "scenes/registry.hpp"
-#include "stability/growing_modes.hpp"
-#include "sweep/experiment.hpp"
+#include "stability/growing_mode_count.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace {
 
 using namespace fde;
 
 Problem oscillator(double alpha, double beta, double mu, double nu) {
-  const auto maker = std::ranges::find(scenes(), std::string_view("damped_oscillator"), &SceneMaker::id);
+  const auto maker = std::ranges::find(scenes(), std::string_view("damped_oscillator"), &SceneFactory::id);
   return make_scene(*maker, {{"alpha", alpha}, {"beta", beta}, {"mu", mu}, {"nu", nu}}).problem;
 }
 

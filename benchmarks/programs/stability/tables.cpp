@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "problem/scalar_equation.hpp"
-#include "programs/stability/late.hpp"
+#include "programs/stability/late_growth.hpp"
 #include "programs/stability/linear_multistep.hpp"
 #include "stability/stability_region.hpp"
 
@@ -34,7 +34,7 @@ void print_intervals() {
     fmt::print("| {:.1f}", order);
     for (const auto* id :
          {"adams_pc", "decoupled_multi_order", "commensurate_adams_pc", "product_trapezoidal"}) {
-      const double x = real_interval(scheme(id), order);
+      const double x = real_stability_interval(scheme(id), order);
       fmt::print(" | {}", std::isinf(x) ? "∞" : fmt::format("{:#.5g}", x));
       if (!scheme(id).expansion_of.empty()) continue;
       if (std::isinf(x)) {
@@ -51,7 +51,7 @@ void print_intervals() {
 void print_damping() {
   fmt::print("| order | n = 1 | 10 | 100 | 1000 |\n|---|---|---|---|---|\n");
   for (const double order : {0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 0.99, 1.0, 1.1, 1.5}) {
-    const Vec y = response_at_infinity(scheme("product_trapezoidal"), order, 1000).value();
+    const Vec y = stiff_limit(scheme("product_trapezoidal"), order, 1000).value();
     fmt::print("| {} | {:.3g} | {:.3g} | {:.3g} | {:.3g} |\n", order, y[1], y[10], y[100], y[1000]);
   }
 }

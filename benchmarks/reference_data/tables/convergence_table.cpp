@@ -6,10 +6,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include "observers/watched_steps.hpp"
+#include "observers/comparison_steps.hpp"
 #include "reference_data/table_kind.hpp"
-#include "references/written_bound.hpp"
-#include "sweep/experiment.hpp"
+#include "references/decimal_bound.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace fde {
 namespace {
@@ -28,7 +28,7 @@ constexpr double least_accuracy = 1e-8;  // of a reference, for a check to be me
 const std::vector<std::string> measured{"h", "error_end", "error_maximum", "expected_rate_end",
                                         "expected_rate_maximum"};
 
-TableFacts facts(const SceneVariant& of) {
+TableMetadata facts(const SceneVariant& of) {
   return {
       .title = fmt::format("{}: errors of every scheme against the number of steps", of.maker->title),
       .method = fmt::format("each scheme on a uniform grid of [0, {}], compared at every step with the "
@@ -61,7 +61,7 @@ class Runs {
 
   struct Run {
     std::map<std::string, double> values;  // by name of the measure
-    RunEnding ending;
+    RunOutcome ending;
   };
 
   Run operator()(const Scheme& scheme, int steps) {
@@ -75,18 +75,18 @@ class Runs {
   // max |y| over the time interval of the scene.
   double size() {
     const Grid grid{.end = scene_.problem.end, .steps = table_steps.front()};
-    return reference_.at(watched_times(grid)).cwiseAbs().maxCoeff();
+    return reference_.at(comparison_times(grid)).cwiseAbs().maxCoeff();
   }
 
  private:
   SceneSettings name_;
   Scene scene_;
-  WatchedReference reference_;
+  MemoizedReference reference_;
 };
 
-MadeTable make(const SceneVariant& of) {
+ComputedTable make(const SceneVariant& of) {
   Runs runs(of);
-  MadeTable made;
+  ComputedTable made;
   for (const auto& column : facts(of).columns) made.table.columns.push_back(column.name);
   for (const auto& scheme : schemes()) {
     for (const int steps : table_steps) {
@@ -112,8 +112,8 @@ const Scheme& scheme_at(const DataTable& given, std::size_t row) {
   if (const Scheme* scheme = find_scheme(id)) return *scheme;
   std::vector<std::string_view> ids;
   for (const auto& scheme : schemes()) ids.push_back(scheme.id);
-  throw BadTable(fmt::format("{}: no such scheme '{}'; there are {}", given.place(row, "scheme"), id,
-                             fmt::join(ids, ", ")));
+  throw InvalidTable(fmt::format("{}: no such scheme '{}'; there are {}", given.place(row, "scheme"), id,
+                                 fmt::join(ids, ", ")));
 }
 
 int steps_at(const DataTable& given, std::size_t row) {
@@ -122,8 +122,8 @@ int steps_at(const DataTable& given, std::size_t row) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
   if (error == std::errc{} && end == text.data() + text.size() && steps >= 1 && steps <= most_steps)
     return steps;
-  throw BadTable(fmt::format("{}: '{}' must be a whole number from 1 to {}", given.place(row, "steps"), text,
-                             most_steps));
+  throw InvalidTable(fmt::format("{}: '{}' must be a whole number from 1 to {}", given.place(row, "steps"),
+                                 text, most_steps));
 }
 
 RowCheck check(const SceneVariant& of, const DataTable& given) {
@@ -151,7 +151,7 @@ RowCheck check(const SceneVariant& of, const DataTable& given) {
 
 const TableKind convergence_table{.id = "convergence",
                                   .folder = "convergence",
-                                  .known_by = "scheme",
+                                  .identifying_column = "scheme",
                                   .facts = facts,
                                   .make = make,
                                   .check = check};

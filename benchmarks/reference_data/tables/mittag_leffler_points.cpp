@@ -17,7 +17,7 @@ using Texts = std::vector<std::string>;
 
 constexpr int argument_digits = 20;
 
-std::string argument(const BigReal& x) { return text_of(x, argument_digits); }
+std::string argument(const BigReal& x) { return to_text(x, argument_digits); }
 
 // E_{1/8}(-x^(1/8)), 0 <= x <= 2: the whole singular layer at 0 of a relaxation of small order.
 void add_small_order(Points& points) {

@@ -14,7 +14,7 @@ namespace {
 constexpr int table_digits = 50;
 constexpr int more_digits = 3;  // extra digits of a recomputed value
 
-TableFacts facts(const SceneVariant& /*of*/) {
+TableMetadata facts(const SceneVariant& /*of*/) {
   return {.title = "Mittag-Leffler function E_{alpha,beta}(z) of two parameters",
           .method =
               "inverse Laplace transform in multiple precision: one trapezoidal sum on a parabola round the "
@@ -33,8 +33,8 @@ TableFacts facts(const SceneVariant& /*of*/) {
                       {.name = "bound", .meaning = "bound of the absolute error", .required = false}}};
 }
 
-MadeTable make(const SceneVariant& of) {
-  MadeTable made;
+ComputedTable make(const SceneVariant& of) {
+  ComputedTable made;
   for (const auto& column : facts(of).columns) made.table.columns.push_back(column.name);
   for (const auto& [alpha, beta, re, im] : mittag_leffler_points()) {
     const auto value = mittag_leffler(alpha, beta, re, im, table_digits);
@@ -54,14 +54,18 @@ RowCheck check(const SceneVariant& /*of*/, const DataTable& given) {
                                       comparison->digits() + more_digits);
     if (value.bound == "inf") throw std::runtime_error("the value is beyond all exponents");
     const std::vector<Decimal> recomputed{{value.re, value.bound}, {value.im, value.bound}};
-    comparison->require_known(row, recomputed, comparison->digits());
+    comparison->require_accurate(row, recomputed, comparison->digits());
     return (*comparison)(row, recomputed);
   };
 }
 
 }  // namespace
 
-const TableKind mittag_leffler_table{
-    .id = "mittag_leffler", .folder = "", .known_by = "re_z", .facts = facts, .make = make, .check = check};
+const TableKind mittag_leffler_table{.id = "mittag_leffler",
+                                     .folder = "",
+                                     .identifying_column = "re_z",
+                                     .facts = facts,
+                                     .make = make,
+                                     .check = check};
 
 }  // namespace fde

@@ -7,11 +7,11 @@
 #include <memory>
 #include <stdexcept>
 
+#include "reference_data/decimal_precision.hpp"
 #include "reference_data/table_kind.hpp"
-#include "reference_data/written_number.hpp"
+#include "references/decimal_bound.hpp"
 #include "references/reference_of.hpp"
-#include "references/written_bound.hpp"
-#include "sweep/experiment.hpp"
+#include "sweep/measured_run.hpp"
 
 namespace fde {
 namespace {
@@ -37,10 +37,10 @@ std::string method_of(const Scene& scene) {
          "and a second method, exponentials of the memory with Radau IIA";
 }
 
-TableFacts facts(const SceneVariant& of) {
+TableMetadata facts(const SceneVariant& of) {
   const Scene scene = make_scene(of);
   const bool exact = static_cast<bool>(scene.reference.digits);
-  TableFacts facts{
+  TableMetadata facts{
       .title = fmt::format("{}: the solution at stated times", of.maker->title),
       .method = method_of(scene),
       .source = std::string(of.maker->source),
@@ -58,15 +58,15 @@ TableFacts facts(const SceneVariant& of) {
 }
 
 // The columns of the solution, with the requested digits if there is an exact solution, otherwise in double.
-class TrueColumns {
+class ReferenceColumns {
  public:
-  TrueColumns(const SceneVariant& of, double end) : scene_(make_scene(of)) {
-    if (!two_sided(scene_.problem)) scene_.problem.end = end;
+  ReferenceColumns(const SceneVariant& of, double end) : scene_(make_scene(of)) {
+    if (!is_two_sided(scene_.problem)) scene_.problem.end = end;
     if (!scene_.reference.digits) reference_ = reference_of(scene_);
   }
 
   [[nodiscard]] std::vector<Decimal> at(double t, int digits) const {
-    auto columns = scene_.reference.digits ? scene_.reference.digits(t, digits) : in_double(t);
+    auto columns = scene_.reference.digits ? scene_.reference.digits(t, digits) : evaluate_in_double(t);
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (columns[c].bound == "inf" || columns[c].bound == "nan")
         throw std::runtime_error(fmt::format("{} is not finite at t = {}", scene_.outputs.names[c], t));
@@ -75,15 +75,15 @@ class TrueColumns {
   }
 
   // A two-sided problem has no solution after the end of its interval.
-  [[nodiscard]] bool known_at(double t) const {
-    return !two_sided(scene_.problem) || t <= scene_.problem.end;
+  [[nodiscard]] bool is_defined_at(double t) const {
+    return !is_two_sided(scene_.problem) || t <= scene_.problem.end;
   }
   [[nodiscard]] bool has_digits() const { return static_cast<bool>(scene_.reference.digits); }
   [[nodiscard]] const std::vector<std::string>& names() const { return scene_.outputs.names; }
 
  private:
   // The shortest decimal that identifies the double; the bound includes its rounding, two digits rounded up.
-  [[nodiscard]] std::vector<Decimal> in_double(double t) const {
+  [[nodiscard]] std::vector<Decimal> evaluate_in_double(double t) const {
     constexpr double half_ulp = 0x1p-53;
     const auto [value, bound] = reference_.at(t);
     std::vector<Decimal> decimals;
@@ -104,12 +104,12 @@ std::string largest_bound(const std::vector<Decimal>& columns) {
   return largest;
 }
 
-MadeTable make(const SceneVariant& of) {
-  const TrueColumns reference(of, stated_times.back());
-  MadeTable made;
+ComputedTable make(const SceneVariant& of) {
+  const ReferenceColumns reference(of, stated_times.back());
+  ComputedTable made;
   for (const auto& column : facts(of).columns) made.table.columns.push_back(column.name);
   for (const double t : stated_times) {
-    if (!reference.known_at(t)) break;
+    if (!reference.is_defined_at(t)) break;
     const auto columns = reference.at(t, table_digits);
     std::vector<std::string> row{fmt::format("{}", t)};
     for (const auto& column : columns) row.push_back(column.value);
@@ -125,9 +125,9 @@ std::vector<double> times_of(const DataTable& given) {
   for (std::size_t row = 0; row < given.rows.size(); ++row) {
     const auto& text = given.rows[row][column];
     double t = -1.0;
-    if (read_written(text)) std::from_chars(text.data(), text.data() + text.size(), t);
+    if (decimal_precision(text)) std::from_chars(text.data(), text.data() + text.size(), t);
     if (!(t >= 0.0 && t <= latest_time)) {
-      throw BadTable(
+      throw InvalidTable(
           fmt::format("{}: {} must be a time in [0, {}]", given.place(row, "t"), text, latest_time));
     }
     times.push_back(t);
@@ -138,11 +138,11 @@ std::vector<double> times_of(const DataTable& given) {
 RowCheck check(const SceneVariant& of, const DataTable& given) {
   const auto times = times_of(given);
   const double end = times.empty() ? 0.0 : std::ranges::max(times);
-  const auto reference = std::make_shared<TrueColumns>(of, end > 0.0 ? end : 1.0);
+  const auto reference = std::make_shared<ReferenceColumns>(of, end > 0.0 ? end : 1.0);
   const auto comparison = std::make_shared<TableComparison>(given, reference->names());
   return [=](std::size_t row) {
     const auto recomputed = reference->at(times[row], comparison->digits() + more_digits);
-    comparison->require_known(
+    comparison->require_accurate(
         row, recomputed,
         reference->has_digits() ? comparison->digits() : std::min(comparison->digits(), least_digits));
     return (*comparison)(row, recomputed);
@@ -157,7 +157,7 @@ bool has_table(const SceneVariant& of) {
 
 const TableKind trajectory_table{.id = "trajectory",
                                  .folder = "trajectories",
-                                 .known_by = "t",
+                                 .identifying_column = "t",
                                  .facts = facts,
                                  .make = make,
                                  .check = check,

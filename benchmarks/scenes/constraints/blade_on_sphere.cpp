@@ -16,7 +16,7 @@ struct BladeOnSphere {
   template <class S>
   [[nodiscard]] Table<S, 3, 3> metric(const Vector<S, 3>& q) const {
     using std::cos;
-    const S sine = SphereWithCourse::sine<S>(q[0]), cosine = cos(q[0]);
+    const S sine = ConstantCourseOnSphere::sine<S>(q[0]), cosine = cos(q[0]);
     auto g = zeros<S, 3, 3>();
     g(0, 0) = S(1.0);
     g(1, 1) = sine * sine + inertia * cosine * cosine;
@@ -32,7 +32,7 @@ struct BladeOnSphere {
   template <class S>
   [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
     using std::cos, std::sin;
-    return Vector<S, 1>(S(v[0] * sin(q[2]) - v[1] * SphereWithCourse::sine<S>(q[0]) * cos(q[2])));
+    return Vector<S, 1>(S(v[0] * sin(q[2]) - v[1] * ConstantCourseOnSphere::sine<S>(q[0]) * cos(q[2])));
   }
 };
 
@@ -41,7 +41,7 @@ struct BladeOnSphere {
 // Three coordinates, a curved metric with an off-diagonal entry, and a nonholonomic constraint. The energy
 // and the rate of turning are conserved; without gravity also the speed, and the blade traces a circle whose
 // geodesic curvature is rate of turning / speed.
-SceneMaker blade_on_sphere() {
+SceneFactory blade_on_sphere() {
   const std::vector<Parameter> parameters{
       {"theta0",
        1.2,
@@ -60,12 +60,12 @@ SceneMaker blade_on_sphere() {
       .make = [](const Parameters& p) -> Scene {
         const double theta = p["theta0"], psi = p["psi0"], speed = p["speed"];
         const double dphi = speed * std::sin(psi) / std::sin(theta);
-        const Setting<BladeOnSphere> setting{
+        const MechanicalSetup<BladeOnSphere> setting{
             .system = {.inertia = p["inertia"], .gravity = p["gravity"]},
             .start = {{theta, 0.0, psi}, {speed * std::cos(psi), dphi, p["spin"] - dphi * std::cos(theta)}},
             .coordinates = {"theta", "phi", "psi"}};
-        Scene scene = mechanical_scene(setting, asked_of(p));
-        end_at_the_poles(scene);
+        Scene scene = mechanical_scene(setting, formulation_choice_of(p));
+        exclude_poles(scene);
         scene.motion = path_on_sphere();
         return scene;
       },

@@ -10,7 +10,7 @@ using namespace mechanics;
 // the power of friction and reaction together is T times the rate of the phase volume. For other frictions
 // that are above 0 and not equal this holds for no T (docs/mechanics.md, Ensembles). With three equal ones
 // the motion is that of isokinetic. Not affine in the velocity: there is no integrated form.
-SceneMaker canonical_ensemble() {
+SceneFactory canonical_ensemble() {
   const std::vector<Parameter> parameters =
       chain_parameters({{"gamma1", 1.0, not_negative, "friction of the first mass"},
                         {"gamma2", 1.0, not_negative, "friction of the second mass"},
@@ -25,11 +25,11 @@ SceneMaker canonical_ensemble() {
             if (friction.cwiseProduct(start.v).isZero(0.0))
               reject("v1", p["v1"], "such that a mass with friction moves");
             const double temperature = friction.dot(start.v.cwiseAbs2()) / friction.sum();
-            const Setting<CanonicalChain> setting{.system = {{p["k"], p["c"]}, friction, temperature},
-                                                  .start = start,
-                                                  .coordinates = {"q1", "q2", "q3"},
-                                                  .reference = Formulation::acceleration};
-            return mechanical_scene(setting, asked_of(p));
+            const MechanicalSetup<CanonicalChain> setting{.system = {{p["k"], p["c"]}, friction, temperature},
+                                                          .start = start,
+                                                          .coordinates = {"q1", "q2", "q3"},
+                                                          .reference = Formulation::acceleration};
+            return mechanical_scene(setting, formulation_choice_of(p));
           },
           .equations = {
               {.unknown = "q1",

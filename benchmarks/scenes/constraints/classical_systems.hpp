@@ -56,7 +56,7 @@ struct Disc {
 
 // A point of mass 1 on the unit sphere with a constant course: phi' sin theta = k theta'. theta is the
 // distance from the pole. The coordinates are singular at the poles: NaN outside (0, pi), which ends a run.
-struct SphereWithCourse {
+struct ConstantCourseOnSphere {
   static constexpr int coordinates = 2, constraints = 1;
   double k;
 

@@ -49,7 +49,7 @@ Problem problem_of(const Line& line) {
 }
 
 // Above order 2, q'' is a component but not a column: it is not measured.
-Smoothness starts_of(const Problem& problem) {
+Smoothness smoothness_of(const Problem& problem) {
   Vec load(problem.size());
   problem.rhs(0.0, Vec::Zero(problem.size()), load);
   const Matrix& linear = std::get<DenseLinearPart>(problem.derivatives).matrix;
@@ -66,7 +66,7 @@ Constraint constraint_of(const Line& line) {
 }
 
 // v starts with the powers of component 1: v itself, or w, from which v follows.
-std::vector<Memory> memories_of(const Line& line, const Smoothness& smoothness) {
+std::vector<MemoryColumn> memories_of(const Line& line, const Smoothness& smoothness) {
   if (line.b == 0.0 || line.alpha == 1.0 || line.alpha >= 2.0) return {};
   return {{2, 1, line.alpha, smoothness.powers[1]}};
 }
@@ -97,7 +97,7 @@ void require_posed(const Line& line) {
   if (alpha <= 1.0 && a == 0.0) reject("a", 0.0, "other than 0 for alpha up to 1");
   if (alpha > 2.0 && b == 0.0) reject("b", 0.0, "other than 0 for alpha above 2");
   if (a == 0.0 && b == 0.0) reject("a", 0.0, "other than 0 for b = 0");
-  if (line.starts_smoothly()) return;
+  if (line.is_consistent_at_start()) return;
   if (alpha == 1.0)
     reject("C0", *given, fmt::format("(a+b)*q1 = {} for alpha = 1", line.constant_at_start()));
   if (alpha < 1.0) reject("C0", *given, fmt::format("a*q1 = {} for alpha below 1", a * q1));
@@ -112,7 +112,7 @@ void require_posed(const Line& line) {
 //   alpha > 2        the same + q2 t^2 E_{nu,3}(-t^nu/w).
 // At alpha = 1 it is (a + b) q' = C0 = (a + b) q1. As alpha -> 1 from below, q' changes from q1 to a q1 / (a
 // + b) within a time that tends to 0. For w < 0 solutions grow.
-SceneMaker fractional_constraint_1d() {
+SceneFactory fractional_constraint_1d() {
   return {.id = "fractional_constraint_1d",
           .title = "Point on a line with a fractional constraint",
           .source = "Tarasov & Zaslavsky 2006, eqs 44-48 (47, 48 corrected)",
@@ -131,7 +131,7 @@ SceneMaker fractional_constraint_1d() {
             const Line line{p["alpha"], p["a"], p["b"], p["q0"], p["q1"], p["q2"], p.given("C0")};
             require_posed(line);
             const Problem problem = problem_of(line);
-            const Smoothness smoothness = starts_of(problem);
+            const Smoothness smoothness = smoothness_of(problem);
             return {.problem = problem,
                     .smoothness = smoothness,
                     .outputs = columns_of(line),

@@ -82,8 +82,8 @@ double constant_of(const Parameters& p) {
     return sum;
   };
   const double known = at_start([&](const char* name) { return p[name]; });
-  const auto exact = [&](const char* name) { return exact_decimal(p[name]); };
-  if (!given || exact_decimal(*given) == Rational(at_start(exact))) return known;
+  const auto exact = [&](const char* name) { return shortest_decimal(p[name]); };
+  if (!given || shortest_decimal(*given) == Rational(at_start(exact))) return known;
   if (first_order) reject("C0", *given, fmt::format("(a1+b1)*v1+(a2+b2)*v2 = {} for alpha = 1", known));
   if (p["alpha"] < 1.0) reject("C0", *given, fmt::format("a1*v1+a2*v2 = {} for alpha below 1", known));
   if (Rational(exact("a1") * exact("b1") + exact("a2") * exact("b2")) == 0)
@@ -93,7 +93,7 @@ double constant_of(const Parameters& p) {
 
 }  // namespace
 
-SceneMaker fractional_constraint_2d() {
+SceneFactory fractional_constraint_2d() {
   const std::vector<Parameter> parameters{
       {"alpha", 0.5, order_below_two, "order of the constraint"},
       {"a1", 1.0, any_number, "weight of q1'"},
@@ -115,16 +115,17 @@ SceneMaker fractional_constraint_2d() {
       .parameters = with_formulations(parameters, all_formulations()),
       .make = [](const Parameters& p) -> Scene {
         if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
-        const Setting<LinearConstraint> setting{.system = {p["alpha"], p["a1"], p["a2"], p["b1"], p["b2"],
-                                                           p["k1"], p["k2"], p["g"], constant_of(p)},
-                                                .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
-                                                .coordinates = {"q1", "q2"},
-                                                .end = 10.0};
-        Scene scene = mechanical_scene(setting, asked_of(p));
+        const MechanicalSetup<LinearConstraint> setting{
+            .system = {p["alpha"], p["a1"], p["a2"], p["b1"], p["b2"], p["k1"], p["k2"], p["g"],
+                       constant_of(p)},
+            .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
+            .coordinates = {"q1", "q2"},
+            .end = 10.0};
+        Scene scene = mechanical_scene(setting, formulation_choice_of(p));
         LinearSystem system = system_of(p);
         scene.reference = linear_reference(system);
         system.outputs = {multiplier_component};
-        if (!scene.reactions.of_columns()) scene.reactions.exact = linear_reference(system);
+        if (!scene.reactions.depends_on_columns_only()) scene.reactions.exact = linear_reference(system);
         return scene;
       },
       .equations = {

@@ -8,7 +8,7 @@ using namespace mechanics;
 // Two unit masses between two walls, three equal springs: u = k (q1^2 + (q2 - q1)^2 + q2^2)/2, and f =
 // |v|^2/2 + coupling v.w - K. With d = v + coupling w = df/dv the constraint is
 // d|^2 = 2K + coupling^2 |w|^2: d never vanishes, so the multiplier is always determined.
-struct RememberingChain {
+struct ChainWithMemory {
   static constexpr int coordinates = 2, constraints = 1;
   double order, coupling, k, kinetic;
 
@@ -28,7 +28,7 @@ struct RememberingChain {
 }  // namespace
 
 // K = |v(0)|^2/2, because w(0) = 0: a Gaussian thermostat with memory.
-SceneMaker fractional_constraint_nonlinear() {
+SceneFactory fractional_constraint_nonlinear() {
   const std::vector<Parameter> parameters{{"alpha", 0.4, order_below_one, "order of the constraint"},
                                           {"coupling", 0.3, any_number, "weight of v.D^alpha q"},
                                           {"k", 1.0, any_number, "stiffness of the springs"},
@@ -42,13 +42,13 @@ SceneMaker fractional_constraint_nonlinear() {
           .parameters = with_formulations(parameters, unprojected_formulations()),
           .make = [](const Parameters& p) -> Scene {
             if (p["v1"] == 0.0 && p["v2"] == 0.0) reject("v1", 0.0, "other than 0 where v2 = 0");
-            const Setting<RememberingChain> setting{
+            const MechanicalSetup<ChainWithMemory> setting{
                 .system = {p["alpha"], p["coupling"], p["k"], 0.5 * (p["v1"] * p["v1"] + p["v2"] * p["v2"])},
                 .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
                 .coordinates = {"q1", "q2"},
                 .end = 10.0,
                 .reference = p["alpha"] < 0.5 ? Formulation::acceleration : Formulation::multiplier};
-            return mechanical_scene(setting, asked_of(p));
+            return mechanical_scene(setting, formulation_choice_of(p));
           },
           .equations = {{.unknown = "q1",
                          .terms = {{"1", "2"}},

@@ -53,14 +53,14 @@ struct BladeOnSphere {
   }
 };
 
-Setting<BladeOnPlane> on_plane(const Parameters& p) {
+MechanicalSetup<BladeOnPlane> on_plane(const Parameters& p) {
   return {.system = {p["alpha"], p["b"], p["g"] * std::sin(p["theta"])},
           .start = {{0.0, 0.0, 0.0}, {p["speed"], 0.0, p["omega"]}},
           .coordinates = {"x", "y", "phi"},
           .end = 10.0};
 }
 
-Setting<BladeOnSphere> on_sphere(const Parameters& p) {
+MechanicalSetup<BladeOnSphere> on_sphere(const Parameters& p) {
   const double theta = p["theta0"], down = p["speed"] / std::hypot(1.0, p["k"]);
   return {.system = {p["alpha"], p["b"], p["k"], p["g"]},
           .start = {{theta, 0.0}, {down, p["k"] * down / std::sin(theta)}},
@@ -73,7 +73,7 @@ Setting<BladeOnSphere> on_sphere(const Parameters& p) {
 // The constraint a(q).v + b a(q).D^alpha q = 0 on a plane and on a sphere. For alpha = 1 it is 1 + b times
 // the constraint without memory: the scenes knife_edge and, with g = 0, loxodrome. The initial state
 // satisfies the constraint, so no term is singular.
-SceneMaker fractional_knife_edge() {
+SceneFactory fractional_knife_edge() {
   constexpr Range between_the_poles{
       .low = 0.0, .high = std::numbers::pi, .open_low = true, .open_high = true};
   const std::vector<Parameter> parameters{choice("surface", {"plane", "sphere"}, "what the blade is on"),
@@ -91,14 +91,14 @@ SceneMaker fractional_knife_edge() {
           .parameters = with_formulations(parameters, all_formulations()),
           .make = [](const Parameters& p) -> Scene {
             if (p["alpha"] == 1.0 && p["b"] == -1.0) reject("b", -1.0, "other than -1 for alpha = 1");
-            const Asked asked = asked_of(p);
+            const FormulationChoice asked = formulation_choice_of(p);
             if (p.choice("surface") == "plane") {
               Scene scene = mechanical_scene(on_plane(p), asked);
               scene.motion = picked({"x", "y"}, {0, 1});
               return scene;
             }
             Scene scene = mechanical_scene(on_sphere(p), asked);
-            end_at_the_poles(scene);
+            exclude_poles(scene);
             scene.motion = path_on_sphere();
             return scene;
           },

@@ -10,12 +10,12 @@ constexpr const char* name = "fractional_constraint_1d";
 
 struct ExactLine {
   explicit ExactLine(const FractionalLine& line)
-      : alpha(exact_decimal(line.alpha)),
-        a(exact_decimal(line.a)),
-        b(exact_decimal(line.b)),
-        q0(exact_decimal(line.q0)),
-        q1(exact_decimal(line.q1)),
-        q2(line.alpha > 2.0 ? exact_decimal(line.q2) : Rational(0)),
+      : alpha(shortest_decimal(line.alpha)),
+        a(shortest_decimal(line.a)),
+        b(shortest_decimal(line.b)),
+        q0(shortest_decimal(line.q0)),
+        q1(shortest_decimal(line.q1)),
+        q2(line.alpha > 2.0 ? shortest_decimal(line.q2) : Rational(0)),
         constant(line.exact_constant()) {}
 
   Rational alpha, a, b, q0, q1, q2, constant;
@@ -34,7 +34,7 @@ LinearTransform denominator_up_to_one(const ExactLine& line) {
 LinearTransform columns_up_to_one(const ExactLine& line) {
   const auto& [alpha, a, b, q0, q1, q2, constant] = line;
   LinearTransform transform = denominator_up_to_one(line);
-  auto& numerators = transform.group_from(0, 3).numerators;
+  auto& numerators = transform.group_at(0, 3).numerators;
   add_term(numerators[0], 0, Rational(q0 * a));
   add_term(numerators[0], Rational(alpha - 1), Rational(q0 * b));
   add_term(numerators[0], -1, constant);
@@ -45,7 +45,7 @@ LinearTransform columns_up_to_one(const ExactLine& line) {
 
 LinearTransform multiplier_up_to_one(const ExactLine& line) {
   LinearTransform transform = denominator_up_to_one(line);
-  add_term(transform.group_from(0, 1).numerators[0], line.alpha, Rational(-line.q1 * line.b / line.a));
+  add_term(transform.group_at(0, 1).numerators[0], line.alpha, Rational(-line.q1 * line.b / line.a));
   return transform;
 }
 
@@ -66,7 +66,7 @@ LinearTransform columns_above_one(const ExactLine& line) {
   const auto& [alpha, a, b, q0, q1, q2, constant] = line;
   const Rational nu = alpha - 1;
   LinearTransform transform = denominator_above_one(line);
-  auto& numerators = transform.group_from(0, 3).numerators;
+  auto& numerators = transform.group_at(0, 3).numerators;
   add_term(numerators[0], -1, Rational(q0 * a));
   add_term(numerators[0], Rational(nu - 1), Rational(q0 * b));
   add_term(numerators[0], Rational(nu - 2), Rational(b * q1));
@@ -83,7 +83,7 @@ LinearTransform columns_above_one(const ExactLine& line) {
 LinearTransform multiplier_above_one(const ExactLine& line) {
   const auto& [alpha, a, b, q0, q1, q2, constant] = line;
   LinearTransform transform = denominator_above_one(line);
-  auto& numerator = transform.group_from(0, 1).numerators[0];
+  auto& numerator = transform.group_at(0, 1).numerators[0];
   add_term(numerator, 0, Rational((constant - a * q1) / a));
   add_term(numerator, Rational(alpha - 2), Rational(b * q2 / a));
   return transform;
@@ -95,19 +95,19 @@ struct UniformMotion {
   bool has_memory;
 
   template <class Real>
-  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<ConditionedValue<Real>> operator()(const Real& t) const {
     using std::abs;
     const Real start = decimal<Real>(q0), speed = decimal<Real>(q1);
-    std::vector<Rounded<Real>> columns{{Real(start + speed * t), Real(abs(start) + abs(speed) * t)},
-                                       {speed, Real(abs(speed))}};
+    std::vector<ConditionedValue<Real>> columns{{Real(start + speed * t), Real(abs(start) + abs(speed) * t)},
+                                                {speed, Real(abs(speed))}};
     if (has_memory) columns.push_back({Real(0), Real(0)});
     return columns;
   }
 };
 
-struct Nothing {
+struct ZeroMultiplier {
   template <class Real>
-  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& /*t*/) const {
+  [[nodiscard]] std::vector<ConditionedValue<Real>> operator()(const Real& /*t*/) const {
     return {{Real(0), Real(0)}};
   }
 };
@@ -115,19 +115,19 @@ struct Nothing {
 }  // namespace
 
 Rational FractionalLine::exact_constant() const {
-  if (given) return exact_decimal(*given);
-  const Rational of_memory = alpha == 1.0 ? exact_decimal(b) : Rational(0);
-  return (exact_decimal(a) + of_memory) * exact_decimal(q1);
+  if (given) return shortest_decimal(*given);
+  const Rational of_memory = alpha == 1.0 ? shortest_decimal(b) : Rational(0);
+  return (shortest_decimal(a) + of_memory) * shortest_decimal(q1);
 }
 
-bool FractionalLine::starts_smoothly() const {
+bool FractionalLine::is_consistent_at_start() const {
   FractionalLine at_start = *this;
   at_start.given.reset();
   return exact_constant() == at_start.exact_constant();
 }
 
 bool FractionalLine::uniform() const {
-  return b == 0.0 || (alpha > 1.0 && alpha <= 2.0 && starts_smoothly());
+  return b == 0.0 || (alpha > 1.0 && alpha <= 2.0 && is_consistent_at_start());
 }
 
 Reference exact_columns(const FractionalLine& line) {
@@ -139,7 +139,7 @@ Reference exact_columns(const FractionalLine& line) {
 
 // At order 1 q' is constant.
 Reference exact_multiplier(const FractionalLine& line) {
-  if (line.uniform() || line.alpha == 1.0) return closed_form(Nothing{});
+  if (line.uniform() || line.alpha == 1.0) return closed_form(ZeroMultiplier{});
   return linear_reference(name, [line] {
     return line.alpha < 1.0 ? multiplier_up_to_one(ExactLine(line)) : multiplier_above_one(ExactLine(line));
   });

@@ -18,7 +18,7 @@ struct FractionalLine {
   [[nodiscard]] double constant() const { return given.value_or(constant_at_start()); }
   [[nodiscard]] Rational exact_constant() const;
   // Whether C0 equals constant_at_start(), exactly.
-  [[nodiscard]] bool starts_smoothly() const;
+  [[nodiscard]] bool is_consistent_at_start() const;
   // Whether q = q0 + q1 t.
   [[nodiscard]] bool uniform() const;
 };

@@ -10,7 +10,7 @@ using namespace mechanics;
 // e^(-(u + pressure q3)/T) with T = v1^2 + v2^2 and u the energy of the springs (docs/mechanics.md,
 // Ensembles). The springs' lengths q1, q2 - q1 and q3 - q2 are independent then. Not affine in the velocity:
 // there is no integrated form.
-SceneMaker isobaric_ensemble() {
+SceneFactory isobaric_ensemble() {
   const std::vector<Parameter> parameters =
       chain_parameters({{"pressure", 0.5, any_number, "force on the piston, the third mass"}});
   return {.id = "isobaric_ensemble",
@@ -21,11 +21,12 @@ SceneMaker isobaric_ensemble() {
             const auto start = chain_start(p);
             const double temperature = start.v.head<2>().squaredNorm();
             if (temperature == 0.0) reject("v1", p["v1"], "other than 0 where v2 = 0");
-            const Setting<PistonChain> setting{.system = {{p["k"], p["c"]}, p["pressure"], temperature},
-                                               .start = start,
-                                               .coordinates = {"q1", "q2", "q3"},
-                                               .reference = Formulation::acceleration};
-            return mechanical_scene(setting, asked_of(p));
+            const MechanicalSetup<PistonChain> setting{
+                .system = {{p["k"], p["c"]}, p["pressure"], temperature},
+                .start = start,
+                .coordinates = {"q1", "q2", "q3"},
+                .reference = Formulation::acceleration};
+            return mechanical_scene(setting, formulation_choice_of(p));
           },
           .equations = {{.unknown = "q1",
                          .terms = {{"1", "2"}},

@@ -7,19 +7,19 @@ namespace fde {
 using namespace mechanics;
 
 // The constraint is not affine in the velocity, so there is no integrated formulation.
-SceneMaker isokinetic() {
+SceneFactory isokinetic() {
   return {.id = "isokinetic",
           .title = "Chain of oscillators with constant kinetic energy",
           .source = "Tarasov & Zaslavsky 2006, eqs 7, 13, section 5 (Gaussian thermostat)",
           .parameters = with_formulations(chain_parameters(), unprojected_formulations()),
           .make = [](const Parameters& p) -> Scene {
             const auto start = chain_start(p);
-            const Setting<ThermostattedChain> setting{
+            const MechanicalSetup<ThermostattedChain> setting{
                 .system = {{p["k"], p["c"]}, 0.5 * start.v.squaredNorm()},
                 .start = start,
                 .coordinates = {"q1", "q2", "q3"},
                 .reference = Formulation::acceleration};
-            return mechanical_scene(setting, asked_of(p));
+            return mechanical_scene(setting, formulation_choice_of(p));
           },
           .equations = {{.unknown = "q1",
                          .terms = {{"1", "2"}},

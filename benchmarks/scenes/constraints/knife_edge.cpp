@@ -13,11 +13,11 @@ using namespace mechanics;
 // phi = omega t; the speed along the blade is (a/omega) sin phi, with a = g sin theta. Hence
 //   x = (a / 2 omega^2) sin^2 phi,   y = (a / 2 omega^2)(phi - 1/2 sin 2 phi),
 // in a form that is regular as omega -> 0, the fall along x.
-struct Slide {
+struct KnifeEdgeMotion {
   double g, theta, omega;
 
   template <class Real>
-  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<ConditionedValue<Real>> operator()(const Real& t) const {
     using std::abs, std::min, std::sin;
     const Real turning = decimal<Real>(omega), phi = turning * t, slope = decimal<Real>(theta);
     const Real a = decimal<Real>(g) * sin(slope);
@@ -35,7 +35,7 @@ struct Slide {
 }  // namespace
 
 // Chaplygin's skate on a slope: it does not slide down but drifts sideways.
-SceneMaker knife_edge() {
+SceneFactory knife_edge() {
   const std::vector<Parameter> parameters{
       {"g", 9.81, any_number, "acceleration of gravity"},
       {"theta", 0.5, {.low = 0.0, .high = std::numbers::pi / 2}, "slope of the plane, radians"},
@@ -46,11 +46,11 @@ SceneMaker knife_edge() {
       .source = "Tarasov & Zaslavsky 2006, eqs 7, 13, with x' sin phi = y' cos phi",
       .parameters = with_formulations(parameters, all_formulations()),
       .make = [](const Parameters& p) -> Scene {
-        const Setting<Blade> setting{.system = {p["g"] * std::sin(p["theta"])},
-                                     .start = {Vector<double, 3>::Zero(), {0.0, 0.0, p["omega"]}},
-                                     .coordinates = {"x", "y", "phi"}};
-        Scene scene = mechanical_scene(setting, asked_of(p));
-        scene.reference = closed_form(Slide{p["g"], p["theta"], p["omega"]});
+        const MechanicalSetup<Blade> setting{.system = {p["g"] * std::sin(p["theta"])},
+                                             .start = {Vector<double, 3>::Zero(), {0.0, 0.0, p["omega"]}},
+                                             .coordinates = {"x", "y", "phi"}};
+        Scene scene = mechanical_scene(setting, formulation_choice_of(p));
+        scene.reference = closed_form(KnifeEdgeMotion{p["g"], p["theta"], p["omega"]});
         scene.motion = picked({"x", "y"}, {0, 1});
         return scene;
       },

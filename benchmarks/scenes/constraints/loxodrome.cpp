@@ -22,7 +22,7 @@ struct Loxodrome {
   double theta0, k, speed;
 
   template <class Real>
-  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<ConditionedValue<Real>> operator()(const Real& t) const {
     using std::abs, std::cos, std::log1p, std::sin, std::sqrt, std::tan;
     const Real start = decimal<Real>(theta0), course = decimal<Real>(k);
     const Real rate = decimal<Real>(speed) / sqrt(Real(1 + course * course));
@@ -45,7 +45,7 @@ struct Loxodrome {
 
 // Niminet & Blanuta's case: a Riemannian metric with Christoffel symbols and a constraint linear in the
 // velocity.
-SceneMaker loxodrome() {
+SceneFactory loxodrome() {
   const std::vector<Parameter> parameters{
       {"theta0",
        0.5,
@@ -60,13 +60,13 @@ SceneMaker loxodrome() {
           .make = [](const Parameters& p) -> Scene {
             const double theta0 = p["theta0"], k = p["k"], rate = p["speed"] / std::hypot(1.0, k);
             // The end is before the pole, around which the curve winds infinitely often.
-            const Setting<SphereWithCourse> setting{
+            const MechanicalSetup<ConstantCourseOnSphere> setting{
                 .system = {k},
                 .start = {{theta0, 0.0}, {rate, k * rate / std::sin(theta0)}},
                 .coordinates = {"theta", "phi"},
                 .end = std::min(50.0, 0.9 * time_to_pole(theta0, k, p["speed"]))};
-            Scene scene = mechanical_scene(setting, asked_of(p));
-            end_at_the_poles(scene);
+            Scene scene = mechanical_scene(setting, formulation_choice_of(p));
+            exclude_poles(scene);
             scene.reference = closed_form(Loxodrome{theta0, k, p["speed"]});
             scene.motion = path_on_sphere();
             return scene;

@@ -17,7 +17,7 @@ struct ParticleMotion {
   double y0, dx0, dy0;
 
   template <class Real>
-  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<ConditionedValue<Real>> operator()(const Real& t) const {
     using std::abs, std::asinh, std::sqrt;
     const Real start = decimal<Real>(y0), b = decimal<Real>(dy0), y = start + b * t;
     const Real r0 = sqrt(Real(1 + start * start)), r = sqrt(Real(1 + y * y)), c = r0 * decimal<Real>(dx0);
@@ -46,20 +46,20 @@ std::vector<Parameter> particle_parameters() {
       {"y0", 0.5, any_number, "y(0)"}, {"dx0", 1.0, any_number, "x'(0)"}, {"dy0", 1.0, any_number, "y'(0)"}};
 }
 
-Setting<Particle> particle_setting(const Parameters& p) {
+MechanicalSetup<Particle> particle_setting(const Parameters& p) {
   return {.system = {},
           .start = {{0.0, p["y0"], 0.0}, {p["dx0"], p["dy0"], p["y0"] * p["dx0"]}},
           .coordinates = {"x", "y", "z"}};
 }
 
 // The reaction does no work, and the projected motion is not a geodesic of the planes.
-SceneMaker nonholonomic_particle() {
+SceneFactory nonholonomic_particle() {
   return {.id = "nonholonomic_particle",
           .title = "Free particle with the constraint z' = y x'",
           .source = "Tarasov & Zaslavsky 2006, eqs 7, 13",
           .parameters = with_formulations(particle_parameters(), all_formulations()),
           .make = [](const Parameters& p) -> Scene {
-            Scene scene = mechanical_scene(particle_setting(p), asked_of(p));
+            Scene scene = mechanical_scene(particle_setting(p), formulation_choice_of(p));
             scene.reference = closed_form(ParticleMotion{p["y0"], p["dx0"], p["dy0"]});
             scene.motion = picked({"x", "y", "z"}, {0, 1, 2});
             return scene;

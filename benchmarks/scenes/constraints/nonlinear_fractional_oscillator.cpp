@@ -28,7 +28,7 @@ struct PairOfPoints {
 Scene reduced(const Parameters& p) {
   const double k1 = p["k1"], k3 = p["k3"];
   const Chain chain({1.0, 2.0}, {{2.0 * p["c"] / p["b2"], 3.0 - p["alpha"]}}, {p["x0"], p["dx0"]});
-  Smoothness smoothness = chain_smoothness({chain});
+  Smoothness smoothness = smoothness_of_chains({chain});
   for (Eigen::Index i = 2; i < chain.size(); ++i) smoothness.hidden.push_back(i);
   const auto force = [=](double, In y) { return -0.5 * (k1 + k3 * y[0] * y[0]) * y[0]; };
   const ForceGradient gradient{
@@ -41,7 +41,7 @@ Scene reduced(const Parameters& p) {
 // The full system, with the columns x and x'.
 Scene pair_of_points(const Parameters& p, Formulation formulation) {
   const double x = p["x0"], y = p["y0"], dx = p["dx0"], dy = p["dy0"];
-  const Setting<PairOfPoints> setting{
+  const MechanicalSetup<PairOfPoints> setting{
       .system = {p["alpha"], p["k1"], p["k3"], p["c"], p["b2"], p["c"] * ((dx + dy) + (dx - dy))},
       .start = {{x + y, x - y}, {dx + dy, dx - dy}},
       .coordinates = {"q1", "q2"}};
@@ -65,7 +65,7 @@ Scene pair_of_points(const Parameters& p, Formulation formulation) {
 // Three formulations of one motion: equation (66), and two of the system (59), (60) from which it is derived.
 // There, y'' = -K(x)/2 acts on x through the constraint x' + (g/2) D^alpha x + (g/4) J^(2-alpha) K = x'(0):
 // D^(2-alpha) of this is (66).
-SceneMaker nonlinear_fractional_oscillator() {
+SceneFactory nonlinear_fractional_oscillator() {
   return {.id = "nonlinear_fractional_oscillator",
           .title = "Nonlinear oscillator made by a fractional constraint",
           .source = "Tarasov & Zaslavsky 2006, eqs 59-66 (61-66 corrected)",

@@ -15,8 +15,8 @@ std::vector<Parameter> chain_parameters(const std::vector<Parameter>& own) {
   return parameters;
 }
 
-mechanics::Motion<3> chain_start(const Parameters& p) {
-  mechanics::Motion<3> start{{p["q1"], p["q2"], p["q3"]}, {p["v1"], p["v2"], p["v3"]}};
+mechanics::InitialState<3> chain_start(const Parameters& p) {
+  mechanics::InitialState<3> start{{p["q1"], p["q2"], p["q3"]}, {p["v1"], p["v2"], p["v3"]}};
   if (start.v.isZero(0.0)) reject("v1", 0.0, "other than 0 where v2 = 0 and v3 = 0: nothing would move");
   return start;
 }

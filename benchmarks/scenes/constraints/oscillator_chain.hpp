@@ -10,6 +10,6 @@ namespace fde {
 std::vector<Parameter> chain_parameters(const std::vector<Parameter>& own = {});
 
 // q(0) and v(0). Throws std::invalid_argument if v(0) = 0.
-mechanics::Motion<3> chain_start(const Parameters& p);
+mechanics::InitialState<3> chain_start(const Parameters& p);
 
 }  // namespace fde

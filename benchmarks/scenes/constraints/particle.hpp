@@ -7,6 +7,6 @@ namespace fde {
 
 // The parameters y0, dx0, dy0 of a Particle, and its setting with x(0) = z(0) = 0 and z'(0) = y0 dx0.
 std::vector<Parameter> particle_parameters();
-mechanics::Setting<mechanics::Particle> particle_setting(const Parameters& p);
+mechanics::MechanicalSetup<mechanics::Particle> particle_setting(const Parameters& p);
 
 }  // namespace fde

@@ -10,11 +10,11 @@ using namespace mechanics;
 
 // phi = omega t, and R psi'' = a cos phi with a = pull / (1 + I / (m R^2)). The speed along the heading is R
 // psi' = s + a sin(phi)/omega: the path is a circle plus the path of a blade on a slope.
-struct Roll {
+struct RollingDiscMotion {
   double radius, mass, spin_inertia, pull, turn, spin;
 
   template <class Real>
-  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<ConditionedValue<Real>> operator()(const Real& t) const {
     using std::abs, std::cos, std::min, std::sin;
     const Real r = decimal<Real>(radius), m = decimal<Real>(mass), inertia = decimal<Real>(spin_inertia);
     const Real a = decimal<Real>(pull) / (1 + inertia / (m * r * r));
@@ -40,7 +40,7 @@ struct Roll {
 }  // namespace
 
 // Without pull the disc rolls in circles of radius R psi'(0) / phi'(0), for any mass and inertia.
-SceneMaker rolling_disc() {
+SceneFactory rolling_disc() {
   const std::vector<Parameter> parameters{{"R", 0.5, positive, "radius"},
                                           {"m", 1.0, positive, "mass"},
                                           {"I", 0.125, positive, "moment of inertia about the axle"},
@@ -53,12 +53,13 @@ SceneMaker rolling_disc() {
           .source = "Tarasov & Zaslavsky 2006, eqs 7, 13, with x' = R psi' cos phi, y' = R psi' sin phi",
           .parameters = with_formulations(parameters, all_formulations()),
           .make = [](const Parameters& p) -> Scene {
-            const Setting<Disc> setting{
+            const MechanicalSetup<Disc> setting{
                 .system = {p["R"], p["m"], p["I"], p["J"], p["pull"]},
                 .start = {Vector<double, 4>::Zero(), {p["R"] * p["dpsi0"], 0.0, p["dphi0"], p["dpsi0"]}},
                 .coordinates = {"x", "y", "phi", "psi"}};
-            Scene scene = mechanical_scene(setting, asked_of(p));
-            scene.reference = closed_form(Roll{p["R"], p["m"], p["I"], p["pull"], p["dphi0"], p["dpsi0"]});
+            Scene scene = mechanical_scene(setting, formulation_choice_of(p));
+            scene.reference =
+                closed_form(RollingDiscMotion{p["R"], p["m"], p["I"], p["pull"], p["dphi0"], p["dpsi0"]});
             scene.motion = picked({"x", "y"}, {0, 1});
             return scene;
           },

@@ -5,7 +5,7 @@ namespace fde {
 
 // The conditional extremum under z' = y x'. With mu(0) = 0 it starts like the motion of nonholonomic_particle
 // and departs from it, unless x'(0) = 0 or y'(0) = 0.
-SceneMaker vakonomic_particle() {
+SceneFactory vakonomic_particle() {
   auto parameters = particle_parameters();
   parameters.push_back({"mu0", 0.0, any_number, "multiplier at t = 0"});
   return {

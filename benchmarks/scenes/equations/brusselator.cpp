@@ -3,7 +3,7 @@
 namespace fde {
 
 // D^g x = A - (B+1) x + x^2 y, D^g y = B x - x^2 y.
-SceneMaker brusselator() {
+SceneFactory brusselator() {
   return {.id = "brusselator",
           .title = "Fractional Brusselator",
           .source = "Garrappa, Mathematics 6 (2018) 16, section 6, test problem",

@@ -8,7 +8,7 @@ namespace fde {
 
 // Nonlinear, with D^g y twice differentiable although y starts like t^g: y = t^8 - 3 t^(4+g/2) + 9/4 t^g. The
 // absolute values extend the published problem, 0 <= t <= 1, beyond the zero of 3/2 t^(g/2) - t^4.
-SceneMaker diethelm() {
+SceneFactory diethelm() {
   return {.id = "diethelm",
           .title = "Nonlinear test of Diethelm, Ford & Freed",
           .source = "Diethelm, Ford & Freed, Numerical Algorithms 36 (2004), section 5",

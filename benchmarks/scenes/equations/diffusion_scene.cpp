@@ -5,7 +5,7 @@
 
 #include "scenes/equations/medium.hpp"
 #include "scenes/equations/sine_field.hpp"
-#include "scenes/equations/varying_field.hpp"
+#include "scenes/equations/variable_coefficient_field.hpp"
 
 namespace fde {
 
@@ -19,16 +19,16 @@ std::vector<Parameter> diffusion_parameters(Parameter points, const char* diffus
 }
 
 Scene diffusion_scene(const Parameters& parameters, const char* points_name, int dimensions) {
-  const SinePoints points = points_of(parameters, points_name);
-  SineStart start = start_of(parameters, points, points_name);
+  const SineGrid points = points_of(parameters, points_name);
+  InitialField start = taylor_part_at_nodes(parameters, points, points_name);
   const double order = parameters["gamma"], diffusivity = parameters["diffusivity"];
   const Medium medium(parameters);
   std::shared_ptr<const LinearField> field;
   if (medium.even()) {
     field = std::make_shared<const SineField>(points, std::move(start), dimensions, order, diffusivity);
   } else {
-    field = std::make_shared<const VaryingField>(points, std::move(start), dimensions, order, diffusivity,
-                                                 medium);
+    field = std::make_shared<const VariableCoefficientField>(points, std::move(start), dimensions, order,
+                                                             diffusivity, medium);
   }
   return scene_of_field(field, order);
 }

@@ -12,18 +12,18 @@ namespace {
 constexpr int longest_shown = 2000, shown_of_a_line = 9, shown_of_a_side = 3;
 
 // The points that are columns: names and components.
-struct Places {
+struct OutputPoints {
   std::vector<std::string> names{};
   std::vector<Eigen::Index> components{};
 };
 
-Places places_of(const FieldShape& shape) {
-  Places places;
+OutputPoints output_points_of(const FieldShape& shape) {
+  OutputPoints places;
   const auto show = [&](std::string name, Eigen::Index component) {
     places.names.push_back(std::move(name));
     places.components.push_back(component);
   };
-  const auto shown = shown_points(shape);
+  const auto shown = output_points(shape);
   for (const int i : shown) {
     if (shape.dimensions == 1) {
       show(fmt::format("u{}", i), i - 1);
@@ -42,11 +42,15 @@ Eigen::Index FieldShape::size() const {
   return dimensions == 1 ? n : n * n;
 }
 
-bool all_shown(const FieldShape& shape) { return shape.dimensions == 1 && shape.points <= longest_shown; }
+bool outputs_all_points(const FieldShape& shape) {
+  return shape.dimensions == 1 && shape.points <= longest_shown;
+}
 
-std::vector<int> shown_points(const FieldShape& shape) {
+std::vector<int> output_points(const FieldShape& shape) {
   const int points = shape.points;
-  const int most = all_shown(shape) ? points : shape.dimensions == 1 ? shown_of_a_line : shown_of_a_side;
+  const int most = outputs_all_points(shape) ? points
+                   : shape.dimensions == 1   ? shown_of_a_line
+                                             : shown_of_a_side;
   std::vector<int> some;
   for (int i = 1; i <= std::min(most, points); ++i) {
     const double place = points <= most ? i : i * (points + 1.0) / (most + 1);
@@ -56,8 +60,8 @@ std::vector<int> shown_points(const FieldShape& shape) {
 }
 
 Outputs field_outputs(const FieldShape& shape, double intervals, bool with_maximum) {
-  auto [names, components] = places_of(shape);
-  if (all_shown(shape)) return {.names = std::move(names)};
+  auto [names, components] = output_points_of(shape);
+  if (outputs_all_points(shape)) return {.names = std::move(names)};
   names.emplace_back("l2");
   if (with_maximum) names.emplace_back("max");
   const double root_of_cell = std::sqrt(std::pow(intervals, -shape.dimensions));

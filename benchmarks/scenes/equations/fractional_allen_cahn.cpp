@@ -3,8 +3,8 @@
 #include <numbers>
 #include <utility>
 
-#include "scenes/equations/insulated_cells.hpp"
 #include "scenes/equations/linear_field.hpp"
+#include "scenes/equations/no_flux_cells.hpp"
 #include "scenes/equations/sine_modes.hpp"
 
 namespace fde {
@@ -19,7 +19,7 @@ FieldShape shape_of(const Parameters& p) {
 }
 
 // The initial values along one axis; in a square, the product of two.
-Vec start_of(const std::string& start, const Vec& x) {
+Vec taylor_part_at_nodes(const std::string& start, const Vec& x) {
   if (start == "even") return Vec::Ones(x.size());
   if (start == "step") return x.unaryExpr([](double at) { return at < 0.5 ? 1.0 : -1.0; });
   return x.unaryExpr([](double at) {
@@ -27,7 +27,7 @@ Vec start_of(const std::string& start, const Vec& x) {
   });
 }
 
-Problem allen_cahn(const InsulatedCells& cells, std::vector<Component> components) {
+Problem allen_cahn(const NoFluxCells& cells, std::vector<Component> components) {
   Problem problem{.components = std::move(components), .end = 5.0};
   problem.rhs = [cells](double, In u, Out f) {
     cells.differences(u, f);
@@ -45,7 +45,7 @@ Problem allen_cahn(const InsulatedCells& cells, std::vector<Component> component
 
 // u = 1 and u = -1 are stationary states, separated by fronts of width epsilon. Up to order 1, |u| stays
 // below 1, and the free energy below its initial value.
-SceneMaker fractional_allen_cahn() {
+SceneFactory fractional_allen_cahn() {
   return {
       .id = "fractional_allen_cahn",
       .title = "Fractional Allen-Cahn equation, semi-discretised",
@@ -62,8 +62,9 @@ SceneMaker fractional_allen_cahn() {
       .make = [](const Parameters& p) -> Scene {
         const double gamma = p["gamma"], epsilon = p["epsilon"], amplitude = p["amplitude"];
         const FieldShape shape = shape_of(p);
-        const InsulatedCells cells(shape, epsilon * epsilon);
-        auto components = field_components(shape, start_of(p.choice("start"), cells.middles()), gamma);
+        const NoFluxCells cells(shape, epsilon * epsilon);
+        auto components =
+            field_components(shape, taylor_part_at_nodes(p.choice("start"), cells.midpoints()), gamma);
         for (auto& component : components) component.initial.front() *= amplitude;
         Scene scene{.problem = allen_cahn(cells, std::move(components))};
         scene.smoothness.powers.assign(scene.problem.components.size(),

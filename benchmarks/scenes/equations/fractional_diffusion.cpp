@@ -3,7 +3,7 @@
 namespace fde {
 
 // Stiff: the eigenvalues range from pi^2 to 4 (components + 1)^2, times the diffusivity.
-SceneMaker fractional_diffusion() {
+SceneFactory fractional_diffusion() {
   return {.id = "fractional_diffusion",
           .title = "Fractional diffusion, semi-discretised",
           .source = "Lin & Xu, J. Comput. Phys. 225 (2007); second differences in space",

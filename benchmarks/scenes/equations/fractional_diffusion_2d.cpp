@@ -3,7 +3,7 @@
 namespace fde {
 
 // Stiff: the eigenvalues range from 2 pi^2 to 8 (n + 1)^2, times the diffusivity.
-SceneMaker fractional_diffusion_2d() {
+SceneFactory fractional_diffusion_2d() {
   return {.id = "fractional_diffusion_2d",
           .title = "Fractional diffusion in a square, semi-discretised",
           .source = "Zhang & Sun, J. Comput. Phys. 230 (2011); the five-point Laplacian in space",

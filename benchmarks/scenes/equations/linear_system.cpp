@@ -7,7 +7,7 @@
 namespace fde {
 // D^g1 x = a11 x + a12 y + c1, D^g2 y = a21 x + a22 y + c2, each with its own order. The coefficients can be
 // chosen for complex, defective or very stiff spectra.
-SceneMaker linear_system() {
+SceneFactory linear_system() {
   return {
       .id = "linear_system",
       .title = "Linear system of two orders",

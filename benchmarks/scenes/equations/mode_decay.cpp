@@ -9,7 +9,7 @@ namespace fde {
 
 // Rounding perturbs z = rate t^g by a few units, and E_g(-z) by as many units of z E_g'(-z) = z E_{g,g}(-z) /
 // g; the factor 2 covers the second-order terms.
-Decay decay(double order, double rate, double t) {
+DecayFactor decay(double order, double rate, double t) {
   const double z = rate * std::pow(t, order), of_time = t > 0.0 ? std::abs(std::log(t)) : 0.0;
   const auto left = mittag_leffler(order, 1.0, std::complex<double>(-z));
   const double slope = z * mittag_leffler(order, order, -z) / order;

@@ -7,7 +7,7 @@
 
 namespace fde {
 // Manufactured solution y = t^p of D^g y = Gamma(p+1)/Gamma(p+1-g) t^(p-g) + t^p - y: p sets the smoothness.
-SceneMaker power() {
+SceneFactory power() {
   return {.id = "power",
           .title = "A power of time",
           .source = "manufactured from y = t^p",

@@ -6,7 +6,7 @@ namespace fde {
 
 // D^g y = lambda y: y = y0 E_g(lambda t^g) + y'(0) t E_{g,2}(lambda t^g). Starts like t^g, so uniform grids
 // lose rate.
-SceneMaker relaxation() {
+SceneFactory relaxation() {
   return {.id = "relaxation",
           .title = "Fractional relaxation",
           .source = "Podlubny, Fractional Differential Equations (1999), section 4.1",

@@ -7,7 +7,7 @@ namespace fde {
 
 // D^g u = lambda u for u = x + i y and lambda = re + i im, as a real 2x2 system:
 // u = u(0) E_g(lambda t^g) + u'(0) t E_{g,2}(lambda t^g). Stable for |arg lambda| > g pi / 2.
-SceneMaker relaxation_pair() {
+SceneFactory relaxation_pair() {
   return {.id = "relaxation_pair",
           .title = "Relaxation with a complex rate",
           .source = "Matignon, CESA'96 (1996), stability sector",

@@ -4,7 +4,7 @@ namespace fde {
 
 // D^g y1 = -k1 y1 + k3 y2 y3, D^g y2 = k1 y1 - k3 y2 y3 - k2 y2^2, D^g y3 = k2 y2^2. The right-hand sides sum
 // to 0, so y1 + y2 + y3 = 1 for every order.
-SceneMaker robertson() {
+SceneFactory robertson() {
   return {
       .id = "robertson",
       .title = "Fractional Robertson reaction",

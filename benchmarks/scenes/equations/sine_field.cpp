@@ -13,7 +13,7 @@ namespace {
 constexpr Eigen::Index most_sines = 8'000'000;  // stored for the maximum: 64 MB
 
 // The values of each mode at the given points, one column a mode.
-Matrix sines_at(const SinePoints& points, const std::vector<int>& places, Eigen::Index modes) {
+Matrix sines_at(const SineGrid& points, const std::vector<int>& places, Eigen::Index modes) {
   Matrix sines(std::ssize(places), modes);
   for (Eigen::Index k = 0; k < modes; ++k) {
     for (Eigen::Index i = 0; i < sines.rows(); ++i)
@@ -22,7 +22,7 @@ Matrix sines_at(const SinePoints& points, const std::vector<int>& places, Eigen:
   return sines;
 }
 
-std::vector<int> all_places(const SinePoints& points) {
+std::vector<int> all_places(const SineGrid& points) {
   std::vector<int> all(static_cast<std::size_t>(points.points));
   std::iota(all.begin(), all.end(), 1);
   return all;
@@ -38,7 +38,7 @@ class SineField::Sum {
   // Adds the term of `count` modes with the same decay: their amplitude at t = 0, the decay factor, and the
   // sum of their values at the points.
   template <class Values>
-  void add(double amplitude, const Decay& part, double count, const Values& values) {
+  void add(double amplitude, const DecayFactor& part, double count, const Values& values) {
     const double term = amplitude * part.value;
     for (Eigen::Index i = 0; i < values.size(); ++i) at_points_.add(i, term * values[i]);
     squares_.add(0, count * term * term);
@@ -63,14 +63,14 @@ class SineField::Sum {
   double bound_ = 0.0;
 };
 
-SineField::SineField(SinePoints points, SineStart start, int dimensions, double order, double diffusivity)
+SineField::SineField(SineGrid points, InitialField start, int dimensions, double order, double diffusivity)
     : points_(points),
       start_(std::move(start)),
       shape_{points.points, dimensions},
       order_(order),
       diffusivity_(diffusivity),
-      sines_(sines_at(points, shown_points(shape_), start_.amplitudes.size())) {
-  if (all_shown(shape_) || points.points * start_.amplitudes.size() > most_sines) return;
+      sines_(sines_at(points, output_points(shape_), start_.amplitudes.size())) {
+  if (outputs_all_points(shape_) || points.points * start_.amplitudes.size() > most_sines) return;
   all_sines_ = sines_at(points, all_places(points), start_.amplitudes.size());
 }
 
@@ -121,7 +121,7 @@ ReferenceValue SineField::at(double t) const {
     const double of_x = start_.amplitudes[k];
     if (of_x == 0.0) continue;
     if (line) {
-      const Decay part = decay(order_, rate(k), t);
+      const DecayFactor part = decay(order_, rate(k), t);
       sum.add(of_x, part, 1.0, sines_.col(k));
       left(k, 0) = of_x * part.value;
       continue;
@@ -132,13 +132,13 @@ ReferenceValue SineField::at(double t) const {
       if (amplitude == 0.0) continue;
       Matrix both = sines_.col(l) * sines_.col(k).transpose();
       if (l < k) both += Matrix(both.transpose());
-      const Decay part = decay(order_, rate(k) + rate(l), t);
+      const DecayFactor part = decay(order_, rate(k) + rate(l), t);
       sum.add(amplitude, part, l < k ? 2.0 : 1.0, both.reshaped());
       left(k, l) = left(l, k) = amplitude * part.value;
     }
   }
   std::optional<double> square_of_mode, maximum;
-  if (!all_shown(shape_)) square_of_mode = line ? 0.5 : 0.25;
+  if (!outputs_all_points(shape_)) square_of_mode = line ? 0.5 : 0.25;
   if (all_sines_.size() > 0) maximum = largest(left);
   return sum.result(square_of_mode, maximum);
 }

@@ -11,7 +11,7 @@ namespace fde {
 // initial amplitude times E_g(-rate t^g).
 class SineField final : public LinearField {
  public:
-  SineField(SinePoints points, SineStart start, int dimensions, double order, double diffusivity);
+  SineField(SineGrid points, InitialField start, int dimensions, double order, double diffusivity);
 
   [[nodiscard]] FieldShape shape() const override { return shape_; }
   [[nodiscard]] const Vec& start() const override { return start_.values; }
@@ -28,8 +28,8 @@ class SineField final : public LinearField {
   // The largest |u| of all points, for the amplitudes of the modes: modes x 1, or modes x modes in a square.
   [[nodiscard]] double largest(const Matrix& amplitudes) const;
 
-  SinePoints points_;
-  SineStart start_;
+  SineGrid points_;
+  InitialField start_;
   FieldShape shape_;
   double order_, diffusivity_;
   Matrix sines_;        // of each mode at the points of an axis that are columns, one column a mode

@@ -18,15 +18,15 @@ double sine_of_part(long m, long n) {
 
 }  // namespace
 
-double SinePoints::sine(int k, int j) const { return sine_of_part(static_cast<long>(k) * j, points + 1L); }
+double SineGrid::sine(int k, int j) const { return sine_of_part(static_cast<long>(k) * j, points + 1L); }
 
-double SinePoints::rate(int k) const {
+double SineGrid::rate(int k) const {
   const double sine = sine_of_part(k, 2 * (points + 1L));
   return 4.0 * intervals() * intervals() * sine * sine;
 }
 
-SineStart smooth_start(const SinePoints& points, int modes) {
-  SineStart start{Vec::Zero(modes), Vec::Zero(points.points)};
+InitialField smooth_initial_field(const SineGrid& points, int modes) {
+  InitialField start{Vec::Zero(modes), Vec::Zero(points.points)};
   for (int k = 1; k <= modes; ++k) {
     start.amplitudes[k - 1] = 1.0 / k;
     for (int j = 1; j <= points.points; ++j) start.values[j - 1] += points.sine(k, j) / k;
@@ -36,10 +36,10 @@ SineStart smooth_start(const SinePoints& points, int modes) {
 
 // The amplitudes are 2 dx sum_(j <= m) sin(j a) with a = k pi dx, m points below 1/2; the sum is sin(m a/2)
 // sin((m+1) a/2) / sin(a/2).
-SineStart step_start(const SinePoints& points) {
+InitialField step_initial_field(const SineGrid& points) {
   const int below = points.points / 2;
   const long halves = 2 * (points.points + 1L);
-  SineStart start{Vec::Zero(points.points), Vec::Zero(points.points)};
+  InitialField start{Vec::Zero(points.points), Vec::Zero(points.points)};
   start.values.head(below).setOnes();
   for (long k = 1; k <= points.points; ++k) {
     const double sum =
@@ -49,7 +49,7 @@ SineStart step_start(const SinePoints& points) {
   return start;
 }
 
-SinePoints points_of(const Parameters& parameters, const char* name) {
+SineGrid points_of(const Parameters& parameters, const char* name) {
   if (!whole(parameters[name])) reject(name, parameters[name], "a whole number");
   return {static_cast<int>(std::lround(parameters[name]))};
 }
@@ -59,13 +59,14 @@ std::vector<Parameter> start_parameters() {
           {"modes", 3.0, {.low = 1.0, .high = 2000.0}, "of the smooth start, whole"}};
 }
 
-SineStart start_of(const Parameters& parameters, const SinePoints& points, const char* points_name) {
+InitialField taylor_part_at_nodes(const Parameters& parameters, const SineGrid& points,
+                                  const char* points_name) {
   const double modes = parameters["modes"];
   if (!whole(modes)) reject("modes", modes, "a whole number");
-  if (parameters.choice("start") == "step") return step_start(points);
+  if (parameters.choice("start") == "step") return step_initial_field(points);
   if (modes > points.points)
     reject("modes", modes, fmt::format("at most {} = {}", points_name, points.points));
-  return smooth_start(points, static_cast<int>(std::lround(modes)));
+  return smooth_initial_field(points, static_cast<int>(std::lround(modes)));
 }
 
 }  // namespace fde

@@ -8,7 +8,7 @@ namespace fde {
 
 // n points x_j = j / (n + 1) inside (0, 1). The vectors sin(k pi x_j), k = 1 ... n, are the eigenvectors of
 // second differences with 0 at both ends; the eigenvalues are -rate(k).
-struct SinePoints {
+struct SineGrid {
   int points;
 
   [[nodiscard]] double intervals() const { return points + 1.0; }
@@ -19,20 +19,21 @@ struct SinePoints {
 };
 
 // A field at t = 0 along an axis: amplitudes[k - 1] of sin(k pi x), and the values at the points.
-struct SineStart {
+struct InitialField {
   Vec amplitudes, values;
 };
 
 // sum_(k <= modes) sin(k pi x) / k.
-SineStart smooth_start(const SinePoints& points, int modes);
+InitialField smooth_initial_field(const SineGrid& points, int modes);
 // 1 at the points below 1/2, and 0 at the others.
-SineStart step_start(const SinePoints& points);
+InitialField step_initial_field(const SineGrid& points);
 
 // The grid whose number of points this parameter gives. Throws std::invalid_argument if it is not an integer.
-SinePoints points_of(const Parameters& parameters, const char* name);
+SineGrid points_of(const Parameters& parameters, const char* name);
 
 // The parameters `start` and `modes` of the diffusion scenes, and the initial field that they give.
 std::vector<Parameter> start_parameters();
-SineStart start_of(const Parameters& parameters, const SinePoints& points, const char* points_name);
+InitialField taylor_part_at_nodes(const Parameters& parameters, const SineGrid& points,
+                                  const char* points_name);
 
 }  // namespace fde

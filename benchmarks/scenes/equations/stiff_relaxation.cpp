@@ -5,7 +5,7 @@ namespace fde {
 
 // D^g u = (lambda + i im) u, u(0) = y0, u'(0) = 0. After an initial layer of length |lambda|^(-1/g), u decays
 // slowly, like -y0 / (lambda t^g Gamma(1-g)). An error made by a step larger than the layer persists.
-SceneMaker stiff_relaxation() {
+SceneFactory stiff_relaxation() {
   return {
       .id = "stiff_relaxation",
       .title = "Stiff relaxation",

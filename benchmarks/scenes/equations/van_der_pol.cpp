@@ -4,7 +4,7 @@ namespace fde {
 
 // D^g x = v, D^g v = mu (1 - x^2) v - x. For large mu, x varies slowly while |x| > 1, for a time like
 // mu^(1/g), and jumps when |x| reaches 1; v approaches -x / (mu (x^2 - 1)) in a layer of length mu^(-1/g).
-SceneMaker van_der_pol() {
+SceneFactory van_der_pol() {
   return {.id = "van_der_pol",
           .title = "Fractional van der Pol oscillator",
           .source = "Tavazoei, Haeri, Attari, Bolouki & Siami, J. Vib. Control 15 (2009) 803, equal orders",

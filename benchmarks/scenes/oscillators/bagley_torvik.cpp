@@ -23,7 +23,7 @@ Problem loaded_problem(const Chain& chain, double stiffness, double load, double
 // A y'' + B D^alpha y + C y = load for t < load_until, then 0: a plate in a viscous fluid. At t = load_until
 // the load has its mean value, so that a grid with this time keeps its rate; otherwise the jump is inside a
 // step and lowers the rate.
-SceneMaker bagley_torvik() {
+SceneFactory bagley_torvik() {
   return {.id = "bagley_torvik",
           .title = "Bagley-Torvik plate",
           .source = "Torvik & Bagley 1984; load of Podlubny 1999, section 8.3.2",
@@ -52,7 +52,7 @@ SceneMaker bagley_torvik() {
             std::vector<Discontinuity> discontinuities;
             if (p["alpha"] == 1.0 && p["B"] * p["dy0"] != 0.0)
               discontinuities = {{"alpha", "D^alpha y tends to y' - y'(0) from above"}};
-            Smoothness smoothness = chain_smoothness({chain});
+            Smoothness smoothness = smoothness_of_chains({chain});
             if (load != 0.0) smoothness.jumps = {chain.size() - 1};
             return {.problem = loaded_problem(chain, stiffness, load, until),
                     .smoothness = smoothness,

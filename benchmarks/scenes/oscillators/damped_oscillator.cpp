@@ -18,7 +18,7 @@ LinearEquation equation(const Parameters& p) {
 }  // namespace
 
 // u'' + mu tau^alpha D^alpha u + lambda tau u' + nu tau^beta D^beta u = -w2 u: the pendulum with sin u -> u.
-SceneMaker damped_oscillator() {
+SceneFactory damped_oscillator() {
   return {.id = "damped_oscillator",
           .title = "Oscillator with fractional damping",
           .source = "Yin, Liu & Anh 2007, eq. 5.1 linearised",
@@ -37,7 +37,7 @@ SceneMaker damped_oscillator() {
                                                   20.0);
             return {
                 .problem = problem,
-                .smoothness = chain_smoothness({u.chain()}),
+                .smoothness = smoothness_of_chains({u.chain()}),
                 .outputs = outputs_of({u}, problem),
                 .reference = linear_reference(equation(p), u.orders()),
                 .energy = {.value = [=](In c) { return 0.5 * (u.du(c) * u.du(c) + w2 * u.u(c) * u.u(c)); },

@@ -48,7 +48,7 @@ std::vector<Parameter> damping_parameters(const std::vector<Parameter>& others) 
 }
 
 DampedUnknown::DampedUnknown(const std::string& u, const Parameters& p, const DampingWeights& weights,
-                             const std::vector<double>& initial, const FirstOf& first)
+                             const std::vector<double>& initial, const UnknownOffset& first)
     : chain_(leading_term(damping_terms(p, weights)), lower_terms(damping_terms(p, weights)), initial,
              first.row),
       first_column_(first.column) {
@@ -71,8 +71,8 @@ void DampedUnknown::add_column(const std::string& name, double order, double wei
   weights_.push_back(weight);
 }
 
-std::vector<DampedUnknown::Shown> DampedUnknown::shown() const {
-  std::vector<Shown> columns;
+std::vector<DampedUnknown::ColumnSource> DampedUnknown::shown() const {
+  std::vector<ColumnSource> columns;
   for (const double order : orders_) {
     const bool acceleration = order == leading_order;
     columns.push_back({acceleration ? chain_.first() + chain_.size() - 1 : *chain_.row(order), acceleration});
@@ -80,7 +80,7 @@ std::vector<DampedUnknown::Shown> DampedUnknown::shown() const {
   return columns;
 }
 
-FirstOf DampedUnknown::next() const {
+UnknownOffset DampedUnknown::next() const {
   return {.row = chain_.first() + chain_.size(), .column = first_column_ + std::ssize(names_)};
 }
 
@@ -91,13 +91,13 @@ double DampedUnknown::power(In columns) const {
 
 Outputs outputs_of(const std::vector<DampedUnknown>& unknowns, const Problem& problem) {
   std::vector<std::string> names;
-  std::vector<DampedUnknown::Shown> shown;
+  std::vector<DampedUnknown::ColumnSource> shown;
   for (const auto& unknown : unknowns) {
     std::ranges::copy(unknown.names(), std::back_inserter(names));
     const auto columns = unknown.shown();
     shown.insert(shown.end(), columns.begin(), columns.end());
   }
-  if (std::ranges::none_of(shown, &DampedUnknown::Shown::acceleration)) {
+  if (std::ranges::none_of(shown, &DampedUnknown::ColumnSource::acceleration)) {
     std::vector<Eigen::Index> rows;
     for (const auto& column : shown) rows.push_back(column.row);
     return picked(names, rows);

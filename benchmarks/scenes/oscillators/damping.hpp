@@ -17,7 +17,7 @@ struct DampingWeights {
 };
 
 // The first row of the problem and the first column of the scene of an unknown.
-struct FirstOf {
+struct UnknownOffset {
   Eigen::Index row = 0, column = 0;
 };
 
@@ -29,7 +29,7 @@ class DampedUnknown {
  public:
   // initial: u(0), u'(0).
   DampedUnknown(const std::string& u, const Parameters& p, const DampingWeights& weights,
-                const std::vector<double>& initial, const FirstOf& first = {});
+                const std::vector<double>& initial, const UnknownOffset& first = {});
 
   [[nodiscard]] const Chain& chain() const { return chain_; }
   [[nodiscard]] double inertia() const { return chain_.leading().coefficient - 1.0; }
@@ -41,16 +41,16 @@ class DampedUnknown {
   // is true, the right-hand side of that row.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   [[nodiscard]] const std::vector<double>& orders() const { return orders_; }
-  struct Shown {
+  struct ColumnSource {
     Eigen::Index row;
     bool acceleration;
   };
-  [[nodiscard]] std::vector<Shown> shown() const;
+  [[nodiscard]] std::vector<ColumnSource> shown() const;
   // The orders at which a damping term is not the limit of its neighbours: beta = 0 where u(0) is not 0,
   // alpha = 1 where u'(0) is not 0.
   [[nodiscard]] const std::vector<Discontinuity>& discontinuities() const { return discontinuities_; }
   // The first row and column after those of this unknown.
-  [[nodiscard]] FirstOf next() const;
+  [[nodiscard]] UnknownOffset next() const;
 
   // From all columns of the scene: u, u', and the power of the damping, -u' times the damping terms.
   [[nodiscard]] double u(In columns) const { return columns[first_column_]; }

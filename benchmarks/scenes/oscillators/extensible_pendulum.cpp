@@ -62,17 +62,18 @@ struct Spring {
 
 Problem problem_of(const Spring& spring, const DampedUnknown& phi, const DampedUnknown& xi) {
   const std::array rows{phi.row(), phi.row_of_velocity(), xi.row(), xi.row_of_velocity()};
-  const DrivenChain turning{.chain = phi.chain(),
-                            .force = [=](double, In y) { return spring.turning_force(y(rows)); },
-                            .factor = [=](double, In y) { return spring.damping_factor(y(rows)); },
-                            .derivatives = ForceGradient{[=](double, In y, double damping, Out gradient) {
-                              gradient(rows) += spring.turn_gradient(y(rows), damping);
-                            }}};
-  const DrivenChain pulling{.chain = xi.chain(),
-                            .force = [=](double, In y) { return spring.pull(y(rows)); },
-                            .derivatives = ForceGradient{[=](double, In y, double, Out gradient) {
-                              gradient(rows) += spring.pull_gradient(y(rows));
-                            }}};
+  const MultiTermEquation turning{
+      .chain = phi.chain(),
+      .force = [=](double, In y) { return spring.turning_force(y(rows)); },
+      .factor = [=](double, In y) { return spring.damping_factor(y(rows)); },
+      .derivatives = ForceGradient{[=](double, In y, double damping, Out gradient) {
+        gradient(rows) += spring.turn_gradient(y(rows), damping);
+      }}};
+  const MultiTermEquation pulling{.chain = xi.chain(),
+                                  .force = [=](double, In y) { return spring.pull(y(rows)); },
+                                  .derivatives = ForceGradient{[=](double, In y, double, Out gradient) {
+                                    gradient(rows) += spring.pull_gradient(y(rows));
+                                  }}};
   Problem problem = chain_problem({turning, pulling}, 20.0);
   problem.domain = {.edge = "r = L (1 + xi) = 0",
                     .margin = [=](double, In y) { return Spring::length(y(rows)); }};
@@ -81,7 +82,7 @@ Problem problem_of(const Spring& spring, const DampedUnknown& phi, const DampedU
 
 }  // namespace
 
-SceneMaker extensible_pendulum() {
+SceneFactory extensible_pendulum() {
   return {
       .id = "extensible_pendulum",
       .title = "Extensible pendulum with fractional damping",
@@ -107,7 +108,7 @@ SceneMaker extensible_pendulum() {
         auto discontinuities = phi.discontinuities();
         std::ranges::copy(xi.discontinuities(), std::back_inserter(discontinuities));
         return {.problem = problem,
-                .smoothness = chain_smoothness({phi.chain(), xi.chain()}),
+                .smoothness = smoothness_of_chains({phi.chain(), xi.chain()}),
                 .outputs = outputs_of({phi, xi}, problem),
                 .energy = {.value =
                                [=](In c) {

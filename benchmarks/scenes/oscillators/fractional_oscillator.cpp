@@ -19,16 +19,16 @@ struct LoadedOscillator {
 
   // Q = (q0 s^(nu-1) + dq0 s^(nu-2) + c0/s + c1/s^2 + c2 s^(nu-3)) / (s^nu + w2).
   [[nodiscard]] LinearTransform transform() const {
-    const Rational order = exact_decimal(nu);
+    const Rational order = shortest_decimal(nu);
     LinearTransform transform;
     add_term(transform.characteristic, order, 1);
-    add_term(transform.characteristic, 0, exact_decimal(w2));
-    auto& numerator = transform.group_from(0, 1).numerators.front();
-    add_term(numerator, Rational(order - 1), exact_decimal(q0));
-    add_term(numerator, Rational(order - 2), exact_decimal(dq0));
-    add_term(numerator, -1, exact_decimal(c0));
-    add_term(numerator, -2, exact_decimal(c1));
-    add_term(numerator, Rational(order - 3), exact_decimal(c2));
+    add_term(transform.characteristic, 0, shortest_decimal(w2));
+    auto& numerator = transform.group_at(0, 1).numerators.front();
+    add_term(numerator, Rational(order - 1), shortest_decimal(q0));
+    add_term(numerator, Rational(order - 2), shortest_decimal(dq0));
+    add_term(numerator, -1, shortest_decimal(c0));
+    add_term(numerator, -2, shortest_decimal(c1));
+    add_term(numerator, Rational(order - 3), shortest_decimal(c2));
     transform.generators = {1, order};
     return transform;
   }
@@ -53,7 +53,7 @@ struct Oscillation {
   LoadedOscillator of;
 
   template <class Real>
-  [[nodiscard]] std::vector<Rounded<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<ConditionedValue<Real>> operator()(const Real& t) const {
     using std::abs, std::cos, std::exp, std::pow, std::sin;
     const Real order = decimal<Real>(of.nu), square = decimal<Real>(of.w2);
     const Real w = pow(square, Real(1 / order)), angle = pi<Real>() / order;
@@ -97,7 +97,7 @@ Outputs parts(const LoadedOscillator& of) {
 // t E_{nu,2}(-w2 t^nu), which is (51) to (53) with nu in place of alpha; the convolution with the load in the
 // printed (50) and (54) lacks a factor 1/w2. q is the sum of g, which oscillates and decays exponentially,
 // and f, which decays like a power of t.
-SceneMaker fractional_oscillator() {
+SceneFactory fractional_oscillator() {
   return {.id = "fractional_oscillator",
           .title = "Fractional oscillator",
           .source = "Tarasov & Zaslavsky 2006, eqs 49-54 (corrected)",

@@ -76,7 +76,7 @@ Energy energy_of(const std::vector<NamedTerm>& terms, double a, const Force& for
           .power = [=](double t, In c) { return c[velocity] * (load(t) - weights.dot(c)); }};
 }
 
-Reference linear_motion(const Parameters& p, const std::vector<NamedTerm>& terms) {
+Reference linear_file_reference(const Parameters& p, const std::vector<NamedTerm>& terms) {
   LinearEquation equation{.terms = {{p["a"], p["order"]}, {p["k"], 0.0}}, .initial = {p["u0"], p["du0"]}};
   std::vector<double> orders;
   for (const auto& [term, column] : terms) {
@@ -105,7 +105,8 @@ Scene scene_of(const Parameters& p) {
   std::vector<Eigen::Index> rows;
   for (const Term& term : lower) rows.push_back(*chain.row(term.order));
 
-  DrivenChain driven{.chain = chain, .force = [=](double t, In y) { return load(t) - force.value(y[0]); }};
+  MultiTermEquation driven{.chain = chain,
+                           .force = [=](double t, In y) { return load(t) - force.value(y[0]); }};
   const bool linear = p.choice("force") == "linear";
   if (linear) {
     driven.derivatives = LinearForce{-k};
@@ -114,9 +115,9 @@ Scene scene_of(const Parameters& p) {
         ForceGradient{[=](double, In y, double, Out gradient) { gradient[0] -= force.slope(y[0]); }};
   }
   Scene scene{.problem = chain_problem({driven}, 20.0),
-              .smoothness = chain_smoothness({chain}),
+              .smoothness = smoothness_of_chains({chain}),
               .outputs = picked(names, rows)};
-  if (linear && p.choice("load") != "cosine") scene.reference = linear_motion(p, terms);
+  if (linear && p.choice("load") != "cosine") scene.reference = linear_file_reference(p, terms);
   if (order == 2.0) scene.energy = energy_of(terms, a, force, load);
   return scene;
 }
@@ -126,7 +127,7 @@ Scene scene_of(const Parameters& p) {
 // a D^order u + sum_k b_k D^alpha_k u + c u' + sum_l d_l D^beta_l u + f(u) = g(t), with any number of terms,
 // as the chain (2.1). Equation (1.4), after Wang, is `order` = n/m with orders k/m below it; (1.6), after
 // Diethelm, has any `order`.
-SceneMaker multi_term() {
+SceneFactory multi_term() {
   return {
       .id = "multi_term",
       .title = "Multi-term equation of any number of orders",

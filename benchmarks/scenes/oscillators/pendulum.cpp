@@ -9,7 +9,7 @@ namespace fde {
 
 // phi'' + mu tau^alpha D^alpha phi + lambda tau phi' + nu tau^beta D^beta phi = -g/L sin phi, energy per m
 // L^2. Without damping the reference is a closed form with Jacobi elliptic functions.
-SceneMaker pendulum() {
+SceneFactory pendulum() {
   return {.id = "pendulum",
           .title = "Pendulum with fractional damping",
           .source = "Yin, Liu & Anh 2007, eqs 5.1-5.5, example 1; energy eq. 5.3",
@@ -31,7 +31,7 @@ SceneMaker pendulum() {
                 20.0);
             return {
                 .problem = problem,
-                .smoothness = chain_smoothness({phi.chain()}),
+                .smoothness = smoothness_of_chains({phi.chain()}),
                 .outputs = outputs_of({phi}, problem),
                 .reference = free ? pendulum_reference(FreePendulum{g, p["phi0"], p["dphi0"]}) : Reference{},
                 .energy = {.value =

@@ -43,7 +43,7 @@ Smoothness smoothness(double alpha, double k) {
 //   D^(1-alpha) P = y,  0 = P - c C (1 - (1 - t)^alpha)/alpha - Pi,  Pi' = pi,  tD_1^alpha pi = -k y,
 // and y(1) = 1. The row of y is algebraic and constrains P. The unknown c absorbs the error of y in the last
 // step, where y is like (1 - t)^(2 alpha - 1).
-void pose_whole(Scene& scene, double alpha, double k) {
+void pose_unsplit(Scene& scene, double alpha, double k) {
   enum : Eigen::Index { integral, y, regular, pi, c };
   const double factor = (2.0 * alpha - 1.0) * std::tgamma(alpha) / alpha;
   const auto singular = [=](double t) { return factor * (1.0 - std::pow(1.0 - t, alpha)); };
@@ -75,7 +75,7 @@ void pose_whole(Scene& scene, double alpha, double k) {
 // Riemann-Liouville derivative equals the Caputo derivative:
 //   y = c K + eta,  D^alpha eta = pi,  tD_1^alpha pi = -k y,  c' = 0,  c + eta(1) = 1.
 // Without a spring eta = pi = 0 and c = 1, which schemes reproduce to rounding.
-SceneMaker fractional_extremum() {
+SceneFactory fractional_extremum() {
   return {
       .id = "fractional_extremum",
       .title = "Least square of a fractional derivative, with a spring",
@@ -106,7 +106,7 @@ SceneMaker fractional_extremum() {
         if (k == 0.0) scene.reference = extremum(alpha);
         if (parameters.choice("form") == "whole") {
           if (alpha == 1.0) reject("alpha", alpha, "below 1 where form = whole");
-          pose_whole(scene, alpha, k);
+          pose_unsplit(scene, alpha, k);
         }
         return scene;
       },

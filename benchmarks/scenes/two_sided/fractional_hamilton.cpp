@@ -27,8 +27,8 @@ struct Coefficients {
 
 // The manufactured solution, a sum of powers: q1' = 15/16 t^2 (2-t)^2 vanishes at both ends to an order that
 // gives w and r two derivatives, q2' = -A1 q1' satisfies f = 0, mu = 1/2 + t/4 is chosen, p = q' + mu A.
-struct MadeMotion {
-  MadeMotion(const Coefficients& coefficients, double alpha) {
+struct ManufacturedMotion {
+  ManufacturedMotion(const Coefficients& coefficients, double alpha) {
     const auto one = SumOfPowers::polynomial({1.0});
     q[0] = SumOfPowers::polynomial({0.5, 0.0, 0.0, 1.25, -0.9375, 0.1875});
     v[0] = q[0].derivative(1.0);
@@ -38,14 +38,14 @@ struct MadeMotion {
     q[1] = SumOfPowers::polynomial({1.0}) + v[1].derivative(-1.0);
     p[0] = v[0] + mu * a;
     p[1] = v[1] + mu;
-    r = coefficients.epsilon * (mu * v[0]).reversed(end_of_motion).derivative(alpha - 1.0);
+    r = coefficients.epsilon * (mu * v[0]).reversed(manufactured_end).derivative(alpha - 1.0);
     push = {p[0].derivative(1.0) + (-coefficients.kappa) * mu * v[0], p[1].derivative(1.0)};
     r_slope = -1.0 * r.derivative(1.0);
   }
 
   // The forcing term of pi' for this solution, in addition to grad u.
   [[nodiscard]] Plane force(double t) const {
-    return {push[0].at(t) + r_slope.at(end_of_motion - t), push[1].at(t)};
+    return {push[0].at(t) + r_slope.at(manufactured_end - t), push[1].at(t)};
   }
 
   std::array<SumOfPowers, 2> q, v, p, push;
@@ -59,7 +59,7 @@ struct Hamilton {
   static constexpr int size = 6;
   Coefficients coefficients;
   Plane stiffness;
-  double end = end_of_motion;
+  double end = manufactured_end;
   std::function<Plane(double t)> force{};  // in addition to -grad u
 
   template <class S>
@@ -122,15 +122,15 @@ std::vector<Component> components(double alpha, const Plane& start,
 
 // The manufactured problem: a force is added to p', and none to q', so f = 0.
 Scene made(Hamilton system, double alpha) {
-  const MadeMotion m(system.coefficients, alpha);
+  const ManufacturedMotion m(system.coefficients, alpha);
   system.force = [=, k = system.stiffness](double t) -> Plane {
     return m.force(t) + k.cwiseProduct(plane_at(m.q, t));
   };
-  const Plane last = plane_at(m.p, end_of_motion), start{m.q[0].at(0.0), m.q[1].at(0.0)};
+  const Plane last = plane_at(m.p, manufactured_end), start{m.q[0].at(0.0), m.q[1].at(0.0)};
   Scene scene = two_sided_scene(system, components(alpha, start, {std::vector{last[0]}, {last[1]}}), columns);
-  scene.reference = made_solution(
+  scene.reference = manufactured_reference(
       {{m.q[0]}, {m.q[1]}, {m.v[0]}, {m.v[1]}, {m.w}, {m.r, Side::right}, {m.p[0]}, {m.p[1]}, {m.mu}},
-      end_of_motion);
+      manufactured_end);
   scene.memories = {{4, 2, alpha}};
   // Powers of right rows are in end - t. At the end p is smooth; pi = p + r also has the powers of r.
   auto first = m.r.powers();
@@ -143,7 +143,7 @@ Scene made(Hamilton system, double alpha) {
 // The problem with given loads and end values: p(T), or q1(T) and p2(T) with p1(T) unknown. q2(T) is not
 // offered beside q1(T), because the constraint nearly determines it.
 Scene given(Hamilton system, double alpha, const Parameters& p) {
-  const GivenLoads loads(p);
+  const PrescribedLoads loads(p);
   const Plane last(p["end1"], p["end2"]);
   const bool place = p.choice("ends") == "place";
   system.end = loads.end;
@@ -154,7 +154,7 @@ Scene given(Hamilton system, double alpha, const Parameters& p) {
     scene.problem.conditions = [at = last[0]](In, In y, Out residual) { residual[0] = y[0] - at; };
   }
   scene.memories = {{4, 2, alpha}};
-  const auto [regular, remembered] = GivenPowers(alpha);
+  const auto [regular, remembered] = TwoSidedStartExponents(alpha);
   scene.smoothness = {{regular, regular, remembered, remembered, regular, regular}};
   return scene;
 }
@@ -166,7 +166,7 @@ Scene given(Hamilton system, double alpha, const Parameters& p) {
 //   p_k' = -u_k + mu q'.dA/dq_k + tD_T^alpha g_k,  g_k = mu q'.dA/dw_k,
 // where tD_T^alpha is the right Riemann-Liouville derivative, -d/dt of r_k = J_-^(1-alpha) g_k. So pi = p + r
 // has a regular right-hand side, and r is a right row: tD_T^(1-alpha) r_k = g_k, r_k(T) = 0.
-SceneMaker fractional_hamilton() {
+SceneFactory fractional_hamilton() {
   return {
       .id = "fractional_hamilton",
       .title = "Hamilton's equations with a fractional constraint",
@@ -177,13 +177,13 @@ SceneMaker fractional_hamilton() {
                              {"k1", 1.0, any_number, "stiffness of q1"},
                              {"k2", 2.0, any_number, "stiffness of q2"}},
                             {motion_choice()},
-                            given_parameters(),
+                            prescribed_load_parameters(),
                             {choice("ends", {"momentum", "place"}, "what is given at T: p, or q1 and p2"),
                              {"end1", 0.2, any_number, "p1(T) or q1(T)"},
                              {"end2", -0.1, any_number, "p2(T)"}}}),
       .make = [](const Parameters& p) -> Scene {
         const Hamilton system{.coefficients = {p["kappa"], p["epsilon"]}, .stiffness = {p["k1"], p["k2"]}};
-        return motion_is_given(p) ? given(system, p["alpha"], p) : made(system, p["alpha"]);
+        return has_prescribed_loads(p) ? given(system, p["alpha"], p) : made(system, p["alpha"]);
       },
       .shown = {{"D(q, 1)", "p - mu*A"},
                 {"D(p_k, 1)", "-du_over_dq_k + mu*dA_over_dq_k*D(q, 1) - D(r_k, 1)"},

@@ -71,9 +71,9 @@ struct ConstrainedExtremum {
 
 Scene scene_of(ConstrainedExtremum system, const Parameters& p) {
   const double alpha = p["alpha"], memory = 1.0 - alpha;
-  const GivenLoads loads(p);
+  const PrescribedLoads loads(p);
   system.end = loads.end;
-  system.drive = given_drive(p);
+  system.drive = constraint_drive(p);
   system.force = loads.force;
   Scene scene = two_sided_scene(system,
                                 {{1.0, {loads.start[0]}},
@@ -93,7 +93,7 @@ Scene scene_of(ConstrainedExtremum system, const Parameters& p) {
                               of_e = p["across"], along = p["along"]](In, In y, Out residual) {
     residual << e.dot(y.segment<2>(first)) - of_e, along_a.dot(y.segment<2>(ConstrainedExtremum::pi)) - along;
   };
-  const auto [regular, remembered] = GivenPowers(alpha);
+  const auto [regular, remembered] = TwoSidedStartExponents(alpha);
   scene.smoothness = {{regular, regular, remembered, remembered, remembered, remembered, remembered,
                        remembered, regular, regular}};
   scene.memories = {{4, 2, alpha}, {5, 3, alpha}};
@@ -108,10 +108,10 @@ Scene scene_of(ConstrainedExtremum system, const Parameters& p) {
 // and pi = p + b rho - c ell has an equation of order 1. The motion under the same constraint has no terms in
 // mu', rho or ell. Across a the two differ by (e.c) ell - (e.b) rho, the column defect, which is 0 if b and c
 // are parallel to a: this is Proposition 2.
-SceneMaker fractional_vakonomic() {
+SceneFactory fractional_vakonomic() {
   const std::vector<Parameter> parameters =
       joined({weight_parameters(),
-              given_parameters(),
+              prescribed_load_parameters(),
               drive_parameters(),
               {choice("ends", {"place", "momentum"}, "what is given across a at T: e.q, or e.(p - c ell)"),
                {"across", -0.2, any_number, "that, e = (-a2, a1)/|a|"},

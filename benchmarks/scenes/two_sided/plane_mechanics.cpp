@@ -4,11 +4,11 @@
 
 namespace fde {
 
-GivenPowers::GivenPowers(double alpha)
+TwoSidedStartExponents::TwoSidedStartExponents(double alpha)
     : regular(power_lattice({1.0}, {1.0, 1.0 - alpha}, 3.0)),
       remembered(power_lattice({1.0 - alpha}, {1.0, 1.0 - alpha}, 3.0 - alpha)) {}
 
-std::vector<Parameter> given_parameters() {
+std::vector<Parameter> prescribed_load_parameters() {
   return {{"T", 1.0, {.low = 0.0, .high = 50.0, .open_low = true}, "the end"},
           {"g1", 0.0, any_number, "constant force on q1"},
           {"g2", 0.0, any_number, "constant force on q2"},
@@ -38,9 +38,10 @@ Parameter motion_choice() {
   return choice("motion", {"made", "given"}, "a made motion; or what the loads and ends that follow lead to");
 }
 
-bool motion_is_given(const Parameters& p) { return p.choice("motion") == "given"; }
+bool has_prescribed_loads(const Parameters& p) { return p.choice("motion") == "given"; }
 
-GivenLoads::GivenLoads(const Parameters& p) : end(p["T"]), force(p["g1"], p["g2"]), start(p["x1"], p["x2"]) {}
+PrescribedLoads::PrescribedLoads(const Parameters& p)
+    : end(p["T"]), force(p["g1"], p["g2"]), start(p["x1"], p["x2"]) {}
 
 std::vector<Parameter> drive_parameters() {
   return {{"F0", 0.5, any_number, "F(t) = F0 + F1 cos(omega t) in the constraint"},
@@ -48,7 +49,7 @@ std::vector<Parameter> drive_parameters() {
           {"omega", 1.0, any_number, "frequency of F"}};
 }
 
-std::function<double(double t)> given_drive(const Parameters& p) {
+std::function<double(double t)> constraint_drive(const Parameters& p) {
   return [constant = p["F0"], cosine = p["F1"], omega = p["omega"]](double t) {
     return constant + cosine * std::cos(omega * t);
   };

@@ -18,12 +18,12 @@ inline Plane plane_at(const std::array<SumOfPowers, 2>& sums, double t) {
 // The unit vector e perpendicular to a.
 inline Plane across(const Plane& a) { return Plane(-a[1], a[0]) / a.norm(); }
 
-constexpr double end_of_motion = 2.0;  // of manufactured solutions
+constexpr double manufactured_end = 2.0;  // of manufactured solutions
 
 // The powers with which a solution without further regularity starts, in rows of order 1 (`regular`) and of
 // order 1 - alpha (`remembered`).
-struct GivenPowers {
-  explicit GivenPowers(double alpha);
+struct TwoSidedStartExponents {
+  explicit TwoSidedStartExponents(double alpha);
 
   std::vector<double> regular, remembered;
 };
@@ -32,12 +32,12 @@ struct GivenPowers {
 std::vector<Parameter> joined(const std::vector<std::vector<Parameter>>& groups);
 
 // T, a constant force and q(0) of a problem that is not manufactured.
-std::vector<Parameter> given_parameters();
+std::vector<Parameter> prescribed_load_parameters();
 // The parameter `motion`: whether the solution is manufactured or follows from given loads and end values.
 Parameter motion_choice();
-bool motion_is_given(const Parameters& p);
-struct GivenLoads {
-  explicit GivenLoads(const Parameters& p);
+bool has_prescribed_loads(const Parameters& p);
+struct PrescribedLoads {
+  explicit PrescribedLoads(const Parameters& p);
 
   double end;
   Plane force, start;  // start: q(0)
@@ -48,7 +48,7 @@ std::vector<Parameter> weight_parameters();
 
 // The parameters of F(t) in a constraint a.v + b.w + c.r = F(t), and F itself.
 std::vector<Parameter> drive_parameters();
-std::function<double(double t)> given_drive(const Parameters& p);
+std::function<double(double t)> constraint_drive(const Parameters& p);
 
 // The scene of a mechanical system with one constraint, without smoothness and reference. A System has end,
 // rhs(t, y, f), jacobian(y, result), columns(t, y, result), energy(columns) and constraint(t, columns).

@@ -88,7 +88,7 @@ SumOfPowers operator*(const SumOfPowers& a, const SumOfPowers& b) {
 
 SumOfPowers operator*(double factor, const SumOfPowers& a) { return SumOfPowers::polynomial({factor}) * a; }
 
-Reference made_solution(const std::vector<MadeColumn>& columns, double end) {
+Reference manufactured_reference(const std::vector<ManufacturedColumn>& columns, double end) {
   return {[=](double t) -> ReferenceValue {
     if (!(t >= 0.0 && t <= end)) reject("t", t, fmt::format("in [0, {}]", end));
     const auto size = std::ssize(columns);

@@ -40,12 +40,12 @@ class SumOfPowers {
 };
 
 // A column of a manufactured solution: a sum of powers of t (left) or of end - t (right).
-struct MadeColumn {
+struct ManufacturedColumn {
   SumOfPowers sum;
   Side side = Side::left;
 };
 
 // The columns as a reference at times in [0, end]. It throws std::invalid_argument at other times.
-Reference made_solution(const std::vector<MadeColumn>& columns, double end);
+Reference manufactured_reference(const std::vector<ManufacturedColumn>& columns, double end);
 
 }  // namespace fde

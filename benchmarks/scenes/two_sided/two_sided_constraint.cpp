@@ -8,15 +8,15 @@ namespace {
 
 // The manufactured solution: q, q', q'', and w and r, its left and right derivatives of order alpha. With q1
 // = 1 + 3 t^2 - t^3 and q2 = t^2 (2 - t)^2 both velocities are 0 at both ends.
-struct MadeMotion {
-  explicit MadeMotion(double alpha)
+struct ManufacturedMotion {
+  explicit ManufacturedMotion(double alpha)
       : q{SumOfPowers::polynomial({1.0, 0.0, 3.0, -1.0}),
           SumOfPowers::polynomial({0.0, 0.0, 4.0, -4.0, 1.0})} {
     for (std::size_t i = 0; i < 2; ++i) {
       v[i] = q[i].derivative(1.0);
       acceleration[i] = q[i].derivative(2.0);
       w[i] = q[i].derivative(alpha);
-      r[i] = q[i].reversed(end_of_motion).derivative(alpha);
+      r[i] = q[i].reversed(manufactured_end).derivative(alpha);
     }
   }
 
@@ -30,7 +30,7 @@ struct TwoSidedConstraint {
   enum : Eigen::Index { q = 0, z = 2, w = 3, r = 5, size = 7 };
   Plane a, b, c;
   double k1, k2, k3;
-  double end = end_of_motion;
+  double end = manufactured_end;
   std::function<double(double t)> drive{};  // F
   std::function<Plane(double t)> force{};   // in addition to -grad u
 
@@ -89,19 +89,19 @@ std::vector<Component> components(double alpha, const Plane& start, const std::v
           {memory, {0.0}, Side::right}};
 }
 
-std::vector<Memory> memories(double alpha) { return {{4, 2, alpha}, {5, 3, alpha}}; }
+std::vector<MemoryColumn> memories(double alpha) { return {{4, 2, alpha}, {5, 3, alpha}}; }
 
 // F and a force are chosen so that the motion is the solution.
 Scene made(TwoSidedConstraint system, double alpha) {
-  const MadeMotion motion(alpha);
+  const ManufacturedMotion motion(alpha);
   system.drive = [=, a = system.a, b = system.b, c = system.c](double t) {
     return a.dot(plane_at(motion.v, t)) + b.dot(plane_at(motion.w, t)) +
-           c.dot(plane_at(motion.r, end_of_motion - t));
+           c.dot(plane_at(motion.r, manufactured_end - t));
   };
   system.force = [=](double t) -> Plane {
     return plane_at(motion.acceleration, t) + system.slope(plane_at(motion.q, t));
   };
-  std::vector<MadeColumn> known;
+  std::vector<ManufacturedColumn> known;
   for (const auto* sums : {&motion.q, &motion.v, &motion.w}) {
     for (const auto& sum : *sums) known.push_back({sum});
   }
@@ -111,23 +111,23 @@ Scene made(TwoSidedConstraint system, double alpha) {
   scene.smoothness = {{motion.q[0].powers(), motion.q[1].powers(), free.powers(), motion.w[0].powers(),
                        motion.w[1].powers(), motion.r[0].powers(), motion.r[1].powers()}};
   scene.memories = memories(alpha);
-  scene.reference = made_solution(known, end_of_motion);
+  scene.reference = manufactured_reference(known, manufactured_end);
   return scene;
 }
 
 // The velocity along a starts with the powers of w, which starts like t^(1-alpha). Right rows do the same at
 // the end.
 Smoothness smoothness_of_given(double alpha) {
-  const auto [regular, remembered] = GivenPowers(alpha);
+  const auto [regular, remembered] = TwoSidedStartExponents(alpha);
   return {{regular, regular, regular, remembered, remembered, remembered, remembered}};
 }
 
 // The problem with q(0) given and, across a, either the velocity at 0 or the position at the end.
 Scene given(TwoSidedConstraint system, double alpha, const Parameters& p) {
-  const GivenLoads loads(p);
+  const PrescribedLoads loads(p);
   const bool place = p.choice("ends") == "place";
   system.end = loads.end;
-  system.drive = given_drive(p);
+  system.drive = constraint_drive(p);
   system.force = [loads](double) { return loads.force; };
   const auto known = place ? std::vector<double>{} : std::vector<double>{p["across"]};
   Scene scene = two_sided_scene(system, components(alpha, loads.start, known), columns);
@@ -145,7 +145,7 @@ Scene given(TwoSidedConstraint system, double alpha, const Parameters& p) {
 
 // A mass in the plane on springs. r = -J_-^(1-alpha) q' depends on q' at later times, so the problem is
 // two-sided.
-SceneMaker two_sided_constraint() {
+SceneFactory two_sided_constraint() {
   return {.id = "two_sided_constraint",
           .title = "Oscillator in the plane with left and right derivatives in its constraint",
           .source = "Tarasov & Zaslavsky 2006, eqs 29, 38-41; manufactured, or with given loads and ends",
@@ -153,7 +153,7 @@ SceneMaker two_sided_constraint() {
               joined({weight_parameters(),
                       {{"k3", 0.5, any_number, "cubic stiffness of q1"}},
                       {motion_choice()},
-                      given_parameters(),
+                      prescribed_load_parameters(),
                       drive_parameters(),
                       {choice("ends", {"velocity", "place"}, "what is given across a: e.q'(0) or e.q(T)"),
                        {"across", 0.3, any_number, "e.q'(0) or e.q(T), e = (-a2, a1)/|a|"}}}),
@@ -165,7 +165,7 @@ SceneMaker two_sided_constraint() {
                                             .k1 = p["k1"],
                                             .k2 = p["k2"],
                                             .k3 = p["k3"]};
-            return motion_is_given(p) ? given(system, p["alpha"], p) : made(system, p["alpha"]);
+            return has_prescribed_loads(p) ? given(system, p["alpha"], p) : made(system, p["alpha"]);
           },
           .shown = {{"D(q, 2)", "g(t) - grad(u) + mu*a"},
                     {"a*D(q, 1) + b*D(q, alpha) + c*D_right(q, alpha)", "F(t)"}}};

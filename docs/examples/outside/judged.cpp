@@ -2,7 +2,7 @@
 #include <string>
 
 #include "measures/judge.hpp"
-#include "references/watched_reference.hpp"
+#include "references/memoized_reference.hpp"
 #include "scenes/variant.hpp"
 #include "stepping/scheme.hpp"
 
@@ -11,8 +11,8 @@ int main() {
   const fde::Scene pendulum = fde::make_scene(fde::read_variant("pendulum:alpha=1.9,until=5", {}));
   const fde::Grid grid{.end = pendulum.problem.end, .steps = 512};
   const auto path = fde::find_scheme("product_trapezoidal")->solve(pendulum.problem, grid, {});
-  fde::WatchedReference reference(pendulum);
-  const fde::Judgement judged = fde::judge(pendulum, path, reference, {.grid = grid});
+  fde::MemoizedReference reference(pendulum);
+  const fde::Assessment judged = fde::judge(pendulum, path, reference, {.grid = grid});
   for (const auto& [id, unit, value] : judged.measured)
     std::printf("%s %g %s\n", std::string(id).c_str(), value, std::string(unit).c_str());
 }

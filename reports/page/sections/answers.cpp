@@ -72,7 +72,7 @@ std::string margin_text(const PageInput& page, const SceneSettings& scene, std::
   const auto times =
       margin.ratio < 10.0 ? fmt::format("{:.1f}", margin.ratio) : rough_count_text(margin.ratio);
   return fmt::format("{} times as quick as {}: {}", times, page.label(ranked[1]),
-                     reason_it_leads(page, scene, ranked[0], ranked[1], kind.norm));
+                     reason_for_speed(page, scene, ranked[0], ranked[1], kind.norm));
 }
 
 // Strength of the winner's colour: 0 if another line may be as quick, 1 if the second takes ten times as long

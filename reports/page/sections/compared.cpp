@@ -54,11 +54,11 @@ Section compared_section(const PageInput& page, const Runs& before) {
           found.common, found.only_before, found.only_now)},
       .table = {.caption = "Runs of both results that changed",
                 .columns = {{"scene"}, {"scheme"}, {"first"}, {"second"}, {"change"}}}};
-  add(section.table, "Verdicts and endings", found.endings, [&](const ChangedEnding& change) {
+  add(section.table, "Verdicts and endings", found.endings, [&](const EndingChange& change) {
     return row(page, change.run, verdict_text(change.before, *change.run.before),
                verdict_text(change.now, *change.run.now), change.fell() ? "fell" : "changed", change.fell());
   });
-  add(section.table, "Errors", found.errors, [&](const MovedError& error) {
+  add(section.table, "Errors", found.errors, [&](const ErrorChange& error) {
     auto factor =
         error.before > 0.0 ? fmt::format("× {:.3g}", error.now / error.before) : std::string("from 0");
     return row(page, error.run, error_text(error.before), error_text(error.now),

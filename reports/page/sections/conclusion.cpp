@@ -17,13 +17,13 @@ namespace {
 std::string accuracy_name(double accuracy) { return fmt::format("1e{:.0f}", std::log10(accuracy)); }
 
 // Consecutive accuracies with the same cheapest line.
-struct Stretch {
+struct AccuracyRange {
   Option first, last;
   double from = 0.0, to = 0.0;
 };
 
-std::vector<Stretch> stretches(const PageInput& page, const SceneLines& lines, const ErrorKind& kind) {
-  std::vector<Stretch> found;
+std::vector<AccuracyRange> stretches(const PageInput& page, const SceneLines& lines, const ErrorKind& kind) {
+  std::vector<AccuracyRange> found;
   for (const double accuracy : accuracies) {
     const auto ranked = lines.within(kind, accuracy);
     if (ranked.empty()) break;
@@ -37,7 +37,7 @@ std::vector<Stretch> stretches(const PageInput& page, const SceneLines& lines, c
   return found;
 }
 
-std::string stretch_text(const PageInput& page, const Stretch& of) {
+std::string stretch_text(const PageInput& page, const AccuracyRange& of) {
   const bool one = of.from == of.to;
   const auto first = time_text(of.first.time.median), last = time_text(of.last.time.median);
   return fmt::format(
@@ -86,14 +86,14 @@ std::string conclusion(const PageInput& page, const SceneLines& lines, RunSpan r
   std::vector<std::string> sentences;
   if (!found.empty()) {
     std::vector<std::string> parts;
-    for (const Stretch& stretch : found) parts.push_back(stretch_text(page, stretch));
+    for (const AccuracyRange& stretch : found) parts.push_back(stretch_text(page, stretch));
     sentences.push_back(fmt::format("Cheapest: {}.", fmt::join(parts, ", then ")));
     const auto ranked = lines.within(kind, found.back().to);
     const auto to = accuracy_name(found.back().to), name = page.label(ranked.front());
     sentences.push_back(ranked.size() == 1
                             ? fmt::format("Only {} reaches {}.", name, to)
                             : fmt::format("To {} {} leads: {}.", to, name,
-                                          reason_it_leads(page, scene, ranked[0], ranked[1], kind.norm)));
+                                          reason_for_speed(page, scene, ranked[0], ranked[1], kind.norm)));
   }
   const double reached = found.empty() ? 1.0 : found.back().to;
   const auto* const next =

@@ -53,7 +53,7 @@ std::vector<Cell> row(const PageInput& page, const std::string& formulation, Run
 std::string with_run(const PageInput& page, const BestInTime& best) {
   const auto error = best.run["error_end"];
   return fmt::format("{} with {} ({}{} at N = {})", best.formulation, page.label(best.run.key),
-                     error_text(judged_drift(best.run)), error ? ", error " + error_text(*error) : "",
+                     error_text(effective_drift(best.run)), error ? ", error " + error_text(*error) : "",
                      count_text(best.run.steps));
 }
 
@@ -72,7 +72,7 @@ std::string advice(const PageInput& page, const ConstrainedScene& scene) {
 bool at_rounding(const FormulationRuns& of) {
   return std::ranges::all_of(of.runs, [](const auto& run) {
     const bool diverged = run["error_end"].value_or(0.0) > 1.0;
-    return diverged || *run["drift_internal"] <= drift_of_rounding;
+    return diverged || *run["drift_internal"] <= rounding_drift;
   });
 }
 

@@ -24,16 +24,16 @@ constexpr int digits = 3;
 constexpr int times_an_octave = 8, octaves = 10;
 
 // The running maximum of the drift, sampled at eight times per factor of 2 in t, from end/1024 on.
-class LargestSoFar {
+class RunningMaximum {
  public:
-  explicit LargestSoFar(double end) : next_(std::ldexp(end, -octaves)) {}
+  explicit RunningMaximum(double end) : next_(std::ldexp(end, -octaves)) {}
 
   void observe(double t, double drift) {
     largest_ = std::max(largest_, drift);
     if (t < next_ * (1.0 - 1e-12)) return;
     if (largest_ > 0.0) {
-      t_.push_back(in_chart(t, digits));
-      drift_.push_back(in_chart(largest_, digits));
+      t_.push_back(rounded_for_chart(t, digits));
+      drift_.push_back(rounded_for_chart(largest_, digits));
     }
     while (next_ * (1.0 - 1e-12) <= t) next_ *= std::exp2(1.0 / times_an_octave);
   }
@@ -49,12 +49,12 @@ class LargestSoFar {
 };
 
 // The columns at the steps of a run. D^order of the velocities is computed by a rule other than the scheme's
-// where that is possible (IndependentMemory).
-class SeenColumns {
+// where that is possible (IndependentMemoryRule).
+class IndependentColumns {
  public:
-  SeenColumns(const Scene& scene, const Grid& grid, Matrix columns)
+  IndependentColumns(const Scene& scene, const Grid& grid, Matrix columns)
       : scene_(scene), columns_(std::move(columns)) {
-    if (!grid.uniform() || grid.steps < IndependentMemory::fewest_steps) return;
+    if (!grid.uniform() || grid.steps < IndependentMemoryRule::fewest_steps) return;
     for (const auto& [derivative, velocity, order, powers] : scene.memories)
       memories_.emplace_back(grid, order, powers);
   }
@@ -65,7 +65,7 @@ class SeenColumns {
   [[nodiscard]] Vec at(int step) const {
     Vec seen = columns_.col(step);
     for (std::size_t m = 0; m < memories_.size(); ++m) {
-      const Memory& of = scene_.memories[m];
+      const MemoryColumn& of = scene_.memories[m];
       seen[of.derivative] = memories_[m].at(step, columns_.row(of.velocity).transpose());
     }
     return seen;
@@ -74,7 +74,7 @@ class SeenColumns {
  private:
   const Scene& scene_;
   Matrix columns_;
-  std::vector<IndependentMemory> memories_{};
+  std::vector<IndependentMemoryRule> memories_{};
 };
 
 // The drift of the run as a function of t, from a new solve; nullopt if the solve does not finish.
@@ -89,8 +89,8 @@ std::optional<json> course_of(const PageInput& page, const BestInTime& best) {
   const Grid grid{.end = scene.problem.end, .steps = *steps, .grading = key.setup.grading};
   const Trajectory path = scheme->solve(scene.problem, grid, key.setup.options());
   if (path.ending != Ending::finished || path.y.cols() != *steps + 1) return std::nullopt;
-  const SeenColumns columns(scene, grid, columns_of(scene.outputs, path));
-  LargestSoFar largest(grid.end);
+  const IndependentColumns columns(scene, grid, columns_of(scene.outputs, path));
+  RunningMaximum largest(grid.end);
   double next = 0.0;
   for (int n = 1; n <= *steps; ++n) {
     const double t = grid.time(n);
@@ -128,13 +128,13 @@ json points_of(const PageInput& page, const ConstrainedScene& scene) {
   json points;
   for (const auto& of : scene.formulations) {
     for (const MeasuredRun& run : of.runs) {
-      const double drift = judged_drift(run);
+      const double drift = effective_drift(run);
       if (!(drift > 0.0) || !std::isfinite(drift)) continue;
       points["formulation"].push_back(place_in(formulations, of.formulation));
       points["line"].push_back(place_in(lines, page.label(run.key)));
       points["steps"].push_back(run.steps);
-      points["h"].push_back(in_chart(run.h));
-      points["drift"].push_back(in_chart(drift, digits));
+      points["h"].push_back(rounded_for_chart(run.h));
+      points["drift"].push_back(rounded_for_chart(drift, digits));
     }
   }
   points["formulations"] = formulations;

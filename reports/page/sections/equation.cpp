@@ -11,8 +11,8 @@ using nlohmann::json;
 
 std::string value_text(const Parameter& parameter, const SceneSettings& scene) {
   const auto given = scene.values.find(parameter.name);
-  if (given != scene.values.end()) return text_of(given->second);
-  return parameter.derived.empty() ? text_of(parameter.value) : parameter.derived;
+  if (given != scene.values.end()) return to_text(given->second);
+  return parameter.derived.empty() ? to_text(parameter.value) : parameter.derived;
 }
 
 }  // namespace
@@ -20,7 +20,7 @@ std::string value_text(const Parameter& parameter, const SceneSettings& scene) {
 // The formulas as text; the page typesets them.
 json equations_of(const SceneSettings& scene) {
   json all = json::array();
-  const SceneMaker* maker = find_scene(scene.id);
+  const SceneFactory* maker = find_scene(scene.id);
   if (maker == nullptr) return all;
   for (const auto& [unknown, terms, rhs, initial] : maker->equations) {
     json of_unknown = json::array();
@@ -33,7 +33,7 @@ json equations_of(const SceneSettings& scene) {
 
 Table parameters_table(const SceneSettings& scene) {
   Table table{.caption = "Parameters", .columns = {{"parameter"}, {"value"}, {"meaning"}}};
-  const SceneMaker* maker = find_scene(scene.id);
+  const SceneFactory* maker = find_scene(scene.id);
   if (maker == nullptr || maker->parameters.empty()) return table;
   RowGroup rows;
   for (const Parameter& parameter : maker->parameters) {

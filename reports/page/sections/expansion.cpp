@@ -21,7 +21,7 @@ struct Pair {
   const MeasuredRun *chain, *expansion;
 };
 
-const MeasuredRun* find(RunSpan runs, std::string_view scheme, const Setup& setup) {
+const MeasuredRun* find(RunSpan runs, std::string_view scheme, const RunSettings& setup) {
   const auto found = std::ranges::find_if(
       runs, [&](const MeasuredRun& run) { return run.key.scheme == scheme && run.key.setup == setup; });
   return found == runs.end() ? nullptr : &*found;

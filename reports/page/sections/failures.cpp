@@ -18,7 +18,7 @@ namespace {
 // Runs with the same ending: lines with the same numbers of steps.
 struct Shared {
   std::vector<std::string> lines, steps;
-  RunEnding first, last;
+  RunOutcome first, last;
 
   // "not finite at step 13, t = 1.5 ... at step 102, t = 1.6".
   [[nodiscard]] std::string reason() const {
@@ -28,12 +28,12 @@ struct Shared {
 
 // Refusals must have the same reason. Other endings may differ in step and time, which depend on the number
 // of steps.
-bool alike(const RunEnding& one, const RunEnding& other) {
+bool alike(const RunOutcome& one, const RunOutcome& other) {
   return one.kind == other.kind && (one.kind != Ending::refused || one.detail == other.detail);
 }
 
 std::string steps_or_accuracy(const MeasuredRun& run) {
-  const auto* asked = std::get_if<Accuracy>(&run.key.setup.resolution);
+  const auto* asked = std::get_if<Tolerance>(&run.key.setup.resolution);
   return asked != nullptr ? error_text(asked->relative) : count_text(run.steps);
 }
 

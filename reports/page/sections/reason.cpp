@@ -12,7 +12,7 @@ namespace {
 std::optional<double> observed_rate_of(const PageInput& page, const SceneSettings& scene, const Option& line,
                                        Norm norm) {
   for (const RateRow& row : page.rates) {
-    if (row.scene != scene || row.scheme != line.schemes.front() || !same_line(row.setup, line.setup))
+    if (row.scene != scene || row.scheme != line.schemes.front() || !same_series(row.setup, line.setup))
       continue;
     const NormRate& rate = norm == Norm::end ? row.end : row.maximum;
     if (rate.fit.points > 0) return rate.fit.slope;
@@ -23,14 +23,14 @@ std::optional<double> observed_rate_of(const PageInput& page, const SceneSetting
 }  // namespace
 
 // Time = steps * time per step: says which factor distinguishes the first line from the second.
-std::string reason_it_leads(const PageInput& page, const SceneSettings& scene, const Option& first,
-                            const Option& second, Norm norm) {
+std::string reason_for_speed(const PageInput& page, const SceneSettings& scene, const Option& first,
+                             const Option& second, Norm norm) {
   const double fewer = static_cast<double>(second.steps) / first.steps;
-  const double dearer = first.step_seconds() / second.step_seconds();
+  const double dearer = first.seconds_per_step() / second.seconds_per_step();
   const auto name = page.label(second);
   if (fewer < 1.5) {
-    return fmt::format("a step takes {} where one of {} takes {}", time_text(first.step_seconds()), name,
-                       time_text(second.step_seconds()));
+    return fmt::format("a step takes {} where one of {} takes {}", time_text(first.seconds_per_step()), name,
+                       time_text(second.seconds_per_step()));
   }
   std::string text = fmt::format("{} steps are enough where {} needs {}", count_text(first.steps), name,
                                  count_text(second.steps));

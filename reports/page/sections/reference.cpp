@@ -92,30 +92,30 @@ constexpr ErrorKind judged{.norm = Norm::maximum, .scale = Scale::mixed};
 constexpr double fine = 1e-12;
 
 bool takes_accuracy(const Option& option) {
-  return std::holds_alternative<Accuracy>(option.setup.resolution);
+  return std::holds_alternative<Tolerance>(option.setup.resolution);
 }
 
 // The time of the quickest plain scheme on a grid within 1e-12, extrapolated by the error model if no run
 // reaches it. Plain: without start weights, hence with a low rate.
-struct OverGrid {
+struct PlainSchemeTime {
   double seconds = INFINITY;
   bool is_forecast = false;
 };
 
-OverGrid over_grid(const SceneLines& lines, RunSpan runs) {
+PlainSchemeTime over_grid(const SceneLines& lines, RunSpan runs) {
   const auto is_plain = [&](const Option& option) {
     return !takes_accuracy(option) && std::ranges::none_of(runs, [&](const MeasuredRun& run) {
       return run.key.scheme == option.schemes.front() && run["start_weights"];
     });
   };
-  OverGrid best;
+  PlainSchemeTime best;
   for (const Option& option : lines.within(judged, fine)) {
     if (is_plain(option)) best.seconds = std::min(best.seconds, option.time.median);
   }
   if (std::isfinite(best.seconds)) return best;
   best.is_forecast = true;
   for (const ErrorForecast& forecast : lines.forecasts(judged)) {
-    const double seconds = forecast.errors.steps(fine).value * forecast.line.step_seconds();
+    const double seconds = forecast.errors.steps(fine).value * forecast.line.seconds_per_step();
     if (is_plain(forecast.line) && seconds > 0.0) best.seconds = std::min(best.seconds, seconds);
   }
   return best;
@@ -138,7 +138,7 @@ class CostOfReferences {
       choosing_.push_back(option.time.median);
       break;
     }
-    const OverGrid grid = over_grid(lines, runs);
+    const PlainSchemeTime grid = over_grid(lines, runs);
     if (!std::isfinite(grid.seconds)) return;
     ratios_.push_back(grid.seconds / seconds);
     forecasts_ += grid.is_forecast ? 1 : 0;

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t most_named = 3;  // scenes in a sentence
 
 // The results of a line in the map of answers.
-struct Standing {
+struct LineScore {
   std::vector<double> margins{};        // time of the second line / own time, in each cell that it wins
   std::map<std::string, int> won_on{};  // number of cells won, by scene
   double nearest = INFINITY;            // smallest ratio of its time to the winner's
@@ -37,13 +37,13 @@ struct Standing {
   }
 };
 
-struct Standings {
-  std::map<std::string, Standing> of{};  // by label of the line
-  int cells = 0;                         // number of cells with a winner
+struct LineScores {
+  std::map<std::string, LineScore> of{};  // by label of the line
+  int cells = 0;                          // number of cells with a winner
 };
 
-Standings standings_of(const PageInput& page, const ErrorKind& kind) {
-  Standings found;
+LineScores standings_of(const PageInput& page, const ErrorKind& kind) {
+  LineScores found;
   for (const RunSpan runs : by_scene(page.runs.finished)) {
     const auto& scene = runs.front().key.scene;
     const SceneLines lines(page.runs, scene);
@@ -78,7 +78,7 @@ std::string named(const std::map<std::string, int>& counts) {
   return fmt::format("{}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
-std::string where_it_wins(const Standings& all, const std::string& line) {
+std::string where_it_wins(const LineScores& all, const std::string& line) {
   const auto found = all.of.find(line);
   if (found == all.of.end() || found->second.reached == 0) return "Reaches none of these accuracies.";
   auto of = found->second;

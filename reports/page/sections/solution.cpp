@@ -78,7 +78,7 @@ json columns_along(const Path& path, const std::vector<std::string>& names,
     const Vec at = of(t, columns);
     for (std::size_t i = 0; i < names.size(); ++i) {
       const double value = at[static_cast<Eigen::Index>(i)];
-      values[i].push_back(std::isfinite(value) ? json(in_chart(value, digits)) : json());
+      values[i].push_back(std::isfinite(value) ? json(rounded_for_chart(value, digits)) : json());
     }
   }
   return {{"columns", names}, {"values", values}};
@@ -126,7 +126,7 @@ json solution_of(const Scene& scene) {
   const auto& names = scene.outputs.names;
   json solution = columns_along(samples.values(), {names.begin(), names.begin() + shown},
                                 [](double, In columns) -> Vec { return columns; });
-  for (const auto& [t, value] : samples.values()) solution["t"].push_back(in_chart(t));
+  for (const auto& [t, value] : samples.values()) solution["t"].push_back(rounded_for_chart(t));
   solution["bound"] = samples.bound();
   add_energy(solution, scene, samples.values());
   add_reactions(solution, scene, samples.values());

@@ -17,7 +17,7 @@ constinit const WeightFamily families::grunwald_letnikov{
     .id = "grunwald_letnikov",
     .title = "Grunwald-Letnikov, backward Euler convolution quadrature: (-1)^k binomial(-g, k)",
     .weight = binomial_weight,
-    .start_weight = [](long double /*g*/, long double /*n*/) -> long double { return 0; },
+    .first_sample_weight = [](long double /*g*/, long double /*n*/) -> long double { return 0; },
     .weight_at_order_one = 1.0,
     .step_factor = [](long double /*g*/) -> long double { return 1; },
     .coefficient = coefficient,

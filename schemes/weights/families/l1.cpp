@@ -24,7 +24,7 @@ constinit const WeightFamily families::l1 =
                       .weight = [](Real g, Real k) { return power_difference(1 - g, k + 1); },
                       .coefficient = coefficient,
                       .regular_part = regular_part,
-                      .ends = [](double /*before*/, double after, double length) -> Ends {
+                      .ends = [](double /*before*/, double after, double length) -> EndpointValues {
                         return {after / length, after / length};
                       }});
 

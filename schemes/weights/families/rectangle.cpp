@@ -25,7 +25,7 @@ constinit const WeightFamily families::rectangle{
     .step_factor = [](long double g) { return 1 / std::tgamma(g + 1); },
     .coefficient = coefficient,
     .regular_part = regular_part,
-    .ends = [](double before, double /*after*/, double /*length*/) -> Ends {
+    .ends = [](double before, double /*after*/, double /*length*/) -> EndpointValues {
       return {before, before};
     }};
 

@@ -22,7 +22,7 @@ Real weight(Real g, Real k) {
 
 // (n-1)^(g+1) - (n-1-g) n^g (Yin, Liu & Anh 2007, eq. 3.7, first line) as
 // n^(g+1) sum_{m>=2} binomial(g+1, m) (-1/n)^m.
-Real start_weight(Real g, Real n) {
+Real first_sample_weight(Real g, Real n) {
   if (n == 1) return g;
   const Real x = 1 / n;
   Real term = 0.5L, sum = term;
@@ -49,7 +49,7 @@ double half_hat(double s) {
   return sum;
 }
 
-double start_coefficient(double g, double node, double kernel) {
+double first_sample_coefficient(double g, double node, double kernel) {
   return std::tgamma(g + 2.0) * (kernel * (half_hat(node) * difference_mean(g, node)));
 }
 
@@ -64,13 +64,13 @@ constinit const WeightFamily families::trapezoid{
     .id = "trapezoid",
     .title = "product trapezoidal rule, Adams-Moulton corrector: (k+1)^(g+1) - 2 k^(g+1) + (k-1)^(g+1)",
     .weight = weight,
-    .start_weight = start_weight,
+    .first_sample_weight = first_sample_weight,
     .weight_at_order_one = 2.0,
     .step_factor = [](Real g) { return 1 / std::tgamma(g + 2); },
     .coefficient = coefficient,
-    .start_coefficient = start_coefficient,
+    .first_sample_coefficient = first_sample_coefficient,
     .regular_part = regular_part,
-    .ends = [](double before, double after, double /*length*/) -> Ends {
+    .ends = [](double before, double after, double /*length*/) -> EndpointValues {
       return {before, after};
     }};
 

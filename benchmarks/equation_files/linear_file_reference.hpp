@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "equation_files/equation_system.hpp"
+#include "reference.hpp"
+
+namespace fde {
+
+// The exact solution in the columns if the equations are linear in the unknowns with constant coefficients
+// and loads c t^p, or c switched on at a time: an inverse Laplace transform. nullopt otherwise, or for more
+// than 12 rows. Numbers are read as their shortest decimals. If a number of the equations is not such a
+// decimal, for instance 1/3, the reference has no `digits`, and the effect is included in its bound.
+std::optional<Reference> linear_file_reference(const EquationSystem& system, const Problem& problem,
+                                               ExpressionPool& all);
+
+}  // namespace fde

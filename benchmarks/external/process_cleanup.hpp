@@ -1,0 +1,56 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <csignal>
+#include <cstddef>
+#include <string>
+
+namespace fde {
+
+// Registers a temporary file or a process group for cleanup: while the object exists, a signal that ends this
+// process (SIGKILL included) removes the file or kills the group. At most 256 of each at a time; further ones
+// are not registered.
+class RegisteredFile {
+ public:
+  explicit RegisteredFile(const std::string& path);
+  RegisteredFile(const RegisteredFile&) = delete;
+  RegisteredFile& operator=(const RegisteredFile&) = delete;
+  ~RegisteredFile();
+
+ private:
+  std::size_t place_;
+};
+class RegisteredProcessGroup {
+ public:
+  explicit RegisteredProcessGroup(pid_t group);
+  RegisteredProcessGroup(const RegisteredProcessGroup&) = delete;
+  RegisteredProcessGroup& operator=(const RegisteredProcessGroup&) = delete;
+  ~RegisteredProcessGroup();
+
+ private:
+  std::size_t place_;
+};
+
+// Guard for the time between the creation of a file or group and its registration: clean_up() waits
+// while an object exists, and all signals are blocked in this thread.
+class RegistrationGuard {
+ public:
+  RegistrationGuard();
+  RegistrationGuard(const RegistrationGuard&) = delete;
+  RegistrationGuard& operator=(const RegistrationGuard&) = delete;
+  ~RegistrationGuard();
+
+ private:
+  sigset_t before_{};
+};
+
+// Kills all registered groups and removes all registered files. To be called when this process is about to
+// end; async-signal-safe.
+void clean_up();
+
+// Blocks forever if clean_up() has been called: the end of a child that it killed must not be reported
+// as a result.
+void block_after_clean_up();
+
+}  // namespace fde

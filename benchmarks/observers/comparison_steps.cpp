@@ -1,0 +1,66 @@
+#include "observers/comparison_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+
+namespace fde {
+namespace {
+
+double smallest_order(const Problem& problem) {
+  double smallest = 1.0;
+  for (const auto& component : problem.components) {
+    if (component.order > 0.0) smallest = std::min(smallest, component.order);
+  }
+  return smallest;
+}
+
+// The relative distance from a jump below which times are not resolved: a rounding error d of the time
+// changes y ~ s^order by s^(order-1) d, which is rounding error from here on.
+double least_after_jump(double order) {
+  constexpr double digits = 3.0, always = 1e-12;
+  return order < 1.0 ? std::max(always, std::pow(10.0, -digits / (1.0 - order))) : always;
+}
+
+// Four times a decade between start and end, down to `least` from the start.
+void add_times_towards(double start, double end, double least, std::vector<double>& times) {
+  constexpr double ratio = 0.5623413251903491;  // 10^(-1/4)
+  for (double since = ratio * (end - start); since >= least; since *= ratio) times.push_back(start + since);
+}
+
+}  // namespace
+
+std::vector<int> comparison_steps(int steps, int most) {
+  constexpr int first = 16;
+  std::vector<int> watched(static_cast<std::size_t>(std::min(steps, most)) + 1);
+  std::iota(watched.begin(), watched.end(), 0);
+  if (steps <= most) return watched;
+  for (auto& n : watched) n = static_cast<int>(std::int64_t{n} * steps / most);
+  for (int n = 0; n <= first; ++n) watched.push_back(n);
+  std::ranges::sort(watched);
+  watched.erase(std::unique(watched.begin(), watched.end()), watched.end());
+  return watched;
+}
+
+std::vector<double> comparison_times(const Grid& grid, int most) {
+  std::vector<double> times;
+  for (const int n : comparison_steps(grid.steps, most)) times.push_back(grid.time(n));
+  return times;
+}
+
+std::vector<double> comparison_times(const Problem& problem, int evenly) {
+  constexpr double rounding = 1e-17, shortest = 1e-66;
+  auto times = comparison_times(Grid{.end = problem.end, .steps = evenly});
+  const double order = smallest_order(problem), least = std::max(shortest, std::pow(rounding, 1.0 / order));
+  add_times_towards(0.0, problem.end, least * problem.end, times);
+  for (const double jump : problem.jumps) {
+    if (jump < problem.end) add_times_towards(jump, problem.end, least_after_jump(order) * jump, times);
+  }
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+}  // namespace fde

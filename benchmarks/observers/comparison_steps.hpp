@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "problem/grid.hpp"
+#include "problem/problem.hpp"
+
+namespace fde {
+
+// The steps at which a run of this many steps is compared with the reference: all if there are at most
+// `most`, otherwise the first 16 and `most` evenly spaced ones.
+constexpr int max_comparison_steps = 8192;
+std::vector<int> comparison_steps(int steps, int most = max_comparison_steps);
+
+// Their times.
+std::vector<double> comparison_times(const Grid& grid, int most = max_comparison_steps);
+
+// The times at which runs with an adaptive step size are compared with the reference, at steps or between
+// them: `evenly` evenly spaced times, and four a decade towards the start and towards each jump, where
+// solutions are powers of the time since then. At the start the smallest is that where t^order, with the
+// smallest order, is rounding error.
+constexpr int evenly_spaced_comparisons = 2048;
+std::vector<double> comparison_times(const Problem& problem, int evenly = evenly_spaced_comparisons);
+
+}  // namespace fde

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "checkpoint/archive.hpp"
+#include "scenes/scene.hpp"
+
+namespace fde {
+
+// The columns of a run at some of its times, collected during the solve, so that the states, up to a million,
+// need not be stored. The requested times increase and are times of steps up to rounding; an empty list means
+// all steps.
+class RetainedColumns {
+ public:
+  // For a run that computes y / unit. `outputs` must outlive this object.
+  RetainedColumns(const Outputs& outputs, std::vector<double> times, double unit = 1.0);
+
+  // Called after every step.
+  void observe(double t, In y);
+
+  // Saves or restores the collected columns, for a run that is interrupted and resumed.
+  void state(Archive& archive);
+
+  [[nodiscard]] const std::vector<double>& times() const { return times_; }
+  // One column a time.
+  [[nodiscard]] Rows columns() const { return columns_.leftCols(std::ssize(times_)); }
+
+ private:
+  [[nodiscard]] bool asked_for(double t);
+
+  const Outputs& outputs_;
+  std::vector<double> requested_, times_;
+  double unit_;
+  std::size_t next_ = 0;  // index of the next requested time
+  Rows columns_;
+};
+
+}  // namespace fde

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <limits>
+
+#include "stepping/scheme.hpp"
+
+namespace fde {
+
+// `size`: the largest |y_n| of the last fifth of a run. `growth`: size divided by the largest |y_n| of a
+// fifth of the steps that starts at the middle. Both are infinite if the run overflowed.
+struct LateGrowth {
+  double size, growth;
+};
+
+// Solves the problem with `steps` equal steps of this length.
+inline LateGrowth late(const Scheme& scheme, Problem problem, double length, int steps) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  problem.end = length * steps;
+  const Rows y = scheme.solve(problem, Grid{problem.end, steps}, {}).y;
+  if (y.cols() <= steps) return {infinity, infinity};
+  const auto size = [&](int begin) { return y.middleCols(begin, steps / 5).cwiseAbs().maxCoeff(); };
+  return {size(steps - steps / 5), size(steps - steps / 5) / size(steps / 2)};
+}
+
+}  // namespace fde

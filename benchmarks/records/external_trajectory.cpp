@@ -1,0 +1,210 @@
+#include "records/external_trajectory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "observers/comparison_steps.hpp"
+#include "records/lines.hpp"
+#include "references/memoized_reference.hpp"
+#include "scenes/entry_named.hpp"
+#include "scenes/number_text.hpp"
+#include "scenes/printable.hpp"
+
+namespace fde {
+namespace {
+
+constexpr std::size_t most_values = 10'000'000;
+
+std::string_view unquoted(std::string_view cell) {
+  const bool quoted = cell.size() > 1 && cell.front() == '"' && cell.back() == '"';
+  return quoted ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+// The names after t. np.savetxt begins the header with #, spreadsheets with a byte order mark.
+std::vector<std::string> names_in(std::string_view header) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (header.starts_with(byte_order_mark)) header.remove_prefix(byte_order_mark.size());
+  header = trimmed(header);
+  if (header.starts_with('#')) header.remove_prefix(1);
+  std::vector<std::string> names;
+  for (const auto& cell : split_names(header)) names.emplace_back(unquoted(trimmed(cell)));
+  if (names.front() != "t") throw std::invalid_argument("must be a header, t and columns of the scene");
+  names.erase(names.begin());
+  return names;
+}
+
+// For each cell after t, the column of the scene; nullopt: ignored.
+using ColumnIndices = std::vector<std::optional<Eigen::Index>>;
+
+ColumnIndices output_points_of(const std::vector<std::string>& names, const Scene& scene) {
+  auto printed = printed_names(scene);
+  std::ranges::copy(reaction_names(scene), std::back_inserter(printed));
+  const auto own = std::ssize(scene.outputs.names);
+  ColumnIndices places;
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (std::find(names.begin(), name, *name) != name)
+      throw std::invalid_argument(fmt::format("column {} stands there twice", *name));
+    const auto found = std::ranges::find(printed, *name);
+    if (found == printed.end()) throw_unknown_id("column", *name, {printed.begin(), printed.begin() + own});
+    const auto place = found - printed.begin();
+    places.push_back(place < own ? std::optional<Eigen::Index>(place) : std::nullopt);
+  }
+  return places;
+}
+
+class TrajectoryReader {
+ public:
+  TrajectoryReader(const std::string& header, const Scene& scene)
+      : names_(names_in(header)), places_(output_points_of(names_, scene)), end_(scene.problem.end) {
+    for (const auto& place : places_) {
+      if (place) path_.columns.push_back(*place);
+    }
+    if (path_.columns.empty()) {
+      throw std::invalid_argument(
+          fmt::format("has no column of the scene; they are {}", fmt::join(scene.outputs.names, ", ")));
+    }
+  }
+
+  void take(std::string_view line) {
+    const auto cells = split_list(line);
+    if (cells.size() != names_.size() + 1) {
+      throw std::invalid_argument(
+          fmt::format("must have {} cells, as the header, not {}", names_.size() + 1, cells.size()));
+    }
+    take_time(trimmed(cells.front()));
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      const auto cell = trimmed(cells[i + 1]);
+      const auto value = try_parse_number(cell);
+      if (!value) reject_text(names_[i], cell, "a number");
+      if (places_[i]) values_.push_back(*value);
+    }
+    if (values_.size() > most_values)
+      throw std::invalid_argument(fmt::format("there are more than {} values", most_values));
+  }
+
+  ExternalTrajectory path() && {
+    if (path_.times.empty() || path_.times.back() == 0.0)
+      throw std::invalid_argument("there is no row behind t = 0");
+    path_.values =
+        Eigen::Map<const Matrix>(values_.data(), std::ssize(path_.columns), std::ssize(path_.times));
+    return std::move(path_);
+  }
+
+ private:
+  // A time within rounding of the end is set to the end.
+  void take_time(std::string_view cell) {
+    constexpr double rounding = 1e-12;
+    double t = parse_number("t", cell, not_negative);
+    if (t > end_ * (1.0 + rounding)) reject_text("t", cell, fmt::format("in [0, {}], as in the scene", end_));
+    if (std::abs(t - end_) <= rounding * end_) t = end_;
+    if (!path_.times.empty() && t <= path_.times.back())
+      reject_text("t", cell, fmt::format("above {}, the time before", path_.times.back()));
+    path_.times.push_back(t);
+  }
+
+  std::vector<std::string> names_;
+  ColumnIndices places_;
+  double end_;
+  ExternalTrajectory path_{};
+  std::vector<double> values_{};
+};
+
+// S from a line `# seconds: S`; nullopt for any other line.
+std::optional<double> seconds_in(std::string_view line) {
+  constexpr std::string_view begin = "# seconds:";
+  if (!line.starts_with(begin)) return std::nullopt;
+  return parse_number("seconds", trimmed(line.substr(begin.size())), positive);
+}
+
+// Messages are C strings: they would end at a NUL.
+void require_text(const std::string& line) {
+  if (line.find('\0') != std::string::npos) throw std::invalid_argument("has a NUL byte, which no CSV has");
+}
+
+ExternalTrajectory read_lines(LineReader& line, const Scene& scene) {
+  bool has_header = line.next();
+  const auto seconds = seconds_in(line.text());
+  if (seconds) has_header = line.next();
+  if (!has_header) throw std::invalid_argument("there is no header");
+  require_text(line.text());
+  TrajectoryReader reader(line.text(), scene);
+  bool is_over = false;  // only empty lines may follow
+  while (line.next()) {
+    require_text(line.text());
+    const bool is_empty = trimmed(line.text()).empty();
+    if (is_over && !is_empty) throw std::invalid_argument("a row behind an empty line");
+    is_over = is_empty;
+    if (!is_empty) reader.take(line.text());
+  }
+  auto path = std::move(reader).path();
+  path.seconds = seconds;
+  return path;
+}
+
+// All rows, or as many as are compared for a run.
+ExternalTrajectory watched(const ExternalTrajectory& path) {
+  ExternalTrajectory some{.columns = path.columns};
+  const auto rows = comparison_steps(static_cast<int>(path.times.size()) - 1);
+  for (const int row : rows) some.times.push_back(path.times[static_cast<std::size_t>(row)]);
+  some.values = path.values(Eigen::all, rows);
+  return some;
+}
+
+// `reference` has all columns of the scene.
+Assessment judge_values(const Scene& scene, const ExternalTrajectory& path, MemoizedReference& reference) {
+  for (Eigen::Index c = 0; c < path.values.cols(); ++c) {
+    const double t = path.times[static_cast<std::size_t>(c)];
+    if (!path.values.col(c).allFinite()) return {{Ending::non_finite, at_time(std::nullopt, t)}, t};
+  }
+  if (std::ssize(path.columns) < std::ssize(scene.outputs.names)) {
+    MemoizedReference some(scene, path.columns);
+    return judge_columns(path.times, path.values, some);
+  }
+  Rows ordered(path.values.rows(), path.values.cols());
+  for (std::size_t i = 0; i < path.columns.size(); ++i)
+    ordered.row(path.columns[i]) = path.values.row(static_cast<Eigen::Index>(i));
+  return judge_columns(path.times, ordered, reference);
+}
+
+}  // namespace
+
+ExternalTrajectory read_trajectory(const std::filesystem::path& file, const Scene& scene,
+                                   const std::string& name) {
+  const std::string called = name.empty() ? file.string() : name;
+  LineReader line(file, called);
+  try {
+    return read_lines(line, scene);
+  } catch (const std::invalid_argument& error) {
+    const std::string_view what = error.what();
+    if (what.starts_with(called + ":")) throw;  // already names the line
+    throw std::invalid_argument(fmt::format("{}: line {}: {}", called, line.number(), what));
+  }
+}
+
+Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path) {
+  MemoizedReference reference(scene);
+  const bool is_finite = path.values.allFinite();
+  return judge_trajectory(scene, is_finite ? watched(path) : path, reference);
+}
+
+Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path,
+                            MemoizedReference& reference) {
+  Assessment judgement = judge_values(scene, path, reference);
+  if (std::ssize(path.columns) == std::ssize(scene.outputs.names)) return judgement;
+  std::vector<std::string> names;
+  for (const auto column : path.columns)
+    names.push_back(scene.outputs.names[static_cast<std::size_t>(column)]);
+  auto& detail = judgement.ending.detail;
+  detail += fmt::format("{}in {}", detail.empty() ? "" : " ", fmt::join(names, ", "));
+  return judgement;
+}
+
+}  // namespace fde

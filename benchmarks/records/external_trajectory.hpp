@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measures/judge.hpp"
+#include "references/memoized_reference.hpp"
+#include "scenes/scene.hpp"
+
+namespace fde {
+
+// A trajectory written by another program.
+struct ExternalTrajectory {
+  std::vector<Eigen::Index> columns{};  // indices of its columns among those of the scene
+  std::vector<double> times{};          // increasing, the last above 0
+  Rows values{};                        // one row a column, one column a time
+  std::optional<double> seconds{};      // duration of the solve, if the program reports it
+};
+
+// Reads CSV with the header t,COLUMN,... and one row a time, in [0, end] of the scene. The columns are
+// columns of the scene, in any order; other columns that `solve` prints are ignored. A value may be infinite
+// or NaN, a time may not. Accepted are quoted names, a # before the header, spaces around cells, \r\n, empty
+// lines at the end, and a line `# seconds: S` before the header. Throws std::invalid_argument naming file and
+// line for anything else, and for more than 10 million values. `name` is the name in messages, by default the
+// path.
+ExternalTrajectory read_trajectory(const std::filesystem::path& file, const Scene& scene,
+                                   const std::string& name = "");
+
+// Judges the trajectory like a run: at all of its times if there are at most 8192, otherwise at 8192 and the
+// first 16. It ends at the first value that is not finite. If columns of the scene are missing, the ending's
+// detail names those that are present.
+Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path);
+
+// The same at all of its times, with a reference for all columns of the scene.
+Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path, MemoizedReference& reference);
+
+}  // namespace fde

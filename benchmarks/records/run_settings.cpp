@@ -1,0 +1,58 @@
+#include "records/run_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "scenes/number_text.hpp"
+
+namespace fde {
+namespace {
+
+constexpr std::string_view uniform = "uniform", graded = "graded:";
+
+}  // namespace
+
+Options RunSettings::options() const {
+  return {.history = history, .tolerance = tolerance, .budget = budget};
+}
+
+Resolution resolution_of(const RunSettings& setup, double end) {
+  if (const auto* steps = std::get_if<int>(&setup.resolution))
+    return Grid{.end = end, .steps = *steps, .grading = setup.grading};
+  return std::get<Tolerance>(setup.resolution);
+}
+
+bool same_series(RunSettings a, const RunSettings& b) {
+  if (a.resolution.index() != b.resolution.index()) return false;
+  a.resolution = b.resolution;
+  return a == b;
+}
+
+std::string grid_text(double grading) {
+  return grading == 1.0 ? std::string(uniform) : fmt::format("{}{}", graded, grading);
+}
+
+std::string resolution_text(const RunSettings& setup) {
+  if (const auto* steps = std::get_if<int>(&setup.resolution)) return fmt::format("N = {}", *steps);
+  const auto& [relative, absolute] = std::get<Tolerance>(setup.resolution);
+  return fmt::format("accuracy {}, {}", relative, absolute);
+}
+
+double parse_grading(std::string_view text) {
+  if (text == uniform) return 1.0;
+  if (text.starts_with(graded)) {
+    const auto grading = try_parse_number(text.substr(graded.size()));
+    if (grading && *grading >= 1.0 && *grading <= 100.0) return *grading;
+  }
+  reject_text("--grid", text, "uniform or graded:R with R in [1, 100], or graded:auto on the command line");
+}
+
+HistoryKind parse_history(std::string_view text) {
+  for (const auto kind : {HistoryKind::automatic, HistoryKind::direct, HistoryKind::exponentials}) {
+    if (name(kind) == text) return kind;
+  }
+  throw std::invalid_argument(fmt::format("--history = {}: must be auto, direct or exponentials", text));
+}
+
+}  // namespace fde

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <compare>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <variant>
+
+#include "problem/resolution.hpp"
+#include "stepping/scheme.hpp"
+
+namespace fde {
+
+inline auto operator<=>(const Tolerance& a, const Tolerance& b) {
+  return std::tie(a.relative, a.absolute) <=> std::tie(b.relative, b.absolute);
+}
+inline bool operator==(const Tolerance& a, const Tolerance& b) {
+  return a.relative == b.relative && a.absolute == b.absolute;
+}
+
+using StepsOrTolerance = std::variant<int, Tolerance>;
+
+// The settings of a run. Scene, scheme and setup identify a run: a sweep performs each run once.
+struct RunSettings {
+  StepsOrTolerance resolution = 1;
+  double grading = 1.0;  // of the grid
+  HistoryKind history = HistoryKind::automatic;
+  double tolerance = Options{}.tolerance;
+  double budget = std::numeric_limits<double>::infinity();  // seconds for each solve
+
+  auto operator<=>(const RunSettings&) const = default;
+
+  [[nodiscard]] Options options() const;
+};
+
+// The grid up to `end`, or the tolerance, for the scheme.
+Resolution resolution_of(const RunSettings& setup, double end);
+
+// Whether two setups differ at most in the number of steps or in the tolerance: their runs form one line of a
+// chart.
+bool same_series(RunSettings a, const RunSettings& b);
+
+// "uniform" or "graded:R"; "N = 64" or "accuracy 1e-6, 1e-9".
+std::string grid_text(double grading);
+std::string resolution_text(const RunSettings& setup);
+
+// The grading from "uniform" or "graded:R"; the history from "auto", "direct" or "exponentials". Each throws
+// std::invalid_argument naming the command-line option, the text and what is allowed.
+double parse_grading(std::string_view text);
+HistoryKind parse_history(std::string_view text);
+
+}  // namespace fde

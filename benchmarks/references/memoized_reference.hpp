@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.hpp"
+
+namespace fde {
+
+// The cached reference of one scene: each time is evaluated once, because refined grids share times. The
+// scene must outlive this object.
+class MemoizedReference {
+ public:
+  explicit MemoizedReference(const Scene& scene);
+
+  // Restricted to these columns of the scene, given by index.
+  MemoizedReference(const Scene& scene, std::vector<Eigen::Index> columns);
+
+  // The columns at these times, one column a time. Throws std::runtime_error if there is no reference; a
+  // Singularity if a singularity of the solution is the reason.
+  Rows at(const std::vector<double>& times);
+
+  // Bounds of the errors of the columns, or estimates.
+  Rows bounds(const std::vector<double>& times);
+
+ private:
+  const ReferenceValue& reference(double t);
+  ReferenceValue evaluated(double t);
+
+  const Scene& scene_;
+  std::vector<Eigen::Index> columns_;
+  Reference exact_{};             // created at the first evaluation
+  std::exception_ptr failure_{};  // reason of a failure, the same for every time
+  std::map<double, ReferenceValue> known_{};
+};
+
+}  // namespace fde

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "measures/error_kind.hpp"
+#include "scenes/scene.hpp"
+
+namespace fde {
+
+// Which runs of a scene are accurate enough.
+struct AccuracyTarget {
+  ErrorKind kind{};
+  double accuracy = 1e-6;
+  std::vector<Eigen::Index> columns{};  // indices of the scene's columns that are compared
+};
+
+// Progress callback: `what` is being run, `part` in [0, 1] is the elapsed fraction of the time.
+using SearchProgress = std::function<void(const std::string& what, double part)>;
+
+// The indices of all columns of the scene.
+inline std::vector<Eigen::Index> all_columns(const Scene& scene) {
+  std::vector<Eigen::Index> columns(scene.outputs.names.size());
+  std::iota(columns.begin(), columns.end(), Eigen::Index{0});
+  return columns;
+}
+
+}  // namespace fde

@@ -1,0 +1,164 @@
+#include "search/candidate_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "measures/accuracy.hpp"
+#include "observers/comparison_steps.hpp"
+
+namespace fde {
+namespace {
+
+// Smallest order of the differential (not algebraic) rows, at most 1.
+double smallest_order(const Problem& problem) {
+  double order = 1.0;
+  for (const auto& component : problem.components)
+    if (!algebraic(component)) order = std::min(order, component.order);
+  return order;
+}
+
+}  // namespace
+
+StepsOrTolerance resolution_of(const Attempt& attempt) {
+  if (attempt.asked) return Tolerance{*attempt.asked, *attempt.asked};
+  return attempt.steps;
+}
+
+RunEvaluator::RunEvaluator(const Scene& scene, AccuracyTarget question)
+    : scene_(scene), question_(std::move(question)), reference_(scene) {}
+
+Rows RunEvaluator::counted(const Rows& columns) const { return columns(question_.columns, Eigen::all); }
+
+Trajectory RunEvaluator::solve(const Configuration& way, const StepsOrTolerance& resolution,
+                               const std::vector<double>& times, double budget) const {
+  const RunSettings setup{.resolution = resolution, .grading = way.grading};
+  return way.scheme->solve(scene_.problem, resolution_of(setup, scene_.problem.end),
+                           {.budget = budget, .at = times});
+}
+
+std::vector<double> RunEvaluator::compared_times(const Configuration& way, const StepsOrTolerance& resolution,
+                                                 int watched) const {
+  const double end = scene_.problem.end;
+  if (question_.kind.norm == Norm::end) return {end};
+  if (way.is_adaptive()) return comparison_times(scene_.problem, watched);
+  return comparison_times({.end = end, .steps = std::get<int>(resolution), .grading = way.grading}, watched);
+}
+
+Attempt RunEvaluator::examine(const Configuration& way, const StepsOrTolerance& resolution, int watched,
+                              double budget) {
+  const bool at_end = question_.kind.norm == Norm::end;
+  const auto times = compared_times(way, resolution, watched);
+  Attempt attempt;
+  const auto start = std::chrono::steady_clock::now();
+  const auto path = solve(way, resolution, times, budget);
+  attempt.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (const auto* asked = std::get_if<Tolerance>(&resolution)) {
+    attempt.asked = asked->relative;
+    attempt.steps = static_cast<int>(path.steps);
+  } else {
+    attempt.steps = std::get<int>(resolution);
+  }
+  attempt.ending = ending_of(scene_.problem, path);
+  if (path.ending != Ending::finished) return attempt;
+  attempt.values = counted(columns_of(scene_.outputs, path));
+  at_end ? measure_end_error(attempt) : measure_maximum_error(path.times, attempt);
+  constexpr double nearly = 1e-9;
+  if (attempt.trivial < nearly && is_constant()) attempt.trivial = std::numeric_limits<double>::infinity();
+  if (!at_end && !way.is_adaptive()) {
+    const Grid grid{.end = scene_.problem.end, .steps = attempt.steps, .grading = way.grading};
+    attempt.error =
+        std::max(attempt.error, variation().unresolved_variation(grid, smallest_order(scene_.problem)));
+  }
+  attempt.within = attempt.error + reference_bound() <= question_.accuracy && attempt.error < attempt.trivial;
+  return attempt;
+}
+
+bool RunEvaluator::same_values(const Configuration& one, const Configuration& other, int steps) {
+  const auto times = comparison_times({.end = scene_.problem.end, .steps = steps, .grading = one.grading});
+  const double budget = std::numeric_limits<double>::infinity();
+  const auto first = solve(one, steps, times, budget), second = solve(other, steps, times, budget);
+  return first.ending == Ending::finished && second.ending == Ending::finished &&
+         first.times == second.times &&
+         columns_of(scene_.outputs, first) == columns_of(scene_.outputs, second);
+}
+
+void RunEvaluator::solve_for_timing(const Configuration& way, const StepsOrTolerance& resolution) const {
+  static_cast<void>(solve(way, resolution, {scene_.problem.end}, std::numeric_limits<double>::infinity()));
+}
+
+void RunEvaluator::precompute_reference(int times) {
+  reference_.at(comparison_times({.end = scene_.problem.end, .steps = times}));
+}
+
+Rows RunEvaluator::finite_reference(const std::vector<double>& times) {
+  Rows reference = counted(reference_.at(times));
+  if (const auto column = first_infinite_reference(reference)) {
+    throw std::runtime_error(
+        fmt::format("the solution overflows at t = {:.6g}: nothing can be compared with it",
+                    times[static_cast<std::size_t>(*column)]));
+  }
+  return reference;
+}
+
+void RunEvaluator::measure_maximum_error(const std::vector<double>& times, Attempt& attempt) {
+  const Rows reference = finite_reference(times);
+  const Rows by = divisors(question_.kind.scale, times, reference);
+  Eigen::Index row = 0, column = 0;
+  attempt.error = (attempt.values - reference).cwiseAbs().cwiseQuotient(by).maxCoeff(&row, &column);
+  attempt.trivial = constant_solution_error(Norm::maximum, times, reference, by);
+  attempt.column = question_.columns[static_cast<std::size_t>(row)];
+  attempt.time = times[static_cast<std::size_t>(column)];
+}
+
+bool RunEvaluator::is_constant() {
+  if (is_constant_) return *is_constant_;
+  constexpr int steps = 64;
+  constexpr double rounding = 1e-15;
+  const auto times = comparison_times(scene_.problem, steps);
+  const Rows values = finite_reference(times), unknown = counted(reference_.bounds(times));
+  const Rows first = values.col(0).replicate(1, values.cols());
+  const Rows least = unknown + unknown.col(0).replicate(1, unknown.cols()) + rounding * first.cwiseAbs();
+  return is_constant_.emplace(((values - first).cwiseAbs().array() <= least.array()).all());
+}
+
+const TotalVariation& RunEvaluator::variation() {
+  if (variation_) return *variation_;
+  constexpr int evenly = 64;
+  auto times = comparison_times(scene_.problem, evenly);
+  const Rows values = finite_reference(times);
+  const Rows by = divisors(question_.kind.scale, times, values);
+  return variation_.emplace(std::move(times), values, by);
+}
+
+void RunEvaluator::measure_end_error(Attempt& attempt) {
+  const auto& [reference, by, trivial, bound] = at_end();
+  const Vec difference = attempt.values.rightCols(1) - reference.rightCols(1);
+  Eigen::Index row = 0;
+  attempt.error = difference.cwiseAbs().cwiseQuotient(by.rightCols(1)).maxCoeff(&row);
+  attempt.trivial = trivial;
+  attempt.column = question_.columns[static_cast<std::size_t>(row)];
+  attempt.time = scene_.problem.end;
+  if (difference.size() == 1) attempt.signed_error = difference[0];
+}
+
+// Times: t = 0 for the baseline y = y(0), and the last tenth of the interval for the relative scale.
+const RunEvaluator::EndComparison& RunEvaluator::at_end() {
+  if (at_end_) return *at_end_;
+  constexpr int nearby = 64;
+  const double end = scene_.problem.end;
+  std::vector<double> times{0.0};
+  for (int i = 0; i <= nearby; ++i) times.push_back(end * (9 * nearby + i) / (10 * nearby));
+  Rows reference = finite_reference(times);
+  Rows by = divisors(question_.kind.scale, times, reference);
+  const double trivial = constant_solution_error(Norm::end, times, reference, by);
+  const Vec unknown = reference_.bounds({end})(question_.columns, 0);
+  const double bound = unknown.cwiseQuotient(by.rightCols(1)).maxCoeff();
+  return at_end_.emplace(EndComparison{std::move(reference), std::move(by), trivial, bound});
+}
+
+}  // namespace fde

@@ -1,0 +1,78 @@
+#include "search/search_candidate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "stepping/rates.hpp"
+
+namespace fde {
+namespace {
+
+// From this number of steps on the history uses sums of exponentials, and the cost of a step is constant.
+constexpr int settled_steps = 8192;
+
+}  // namespace
+
+std::vector<TrialError> errors_of(const SearchCandidate& of) {
+  std::vector<TrialError> errors;
+  for (const Attempt& attempt : of.ladder) {
+    if (std::isfinite(attempt.error)) errors.push_back({attempt.steps, attempt.error});
+  }
+  return errors;
+}
+
+bool is_asymptotic(const SearchCandidate& of) {
+  constexpr double begun = 0.1;
+  return !of.ladder.empty() && of.ladder.back().error < begun * of.ladder.back().trivial;
+}
+
+bool has_stagnated(const SearchCandidate& of) {
+  constexpr double small = 1e-8, falling = 0.7;
+  const auto& ladder = of.ladder;
+  if (ladder.size() < 3) return false;
+  const double last = ladder.back().error, before = ladder[ladder.size() - 2].error,
+               first = ladder[ladder.size() - 3].error;
+  return last < small * ladder.back().trivial && last > falling * before && before > falling * first;
+}
+
+double next_seconds(const SearchCandidate& of) {
+  constexpr double max_growth = 16.0;
+  if (of.ladder.size() < 2) return 0.0;
+  const double last = of.ladder.back().seconds, before = of.ladder[of.ladder.size() - 2].seconds;
+  return last * std::clamp(last / before, 2.0, max_growth);
+}
+
+double expected_seconds(const SearchCandidate& of, double accuracy, double Prediction::*steps) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!is_asymptotic(of) || of.ladder.back().steps < settled_steps) return infinity;
+  const ErrorModel model(errors_of(of));
+  return model.empty() ? infinity : of.seconds_per_step * (model.steps(accuracy).*steps);
+}
+
+double lower_bound_of_seconds(const SearchCandidate& of, double accuracy) {
+  constexpr double hope = 0.8, open = 0.25;
+  if (of.ladder.empty()) return 0.0;
+  const Attempt& last = of.ladder.back();
+  const double expected = expected_seconds(of, accuracy, &Prediction::low);
+  if (std::isfinite(expected)) return hope * expected;
+  return (last.steps < settled_steps ? open : hope) * last.seconds;
+}
+
+std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm) {
+  std::vector<double> gradings{1.0};
+  if (scheme.needs.uniform_grid || !scheme.needs.solves_on_grid) return gradings;
+  gradings.insert(gradings.end(), {1.5, 2.0, 3.0});
+  constexpr double most = 10.0, step = 0.25;
+  double best = 1.0, best_rate = 0.0;
+  for (double grading = 1.0; grading <= most; grading += step) {
+    const auto rate = theoretical_rate(scheme, scene.problem, scene.smoothness, grading, norm);
+    if (!rate) return gradings;
+    if (*rate > best_rate + 1e-9) std::tie(best, best_rate) = std::tuple(grading, *rate);
+  }
+  if (std::ranges::find(gradings, best) == gradings.end()) gradings.push_back(best);
+  return gradings;
+}
+
+}  // namespace fde

@@ -1,0 +1,175 @@
+#include "sweep/measured_run.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "measures/judge.hpp"
+#include "measures/rounding.hpp"
+#include "observers/comparison_steps.hpp"
+#include "observers/drift.hpp"
+#include "observers/energy_balance.hpp"
+#include "observers/retained_columns.hpp"
+#include "records/run_rows.hpp"
+#include "stepping/rates.hpp"
+
+namespace fde {
+
+namespace {
+
+// The observers of a scene: energy balance and drift from the constraint. Called after every step.
+class Observers {
+ public:
+  Observers(const Scene& scene, const std::optional<Grid>& grid) : scene_(scene) {
+    if (scene.energy.power) energy_.emplace(scene.energy);
+    if (scene.constraint) drift_.emplace(scene, grid);
+  }
+
+  [[nodiscard]] bool empty() const { return !energy_ && !drift_; }
+
+  void observe(double t, In y) {
+    const Vec columns = columns_at(scene_.outputs, t, y);
+    if (energy_) energy_->observe(t, columns);
+    if (drift_) drift_->observe(t, columns);
+  }
+
+  void tell(RunObservations& observed) const {
+    if (energy_) observed.energy_residual = energy_->residual();
+    if (!drift_) return;
+    observed.internal_drift = drift_->internal();
+    observed.independent_drift = drift_->independent();
+  }
+
+ private:
+  const Scene& scene_;
+  std::optional<EnergyObserver> energy_{};
+  std::optional<DriftObserver> drift_{};
+};
+
+// A run and its columns at path.times. A run on a grid stores only these columns and the last state.
+struct RunWithColumns {
+  Trajectory path;
+  Rows columns;
+};
+
+RunWithColumns solve_shown(const Scene& scene, const Scheme& scheme, const Problem& problem,
+                           const Resolution& resolution, const Options& options, double unit) {
+  if (!std::holds_alternative<Grid>(resolution)) {
+    RunWithColumns run{scheme.solve(problem, resolution, options), {}};
+    run.path.y *= unit;
+    run.columns = columns_of(scene.outputs, run.path);
+    return run;
+  }
+  RetainedColumns kept(scene.outputs, options.at, unit);
+  Options observed = options;
+  observed.at = {problem.end};
+  observed.observer = [&](double t, In y) {
+    if (options.observer) options.observer(t, y);
+    kept.observe(t, y);
+  };
+  RunWithColumns run{scheme.solve(problem, resolution, observed), {}};
+  run.path.times = kept.times();
+  run.columns = kept.columns();
+  return run;
+}
+
+// The columns of the run repeated in other units, whose rounding errors differ; empty if it takes other
+// steps.
+Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Resolution& resolution,
+                       const Options& options, const Trajectory& path) {
+  constexpr double unit = 0.7;
+  const auto run =
+      solve_shown(scene, scheme, rescaled_problem(unit, scene.problem), resolution, options, unit);
+  const auto& other = run.path;
+  if (other.ending != Ending::finished || other.steps != path.steps || other.times != path.times) return {};
+  return run.columns;
+}
+
+void tell_rates(const Scene& scene, const Scheme& scheme, const Grid& grid, RunObservations& observed) {
+  const auto rate = [&](Norm norm) {
+    return theoretical_rate(scheme, scene.problem, scene.smoothness, grid, norm);
+  };
+  observed.expected_rate_end = rate(Norm::end);
+  observed.expected_rate_maximum = rate(Norm::maximum);
+}
+
+// The steps of a run and its measures.
+struct Examined {
+  std::int64_t steps = 0;
+  Assessment judgement{};
+};
+
+Examined solve_and_judge(const Scene& scene, MemoizedReference& reference, const Scheme& scheme,
+                         const RunSettings& setup) {
+  const Resolution resolution = resolution_of(setup, scene.problem.end);
+  if (auto reason = refusal(scheme, scene.problem, resolution))
+    return {.judgement = {{Ending::refused, std::move(*reason)}}};
+  RunObservations observed;
+  if (const auto* grid = std::get_if<Grid>(&resolution)) observed.grid = *grid;
+  Options options = setup.options();
+  options.at = observed.grid ? comparison_times(*observed.grid) : comparison_times(scene.problem);
+  Options observing = options;
+  Observers observers(scene, observed.grid);
+  if (!observers.empty()) observing.observer = [&](double t, In y) { observers.observe(t, y); };
+  auto [path, columns] = solve_shown(scene, scheme, scene.problem, resolution, observing, 1.0);
+  if (!scheme.needs.implicit) path.cost.newton_iterations.reset();  // an explicit scheme has none
+  if (path.ending == Ending::finished) {
+    observed.rounded = rounded_otherwise(scene, scheme, resolution, options, path);
+    observers.tell(observed);
+    if (observed.grid) tell_rates(scene, scheme, *observed.grid, observed);
+  }
+  return {path.steps, judge(scene, path, columns, reference, observed)};
+}
+
+// A row without its value. For a grid `steps` is the requested number, also if the run stopped earlier.
+Record row_of(const SceneSettings& name, const Scene& scene, const Scheme& scheme, const RunSettings& setup,
+              std::int64_t made) {
+  const auto* asked = std::get_if<int>(&setup.resolution);
+  const int steps = asked != nullptr ? *asked : static_cast<int>(made);
+  return {.key = {.scene = name, .scheme = std::string(scheme.id), .setup = setup},
+          .steps = steps,
+          .h = steps > 0 ? scene.problem.end / steps : 0.0};
+}
+
+struct Timed {
+  std::int64_t steps = 0;
+  std::vector<double> seconds{};
+};
+
+Timed solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resolution& resolution,
+                       const Options& options, const TimingRepeats& repeats) {
+  Timed timed;
+  double total = 0.0;
+  while (total < repeats.lower_bound_of_seconds ||
+         (std::ssize(timed.seconds) < repeats.most && total < repeats.enough_seconds)) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto path = scheme.solve(problem, resolution, options);
+    timed.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    total += timed.seconds.back();
+    timed.steps = path.steps;
+  }
+  return timed;
+}
+
+}  // namespace
+
+std::vector<Record> examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
+                            const Scheme& scheme, const RunSettings& setup) {
+  const auto [steps, judgement] = solve_and_judge(scene, reference, scheme, setup);
+  return rows_of_examination(row_of(name, scene, scheme, setup, steps), judgement);
+}
+
+std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
+                                const RunSettings& setup, const TimingRepeats& repeats) {
+  Options options = setup.options();
+  options.budget = std::numeric_limits<double>::infinity();  // the examined run has finished
+  options.at = {scene.problem.end};
+  const auto [steps, seconds] =
+      solve_repeatedly(scheme, scene.problem, resolution_of(setup, scene.problem.end), options, repeats);
+  return rows_of_times(row_of(name, scene, scheme, setup, steps), seconds);
+}
+
+}  // namespace fde

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "records/record.hpp"
+#include "references/memoized_reference.hpp"
+#include "scenes/variant.hpp"
+#include "stepping/scheme.hpp"
+
+namespace fde {
+
+// All records of one run except its time: solves once within the budget, compares the run with the reference
+// at comparison_times, and returns one row per measure, the status of the run last. `name` is the scene's key
+// in the rows. Thread safe if each thread has its own MemoizedReference.
+std::vector<Record> examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
+                            const Scheme& scheme, const RunSettings& setup);
+
+// The number of timed repeats of a run: `most`; more while they take less than `lower_bound_of_seconds` in
+// total, no more once they have taken `enough_seconds`.
+struct TimingRepeats {
+  int most = 3;
+  double lower_bound_of_seconds = 0.01, enough_seconds = 10.0;
+};
+
+// The time records of a run; the solves store the last step only. Preconditions: is_compared(ending) of the
+// run, and no other work on the machine during the call.
+std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
+                                const RunSettings& setup, const TimingRepeats& repeats);
+
+}  // namespace fde

@@ -1,0 +1,56 @@
+#include "sweep/sweep_estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace fde {
+
+SweepEstimate::SweepEstimate(Forecast forecast)
+    : left_(std::move(forecast)), seconds_left_(total_seconds(left_)) {}
+
+void SweepEstimate::hear(const SweepEvent& event) {
+  switch (event.kind) {
+    case SweepEvent::Kind::examines:
+    case SweepEvent::Kind::times:
+      at_hand_ = fmt::format("{} {} {}{}", label_of(event.run.scene), event.run.scheme,
+                             resolution_text(event.run.setup),
+                             event.kind == SweepEvent::Kind::times ? ", time" : "");
+      return;
+    case SweepEvent::Kind::is_done: {
+      ++done_;
+      const auto run = left_.find(event.run);
+      if (run == left_.end()) return;
+      seconds_done_ += run->second;
+      seconds_left_ -= run->second;
+      left_.erase(run);
+      return;
+    }
+    case SweepEvent::Kind::refinement_ends:
+      return drop_series(event.run);
+  }
+}
+
+// Removes the runs that were forecast but are not made, because the refinement has ended.
+void SweepEstimate::drop_series(const RunKey& last) {
+  std::erase_if(left_, [&](const auto& run) {
+    const auto& [key, seconds] = run;
+    const bool of_line =
+        key.scene == last.scene && key.scheme == last.scheme && same_series(key.setup, last.setup);
+    if (of_line) seconds_left_ -= seconds;
+    return of_line;
+  });
+}
+
+double SweepEstimate::part_done() const {
+  const double left = std::max(0.0, seconds_left_), whole = seconds_done_ + left;
+  return whole > 0.0 ? seconds_done_ / whole : 1.0;
+}
+
+double SweepEstimate::seconds_left(double elapsed) const {
+  constexpr double trusted = 10.0;  // seconds; the weight of the forecast against the observed pace
+  return std::max(0.0, seconds_left_) * (elapsed + trusted) / (seconds_done_ + trusted);
+}
+
+}  // namespace fde

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "sweep/forecast.hpp"
+
+namespace fde {
+
+// Progress of a sweep, from its events and the elapsed seconds.
+class SweepEstimate {
+ public:
+  explicit SweepEstimate(Forecast forecast);
+
+  // To be called with every event of the sweep.
+  void hear(const SweepEvent& event);
+
+  [[nodiscard]] std::size_t runs_done() const { return done_; }
+  [[nodiscard]] std::size_t runs_expected() const { return done_ + left_.size(); }
+
+  // Finished fraction of the sweep in [0, 1], weighted by expected seconds.
+  [[nodiscard]] double part_done() const;
+
+  // Expected seconds left: the forecast times the observed ratio of elapsed to forecast time, which gets more
+  // weight as the sweep goes on.
+  [[nodiscard]] double seconds_left(double elapsed) const;
+
+  // The current run: "pendulum l1 N = 64", with ", time" while it is timed.
+  [[nodiscard]] const std::string& current_run() const { return at_hand_; }
+
+ private:
+  void drop_series(const RunKey& last);
+
+  Forecast left_;
+  double seconds_left_, seconds_done_ = 0.0;  // forecast seconds
+  std::size_t done_ = 0;
+  std::string at_hand_{};
+};
+
+}  // namespace fde

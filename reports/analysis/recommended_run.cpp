@@ -1,0 +1,180 @@
+#include "analysis/recommended_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "analysis/text.hpp"
+
+namespace fde {
+namespace {
+
+// nullopt if the run has no error of this kind.
+std::optional<Option> option_of(const MeasuredRun& run, const ErrorKind& kind) {
+  const auto error = run[error_measure(kind)];
+  if (!error) return std::nullopt;
+  Option option{.schemes = {run.key.scheme},
+                .setup = run.key.setup,
+                .steps = run.steps,
+                .error = *error,
+                .session = run.session,
+                .external = run.key.external,
+                .wall_clock = run.wall_clock};
+  option.time = time_of(run).value_or(MedianInterval{});
+  return option;
+}
+
+bool is_timed(const Option& option) { return option.time.median > 0.0; }
+
+bool is_quicker(const Option& a, const Option& b) {
+  return std::tie(a.time.median, a.error) < std::tie(b.time.median, b.error);
+}
+
+// Whether the run is better than the baseline: the baseline's error is recorded only if it is not.
+bool counts(const MeasuredRun& run, const ErrorKind& kind) { return !run[baseline_measure(kind)]; }
+
+// The errors with fewer than `below` steps; empty with adaptive step size, which has no rate.
+std::vector<TrialError> errors_of(RunSpan line, const ErrorKind& kind, int below) {
+  std::vector<TrialError> errors;
+  for (const MeasuredRun& run : line) {
+    if (!std::holds_alternative<int>(run.key.setup.resolution)) continue;
+    const auto error = run[error_measure(kind)];
+    if (error && run.steps > 0 && run.steps < below) errors.push_back({run.steps, *error});
+  }
+  return errors;
+}
+
+std::optional<Option> quickest_within(RunSpan line, const ErrorKind& kind, double accuracy) {
+  std::optional<Option> best;
+  for (const MeasuredRun& run : line) {
+    const auto option = option_of(run, kind);
+    if (!option || option->error > accuracy || !is_timed(*option) || !counts(run, kind)) continue;
+    if (!best || is_quicker(*option, *best)) best = option;
+  }
+  return best;
+}
+
+// Whether both lines have bitwise equal errors for all common numbers of steps, at least five.
+bool is_same_algorithm(RunSpan a, RunSpan b) {
+  constexpr int fewest = 5;
+  if (!same_series(a.front().key.setup, b.front().key.setup)) return false;
+  int common = 0;
+  for (const MeasuredRun& run : a) {
+    const auto other = std::ranges::find(b, run.steps, &MeasuredRun::steps);
+    if (other == b.end()) continue;
+    for (const auto* error : {"error_end", "error_maximum"}) {
+      if (!run[error] || run[error] != (*other)[error]) return false;
+    }
+    ++common;
+  }
+  return common >= fewest;
+}
+
+std::vector<NamedLine> named_lines(RunSpan runs) {
+  std::vector<NamedLine> lines;
+  for (const RunSpan line : by_line(runs)) {
+    const auto& name = line.front().key.scheme;
+    const auto first = std::ranges::find_if(
+        lines, [&](const NamedLine& other) { return is_same_algorithm(other.runs, line); });
+    if (first == lines.end()) {
+      lines.push_back({line, {name}});
+    } else if (line.size() > first->runs.size()) {
+      first->runs = line;
+      first->names.insert(first->names.begin(), name);
+    } else {
+      first->names.push_back(name);
+    }
+  }
+  return lines;
+}
+
+std::size_t count_untimed(RunSpan runs, const ErrorKind& kind, double accuracy) {
+  return static_cast<std::size_t>(std::ranges::count_if(runs, [&](const MeasuredRun& run) {
+    const auto option = option_of(run, kind);
+    return option && option->error <= accuracy && counts(run, kind) && !is_timed(*option);
+  }));
+}
+
+}  // namespace
+
+SceneLines::SceneLines(const Runs& runs, const SceneSettings& scene)
+    : runs_(of_scene(runs.finished, scene)), lines_(named_lines(runs_)) {}
+
+std::vector<Option> SceneLines::within(const ErrorKind& kind, double accuracy) const {
+  std::vector<Option> ranked;
+  for (const auto& [line, names] : lines_) {
+    auto best = quickest_within(line, kind, accuracy);
+    if (!best) continue;
+    best->schemes = names;
+    ranked.push_back(std::move(*best));
+  }
+  std::ranges::stable_sort(ranked, is_quicker);
+  return ranked;
+}
+
+Option with_prediction(Option option, const Runs& runs, const SceneSettings& scene, const ErrorKind& kind) {
+  for (const RunSpan line : by_line(of_scene(runs.finished, scene))) {
+    const RunKey& key = line.front().key;
+    if (key.scheme != option.schemes.front() || !same_series(key.setup, option.setup)) continue;
+    option.rate = observed_rate(errors_of(line, kind, option.steps + 1));
+    const ErrorModel model(errors_of(line, kind, option.steps));
+    if (!model.empty()) option.predicted_error = model.error(option.steps).value;
+  }
+  return option;
+}
+
+std::vector<ErrorForecast> SceneLines::forecasts(const ErrorKind& kind) const {
+  std::vector<ErrorForecast> all;
+  for (const auto& [line, names] : lines_) {
+    const MeasuredRun& finest = line.back();
+    ErrorModel errors(errors_of(line, kind, finest.steps + 1));
+    if (errors.empty()) continue;
+    all.push_back({finest.steps, option_of(finest, kind).value_or(Option{.schemes = {finest.key.scheme}}),
+                   std::move(errors)});
+  }
+  return all;
+}
+
+std::optional<Shortfall> SceneLines::shortfall(const ErrorKind& kind, double accuracy,
+                                               std::span<const ErrorForecast> forecasts) const {
+  std::optional<Option> best;
+  for (const MeasuredRun& run : runs_) {
+    const auto option = option_of(run, kind);
+    if (option && (!best || option->error < best->error)) best = option;
+  }
+  if (!best) return std::nullopt;
+  Shortfall found{.best = *best, .untimed = count_untimed(runs_, kind, accuracy)};
+  for (const auto& [finest, line, errors] : forecasts) {
+    Prediction needed = errors.steps(accuracy);
+    needed.value = std::max(needed.value, finest + 1.0);
+    needed.high = std::max(needed.high, needed.value);
+    needed.low = std::max(needed.low, finest + 1.0);
+    if (found.steps_needed && needed.value >= found.steps_needed->value) continue;
+    found.steps_needed = needed;
+    found.line = line;
+  }
+  return found;
+}
+
+std::string run_text(const Option& option, std::string_view error) {
+  const auto* accuracy = std::get_if<Tolerance>(&option.setup.resolution);
+  const auto asked = accuracy != nullptr ? fmt::format("accuracy {}, ", error_text(accuracy->relative)) : "";
+  std::string text =
+      fmt::format("{}N = {}, {} {}", asked, count_text(option.steps), error, error_text(option.error));
+  if (!is_timed(option)) return text + ", not timed";
+  const auto& [median, low, high] = option.time;
+  text += fmt::format(", {} ({} ... {}){}", time_text(median), time_text(low), time_text(high),
+                      clock_note(option.wall_clock));
+  if (option.once_seconds > median)
+    text += fmt::format(", the first time {} more for start weights", time_text(option.once_seconds));
+  return text;
+}
+
+std::string needed_text(const std::string& name, const Prediction& steps) {
+  return fmt::format("{} would need about N = {} ({} ... {}), by its errors so far", name,
+                     rough_count_text(steps.value), rough_count_text(steps.low),
+                     rough_count_text(steps.high));
+}
+
+}  // namespace fde

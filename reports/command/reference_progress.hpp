@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "command/command.hpp"
+#include "progress/progress.hpp"
+
+namespace fde {
+
+// Monitors evaluations of references while the object exists: shows progress on streams.err (on a terminal
+// after a second in one line, otherwise a line per minute) and cancels them with Cancelled when the budget is
+// spent.
+class ReferenceProgress {
+ public:
+  // sought: name of the evaluated quantity in messages, "the reference".
+  ReferenceProgress(const Streams& streams, std::optional<double> budget, std::string sought);
+  ReferenceProgress(const ReferenceProgress&) = delete;
+  ReferenceProgress& operator=(const ReferenceProgress&) = delete;
+  ~ReferenceProgress();  // erases the progress line
+
+  // Sets the place of the following evaluations for messages, "t = 1".
+  void begin(std::string place) { place_ = std::move(place); }
+  // Throws NumericalFailure: the budget ran out, at which place.
+  [[noreturn]] void fail() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void hear(std::size_t done, std::size_t total);
+
+  const Streams& streams_;
+  std::optional<double> budget_;
+  std::string sought_, place_{};
+  Clock::time_point start_ = Clock::now(), shown_ = start_;
+  bool line_is_open_ = false;
+  ProgressScope listening_;
+};
+
+}  // namespace fde

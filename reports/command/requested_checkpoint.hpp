@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "command/checkpoint_file.hpp"
+#include "command/requested_run.hpp"
+#include "observers/retained_columns.hpp"
+
+namespace fde {
+
+// The file of --checkpoint, with the columns `kept` as part of the state; nullopt without --checkpoint. `say`
+// is called with a message if the file cannot be written. The file is valid for runs with the same scene,
+// scheme, resolution, history, tolerance and times by the same build. Throws std::invalid_argument naming the
+// argument, the text and what is allowed.
+std::optional<CheckpointFile> requested_checkpoint(const Scene& scene, const RequestedRun& run,
+                                                   const RunArguments& arguments, RetainedColumns& kept,
+                                                   const std::function<void(const std::string&)>& say);
+
+}  // namespace fde

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command/arguments.hpp"
+#include "scenes/scene.hpp"
+#include "stepping/scheme.hpp"
+
+namespace fde {
+
+// The options of `solve` for a run, as texts. --until is part of the scene.
+struct RunArguments {
+  std::string scheme;
+  std::optional<std::string> steps, accuracy, at, every, points, threads, checkpoint, checkpoint_every, field;
+  RunSettingsArguments means{.budget = "3600"};
+  bool check = false;
+  bool events = false;  // print the events instead of output times
+  bool all = false;     // all solutions that a search finds, of a problem at both ends
+};
+
+// The parsed options: one run, accepted by its scheme.
+struct RequestedRun {
+  const Scheme& scheme;
+  RunSettings setup;
+  Resolution resolution;
+  std::optional<Grid> grid;      // nullopt: adaptive step size
+  std::vector<double> times;     // output times; empty: all
+  Options options;               // without the output times
+  bool stores_states = false;    // stores the states at the output times, for --field
+  std::string automatic_grid{};  // the grid chosen by graded:auto; empty without graded:auto
+};
+
+// Throws std::invalid_argument naming the argument, the text and what is allowed.
+RequestedRun requested_run(const Scene& scene, const RunArguments& arguments);
+
+}  // namespace fde

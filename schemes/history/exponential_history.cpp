@@ -1,0 +1,185 @@
+#include "history/exponential_history.hpp"
+
+#include <algorithm>
+
+#include "problem/componentwise.hpp"
+#include "problem/smoothness.hpp"
+
+namespace fde {
+namespace {
+
+// The index of a value in a list, to which it is appended where it is new.
+template <typename Value>
+Eigen::Index index_in(std::vector<Value>& list, const Value& value) {
+  const auto found = std::ranges::find(list, value);
+  const Eigen::Index index = found - list.begin();
+  if (found == list.end()) list.push_back(value);
+  return index;
+}
+
+}  // namespace
+
+Eigen::Index ExponentialHistory::Columns::of(Eigen::Index component) {
+  const auto index = static_cast<std::size_t>(component);
+  if (index >= columns_.size()) columns_.resize(index + 1, -1);
+  if (columns_[index] < 0) {
+    columns_[index] = std::ssize(components_);
+    components_.push_back(component);
+  }
+  return columns_[index];
+}
+
+bool ExponentialHistory::Columns::are_all(Eigen::Index size) const {
+  if (std::ssize(components_) != size) return false;
+  for (std::size_t i = 0; i < components_.size(); ++i)
+    if (components_[i] != static_cast<Eigen::Index>(i)) return false;
+  return true;
+}
+
+ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, double tolerance, int threads)
+    : size_(std::ssize(tables.front())) {
+  for (const auto& of_sum : tables) {
+    auto& sum = sums_.emplace_back();
+    for (std::size_t i = 0; i < of_sum.size(); ++i) add(sum, of_sum[i], static_cast<Eigen::Index>(i));
+  }
+  // A run shorter than a block never evaluates the exponentials.
+  const double longest = std::max<double>(steps, ExponentialMemory::block) + 2.0;
+  for (auto& group : groups_) {
+    const auto columns = std::ssize(group.columns.components());
+    memories_.emplace_back(
+        group.tables, columns,
+        exponential_sum(group.exponent, ExponentialMemory::shortest_lag, longest, tolerance), threads);
+  }
+  for (auto& filter : filters_) {
+    filter.sample.resize(std::ssize(filter.columns.components()));
+    filtered_.emplace_back(filter.table, filter.sample.size(), longest, tolerance);
+  }
+  if (needs_totals_) totals_ = RunningSums(size_);
+  drop_identity_lists();
+}
+
+// Lists of columns are as large as a sample; they are dropped where they are the identity.
+void ExponentialHistory::drop_identity_lists() {
+  for (auto& sum : sums_) {
+    for (auto& use : sum.uses) {
+      use.all = std::ssize(use.components) == size_ && groups_[use.group].columns.are_all(size_);
+      if (use.all) use.components = {};
+    }
+  }
+  for (auto& group : groups_) {
+    group.all = !group.running_sums && !group.alternates && group.columns.are_all(size_);
+    if (group.all) {
+      group.columns = {};
+    } else {
+      group.sample.resize(std::ssize(group.columns.components()));
+    }
+  }
+}
+
+void ExponentialHistory::add(Sum& sum, const WeightTable& table, Eigen::Index component) {
+  const auto& family = *table.family;
+  if (const auto constant = constant_weight(table)) {
+    needs_totals_ = true;
+    sum.constants.push_back({component, first_sample_weight(table, 1).value_or(*constant), *constant});
+    return;
+  }
+  if (family.filter != nullptr) return add_filtered(sum, table, component);
+  if (family.smooth_part == nullptr) return add_exponentials(sum, table, component, false);
+  add_exponentials(sum, {family.smooth_part, table.order}, component, false);
+  if (!whole(table.order)) add_exponentials(sum, {family.alternating_part, table.order}, component, true);
+}
+
+void ExponentialHistory::add_filtered(Sum& sum, const WeightTable& table, Eigen::Index component) {
+  auto found = std::ranges::find(filters_, table, &Filtered::table);
+  if (found == filters_.end()) found = filters_.insert(found, {table});
+  const auto group = static_cast<std::size_t>(found - filters_.begin());
+  sum.filtered.push_back({component, group, found->columns.of(component)});
+}
+
+void ExponentialHistory::add_exponentials(Sum& sum, const WeightTable& table, Eigen::Index component,
+                                          bool alternates) {
+  const long double exponent = kernel_exponent(table);
+  const bool running_sums = acts_on_running_sums(table);
+  needs_totals_ = needs_totals_ || running_sums;
+  auto found = std::ranges::find_if(groups_, [&](const auto& group) {
+    return group.exponent == exponent && group.running_sums == running_sums && group.alternates == alternates;
+  });
+  if (found == groups_.end()) found = groups_.insert(found, {exponent, running_sums, alternates});
+  const auto group = static_cast<std::size_t>(found - groups_.begin());
+  const auto row = index_in(found->tables, table);
+  auto use = std::ranges::find_if(
+      sum.uses, [&](const auto& other) { return other.group == group && other.table == row; });
+  if (use == sum.uses.end()) use = sum.uses.insert(use, {group, row});
+  use->components.emplace_back(component, found->columns.of(component));
+}
+
+void ExponentialHistory::push(double /*t*/, In sample) {
+  for (std::size_t f = 0; f < filters_.size(); ++f) {
+    auto& filter = filters_[f];
+    for (Eigen::Index c = 0; c < filter.sample.size(); ++c)
+      filter.sample[c] = sample[filter.columns.components()[static_cast<std::size_t>(c)]];
+    filtered_[f].push(filter.sample);
+  }
+  sign_ = -sign_;
+  if (first_.size() == 0) return begin(sample);
+  if (needs_totals_) totals_.add(sample);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    auto& group = groups_[g];
+    if (group.all) {
+      memories_[g].push(sample);
+      continue;
+    }
+    for (Eigen::Index c = 0; c < group.sample.size(); ++c) {
+      const auto i = group.columns.components()[static_cast<std::size_t>(c)];
+      group.sample[c] = group.running_sums ? totals_[i] : group.alternates ? -sign_ * sample[i] : sample[i];
+    }
+    memories_[g].push(group.sample);
+  }
+}
+
+void ExponentialHistory::begin(In sample) {
+  first_ = sample;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    auto& group = groups_[g];
+    if (group.all) {
+      memories_[g].begin(sample);
+      continue;
+    }
+    for (Eigen::Index c = 0; c < group.sample.size(); ++c)
+      group.sample[c] = sample[group.columns.components()[static_cast<std::size_t>(c)]];
+    memories_[g].begin(group.sample);
+  }
+}
+
+void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) const {
+  for (const auto& [i, start, constant] : sums_[sum].constants) {
+    result[i] = start * first_[i] + constant * totals_[i];
+  }
+  for (const auto& [i, filter, column] : sums_[sum].filtered) result[i] = filtered_[filter].convolved(column);
+  for (const auto& [group, table, components, all] : sums_[sum].uses) {
+    const auto convolved = memories_[group].convolved(table);
+    const double* const values = convolved.data();
+    const Eigen::Index stride = convolved.innerStride();
+    if (groups_[group].alternates) {
+      if (all) for_each_component(size_, [&](Eigen::Index i) { result[i] += sign_ * values[i * stride]; });
+      for (const auto& [i, column] : components) result[i] += sign_ * values[column * stride];
+    } else {
+      if (all) for_each_component(size_, [&](Eigen::Index i) { result[i] = values[i * stride]; });
+      for (const auto& [i, column] : components) result[i] = values[column * stride];
+    }
+  }
+}
+
+std::size_t ExponentialHistory::bytes() const {
+  std::size_t bytes = sizeof(double) * static_cast<std::size_t>(size_ + 2 * totals_.size());
+  for (const auto& memory : memories_) bytes += memory.bytes();
+  for (const auto& memory : filtered_) bytes += memory.bytes();
+  return bytes;
+}
+
+void ExponentialHistory::state(Archive& archive) {
+  archive.grown(first_);
+  archive(sign_, totals_, memories_, filtered_);
+}
+
+}  // namespace fde

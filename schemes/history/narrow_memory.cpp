@@ -1,0 +1,83 @@
+#include "history/narrow_memory.hpp"
+
+namespace fde {
+
+NarrowMemory::NarrowMemory(const MemoryTables& tables, Eigen::Index components)
+    : first_(Vec::Zero(components)),
+      samples_(Matrix::Zero(recent + block, components)),
+      gathered_(Matrix::Zero(tables.gather.rows(), components)),
+      states_(Matrix::Zero(tables.nodes.size(), components)),
+      carries_(states_),
+      input_(Matrix::Zero(tables.slow, components)),
+      joined_(Matrix::Zero(tables.points(), components)),
+      weighted_(Matrix::Zero(tables.far.cols(), tables.count * components)),
+      sums_(Matrix::Zero(tables.count * block, components)) {}
+
+void NarrowMemory::begin(In first, const FirstSampleWeights& start) {
+  first_ = first;
+  add_exact(start);
+}
+
+// Adds x_0 times its exact weights to the sums of a block.
+void NarrowMemory::add_exact(const FirstSampleWeights& start) {
+  multiply_add(sums_.rows(), 1, sums_.cols(), start.exact(), {first_.data(), 1}, sums_);
+}
+
+void NarrowMemory::push(const MemoryTables& tables, Eigen::Index position, In sample,
+                        const FirstSampleWeights& start) {
+  for (Eigen::Index c = 0; c < samples_.cols(); ++c) samples_(recent + position, c) = sample[c];
+  const Eigen::Index column = position % recent, first = position - column;
+  scatter(tables.count, &tables.inner(0, column), sample.data(), sums_.cols(), block,
+          {&sums_(first, 0), sums_.rows()});
+  if (position + 1 == block) {
+    advance_block(tables, start);
+  } else if ((position + 1) % recent == 0) {
+    add_recent(tables, position + 1);
+  }
+}
+
+// Adds the newest `recent` samples, with exact weights, to the sums of the rest of the block.
+void NarrowMemory::add_recent(const MemoryTables& tables, Eigen::Index position) {
+  for (Eigen::Index table = 0; table < tables.count; ++table) {
+    multiply_add(block - position, recent, sums_.cols(), {&tables.near(table * block, 0), tables.near.rows()},
+                 {&samples_(position, 0), samples_.rows()},
+                 {&sums_(table * block + position, 0), sums_.rows()});
+  }
+}
+
+void NarrowMemory::advance_block(const MemoryTables& tables, const FirstSampleWeights& start) {
+  const Eigen::Index columns = sums_.cols(), points = tables.points(), slow = tables.slow;
+  const Eigen::Index others = states_.rows() - slow;
+  const auto below = [](Matrix& whole, Eigen::Index row) { return Block(whole.data() + row, whole.rows()); };
+  gathered_.setZero();
+  multiply_add(gathered_.rows(), block, columns, tables.gather, samples_, gathered_);
+  input_.setZero();
+  multiply_add(slow, points, columns, tables.spread, gathered_, input_);
+  advance(slow, columns, tables.decay_minus_one.data(), input_, states_, carries_);
+  advance(others, columns, tables.decay_minus_one.data() + slow, below(gathered_, points),
+          below(states_, slow), below(carries_, slow));
+  samples_.topRows(recent) = samples_.bottomRows(recent);
+  joined_.setZero();
+  multiply_add(points, slow, columns, tables.join, states_, joined_);
+  for (Eigen::Index c = 0; c < columns; ++c) {
+    for (Eigen::Index table = 0; table < tables.count; ++table) {
+      const double* const factors = &tables.factors(0, table);
+      const double* const of_first = &start.weighted()(0, table);
+      double* const result = &weighted_(0, c * tables.count + table);
+      weigh(points, factors, joined_.data() + c * points, first_[c], of_first, result);
+      weigh(others, factors + points, &states_(slow, c), first_[c], of_first + points, result + points);
+    }
+  }
+  sums_.setZero();
+  multiply_add(block, weighted_.rows(), weighted_.cols(), tables.far, weighted_, {sums_.data(), block});
+  if (start.has_exact_after_first_block()) add_exact(start);
+  add_recent(tables, 0);
+}
+
+std::size_t NarrowMemory::bytes() const {
+  const auto doubles = samples_.size() + gathered_.size() + 2 * states_.size() + input_.size() +
+                       joined_.size() + weighted_.size() + sums_.size() + first_.size();
+  return sizeof(double) * static_cast<std::size_t>(doubles);
+}
+
+}  // namespace fde

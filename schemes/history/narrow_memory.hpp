@@ -1,0 +1,47 @@
+#pragma once
+
+#include "checkpoint/archive.hpp"
+#include "history/first_sample_weights.hpp"
+
+namespace fde {
+
+// The states and sums of an ExponentialMemory with few components: one column a component; loops are
+// vectorised over the steps of a block or over the exponentials.
+class NarrowMemory {
+ public:
+  NarrowMemory(const MemoryTables& tables, Eigen::Index components);
+
+  // Appends x_0, before the first push. `start` has its weights in the first block.
+  void begin(In first, const FirstSampleWeights& start);
+
+  // Appends the sample at this step of a block. At the last step `start` has the weights of x_0 in the next
+  // block.
+  void push(const MemoryTables& tables, Eigen::Index position, In sample, const FirstSampleWeights& start);
+
+  // The sums of a table at the next step, components() values with the distance stride().
+  [[nodiscard]] const double* sums(Eigen::Index table, Eigen::Index position) const {
+    return &sums_(table * MemoryTables::block + position, 0);
+  }
+  [[nodiscard]] Eigen::Index stride() const { return sums_.rows(); }
+  [[nodiscard]] Eigen::Index components() const { return sums_.cols(); }
+
+  [[nodiscard]] std::size_t bytes() const;
+  void state(Archive& archive) { archive(first_, samples_, states_, carries_, sums_); }
+
+ private:
+  static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;
+
+  void add_recent(const MemoryTables& tables, Eigen::Index position);
+  void advance_block(const MemoryTables& tables, const FirstSampleWeights& start);
+  void add_exact(const FirstSampleWeights& start);
+
+  Vec first_;                        // x_0; 0 before begin()
+  Matrix samples_;                   // (recent + block) x components
+  Matrix gathered_;                  // (points and other nodes) x components
+  Matrix states_, carries_, input_;  // nodes x components
+  Matrix joined_;                    // points x components
+  Matrix weighted_;                  // (points and other nodes) x (tables per component)
+  Matrix sums_;                      // (block per table) x components
+};
+
+}  // namespace fde

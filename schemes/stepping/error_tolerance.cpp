@@ -1,0 +1,42 @@
+#include "stepping/error_tolerance.hpp"
+
+#include <limits>
+
+namespace fde {
+
+namespace {
+
+// Bound for the rounding errors in each row, from the largest |y| of the row and the size of its terms.
+Eigen::ArrayXd noise(const Eigen::ArrayXd& largest, In terms) {
+  constexpr double above_rounding = 50.0 * std::numeric_limits<double>::epsilon();
+  // Smaller errors would involve subnormal numbers, in which Newton's method loses relative accuracy.
+  constexpr double smallest = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+  return (above_rounding * largest.max(terms.array())).max(smallest);
+}
+
+}  // namespace
+
+Vec ErrorTolerance::of(In least, In largest, In terms) const {
+  constexpr double of_row = 0.01;
+  // The absolute tolerance decides above this share of the relative one; largest growth of a row that counts.
+  constexpr double counts = 1e-3, growth = 16.0;
+  const bool by_least = accuracy_.absolute > counts * accuracy_.relative;
+  const Eigen::ArrayXd size = by_least ? least.array() : largest.array();
+  const Eigen::ArrayXd asked = accuracy_.absolute + accuracy_.relative * size;
+  Eigen::ArrayXd rounded = largest.array();
+  if (by_least) rounded = rounded.min(growth / accuracy_.relative * asked);
+  const Eigen::ArrayXd rounding = noise(rounded, terms);
+  if (largest_.size() == 0) return asked.max(rounding);
+  return asked.min(of_row * largest.array().max(largest_.array())).max(rounding);
+}
+
+Vec ErrorTolerance::from_tolerance(In largest, In terms) const {
+  return (accuracy_.absolute + accuracy_.relative * largest.array()).max(noise(largest.array(), terms));
+}
+
+void ErrorTolerance::pass(In largest) {
+  if (largest_.size() == 0) largest_ = largest;
+  largest_ = largest_.cwiseMax(largest);
+}
+
+}  // namespace fde

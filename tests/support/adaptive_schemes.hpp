@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "support/testing.hpp"
+
+namespace fde {
+
+// The schemes with an adaptive step size.
+inline std::vector<const Scheme*> adaptive_schemes() {
+  auto some = all_schemes();
+  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.takes_accuracy; });
+  return some;
+}
+
+}  // namespace fde

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command/command.hpp"
+
+namespace fde {
+
+// The exit code and output of the command, run in this process.
+struct CommandOutput {
+  int code;
+  std::string out, err;
+};
+
+inline CommandOutput fdebench(const std::vector<std::string>& arguments, const Scenes& known = scenes()) {
+  std::ostringstream out, err;
+  const int code = run_fdebench(arguments, {.out = out, .err = err}, known);
+  return {code, out.str(), err.str()};
+}
+
+}  // namespace fde
