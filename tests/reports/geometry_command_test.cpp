@@ -68,7 +68,7 @@ TEST(GeometryCommand, BringsTheVelocityOfTheStartOntoTheConstraint) {
   EXPECT_EQ(answer.code, 0);
   const double cot = 1.0 / std::tan(0.5), turn = value_of(answer.out, "connection,phi,theta,") / cot,
                climb = value_of(answer.out, "connection,phi,phi,") / cot;
-  EXPECT_GT(climb, 0.1);
+  EXPECT_GT(climb, 0.05);
   EXPECT_NEAR(turn * std::sin(0.5), climb, 1e-15);
 }
 
