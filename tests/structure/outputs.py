@@ -54,13 +54,28 @@ def same(shown, printed):
     return bool(printed) and same_line(shown[0], printed[0]) and same(shown[1:], printed[1:])
 
 
+def python_with_numpy():
+    """The interpreter that the examples need; None where there is none."""
+    for python in [sys.executable, "/usr/bin/python3"]:
+        if subprocess.run([python, "-c", "import numpy"], capture_output=True, check=False).returncode == 0:
+            return python
+    return None
+
+
 def faults(page, fdebench):
-    with tempfile.TemporaryDirectory() as folder:
+    python = python_with_numpy()
+    with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as programs:
         Path(folder, "docs").symlink_to(ROOT / "docs")
-        path = os.pathsep.join([str(Path(fdebench).resolve().parent), os.environ["PATH"]])
+        Path(programs, "fdebench").symlink_to(Path(fdebench).resolve())
+        if python:
+            Path(programs, "python3").write_text(f'#!/bin/sh\nexec {python} "$@"\n')
+            Path(programs, "python3").chmod(0o755)
+        path = os.pathsep.join([programs, os.environ["PATH"]])
         for block in BLOCK.findall(page.read_text()):
             parts = commands(block)
-            for command, shown in parts if any(shown for _, shown in parts) else []:
+            if not any(shown for _, shown in parts) or ("python3" in block and not python):
+                continue
+            for command, shown in parts:
                 done = subprocess.run(["bash", "-c", command], cwd=folder, env={**os.environ, "PATH": path, "FDEBENCH_CACHE": ""},
                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
                 printed = done.stdout.splitlines()
