@@ -37,7 +37,7 @@ struct CleanupSlots {
   std::array<Group, most> groups;
 };
 std::atomic<bool> is_ending = false;
-std::atomic<int> noting = 0;
+std::atomic<int> registrations_in_progress = 0;
 std::atomic<CleanupSlots*> known = nullptr;  // set at the first registration
 static_assert(std::atomic<State>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
@@ -141,19 +141,19 @@ RegistrationGuard::RegistrationGuard() {
   sigset_t all{};
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before_);
-  ++noting;
+  ++registrations_in_progress;
 }
 
 // A blocked signal is delivered when the mask is restored.
 RegistrationGuard::~RegistrationGuard() {
-  --noting;
+  --registrations_in_progress;
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
 void clean_up() {
   constexpr int millisecond = 1;
   is_ending = true;
-  while (noting > 0) poll(nullptr, 0, millisecond);
+  while (registrations_in_progress > 0) poll(nullptr, 0, millisecond);
   if (const CleanupSlots* all = known) remove_all(*all);
 }
 

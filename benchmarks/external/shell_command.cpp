@@ -100,7 +100,7 @@ class Child {
  public:
   Child(const SpawnSettings& settings, const std::string& command, const std::string& argument) {
     {
-      const RegistrationGuard noting;
+      const RegistrationGuard guard;
       child_ = settings.start(command, argument);
       trace_.emplace(child_);
       settings.release();

@@ -15,7 +15,7 @@ TemporaryFile::TemporaryFile(std::string_view suffix) {
   if (error) throw std::system_error(error, "the folder of temporary files, $TMPDIR or /tmp");
   std::string name = (folder / "fdebench-XXXXXX").string();
   name += suffix;
-  const RegistrationGuard noting;
+  const RegistrationGuard guard;
   descriptor_ = mkostemps(name.data(), static_cast<int>(suffix.size()), O_CLOEXEC);
   if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), name + ": cannot be written");
   path_ = name;

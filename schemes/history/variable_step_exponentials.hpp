@@ -36,7 +36,8 @@ class VariableStepExponentialHistory final : public History {
     Vec to_sums{};                    // integral_to_sum_factor of each table
   };
   std::size_t kernel_of(const WeightTable& table, const StepPlan& steps, double tolerance);
-  [[nodiscard]] Polynomial integrand(const ComponentSum& track, double before, double after, double length) const;
+  [[nodiscard]] Polynomial integrand(const ComponentSum& track, double before, double after,
+                                     double length) const;
   [[nodiscard]] const StepCache& candidate(double t) const;
   void advance(double t, In sample);
 
@@ -44,7 +45,7 @@ class VariableStepExponentialHistory final : public History {
   mutable StepFactors factors_{tables_};  // of tables_
   std::vector<KernelIntegrals> kernels_;
   std::vector<std::vector<ComponentSum>> tracks_;  // of each sum; only components with a memory term
-  double time_ = 0.0;                       // of the newest sample
+  double time_ = 0.0;                              // of the newest sample
   Vec newest_;
   mutable StepCache candidate_;
 };

@@ -26,10 +26,10 @@ namespace fde {
 // The initial guess is y = past + kappa f, with f extrapolated from the last five steps. It is accepted where
 // the first increment is at most a tenth of its distance from the step before. The factorised matrix is
 // reused from step to step. It is recomputed at the iterate where an increment is more than a twentieth of
-// the one before, or where reuse has become too expensive (Wear). The guess is rejected where increments do
-// not halve, and where the determinant of a new matrix differs in sign from that at the last solution: two
-// solutions that meet and vanish (as those of y = past + kappa y^2, before y is infinite) differ in this
-// sign.
+// the one before, or where reuse has become too expensive (JacobianReuse). The guess is rejected where
+// increments do not halve, and where the determinant of a new matrix differs in sign from that at the last
+// solution: two solutions that meet and vanish (as those of y = past + kappa y^2, before y is infinite)
+// differ in this sign.
 //
 // After a rejected guess the iteration restarts from the y that was passed, the solution at the step before,
 // with a new matrix in each iteration. Where three increments are no smaller than those before them, as when
