@@ -122,9 +122,10 @@ class FormulaParser {
 
   Expression decimal(const FormulaToken& token) {
     const std::string text(token.text);
-    if (!try_parse_number(text))
+    if (!try_parse_number(text)) {
       fault(fmt::format("{}: {}must be {}", text, double_range_message(text), any_number.text()),
             token.place);
+    }
     return into_.number(text);
   }
 

@@ -74,9 +74,10 @@ class EquationReader : TomlReader {
         reject(entry.place, "parameter until: must be another name, this one sets the end");
       const auto number = entry.node->value<double>();
       if (!entry.node->is_number()) reject_kind(*entry.node, entry.name, "a number");
-      if (!std::isfinite(*number))
+      if (!std::isfinite(*number)) {
         reject(position_of(*entry.node),
                fmt::format("{} = {}: must be a finite number", entry.name, *number));
+      }
       parameters.push_back({entry.name, *number});
     }
     return parameters;
@@ -161,9 +162,10 @@ class EquationReader : TomlReader {
     const auto& list = required(of, position_of(node), "constraint", "f");
     for (const auto& value : array(list, "f", "a list of formulas"))
       constraints.push_back(formula(value, "f"));
-    if (constraints.empty() || constraints.size() > most)
+    if (constraints.empty() || constraints.size() > most) {
       reject(position_of(list),
              fmt::format("f: has {} formulas, must have 1 to {}", constraints.size(), most));
+    }
     return constraints;
   }
 

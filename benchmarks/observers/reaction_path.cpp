@@ -47,9 +47,10 @@ Vec ReactionPath::columns_to_differentiate_at(double t) const {
 
 std::optional<Vec> ReactionPath::rates(double t) const {
   if (scene_.reactions.rated.empty() || t == 0.0) return std::nullopt;
-  if (!grid_)
+  if (!grid_) {
     return derivative_at(t, scene_.problem.end,
                          [this](double beside) { return columns_to_differentiate_at(beside); });
+  }
   const auto [steps, weights] = differentiation_rule(*grid_, grid_->number(t), scene_.reactions.powers);
   Vec rates = Vec::Zero(std::ssize(scene_.reactions.rated));
   for (std::size_t k = 0; k < steps.size(); ++k)

@@ -33,9 +33,10 @@ struct SceneRefinements {
       for (const RunSettings& setup : setups_of(sweep, *scheme, scene.problem))
         add({scheme, {name, std::string(scheme->id), setup}, plan_for(sweep.ladder, scheme->needs), setup});
     }
-    for (const auto& program : sweep.programs)
+    for (const auto& program : sweep.programs) {
       add({&program, key_of(program, name, sweep.setup), plan_for(sweep.ladder, Capabilities{}),
            sweep.setup});
+    }
     climbs.resize(lines.size());
   }
 

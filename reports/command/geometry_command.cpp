@@ -90,7 +90,7 @@ std::string geometry_text(const std::vector<std::string>& names, const Geometry&
 // at t = 0 are brought onto the constraints, which at another place may be others.
 Vec velocity_at(In q, const StateGeometry& geometry, const std::optional<std::string>& text) {
   constexpr double typed = 1e-6;
-  const Vec v = state_of("--velocity", text, geometry.velocity);
+  Vec v = state_of("--velocity", text, geometry.velocity);
   if (!geometry.allowed) return v;
   Vec allowed = geometry.allowed(q, v);
   if (text && (v - allowed).norm() > typed * allowed.norm()) {

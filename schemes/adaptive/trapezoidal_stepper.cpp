@@ -212,9 +212,10 @@ Vec TrapezoidalStepper::undamped_fraction(const Vec& answered, const Vec& again)
   };
   const double all = part(all_after, all_before);
   Vec left(limit_.size());
-  for (Eigen::Index i = 0; i < left.size(); ++i)
+  for (Eigen::Index i = 0; i < left.size(); ++i) {
     left[i] = std::max(
         all, part(after[first_of_same_order_[static_cast<std::size_t>(i)]], before[first_of_same_order_[i]]));
+  }
   return left;
 }
 
