@@ -16,7 +16,7 @@ inline constexpr double no_solution = std::numeric_limits<double>::infinity();
 // coefficients of 1, w, w^2. In algebraic rows the polynomials are y itself.
 using DerivativePolynomials = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-// A component that is interpolated on a step from its own values: y as a polynomial of w (see Drives),
+// A component that is interpolated on a step from its own values: y as a polynomial of w,
 // coefficients of 1, w, w^2, w^3. It replaces the fractional integral of D^g y where f makes the component
 // decay within the step: f is then far larger than y, and between the stages the error of the integral
 // exceeds the tolerance, though the equations of the step leave little of this error at the stages.

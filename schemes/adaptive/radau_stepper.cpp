@@ -270,7 +270,7 @@ Vec RadauStepper::integrated(double t, const Values& polynomials) {
   return y;
 }
 
-// The polynomials of the attempt (see Drives).
+// The polynomials of the attempt (see DerivativePolynomials).
 RadauStepper::Values RadauStepper::parabolas() const {
   Values values = derivatives_;
   for (std::size_t r = 0; r < rows_.size(); ++r) {

@@ -76,7 +76,7 @@ class RadauStepper final : public AdaptiveStepper {
   double next_ = 0.0, length_ = 0.0;  // end and size of the attempt
   std::optional<double> previous_length_{};
   Values known_, y_, f_, derivatives_;  // drives: D^g y from the equations of the step, in place of f(t, y)
-  Values previous_parabolas_;           // coefficients of their parabolas on the last accepted step (Drives)
+  Values previous_parabolas_;           // coefficients of their parabolas on the last accepted step
   InterpolatedRows interpolated_;       // on the newest attempt
   Vec derivatives_at_start_;            // f at the beginning of the step
   Vec previous_, result_;

@@ -31,7 +31,7 @@ struct Options {
   bool all_solutions = false;   // search for further solutions of a two-sided problem: Trajectory::others
   std::vector<Event> events{};  // only for schemes with an adaptive step size; the others throw
   std::function<void(double t, In y)> observer{};  // called after every step and at t = 0, whatever `at` is
-  // Where the run stores its state and resumes from it, for schemes with Needs::checkpoints; nullptr: none.
+  // Where the run stores and resumes its state, for schemes with Capabilities::checkpoints; nullptr: none.
   // The state of the observer is not part of a checkpoint.
   CheckpointStore* checkpoints = nullptr;
 };
