@@ -8,7 +8,7 @@ Scheme spectral_collocation() {
       .id = "spectral_collocation",
       .title = "Spectral collocation on panels",
       .source =
-          "Brunner, Collocation Methods for Volterra Integral Equations (2004), chapter 6; the past "
+          "Brunner, Collocation Methods for Volterra Integral Equations (2004), chapter 6; the memory term "
           "as Greengard & Rokhlin, J. Comput. Phys. 73 (1987)",
       .needs = {.solves_on_grid = false, .takes_accuracy = true, .implicit = true, .algebraic_rows = true},
       .solve =

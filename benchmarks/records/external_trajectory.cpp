@@ -44,7 +44,7 @@ std::vector<std::string> names_in(std::string_view header) {
 // For each cell after t, the column of the scene; nullopt: ignored.
 using ColumnIndices = std::vector<std::optional<Eigen::Index>>;
 
-ColumnIndices output_points_of(const std::vector<std::string>& names, const Scene& scene) {
+ColumnIndices column_indices_of(const std::vector<std::string>& names, const Scene& scene) {
   auto printed = printed_names(scene);
   std::ranges::copy(reaction_names(scene), std::back_inserter(printed));
   const auto own = std::ssize(scene.outputs.names);
@@ -63,7 +63,7 @@ ColumnIndices output_points_of(const std::vector<std::string>& names, const Scen
 class TrajectoryReader {
  public:
   TrajectoryReader(const std::string& header, const Scene& scene)
-      : names_(names_in(header)), places_(output_points_of(names_, scene)), end_(scene.problem.end) {
+      : names_(names_in(header)), places_(column_indices_of(names_, scene)), end_(scene.problem.end) {
     for (const auto& place : places_) {
       if (place) path_.columns.push_back(*place);
     }

@@ -15,15 +15,15 @@
 namespace fde {
 namespace {
 
-constexpr int max_working_digits = 1000;
+constexpr int max_digits = 1000;
 constexpr int guard_digits = 20;
 
 DecimalPrecision number_at(const DataTable& table, std::size_t row, std::size_t column) {
   const auto& text = table.rows[row][column];
   const auto number = decimal_precision(text);
-  if (number && number->digits <= max_working_digits) return *number;
+  if (number && number->digits <= max_digits) return *number;
   throw InvalidTable(fmt::format("{}: '{}' must be a decimal number of at most {} digits",
-                                 table.place(row, table.columns[column]), text, max_working_digits));
+                                 table.place(row, table.columns[column]), text, max_digits));
 }
 
 BigReal power_of_ten(int exponent) { return pow(BigReal(10), exponent); }

@@ -114,8 +114,8 @@ struct ExactDecimal {
 };
 
 // At most 15 digits; nullopt if the text has more or is not a decimal.
-std::optional<ExactDecimal> shortest_decimal(std::string_view text) {
-  constexpr std::size_t max_working_digits = 15;
+std::optional<ExactDecimal> exact_decimal(std::string_view text) {
+  constexpr std::size_t max_digits = 15;
   if (!is_decimal(text)) return std::nullopt;
   const auto e = std::min(text.find_first_of("eE"), text.size());
   std::string digits(text.substr(text.starts_with('+') ? 1 : 0, e - (text.starts_with('+') ? 1 : 0)));
@@ -130,7 +130,7 @@ std::optional<ExactDecimal> shortest_decimal(std::string_view text) {
     ++place;
   }
   const auto units = read<std::int64_t>(digits);
-  if (!exponent || !units || digits.size() - (digits.starts_with('-') ? 1 : 0) > max_working_digits)
+  if (!exponent || !units || digits.size() - (digits.starts_with('-') ? 1 : 0) > max_digits)
     return std::nullopt;
   return ExactDecimal{*units, place};
 }
@@ -155,7 +155,7 @@ std::vector<std::string> expand_decimal_range(std::string_view name, std::string
   std::vector<ExactDecimal> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
     const auto end = std::min(text.find(':', begin), text.size());
-    const auto part = shortest_decimal(text.substr(begin, end - begin));
+    const auto part = exact_decimal(text.substr(begin, end - begin));
     if (!part) refuse("FIRST:LAST:STEP, decimals of at most 15 digits");
     parts.push_back(*part);
     begin = end + 1;

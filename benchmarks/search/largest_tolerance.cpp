@@ -24,11 +24,11 @@ std::optional<Attempt> largest_tolerance(double wanted, const std::function<Atte
     }
     if (beyond > loosest) return best;
   } else {
-    bool check_step = first.ending.kind != Ending::out_of_budget;
-    while (!best && check_step && within / 10.0 >= std::max(tightest, least_part * wanted)) {
+    bool continues = first.ending.kind != Ending::out_of_budget;
+    while (!best && continues && within / 10.0 >= std::max(tightest, least_part * wanted)) {
       beyond = std::exchange(within, within / 10.0);
       Attempt made = attempt(within);
-      check_step = made.ending.kind != Ending::out_of_budget;
+      continues = made.ending.kind != Ending::out_of_budget;
       if (made.within) best = std::move(made);
     }
     if (!best) return std::nullopt;

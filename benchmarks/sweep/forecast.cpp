@@ -126,7 +126,7 @@ double seconds_of_timing(const RefinementRun& rung, const TimingRepeats& repeats
   if (!rung.seconds) return 0.0;
   const double once = *rung.seconds;
   const double wanted = std::min(repeats.most * once, repeats.enough_seconds + once);
-  return std::max({wanted, once, repeats.lower_bound_of_seconds});
+  return std::max({wanted, once, repeats.min_seconds});
 }
 
 // Simulates the refinement of all schemes on one scene.

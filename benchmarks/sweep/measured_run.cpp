@@ -143,7 +143,7 @@ Timed solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resol
                        const Options& options, const TimingRepeats& repeats) {
   Timed timed;
   double total = 0.0;
-  while (total < repeats.lower_bound_of_seconds ||
+  while (total < repeats.min_seconds ||
          (std::ssize(timed.seconds) < repeats.most && total < repeats.enough_seconds)) {
     const auto start = std::chrono::steady_clock::now();
     const auto path = scheme.solve(problem, resolution, options);

@@ -15,11 +15,11 @@ namespace fde {
 std::vector<Record> examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
                             const Scheme& scheme, const RunSettings& setup);
 
-// The number of timed repeats of a run: `most`; more while they take less than `lower_bound_of_seconds` in
+// The number of timed repeats of a run: `most`; more while they take less than `min_seconds` in
 // total, no more once they have taken `enough_seconds`.
 struct TimingRepeats {
   int most = 3;
-  double lower_bound_of_seconds = 0.01, enough_seconds = 10.0;
+  double min_seconds = 0.01, enough_seconds = 10.0;
 };
 
 // The time records of a run; the solves store the last step only. Preconditions: is_compared(ending) of the

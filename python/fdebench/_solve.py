@@ -66,7 +66,7 @@ def solve(
     ``grid``: "uniform", "graded:R" with the times end (n / steps)^R, or "graded:auto" with the R that the orders ask for. ``at``:
     the grid times to return, or ``every`` K-th, or so many ``points`` from 0 to the end; default all. ``accuracy`` in place of
     steps: for schemes that choose their own. ``history``: "auto", "direct" or "exponentials". ``tolerance``: relative, of
-    Newton's method and of the weights of the past. ``budget``: seconds after which the solve ends. ``check``: also solve with half
+    Newton's method and of the history weights. ``budget``: seconds after which the solve ends. ``check``: also solve with half
     the steps, and warn where that gives another result. ``events``: return the events of an equation file in place of times, with
     ``accuracy``; ``solution.events`` has their names.
 

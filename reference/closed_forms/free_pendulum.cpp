@@ -23,7 +23,7 @@ struct Start {
 };
 
 template <class Real>
-Start<Real> taylor_part_at_nodes(const Motion<Real>& motion) {
+Start<Real> start_of(const Motion<Real>& motion) {
   using std::abs, std::cos, std::floor, std::sin, std::sqrt;
   const bool stands = motion.rate2 < 0;
   const Real half = motion.angle / 2, from_bottom = stands ? Real(motion.angle - pi<Real>()) : motion.angle;
@@ -81,7 +81,7 @@ std::vector<ConditionedValue<Real>> columns_at(const Motion<Real>& motion, const
     const Real way = velocity * t;
     return {{Real(motion.angle + way), Real(abs(motion.angle) + abs(way))}, {velocity, abs(velocity)}};
   }
-  const auto start = taylor_part_at_nodes(motion);
+  const auto start = start_of(motion);
   if (start.k2 == 0) return {{motion.angle, abs(motion.angle)}, {Real(0), Real(0)}};  // stable equilibrium
   const auto [angle, speed] = start.complement <= 0 ? turning(start, t) : swinging(start, t);
   // A relative error of the complement gives a relative error of the period, and so of the phase.
@@ -97,9 +97,9 @@ std::vector<ConditionedValue<Real>> columns_at(const Motion<Real>& motion, const
 // In long double and, where the phase would be inaccurate, at more digits.
 std::vector<ConditionedValue<long double>> in_long_double(const FreePendulum& p, double t) {
   constexpr long double good = 1e4L;
-  constexpr int max_working_digits = 1000;
+  constexpr int max_digits = 1000;
   auto columns = columns_at<long double>({p.rate2, p.angle, p.velocity}, t);
-  const auto start = taylor_part_at_nodes<long double>({p.rate2, p.angle, p.velocity});
+  const auto start = start_of<long double>({p.rate2, p.angle, p.velocity});
   const long double lost = start.cancellation + std::abs(static_cast<long double>(p.angle));
   if (p.rate2 == 0.0 || (start.complement != 0 && lost <= good)) return columns;
   for (int digits = 50;; digits *= 2) {
@@ -112,7 +112,7 @@ std::vector<ConditionedValue<long double>> in_long_double(const FreePendulum& p,
       columns[c] = {precise[c].value.convert_to<long double>(), size.convert_to<long double>()};
       worst = std::max(worst, columns[c].size / (1.0L + std::abs(columns[c].value)));
     }
-    if (worst <= good || digits >= max_working_digits) return columns;
+    if (worst <= good || digits >= max_digits) return columns;
   }
 }
 

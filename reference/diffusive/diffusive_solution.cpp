@@ -124,9 +124,9 @@ class DiffusiveIntegrator {
     Matrix y(stages.y.rows() + 1, stages.y.cols());
     y << value_.transpose(), stages.y;
     const Vec of_y = StageNoise::beyond(largest(rule_.with_start.bottomRows(2) * y), stages.noise.values);
-    const Vec known_rhs_noise =
+    const Vec of_rhs =
         StageNoise::beyond(largest(rule_.at_nodes.bottomRows(2) * stages.rhs), stages.noise.rhs);
-    const Vec excess = of_y.cwiseMax(unit_increment(problem_, length).cwiseProduct(known_rhs_noise));
+    const Vec excess = of_y.cwiseMax(unit_increment(problem_, length).cwiseProduct(of_rhs));
     const Vec size = size_.cwiseMax(largest(stages.y));
     double unresolved = 0.0;
     for (Eigen::Index i = 0; i < problem_.size(); ++i) {

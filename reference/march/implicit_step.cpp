@@ -67,11 +67,10 @@ Noise propagated_noise(const LinearisedStep& step, const std::function<Matrix(co
   constexpr double rounding = std::numeric_limits<double>::epsilon();
   const Matrix y_size = y.cwiseAbs();
   const Matrix rhs_size = (rhs.cwiseAbs() + step.terms_of(y_size)).rowwise() + further.transpose();
-  const Matrix known_rhs_noise = with_signs(rounding * rhs_size);
+  const Matrix of_rhs = with_signs(rounding * rhs_size);
   const Matrix of_y =
-      step.solve(with_signs(rounding * y_size) * step.mass.asDiagonal() + integral(known_rhs_noise))
-          .cwiseAbs();
-  return {of_y.colwise().maxCoeff(), (known_rhs_noise.cwiseAbs() + step.terms_of(of_y)).colwise().maxCoeff()};
+      step.solve(with_signs(rounding * y_size) * step.mass.asDiagonal() + integral(of_rhs)).cwiseAbs();
+  return {of_y.colwise().maxCoeff(), (of_rhs.cwiseAbs() + step.terms_of(of_y)).colwise().maxCoeff()};
 }
 
 }  // namespace fde

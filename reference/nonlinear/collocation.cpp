@@ -40,7 +40,7 @@ struct InitialLengths {
 // step of a grid, which is at least N^-10 of the end, 6e-58 for 2^19 steps. With multipliers it must be below
 // rounding, since the constraint propagates it to all components. For the second method, whose constraint
 // determines the reaction, t^(2 g) remains.
-InitialLengths smoothness_of(const Problem& problem) {
+InitialLengths initial_lengths(const Problem& problem) {
   constexpr double rounding = 1e-17, before_grids = 1e-66, early = 1e-6, shortest = 1e-270;
   double order = 1.0;
   for (const auto& component : problem.components) {
@@ -88,7 +88,7 @@ Reference reference_from_table(PanelTable table, const Problem& problem) {
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options) {
   require_posed(problem);
   require_affordable(problem);
-  const InitialLengths starts = smoothness_of(problem);
+  const InitialLengths starts = initial_lengths(problem);
   const auto solve = [&](int points, double shortest) -> PiecewiseSolution {
     return {problem,
             {.points = points,

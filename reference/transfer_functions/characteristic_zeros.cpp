@@ -58,14 +58,12 @@ struct Found {
 std::optional<Found> newton(const CharacteristicFunction& function, const std::vector<Found>& found,
                             Point w) {
   constexpr long double most_blurred = 0.05L, longest = 100.0L;
-  const auto detect_on_last_step = [&](const Found& other) {
-    return std::abs(w - other.zero) < cluster_distance;
-  };
+  const auto found_before = [&](const Found& other) { return std::abs(w - other.zero) < cluster_distance; };
   for (int i = 0; i < 80; ++i) {
     const auto known = function.derivatives(w);
     const auto& [value, first, second, noise] = known;
     const bool flat = known.flat();
-    if (!flat && std::ranges::any_of(found, detect_on_last_step)) return std::nullopt;
+    if (!flat && std::ranges::any_of(found, found_before)) return std::nullopt;
     const long double blur = std::min(noise / std::abs(first), most_blurred);
     if (flat && std::abs(value) < noise) return Found{w, blur};
     Point inverse = first / value;

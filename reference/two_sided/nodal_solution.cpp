@@ -36,8 +36,8 @@ double advance(const NodalEquations& equations, NodalValues& values) {
   throw std::runtime_error("two-sided reference: Newton's method finds no way down");
 }
 
-NodalValues taylor_part_at_nodes(const NodalEquations& equations, const NodalBasis& basis,
-                                 const std::function<Vec(RelativeTime t)>& start) {
+NodalValues first_iterate(const NodalEquations& equations, const NodalBasis& basis,
+                          const std::function<Vec(RelativeTime t)>& start) {
   NodalValues values = equations.start();
   if (!start) return values;
   for (std::size_t m = 0; m < basis.nodes.size(); ++m)
@@ -61,7 +61,7 @@ NodalValues solved(const NodalEquations& equations, NodalValues values) {
 NodalSolution::NodalSolution(const Problem& problem, const NodalBasis& basis,
                              const std::function<Vec(RelativeTime t)>& start)
     : equations_(problem, basis),
-      values_(solved(equations_, taylor_part_at_nodes(equations_, basis, start))),
+      values_(solved(equations_, first_iterate(equations_, basis, start))),
       f_(equations_.rhs(values_.y)) {}
 
 NodalSolution smallest_solution(const Problem& problem, const NodalBasis& basis) {

@@ -19,7 +19,7 @@ double doubt(const MeasuredRun& run, std::string_view quantity) {
 }
 
 // The ratio of an error of this quantity to the absolute error at the end; 1 for absolute errors.
-double integral_of_one(const MeasuredRun& run, std::string_view quantity, double error) {
+double unit_of(const MeasuredRun& run, std::string_view quantity, double error) {
   const double at_end = run["error_end"].value_or(0.0);
   const bool is_absolute = quantity == "error_end" || quantity == "error_maximum";
   return is_absolute || at_end == 0.0 ? 1.0 : error / at_end;
@@ -27,9 +27,8 @@ double integral_of_one(const MeasuredRun& run, std::string_view quantity, double
 
 std::optional<ErrorChange> moved(const CommonRun& run, std::string_view quantity, double before, double now) {
   constexpr double part = 0.01;
-  const double unknown =
-      std::max(doubt(*run.before, quantity), doubt(*run.now, quantity)) *
-      std::min(integral_of_one(*run.before, quantity, before), integral_of_one(*run.now, quantity, now));
+  const double unknown = std::max(doubt(*run.before, quantity), doubt(*run.now, quantity)) *
+                         std::min(unit_of(*run.before, quantity, before), unit_of(*run.now, quantity, now));
   if (std::abs(now - before) <= unknown) return std::nullopt;
   if (std::max(now, before) <= (1.0 + part) * std::min(now, before)) return std::nullopt;
   return ErrorChange{.run = run, .quantity = quantity, .before = before, .now = now};

@@ -42,7 +42,7 @@ void add_options(Subcommand& command, RunSettingsArguments& arguments) {
   command.option("--grid", arguments.grid, "uniform, graded:R, or graded:auto: R from the orders");
   command.option("--history", arguments.history, "auto, direct or exponentials");
   command.option("--tolerance", arguments.tolerance,
-                 "relative, of Newton's method and of the weights of the past; default rounding");
+                 "relative, of Newton's method and of the history weights; default rounding");
   command.option("--budget", arguments.budget,
                  fmt::format("seconds after which the run ends; default {}", arguments.budget));
 }

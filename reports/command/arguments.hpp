@@ -54,7 +54,7 @@ std::vector<double> sorted_times(std::string_view name, std::string_view text);
 
 Tolerance parse_accuracy(std::string_view text);  // one number, relative and absolute
 
-inline constexpr int max_working_digits = 100'000;
+inline constexpr int max_digits = 100'000;
 inline constexpr int most_steps = 1'000'000'000;  // the weights are tested up to this lag
 
 }  // namespace fde

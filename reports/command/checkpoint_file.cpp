@@ -38,7 +38,7 @@ class ChecksummedOutput {
   void add(std::string_view bytes) {
     if (bytes.size() >= piece) {
       flush();
-      add_recent(bytes);
+      write_out(bytes);
       return;
     }
     gathered_ += bytes;
@@ -56,10 +56,10 @@ class ChecksummedOutput {
 
  private:
   void flush() {
-    add_recent(gathered_);
+    write_out(gathered_);
     gathered_.clear();
   }
-  void add_recent(std::string_view bytes) {
+  void write_out(std::string_view bytes) {
     sum_.add(bytes);
     file_.write(bytes);
     count_ += bytes.size();

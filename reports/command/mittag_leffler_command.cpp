@@ -53,16 +53,16 @@ void check_parameters(const Arguments& x) {
 
 std::optional<int> digits_of(const Arguments& x) {
   if (!x.digits) return std::nullopt;
-  return parse_count("--digits", *x.digits, 1, max_working_digits);
+  return parse_count("--digits", *x.digits, 1, max_digits);
 }
 
 // A multiprecision value without a finite bound exceeds the exponent range of its type.
-void require_accurate(const DecimalComplex& value) {
+void require_known(const DecimalComplex& value) {
   if (!is_finite_bound(value.bound)) throw NumericalFailure("the value is beyond all exponents of --digits");
 }
 
 void print(const DecimalComplex& value, std::ostream& out) {
-  require_accurate(value);
+  require_known(value);
   out << fmt::format("{} {} {}\n", value.re, value.im, value.bound);
 }
 
@@ -131,12 +131,11 @@ std::vector<DecimalComplex> entries_of(const std::string& text) {
   return entries;
 }
 
-void print(const std::vector<DecimalComplex>& entries, std::size_t size, bool evaluate_in_double,
-           std::ostream& out) {
-  std::ranges::for_each(entries, require_accurate);
+void print(const std::vector<DecimalComplex>& entries, std::size_t size, bool in_double, std::ostream& out) {
+  std::ranges::for_each(entries, require_known);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto place = fmt::format("{} {} ", i / size + 1, i % size + 1);
-    if (evaluate_in_double) {
+    if (in_double) {
       const auto [value, bound] = rounded_to_double(entries[i]);
       out << place;
       print(value, bound, out);

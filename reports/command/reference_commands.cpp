@@ -108,7 +108,7 @@ std::string rows_in_digits(const Scene& scene, const std::vector<double>& times,
 // The number of --digits; nullopt for double.
 std::optional<int> parse_digits(const ExactArguments& arguments, const Scene& scene, std::string_view id) {
   if (!arguments.digits) return std::nullopt;
-  const int digits = parse_count("--digits", *arguments.digits, 1, max_working_digits);
+  const int digits = parse_count("--digits", *arguments.digits, 1, max_digits);
   if (scene.reference.digits) return digits;
   throw std::invalid_argument(fmt::format(
       "--digits = {}: scene {} has no exact solution in digits, only what is known in double", digits, id));

@@ -43,12 +43,11 @@ std::vector<std::string> names_of_functions(const Scene& scene) {
 
 Vec functions_at(const Scene& scene, double t, In y) {
   const Vec columns = columns_at(scene.outputs, t, y);
-  Vec energy(scene.energy ? 1 : 0),
-      lambda(scene.reactions.depends_on_columns_only() ? std::ssize(scene.reactions.names) : 0);
-  if (scene.energy) energy[0] = scene.energy.value(columns);
-  if (scene.reactions.depends_on_columns_only()) scene.reactions.multipliers(t, columns, Vec(), lambda);
-  Vec values(energy.size() + lambda.size());
-  values << energy, lambda;
+  Vec values(std::ssize(names_of_functions(scene)));
+  Eigen::Index next = 0;
+  if (scene.energy) values[next++] = scene.energy.value(columns);
+  if (scene.reactions.depends_on_columns_only())
+    scene.reactions.multipliers(t, columns, Vec(), values.tail(values.size() - next));
   return values;
 }
 
@@ -83,7 +82,7 @@ std::vector<Eigen::Index> spread_columns(Eigen::Index count) {
 std::optional<std::string> accuracy_warning(const Scene& scene, const RequestedRun& run,
                                             const SolvedTable& table, const Trajectory& path, double seconds,
                                             bool check) {
-  constexpr double most_times = 4.0, lower_bound_of_seconds = 0.05;
+  constexpr double most_times = 4.0, min_seconds = 0.05;
   if (table.times.empty()) return std::nullopt;
   const auto columns = spread_columns(std::ssize(table.times));
   RequestedRun other = run;
@@ -91,7 +90,7 @@ std::optional<std::string> accuracy_warning(const Scene& scene, const RequestedR
   for (const auto c : columns) other.times.push_back(table.times[static_cast<std::size_t>(c)]);
   other.options.events.clear();
   other.options.checkpoints = nullptr;
-  other.options.budget = std::max(most_times * seconds, lower_bound_of_seconds);
+  other.options.budget = std::max(most_times * seconds, min_seconds);
   other.options.at = times_to_return(scene, other);
   Problem problem = scene.problem;
   if (path.ending == Ending::event) problem.end = other.options.at.back();

@@ -27,7 +27,7 @@ namespace fde {
 namespace {
 
 constexpr int most_repeats = 1000;
-constexpr TimingRepeats of_default_sweep{.lower_bound_of_seconds = 0.003, .enough_seconds = 0.1};
+constexpr TimingRepeats of_default_sweep{.min_seconds = 0.003, .enough_seconds = 0.1};
 
 // Budgets of a run: in seconds with --steps or --accuracy; in seconds in a thorough sweep; otherwise as a
 // multiple of the goal's most_seconds. Schemes with adaptive step size may need very many steps on unsuitable
@@ -180,26 +180,26 @@ void run(const SweepArguments& arguments, const Streams& streams, const Scenes& 
 }  // namespace
 
 void add_sweep_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
-  auto for_steps = std::make_shared<SweepArguments>();
+  auto of_run = std::make_shared<SweepArguments>();
   Subcommand run_command(program, "run", "Measure schemes on scenes; a file that exists is continued");
-  run_command.list("--scene", for_steps->scenes,
+  run_command.list("--scene", of_run->scenes,
                    "ids of scenes or files of equations, or ID:NAME=VALUE,...; default all");
-  run_command.list("--set", for_steps->settings,
+  run_command.list("--set", of_run->settings,
                    "a parameter of all these scenes, NAME=VALUE or a range FIRST:LAST:STEP");
-  run_command.list("--scheme", for_steps->schemes, "ids of schemes; default all");
-  run_command.list("--external", for_steps->externals,
+  run_command.list("--scheme", of_run->schemes, "ids of schemes; default all");
+  run_command.list("--external", of_run->externals,
                    "NAME=COMMAND of another program; of ours then those that --scheme names");
-  run_command.option("--steps", for_steps->steps, "numbers of steps N1,N2,...");
-  run_command.option("--accuracy", for_steps->accuracies,
+  run_command.option("--steps", of_run->steps, "numbers of steps N1,N2,...");
+  run_command.option("--accuracy", of_run->accuracies,
                      "accuracies E1,E2,... of schemes that choose their steps");
-  run_command.option("--repeat", for_steps->repeats, "timed repeats of each run");
-  add_options(run_command, for_steps->means);
-  run_command.flag("--thorough", for_steps->thorough, "all numbers of steps and all trials");
-  run_command.flag("--trials", for_steps->trials, "only the stiff and extreme trials of the report");
-  run_command.option("--shard", for_steps->shard, "I/N: every N-th scene, from the I-th on");
-  run_command.flag("--dry-run", for_steps->dry_run, "list the runs and how long they take, and do nothing");
-  run_command.option("--out", for_steps->out, "results file");
-  run_command.callback([=, &known] { run(*for_steps, streams, known); });
+  run_command.option("--repeat", of_run->repeats, "timed repeats of each run");
+  add_options(run_command, of_run->means);
+  run_command.flag("--thorough", of_run->thorough, "all numbers of steps and all trials");
+  run_command.flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
+  run_command.option("--shard", of_run->shard, "I/N: every N-th scene, from the I-th on");
+  run_command.flag("--dry-run", of_run->dry_run, "list the runs and how long they take, and do nothing");
+  run_command.option("--out", of_run->out, "results file");
+  run_command.callback([=, &known] { run(*of_run, streams, known); });
 
   auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
   auto second = std::make_shared<std::optional<std::string>>();

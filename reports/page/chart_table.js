@@ -6,7 +6,7 @@ const columnsOfCharts = {
   asked: { title: "asked", text: fewDigits },
   h: { title: "h", text: (value) => value.toPrecision(3) },
   time_minimum: { title: "run time in s", text: (value) => value.toPrecision(3) },
-  history_bytes: { title: "memory of the past in bytes", text: String },
+  history_bytes: { title: "memory of the history in bytes", text: String },
   error: { text: fewDigits },
   ratio: { title: "ratio", text: fewDigits },
   energy_residual: { title: "energy residual", text: fewDigits },

@@ -31,9 +31,9 @@ json number(const std::optional<double>& value) { return value ? json(rounded_fo
 std::optional<double> common_end(const std::vector<const MeasuredRun*>& runs) {
   std::optional<double> end;
   for (const MeasuredRun* run : runs) {
-    const double for_steps = run->h * run->steps;
-    if (!end) end = for_steps;
-    if (std::abs(for_steps - *end) > 1e-9 * *end) return std::nullopt;
+    const double end_of_run = run->h * run->steps;
+    if (!end) end = end_of_run;
+    if (std::abs(end_of_run - *end) > 1e-9 * *end) return std::nullopt;
   }
   return end;
 }

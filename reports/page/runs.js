@@ -61,7 +61,7 @@ function wordsOf(row, coarser, kind, kinds, { parameter, made }) {
   add("calls of f", row.rhs_calls, String);
   add("Newton iterations", row.newton_iterations, String);
   add("rejected steps", row.rejected_steps, String);
-  add("memory of the past", row.history_bytes, bytesText);
+  add("memory of the history", row.history_bytes, bytesText);
   return { ...words, ...made?.[(row.session ?? 1) - 1] };
 }
 

@@ -28,7 +28,7 @@ const errorAgainstTime = (scene, lines, kind) => errorAgainstCost(scene, lines, 
   { id: "error-against-time", field: "time_minimum", name: "run time", labelExpr: labels.time, least: "quicker" });
 
 const errorAgainstMemory = (scene, lines, kind) => errorAgainstCost(scene, lines, kind,
-  { id: "error-against-memory", field: "history_bytes", name: "memory of the past", labelExpr: labels.bytes, least: "smaller" });
+  { id: "error-against-memory", field: "history_bytes", name: "memory of the history", labelExpr: labels.bytes, least: "smaller" });
 
 // Dashed lines have the slope that theory promises. A scheme that chooses its steps has no step to speak of.
 function errorAgainstStep(scene, lines, kind) {

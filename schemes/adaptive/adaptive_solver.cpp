@@ -58,8 +58,7 @@ class March {
       if (end < interval_end_) continue;
       if (interval_end_ < end && time_ > 0.0 && !cross_jump(behind(time_))) break;
       interval_end_ = end;
-      for (bool check_step = true; check_step && time_ < end; check_step = step_towards(end))
-        run_.offer(state);
+      for (bool continues = true; continues && time_ < end; continues = step_towards(end)) run_.offer(state);
       if (time_ < end) break;
     }
     run_.cost().history_bytes = steps_->bytes();

@@ -108,7 +108,7 @@ StartingPowers start_powers_of_equations(const WeightFamily& family, const Probl
 IntegratedEquations::IntegratedEquations(const Problem& problem, const WeightFamily& family, const Grid& grid,
                                          const Options& options, const std::vector<double>& starting_powers)
     : grid_(grid),
-      parts_(subsystems(problem)),
+      parts_(chain_sums(problem)),
       tables_(tables(family)),
       history_(make_history(options.history, tables_, step_plan(grid), options.tolerance)),
       first_samples_(Matrix::Zero(std::ssize(tables_.front()), std::ssize(starting_powers))),
@@ -135,7 +135,7 @@ std::size_t IntegratedEquations::bytes() const {
   return bytes;
 }
 
-std::vector<IntegratedEquations::ChainSum> IntegratedEquations::subsystems(const Problem& problem) {
+std::vector<IntegratedEquations::ChainSum> IntegratedEquations::chain_sums(const Problem& problem) {
   std::vector<ChainSum> parts;
   Eigen::Index first = 0;
   for (const auto& chain : chains_of(problem)) {

@@ -73,7 +73,7 @@ class IntegratedEquations {
     TaylorPartIntegrals starts;  // of T
     double own = 1.0;            // 1 + sum_k c_k/a kappa_k
   };
-  static std::vector<ChainSum> subsystems(const Problem& problem);
+  static std::vector<ChainSum> chain_sums(const Problem& problem);
   [[nodiscard]] WeightTables tables(const WeightFamily& family) const;
   // The weights of an equation in the i-th sum at the first steps, one row a step.
   [[nodiscard]] Matrix first_weights_of(const ChainSum& part, Eigen::Index i) const;

@@ -25,7 +25,7 @@ Eigen::Index last_of(const OrderSplitting& links, const std::vector<Eigen::Index
   return position[index] + static_cast<Eigen::Index>(links[index].size()) - 1;
 }
 
-Eigen::Index norm1(const OrderSplitting& links, const std::vector<Eigen::Index>& position) {
+Eigen::Index size_of(const OrderSplitting& links, const std::vector<Eigen::Index>& position) {
   return position.back() + static_cast<Eigen::Index>(links.back().size());
 }
 
@@ -57,7 +57,7 @@ SparseMatrix spread(const SparseMatrix& original, const OrderSplitting& links,
                            entry.value());
     }
   }
-  const auto size = norm1(links, position);
+  const auto size = size_of(links, position);
   SparseMatrix result(size, size);
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
@@ -102,7 +102,7 @@ Derivatives split(const SparseJacobian& original, const OrderSplitting& links,
 }
 Derivatives split(const DenseLinearPart& original, const OrderSplitting& links,
                   const std::vector<Eigen::Index>& position) {
-  const auto size = norm1(links, position);
+  const auto size = size_of(links, position);
   DenseLinearPart result{Matrix(size, size)};
   spread(original.matrix, links, position, result.matrix);
   return result;

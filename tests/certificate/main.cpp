@@ -51,7 +51,7 @@ PointCheck judge_or_fault(const Point& point, int digits) {
   }
 }
 
-std::vector<PointCheck> measure_maximum_error(const std::vector<int>& chosen, const Options& options) {
+std::vector<PointCheck> check_points(const std::vector<int>& chosen, const Options& options) {
   std::vector<PointCheck> rows(chosen.size());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
@@ -166,7 +166,7 @@ int run_prabhakar(int points) {
 
 int run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<PointCheck> rows = measure_maximum_error(chosen_points(options), options);
+  const std::vector<PointCheck> rows = check_points(chosen_points(options), options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   print_regions(rows);
   print_top("worst points", rows, options.worst,

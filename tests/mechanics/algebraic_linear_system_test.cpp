@@ -19,13 +19,13 @@ TEST_P(BelowOne, IsTheIntegratedForm) {
                   integrated = linear_reference(integrated_form(m));
   for (const double t : {0.03125, 1.0, 7.0}) {
     const auto values = digits_at(multiplier, t), exact = digits_at(integrated, t);
-    const ReferenceValue evaluate_in_double = multiplier.at(t), other = integrated.at(t);
+    const ReferenceValue in_double = multiplier.at(t), other = integrated.at(t);
     for (std::size_t i = 0; i < 2; ++i) {
       expect_equal(values[i], exact[i], fmt::format("q{} at {}", i, t), BigReal(1));
       expect_equal(values[2 + i], exact[4 + i], fmt::format("w{} at {}", i, t), BigReal(1));
       const auto k = static_cast<Eigen::Index>(i);
-      EXPECT_NEAR(evaluate_in_double.value[k], other.value[k], 1e-14);
-      EXPECT_NEAR(evaluate_in_double.value[2 + k], other.value[4 + k], 1e-14);
+      EXPECT_NEAR(in_double.value[k], other.value[k], 1e-14);
+      EXPECT_NEAR(in_double.value[2 + k], other.value[4 + k], 1e-14);
     }
   }
 }

@@ -22,7 +22,7 @@ class ConstantConstraint {
         slope_(projection_.rates().slope.transpose()),
         memory_(projection_.rates().memory.transpose()),
         constant_(projection_.rates().value[0]),
-        alignment_(zero_if_rounding(memory_.dot(direction_), norm1(memory_, direction_))) {}
+        alignment_(zero_if_rounding(memory_.dot(direction_), size_of(memory_, direction_))) {}
 
   [[nodiscard]] Vector<double, n> projected(const Vector<double, n>& x) const { return projection_.of(x); }
   [[nodiscard]] const Vector<double, n>& direction() const { return direction_; }  // a^#: a.a^# = 1
@@ -31,13 +31,13 @@ class ConstantConstraint {
   [[nodiscard]] double alignment() const { return alignment_; }                    // b.a^#
   // The w(0) along a^# with f = 0; 0 if C0 = -c equals a.v(0). Requires b.a^# != 0.
   [[nodiscard]] Vector<double, n> initial_memory(const Vector<double, n>& velocity) const {
-    const double size = norm1(slope_, velocity) + std::abs(constant_);
+    const double size = size_of(slope_, velocity) + std::abs(constant_);
     const double missing = -zero_if_rounding(slope_.dot(velocity) + constant_, size);
     return direction_ * (missing / alignment_);
   }
 
  private:
-  static double norm1(const Vector<double, n>& x, const Vector<double, n>& y) {
+  static double size_of(const Vector<double, n>& x, const Vector<double, n>& y) {
     return x.cwiseAbs().dot(y.cwiseAbs());
   }
 

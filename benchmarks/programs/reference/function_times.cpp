@@ -96,7 +96,7 @@ double of_matrix(const Arguments& x) {
 }
 
 // Random arguments of the other functions, with |z| up to 10^largest.
-Arguments variation_until(double largest, const Random& random) {
+Arguments arguments_up_to(double largest, const Random& random) {
   const double alpha = 2.0 - 1.8 * random();
   return {alpha, any_beta(alpha, random), -power_of_ten(-3.0, largest, random)};
 }
@@ -107,8 +107,8 @@ std::vector<Region> other_functions() {
       return fde::mittag_leffler_derivative(k, x.alpha, x.beta, x.z).value.real();
     };
   };
-  const auto far = [](const Random& random) { return variation_until(4.0, random); };
-  const auto near = [](const Random& random) { return variation_until(0.0, random); };
+  const auto far = [](const Random& random) { return arguments_up_to(4.0, random); };
+  const auto near = [](const Random& random) { return arguments_up_to(0.0, random); };
   const auto prabhakar = [](double gamma) {
     return [gamma](const Arguments& x) { return fde::prabhakar(x.alpha, x.beta, gamma, x.z).value.real(); };
   };

@@ -51,16 +51,16 @@ bool try_one(RunEvaluator& examiner, const Configuration& way, const StepsOrTole
 // Makes all runs of one configuration that take up to `most_seconds`.
 void try_all(RunEvaluator& examiner, const Configuration& way, double most_seconds, Best& best) {
   constexpr double ratio = 1.1;
-  const auto check_step = [&](const StepsOrTolerance& resolution) {
+  const auto continues = [&](const StepsOrTolerance& resolution) {
     return try_one(examiner, way, resolution, most_seconds, best);
   };
   if (way.is_adaptive()) {
-    for (double asked = 0.1; asked > 1e-14 && check_step(Tolerance{asked, asked}); asked /= ratio) {
+    for (double asked = 0.1; asked > 1e-14 && continues(Tolerance{asked, asked}); asked /= ratio) {
     }
     return;
   }
   for (double steps = 4.0; steps < 1e8; steps = std::max(steps + 1.0, std::floor(ratio * steps))) {
-    if (!check_step(static_cast<int>(steps))) return;
+    if (!continues(static_cast<int>(steps))) return;
   }
 }
 

@@ -20,7 +20,7 @@ std::vector<Parameter> diffusion_parameters(Parameter points, const char* diffus
 
 Scene diffusion_scene(const Parameters& parameters, const char* points_name, int dimensions) {
   const SineGrid points = points_of(parameters, points_name);
-  InitialField start = taylor_part_at_nodes(parameters, points, points_name);
+  InitialField start = initial_field(parameters, points, points_name);
   const double order = parameters["gamma"], diffusivity = parameters["diffusivity"];
   const Medium medium(parameters);
   std::shared_ptr<const LinearField> field;

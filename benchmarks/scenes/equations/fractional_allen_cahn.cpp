@@ -19,7 +19,7 @@ FieldShape shape_of(const Parameters& p) {
 }
 
 // The initial values along one axis; in a square, the product of two.
-Vec taylor_part_at_nodes(const std::string& start, const Vec& x) {
+Vec initial_cells(const std::string& start, const Vec& x) {
   if (start == "even") return Vec::Ones(x.size());
   if (start == "step") return x.unaryExpr([](double at) { return at < 0.5 ? 1.0 : -1.0; });
   return x.unaryExpr([](double at) {
@@ -63,8 +63,7 @@ SceneFactory fractional_allen_cahn() {
         const double gamma = p["gamma"], epsilon = p["epsilon"], amplitude = p["amplitude"];
         const FieldShape shape = shape_of(p);
         const NoFluxCells cells(shape, epsilon * epsilon);
-        auto components =
-            field_components(shape, taylor_part_at_nodes(p.choice("start"), cells.midpoints()), gamma);
+        auto components = field_components(shape, initial_cells(p.choice("start"), cells.midpoints()), gamma);
         for (auto& component : components) component.initial.front() *= amplitude;
         Scene scene{.problem = allen_cahn(cells, std::move(components))};
         scene.smoothness.powers.assign(scene.problem.components.size(),

@@ -59,8 +59,7 @@ std::vector<Parameter> start_parameters() {
           {"modes", 3.0, {.low = 1.0, .high = 2000.0}, "of the smooth start, whole"}};
 }
 
-InitialField taylor_part_at_nodes(const Parameters& parameters, const SineGrid& points,
-                                  const char* points_name) {
+InitialField initial_field(const Parameters& parameters, const SineGrid& points, const char* points_name) {
   const double modes = parameters["modes"];
   if (!whole(modes)) reject("modes", modes, "a whole number");
   if (parameters.choice("start") == "step") return step_initial_field(points);

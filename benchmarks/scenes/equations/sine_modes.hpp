@@ -33,7 +33,6 @@ SineGrid points_of(const Parameters& parameters, const char* name);
 
 // The parameters `start` and `modes` of the diffusion scenes, and the initial field that they give.
 std::vector<Parameter> start_parameters();
-InitialField taylor_part_at_nodes(const Parameters& parameters, const SineGrid& points,
-                                  const char* points_name);
+InitialField initial_field(const Parameters& parameters, const SineGrid& points, const char* points_name);
 
 }  // namespace fde

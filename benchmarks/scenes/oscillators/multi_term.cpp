@@ -76,7 +76,7 @@ Energy energy_of(const std::vector<NamedTerm>& terms, double a, const Force& for
           .power = [=](double t, In c) { return c[velocity] * (load(t) - weights.dot(c)); }};
 }
 
-Reference linear_file_reference(const Parameters& p, const std::vector<NamedTerm>& terms) {
+Reference linear_motion(const Parameters& p, const std::vector<NamedTerm>& terms) {
   LinearEquation equation{.terms = {{p["a"], p["order"]}, {p["k"], 0.0}}, .initial = {p["u0"], p["du0"]}};
   std::vector<double> orders;
   for (const auto& [term, column] : terms) {
@@ -117,7 +117,7 @@ Scene scene_of(const Parameters& p) {
   Scene scene{.problem = chain_problem({driven}, 20.0),
               .smoothness = smoothness_of_chains({chain}),
               .outputs = picked(names, rows)};
-  if (linear && p.choice("load") != "cosine") scene.reference = linear_file_reference(p, terms);
+  if (linear && p.choice("load") != "cosine") scene.reference = linear_motion(p, terms);
   if (order == 2.0) scene.energy = energy_of(terms, a, force, load);
   return scene;
 }
