@@ -3,13 +3,23 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(cmake_files ${CMAKE_INSTALL_LIBDIR}/cmake/fdebench)
 
-install(TARGETS fde_problem fde_schemes fde_reference fde_benchmarks EXPORT fdebench
+install(TARGETS fde_base fde_problem fde_schemes fde_special_functions fde_reference fde_benchmarks EXPORT fdebench
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
 install(EXPORT fdebench NAMESPACE fdebench:: FILE fdebench-targets.cmake DESTINATION ${cmake_files} COMPONENT library)
-foreach(floor schemes reference benchmarks)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${floor} DESTINATION include/fdebench COMPONENT library
-    FILES_MATCHING PATTERN *.hpp PATTERN *.def PATTERN programs EXCLUDE PATTERN data EXCLUDE)
-endforeach()
+
+# The public headers, and the headers that they include.
+get_property(headers GLOBAL PROPERTY FDEBENCH_PUBLIC_HEADERS)
+set(installed "")
+while(headers)
+  list(POP_FRONT headers header)
+  list(APPEND installed ${header})
+  file(STRINGS ${PROJECT_SOURCE_DIR}/${header} includes REGEX "^#include \"fdebench/")
+  list(TRANSFORM includes REPLACE "#include \"fdebench/([^\"]+)\".*" "\\1")
+  list(APPEND headers ${includes})
+  list(REMOVE_ITEM headers ${installed})
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION include/fdebench/${folder} COMPONENT library)
+endwhile()
 
 configure_package_config_file(cmake/fdebench-config.cmake.in ${PROJECT_BINARY_DIR}/fdebench-config.cmake
   INSTALL_DESTINATION ${cmake_files})
@@ -18,15 +28,17 @@ install(FILES ${PROJECT_BINARY_DIR}/fdebench-config.cmake ${PROJECT_BINARY_DIR}/
   cmake/FindHWY.cmake cmake/FindMPC.cmake cmake/FindMPFR.cmake cmake/FindTOML.cmake DESTINATION ${cmake_files} COMPONENT library)
 
 # The libraries are static, so what they link is named with them. The alignment is part of how objects are laid out.
-get_target_property(alignment fde_problem INTERFACE_COMPILE_DEFINITIONS)
-function(install_pkg_config name what needs libraries flags)
+get_target_property(alignment fde_base INTERFACE_COMPILE_DEFINITIONS)
+function(install_pkg_config name what needs libraries)
   set(file ${PROJECT_BINARY_DIR}/fdebench-${name}.pc)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/fdebench.pc.in ${file} @ONLY)
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
 endfunction()
 install_pkg_config(schemes "Schemes for fractional differential equations" "eigen3 fmt libhwy mpfr"
-  "-lfde_schemes -lfde_problem" -D${alignment})
-install_pkg_config(reference "References for fractional differential equations, Mittag-Leffler functions"
-  "eigen3 fmt libhwy mpfr" "-lfde_reference -lfde_problem -lmpc" "-I\${prefix}/include/fdebench/schemes -D${alignment}")
+  "-lfde_schemes -lfde_problem -lfde_base")
+install_pkg_config(special_functions "Mittag-Leffler functions, of matrices too, and Prabhakar's function"
+  "eigen3 fmt libhwy mpfr" "-lfde_special_functions -lfde_base -lmpc")
+install_pkg_config(reference "References for fractional differential equations"
+  fdebench-special_functions "-lfde_reference -lfde_problem -lfde_special_functions -lfde_base")
 install_pkg_config(benchmarks "Scenes, measures and the search for the cheapest scheme"
-  "fdebench-schemes fdebench-reference gsl libcrypto tomlplusplus" -lfde_benchmarks "")
+  "fdebench-schemes fdebench-reference gsl libcrypto tomlplusplus" -lfde_benchmarks)

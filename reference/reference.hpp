@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "problem/problem.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

@@ -1,5 +1,5 @@
-#include "stepping/predict_and_correct.hpp"
-#include "stepping/rates.hpp"
+#include "fdebench/schemes/stepping/predict_and_correct.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 

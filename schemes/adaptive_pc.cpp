@@ -1,5 +1,5 @@
-#include "adaptive/adaptive_solver.hpp"
-#include "adaptive/trapezoidal_stepper.hpp"
+#include "fdebench/schemes/rules/adaptive/adaptive_solver.hpp"
+#include "fdebench/schemes/rules/adaptive/trapezoidal_stepper.hpp"
 
 namespace fde {
 

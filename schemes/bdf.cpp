@@ -1,4 +1,4 @@
-#include "start_weights/multistep_scheme.hpp"
+#include "fdebench/schemes/rules/start_weights/multistep_scheme.hpp"
 
 namespace fde {
 namespace {

@@ -1,6 +1,6 @@
-#include "stepping/order_splitting.hpp"
-#include "stepping/predict_and_correct.hpp"
-#include "stepping/rates.hpp"
+#include "fdebench/schemes/stepping/order_splitting.hpp"
+#include "fdebench/schemes/stepping/predict_and_correct.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 

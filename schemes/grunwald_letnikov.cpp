@@ -1,6 +1,6 @@
-#include "implicit/implicit_rule.hpp"
-#include "stepping/rates.hpp"
-#include "two_sided/global_solver.hpp"
+#include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
+#include "fdebench/schemes/rules/two_sided/global_solver.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 

@@ -1,6 +1,6 @@
-#include "implicit/implicit_rule.hpp"
-#include "stepping/order_splitting.hpp"
-#include "stepping/rates.hpp"
+#include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
+#include "fdebench/schemes/stepping/order_splitting.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 namespace {

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "interpolants/parabolas.hpp"
-#include "stepping/order_splitting.hpp"
-#include "stepping/rates.hpp"
+#include "fdebench/schemes/rules/interpolants/parabolas.hpp"
+#include "fdebench/schemes/stepping/order_splitting.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 namespace {

@@ -1,7 +1,7 @@
-#include "multi_term/integrated_equations.hpp"
-#include "multi_term/multi_term_rates.hpp"
-#include "multi_term/multi_term_solvers.hpp"
-#include "multi_term/multi_term_symbols.hpp"
+#include "fdebench/schemes/rules/multi_term/integrated_equations.hpp"
+#include "fdebench/schemes/rules/multi_term/multi_term_rates.hpp"
+#include "fdebench/schemes/rules/multi_term/multi_term_solvers.hpp"
+#include "fdebench/schemes/rules/multi_term/multi_term_symbols.hpp"
 
 namespace fde {
 

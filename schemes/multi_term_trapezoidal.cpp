@@ -1,11 +1,11 @@
-#include "multi_term/integrated_equations.hpp"
-#include "multi_term/multi_term_rates.hpp"
-#include "multi_term/multi_term_solvers.hpp"
-#include "multi_term/multi_term_symbols.hpp"
+#include "fdebench/schemes/rules/multi_term/integrated_equations.hpp"
+#include "fdebench/schemes/rules/multi_term/multi_term_rates.hpp"
+#include "fdebench/schemes/rules/multi_term/multi_term_solvers.hpp"
+#include "fdebench/schemes/rules/multi_term/multi_term_symbols.hpp"
 
 namespace fde {
 
-// Discretises each integral of multi_term/integrated_equations.hpp by the product trapezoidal rule.
+// Discretises each integral of rules/multi_term/integrated_equations.hpp by the product trapezoidal rule.
 Scheme multi_term_trapezoidal() {
   return {.id = "multi_term_trapezoidal",
           .title = "Direct multi-term product trapezoidal rule",

@@ -1,12 +1,12 @@
-#include "implicit/piecewise_constant_multipliers.hpp"
-#include "stepping/rates.hpp"
-#include "two_sided/global_solver.hpp"
+#include "fdebench/schemes/rules/implicit/piecewise_constant_multipliers.hpp"
+#include "fdebench/schemes/rules/two_sided/global_solver.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 
 // y_n = T_n + h^g/Gamma(g+2) (a_{0,n} f_0 + sum_{1<=j<n} a_{n-j} f_j + f(t_n, y_n)): the corrector of
 // adams_pc as an implicit rule. Multipliers are constant on each step
-// (implicit/piecewise_constant_multipliers.hpp).
+// (rules/implicit/piecewise_constant_multipliers.hpp).
 Scheme product_trapezoidal() {
   return {
       .id = "product_trapezoidal",

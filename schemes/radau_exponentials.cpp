@@ -1,6 +1,6 @@
-#include "adaptive/adaptive_solver.hpp"
-#include "adaptive/radau_stepper.hpp"
-#include "stepping/order_splitting.hpp"
+#include "fdebench/schemes/rules/adaptive/adaptive_solver.hpp"
+#include "fdebench/schemes/rules/adaptive/radau_stepper.hpp"
+#include "fdebench/schemes/stepping/order_splitting.hpp"
 
 namespace fde {
 namespace {

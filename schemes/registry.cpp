@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "stepping/scheme.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 namespace {
@@ -78,13 +78,13 @@ std::optional<std::string> refusal_of_checkpoints(const Scheme& scheme, const Pr
 
 // list.def has one line a scheme; the function Scheme <id>() defines it.
 #define FDE_SCHEME(id) Scheme id();
-#include "list.def"
+#include "fdebench/schemes/list.def"
 #undef FDE_SCHEME
 
 std::span<const Scheme> schemes() {
   static const std::array all{
 #define FDE_SCHEME(id) id(),
-#include "list.def"
+#include "fdebench/schemes/list.def"
 #undef FDE_SCHEME
   };
   return all;

@@ -1,5 +1,5 @@
-#include "spectral/panel_collocation.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/schemes/rules/spectral/panel_collocation.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

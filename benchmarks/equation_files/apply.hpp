@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "equation_files/expressions.hpp"
-#include "mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/benchmarks/equation_files/expressions.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "equation_files/deep_keys.hpp"
+#include "fdebench/benchmarks/equation_files/deep_keys.hpp"
 
 #include <algorithm>
 #include <cstddef>

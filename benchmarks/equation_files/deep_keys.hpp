@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "equation_files/equation_text.hpp"
+#include "fdebench/benchmarks/equation_files/equation_text.hpp"
 
 namespace fde {
 

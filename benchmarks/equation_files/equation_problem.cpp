@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "equation_files/equation_system.hpp"
-#include "equation_files/program.hpp"
-#include "problem/multipliers.hpp"
+#include "fdebench/benchmarks/equation_files/equation_system.hpp"
+#include "fdebench/benchmarks/equation_files/program.hpp"
+#include "fdebench/schemes/problem/multipliers.hpp"
 
 namespace fde {
 namespace {

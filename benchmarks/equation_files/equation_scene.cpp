@@ -1,4 +1,4 @@
-#include "equation_files/equation_scene.hpp"
+#include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 
 #include <fmt/format.h>
 
@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include "equation_files/equation_system.hpp"
-#include "equation_files/exact_columns.hpp"
-#include "equation_files/linear_file_reference.hpp"
-#include "equation_files/program.hpp"
-#include "equation_files/start_powers.hpp"
-#include "equation_files/time_jumps.hpp"
-#include "scenes/equation_file_name.hpp"
-#include "scenes/number_text.hpp"
-#include "scenes/printable.hpp"
+#include "fdebench/benchmarks/equation_files/equation_system.hpp"
+#include "fdebench/benchmarks/equation_files/exact_columns.hpp"
+#include "fdebench/benchmarks/equation_files/linear_file_reference.hpp"
+#include "fdebench/benchmarks/equation_files/program.hpp"
+#include "fdebench/benchmarks/equation_files/start_powers.hpp"
+#include "fdebench/benchmarks/equation_files/time_jumps.hpp"
+#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
 
 namespace fde {
 namespace {

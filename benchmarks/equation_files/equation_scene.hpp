@@ -1,7 +1,7 @@
 #pragma once
 
-#include "equation_files/equation_text.hpp"
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/equation_files/equation_text.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "equation_files/equation_system.hpp"
+#include "fdebench/benchmarks/equation_files/equation_system.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "problem/smoothness.hpp"
-#include "scenes/variant.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde {
 namespace {

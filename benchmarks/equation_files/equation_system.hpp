@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "equation_files/file_formulas.hpp"
-#include "problem/chain.hpp"
-#include "problem/problem.hpp"
+#include "fdebench/benchmarks/equation_files/file_formulas.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

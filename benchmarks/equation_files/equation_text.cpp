@@ -1,4 +1,4 @@
-#include "equation_files/equation_text.hpp"
+#include "fdebench/benchmarks/equation_files/equation_text.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "equation_files/deep_keys.hpp"
+#include "fdebench/benchmarks/equation_files/deep_keys.hpp"
 
 namespace fde {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "stepping/events.hpp"
+#include "fdebench/schemes/stepping/events.hpp"
 
 namespace fde {
 

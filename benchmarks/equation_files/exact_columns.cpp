@@ -1,4 +1,4 @@
-#include "equation_files/exact_columns.hpp"
+#include "fdebench/benchmarks/equation_files/exact_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "closed_forms/closed_form.hpp"
-#include "equation_files/rounded_values.hpp"
-#include "equation_files/time_terms.hpp"
+#include "fdebench/benchmarks/equation_files/rounded_values.hpp"
+#include "fdebench/benchmarks/equation_files/time_terms.hpp"
+#include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 
 namespace fde {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "equation_files/equation_system.hpp"
-#include "reference.hpp"
+#include "fdebench/benchmarks/equation_files/equation_system.hpp"
+#include "fdebench/reference/reference.hpp"
 
 namespace fde {
 

@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "equation_files/expressions.hpp"
+#include "fdebench/benchmarks/equation_files/expressions.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "equation_files/expressions.hpp"
+#include "fdebench/benchmarks/equation_files/expressions.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "equation_files/apply.hpp"
+#include "fdebench/benchmarks/equation_files/apply.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "equation_files/file_formulas.hpp"
+#include "fdebench/benchmarks/equation_files/file_formulas.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "equation_files/formula.hpp"
+#include "fdebench/benchmarks/equation_files/formula.hpp"
 
 namespace fde {
 namespace {

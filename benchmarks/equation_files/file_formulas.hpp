@@ -3,9 +3,9 @@
 #include <functional>
 #include <string_view>
 
-#include "equation_files/equation_text.hpp"
-#include "equation_files/expressions.hpp"
-#include "scenes/parameters.hpp"
+#include "fdebench/benchmarks/equation_files/equation_text.hpp"
+#include "fdebench/benchmarks/equation_files/expressions.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "equation_files/formula.hpp"
+#include "fdebench/benchmarks/equation_files/formula.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 
-#include "equation_files/formula_tokens.hpp"
-#include "scenes/entry_named.hpp"
-#include "scenes/number_text.hpp"
+#include "fdebench/benchmarks/equation_files/formula_tokens.hpp"
+#include "fdebench/benchmarks/text/entry_named.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde {
 namespace {

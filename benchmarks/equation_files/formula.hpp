@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "equation_files/expressions.hpp"
+#include "fdebench/benchmarks/equation_files/expressions.hpp"
 
 namespace fde {
 

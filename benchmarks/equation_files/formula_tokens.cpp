@@ -1,4 +1,4 @@
-#include "equation_files/formula_tokens.hpp"
+#include "fdebench/benchmarks/equation_files/formula_tokens.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "equation_files/linear_file_reference.hpp"
+#include "fdebench/benchmarks/equation_files/linear_file_reference.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "equation_files/time_terms.hpp"
-#include "linear/linear_equation.hpp"
-#include "linear/linear_system.hpp"
+#include "fdebench/benchmarks/equation_files/time_terms.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
+#include "fdebench/reference/linear/linear_system.hpp"
 
 namespace fde {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "equation_files/equation_system.hpp"
-#include "reference.hpp"
+#include "fdebench/benchmarks/equation_files/equation_system.hpp"
+#include "fdebench/reference/reference.hpp"
 
 namespace fde {
 

@@ -1,10 +1,10 @@
-#include "equation_files/program.hpp"
+#include "fdebench/benchmarks/equation_files/program.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
-#include "equation_files/apply.hpp"
+#include "fdebench/benchmarks/equation_files/apply.hpp"
 
 namespace fde {
 

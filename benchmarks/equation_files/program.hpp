@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "equation_files/expressions.hpp"
-#include "problem/vectors.hpp"
+#include "fdebench/benchmarks/equation_files/expressions.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 

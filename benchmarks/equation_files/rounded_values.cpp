@@ -1,4 +1,4 @@
-#include "equation_files/rounded_values.hpp"
+#include "fdebench/benchmarks/equation_files/rounded_values.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "equation_files/apply.hpp"
-#include "mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/benchmarks/equation_files/apply.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
 namespace fde {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "closed_forms/closed_form.hpp"
-#include "equation_files/expressions.hpp"
-#include "numbers/real.hpp"
+#include "fdebench/benchmarks/equation_files/expressions.hpp"
+#include "fdebench/reference/linear/closed_forms/closed_form.hpp"
+#include "fdebench/reference/special_functions/numbers/real.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "equation_files/start_powers.hpp"
+#include "fdebench/benchmarks/equation_files/start_powers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "equation_files/program.hpp"
+#include "fdebench/benchmarks/equation_files/program.hpp"
 
 namespace fde {
 namespace {

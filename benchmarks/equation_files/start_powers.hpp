@@ -1,7 +1,7 @@
 #pragma once
 
-#include "equation_files/equation_system.hpp"
-#include "problem/smoothness.hpp"
+#include "fdebench/benchmarks/equation_files/equation_system.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde {
 

@@ -1,11 +1,11 @@
-#include "equation_files/time_jumps.hpp"
+#include "fdebench/benchmarks/equation_files/time_jumps.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "equation_files/program.hpp"
+#include "fdebench/benchmarks/equation_files/program.hpp"
 
 namespace fde {
 namespace {

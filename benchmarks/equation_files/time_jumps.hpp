@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "equation_files/equation_system.hpp"
+#include "fdebench/benchmarks/equation_files/equation_system.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "equation_files/time_terms.hpp"
+#include "fdebench/benchmarks/equation_files/time_terms.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "equation_files/expressions.hpp"
+#include "fdebench/benchmarks/equation_files/expressions.hpp"
 
 namespace fde {
 

@@ -8,12 +8,12 @@
 #include <sstream>
 #include <utility>
 
-#include "equation_files/deep_keys.hpp"
-#include "equation_files/equation_text.hpp"
-#include "equation_files/formula.hpp"
-#include "equation_files/toml_text.hpp"
-#include "references/checksum.hpp"
-#include "scenes/printable.hpp"
+#include "fdebench/benchmarks/equation_files/deep_keys.hpp"
+#include "fdebench/benchmarks/equation_files/equation_text.hpp"
+#include "fdebench/benchmarks/equation_files/formula.hpp"
+#include "fdebench/benchmarks/equation_files/toml_text.hpp"
+#include "fdebench/benchmarks/references/checksum.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
 
 namespace fde {
 namespace {

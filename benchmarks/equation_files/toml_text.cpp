@@ -1,4 +1,4 @@
-#include "equation_files/toml_text.hpp"
+#include "fdebench/benchmarks/equation_files/toml_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "scenes/entry_named.hpp"
+#include "fdebench/benchmarks/text/entry_named.hpp"
 
 namespace fde {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "equation_files/equation_text.hpp"
+#include "fdebench/benchmarks/equation_files/equation_text.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "external/external_program.hpp"
+#include "fdebench/benchmarks/external/external_program.hpp"
 
 #include <fmt/format.h>
 
@@ -15,14 +15,14 @@
 #include <utility>
 #include <variant>
 
-#include "external/shell_command.hpp"
-#include "external/task_text.hpp"
-#include "external/temporary_file.hpp"
-#include "observers/comparison_steps.hpp"
-#include "records/external_trajectory.hpp"
-#include "records/record_validation.hpp"
-#include "records/run_rows.hpp"
-#include "scenes/number_text.hpp"
+#include "fdebench/benchmarks/external/shell_command.hpp"
+#include "fdebench/benchmarks/external/task_text.hpp"
+#include "fdebench/benchmarks/external/temporary_file.hpp"
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/records/external_trajectory.hpp"
+#include "fdebench/benchmarks/records/record_validation.hpp"
+#include "fdebench/benchmarks/records/run_rows.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde {
 namespace {

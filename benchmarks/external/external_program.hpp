@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "records/record.hpp"
-#include "references/memoized_reference.hpp"
-#include "scenes/variant.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 
 namespace fde {
 

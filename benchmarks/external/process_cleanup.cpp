@@ -1,4 +1,4 @@
-#include "external/process_cleanup.hpp"
+#include "fdebench/benchmarks/external/process_cleanup.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,4 +1,4 @@
-#include "external/shell_command.hpp"
+#include "fdebench/benchmarks/external/shell_command.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -17,7 +17,7 @@
 #include <optional>
 #include <system_error>
 
-#include "external/process_cleanup.hpp"
+#include "fdebench/benchmarks/external/process_cleanup.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "external/task_text.hpp"
+#include "fdebench/benchmarks/external/task_text.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

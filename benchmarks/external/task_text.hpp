@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "records/run_settings.hpp"
-#include "scenes/variant.hpp"
+#include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 
 namespace fde {
 

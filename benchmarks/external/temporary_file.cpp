@@ -1,4 +1,4 @@
-#include "external/temporary_file.hpp"
+#include "fdebench/benchmarks/external/temporary_file.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "external/process_cleanup.hpp"
+#include "fdebench/benchmarks/external/process_cleanup.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "measures/accuracy.hpp"
+#include "fdebench/benchmarks/measures/accuracy.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "stepping/trajectory.hpp"
+#include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde {
 

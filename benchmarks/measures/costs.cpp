@@ -1,4 +1,4 @@
-#include "measures/measures.hpp"
+#include "fdebench/benchmarks/measures/measures.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "measures/ending.hpp"
+#include "fdebench/benchmarks/measures/ending.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "problem/grid.hpp"
-#include "stepping/trajectory.hpp"
+#include "fdebench/schemes/problem/grid.hpp"
+#include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde {
 

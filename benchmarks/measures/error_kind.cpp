@@ -1,4 +1,4 @@
-#include "measures/error_kind.hpp"
+#include "fdebench/benchmarks/measures/error_kind.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "scenes/number_text.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde {
 namespace {

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "stepping/scheme.hpp"
-#include "stepping/trajectory.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
+#include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde {
 

@@ -1,6 +1,6 @@
-#include "measures/accuracy.hpp"
-#include "measures/error_kind.hpp"
-#include "measures/measures.hpp"
+#include "fdebench/benchmarks/measures/accuracy.hpp"
+#include "fdebench/benchmarks/measures/error_kind.hpp"
+#include "fdebench/benchmarks/measures/measures.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "measures/judge.hpp"
+#include "fdebench/benchmarks/measures/judge.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "march/singularity.hpp"
-#include "measures/accuracy.hpp"
+#include "fdebench/benchmarks/measures/accuracy.hpp"
+#include "fdebench/reference/nonlinear/march/singularity.hpp"
 
 namespace fde {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "measures/ending.hpp"
-#include "measures/measures.hpp"
-#include "references/memoized_reference.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/measures/ending.hpp"
+#include "fdebench/benchmarks/measures/measures.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde {
 

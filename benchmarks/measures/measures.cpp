@@ -1,10 +1,10 @@
-#include "measures/measures.hpp"
+#include "fdebench/benchmarks/measures/measures.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/time_spread.hpp"
 
 namespace fde {
 namespace {
@@ -27,7 +27,7 @@ constexpr std::array all_of_time{
 std::span<const Measure* const> measures() {
   static constexpr std::array all{
 #define FDE_MEASURE(id) &measure::id,
-#include "measures/list.def"
+#include "fdebench/benchmarks/measures/list.def"
 #undef FDE_MEASURE
   };
   return all;

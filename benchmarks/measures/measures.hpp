@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "observers/drift.hpp"
-#include "scenes/scene.hpp"
-#include "stepping/trajectory.hpp"
+#include "fdebench/benchmarks/observers/drift.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde {
 
@@ -42,7 +42,7 @@ struct Measure {
 namespace measure {
 
 #define FDE_MEASURE(id) extern const Measure id;
-#include "measures/list.def"
+#include "fdebench/benchmarks/measures/list.def"
 #undef FDE_MEASURE
 
 }  // namespace measure

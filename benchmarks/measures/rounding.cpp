@@ -1,4 +1,4 @@
-#include "measures/rounding.hpp"
+#include "fdebench/benchmarks/measures/rounding.hpp"
 
 namespace fde {
 namespace {

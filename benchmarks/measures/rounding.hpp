@@ -1,6 +1,6 @@
 #pragma once
 
-#include "problem/problem.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

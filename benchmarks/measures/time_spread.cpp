@@ -1,4 +1,4 @@
-#include "measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/time_spread.hpp"
 
 #include <algorithm>
 #include <cmath>

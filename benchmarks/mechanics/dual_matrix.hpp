@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "mechanics/dual.hpp"
+#include "fdebench/benchmarks/mechanics/dual.hpp"
 
 namespace fde::mechanics {
 

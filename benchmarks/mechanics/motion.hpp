@@ -4,9 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "mechanics/derivatives.hpp"
-#include "mechanics/layout.hpp"
-#include "problem/problem.hpp"
+#include "fdebench/benchmarks/mechanics/dual_derivatives.hpp"
+#include "fdebench/benchmarks/mechanics/layout.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde::mechanics {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mechanics/reaction.hpp"
+#include "fdebench/benchmarks/mechanics/reaction.hpp"
 
 namespace fde::mechanics {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mechanics/system.hpp"
+#include "fdebench/benchmarks/mechanics/system.hpp"
 
 namespace fde::mechanics {
 

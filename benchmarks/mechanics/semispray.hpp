@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "mechanics/reaction.hpp"
+#include "fdebench/benchmarks/mechanics/reaction.hpp"
 
 // Niminet & Blanuta 2009 with T = 1/2 g_ij y^i y^j, without the factor 1/2 of their (2.6) and (2.8). Here y =
 // x', systems are autonomous, forces do not depend on the velocity, and constraints are a_sigma(x) y = 0.

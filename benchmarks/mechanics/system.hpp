@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "mechanics/derivatives.hpp"
+#include "fdebench/benchmarks/mechanics/dual_derivatives.hpp"
 
 namespace fde::mechanics {
 

@@ -1,4 +1,4 @@
-#include "observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "problem/grid.hpp"
-#include "problem/problem.hpp"
+#include "fdebench/schemes/problem/grid.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "observers/differentiation_rule.hpp"
+#include "fdebench/benchmarks/observers/differentiation_rule.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <numeric>
 #include <utility>
 
-#include "observers/least_squares.hpp"
-#include "problem/smoothness.hpp"
+#include "fdebench/benchmarks/observers/least_squares.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde {
 namespace {

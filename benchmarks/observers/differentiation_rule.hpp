@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "problem/grid.hpp"
-#include "problem/problem.hpp"
+#include "fdebench/schemes/problem/grid.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

@@ -1,9 +1,9 @@
-#include "observers/drift.hpp"
+#include "fdebench/benchmarks/observers/drift.hpp"
 
 #include <cmath>
 
-#include "observers/comparison_steps.hpp"
-#include "observers/independent_memory.hpp"
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/observers/independent_memory.hpp"
 
 namespace fde {
 namespace {

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "observers/rate.hpp"
-#include "problem/grid.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/observers/rate.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/problem/grid.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "observers/energy_balance.hpp"
+#include "fdebench/benchmarks/observers/energy_balance.hpp"
 
 #include <algorithm>
 #include <cmath>

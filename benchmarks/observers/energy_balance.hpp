@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
-#include "history/running_sum.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/history/running_sum.hpp"
 
 namespace fde {
 

@@ -1,10 +1,10 @@
-#include "observers/fitted_powers.hpp"
+#include "fdebench/benchmarks/observers/fitted_powers.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "observers/least_squares.hpp"
-#include "problem/smoothness.hpp"
+#include "fdebench/benchmarks/observers/least_squares.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde {
 

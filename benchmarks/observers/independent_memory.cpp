@@ -1,4 +1,4 @@
-#include "observers/independent_memory.hpp"
+#include "fdebench/benchmarks/observers/independent_memory.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "problem/smoothness.hpp"
-#include "quadrature/gauss.hpp"
+#include "fdebench/reference/nonlinear/quadrature/gauss.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "observers/fitted_powers.hpp"
-#include "problem/grid.hpp"
-#include "problem/problem.hpp"
+#include "fdebench/benchmarks/observers/fitted_powers.hpp"
+#include "fdebench/schemes/problem/grid.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

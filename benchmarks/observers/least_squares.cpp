@@ -1,4 +1,4 @@
-#include "observers/least_squares.hpp"
+#include "fdebench/benchmarks/observers/least_squares.hpp"
 
 #include <Eigen/QR>
 

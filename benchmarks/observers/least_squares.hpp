@@ -1,6 +1,6 @@
 #pragma once
 
-#include "quadrature/gauss.hpp"
+#include "fdebench/reference/nonlinear/quadrature/gauss.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "observers/rate.hpp"
+#include "fdebench/benchmarks/observers/rate.hpp"
 
 #include <gsl/gsl_fit.h>
 #include <gsl/gsl_statistics_double.h>

@@ -1,9 +1,9 @@
-#include "observers/reaction_path.hpp"
+#include "fdebench/benchmarks/observers/reaction_path.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-#include "observers/differentiation_rule.hpp"
+#include "fdebench/benchmarks/observers/differentiation_rule.hpp"
 
 namespace fde {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "problem/grid.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/problem/grid.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "observers/retained_columns.hpp"
+#include "fdebench/benchmarks/observers/retained_columns.hpp"
 
 #include <utility>
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "checkpoint/archive.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/problem/archive.hpp"
 
 namespace fde {
 

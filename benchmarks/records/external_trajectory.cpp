@@ -1,4 +1,4 @@
-#include "records/external_trajectory.hpp"
+#include "fdebench/benchmarks/records/external_trajectory.hpp"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,12 @@
 #include <string_view>
 #include <utility>
 
-#include "observers/comparison_steps.hpp"
-#include "records/lines.hpp"
-#include "references/memoized_reference.hpp"
-#include "scenes/entry_named.hpp"
-#include "scenes/number_text.hpp"
-#include "scenes/printable.hpp"
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/records/lines.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
+#include "fdebench/benchmarks/text/entry_named.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
 
 namespace fde {
 namespace {

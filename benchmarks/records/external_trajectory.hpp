@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "measures/judge.hpp"
-#include "references/memoized_reference.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/measures/judge.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "records/lines.hpp"
+#include "fdebench/benchmarks/records/lines.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "records/merge.hpp"
+#include "fdebench/benchmarks/records/merge.hpp"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "records/lines.hpp"
-#include "records/record_text.hpp"
-#include "records/results_scan.hpp"
-#include "references/atomic_file.hpp"
-#include "references/checksum.hpp"
+#include "fdebench/benchmarks/records/lines.hpp"
+#include "fdebench/benchmarks/records/record_text.hpp"
+#include "fdebench/benchmarks/records/results_scan.hpp"
+#include "fdebench/benchmarks/references/atomic_file.hpp"
+#include "fdebench/benchmarks/references/checksum.hpp"
 
 namespace fde {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
 
 namespace fde {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "measures/ending.hpp"
-#include "records/run_settings.hpp"
-#include "scenes/scene_settings.hpp"
+#include "fdebench/benchmarks/measures/ending.hpp"
+#include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/scenes/scene_settings.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "records/record_text.hpp"
+#include "fdebench/benchmarks/records/record_text.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,15 @@
 namespace fde {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Session, date, machine, system, compiler, flags, commit, version, cores)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tolerance, relative, absolute)
+
+void to_json(nlohmann::json& json, const Tolerance& tolerance) {
+  json = {{"relative", tolerance.relative}, {"absolute", tolerance.absolute}};
+}
+
+void from_json(const nlohmann::json& json, Tolerance& tolerance) {
+  json.at("relative").get_to(tolerance.relative);
+  json.at("absolute").get_to(tolerance.absolute);
+}
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "records/record_validation.hpp"
+#include "fdebench/benchmarks/records/record_validation.hpp"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "measures/measures.hpp"
-#include "scenes/number_text.hpp"
-#include "scenes/printable.hpp"
-#include "scenes/variant.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/benchmarks/measures/measures.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 namespace {

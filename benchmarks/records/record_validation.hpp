@@ -3,8 +3,8 @@
 #include <optional>
 #include <string_view>
 
-#include "records/record.hpp"
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
 
 namespace fde {
 

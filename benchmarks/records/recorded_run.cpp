@@ -1,4 +1,4 @@
-#include "records/recorded_run.hpp"
+#include "fdebench/benchmarks/records/recorded_run.hpp"
 
 namespace fde {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "records/record.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "records/results_file.hpp"
+#include "fdebench/benchmarks/records/results_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -18,9 +18,9 @@
 #include <tuple>
 #include <utility>
 
-#include "records/lines.hpp"
-#include "records/record_text.hpp"
-#include "records/results_scan.hpp"
+#include "fdebench/benchmarks/records/lines.hpp"
+#include "fdebench/benchmarks/records/record_text.hpp"
+#include "fdebench/benchmarks/records/results_scan.hpp"
 
 namespace fde {
 

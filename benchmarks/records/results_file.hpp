@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "records/recorded_run.hpp"
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/records/recorded_run.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
 
 namespace fde {
 

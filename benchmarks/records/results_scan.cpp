@@ -1,4 +1,4 @@
-#include "records/results_scan.hpp"
+#include "fdebench/benchmarks/records/results_scan.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "records/lines.hpp"
-#include "records/record_text.hpp"
-#include "records/record_validation.hpp"
+#include "fdebench/benchmarks/records/lines.hpp"
+#include "fdebench/benchmarks/records/record_text.hpp"
+#include "fdebench/benchmarks/records/record_validation.hpp"
 
 namespace fde {
 namespace {

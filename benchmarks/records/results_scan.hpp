@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "records/record.hpp"
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
 
 namespace fde {
 

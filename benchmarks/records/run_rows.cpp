@@ -1,8 +1,8 @@
-#include "records/run_rows.hpp"
+#include "fdebench/benchmarks/records/run_rows.hpp"
 
 #include <string>
 
-#include "measures/measures.hpp"
+#include "fdebench/benchmarks/measures/measures.hpp"
 
 namespace fde {
 namespace {

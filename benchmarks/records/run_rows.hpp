@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "measures/judge.hpp"
-#include "records/record.hpp"
+#include "fdebench/benchmarks/measures/judge.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
 
 namespace fde {
 

@@ -1,10 +1,10 @@
-#include "records/run_settings.hpp"
+#include "fdebench/benchmarks/records/run_settings.hpp"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 
-#include "scenes/number_text.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde {
 namespace {

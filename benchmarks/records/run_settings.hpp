@@ -7,8 +7,8 @@
 #include <tuple>
 #include <variant>
 
-#include "problem/resolution.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/schemes/problem/resolution.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

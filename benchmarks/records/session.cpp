@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "build_facts.hpp"
-#include "records/record.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
 
 namespace fde {
 namespace {

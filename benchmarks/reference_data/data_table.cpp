@@ -1,4 +1,4 @@
-#include "reference_data/data_table.hpp"
+#include "fdebench/benchmarks/reference_data/data_table.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "scenes/printable.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "reference_data/decimal_precision.hpp"
+#include "fdebench/benchmarks/reference_data/decimal_precision.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,12 +1,12 @@
-#include "reference_data/description.hpp"
+#include "fdebench/benchmarks/reference_data/description.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "records/record.hpp"
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
 
 namespace fde {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reference_data/table_kind.hpp"
+#include "fdebench/benchmarks/reference_data/table_kind.hpp"
 
 namespace fde {
 

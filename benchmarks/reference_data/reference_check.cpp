@@ -1,4 +1,4 @@
-#include "reference_data/reference_check.hpp"
+#include "fdebench/benchmarks/reference_data/reference_check.hpp"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include <string_view>
 #include <thread>
 
-#include "reference_data/description.hpp"
-#include "references/checksum.hpp"
-#include "scenes/registry.hpp"
-#include "sweep/in_parallel.hpp"
+#include "fdebench/benchmarks/reference_data/description.hpp"
+#include "fdebench/benchmarks/references/checksum.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/sweep/in_parallel.hpp"
 
 namespace fde {
 namespace {

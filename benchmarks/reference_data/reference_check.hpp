@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reference_data/comparison.hpp"
-#include "reference_data/reference_folder.hpp"
+#include "fdebench/benchmarks/reference_data/reference_folder.hpp"
+#include "fdebench/benchmarks/reference_data/table_comparison.hpp"
 
 namespace fde {
 

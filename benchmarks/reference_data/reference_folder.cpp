@@ -1,4 +1,4 @@
-#include "reference_data/reference_folder.hpp"
+#include "fdebench/benchmarks/reference_data/reference_folder.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,9 +14,9 @@
 #include <system_error>
 #include <thread>
 
-#include "reference_data/description.hpp"
-#include "references/checksum.hpp"
-#include "sweep/in_parallel.hpp"
+#include "fdebench/benchmarks/reference_data/description.hpp"
+#include "fdebench/benchmarks/references/checksum.hpp"
+#include "fdebench/benchmarks/sweep/in_parallel.hpp"
 
 namespace fde {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reference_data/table_kind.hpp"
+#include "fdebench/benchmarks/reference_data/table_kind.hpp"
 
 namespace fde {
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "reference_data/comparison.hpp"
-#include "reference_data/data_table.hpp"
-#include "sweep/sweep.hpp"
+#include "fdebench/benchmarks/reference_data/data_table.hpp"
+#include "fdebench/benchmarks/reference_data/table_comparison.hpp"
+#include "fdebench/benchmarks/sweep/sweep.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "references/atomic_file.hpp"
+#include "fdebench/benchmarks/references/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "references/cache.hpp"
+#include "fdebench/benchmarks/references/cache.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include <system_error>
 #include <utility>
 
-#include "nonlinear/collocation.hpp"
-#include "references/atomic_file.hpp"
-#include "references/checksum.hpp"
-#include "two_sided/solution.hpp"
+#include "fdebench/benchmarks/references/atomic_file.hpp"
+#include "fdebench/benchmarks/references/checksum.hpp"
+#include "fdebench/reference/nonlinear/collocation.hpp"
+#include "fdebench/reference/two_sided/solution.hpp"
 
 namespace fde {
 

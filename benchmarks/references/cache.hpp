@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "nonlinear/panel_table.hpp"
+#include "fdebench/reference/nonlinear/panel_table.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "references/checksum.hpp"
+#include "fdebench/benchmarks/references/checksum.hpp"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>

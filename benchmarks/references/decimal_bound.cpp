@@ -1,4 +1,4 @@
-#include "references/decimal_bound.hpp"
+#include "fdebench/benchmarks/references/decimal_bound.hpp"
 
 #include <fmt/format.h>
 

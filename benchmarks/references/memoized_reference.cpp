@@ -1,10 +1,10 @@
-#include "references/memoized_reference.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
-#include "references/reference_of.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
 
 namespace fde {
 namespace {

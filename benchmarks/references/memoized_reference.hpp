@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde {
 

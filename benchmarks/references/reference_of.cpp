@@ -1,10 +1,10 @@
-#include "references/reference_of.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
 
 #include <stdexcept>
 #include <utility>
 
-#include "references/cache.hpp"
-#include "references/verified_reference.hpp"
+#include "fdebench/benchmarks/references/cache.hpp"
+#include "fdebench/benchmarks/references/verified_reference.hpp"
 
 namespace fde {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "references/verified_reference.hpp"
+#include "fdebench/benchmarks/references/verified_reference.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "stepping/scheme.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 namespace {

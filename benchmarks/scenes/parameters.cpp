@@ -1,4 +1,4 @@
-#include "scenes/parameters.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "scenes/number_text.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde {
 namespace {

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "scenes/entry_named.hpp"
-#include "scenes/range.hpp"
+#include "fdebench/benchmarks/text/entry_named.hpp"
+#include "fdebench/benchmarks/text/range.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
 
 #include <algorithm>
 #include <mutex>
@@ -7,7 +7,7 @@
 namespace fde {
 
 #define FDE_SCENE(id) SceneFactory id();
-#include "scenes/list.def"
+#include "fdebench/benchmarks/scenes/list.def"
 #undef FDE_SCENE
 
 // Cache of the scenes made by the finder.
@@ -19,7 +19,7 @@ struct Scenes::Found {
 Scenes::Scenes()
     : factories_{
 #define FDE_SCENE(id) id(),
-#include "scenes/list.def"
+#include "fdebench/benchmarks/scenes/list.def"
 #undef FDE_SCENE
       },
       loaded_(std::make_shared<Found>()) {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "problem/problem.hpp"
-#include "problem/smoothness.hpp"
-#include "reference.hpp"
-#include "scenes/parameters.hpp"
-#include "stepping/trajectory.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
+#include "fdebench/reference/reference.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
+#include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "scenes/scene_settings.hpp"
+#include "fdebench/benchmarks/scenes/scene_settings.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

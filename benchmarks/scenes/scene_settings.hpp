@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "scenes/parameters.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 
 namespace fde {
 

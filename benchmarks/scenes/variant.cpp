@@ -1,13 +1,13 @@
-#include "scenes/variant.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 #include <utility>
 
-#include "scenes/equation_file_name.hpp"
-#include "scenes/number_text.hpp"
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/registry.hpp"
-#include "scenes/scene_settings.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/scene_settings.hpp"
 
 namespace fde {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "measures/error_kind.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/measures/error_kind.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde {
 

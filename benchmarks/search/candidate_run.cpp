@@ -1,4 +1,4 @@
-#include "search/candidate_run.hpp"
+#include "fdebench/benchmarks/search/candidate_run.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "measures/accuracy.hpp"
-#include "observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/measures/accuracy.hpp"
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
 
 namespace fde {
 namespace {

@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "measures/ending.hpp"
-#include "records/run_settings.hpp"
-#include "references/memoized_reference.hpp"
-#include "search/accuracy_target.hpp"
-#include "search/total_variation.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/benchmarks/measures/ending.hpp"
+#include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
+#include "fdebench/benchmarks/search/accuracy_target.hpp"
+#include "fdebench/benchmarks/search/total_variation.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

@@ -1,11 +1,11 @@
-#include "search/error_model.hpp"
+#include "fdebench/benchmarks/search/error_model.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "observers/rate.hpp"
+#include "fdebench/benchmarks/observers/rate.hpp"
 
 namespace fde {
 namespace {

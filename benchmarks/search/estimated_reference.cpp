@@ -1,4 +1,4 @@
-#include "search/estimated_reference.hpp"
+#include "fdebench/benchmarks/search/estimated_reference.hpp"
 
 #include <fmt/format.h>
 
@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include "march/singularity.hpp"
-#include "measures/error_kind.hpp"
-#include "observers/comparison_steps.hpp"
-#include "records/run_settings.hpp"
-#include "references/reference_of.hpp"
-#include "search/interpolated_run.hpp"
-#include "search/search_candidate.hpp"
+#include "fdebench/benchmarks/measures/error_kind.hpp"
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/search/interpolated_run.hpp"
+#include "fdebench/benchmarks/search/search_candidate.hpp"
+#include "fdebench/reference/nonlinear/march/singularity.hpp"
 
 namespace fde {
 namespace {

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "scenes/scene.hpp"
-#include "search/accuracy_target.hpp"
-#include "search/candidate_run.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/benchmarks/search/accuracy_target.hpp"
+#include "fdebench/benchmarks/search/candidate_run.hpp"
 
 namespace fde {
 

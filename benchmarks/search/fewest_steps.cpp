@@ -1,4 +1,4 @@
-#include "search/fewest_steps.hpp"
+#include "fdebench/benchmarks/search/fewest_steps.hpp"
 
 #include <algorithm>
 #include <cmath>

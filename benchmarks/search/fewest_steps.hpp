@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "search/candidate_run.hpp"
+#include "fdebench/benchmarks/search/candidate_run.hpp"
 
 namespace fde {
 

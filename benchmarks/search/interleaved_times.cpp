@@ -1,4 +1,4 @@
-#include "search/interleaved_times.hpp"
+#include "fdebench/benchmarks/search/interleaved_times.hpp"
 
 #include <algorithm>
 #include <chrono>

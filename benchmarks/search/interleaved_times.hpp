@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/time_spread.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "search/interpolated_run.hpp"
+#include "fdebench/benchmarks/search/interpolated_run.hpp"
 
 #include <algorithm>
 #include <cmath>

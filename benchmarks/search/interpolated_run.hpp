@@ -1,7 +1,7 @@
 #pragma once
 
-#include "scenes/scene.hpp"
-#include "search/candidate_run.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/benchmarks/search/candidate_run.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "search/largest_tolerance.hpp"
+#include "fdebench/benchmarks/search/largest_tolerance.hpp"
 
 #include <cmath>
 #include <utility>

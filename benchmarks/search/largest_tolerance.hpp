@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "search/candidate_run.hpp"
+#include "fdebench/benchmarks/search/candidate_run.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "search/search.hpp"
+#include "fdebench/benchmarks/search/search.hpp"
 
 #include <fmt/format.h>
 
@@ -10,12 +10,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "observers/comparison_steps.hpp"
-#include "records/run_settings.hpp"
-#include "search/fewest_steps.hpp"
-#include "search/interleaved_times.hpp"
-#include "search/largest_tolerance.hpp"
-#include "stepping/rates.hpp"
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/search/fewest_steps.hpp"
+#include "fdebench/benchmarks/search/interleaved_times.hpp"
+#include "fdebench/benchmarks/search/largest_tolerance.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "search/search_candidate.hpp"
+#include "fdebench/benchmarks/search/search_candidate.hpp"
 
 namespace fde {
 

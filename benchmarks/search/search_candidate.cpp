@@ -1,11 +1,11 @@
-#include "search/search_candidate.hpp"
+#include "fdebench/benchmarks/search/search_candidate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
 
-#include "stepping/rates.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 namespace {

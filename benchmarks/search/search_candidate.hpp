@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "measures/time_spread.hpp"
-#include "search/candidate_run.hpp"
-#include "search/error_model.hpp"
+#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/search/candidate_run.hpp"
+#include "fdebench/benchmarks/search/error_model.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "search/total_variation.hpp"
+#include "fdebench/benchmarks/search/total_variation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "problem/grid.hpp"
-#include "stepping/trajectory.hpp"
+#include "fdebench/schemes/problem/grid.hpp"
+#include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde {
 

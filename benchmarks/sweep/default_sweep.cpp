@@ -1,10 +1,10 @@
-#include "sweep/default_sweep.hpp"
+#include "fdebench/benchmarks/sweep/default_sweep.hpp"
 
 #include <fmt/format.h>
 
 #include <string_view>
 
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
 
 namespace fde {
 

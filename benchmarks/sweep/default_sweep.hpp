@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "scenes/variant.hpp"
-#include "stepping/scheme.hpp"
-#include "sweep/refinement_plan.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/sweep/refinement_plan.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "sweep/forecast.hpp"
+#include "fdebench/benchmarks/sweep/forecast.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "observers/comparison_steps.hpp"
-#include "stepping/rates.hpp"
-#include "sweep/in_parallel.hpp"
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/sweep/in_parallel.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "sweep/sweep.hpp"
+#include "fdebench/benchmarks/sweep/sweep.hpp"
 
 namespace fde {
 

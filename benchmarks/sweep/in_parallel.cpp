@@ -1,4 +1,4 @@
-#include "sweep/in_parallel.hpp"
+#include "fdebench/benchmarks/sweep/in_parallel.hpp"
 
 #include <mpfr.h>
 

@@ -1,4 +1,4 @@
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -7,14 +7,14 @@
 #include <optional>
 #include <utility>
 
-#include "measures/judge.hpp"
-#include "measures/rounding.hpp"
-#include "observers/comparison_steps.hpp"
-#include "observers/drift.hpp"
-#include "observers/energy_balance.hpp"
-#include "observers/retained_columns.hpp"
-#include "records/run_rows.hpp"
-#include "stepping/rates.hpp"
+#include "fdebench/benchmarks/measures/judge.hpp"
+#include "fdebench/benchmarks/measures/rounding.hpp"
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/observers/drift.hpp"
+#include "fdebench/benchmarks/observers/energy_balance.hpp"
+#include "fdebench/benchmarks/observers/retained_columns.hpp"
+#include "fdebench/benchmarks/records/run_rows.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 

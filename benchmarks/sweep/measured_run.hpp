@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "records/record.hpp"
-#include "references/memoized_reference.hpp"
-#include "scenes/variant.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "sweep/refinement_plan.hpp"
+#include "fdebench/benchmarks/sweep/refinement_plan.hpp"
 
 #include <algorithm>
 #include <cmath>

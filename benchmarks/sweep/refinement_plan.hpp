@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "records/recorded_run.hpp"
-#include "records/run_settings.hpp"
+#include "fdebench/benchmarks/records/recorded_run.hpp"
+#include "fdebench/benchmarks/records/run_settings.hpp"
 
 namespace fde {
 

@@ -1,10 +1,10 @@
-#include "sweep/shard.hpp"
+#include "fdebench/benchmarks/sweep/shard.hpp"
 
 #include <cstddef>
 #include <map>
 #include <utility>
 
-#include "scenes/number_text.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde {
 

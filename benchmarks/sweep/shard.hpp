@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sweep/sweep.hpp"
+#include "fdebench/benchmarks/sweep/sweep.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "sweep/sweep.hpp"
+#include "fdebench/benchmarks/sweep/sweep.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -8,8 +8,8 @@
 #include <utility>
 #include <variant>
 
-#include "stepping/optimal_grading.hpp"
-#include "sweep/in_parallel.hpp"
+#include "fdebench/benchmarks/sweep/in_parallel.hpp"
+#include "fdebench/schemes/stepping/optimal_grading.hpp"
 
 namespace fde {
 

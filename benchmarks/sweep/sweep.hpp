@@ -6,12 +6,12 @@
 #include <thread>
 #include <vector>
 
-#include "external/external_program.hpp"
-#include "records/recorded_run.hpp"
-#include "scenes/variant.hpp"
-#include "stepping/scheme.hpp"
-#include "sweep/measured_run.hpp"
-#include "sweep/refinement_plan.hpp"
+#include "fdebench/benchmarks/external/external_program.hpp"
+#include "fdebench/benchmarks/records/recorded_run.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
+#include "fdebench/benchmarks/sweep/refinement_plan.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "sweep/sweep_estimate.hpp"
+#include "fdebench/benchmarks/sweep/sweep_estimate.hpp"
 
 #include <fmt/format.h>
 

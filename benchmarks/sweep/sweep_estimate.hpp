@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "sweep/forecast.hpp"
+#include "fdebench/benchmarks/sweep/forecast.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "sweep/trials.hpp"
+#include "fdebench/benchmarks/sweep/trials.hpp"
 
 #include <initializer_list>
 #include <map>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sweep/sweep.hpp"
+#include "fdebench/benchmarks/sweep/sweep.hpp"
 
 namespace fde {
 

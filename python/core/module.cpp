@@ -14,14 +14,14 @@
 #include <utility>
 #include <vector>
 
-#include "command/arguments.hpp"
-#include "command/command.hpp"
-#include "command/solved_table.hpp"
-#include "core/python_problem.hpp"
-#include "core/without_gil.hpp"
-#include "equation_files/equation_scene.hpp"
-#include "mittag_leffler/mittag_leffler.hpp"
-#include "scenes/variant.hpp"
+#include "fdebench/benchmarks/equation_files/equation_scene.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/python/core/python_problem.hpp"
+#include "fdebench/python/core/without_gil.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/solved_table.hpp"
 
 // The extension module of the package `fdebench`; arguments and results are texts and arrays. The public
 // functions with their docstrings are in ../fdebench.

@@ -1,4 +1,4 @@
-#include "core/python_problem.hpp"
+#include "fdebench/python/core/python_problem.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "references/cache.hpp"
+#include "fdebench/benchmarks/references/cache.hpp"
 
 namespace py = pybind11;
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/registry.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde::python {
 

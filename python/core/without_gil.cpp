@@ -1,4 +1,4 @@
-#include "core/without_gil.hpp"
+#include "fdebench/python/core/without_gil.hpp"
 
 namespace fde::python {
 

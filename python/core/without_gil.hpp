@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstddef>
 
-#include "progress/progress.hpp"
+#include "fdebench/schemes/problem/progress/progress.hpp"
 
 namespace fde::python {
 

@@ -1,11 +1,11 @@
-#include "linear/linear_equation.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "linear/linear_solution.hpp"
+#include "fdebench/reference/linear/linear_solution.hpp"
 
 namespace fde {
 namespace {

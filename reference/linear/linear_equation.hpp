@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "linear/load.hpp"
-#include "reference.hpp"
+#include "fdebench/reference/linear/load.hpp"
+#include "fdebench/reference/reference.hpp"
 
 namespace fde {
 

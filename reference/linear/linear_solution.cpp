@@ -1,4 +1,4 @@
-#include "linear/linear_solution.hpp"
+#include "fdebench/reference/linear/linear_solution.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include "laplace/adaptive_precision_contour.hpp"
-#include "transfer_functions/characteristic_zeros.hpp"
-#include "transfer_functions/linear_response.hpp"
+#include "fdebench/reference/linear/transfer_functions/characteristic_zeros.hpp"
+#include "fdebench/reference/linear/transfer_functions/linear_response.hpp"
+#include "fdebench/reference/special_functions/laplace/adaptive_precision_contour.hpp"
 
 namespace fde {
 namespace {

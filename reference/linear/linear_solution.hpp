@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "evaluation/evaluation.hpp"
-#include "transfer_functions/linear_transform.hpp"
+#include "fdebench/reference/linear/closed_forms/evaluation.hpp"
+#include "fdebench/reference/linear/transfer_functions/linear_transform.hpp"
 
 namespace fde {
 

@@ -1,12 +1,12 @@
-#include "linear/linear_system.hpp"
+#include "fdebench/reference/linear/linear_system.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "linear/linear_solution.hpp"
-#include "linear/linear_system_transform.hpp"
+#include "fdebench/reference/linear/linear_solution.hpp"
+#include "fdebench/reference/linear/linear_system_transform.hpp"
 
 namespace fde {
 namespace {

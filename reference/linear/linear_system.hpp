@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "linear/load.hpp"
-#include "problem/problem.hpp"
-#include "reference.hpp"
+#include "fdebench/reference/linear/load.hpp"
+#include "fdebench/reference/reference.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

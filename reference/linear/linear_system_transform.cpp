@@ -1,6 +1,6 @@
-#include "linear/linear_system_transform.hpp"
+#include "fdebench/reference/linear/linear_system_transform.hpp"
 
-#include "transfer_functions/determinant.hpp"
+#include "fdebench/reference/linear/transfer_functions/determinant.hpp"
 
 namespace fde {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "linear/linear_system.hpp"
-#include "transfer_functions/linear_transform.hpp"
+#include "fdebench/reference/linear/linear_system.hpp"
+#include "fdebench/reference/linear/transfer_functions/linear_transform.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "nonlinear/collocation.hpp"
+#include "fdebench/reference/nonlinear/collocation.hpp"
 
 #include <fmt/format.h>
 
@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "collocation/piecewise_solution.hpp"
-#include "diffusive/diffusive_solution.hpp"
-#include "march/jumps.hpp"
-#include "march/rhs_at.hpp"
-#include "march/supported_problem.hpp"
-#include "nonlinear/error_estimates.hpp"
-#include "problem/multipliers.hpp"
+#include "fdebench/reference/nonlinear/collocation/piecewise_solution.hpp"
+#include "fdebench/reference/nonlinear/diffusive/diffusive_solution.hpp"
+#include "fdebench/reference/nonlinear/error_estimates.hpp"
+#include "fdebench/reference/nonlinear/march/jumps.hpp"
+#include "fdebench/reference/nonlinear/march/rhs_at.hpp"
+#include "fdebench/reference/nonlinear/march/supported_problem.hpp"
+#include "fdebench/schemes/problem/multipliers.hpp"
 
 namespace fde {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "nonlinear/panel_table.hpp"
+#include "fdebench/reference/nonlinear/panel_table.hpp"
 
 namespace fde {
 

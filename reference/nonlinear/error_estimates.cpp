@@ -1,9 +1,9 @@
-#include "nonlinear/error_estimates.hpp"
+#include "fdebench/reference/nonlinear/error_estimates.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "march/jumps.hpp"
+#include "fdebench/reference/nonlinear/march/jumps.hpp"
 
 namespace fde {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "collocation/piecewise_solution.hpp"
-#include "diffusive/diffusive_solution.hpp"
+#include "fdebench/reference/nonlinear/collocation/piecewise_solution.hpp"
+#include "fdebench/reference/nonlinear/diffusive/diffusive_solution.hpp"
 
 namespace fde {
 

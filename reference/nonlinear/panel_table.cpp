@@ -1,4 +1,4 @@
-#include "nonlinear/panel_table.hpp"
+#include "fdebench/reference/nonlinear/panel_table.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "collocation/panel_basis.hpp"
+#include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
 
 namespace fde {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "reference.hpp"
+#include "fdebench/reference/reference.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "two_sided/clustered_panels.hpp"
+#include "fdebench/reference/two_sided/clustered_panels.hpp"
 
 #include <cmath>
 #include <memory>

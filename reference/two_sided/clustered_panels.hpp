@@ -1,7 +1,7 @@
 #pragma once
 
-#include "collocation/panel_basis.hpp"
-#include "two_sided/nodal_basis.hpp"
+#include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
+#include "fdebench/reference/two_sided/nodal_basis.hpp"
 
 namespace fde {
 

@@ -1,11 +1,11 @@
-#include "two_sided/nodal_equations.hpp"
+#include "fdebench/reference/two_sided/nodal_equations.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "march/implicit_step.hpp"
-#include "problem/jacobian.hpp"
+#include "fdebench/reference/nonlinear/march/implicit_step.hpp"
+#include "fdebench/schemes/problem/jacobian.hpp"
 
 namespace fde {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "two_sided/nodal_basis.hpp"
+#include "fdebench/reference/two_sided/nodal_basis.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "two_sided/nodal_solution.hpp"
+#include "fdebench/reference/two_sided/nodal_solution.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "problem/initial_guess.hpp"
-#include "progress/progress.hpp"
+#include "fdebench/schemes/problem/initial_guess.hpp"
+#include "fdebench/schemes/problem/progress/progress.hpp"
 
 namespace fde {
 namespace {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "two_sided/nodal_equations.hpp"
+#include "fdebench/reference/two_sided/nodal_equations.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "two_sided/sinc_nodes.hpp"
+#include "fdebench/reference/two_sided/sinc_nodes.hpp"
 
 #include <cmath>
 #include <limits>

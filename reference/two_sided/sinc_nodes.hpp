@@ -1,6 +1,6 @@
 #pragma once
 
-#include "two_sided/nodal_basis.hpp"
+#include "fdebench/reference/two_sided/nodal_basis.hpp"
 
 namespace fde {
 

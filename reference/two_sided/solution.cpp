@@ -1,4 +1,4 @@
-#include "two_sided/solution.hpp"
+#include "fdebench/reference/two_sided/solution.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "two_sided/clustered_panels.hpp"
-#include "two_sided/nodal_solution.hpp"
-#include "two_sided/sinc_nodes.hpp"
+#include "fdebench/reference/two_sided/clustered_panels.hpp"
+#include "fdebench/reference/two_sided/nodal_solution.hpp"
+#include "fdebench/reference/two_sided/sinc_nodes.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/comparison.hpp"
+#include "fdebench/reports/analysis/comparison.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/line_names.hpp"
-#include "analysis/runs.hpp"
-#include "analysis/verdict.hpp"
+#include "fdebench/reports/analysis/line_names.hpp"
+#include "fdebench/reports/analysis/runs.hpp"
+#include "fdebench/reports/analysis/verdict.hpp"
 
 namespace fde {
 

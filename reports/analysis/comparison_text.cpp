@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/comparison.hpp"
-#include "analysis/text.hpp"
+#include "fdebench/reports/analysis/comparison.hpp"
+#include "fdebench/reports/analysis/text.hpp"
 
 namespace fde {
 namespace {

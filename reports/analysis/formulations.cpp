@@ -1,11 +1,11 @@
-#include "analysis/formulations.hpp"
+#include "fdebench/reports/analysis/formulations.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "scenes/registry.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde {
 namespace {

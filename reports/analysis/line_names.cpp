@@ -1,4 +1,4 @@
-#include "analysis/line_names.hpp"
+#include "fdebench/reports/analysis/line_names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "analysis/runs.hpp"
+#include "fdebench/reports/analysis/runs.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "analysis/line_rates.hpp"
+#include "fdebench/reports/analysis/line_rates.hpp"
 
 #include <algorithm>
 #include <variant>

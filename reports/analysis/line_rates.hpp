@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/runs.hpp"
-#include "observers/rate.hpp"
+#include "fdebench/benchmarks/observers/rate.hpp"
+#include "fdebench/reports/analysis/runs.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "analysis/parameter_curves.hpp"
+#include "fdebench/reports/analysis/parameter_curves.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -8,8 +8,8 @@
 #include <utility>
 #include <variant>
 
-#include "scenes/registry.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde {
 namespace {

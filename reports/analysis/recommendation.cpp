@@ -1,4 +1,4 @@
-#include "analysis/recommendation.hpp"
+#include "fdebench/reports/analysis/recommendation.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "analysis/text.hpp"
+#include "fdebench/reports/analysis/text.hpp"
 
 namespace fde {
 namespace {

@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/recommended_run.hpp"
-#include "search/accuracy_target.hpp"
-#include "search/estimated_reference.hpp"
-#include "search/search.hpp"
+#include "fdebench/benchmarks/search/accuracy_target.hpp"
+#include "fdebench/benchmarks/search/estimated_reference.hpp"
+#include "fdebench/benchmarks/search/search.hpp"
+#include "fdebench/reports/analysis/recommended_run.hpp"
 
 namespace fde {
 

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/line_names.hpp"
-#include "analysis/recommendation.hpp"
-#include "analysis/text.hpp"
+#include "fdebench/reports/analysis/line_names.hpp"
+#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/reports/analysis/text.hpp"
 
 namespace fde {
 namespace {

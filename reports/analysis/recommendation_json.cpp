@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "analysis/recommendation.hpp"
+#include "fdebench/reports/analysis/recommendation.hpp"
 
 namespace fde {
 namespace {

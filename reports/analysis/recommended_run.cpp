@@ -1,11 +1,11 @@
-#include "analysis/recommended_run.hpp"
+#include "fdebench/reports/analysis/recommended_run.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <tuple>
 
-#include "analysis/text.hpp"
+#include "fdebench/reports/analysis/text.hpp"
 
 namespace fde {
 namespace {

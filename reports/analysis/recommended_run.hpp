@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/runs.hpp"
-#include "measures/error_kind.hpp"
-#include "measures/time_spread.hpp"
-#include "search/error_model.hpp"
+#include "fdebench/benchmarks/measures/error_kind.hpp"
+#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/search/error_model.hpp"
+#include "fdebench/reports/analysis/runs.hpp"
 
 namespace fde {
 

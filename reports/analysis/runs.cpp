@@ -1,4 +1,4 @@
-#include "analysis/runs.hpp"
+#include "fdebench/reports/analysis/runs.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <tuple>
 #include <utility>
 
-#include "records/results_scan.hpp"
-#include "scenes/registry.hpp"
-#include "scenes/scene.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/benchmarks/records/results_scan.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 namespace {

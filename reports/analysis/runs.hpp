@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "measures/time_spread.hpp"
-#include "records/record.hpp"
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
 
 namespace fde {
 

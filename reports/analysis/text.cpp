@@ -1,4 +1,4 @@
-#include "analysis/text.hpp"
+#include "fdebench/reports/analysis/text.hpp"
 
 #include <fmt/format.h>
 

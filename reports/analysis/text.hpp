@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "measures/error_kind.hpp"
+#include "fdebench/benchmarks/measures/error_kind.hpp"
 
 namespace fde {
 

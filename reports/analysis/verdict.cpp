@@ -1,10 +1,10 @@
-#include "analysis/verdict.hpp"
+#include "fdebench/reports/analysis/verdict.hpp"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 
-#include "analysis/text.hpp"
+#include "fdebench/reports/analysis/text.hpp"
 
 namespace fde {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "analysis/runs.hpp"
+#include "fdebench/reports/analysis/runs.hpp"
 
 namespace fde {
 

@@ -1,10 +1,10 @@
-#include "command/arguments.hpp"
+#include "fdebench/reports/command/arguments.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "scenes/number_text.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde {
 

@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "command/command_line.hpp"
-#include "records/run_settings.hpp"
-#include "scenes/variant.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/reports/command/command_line.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

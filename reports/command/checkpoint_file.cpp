@@ -1,4 +1,4 @@
-#include "command/checkpoint_file.hpp"
+#include "fdebench/reports/command/checkpoint_file.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "references/atomic_file.hpp"
-#include "references/checksum.hpp"
+#include "fdebench/benchmarks/references/atomic_file.hpp"
+#include "fdebench/benchmarks/references/checksum.hpp"
 
 namespace fde {
 namespace {

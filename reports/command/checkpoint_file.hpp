@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "checkpoint/checkpoints.hpp"
+#include "fdebench/schemes/stepping/checkpoints.hpp"
 
 namespace fde {
 

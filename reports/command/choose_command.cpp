@@ -9,15 +9,15 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/recommendation.hpp"
-#include "analysis/text.hpp"
-#include "command/arguments.hpp"
-#include "command/command.hpp"
-#include "command/progress.hpp"
-#include "scenes/equation_file_name.hpp"
-#include "scenes/number_text.hpp"
-#include "scenes/printable.hpp"
-#include "search/estimated_reference.hpp"
+#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+#include "fdebench/benchmarks/search/estimated_reference.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
+#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/progress_display.hpp"
 
 namespace fde {
 namespace {

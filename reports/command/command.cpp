@@ -1,4 +1,4 @@
-#include "command/command.hpp"
+#include "fdebench/reports/command/command.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <ostream>
 #include <system_error>
 
-#include "command/command_line.hpp"
-#include "equation_files/equation_scene.hpp"
-#include "records/record.hpp"
-#include "scenes/parameters.hpp"
+#include "fdebench/benchmarks/equation_files/equation_scene.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
+#include "fdebench/reports/command/command_line.hpp"
 
 namespace fde {
 namespace {
@@ -68,7 +68,7 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& strea
                       "Which numerical scheme to use for a fractional differential equation, with proof",
                       this_session().version);
 #define FDE_COMMAND(file) add_##file(program, streams, named);
-#include "command/list.def"
+#include "fdebench/reports/command/list.def"
 #undef FDE_COMMAND
   try {
     check_none_empty(arguments);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
 
 namespace fde {
 
@@ -36,7 +36,7 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& strea
 
 // Each file of list.def defines add_<file>(), which adds its subcommands to the program.
 #define FDE_COMMAND(file) void add_##file(CommandLine& program, const Streams& streams, const Scenes& known);
-#include "command/list.def"
+#include "fdebench/reports/command/list.def"
 #undef FDE_COMMAND
 
 }  // namespace fde

@@ -1,4 +1,4 @@
-#include "command/command_line.hpp"
+#include "fdebench/reports/command/command_line.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,8 +1,8 @@
-#include "command/cost_text.hpp"
+#include "fdebench/reports/command/cost_text.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include "stepping/rates.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 

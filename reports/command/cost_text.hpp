@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "command/checkpoint_file.hpp"
-#include "command/requested_run.hpp"
+#include "fdebench/reports/command/checkpoint_file.hpp"
+#include "fdebench/reports/command/requested_run.hpp"
 
 namespace fde {
 

@@ -6,12 +6,12 @@
 #include <optional>
 #include <ostream>
 
-#include "command/arguments.hpp"
-#include "command/command.hpp"
-#include "command/progress.hpp"
-#include "reference_data/reference_check.hpp"
-#include "scenes/number_text.hpp"
-#include "sweep/default_sweep.hpp"
+#include "fdebench/benchmarks/reference_data/reference_check.hpp"
+#include "fdebench/benchmarks/sweep/default_sweep.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/progress_display.hpp"
 
 namespace fde {
 namespace {

@@ -6,10 +6,10 @@
 #include <ostream>
 #include <utility>
 
-#include "command/arguments.hpp"
-#include "command/command.hpp"
-#include "scenes/number_text.hpp"
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/command.hpp"
 
 namespace fde {
 namespace {

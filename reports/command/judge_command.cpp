@@ -14,15 +14,15 @@
 #include <system_error>
 #include <vector>
 
-#include "command/arguments.hpp"
-#include "command/command.hpp"
-#include "external/temporary_file.hpp"
-#include "measures/measures.hpp"
-#include "records/external_trajectory.hpp"
-#include "records/record_validation.hpp"
-#include "records/results_file.hpp"
-#include "records/run_rows.hpp"
-#include "scenes/number_text.hpp"
+#include "fdebench/benchmarks/external/temporary_file.hpp"
+#include "fdebench/benchmarks/measures/measures.hpp"
+#include "fdebench/benchmarks/records/external_trajectory.hpp"
+#include "fdebench/benchmarks/records/record_validation.hpp"
+#include "fdebench/benchmarks/records/results_file.hpp"
+#include "fdebench/benchmarks/records/run_rows.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/command.hpp"
 
 namespace fde {
 namespace {

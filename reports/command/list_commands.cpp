@@ -6,13 +6,13 @@
 #include <ostream>
 #include <string_view>
 
-#include "command/arguments.hpp"
-#include "command/command.hpp"
-#include "command/command_line.hpp"
-#include "references/reference_of.hpp"
-#include "scenes/number_text.hpp"
-#include "scenes/registry.hpp"
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/command_line.hpp"
 
 namespace fde {
 namespace {

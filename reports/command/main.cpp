@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "command/command.hpp"
+#include "fdebench/reports/command/command.hpp"
 
 namespace {
 

@@ -8,15 +8,15 @@
 #include <stdexcept>
 #include <vector>
 
-#include "command/arguments.hpp"
-#include "command/command.hpp"
-#include "command/reference_progress.hpp"
-#include "mittag_leffler/decimal_arguments.hpp"
-#include "mittag_leffler/mittag_leffler.hpp"
-#include "prabhakar_and_matrix/mittag_leffler_matrix.hpp"
-#include "prabhakar_and_matrix/prabhakar.hpp"
-#include "references/decimal_bound.hpp"
-#include "scenes/number_text.hpp"
+#include "fdebench/benchmarks/references/decimal_bound.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/decimal_arguments.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/reference/special_functions/prabhakar_and_matrix/mittag_leffler_matrix.hpp"
+#include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/reference_progress.hpp"
 
 namespace fde {
 namespace {

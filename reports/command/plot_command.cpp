@@ -16,16 +16,16 @@
 #include <utility>
 #include <vector>
 
-#include "command/arguments.hpp"
-#include "command/command.hpp"
-#include "command/command_line.hpp"
-#include "command/plot_data.hpp"
-#include "external/shell_command.hpp"
-#include "external/temporary_file.hpp"
-#include "page/assets.hpp"
-#include "references/atomic_file.hpp"
-#include "scenes/number_text.hpp"
-#include "scenes/printable.hpp"
+#include "fdebench/benchmarks/external/shell_command.hpp"
+#include "fdebench/benchmarks/external/temporary_file.hpp"
+#include "fdebench/benchmarks/references/atomic_file.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/command_line.hpp"
+#include "fdebench/reports/command/plot_data.hpp"
+#include "fdebench/reports/page/assets.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "command/plot_data.hpp"
+#include "fdebench/reports/command/plot_data.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,9 +8,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "analysis/runs.hpp"
-#include "page/page_data.hpp"
-#include "page/stability_curves.hpp"
+#include "fdebench/reports/analysis/runs.hpp"
+#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/reports/page/stability_curves.hpp"
 
 namespace fde {
 namespace {

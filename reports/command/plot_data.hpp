@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/variant.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "command/printed_table.hpp"
+#include "fdebench/reports/command/printed_table.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "command/command.hpp"
-#include "measures/ending.hpp"
-#include "observers/reaction_path.hpp"
-#include "trust/warnings.hpp"
+#include "fdebench/benchmarks/measures/ending.hpp"
+#include "fdebench/benchmarks/observers/reaction_path.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/schemes/diagnostics/warnings.hpp"
 
 namespace fde {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "command/requested_run.hpp"
+#include "fdebench/reports/command/requested_run.hpp"
 
 namespace fde {
 

@@ -6,16 +6,16 @@
 #include <optional>
 #include <ostream>
 
-#include "command/arguments.hpp"
-#include "command/command.hpp"
-#include "command/reference_progress.hpp"
-#include "references/decimal_bound.hpp"
-#include "references/reference_of.hpp"
-#include "references/verified_reference.hpp"
-#include "scenes/number_text.hpp"
-#include "scenes/printable.hpp"
-#include "scenes/registry.hpp"
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/references/decimal_bound.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/references/verified_reference.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/reference_progress.hpp"
 
 namespace fde {
 namespace {

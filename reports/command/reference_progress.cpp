@@ -1,11 +1,11 @@
-#include "command/reference_progress.hpp"
+#include "fdebench/reports/command/reference_progress.hpp"
 
 #include <fmt/format.h>
 
 #include <ostream>
 #include <utility>
 
-#include "command/progress.hpp"
+#include "fdebench/reports/command/progress_display.hpp"
 
 namespace fde {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "command/command.hpp"
-#include "progress/progress.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/schemes/problem/progress/progress.hpp"
 
 namespace fde {
 

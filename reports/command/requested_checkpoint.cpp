@@ -1,12 +1,12 @@
-#include "command/requested_checkpoint.hpp"
+#include "fdebench/reports/command/requested_checkpoint.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
 
-#include "history/block_kernels.hpp"
-#include "scenes/number_text.hpp"
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/schemes/history/block_kernels.hpp"
 
 namespace fde {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "command/checkpoint_file.hpp"
-#include "command/requested_run.hpp"
-#include "observers/retained_columns.hpp"
+#include "fdebench/benchmarks/observers/retained_columns.hpp"
+#include "fdebench/reports/command/checkpoint_file.hpp"
+#include "fdebench/reports/command/requested_run.hpp"
 
 namespace fde {
 

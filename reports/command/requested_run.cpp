@@ -1,4 +1,4 @@
-#include "command/requested_run.hpp"
+#include "fdebench/reports/command/requested_run.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <variant>
 
-#include "history/history.hpp"
-#include "scenes/number_text.hpp"
-#include "stepping/optimal_grading.hpp"
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/schemes/history/history.hpp"
+#include "fdebench/schemes/stepping/optimal_grading.hpp"
 
 namespace fde {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "command/arguments.hpp"
-#include "scenes/scene.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

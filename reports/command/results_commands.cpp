@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "analysis/comparison.hpp"
-#include "analysis/line_names.hpp"
-#include "analysis/runs.hpp"
-#include "command/command.hpp"
-#include "command/command_line.hpp"
-#include "records/merge.hpp"
-#include "scenes/number_text.hpp"
+#include "fdebench/benchmarks/records/merge.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reports/analysis/comparison.hpp"
+#include "fdebench/reports/analysis/line_names.hpp"
+#include "fdebench/reports/analysis/runs.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/command_line.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "command/run_warnings.hpp"
+#include "fdebench/reports/command/run_warnings.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,10 +11,10 @@
 #include <variant>
 #include <vector>
 
-#include "command/command.hpp"
-#include "trust/missed_accuracy.hpp"
-#include "trust/stored_path.hpp"
-#include "trust/warnings.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/schemes/diagnostics/missed_accuracy.hpp"
+#include "fdebench/schemes/diagnostics/stored_path.hpp"
+#include "fdebench/schemes/diagnostics/warnings.hpp"
 
 namespace fde {
 namespace {

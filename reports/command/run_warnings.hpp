@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "command/printed_table.hpp"
+#include "fdebench/reports/command/printed_table.hpp"
 
 namespace fde {
 

@@ -1,11 +1,11 @@
-#include "command/signal_cleanup.hpp"
+#include "fdebench/reports/command/signal_cleanup.hpp"
 
 #include <unistd.h>
 
 #include <atomic>
 #include <utility>
 
-#include "external/process_cleanup.hpp"
+#include "fdebench/benchmarks/external/process_cleanup.hpp"
 
 namespace fde {
 namespace {

@@ -7,12 +7,12 @@
 #include <ostream>
 #include <system_error>
 
-#include "command/arguments.hpp"
-#include "command/command.hpp"
-#include "command/solved_table.hpp"
-#include "references/atomic_file.hpp"
-#include "scenes/number_text.hpp"
-#include "scenes/printable.hpp"
+#include "fdebench/benchmarks/references/atomic_file.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/solved_table.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "command/solved_table.hpp"
+#include "fdebench/reports/command/solved_table.hpp"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "command/cost_text.hpp"
-#include "command/requested_checkpoint.hpp"
-#include "command/run_warnings.hpp"
-#include "measures/ending.hpp"
-#include "observers/retained_columns.hpp"
+#include "fdebench/benchmarks/measures/ending.hpp"
+#include "fdebench/benchmarks/observers/retained_columns.hpp"
+#include "fdebench/reports/command/cost_text.hpp"
+#include "fdebench/reports/command/requested_checkpoint.hpp"
+#include "fdebench/reports/command/run_warnings.hpp"
 
 namespace fde {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "command/command.hpp"
-#include "command/printed_table.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/printed_table.hpp"
 
 namespace fde {
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <ostream>
 
-#include "command/arguments.hpp"
-#include "command/command.hpp"
-#include "scenes/number_text.hpp"
-#include "stability/stability_region.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/schemes/diagnostics/stability_region.hpp"
 
 namespace fde {
 namespace {

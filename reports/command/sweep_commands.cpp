@@ -8,20 +8,20 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/runs.hpp"
-#include "analysis/text.hpp"
-#include "command/arguments.hpp"
-#include "command/command.hpp"
-#include "command/progress.hpp"
-#include "command/signal_cleanup.hpp"
-#include "page/report.hpp"
-#include "records/results_file.hpp"
-#include "scenes/number_text.hpp"
-#include "sweep/default_sweep.hpp"
-#include "sweep/forecast.hpp"
-#include "sweep/shard.hpp"
-#include "sweep/sweep.hpp"
-#include "sweep/trials.hpp"
+#include "fdebench/benchmarks/records/results_file.hpp"
+#include "fdebench/benchmarks/sweep/default_sweep.hpp"
+#include "fdebench/benchmarks/sweep/forecast.hpp"
+#include "fdebench/benchmarks/sweep/shard.hpp"
+#include "fdebench/benchmarks/sweep/sweep.hpp"
+#include "fdebench/benchmarks/sweep/trials.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reports/analysis/runs.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/progress_display.hpp"
+#include "fdebench/reports/command/signal_cleanup.hpp"
+#include "fdebench/reports/page/report.hpp"
 
 namespace fde {
 namespace {

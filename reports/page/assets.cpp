@@ -1,4 +1,4 @@
-#include "page/assets.hpp"
+#include "fdebench/reports/page/assets.hpp"
 
 // The symbols of assets.S for each file: its first byte, and one past its last.
 #define FDE_ASSET(id)                                             \

@@ -1,4 +1,4 @@
-#include "page/chart_number.hpp"
+#include "fdebench/reports/page/chart_number.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "page/page_data.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 #include <fmt/format.h>
 
@@ -9,13 +9,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/text.hpp"
-#include "page/assets.hpp"
-#include "scenes/registry.hpp"
-#include "scenes/scene.hpp"
-#include "scenes/variant.hpp"
-#include "stepping/scheme.hpp"
-#include "sweep/trials.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/sweep/trials.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/page/assets.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 namespace {

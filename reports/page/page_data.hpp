@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "analysis/formulations.hpp"
-#include "analysis/line_names.hpp"
-#include "analysis/line_rates.hpp"
-#include "analysis/recommended_run.hpp"
-#include "page/table.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reports/analysis/formulations.hpp"
+#include "fdebench/reports/analysis/line_names.hpp"
+#include "fdebench/reports/analysis/line_rates.hpp"
+#include "fdebench/reports/analysis/recommended_run.hpp"
+#include "fdebench/reports/page/table.hpp"
 
 namespace fde {
 

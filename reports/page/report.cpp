@@ -1,4 +1,4 @@
-#include "page/report.hpp"
+#include "fdebench/reports/page/report.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <system_error>
 #include <utility>
 
-#include "page/assets.hpp"
-#include "page/page_data.hpp"
-#include "references/atomic_file.hpp"
+#include "fdebench/benchmarks/references/atomic_file.hpp"
+#include "fdebench/reports/page/assets.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "analysis/runs.hpp"
+#include "fdebench/reports/analysis/runs.hpp"
 
 namespace fde {
 

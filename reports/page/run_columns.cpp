@@ -1,4 +1,4 @@
-#include "page/run_columns.hpp"
+#include "fdebench/reports/page/run_columns.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <string_view>
 #include <variant>
 
-#include "page/chart_number.hpp"
+#include "fdebench/reports/page/chart_number.hpp"
 
 namespace fde {
 namespace {

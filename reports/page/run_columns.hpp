@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "page/page_data.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 

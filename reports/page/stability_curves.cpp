@@ -1,12 +1,12 @@
-#include "page/stability_curves.hpp"
+#include "fdebench/reports/page/stability_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "stability/region_boundary.hpp"
-#include "sweep/in_parallel.hpp"
+#include "fdebench/benchmarks/sweep/in_parallel.hpp"
+#include "fdebench/schemes/diagnostics/region_boundary.hpp"
 
 namespace fde {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "stepping/scheme.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "page/table.hpp"
+#include "fdebench/reports/page/table.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "page/stability_curves.hpp"
+#include "fdebench/reports/page/stability_curves.hpp"
 
 int main() try {
   const auto all = fde::page_stability_curves(fde::all_schemes());

@@ -1,8 +1,8 @@
-#include "history/direct_history.hpp"
+#include "fdebench/schemes/history/direct_history.hpp"
 
 #include <algorithm>
 
-#include "history/block_kernels.hpp"
+#include "fdebench/schemes/history/block_kernels.hpp"
 
 namespace fde {
 

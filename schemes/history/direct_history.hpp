@@ -1,7 +1,7 @@
 #pragma once
 
-#include "history/history.hpp"
-#include "history/running_sum.hpp"
+#include "fdebench/schemes/history/history.hpp"
+#include "fdebench/schemes/history/running_sum.hpp"
 
 namespace fde {
 

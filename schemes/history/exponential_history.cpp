@@ -1,9 +1,9 @@
-#include "history/exponential_history.hpp"
+#include "fdebench/schemes/history/exponential_history.hpp"
 
 #include <algorithm>
 
-#include "problem/componentwise.hpp"
-#include "problem/smoothness.hpp"
+#include "fdebench/schemes/problem/componentwise.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "history/exponential_memory.hpp"
-#include "history/filtered_memory.hpp"
-#include "history/history.hpp"
-#include "history/running_sum.hpp"
+#include "fdebench/schemes/history/exponential_memory.hpp"
+#include "fdebench/schemes/history/filtered_memory.hpp"
+#include "fdebench/schemes/history/history.hpp"
+#include "fdebench/schemes/history/running_sum.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "history/exponential_memory.hpp"
+#include "fdebench/schemes/history/exponential_memory.hpp"
 
 namespace fde {
 namespace {

@@ -3,9 +3,9 @@
 #include <variant>
 #include <vector>
 
-#include "history/first_sample_weights.hpp"
-#include "history/narrow_memory.hpp"
-#include "history/wide_memory.hpp"
+#include "fdebench/schemes/history/first_sample_weights.hpp"
+#include "fdebench/schemes/history/narrow_memory.hpp"
+#include "fdebench/schemes/history/wide_memory.hpp"
 
 namespace fde {
 

@@ -1,6 +1,6 @@
-#include "history/filtered_memory.hpp"
+#include "fdebench/schemes/history/filtered_memory.hpp"
 
-#include "problem/componentwise.hpp"
+#include "fdebench/schemes/problem/componentwise.hpp"
 
 namespace fde {
 

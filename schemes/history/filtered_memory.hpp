@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "history/exponential_memory.hpp"
-#include "history/running_sum.hpp"
+#include "fdebench/schemes/history/exponential_memory.hpp"
+#include "fdebench/schemes/history/running_sum.hpp"
 
 namespace fde {
 

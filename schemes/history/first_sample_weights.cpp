@@ -1,4 +1,4 @@
-#include "history/first_sample_weights.hpp"
+#include "fdebench/schemes/history/first_sample_weights.hpp"
 
 #include <cmath>
 

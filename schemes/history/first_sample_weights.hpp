@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "checkpoint/archive.hpp"
-#include "history/memory_tables.hpp"
+#include "fdebench/schemes/history/memory_tables.hpp"
+#include "fdebench/schemes/problem/archive.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "history/history.hpp"
+#include "fdebench/schemes/history/history.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <limits>
 #include <stdexcept>
 
-#include "history/direct_history.hpp"
-#include "history/exponential_history.hpp"
-#include "history/variable_step_direct.hpp"
-#include "history/variable_step_exponentials.hpp"
-#include "weights/weight_transform.hpp"
+#include "fdebench/schemes/history/direct_history.hpp"
+#include "fdebench/schemes/history/exponential_history.hpp"
+#include "fdebench/schemes/history/variable_step_direct.hpp"
+#include "fdebench/schemes/history/variable_step_exponentials.hpp"
+#include "fdebench/schemes/history/weights/weight_transform.hpp"
 
 namespace fde {
 namespace {

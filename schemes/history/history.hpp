@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "problem/grid.hpp"
-#include "problem/problem.hpp"
-#include "weights/weights.hpp"
+#include "fdebench/schemes/history/weights/weights.hpp"
+#include "fdebench/schemes/problem/grid.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

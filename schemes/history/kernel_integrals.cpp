@@ -1,11 +1,11 @@
-#include "history/kernel_integrals.hpp"
+#include "fdebench/schemes/history/kernel_integrals.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "history/block_kernels.hpp"
-#include "weights/exponential_sum.hpp"
+#include "fdebench/schemes/history/block_kernels.hpp"
+#include "fdebench/schemes/history/weights/exponential_sum.hpp"
 
 namespace fde {
 

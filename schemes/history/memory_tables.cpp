@@ -1,4 +1,4 @@
-#include "history/memory_tables.hpp"
+#include "fdebench/schemes/history/memory_tables.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "history/block_kernels.hpp"
-#include "weights/weight_transform.hpp"
+#include "fdebench/schemes/history/block_kernels.hpp"
+#include "fdebench/schemes/history/weights/weight_transform.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "history/narrow_memory.hpp"
+#include "fdebench/schemes/history/narrow_memory.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "history/parallel_for_rows.hpp"
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 
 #include <algorithm>
 #include <future>

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "checkpoint/archive.hpp"
-#include "problem/problem.hpp"
+#include "fdebench/schemes/problem/archive.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

@@ -1,9 +1,9 @@
-#include "history/variable_step_direct.hpp"
+#include "fdebench/schemes/history/variable_step_direct.hpp"
 
 #include <algorithm>
 
-#include "checkpoint/archive.hpp"
-#include "weights/interval_weights.hpp"
+#include "fdebench/schemes/history/weights/interval_weights.hpp"
+#include "fdebench/schemes/problem/archive.hpp"
 
 namespace fde {
 

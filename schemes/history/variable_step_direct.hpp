@@ -1,6 +1,6 @@
 #pragma once
 
-#include "history/history.hpp"
+#include "fdebench/schemes/history/history.hpp"
 
 namespace fde {
 

@@ -1,9 +1,9 @@
-#include "history/variable_step_exponentials.hpp"
+#include "fdebench/schemes/history/variable_step_exponentials.hpp"
 
 #include <algorithm>
 
-#include "weights/interval_weights.hpp"
-#include "weights/weight_transform.hpp"
+#include "fdebench/schemes/history/weights/interval_weights.hpp"
+#include "fdebench/schemes/history/weights/weight_transform.hpp"
 
 namespace fde {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "history/history.hpp"
-#include "history/kernel_integrals.hpp"
-#include "history/running_sum.hpp"
-#include "weights/step_factors.hpp"
+#include "fdebench/schemes/history/history.hpp"
+#include "fdebench/schemes/history/kernel_integrals.hpp"
+#include "fdebench/schemes/history/running_sum.hpp"
+#include "fdebench/schemes/history/weights/step_factors.hpp"
 
 namespace fde {
 

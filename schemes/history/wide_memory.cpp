@@ -1,8 +1,8 @@
-#include "history/wide_memory.hpp"
+#include "fdebench/schemes/history/wide_memory.hpp"
 
 #include <algorithm>
 
-#include "history/parallel_for_rows.hpp"
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 
 namespace fde {
 namespace {

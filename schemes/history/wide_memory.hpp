@@ -1,7 +1,7 @@
 #pragma once
 
-#include "checkpoint/archive.hpp"
-#include "history/first_sample_weights.hpp"
+#include "fdebench/schemes/history/first_sample_weights.hpp"
+#include "fdebench/schemes/problem/archive.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "problem/chain.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
 
 #include <fmt/format.h>
 

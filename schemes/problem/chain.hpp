@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "problem/problem.hpp"
-#include "problem/smoothness.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde {
 

@@ -1,10 +1,10 @@
-#include "problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/chain_problem.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
 
-#include "problem/componentwise.hpp"
+#include "fdebench/schemes/problem/componentwise.hpp"
 
 namespace fde {
 namespace {

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "problem/chain.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
 
 namespace fde {
 

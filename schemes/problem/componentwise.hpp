@@ -1,6 +1,6 @@
 #pragma once
 
-#include "problem/vectors.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 

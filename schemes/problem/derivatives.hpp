@@ -3,7 +3,7 @@
 #include <functional>
 #include <variant>
 
-#include "problem/vectors.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 

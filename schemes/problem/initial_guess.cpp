@@ -1,4 +1,4 @@
-#include "problem/initial_guess.hpp"
+#include "fdebench/schemes/problem/initial_guess.hpp"
 
 #include <cmath>
 #include <numbers>

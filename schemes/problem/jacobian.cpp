@@ -1,4 +1,4 @@
-#include "problem/jacobian.hpp"
+#include "fdebench/schemes/problem/jacobian.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "problem/linear_smoothness.hpp"
+#include "fdebench/schemes/problem/linear_smoothness.hpp"
 
 #include <algorithm>
 #include <cmath>

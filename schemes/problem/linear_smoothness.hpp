@@ -1,7 +1,7 @@
 #pragma once
 
-#include "problem/problem.hpp"
-#include "problem/smoothness.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde {
 

@@ -1,11 +1,11 @@
-#include "problem/multipliers.hpp"
+#include "fdebench/schemes/problem/multipliers.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "problem/jacobian.hpp"
+#include "fdebench/schemes/problem/jacobian.hpp"
 
 namespace fde {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "problem/problem.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

@@ -1,9 +1,9 @@
-#include "problem/problem.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "problem/componentwise.hpp"
+#include "fdebench/schemes/problem/componentwise.hpp"
 
 namespace fde {
 

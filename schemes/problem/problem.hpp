@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "problem/derivatives.hpp"
-#include "problem/equation.hpp"
+#include "fdebench/schemes/problem/derivatives.hpp"
+#include "fdebench/schemes/problem/equation.hpp"
 
 namespace fde {
 

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "problem/grid.hpp"
+#include "fdebench/schemes/problem/grid.hpp"
 
 namespace fde {
 

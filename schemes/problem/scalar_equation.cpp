@@ -1,6 +1,6 @@
-#include "problem/scalar_equation.hpp"
+#include "fdebench/schemes/problem/scalar_equation.hpp"
 
-#include "problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/chain_problem.hpp"
 
 namespace fde {
 

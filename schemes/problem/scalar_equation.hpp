@@ -2,7 +2,7 @@
 
 #include <complex>
 
-#include "problem/problem.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

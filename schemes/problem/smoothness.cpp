@@ -1,4 +1,4 @@
-#include "problem/smoothness.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 
 #include <set>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "problem/switches.hpp"
+#include "fdebench/schemes/problem/switches.hpp"
 
 namespace fde {
 

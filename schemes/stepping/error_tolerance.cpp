@@ -1,4 +1,4 @@
-#include "stepping/error_tolerance.hpp"
+#include "fdebench/schemes/stepping/error_tolerance.hpp"
 
 #include <limits>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "checkpoint/archive.hpp"
-#include "problem/resolution.hpp"
-#include "problem/vectors.hpp"
+#include "fdebench/schemes/problem/archive.hpp"
+#include "fdebench/schemes/problem/resolution.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 

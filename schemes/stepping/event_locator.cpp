@@ -1,4 +1,4 @@
-#include "stepping/event_locator.hpp"
+#include "fdebench/schemes/stepping/event_locator.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>

@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "checkpoint/archive.hpp"
-#include "stepping/events.hpp"
+#include "fdebench/schemes/problem/archive.hpp"
+#include "fdebench/schemes/stepping/events.hpp"
 
 namespace fde {
 

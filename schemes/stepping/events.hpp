@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "problem/vectors.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 

@@ -1,9 +1,9 @@
-#include "stepping/optimal_grading.hpp"
+#include "fdebench/schemes/stepping/optimal_grading.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/chain_problem.hpp"
 
 namespace fde {
 namespace {

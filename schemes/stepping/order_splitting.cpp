@@ -1,4 +1,4 @@
-#include "stepping/order_splitting.hpp"
+#include "fdebench/schemes/stepping/order_splitting.hpp"
 
 #include <algorithm>
 #include <cmath>

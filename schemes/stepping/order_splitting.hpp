@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "stepping/scheme.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

@@ -1,10 +1,10 @@
-#include "stepping/predict_and_correct.hpp"
+#include "fdebench/schemes/stepping/predict_and_correct.hpp"
 
 #include <algorithm>
 
-#include "problem/componentwise.hpp"
-#include "stepping/run.hpp"
-#include "weights/step_factors.hpp"
+#include "fdebench/schemes/history/weights/step_factors.hpp"
+#include "fdebench/schemes/problem/componentwise.hpp"
+#include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stepping/scheme.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

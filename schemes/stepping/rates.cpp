@@ -1,4 +1,4 @@
-#include "stepping/rates.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <functional>
 #include <optional>
 
-#include "stepping/order_splitting.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/schemes/stepping/order_splitting.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

@@ -1,11 +1,11 @@
-#include "stepping/run.hpp"
+#include "fdebench/schemes/stepping/run.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
-#include "problem/componentwise.hpp"
-#include "progress/progress.hpp"
+#include "fdebench/schemes/problem/componentwise.hpp"
+#include "fdebench/schemes/problem/progress/progress.hpp"
 
 namespace fde {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <chrono>
 
-#include "checkpoint/checkpoints.hpp"
-#include "stepping/event_locator.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/schemes/stepping/checkpoints.hpp"
+#include "fdebench/schemes/stepping/event_locator.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

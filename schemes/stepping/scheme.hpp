@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "history/history.hpp"
-#include "problem/resolution.hpp"
-#include "problem/smoothness.hpp"
-#include "stepping/trajectory.hpp"
-#include "symbols/symbol.hpp"
+#include "fdebench/schemes/history/history.hpp"
+#include "fdebench/schemes/history/symbols/symbol.hpp"
+#include "fdebench/schemes/problem/resolution.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
+#include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde {
 

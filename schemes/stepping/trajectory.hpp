@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "problem/problem.hpp"
-#include "stepping/events.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
+#include "fdebench/schemes/stepping/events.hpp"
 
 namespace fde {
 

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "certificate/point_check.hpp"
-#include "certificate/prabhakar.hpp"
+#include "certificate/prabhakar_enclosure.hpp"
 
 namespace fde::certificate {
 namespace {

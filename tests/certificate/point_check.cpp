@@ -11,8 +11,8 @@
 #include <tuple>
 
 #include "certificate/enclosure.hpp"
-#include "mittag_leffler/mittag_leffler.hpp"
-#include "numbers/real.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/reference/special_functions/numbers/real.hpp"
 
 namespace fde::certificate {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "certificate/points.hpp"
-#include "mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
 namespace fde::certificate {
 

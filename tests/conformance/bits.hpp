@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/registry.hpp"
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
 
 namespace fde {
 

@@ -1,11 +1,11 @@
 // The same input gives the same bits on repeated runs, and nearly the same with other compilers and
-// processors. Numbers of threads: tests/sweep/sweep_records_test.cpp.
+// processors. Numbers of threads: tests/benchmarks/sweep/sweep_records_test.cpp.
 
 #include "conformance/bits.hpp"
 
 #include <gtest/gtest.h>
 
-#include "history/block_kernels.hpp"
+#include "fdebench/schemes/history/block_kernels.hpp"
 
 namespace fde {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "start_weights/start_weights.hpp"
+#include "fdebench/schemes/rules/start_weights/start_weights.hpp"
 #include "support/implicit_schemes.hpp"
 
 namespace fde {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "problem/chain_problem.hpp"
-#include "stability/growing_mode_count.hpp"
+#include "fdebench/schemes/diagnostics/growing_mode_count.hpp"
+#include "fdebench/schemes/problem/chain_problem.hpp"
 #include "support/implicit_schemes.hpp"
 
 namespace fde {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "linear/linear_equation.hpp"
-#include "references/reference_of.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
 #include "support/testing.hpp"
 
 namespace fde {

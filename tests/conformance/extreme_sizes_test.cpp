@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "references/reference_of.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
 namespace fde {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include "linear/linear_equation.hpp"
-#include "linear/linear_system.hpp"
-#include "numbers/real.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
+#include "fdebench/reference/linear/linear_system.hpp"
+#include "fdebench/reference/special_functions/numbers/real.hpp"
 
 namespace fde {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "observers/rate.hpp"
-#include "stepping/rates.hpp"
+#include "fdebench/benchmarks/observers/rate.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 #include "support/testing.hpp"
 
 namespace fde {

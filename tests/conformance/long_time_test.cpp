@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "support/testing.hpp"
-#include "sweep/measured_run.hpp"
 
 namespace fde {
 namespace {

@@ -2,7 +2,7 @@
 // the maximum over all steps. Each test is for one norm: a solution that starts like t^g has different
 // rates in the two.
 
-#include "observers/rate.hpp"
+#include "fdebench/benchmarks/observers/rate.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <functional>
 
 #include "conformance/rate_variants.hpp"
-#include "implicit/implicit_rule.hpp"
+#include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "support/testing.hpp"
 
 namespace fde {
@@ -47,7 +47,8 @@ bool the_rest(const Case& c) {
 
 // Calls check for every one of these schemes that takes the scene on this grid. Excepted are, on graded
 // grids, the commensurate expansion, which is adams_pc again with powers of h too close to separate, and
-// schemes with start weights, whose errors are at rounding with so many steps (rates: tests/start_weights).
+// schemes with start weights, whose errors are at rounding with so many steps (rates:
+// tests/schemes/rules/start_weights).
 void for_each_of(const std::vector<const Scheme*>& some, const RateScene& variant,
                  const std::function<void(const Case&)>& check) {
   const Scene& scene = make(variant);

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "stepping/order_splitting.hpp"
-#include "stepping/run.hpp"
+#include "fdebench/schemes/stepping/order_splitting.hpp"
+#include "fdebench/schemes/stepping/run.hpp"
 #include "support/testing.hpp"
 
 namespace fde {

@@ -8,8 +8,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "references/reference_of.hpp"
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
 #include "support/testing.hpp"
 
 namespace fde {

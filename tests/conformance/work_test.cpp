@@ -3,9 +3,9 @@
 
 #include <cstddef>
 
-#include "progress/progress.hpp"
-#include "scenes/variant.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/schemes/problem/progress/progress.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 namespace {

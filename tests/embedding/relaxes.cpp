@@ -1,7 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "stepping/scheme.hpp"
+#include <fdebench/schemes/stepping/scheme.hpp>
 
 // D^0.5 y = -y, y(0) = 1, whose solution is E_0.5(-sqrt(t)) = e^t erfc(sqrt(t)).
 int main() {

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "linear/linear_system.hpp"
+#include "fdebench/reference/linear/linear_system.hpp"
 
 namespace fde {
 namespace {

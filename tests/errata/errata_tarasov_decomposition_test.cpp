@@ -5,8 +5,8 @@
 
 #include <numbers>
 
-#include "linear/linear_equation.hpp"
-#include "mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "support/caputo.hpp"
 
 namespace fde {

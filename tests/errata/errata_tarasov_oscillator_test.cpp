@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "linear/linear_equation.hpp"
-#include "linear/linear_system.hpp"
-#include "mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
+#include "fdebench/reference/linear/linear_system.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "support/caputo.hpp"
 
 namespace fde {

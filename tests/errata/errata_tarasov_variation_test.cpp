@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "linear/linear_system.hpp"
+#include "fdebench/reference/linear/linear_system.hpp"
 #include "support/caputo.hpp"
 
 namespace fde {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "numbers/real.hpp"
-#include "references/reference_of.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/reference/special_functions/numbers/real.hpp"
 #include "support/testing.hpp"
 
 namespace fde {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "linear/linear_equation.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
 #include "support/caputo.hpp"
 #include "support/testing.hpp"
 

@@ -25,9 +25,8 @@ def parts():
 
 def includers(path):
     """The sources that include this list."""
-    name = path.split("/", 1)[1]
-    floor = ROOT / path.split("/", 1)[0]
-    return [p.relative_to(ROOT).as_posix() for p in floor.rglob("*.cpp") if f'#include "{name}"' in p.read_text()]
+    top = ROOT / path.split("/", 1)[0]
+    return [p.relative_to(ROOT).as_posix() for p in top.rglob("*.cpp") if f'#include "fdebench/{path}"' in p.read_text()]
 
 
 def write(folder):

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-#include "command/command.hpp"
+#include "fdebench/reports/command/command.hpp"
 #include "fuzz/fuzzing.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 
-#include "equation_files/equation_scene.hpp"
+#include "fdebench/benchmarks/equation_files/equation_scene.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/schemes/problem/jacobian.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 #include "fuzz/fuzzing.hpp"
-#include "problem/jacobian.hpp"
-#include "scenes/variant.hpp"
-#include "stepping/scheme.hpp"
 
 namespace {
 

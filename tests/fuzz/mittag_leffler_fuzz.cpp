@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fuzz/fuzzing.hpp"
-#include "mittag_leffler/mittag_leffler.hpp"
 
 namespace {
 

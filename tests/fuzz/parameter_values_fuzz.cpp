@@ -6,9 +6,9 @@
 #include <functional>
 #include <limits>
 
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fuzz/fuzzing.hpp"
-#include "scenes/registry.hpp"
-#include "sweep/measured_run.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <complex>
 #include <string>
 
+#include "fdebench/reference/special_functions/prabhakar_and_matrix/mittag_leffler_matrix.hpp"
+#include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar.hpp"
 #include "fuzz/fuzzing.hpp"
-#include "prabhakar_and_matrix/mittag_leffler_matrix.hpp"
-#include "prabhakar_and_matrix/prabhakar.hpp"
 
 namespace {
 
@@ -54,7 +54,7 @@ void of_a_number(fuzz::Bytes& bytes, double alpha, double beta, bool derivative)
 // Parts of entries near 0 are replaced by 0: multiprecision needs as many additional digits as the sizes of
 // entries differ. An eigenvalue is at most the sum of the sizes of all entries.
 void of_a_matrix(fuzz::Bytes& bytes, double alpha, double beta, int rows) {
-  ComplexMatrix matrix(rows, rows);
+  Eigen::MatrixXcd matrix(rows, rows);
   const bool real = bytes.place(2) == 0;
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < rows; ++j) {

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "analysis/recommendation.hpp"
+#include "fdebench/benchmarks/records/results_file.hpp"
+#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 #include "fuzz/fuzzing.hpp"
-#include "page/page_data.hpp"
-#include "records/results_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {

@@ -4,14 +4,14 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "fdebench/benchmarks/reference_data/description.hpp"
+#include "fdebench/benchmarks/reference_data/reference_check.hpp"
+#include "fdebench/benchmarks/references/cache.hpp"
+#include "fdebench/benchmarks/references/checksum.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fuzz/fuzzing.hpp"
-#include "reference_data/description.hpp"
-#include "reference_data/reference_check.hpp"
-#include "references/cache.hpp"
-#include "references/checksum.hpp"
-#include "scenes/registry.hpp"
 #include "support/temporary_folder.hpp"
-#include "sweep/measured_run.hpp"
 
 namespace {
 

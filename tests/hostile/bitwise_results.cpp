@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "conformance/bits.hpp"
-#include "history/block_kernels.hpp"
+#include "fdebench/schemes/history/block_kernels.hpp"
 
 namespace {
 

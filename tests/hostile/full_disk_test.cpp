@@ -7,11 +7,11 @@
 #include <fstream>
 #include <sstream>
 
+#include "fdebench/benchmarks/reference_data/reference_folder.hpp"
+#include "fdebench/benchmarks/references/cache.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "hostile/unwritable_testing.hpp"
-#include "reference_data/reference_folder.hpp"
-#include "references/cache.hpp"
 #include "support/testing.hpp"
-#include "sweep/measured_run.hpp"
 
 namespace fde {
 namespace {

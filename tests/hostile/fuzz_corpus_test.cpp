@@ -7,7 +7,7 @@
 #include <fstream>
 #include <set>
 
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
 #include "support/testing.hpp"
 
 namespace fde {

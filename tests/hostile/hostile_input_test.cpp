@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "reference_data/description.hpp"
-#include "reference_data/reference_check.hpp"
+#include "fdebench/benchmarks/reference_data/description.hpp"
+#include "fdebench/benchmarks/reference_data/reference_check.hpp"
 #include "support/command_output.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"

@@ -19,8 +19,8 @@
 #include <string_view>
 #include <thread>
 
-#include "records/record_text.hpp"
-#include "records/results_file.hpp"
+#include "fdebench/benchmarks/records/record_text.hpp"
+#include "fdebench/benchmarks/records/results_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {

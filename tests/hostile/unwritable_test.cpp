@@ -6,8 +6,8 @@
 
 #include <cstdlib>
 
+#include "fdebench/benchmarks/records/results_file.hpp"
 #include "hostile/unwritable_testing.hpp"
-#include "records/results_file.hpp"
 
 namespace fde {
 namespace {

@@ -108,7 +108,7 @@ def pkg_config(compiler, prefix, work):
     environment = os.environ | {"PKG_CONFIG_PATH": f"{prefix}/lib/pkgconfig"}
     packages = {
         PROJECT / "riccati.cpp": "fdebench-schemes fdebench-reference",
-        PROJECT / "functions.cpp": "fdebench-reference",
+        PROJECT / "functions.cpp": "fdebench-special_functions",
         PROJECT / "cheapest.cpp": "fdebench-benchmarks",
         ROOT / "tests/embedding/relaxes.cpp": "fdebench-schemes",
     }
@@ -124,25 +124,23 @@ def pkg_config(compiler, prefix, work):
 
 
 def public_headers():
-    """(room and file, floor) of each that docs/library.md names."""
+    """Path in include/fdebench of each that docs/library.md names."""
     page = (ROOT / "docs/library.md").read_text()
-    return re.findall(r"^\| `([\w/]+\.hpp)` \| `(\w+)`", page, re.MULTILINE)
+    return re.findall(r"^\| `fdebench/([\w/]+\.hpp)` \|", page, re.MULTILINE)
 
 
 def headers(compiler, prefix):
     """A header says what it needs: alone it compiles."""
     flags = run("pkg-config", "--cflags", "eigen3").split() + ["-std=c++20", "-fsyntax-only", "-x", "c++", "-"]
     flags.append("-DEIGEN_DONT_VECTORIZE")  # a quarter of the time, and nothing of what is declared
-    floors = [f"-I{prefix}/include/fdebench/{floor}" for floor in ("schemes", "reference", "benchmarks")]
     named = public_headers()
     if len(named) < 10:
         sys.exit(f"docs/library.md: names {named} only")
+    if Path(prefix, "include/fdebench/schemes/rules").exists():
+        sys.exit("headers that no public one includes are installed")
 
     def compile_alone(header):
-        name, floor = header
-        if not Path(prefix, "include/fdebench", floor, name).is_file():
-            sys.exit(f"{floor}/{name}: is not installed")
-        run(compiler, *floors, *flags, input=f'#include "{name}"\n')
+        run(compiler, f"-I{prefix}/include", *flags, input=f"#include <fdebench/{header}>\n")
 
     with ThreadPoolExecutor(2) as workers:
         list(workers.map(compile_alone, named))

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "records/record.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
 
 // Synthetic results for tests of reports.
 namespace fde {

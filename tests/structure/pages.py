@@ -36,7 +36,9 @@ NAMES = {path.name for path in FILES}
 
 
 def exists(name, folder):
-    """A file, a folder or a pattern of them, from the root, one of our folders or that of the text; extensions may be left out."""
+    """A file, a folder or a pattern of them, from the root, one of our folders or that of the text; extensions may be left out, and
+    a header may be named as it is included."""
+    name = name.removeprefix("fdebench/")
     if "/" not in name and name in NAMES or PLACEHOLDER.search(name):
         return True
     for base in [ROOT, *(ROOT / each for each in FOLDERS), ROOT / folder]:

@@ -2,7 +2,7 @@
 
 // Problems with algebraic rows, each with the same problem after elimination of these rows by hand.
 
-#include "problem/problem.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

@@ -11,7 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "numbers/real.hpp"
+#include "fdebench/reference/special_functions/numbers/real.hpp"
 
 namespace fde {
 

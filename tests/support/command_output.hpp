@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "command/command.hpp"
+#include "fdebench/reports/command/command.hpp"
 
 namespace fde {
 

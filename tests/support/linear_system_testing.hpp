@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "linear/linear_equation.hpp"
-#include "linear/linear_system.hpp"
-#include "mittag_leffler/mittag_leffler.hpp"
-#include "numbers/real.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
+#include "fdebench/reference/linear/linear_system.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/reference/special_functions/numbers/real.hpp"
 
 namespace fde {
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "problem/vectors.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 

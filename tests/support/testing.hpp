@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "scenes/registry.hpp"
-#include "start_weights/start_weights.hpp"
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
+#include "fdebench/schemes/rules/start_weights/start_weights.hpp"
 
 namespace fde {
 

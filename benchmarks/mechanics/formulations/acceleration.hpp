@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "mechanics/motion.hpp"
-#include "mechanics/reaction.hpp"
-#include "problem/linear_smoothness.hpp"
+#include "fdebench/benchmarks/mechanics/motion.hpp"
+#include "fdebench/benchmarks/mechanics/reaction.hpp"
+#include "fdebench/schemes/problem/linear_smoothness.hpp"
 
 // The formulations acceleration and stabilised: v' = free acceleration + the reaction that gives df/dt +
 // kappa f = 0; kappa = 0 is the printed form.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mechanics/formulations/mechanical_scene.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
 
 namespace fde::mechanics {
 

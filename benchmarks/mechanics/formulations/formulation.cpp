@@ -1,4 +1,4 @@
-#include "mechanics/formulations/formulation.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/formulation.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/parameters.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 
 namespace fde::mechanics {
 

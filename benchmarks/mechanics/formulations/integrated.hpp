@@ -1,8 +1,8 @@
 #pragma once
 
-#include "mechanics/memory_rows.hpp"
-#include "mechanics/motion.hpp"
-#include "mechanics/projection.hpp"
+#include "fdebench/benchmarks/mechanics/memory_rows.hpp"
+#include "fdebench/benchmarks/mechanics/motion.hpp"
+#include "fdebench/benchmarks/mechanics/projection.hpp"
 
 namespace fde::mechanics {
 

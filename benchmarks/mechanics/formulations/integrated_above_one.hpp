@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mechanics/motion.hpp"
-#include "mechanics/projection.hpp"
+#include "fdebench/benchmarks/mechanics/motion.hpp"
+#include "fdebench/benchmarks/mechanics/projection.hpp"
 
 // The integrated formulation for constraints f = a.v + b.w + c with constant a, b, c and w = D^alpha q, 1 <
 // alpha < 2: w = D^(alpha-1) v, and D^(2-alpha) w is v' without its part t^(alpha-2)/Gamma(alpha-1) w(0). P

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/formulations/reactions.hpp"
-#include "mechanics/formulations/state_geometry.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/reactions.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/state_geometry.hpp"
 
 namespace fde::mechanics {
 

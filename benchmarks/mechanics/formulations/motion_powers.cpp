@@ -1,4 +1,4 @@
-#include "mechanics/formulations/motion_powers.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/motion_powers.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mechanics/layout.hpp"
-#include "problem/smoothness.hpp"
+#include "fdebench/benchmarks/mechanics/layout.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde::mechanics {
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "mechanics/formulations/acceleration.hpp"
-#include "mechanics/formulations/integrated_above_one.hpp"
-#include "mechanics/memory_rows.hpp"
-#include "mechanics/motion.hpp"
-#include "mechanics/reaction.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/acceleration.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/integrated_above_one.hpp"
+#include "fdebench/benchmarks/mechanics/memory_rows.hpp"
+#include "fdebench/benchmarks/mechanics/motion.hpp"
+#include "fdebench/benchmarks/mechanics/reaction.hpp"
 
 namespace fde::mechanics {
 

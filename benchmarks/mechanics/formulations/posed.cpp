@@ -1,4 +1,4 @@
-#include "mechanics/formulations/posed.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/posed.hpp"
 
 #include <fmt/format.h>
 

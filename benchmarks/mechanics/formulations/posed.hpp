@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/formulations/formulation.hpp"
-#include "mechanics/motion.hpp"
-#include "mechanics/system.hpp"
-#include "problem/linear_smoothness.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/formulation.hpp"
+#include "fdebench/benchmarks/mechanics/motion.hpp"
+#include "fdebench/benchmarks/mechanics/system.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/problem/linear_smoothness.hpp"
 
 namespace fde::mechanics {
 

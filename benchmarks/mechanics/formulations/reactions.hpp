@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/formulations/setting.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/setting.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 // The reactions of the constraints as functions of the columns, the same for every formulation: lambda by
 // Tarasov & Zaslavsky (36), with w' as the rate of the columns w.

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/formulations/acceleration.hpp"
-#include "mechanics/formulations/formulation.hpp"
-#include "mechanics/formulations/integrated.hpp"
-#include "mechanics/formulations/integrated_above_one.hpp"
-#include "mechanics/formulations/motion_powers.hpp"
-#include "mechanics/formulations/multiplier.hpp"
-#include "mechanics/formulations/posed.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/acceleration.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/formulation.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/integrated.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/integrated_above_one.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/motion_powers.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/multiplier.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/posed.hpp"
 
 namespace fde::mechanics {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/motion.hpp"
-#include "mechanics/semispray.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/mechanics/motion.hpp"
+#include "fdebench/benchmarks/mechanics/semispray.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde::mechanics {
 

@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "scenes/two_sided/manufactured_problem.hpp"
+#include "fdebench/benchmarks/scenes/two_sided/manufactured_problem.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "programs/google/bare_loop.hpp"
+#include "fdebench/benchmarks/programs/google/bare_loop.hpp"
 
 #include <array>
 

@@ -6,10 +6,10 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "history/block_kernels.hpp"
-#include "history/exponential_memory.hpp"
-#include "history/history.hpp"
-#include "programs/google/bare_loop.hpp"
+#include "fdebench/benchmarks/programs/google/bare_loop.hpp"
+#include "fdebench/schemes/history/block_kernels.hpp"
+#include "fdebench/schemes/history/exponential_memory.hpp"
+#include "fdebench/schemes/history/history.hpp"
 
 namespace {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "mittag_leffler/mittag_leffler.hpp"
-#include "weights/weights.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/schemes/history/weights/weights.hpp"
 
 namespace {
 

@@ -6,8 +6,8 @@
 
 #include <list>
 
-#include "scenes/registry.hpp"
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
 
 namespace {
 

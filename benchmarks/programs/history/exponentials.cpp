@@ -15,8 +15,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <vector>
 
-#include "history/exponential_memory.hpp"
-#include "weights/exponential_sum.hpp"
+#include "fdebench/schemes/history/exponential_memory.hpp"
+#include "fdebench/schemes/history/weights/exponential_sum.hpp"
 
 namespace {
 

@@ -25,10 +25,10 @@
 #include <string_view>
 #include <utility>
 
-#include "scenes/registry.hpp"
-#include "sweep/measured_run.hpp"
-#include "weights/interval_weights.hpp"
-#include "weights/weights.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
+#include "fdebench/schemes/history/weights/interval_weights.hpp"
+#include "fdebench/schemes/history/weights/weights.hpp"
 
 namespace {
 

@@ -21,14 +21,14 @@
 #include <ctime>
 #include <string_view>
 
-#include "history/exponential_memory.hpp"
-#include "implicit/sparse_factors.hpp"
-#include "programs/google/bare_loop.hpp"
-#include "programs/large/solvers.hpp"
-#include "scenes/registry.hpp"
-#include "scenes/variant.hpp"
-#include "stepping/scheme.hpp"
-#include "weights/step_factors.hpp"
+#include "fdebench/benchmarks/programs/google/bare_loop.hpp"
+#include "fdebench/benchmarks/programs/large/solvers.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/schemes/history/exponential_memory.hpp"
+#include "fdebench/schemes/history/weights/step_factors.hpp"
+#include "fdebench/schemes/solvers/sparse_factors.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace {
 

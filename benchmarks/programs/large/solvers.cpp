@@ -1,4 +1,4 @@
-#include "programs/large/solvers.hpp"
+#include "fdebench/benchmarks/programs/large/solvers.hpp"
 
 #include <fmt/format.h>
 
@@ -14,9 +14,9 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-#include "implicit/conjugate_gradients.hpp"
-#include "implicit/sparse_factors.hpp"
-#include "programs/large/step_matrix.hpp"
+#include "fdebench/benchmarks/programs/large/step_matrix.hpp"
+#include "fdebench/schemes/solvers/conjugate_gradients.hpp"
+#include "fdebench/schemes/solvers/sparse_factors.hpp"
 
 namespace fde {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "implicit/five_point_matrix.hpp"
+#include "fdebench/schemes/solvers/five_point_matrix.hpp"
 
 namespace fde {
 

@@ -14,9 +14,9 @@
 #include <string_view>
 #include <vector>
 
-#include "mittag_leffler/mittag_leffler.hpp"
-#include "prabhakar_and_matrix/mittag_leffler_matrix.hpp"
-#include "prabhakar_and_matrix/prabhakar.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/reference/special_functions/prabhakar_and_matrix/mittag_leffler_matrix.hpp"
+#include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar.hpp"
 
 namespace {
 

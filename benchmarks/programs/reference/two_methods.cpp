@@ -20,11 +20,11 @@
 #include <utility>
 #include <vector>
 
-#include "diffusive/diffusive_solution.hpp"
-#include "nonlinear/collocation.hpp"
-#include "references/reference_of.hpp"
-#include "scenes/registry.hpp"
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
+#include "fdebench/reference/nonlinear/collocation.hpp"
+#include "fdebench/reference/nonlinear/diffusive/diffusive_solution.hpp"
 
 namespace fde {
 namespace {

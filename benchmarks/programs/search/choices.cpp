@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <exception>
 
-#include "scenes/variant.hpp"
-#include "search/interleaved_times.hpp"
-#include "search/search.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/search/interleaved_times.hpp"
+#include "fdebench/benchmarks/search/search.hpp"
 
 namespace fde {
 namespace {

@@ -10,9 +10,9 @@
 #include <set>
 #include <string>
 
-#include "records/run_settings.hpp"
-#include "scenes/variant.hpp"
-#include "search/search.hpp"
+#include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/search/search.hpp"
 
 namespace fde {
 namespace {

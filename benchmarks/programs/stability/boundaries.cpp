@@ -12,7 +12,7 @@
 #include <complex>
 #include <numbers>
 
-#include "stability/region_boundary.hpp"
+#include "fdebench/schemes/diagnostics/region_boundary.hpp"
 
 namespace {
 

@@ -12,9 +12,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "scenes/registry.hpp"
-#include "stability/growing_mode_count.hpp"
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
+#include "fdebench/schemes/diagnostics/growing_mode_count.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "stepping/scheme.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 

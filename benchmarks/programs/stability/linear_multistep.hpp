@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "problem/problem.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "problem/scalar_equation.hpp"
-#include "programs/stability/late_growth.hpp"
-#include "programs/stability/linear_multistep.hpp"
-#include "stability/stability_region.hpp"
+#include "fdebench/benchmarks/programs/stability/late_growth.hpp"
+#include "fdebench/benchmarks/programs/stability/linear_multistep.hpp"
+#include "fdebench/schemes/diagnostics/stability_region.hpp"
+#include "fdebench/schemes/problem/scalar_equation.hpp"
 
 namespace {
 

@@ -6,10 +6,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include "observers/comparison_steps.hpp"
-#include "reference_data/table_kind.hpp"
-#include "references/decimal_bound.hpp"
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/reference_data/table_kind.hpp"
+#include "fdebench/benchmarks/references/decimal_bound.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
 
 namespace fde {
 namespace {

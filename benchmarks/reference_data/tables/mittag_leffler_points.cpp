@@ -1,4 +1,4 @@
-#include "reference_data/tables/mittag_leffler_points.hpp"
+#include "fdebench/benchmarks/reference_data/tables/mittag_leffler_points.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-#include "numbers/real.hpp"
+#include "fdebench/reference/special_functions/numbers/real.hpp"
 
 namespace fde {
 namespace {

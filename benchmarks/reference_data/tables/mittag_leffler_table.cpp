@@ -4,9 +4,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "mittag_leffler/mittag_leffler.hpp"
-#include "reference_data/table_kind.hpp"
-#include "reference_data/tables/mittag_leffler_points.hpp"
+#include "fdebench/benchmarks/reference_data/table_kind.hpp"
+#include "fdebench/benchmarks/reference_data/tables/mittag_leffler_points.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
 namespace fde {
 namespace {

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "reference_data/table_kind.hpp"
+#include "fdebench/benchmarks/reference_data/table_kind.hpp"
 
 namespace fde {
 

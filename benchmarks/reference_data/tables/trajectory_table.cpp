@@ -7,11 +7,11 @@
 #include <memory>
 #include <stdexcept>
 
-#include "reference_data/decimal_precision.hpp"
-#include "reference_data/table_kind.hpp"
-#include "references/decimal_bound.hpp"
-#include "references/reference_of.hpp"
-#include "sweep/measured_run.hpp"
+#include "fdebench/benchmarks/reference_data/decimal_precision.hpp"
+#include "fdebench/benchmarks/reference_data/table_kind.hpp"
+#include "fdebench/benchmarks/references/decimal_bound.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
 
 namespace fde {
 namespace {

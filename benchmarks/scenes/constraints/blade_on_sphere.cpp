@@ -1,5 +1,5 @@
-#include "mechanics/formulations/mechanical_scene.hpp"
-#include "scenes/constraints/classical_systems.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
+#include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
 
 namespace fde {
 namespace {

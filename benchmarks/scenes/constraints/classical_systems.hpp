@@ -3,7 +3,7 @@
 #include <limits>
 #include <numbers>
 
-#include "mechanics/system.hpp"
+#include "fdebench/benchmarks/mechanics/system.hpp"
 
 // Mechanical systems of the scenes with constraints of integer order, f(t, q, v) = 0.
 namespace fde::mechanics {

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include "problem/chain_problem.hpp"
-#include "problem/linear_smoothness.hpp"
-#include "scenes/constraints/fractional_line.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/constraints/fractional_line.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/linear_smoothness.hpp"
 
 namespace fde {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "linear/linear_system.hpp"
-#include "mechanics/formulations/mechanical_scene.hpp"
-#include "numbers/rational.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
+#include "fdebench/reference/linear/linear_system.hpp"
+#include "fdebench/reference/special_functions/numbers/rational.hpp"
 
 namespace fde {
 namespace {

@@ -1,4 +1,4 @@
-#include "mechanics/formulations/mechanical_scene.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
 
 namespace fde {
 namespace {

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mechanics/formulations/mechanical_scene.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
 
 namespace fde {
 namespace {

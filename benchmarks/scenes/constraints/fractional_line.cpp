@@ -1,7 +1,7 @@
-#include "scenes/constraints/fractional_line.hpp"
+#include "fdebench/benchmarks/scenes/constraints/fractional_line.hpp"
 
-#include "closed_forms/closed_form.hpp"
-#include "linear/linear_solution.hpp"
+#include "fdebench/reference/linear/closed_forms/closed_form.hpp"
+#include "fdebench/reference/linear/linear_solution.hpp"
 
 namespace fde {
 namespace {

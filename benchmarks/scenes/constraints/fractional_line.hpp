@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "numbers/rational.hpp"
-#include "reference.hpp"
+#include "fdebench/reference/reference.hpp"
+#include "fdebench/reference/special_functions/numbers/rational.hpp"
 
 namespace fde {
 

@@ -1,6 +1,6 @@
-#include "mechanics/formulations/mechanical_scene.hpp"
-#include "scenes/constraints/classical_systems.hpp"
-#include "scenes/constraints/oscillator_chain.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
+#include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
+#include "fdebench/benchmarks/scenes/constraints/oscillator_chain.hpp"
 
 namespace fde {
 

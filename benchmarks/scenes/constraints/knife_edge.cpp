@@ -1,9 +1,9 @@
 #include <numbers>
 
-#include "closed_forms/closed_form.hpp"
-#include "closed_forms/quotients.hpp"
-#include "mechanics/formulations/mechanical_scene.hpp"
-#include "scenes/constraints/classical_systems.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
+#include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
+#include "fdebench/reference/linear/closed_forms/closed_form.hpp"
+#include "fdebench/reference/linear/closed_forms/quotients.hpp"
 
 namespace fde {
 namespace {

@@ -3,9 +3,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "closed_forms/closed_form.hpp"
-#include "mechanics/formulations/mechanical_scene.hpp"
-#include "scenes/constraints/classical_systems.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
+#include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
+#include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 
 namespace fde {
 namespace {

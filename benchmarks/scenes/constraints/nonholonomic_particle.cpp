@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "closed_forms/closed_form.hpp"
-#include "closed_forms/quotients.hpp"
-#include "scenes/constraints/particle.hpp"
+#include "fdebench/benchmarks/scenes/constraints/particle.hpp"
+#include "fdebench/reference/linear/closed_forms/closed_form.hpp"
+#include "fdebench/reference/linear/closed_forms/quotients.hpp"
 
 namespace fde {
 namespace {

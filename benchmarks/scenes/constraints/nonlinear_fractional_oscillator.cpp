@@ -1,5 +1,5 @@
-#include "mechanics/formulations/mechanical_scene.hpp"
-#include "problem/chain_problem.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
+#include "fdebench/schemes/problem/chain_problem.hpp"
 
 namespace fde {
 namespace {

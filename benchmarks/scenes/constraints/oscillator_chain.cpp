@@ -1,4 +1,4 @@
-#include "scenes/constraints/oscillator_chain.hpp"
+#include "fdebench/benchmarks/scenes/constraints/oscillator_chain.hpp"
 
 namespace fde {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mechanics/motion.hpp"
-#include "scenes/parameters.hpp"
+#include "fdebench/benchmarks/mechanics/motion.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 
 namespace fde {
 

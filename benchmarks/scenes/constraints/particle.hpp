@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mechanics/formulations/mechanical_scene.hpp"
-#include "scenes/constraints/classical_systems.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
+#include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
 
 namespace fde {
 

@@ -1,5 +1,5 @@
-#include "mechanics/formulations/conditional_extremum.hpp"
-#include "scenes/constraints/particle.hpp"
+#include "fdebench/benchmarks/mechanics/formulations/conditional_extremum.hpp"
+#include "fdebench/benchmarks/scenes/constraints/particle.hpp"
 
 namespace fde {
 

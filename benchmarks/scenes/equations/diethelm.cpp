@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "closed_forms/power_sum.hpp"
-#include "linear/linear_equation.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reference/linear/closed_forms/power_sum.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
 
 namespace fde {
 

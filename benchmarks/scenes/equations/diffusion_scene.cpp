@@ -1,11 +1,11 @@
-#include "scenes/equations/diffusion_scene.hpp"
+#include "fdebench/benchmarks/scenes/equations/diffusion_scene.hpp"
 
 #include <memory>
 #include <utility>
 
-#include "scenes/equations/medium.hpp"
-#include "scenes/equations/sine_field.hpp"
-#include "scenes/equations/variable_coefficient_field.hpp"
+#include "fdebench/benchmarks/scenes/equations/medium.hpp"
+#include "fdebench/benchmarks/scenes/equations/sine_field.hpp"
+#include "fdebench/benchmarks/scenes/equations/variable_coefficient_field.hpp"
 
 namespace fde {
 

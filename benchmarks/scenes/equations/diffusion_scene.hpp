@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "scenes/equations/field_outputs.hpp"
+#include "fdebench/benchmarks/scenes/equations/field_outputs.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 #include <numbers>
 #include <utility>
 
-#include "scenes/equations/linear_field.hpp"
-#include "scenes/equations/no_flux_cells.hpp"
-#include "scenes/equations/sine_modes.hpp"
+#include "fdebench/benchmarks/scenes/equations/linear_field.hpp"
+#include "fdebench/benchmarks/scenes/equations/no_flux_cells.hpp"
+#include "fdebench/benchmarks/scenes/equations/sine_modes.hpp"
 
 namespace fde {
 namespace {

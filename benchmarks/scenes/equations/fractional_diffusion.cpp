@@ -1,4 +1,4 @@
-#include "scenes/equations/diffusion_scene.hpp"
+#include "fdebench/benchmarks/scenes/equations/diffusion_scene.hpp"
 
 namespace fde {
 

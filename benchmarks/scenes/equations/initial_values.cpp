@@ -1,4 +1,4 @@
-#include "scenes/equations/initial_values.hpp"
+#include "fdebench/benchmarks/scenes/equations/initial_values.hpp"
 
 #include <fmt/format.h>
 

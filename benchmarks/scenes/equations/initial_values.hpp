@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/parameters.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 
 namespace fde {
 

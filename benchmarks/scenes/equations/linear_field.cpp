@@ -1,4 +1,4 @@
-#include "scenes/equations/linear_field.hpp"
+#include "fdebench/benchmarks/scenes/equations/linear_field.hpp"
 
 namespace fde {
 

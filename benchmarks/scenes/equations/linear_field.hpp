@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "scenes/equations/field_outputs.hpp"
+#include "fdebench/benchmarks/scenes/equations/field_outputs.hpp"
 
 namespace fde {
 

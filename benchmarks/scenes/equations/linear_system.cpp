@@ -1,8 +1,8 @@
-#include "linear/linear_system.hpp"
+#include "fdebench/reference/linear/linear_system.hpp"
 
-#include "problem/linear_smoothness.hpp"
-#include "scenes/equations/initial_values.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/equations/initial_values.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/problem/linear_smoothness.hpp"
 
 namespace fde {
 // D^g1 x = a11 x + a12 y + c1, D^g2 y = a21 x + a22 y + c2, each with its own order. The coefficients can be

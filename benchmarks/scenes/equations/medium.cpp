@@ -1,4 +1,4 @@
-#include "scenes/equations/medium.hpp"
+#include "fdebench/benchmarks/scenes/equations/medium.hpp"
 
 #include <cmath>
 #include <numbers>

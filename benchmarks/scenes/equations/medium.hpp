@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenes/equations/sine_modes.hpp"
+#include "fdebench/benchmarks/scenes/equations/sine_modes.hpp"
 
 namespace fde {
 

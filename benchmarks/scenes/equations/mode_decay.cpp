@@ -1,9 +1,9 @@
-#include "scenes/equations/mode_decay.hpp"
+#include "fdebench/benchmarks/scenes/equations/mode_decay.hpp"
 
 #include <cmath>
 #include <complex>
 
-#include "mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
 namespace fde {
 

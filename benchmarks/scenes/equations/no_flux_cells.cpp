@@ -1,4 +1,4 @@
-#include "scenes/equations/no_flux_cells.hpp"
+#include "fdebench/benchmarks/scenes/equations/no_flux_cells.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenes/equations/field_outputs.hpp"
+#include "fdebench/benchmarks/scenes/equations/field_outputs.hpp"
 
 namespace fde {
 

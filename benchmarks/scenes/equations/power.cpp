@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "closed_forms/power_sum.hpp"
-#include "linear/linear_equation.hpp"
-#include "numbers/log_gamma.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reference/linear/closed_forms/power_sum.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
+#include "fdebench/reference/special_functions/numbers/log_gamma.hpp"
 
 namespace fde {
 // Manufactured solution y = t^p of D^g y = Gamma(p+1)/Gamma(p+1-g) t^(p-g) + t^p - y: p sets the smoothness.

@@ -1,6 +1,6 @@
-#include "linear/linear_equation.hpp"
-#include "scenes/equations/initial_values.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/equations/initial_values.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
 
 namespace fde {
 

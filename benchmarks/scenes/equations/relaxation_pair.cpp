@@ -1,7 +1,7 @@
-#include "linear/linear_system.hpp"
-#include "problem/linear_smoothness.hpp"
-#include "scenes/equations/initial_values.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/equations/initial_values.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reference/linear/linear_system.hpp"
+#include "fdebench/schemes/problem/linear_smoothness.hpp"
 
 namespace fde {
 

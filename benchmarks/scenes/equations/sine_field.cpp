@@ -1,11 +1,11 @@
-#include "scenes/equations/sine_field.hpp"
+#include "fdebench/benchmarks/scenes/equations/sine_field.hpp"
 
 #include <cmath>
 #include <numeric>
 #include <utility>
 
-#include "history/running_sum.hpp"
-#include "scenes/equations/mode_decay.hpp"
+#include "fdebench/benchmarks/scenes/equations/mode_decay.hpp"
+#include "fdebench/schemes/history/running_sum.hpp"
 
 namespace fde {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "scenes/equations/linear_field.hpp"
-#include "scenes/equations/sine_modes.hpp"
+#include "fdebench/benchmarks/scenes/equations/linear_field.hpp"
+#include "fdebench/benchmarks/scenes/equations/sine_modes.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "scenes/equations/sine_modes.hpp"
+#include "fdebench/benchmarks/scenes/equations/sine_modes.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde {
 

@@ -1,5 +1,5 @@
-#include "linear/linear_system.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reference/linear/linear_system.hpp"
 
 namespace fde {
 

@@ -1,11 +1,11 @@
-#include "scenes/equations/variable_coefficient_field.hpp"
+#include "fdebench/benchmarks/scenes/equations/variable_coefficient_field.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include "scenes/equations/mode_decay.hpp"
+#include "fdebench/benchmarks/scenes/equations/mode_decay.hpp"
 
 namespace fde {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <mutex>
 
-#include "scenes/equations/linear_field.hpp"
-#include "scenes/equations/medium.hpp"
+#include "fdebench/benchmarks/scenes/equations/linear_field.hpp"
+#include "fdebench/benchmarks/scenes/equations/medium.hpp"
 
 namespace fde {
 

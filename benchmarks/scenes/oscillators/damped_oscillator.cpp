@@ -1,7 +1,7 @@
-#include "linear/linear_equation.hpp"
-#include "problem/chain_problem.hpp"
-#include "scenes/oscillators/damping.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/oscillators/damping.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
+#include "fdebench/schemes/problem/chain_problem.hpp"
 
 namespace fde {
 namespace {

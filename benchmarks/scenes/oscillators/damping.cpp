@@ -1,4 +1,4 @@
-#include "scenes/oscillators/damping.hpp"
+#include "fdebench/benchmarks/scenes/oscillators/damping.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "problem/chain.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
 
 namespace fde {
 

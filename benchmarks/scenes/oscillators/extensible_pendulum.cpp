@@ -4,9 +4,9 @@
 #include <iterator>
 #include <utility>
 
-#include "problem/chain_problem.hpp"
-#include "scenes/oscillators/damping.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/oscillators/damping.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/problem/chain_problem.hpp"
 
 namespace fde {
 namespace {

@@ -1,9 +1,9 @@
 #include <array>
 #include <cmath>
 
-#include "closed_forms/closed_form.hpp"
-#include "linear/linear_solution.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reference/linear/closed_forms/closed_form.hpp"
+#include "fdebench/reference/linear/linear_solution.hpp"
 
 namespace fde {
 namespace {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <iterator>
 
-#include "linear/linear_equation.hpp"
-#include "problem/chain_problem.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
+#include "fdebench/schemes/problem/chain_problem.hpp"
 
 namespace fde {
 namespace {

@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "closed_forms/free_pendulum.hpp"
-#include "problem/chain_problem.hpp"
-#include "scenes/oscillators/damping.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/oscillators/damping.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reference/linear/closed_forms/free_pendulum.hpp"
+#include "fdebench/schemes/problem/chain_problem.hpp"
 
 namespace fde {
 

@@ -1,8 +1,8 @@
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 
-#include "closed_forms/extremum.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reference/linear/closed_forms/extremum.hpp"
 
 namespace fde {
 namespace {

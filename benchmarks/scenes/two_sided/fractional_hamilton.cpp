@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 
-#include "mechanics/derivatives.hpp"
-#include "scenes/two_sided/plane_mechanics.hpp"
+#include "fdebench/benchmarks/mechanics/dual_derivatives.hpp"
+#include "fdebench/benchmarks/scenes/two_sided/plane_mechanics.hpp"
 
 namespace fde {
 namespace {

@@ -1,7 +1,7 @@
 #include <array>
 
-#include "mechanics/derivatives.hpp"
-#include "scenes/two_sided/plane_mechanics.hpp"
+#include "fdebench/benchmarks/mechanics/dual_derivatives.hpp"
+#include "fdebench/benchmarks/scenes/two_sided/plane_mechanics.hpp"
 
 namespace fde {
 namespace {

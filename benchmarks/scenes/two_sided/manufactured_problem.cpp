@@ -1,4 +1,4 @@
-#include "scenes/two_sided/manufactured_problem.hpp"
+#include "fdebench/benchmarks/scenes/two_sided/manufactured_problem.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "scenes/two_sided/plane_mechanics.hpp"
+#include "fdebench/benchmarks/scenes/two_sided/plane_mechanics.hpp"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/two_sided/sum_of_powers.hpp"
+#include "fdebench/benchmarks/scenes/two_sided/sum_of_powers.hpp"
 
 namespace fde {
 

@@ -1,4 +1,4 @@
-#include "scenes/two_sided/sum_of_powers.hpp"
+#include "fdebench/benchmarks/scenes/two_sided/sum_of_powers.hpp"
 
 #include <fmt/format.h>
 

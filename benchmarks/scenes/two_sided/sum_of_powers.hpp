@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde {
 

@@ -1,7 +1,7 @@
 #include <array>
 #include <cmath>
 
-#include "scenes/two_sided/plane_mechanics.hpp"
+#include "fdebench/benchmarks/scenes/two_sided/plane_mechanics.hpp"
 
 namespace fde {
 namespace {

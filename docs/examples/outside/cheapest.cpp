@@ -1,8 +1,8 @@
 #include <cstdio>
 #include <string>
 
-#include "scenes/variant.hpp"
-#include "search/search.hpp"
+#include <fdebench/benchmarks/scenes/variant.hpp>
+#include <fdebench/benchmarks/search/search.hpp>
 
 // The cheapest runs of a relaxation whose error at the end is at most 1e-5, found in two seconds.
 int main() {

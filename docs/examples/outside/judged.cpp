@@ -1,10 +1,10 @@
 #include <cstdio>
 #include <string>
 
-#include "measures/judge.hpp"
-#include "references/memoized_reference.hpp"
-#include "scenes/variant.hpp"
-#include "stepping/scheme.hpp"
+#include <fdebench/benchmarks/measures/judge.hpp>
+#include <fdebench/benchmarks/references/memoized_reference.hpp>
+#include <fdebench/benchmarks/scenes/variant.hpp>
+#include <fdebench/schemes/stepping/scheme.hpp>
 
 // The pendulum of Yin, Liu & Anh up to t = 5 by the trapezoidal rule, judged by its reference.
 int main() {

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "nonlinear/collocation.hpp"
-#include "stepping/scheme.hpp"
+#include <fdebench/reference/nonlinear/collocation.hpp>
+#include <fdebench/schemes/stepping/scheme.hpp>
 
 // D^order y = 1 - y^2, y(0) = 0; of order 1 this is tanh.
 int main(int count, char** arguments) {

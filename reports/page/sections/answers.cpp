@@ -5,10 +5,10 @@
 #include <cmath>
 #include <span>
 
-#include "analysis/recommendation.hpp"
-#include "analysis/text.hpp"
-#include "page/accuracies.hpp"
-#include "page/page_data.hpp"
+#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/page/accuracies.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 namespace {

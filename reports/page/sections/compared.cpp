@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/comparison.hpp"
-#include "analysis/text.hpp"
-#include "page/page_data.hpp"
+#include "fdebench/reports/analysis/comparison.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/text.hpp"
-#include "page/accuracies.hpp"
-#include "page/page_data.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/page/accuracies.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 namespace {

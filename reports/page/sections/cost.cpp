@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "analysis/text.hpp"
-#include "page/page_data.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 namespace {

@@ -3,12 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "analysis/parameter_curves.hpp"
-#include "analysis/text.hpp"
-#include "page/page_data.hpp"
-#include "page/run_columns.hpp"
-#include "scenes/registry.hpp"
-#include "scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/reports/analysis/parameter_curves.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/reports/page/run_columns.hpp"
 
 namespace fde {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "analysis/formulations.hpp"
-#include "analysis/text.hpp"
-#include "page/page_data.hpp"
+#include "fdebench/reports/analysis/formulations.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 namespace {

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/formulations.hpp"
-#include "observers/independent_memory.hpp"
-#include "page/chart_number.hpp"
-#include "page/page_data.hpp"
-#include "scenes/variant.hpp"
+#include "fdebench/benchmarks/observers/independent_memory.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/reports/analysis/formulations.hpp"
+#include "fdebench/reports/page/chart_number.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 namespace {

@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "page/page_data.hpp"
-#include "scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 namespace {

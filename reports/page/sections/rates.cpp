@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/text.hpp"
-#include "page/page_data.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "analysis/text.hpp"
-#include "page/page_data.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 namespace {

@@ -12,9 +12,9 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/text.hpp"
-#include "page/page_data.hpp"
-#include "references/reference_of.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 namespace {

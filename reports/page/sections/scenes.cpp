@@ -6,9 +6,9 @@
 #include <set>
 #include <string>
 
-#include "analysis/text.hpp"
-#include "page/page_data.hpp"
-#include "page/run_columns.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/reports/page/run_columns.hpp"
 
 namespace fde {
 namespace {

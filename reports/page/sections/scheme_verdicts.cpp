@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/text.hpp"
-#include "analysis/verdict.hpp"
-#include "page/accuracies.hpp"
-#include "page/page_data.hpp"
-#include "stepping/scheme.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/analysis/verdict.hpp"
+#include "fdebench/reports/page/accuracies.hpp"
+#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "page/page_data.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "page/chart_number.hpp"
-#include "page/page_data.hpp"
-#include "references/reference_of.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/reports/page/chart_number.hpp"
+#include "fdebench/reports/page/page_data.hpp"
 
 namespace fde {
 namespace {

@@ -6,11 +6,11 @@
 #include <map>
 #include <utility>
 
-#include "analysis/text.hpp"
-#include "analysis/verdict.hpp"
-#include "page/page_data.hpp"
-#include "stepping/scheme.hpp"
-#include "sweep/trials.hpp"
+#include "fdebench/benchmarks/sweep/trials.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/analysis/verdict.hpp"
+#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 namespace {

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fdebench/benchmarks/reference_data/data_table.hpp"
+#include "fdebench/reference/reference.hpp"
+
+namespace fde {
+
+// The comparison of one row with recomputed values: its column with the largest ratio of error to tolerance.
+struct RowComparison {
+  std::string column{};
+  std::string error{}, allowed{};  // decimals of three digits
+  double ratio = 0.0;              // error / allowed
+  std::string failure{};           // why there is no recomputed value; empty if there is one
+  [[nodiscard]] bool holds() const { return failure.empty() && ratio <= 1.0; }
+};
+
+// Compares the values of a table with recomputed values. The tolerance of a value is the bound in its row
+// plus the bound of the recomputed value. Without a column `bound` the decimal text gives the tolerance: half
+// a unit of the last place. This place is given by the largest number of significant digits, or of decimals,
+// of any value in the column, whichever is coarser (so 0.5 among values of twelve digits counts as
+// 0.500000000000). 17 digits denote the nearest double, with a tolerance of half a unit of its last place;
+// with 16 digits that half unit is added.
+class TableComparison {
+ public:
+  // Compares those of `value_columns` that the table has; the table must outlive this object. Throws
+  // std::invalid_argument if it has none of them, or naming a cell that is not a number of at most 1000
+  // digits or is a negative bound.
+  TableComparison(const DataTable& given, const std::vector<std::string>& value_columns);
+
+  // Largest number of significant digits of any value.
+  [[nodiscard]] int digits() const { return digits_; }
+
+  // `recomputed`: one element per value column, in the order of the constructor's argument. Throws
+  // std::runtime_error if the bound in the row overflows double.
+  [[nodiscard]] RowComparison operator()(std::size_t row, const std::vector<Decimal>& recomputed) const;
+
+  // Throws std::runtime_error if a recomputed value is too inaccurate for a comparison: its bound exceeds
+  // both the tolerance of the given value and 10^-digits times the largest recomputed value.
+  void require_accurate(std::size_t row, const std::vector<Decimal>& recomputed, int digits) const;
+
+ private:
+  struct Column {
+    std::size_t at, value;  // index in the table, index in the recomputed values
+    int digits = 0;         // largest number of any row
+    int last_place;         // lowest of any row
+  };
+  struct Meant;  // a value and its tolerance
+  void read(Column& column) const;
+  [[nodiscard]] Meant meant(std::size_t row, const Column& column) const;
+
+  const DataTable& given_;
+  std::vector<Column> columns_;
+  std::optional<std::size_t> bound_;
+  int digits_ = 0;
+};
+
+}  // namespace fde

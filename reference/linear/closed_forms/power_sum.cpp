@@ -1,0 +1,39 @@
+#include "fdebench/reference/linear/closed_forms/power_sum.hpp"
+
+#include "fdebench/reference/linear/closed_forms/evaluation.hpp"
+#include "fdebench/reference/special_functions/laplace/adaptive_precision_contour.hpp"
+
+namespace fde {
+namespace {
+
+template <class Real>
+Sum<Real> sum_at(const std::vector<Power>& terms, double order, double t) {
+  using std::abs, std::log, std::pow;
+  Sum<Real> sum;
+  const Real time = decimal<Real>(t);
+  for (const auto& [coefficient, power, multiple] : terms) {
+    if (coefficient == 0.0) continue;
+    const Real exponent = decimal<Real>(power) + decimal<Real>(multiple) * decimal<Real>(order);
+    const Real ulps = 4 + (time > 0 ? Real(2 * abs(exponent) * (1 + abs(Real(log(time))))) : Real(0));
+    sum.add(Complex<Real>(Real(decimal<Real>(coefficient) * pow(time, exponent))),
+            Real(ulps * epsilon<Real>()));
+  }
+  return sum;
+}
+
+}  // namespace
+
+Reference power_sum(const std::vector<Power>& terms, double order) {
+  const auto quick = [terms, order](double t) -> std::optional<std::vector<BoundedDouble>> {
+    const Sum<long double> sum = sum_at<long double>(terms, order, t);
+    const bool settled = std::isfinite(sum.error) && sum.error <= double_tolerance * std::abs(sum.value);
+    return settled ? std::optional(std::vector{to_double(sum.value, sum.error)}) : std::nullopt;
+  };
+  const auto precise = [terms, order](double t, int digits) {
+    return increase_digits_by_comparison(digits, 0,
+                                         [&](int) { return std::vector{sum_at<BigReal>(terms, order, t)}; });
+  };
+  return as_reference({.name = "power sum", .quick = quick, .precise = precise});
+}
+
+}  // namespace fde

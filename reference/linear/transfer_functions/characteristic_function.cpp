@@ -1,0 +1,150 @@
+#include "fdebench/reference/linear/transfer_functions/characteristic_function.hpp"
+
+#include "fdebench/schemes/problem/progress/progress.hpp"
+
+namespace fde {
+namespace {
+
+using Point = CharacteristicFunction::Point;
+
+// Enough digits for the cancellation of terms of close orders: a gap of 10^-n between two orders takes n.
+int most_digits_for(const std::vector<Characteristic<long double>::Term>& terms) {
+  constexpr long double least = 40.0L, most = 400.0L;
+  long double digits = least;
+  for (std::size_t i = 1; i < terms.size(); ++i)
+    digits += std::max(0.0L, -std::log10(terms[i].order - terms[i - 1].order));
+  return static_cast<int>(std::min(digits, most));
+}
+
+template <class Real>
+Characteristic<Real> rounded_characteristic(const GeneralizedPolynomial& exact) {
+  Characteristic<Real> result;
+  for (const auto& [order, coefficient] : exact)
+    result.terms.push_back({log(Complex<Real>(rounded<Real>(coefficient).value)), rounded<Real>(order)});
+  return result;
+}
+
+template <class Real>
+Point long_point(const Complex<Real>& z) {
+  return {static_cast<long double>(real_part<Real>(z)), static_cast<long double>(imag_part<Real>(z))};
+}
+
+// Upper bounds of |e^x - 1|, and of the remainder of the series of e^x after the first `terms` terms.
+long double exp_minus_one_bound(const Point& x) {
+  const long double size = std::abs(x);
+  return x.real() > 0.0L ? size * std::exp(x.real()) : std::min(size, 2.0L);
+}
+long double exp_remainder_bound(const Point& x, std::size_t terms) {
+  long double rest = std::exp(std::max(0.0L, x.real()));
+  for (std::size_t k = 1; k <= terms; ++k) rest *= std::abs(x) / static_cast<long double>(k);
+  return rest;
+}
+
+constexpr long double clear = 1e3L;  // in units of the noise: a few digits are correct
+
+}  // namespace
+
+CharacteristicFunction::CharacteristicFunction(const LinearTransform& exact)
+    : exact_(exact.characteristic),
+      rounded_(rounded_characteristic<long double>(exact_)),
+      most_digits_(most_digits_for(rounded_.terms)) {
+  for (const auto& term : rounded_.terms)
+    largest_log_ = std::max(largest_log_, std::abs(term.log_coefficient));
+}
+
+template <class Real>
+CharacteristicFunction::Moments CharacteristicFunction::moments(const Characteristic<Real>& characteristic,
+                                                                const Point& w,
+                                                                const MomentSelection& chosen) {
+  const auto terms = characteristic.scaled_terms(Complex<Real>(Real(w.real()), Real(w.imag())));
+  const Real origin = chosen.origin ? characteristic.terms[*chosen.origin].order : Real(0);
+  std::vector<Complex<Real>> sums(chosen.count, Complex<Real>(0));
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (!chosen.terms.empty() && !chosen.terms[i]) continue;
+    const Real distance = characteristic.terms[i].order - origin;
+    Complex<Real> power = terms[i];
+    for (auto& sum : sums) {
+      sum += power;
+      power *= distance;
+    }
+  }
+  Moments result{};
+  std::ranges::transform(sums, result.begin(), long_point<Real>);
+  return result;
+}
+
+CharacteristicFunction::Moments CharacteristicFunction::moments(int digits, const Point& w,
+                                                                const MomentSelection& chosen) const {
+  if (digits == 0) return moments(rounded_, w, chosen);
+  report_progress(0);
+  const Precision precision(digits);
+  auto known = precise_.find(digits);
+  if (known == precise_.end())
+    known = precise_.emplace(digits, rounded_characteristic<BigReal>(exact_)).first;
+  return moments(known->second, w, chosen);
+}
+
+long double CharacteristicFunction::noise_at(const Point& w, int digits) const {
+  const long double unit =
+      digits == 0 ? epsilon<long double>() : std::pow(10.0L, -static_cast<long double>(digits));
+  return unit * (2.0L + 2.0L * (largest_log_ + rounded_.terms.back().order * std::abs(w)));
+}
+
+// The digits suffice if a zero is determined well (noise over slope is small), or if a cluster of zeros is
+// established, or if value and slope have a few correct digits.
+CharacteristicFunction::Derivatives CharacteristicFunction::derivatives(const Point& w) const {
+  constexpr long double known_well = 1e-9L;
+  long double size = 0.0L, slopes = 0.0L, bends = 0.0L;
+  const auto scaled = rounded_.scaled_terms(w);
+  for (std::size_t i = 0; i < scaled.size(); ++i) {
+    const long double order = rounded_.terms[i].order, modulus = std::abs(scaled[i]);
+    size += modulus;
+    slopes += order * modulus;
+    bends += order * order * modulus;
+  }
+  for (int digits = 0;; digits = more(digits)) {
+    const Moments sums = moments(digits, w, {.count = 3});
+    const long double noise = noise_at(w, digits), value = std::abs(sums[0]), slope = std::abs(sums[1]);
+    const Derivatives known{sums[0] / size, sums[1] / size, sums[2] / size, noise};
+    const bool well = known_well * slope > noise * size, left = value > clear * noise * size,
+               left_of_slope = slope > clear * noise * slopes,
+               several = std::abs(sums[2]) > clear * noise * bends && known.flat();
+    if (well || several || (left && left_of_slope) || digits == most_digits_) return known;
+  }
+}
+
+CharacteristicFunction::ScaledValue CharacteristicFunction::direction(const Point& w) const {
+  for (int digits = 0;; digits = more(digits)) {
+    const ScaledValue known{moments(digits, w, {})[0], noise_at(w, digits), digits};
+    if (std::abs(known.value) > clear * known.noise || digits == most_digits_) return known;
+  }
+}
+
+// By the series of e^(d (b-a)) for orders at a small distance d from the order of the largest term, whose
+// terms may cancel; the other terms are bounded by their moduli.
+CharacteristicFunction::PathBound CharacteristicFunction::way(const Point& a, const Point& b) const {
+  constexpr long double near = 0.5L;
+  const auto sizes = rounded_.log_sizes(a);
+  const auto largest = static_cast<std::size_t>(std::ranges::max_element(sizes) - sizes.begin());
+  const long double order = rounded_.terms[largest].order;
+  const auto [start, noise, digits] = direction(a);
+  MomentSelection chosen{.count = most_moments, .origin = largest};
+  PathBound way{start, order, 0.0L};
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const Point exponent = (rounded_.terms[i].order - order) * (b - a);
+    const bool is_near = std::abs(exponent) < near;
+    chosen.terms.push_back(is_near);
+    const long double off = is_near ? exp_remainder_bound(exponent, most_moments) + noise * std::abs(exponent)
+                                    : exp_minus_one_bound(exponent);
+    way.change += std::exp(sizes[i] - sizes[largest]) * off;
+  }
+  const Moments sums = moments(digits, a, chosen);
+  long double power = 1.0L;
+  for (std::size_t k = 1; k < most_moments; ++k) {
+    power *= std::abs(b - a) / static_cast<long double>(k);
+    way.change += std::abs(sums[k]) * power;
+  }
+  return way;
+}
+
+}  // namespace fde

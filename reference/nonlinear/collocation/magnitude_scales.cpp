@@ -1,0 +1,44 @@
+#include "fdebench/reference/nonlinear/collocation/magnitude_scales.hpp"
+
+#include <algorithm>
+
+#include "fdebench/reference/nonlinear/march/rhs_at.hpp"
+
+namespace fde {
+
+MagnitudeScales without_unbounded_scales(MagnitudeScales sizes, const Problem& problem) {
+  if (std::ranges::none_of(problem.components, algebraic)) return sizes;
+  sizes.rhs.setZero();
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    if (algebraic(problem.components[static_cast<std::size_t>(i)])) sizes.values[i] = 0.0;
+  }
+  return sizes;
+}
+
+MagnitudeScales sizes_at_start(const Problem& problem) {
+  constexpr int samples = 64;
+  const Vec initial = taylor_part(problem, 0.0);
+  const Vec rhs = rhs_at(problem, 0.0, initial).cwiseAbs();
+  MagnitudeScales sizes{initial.cwiseAbs(), rhs, rhs, Vec::Zero(problem.size())};
+  for (int k = 1; k <= samples; ++k) {
+    const Vec sample = rhs_at(problem, problem.end * k / samples, initial).cwiseAbs();
+    if (sample.allFinite()) {
+      sizes.forcing = sizes.forcing.cwiseMax(sample);
+    }
+  }
+  return sizes;
+}
+
+MagnitudeScales updated_scales(const MagnitudeScales& before, const Matrix& y, const Matrix& rhs,
+                               const std::vector<Matrix>& jacobians) {
+  MagnitudeScales sizes = before;
+  for (Eigen::Index k = 0; k < rhs.rows(); ++k) {
+    const Vec y_size = y.row(k).transpose().cwiseAbs();
+    const Vec terms = jacobians[static_cast<std::size_t>(k)].cwiseAbs() * y_size;
+    sizes.values = sizes.values.cwiseMax(y_size);
+    sizes.rhs = sizes.rhs.cwiseMax(terms).cwiseMax(rhs.row(k).transpose().cwiseAbs());
+  }
+  return sizes;
+}
+
+}  // namespace fde

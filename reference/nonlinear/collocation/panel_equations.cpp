@@ -1,0 +1,136 @@
+#include "fdebench/reference/nonlinear/collocation/panel_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "fdebench/reference/nonlinear/march/jumps.hpp"
+#include "fdebench/reference/nonlinear/march/rhs_at.hpp"
+#include "fdebench/reference/nonlinear/march/unit_increment.hpp"
+
+namespace fde {
+
+namespace {
+
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+
+// The largest correction relative to the size of its component; a component of size 0 must not change.
+double relative_norm(const Matrix& correction, const Vec& sizes) {
+  const Vec largest = correction.cwiseAbs().colwise().maxCoeff();
+  return (largest.array() / (sizes.array() + std::numeric_limits<double>::min())).maxCoeff();
+}
+
+Matrix with_signs(const Matrix& sizes) {
+  std::minstd_rand generator(3);
+  return sizes.unaryExpr([&](double size) { return generator() % 2 == 0 ? size : -size; });
+}
+
+}  // namespace
+
+PanelEquations::PanelEquations(const Problem& problem, const PanelBasis& basis)
+    : problem_(problem), basis_(basis) {
+  for (const Component& component : problem.components) {
+    integral_.push_back(algebraic(component) ? basis.at_targets : basis.integral(component.order));
+  }
+}
+
+std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past, double from, double to,
+                                                              In first_rhs,
+                                                              const MagnitudeScales& before) const {
+  constexpr int most_iterations = 40;
+  constexpr double nearly_converged = 1e-12;
+  const Eigen::Index points = basis_.points();
+  const double length = to - from;
+  const Vec times = node_times(problem_, from, length, basis_.nodes);
+  Solution found{};
+  found.values = past + integrate(first_rhs.transpose().replicate(points, 1), length);
+  LinearisedStep newton;
+  double size = std::numeric_limits<double>::infinity(), last_size = 0.0;  // of the corrections
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    found.rhs = rhs_at(problem_, times, found.values);
+    const Matrix next = advanced(past, found, length);
+    if (size < 2 * rounding || (size < nearly_converged && size > last_size / 2)) {
+      found.values = next;
+      return found;
+    }
+    if (!next.allFinite()) {
+      return std::nullopt;
+    }
+    if (size > last_size / 10) {  // the Jacobian is reused while each iteration gains a digit
+      newton = linearise(times, before, length, found);
+    }
+    const Matrix correction =
+        newton.solve(residual_of(problem_, next.topRows(points), found.values.topRows(points), found.rhs));
+    if (!correction.allFinite()) {
+      return std::nullopt;
+    }
+    found.values.topRows(points) += correction;
+    last_size = size;
+    size = relative_norm(correction, found.sizes.values + found.increment + found.noise.values / rounding);
+  }
+  return std::nullopt;
+}
+
+LinearisedStep PanelEquations::linearise(const Vec& times, const MagnitudeScales& before, double length,
+                                         Solution& at) const {
+  const Matrix y = at.values.topRows(times.size());
+  std::vector<Matrix> jacobians;
+  for (Eigen::Index k = 0; k < times.size(); ++k) {
+    jacobians.push_back(jacobian_at(times[k], y.row(k).transpose()));
+  }
+  at.sizes = updated_scales(without_unbounded_scales(before, problem_), y, at.rhs, jacobians);
+  at.increment = unit_increment(problem_, length).cwiseProduct(at.sizes.rhs.cwiseMax(at.sizes.forcing));
+  LinearisedStep step(problem_, weights(length), std::move(jacobians));
+  const auto integral = [&](const Matrix& rhs) -> Matrix {
+    return integrate(rhs, length).topRows(rhs.rows());
+  };
+  at.noise = propagated_noise(step, integral, y, at.rhs, at.sizes.noise / rounding, with_signs);
+  return step;
+}
+
+// The unknowns of algebraic rows are kept, and extrapolated to the end of the panel.
+Matrix PanelEquations::advanced(const Matrix& past, const Solution& from, double length) const {
+  Matrix next = past + integrate(from.rhs, length);
+  for (Eigen::Index i = 0; i < problem_.size(); ++i) {
+    if (algebraic(problem_.components[static_cast<std::size_t>(i)]))
+      next.col(i) = basis_.at_targets * from.values.col(i).head(basis_.points());
+  }
+  return next;
+}
+
+Matrix PanelEquations::jacobian_at(double t, In y) const {
+  Matrix jacobian(y.size(), y.size());
+  if (evaluate_jacobian(problem_, t, y, jacobian)) {
+    return jacobian;
+  }
+  Vec moved = y, f(y.size()), f_moved(y.size());
+  problem_.rhs(t, y, f);
+  for (Eigen::Index l = 0; l < y.size(); ++l) {
+    moved[l] = y[l] + std::sqrt(rounding) * std::max(1.0, std::abs(y[l]));
+    problem_.rhs(t, moved, f_moved);
+    jacobian.col(l) = (f_moved - f) / (moved[l] - y[l]);
+    moved[l] = y[l];
+  }
+  return jacobian;
+}
+
+Matrix PanelEquations::integrate(const Matrix& rhs, double length) const {
+  Matrix sum(basis_.targets.size(), problem_.size());
+  for (Eigen::Index i = 0; i < problem_.size(); ++i) {
+    const auto component = static_cast<std::size_t>(i);
+    sum.col(i) = std::pow(length, problem_.components[component].order) * (integral_[component] * rhs.col(i));
+  }
+  return sum;
+}
+
+std::vector<Matrix> PanelEquations::weights(double length) const {
+  std::vector<Matrix> weights;
+  for (std::size_t i = 0; i < integral_.size(); ++i) {
+    weights.emplace_back(std::pow(length, problem_.components[i].order) *
+                         integral_[i].topRows(basis_.points()));
+  }
+  return weights;
+}
+
+}  // namespace fde

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fdebench/reference/nonlinear/collocation/magnitude_scales.hpp"
+#include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
+#include "fdebench/reference/nonlinear/march/implicit_step.hpp"
+
+namespace fde {
+
+// The collocation equations y_i(t_k) = past_i(t_k) + length^gamma_i sum_j W_kj f_i(t_j, y(t_j)) of one panel,
+// where past_i is the history term, W the matrix PanelBasis::integral, and t_k, t_j are the nodes of the
+// panel. Algebraic rows are 0 = f_i(t_k, y(t_k)).
+class PanelEquations {
+ public:
+  PanelEquations(const Problem& problem, const PanelBasis& basis);
+
+  struct Solution {
+    Matrix values;          // y at the targets
+    Matrix rhs;             // f at the nodes
+    MagnitudeScales sizes;  // up to the end of this panel
+    Vec increment;  // size of the integral of f_i over this panel without cancellation: its rounding is noise
+                    // of y_i
+    Noise noise;
+  };
+
+  // Newton's method down to rounding on the panel [from, to], with f = first_rhs as the initial guess. past:
+  // the history term at the targets, and an initial guess of the unknowns of algebraic rows. nullopt where it
+  // does not converge.
+  [[nodiscard]] std::optional<Solution> solve(const Matrix& past, double from, double to, In first_rhs,
+                                              const MagnitudeScales& before) const;
+
+ private:
+  // Linearises at at.values, and sets the sizes, the increment and the noise of `at`.
+  [[nodiscard]] LinearisedStep linearise(const Vec& times, const MagnitudeScales& before, double length,
+                                         Solution& at) const;
+  // The right-hand sides of the equations for the values and f of `from`.
+  [[nodiscard]] Matrix advanced(const Matrix& past, const Solution& from, double length) const;
+  [[nodiscard]] Matrix jacobian_at(double t, In y) const;
+  [[nodiscard]] Matrix integrate(const Matrix& rhs, double length) const;  // from the start to the targets
+  [[nodiscard]] std::vector<Matrix> weights(double length) const;          // from the start to the nodes
+
+  const Problem& problem_;
+  const PanelBasis& basis_;
+  std::vector<Matrix> integral_;  // of each component
+};
+
+}  // namespace fde

@@ -1,0 +1,70 @@
+#include "fdebench/reference/nonlinear/collocation/panel_noise.hpp"
+
+#include <limits>
+
+#include "fdebench/reference/nonlinear/march/unit_increment.hpp"
+
+namespace fde {
+
+namespace {
+
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+constexpr double some_roundings = 16 * rounding;
+constexpr double noises = 4.0;  // the sum of some rounding errors
+
+}  // namespace
+
+PanelNoise::PanelNoise(const Problem& problem, const PanelBasis& basis, double tolerance)
+    : problem_(problem),
+      basis_(basis),
+      tolerance_(tolerance),
+      rhs_noise_(problem),
+      of_values_(Vec::Zero(problem.size())) {}
+
+Vec PanelNoise::negligible_rhs(const Solution& panel) const {
+  return tolerance_ * panel.sizes.rhs + some_roundings * panel.sizes.forcing + noises * panel.noise.rhs;
+}
+
+Vec PanelNoise::negligible_values(const Solution& panel) const {
+  return tolerance_ * panel.sizes.values + some_roundings * panel.increment + noises * panel.noise.values;
+}
+
+bool PanelNoise::detect(const Solution& panel, double from, double to, double scale) {
+  constexpr Eigen::Index tail = 4;
+  const Matrix coefficients = basis_.legendre * panel.rhs;
+  const Vec unresolved = coefficients.bottomRows(tail).cwiseAbs().colwise().maxCoeff();
+  return rhs_noise_.find(from + (to - from) * basis_.nodes.array(), panel.values.topRows(basis_.points()),
+                         unresolved, negligible_rhs(panel), scale);
+}
+
+bool PanelNoise::detect(const Panel& last, const MagnitudeScales& sizes) {
+  const Vec negligible = some_roundings * (sizes.rhs + sizes.forcing);
+  const Vec unresolved = negligible.cwiseMax(std::numeric_limits<double>::min());
+  return rhs_noise_.find(last.from + last.length() * basis_.dense_nodes.array(), last.values, unresolved,
+                         negligible, sizes.largest());
+}
+
+Vec PanelNoise::follow(const Solution& panel, double from, double to, const Matrix& values) {
+  of_values_ = of_values_.cwiseMax(panel.noise.values);
+  past_.push_back({from, to, panel.sizes.noise});
+  const Vec explained = noises * rounding * (panel.sizes.rhs + panel.sizes.forcing);
+  rhs_noise_.follow(from + (to - from) * basis_.dense_nodes.array(), values, explained);
+  return panel.sizes.values + panel.increment + (of_values_ + integrated(to)) / rounding;
+}
+
+// An upper bound of the contribution of the noise of f to y, as if the noise had the same sign throughout.
+Vec PanelNoise::integrated(double to) const {
+  const auto added_since = [&](double time, const Vec& rhs_noise) -> Vec {
+    return unit_increment(problem_, to - time).cwiseProduct(rhs_noise);
+  };
+  Vec sum = added_since(past_.back().from, past_.back().rhs_noise);
+  for (std::size_t k = 0; k + 1 < past_.size(); ++k) {
+    const auto& [start, end, noise] = past_[k];
+    if (!noise.isZero(0.0)) {
+      sum += (added_since(start, noise) - added_since(end, noise)).cwiseMax(0.0);
+    }
+  }
+  return sum;
+}
+
+}  // namespace fde

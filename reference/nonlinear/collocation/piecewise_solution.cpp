@@ -1,0 +1,199 @@
+#include "fdebench/reference/nonlinear/collocation/piecewise_solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "fdebench/reference/nonlinear/collocation/panel_noise.hpp"
+#include "fdebench/reference/nonlinear/march/jumps.hpp"
+#include "fdebench/reference/nonlinear/march/rhs_at.hpp"
+#include "fdebench/reference/nonlinear/march/singularity.hpp"
+#include "fdebench/reference/nonlinear/march/step_budget.hpp"
+#include "fdebench/schemes/problem/progress/progress.hpp"
+
+namespace fde {
+
+namespace {
+
+template <typename Failure = std::runtime_error>
+[[noreturn]] void fail(const std::string& what, double t) {
+  std::ostringstream message;
+  message.precision(10);
+  message << "collocation: " << what << " at t = " << t;
+  throw Failure(message.str());
+}
+
+// Factor by which a panel could have been longer; below 1 the panel does not resolve the solution. Legendre
+// coefficients decay like rho^-k, and a panel longer by a factor q has about rho / q for rho. Even and odd
+// coefficients may decay differently, so the last two have to be negligible.
+double growth_factor(const Matrix& coefficients, const Vec& negligible, double tolerance) {
+  const Eigen::Index allowed = coefficients.rows() - 2;
+  Eigen::Index needed = coefficients.rows();
+  while (needed > 1 && (coefficients.row(needed - 1).transpose().array().abs() <= negligible.array()).all()) {
+    --needed;
+  }
+  if (needed > allowed) {
+    return 0.5;
+  }
+  return std::pow(tolerance, 1.0 / static_cast<double>(allowed) - 1.0 / static_cast<double>(needed));
+}
+
+// Two panels of equal length rather than a long and a very short one.
+double panel_end(double from, double length, double end) {
+  const double left = end - from;
+  if (left <= length) {
+    return end;
+  }
+  return from + (left < 2 * length ? left / 2 : length);
+}
+
+PanelPoints points_for(const Problem& problem) {
+  return std::ranges::any_of(problem.components, algebraic) ? PanelPoints::radau : PanelPoints::legendre;
+}
+
+class March {
+ public:
+  March(const Problem& problem, const PanelOptions& options, const PanelBasis& basis)
+      : problem_(problem),
+        options_(options),
+        basis_(basis),
+        history_(problem, basis),
+        equations_(problem, basis),
+        noise_(problem, basis, options.tolerance) {}
+
+  std::vector<Panel> run() {
+    constexpr std::size_t most_panels = 2000;
+    while (time() < problem_.end) {
+      if (panels_.size() == most_panels || hopeless(most_panels)) {
+        fail("more panels than it can afford", time());
+      }
+      report_progress(panels_.size());
+      add_panel();
+    }
+    return std::move(panels_);
+  }
+
+ private:
+  using Solution = PanelEquations::Solution;
+
+  [[nodiscard]] double time() const { return panels_.empty() ? 0.0 : panels_.back().to; }
+
+  [[nodiscard]] bool hopeless(std::size_t most_panels) const {
+    constexpr std::size_t watched = 100;
+    if (panels_.size() <= watched) {
+      return false;
+    }
+    const double before = panels_[panels_.size() - 1 - watched].to;
+    return fde::hopeless(before, time(), watched, problem_.end, most_panels - panels_.size());
+  }
+
+  // Halves the panel until it resolves the solution.
+  void add_panel() {
+    constexpr double slow = 1.2;  // growth below which noise may be the cause
+    constexpr int most_attempts = 60;
+    constexpr double shortest = 1e-12;  // relative to the time
+    const double from = time();
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+      const double to = panel_end(from, length_, next_discontinuity(problem_, from));
+      if (to - from <= shortest * from) {
+        break;
+      }
+      const auto solution =
+          equations_.solve(history_.at_targets(panels_, from, to), from, to, last_rhs_, sizes_);
+      const double growth = solution ? panel_growth(*solution, from, to) : 0.5;
+      if (growth < slow && noise_found(solution, from, to)) {
+        sizes_.noise = noise_.known_rhs_noise();
+        continue;
+      }
+      length_ = growth * (to - from);
+      if (growth >= 1.0) {
+        require_in_domain(*solution, from, to);
+        return accept(*solution, from, to);
+      }
+    }
+    fail("no convergence", from);
+  }
+
+  // Factor for the length of the next panel; below 1 this panel does not resolve y and f.
+  [[nodiscard]] double panel_growth(const Solution& solution, double from, double to) const {
+    if (to <= options_.weightless * problem_.end) {
+      return panels_.empty() ? 1.0 : 2.0;
+    }
+    if (just_after_jump(problem_, from, to)) {
+      return jumps_at(problem_, from) ? 1.0 : 2.0;
+    }
+    const Matrix values = solution.values.topRows(basis_.points());
+    const double tolerance = options_.tolerance;
+    return std::min(
+        {growth_factor(basis_.legendre * solution.rhs, noise_.negligible_rhs(solution), tolerance),
+         growth_factor(basis_.legendre * values, noise_.negligible_values(solution), tolerance), 2.0});
+  }
+
+  bool noise_found(const std::optional<Solution>& solution, double from, double to) {
+    // The sizes before this panel: on too long a panel the solution may be far too large.
+    if (solution) return noise_.detect(*solution, from, to, sizes_.largest());
+    return !panels_.empty() && noise_.detect(panels_.back(), sizes_);
+  }
+
+  // Required since polynomials do not detect a pole of f between their nodes.
+  void require_in_domain(const Solution& solution, double from, double to) const {
+    for (Eigen::Index k = 0; k < basis_.targets.size(); ++k) {
+      const double t = from + (to - from) * basis_.targets[k];
+      if (!problem_.domain.contains(t, solution.values.row(k).transpose()))
+        fail<Singularity>("singularity, " + problem_.domain.edge + ",", t);
+    }
+  }
+
+  void accept(const Solution& solution, double from, double to) {
+    Matrix values(basis_.dense_nodes.size(), problem_.size());
+    values << last_value_.transpose(), solution.values;
+    last_value_ = values.bottomRows<1>().transpose();
+    last_rhs_ = rhs_at(problem_, to, last_value_);
+    const Vec size = noise_.follow(solution, from, to, values);
+    sizes_ = solution.sizes;
+    sizes_.noise = noise_.known_rhs_noise();
+    panels_.push_back({from, to, solution.rhs, values, size});
+    if (jumps_at(problem_, to)) length_ = options_.first_after_jump * to;
+  }
+
+  const Problem& problem_;
+  const PanelOptions& options_;
+  const PanelBasis& basis_;
+  HistoryTerm history_;
+  PanelEquations equations_;
+  PanelNoise noise_;
+  std::vector<Panel> panels_;
+  double length_ = options_.first_panel * problem_.end;  // of the next panel
+  Vec last_value_ = taylor_part(problem_, 0.0);
+  Vec last_rhs_ = rhs_at(problem_, 0.0, last_value_);
+  MagnitudeScales sizes_ = sizes_at_start(problem_);
+};
+
+}  // namespace
+
+PiecewiseSolution::PiecewiseSolution(const Problem& problem, const PanelOptions& options)
+    : basis_(options.points, points_for(problem)), panels_(March(problem, options, basis_).run()) {
+  const auto inner = static_cast<int>(basis_.dense_nodes.size()) - 2;
+  kept_ = PanelBasis(inner, PanelPoints::legendre).dense_nodes;
+}
+
+Matrix PiecewiseSolution::legendre_values(const Panel& panel) const {
+  if (kept_ == basis_.dense_nodes) return panel.values;
+  Matrix values(kept_.size(), panel.values.cols());
+  for (Eigen::Index k = 0; k < kept_.size(); ++k)
+    values.row(k) = basis_.interpolate(panel.values, kept_[k]).transpose();
+  return values;
+}
+
+std::size_t PiecewiseSolution::panel_of(double t) const {
+  const auto panel = std::ranges::lower_bound(panels_, t, {}, &Panel::to);
+  return static_cast<std::size_t>(panel - panels_.begin());
+}
+
+Vec PiecewiseSolution::at(double t) const {
+  const Panel& panel = panels_[panel_of(t)];
+  return basis_.interpolate(panel.values, (t - panel.from) / panel.length());
+}
+
+}  // namespace fde

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
+#include "fdebench/reference/nonlinear/collocation/volterra_history.hpp"
+
+namespace fde {
+
+struct PanelOptions {
+  int points;               // Gauss points of a panel
+  double first_panel;       // its length relative to the end; its error at a weak singularity decays later
+  double first_after_jump;  // the same after a jump of f, relative to the time of the jump
+  double tolerance;  // of the last Legendre coefficients of f and y on a panel, relative to their sizes
+  double weightless = 1e-18;  // relative to the end: errors of f before this time are below rounding later
+};
+
+// The collocation solution of a problem: y is a polynomial on each panel. The length of the panels adapts to
+// f and y and at most doubles, so that they are graded towards 0. Throws std::runtime_error naming the time
+// where no panel converges or too many are needed, Singularity where y leaves problem.domain.
+class PiecewiseSolution {
+ public:
+  PiecewiseSolution(const Problem& problem, const PanelOptions& options);
+
+  [[nodiscard]] Vec at(double t) const;                // 0 <= t <= end
+  [[nodiscard]] std::size_t panel_of(double t) const;  // the panel that ends at or after t
+  [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
+  // y at the start of a panel, at the Gauss-Legendre points and at its end: values that determine the
+  // polynomial.
+  [[nodiscard]] Matrix legendre_values(const Panel& panel) const;
+
+ private:
+  PanelBasis basis_;
+  std::vector<Panel> panels_;
+  Vec kept_;  // the points of legendre_values
+};
+
+}  // namespace fde

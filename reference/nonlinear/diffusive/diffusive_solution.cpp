@@ -1,0 +1,186 @@
+#include "fdebench/reference/nonlinear/diffusive/diffusive_solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "fdebench/reference/nonlinear/diffusive/memory.hpp"
+#include "fdebench/reference/nonlinear/diffusive/stage_noise.hpp"
+#include "fdebench/reference/nonlinear/march/jumps.hpp"
+#include "fdebench/reference/nonlinear/march/rhs_at.hpp"
+#include "fdebench/reference/nonlinear/march/step_budget.hpp"
+#include "fdebench/reference/nonlinear/march/supported_problem.hpp"
+#include "fdebench/reference/nonlinear/march/unit_increment.hpp"
+#include "fdebench/schemes/problem/progress/progress.hpp"
+
+namespace fde {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& what, double t) {
+  std::ostringstream message;
+  message.precision(10);
+  message << "second method: " << what << " at t = " << t;
+  throw std::runtime_error(message.str());
+}
+
+Vec largest(const Matrix& values) { return values.cwiseAbs().colwise().maxCoeff(); }
+
+class DiffusiveIntegrator {
+ public:
+  DiffusiveIntegrator(const Problem& problem, const DiffusiveOptions& options)
+      : problem_(problem),
+        options_(options),
+        rule_(options.stages),
+        memory_(problem, rule_, options.first_step),
+        equations_(problem, rule_.nodes.cast<double>()),
+        noise_(problem, rule_) {}
+
+  void run_to(double stop, DiffusiveSolution& solution) {
+    // A pendulum on a stiff spring, K/m = 1e6, takes 25000 steps up to t = 5.
+    constexpr std::size_t most_steps = 30000;
+    while (time_ < stop) {
+      if (solution.times.size() == most_steps || hopeless(solution.times, most_steps)) {
+        fail("more steps than it can afford", time_);
+      }
+      report_progress(solution.times.size());
+      add_step(std::min(stop, next_discontinuity(problem_, time_)));
+      solution.times.push_back(time_);
+      solution.values.push_back(value_);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool hopeless(const std::vector<double>& times, std::size_t most_steps) const {
+    constexpr std::size_t watched = 1000;
+    return times.size() > watched && fde::hopeless(times[times.size() - 1 - watched], time_, watched,
+                                                   problem_.end, most_steps - times.size());
+  }
+
+  // Halves the step until it resolves the solution.
+  void add_step(double stop) {
+    constexpr double shortest = 1e-13;  // relative to the time
+    for (;;) {
+      const double left = stop - time_;
+      // Two steps of equal length rather than a long and a very short one.
+      const double length = left <= length_ ? left : std::min(length_, left / 2);
+      if (length <= shortest * time_ || length <= std::numeric_limits<double>::min()) {
+        fail("no convergence", time_);
+      }
+      const auto stages = solve(length);
+      const double unresolved = stages ? unresolved_by(*stages, length) : 2.0;
+      if (unresolved * doubling() >= 1.0 && noise_found(stages, length)) {
+        equations_.set_rhs_noise(noise_.known_rhs_noise());
+        continue;
+      }
+      if (unresolved <= 1.0) {
+        return accept(*stages, length, length == left ? stop : time_ + length, unresolved);
+      }
+      length_ /= 2;
+      steps_to_growth_ = 4;
+    }
+  }
+
+  std::optional<StageSolution> solve(double length) {
+    std::vector<Matrix> weights;
+    for (Eigen::Index i = 0; i < problem_.size(); ++i) {
+      weights.push_back(memory_.weights(i, length));
+    }
+    return equations_.solve(past(length), weights, time_, length, last_rhs_, size_);
+  }
+
+  // The history term at the stages; for algebraic rows the last value.
+  [[nodiscard]] Matrix past(double length) {
+    Matrix past = memory_.past(length);
+    for (Eigen::Index i = 0; i < problem_.size(); ++i) {
+      if (algebraic(problem_.components[static_cast<std::size_t>(i)])) past.col(i).setConstant(value_[i]);
+    }
+    return past;
+  }
+
+  // Factor by which the last coefficients grow when the step size is doubled.
+  [[nodiscard]] double doubling() const { return std::pow(2.0, options_.stages); }
+
+  // Whether newly found noise of f is the reason for a short step.
+  bool noise_found(const std::optional<StageSolution>& stages, double length) {
+    if (!stages) {
+      return noise_.detect_on_last_step(size_);
+    }
+    const Vec allowed = options_.tolerance * size_,
+              tolerated = allowed.cwiseQuotient(doubling() * unit_increment(problem_, length));
+    // The sizes before this step, which may be too long.
+    const double scale = size_.cwiseMax(last_rhs_.cwiseAbs()).maxCoeff();
+    return noise_.detect(*stages, time_, length, tolerated, scale);
+  }
+
+  // The last two Legendre coefficients of y, and of the contribution of f to y, above their noise and
+  // relative to the tolerance. Above 1 the step is too long.
+  [[nodiscard]] double unresolved_by(const StageSolution& stages, double length) const {
+    if (time_ < options_.weightless * problem_.end || just_after_jump(problem_, time_, time_ + length)) {
+      return 0.0;
+    }
+    Matrix y(stages.y.rows() + 1, stages.y.cols());
+    y << value_.transpose(), stages.y;
+    const Vec of_y = StageNoise::beyond(largest(rule_.with_start.bottomRows(2) * y), stages.noise.values);
+    const Vec of_rhs =
+        StageNoise::beyond(largest(rule_.at_nodes.bottomRows(2) * stages.rhs), stages.noise.rhs);
+    const Vec excess = of_y.cwiseMax(unit_increment(problem_, length).cwiseProduct(of_rhs));
+    const Vec size = size_.cwiseMax(largest(stages.y));
+    double unresolved = 0.0;
+    for (Eigen::Index i = 0; i < problem_.size(); ++i) {
+      if (excess[i] > 0.0) {
+        unresolved = std::max(unresolved, excess[i] / (options_.tolerance * size[i]));
+      }
+    }
+    return unresolved;
+  }
+
+  void accept(const StageSolution& stages, double length, double end, double unresolved) {
+    memory_.advance(length, stages.rhs);
+    time_ = end;
+    value_ = stages.y.bottomRows<1>().transpose();
+    size_ = size_.cwiseMax(largest(stages.y));
+    last_rhs_ = stages.rhs.bottomRows<1>().transpose();
+    noise_.follow(stages, length, end);
+    equations_.set_rhs_noise(noise_.known_rhs_noise());
+    --steps_to_growth_;
+    if (jumps_at(problem_, time_)) {
+      length_ = problem_.end * std::exp2(std::floor(std::log2(first_after_jump * time_ / problem_.end)));
+      steps_to_growth_ = 0;
+    } else if (unresolved * doubling() < 1.0 && length_ <= time_ - last_jump(problem_, time_) &&
+               steps_to_growth_ <= 0) {
+      length_ *= 2;
+    }
+  }
+
+  const Problem& problem_;
+  DiffusiveOptions options_;
+  RadauRule rule_;
+  MemoryVariables memory_;
+  StageEquations equations_;
+  StageNoise noise_;
+  double time_ = 0.0;
+  double length_ = options_.first_step * problem_.end;  // of the next step; end * 2^k
+  int steps_to_growth_ = 0;
+  Vec value_ = taylor_part(problem_, 0.0);
+  Vec size_ = value_.cwiseAbs();
+  Vec last_rhs_ = rhs_at(problem_, 0.0, value_);
+};
+
+}  // namespace
+
+DiffusiveSolution diffusive_solution(const Problem& problem, const DiffusiveOptions& options,
+                                     const std::vector<double>& stops) {
+  require_posed(problem);
+  DiffusiveIntegrator march(problem, options);
+  DiffusiveSolution solution;
+  for (const double stop : stops) {
+    march.run_to(stop, solution);
+  }
+  march.run_to(problem.end, solution);
+  return solution;
+}
+
+}  // namespace fde

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "fdebench/schemes/problem/problem.hpp"
+
+namespace fde {
+
+struct DiffusiveOptions {
+  int stages = 8;            // of the Radau IIA method, 2 ... 16
+  double tolerance = 1e-10;  // of the last Legendre coefficients of y and f on a step, relative to the size
+  // of y so far; the error at the end of a step is then rounding
+  double first_step = 1e-20;  // relative to the end
+  double weightless = 1e-18;  // relative to the end: errors of f before this time are below rounding later
+};
+
+// A solution at the ends of the steps.
+struct DiffusiveSolution {
+  std::vector<double> times;  // increasing, without 0, with the stops and the end
+  std::vector<Vec> values;
+};
+
+// A second method besides the collocation, with a different discretisation: the kernel is a sum of
+// exponentials, which turns the system into ordinary differential equations (the idea of Guglielmi & Hairer,
+// arXiv 2506.04188, 2025), and a Radau IIA method integrates these. Step sizes double and halve such that the
+// stages resolve the solution, so they grow geometrically away from 0. stops: increasing times in (0, end].
+// Throws std::invalid_argument for a problem that require_posed() rejects, std::runtime_error naming the time
+// where no step converges or too many are needed.
+DiffusiveSolution diffusive_solution(const Problem& problem, const DiffusiveOptions& options = {},
+                                     const std::vector<double>& stops = {});
+
+}  // namespace fde

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "fdebench/reference/nonlinear/diffusive/kernel.hpp"
+#include "fdebench/reference/nonlinear/quadrature/radau.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
+
+namespace fde {
+
+// A Runge-Kutta step of size h for the memory variables phi_m' = -rates[m] phi_m + f. They are linear and are
+// eliminated: with the Runge-Kutta matrix A and R_m = (1 + h rates[m] A)^-1, the values at the stages are
+//   phi_m = R_m 1 phi_m(start) + h R_m A F,   F the values of f at the stages.
+struct MemoryStep {
+  MemoryStep(const DiffusiveKernels& kernels, const RadauRule& rule, double length);
+
+  Matrix carry;               // (stage, m): R_m 1
+  Matrix gain;                // (m, stage): the last row of h R_m A
+  Vec decay;                  // 1 - (the last entry of R_m 1)
+  std::vector<Matrix> local;  // one per kernel: lumped + sum_m weights[m] h R_m A
+  Matrix plain;               // h A
+};
+
+// The memory variables of a problem. With order = integer + part, part in (0, 1],
+//   v_i = initial value + sum_m weights[m] phi_im + lumped f_i    (part = 1: initial value + int f_i),
+// and y_i = v_i, or y_i' = v_i for orders above 1. Algebraic rows have none.
+class MemoryVariables {
+ public:
+  // Accurate for times from shortest * end on.
+  MemoryVariables(const Problem& problem, RadauRule rule, double shortest);
+
+  // The values of y at the stages of a step are past + weights F, one column per component, F the values of f
+  // at the stages. For algebraic rows the weights are the identity.
+  [[nodiscard]] Matrix past(double length);
+  [[nodiscard]] Matrix weights(Eigen::Index component, double length);
+
+  // Completes the step; rhs: F.
+  void advance(double length, const Matrix& rhs);
+
+ private:
+  // A compensated sum of many small terms: its value and the rounding error so far.
+  struct Sum {
+    Vec value, compensation;
+    void add(const Vec& terms);
+  };
+  struct State {
+    Eigen::Index kernel;  // -1: part = 1
+    bool algebraic;       // without memory
+    bool twice;           // y' = v
+    double initial;       // of v
+    Sum memory;
+    Sum integral;  // y, where y' = v
+  };
+
+  const MemoryStep& step(double length);
+  [[nodiscard]] Vec carried(const State& state, const MemoryStep& step) const;
+  [[nodiscard]] static const Matrix& local(const State& state, const MemoryStep& step);
+
+  RadauRule rule_;
+  DiffusiveKernels kernels_;
+  std::vector<State> states_;
+  std::map<double, MemoryStep> steps_;  // by length
+};
+
+}  // namespace fde

@@ -1,0 +1,122 @@
+#include "fdebench/reference/nonlinear/diffusive/stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <utility>
+
+#include "fdebench/reference/nonlinear/march/jumps.hpp"
+#include "fdebench/reference/nonlinear/march/rhs_at.hpp"
+
+namespace fde {
+
+namespace {
+
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+
+Vec largest_of(const Matrix& values) { return values.cwiseAbs().colwise().maxCoeff(); }
+
+double relative_norm(const Matrix& correction, const Vec& sizes) {
+  return (largest_of(correction).array() / (sizes.array() + std::numeric_limits<double>::min())).maxCoeff();
+}
+
+Matrix weighted(const std::vector<Matrix>& weights, const Matrix& rhs) {
+  Matrix sum(rhs.rows(), rhs.cols());
+  for (Eigen::Index i = 0; i < rhs.cols(); ++i) {
+    sum.col(i) = weights[static_cast<std::size_t>(i)] * rhs.col(i);
+  }
+  return sum;
+}
+
+// The entries with random signs, the same signs in each call.
+Matrix with_signs(const Matrix& sizes) {
+  std::minstd_rand bits(1);
+  return sizes.unaryExpr([&](double size) { return bits() < std::minstd_rand::max() / 2 ? size : -size; });
+}
+
+Vec largest_forcing(const Problem& problem) {
+  constexpr int samples = 50;
+  const Vec initial = taylor_part(problem, 0.0);
+  Vec largest = Vec::Zero(problem.size());
+  for (int k = 0; k <= samples; ++k) {
+    const Vec f = rhs_at(problem, problem.end * k / samples, initial);
+    largest = largest.cwiseMax(f.allFinite() ? Vec(f.cwiseAbs()) : largest);
+  }
+  return largest;
+}
+
+}  // namespace
+
+StageEquations::StageEquations(const Problem& problem, Vec nodes)
+    : problem_(problem), nodes_(std::move(nodes)), forcing_(largest_forcing(problem)) {}
+
+std::optional<StageSolution> StageEquations::solve(const Matrix& past, const std::vector<Matrix>& weights,
+                                                   double from, double length, In first_rhs, In size) const {
+  constexpr int most_iterations = 40;
+  constexpr double nearly_converged = 1e-12;
+  const Vec times = node_times(problem_, from, length, nodes_);
+  StageSolution found{};
+  found.y = past + weighted(weights, first_rhs.transpose().replicate(nodes_.size(), 1));
+  LinearisedStep newton;
+  double correction_size = std::numeric_limits<double>::infinity(), last_size = 0.0;
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    found.rhs = rhs_at(problem_, times, found.y);
+    Matrix next = past + weighted(weights, found.rhs);
+    for (Eigen::Index i = 0; i < problem_.size(); ++i) {
+      if (algebraic(problem_.components[static_cast<std::size_t>(i)])) next.col(i) = found.y.col(i);
+    }
+    if (correction_size < rounding ||
+        (correction_size < nearly_converged && correction_size > last_size / 2)) {
+      found.y = next;
+      return found;
+    }
+    if (!next.allFinite()) {
+      return std::nullopt;
+    }
+    if (correction_size > last_size / 100) {  // the Jacobian is reused while each iteration gains two digits
+      newton = linearise(times, weights, found);
+    }
+    const Matrix correction = newton.solve(residual_of(problem_, next, found.y, found.rhs));
+    if (!correction.allFinite()) {
+      return std::nullopt;
+    }
+    found.y += correction;
+    last_size = correction_size;
+    correction_size =
+        relative_norm(correction, size.cwiseMax(largest_of(found.y)) + found.noise.values / rounding);
+  }
+  return std::nullopt;
+}
+
+LinearisedStep StageEquations::linearise(const Vec& times, const std::vector<Matrix>& weights,
+                                         StageSolution& at) const {
+  std::vector<Matrix> jacobians;
+  for (Eigen::Index k = 0; k < times.size(); ++k) {
+    jacobians.push_back(jacobian_at(times[k], at.y.row(k).transpose()));
+  }
+  LinearisedStep step(problem_, weights, std::move(jacobians));
+  const auto integral = [&](const Matrix& rhs) { return weighted(weights, rhs); };
+  at.noise = propagated_noise(step, integral, at.y, at.rhs, forcing_ + rhs_noise_ / rounding, with_signs);
+  return step;
+}
+
+Matrix StageEquations::jacobian_at(double t, const Vec& y) const {
+  Matrix jacobian(y.size(), y.size());
+  if (evaluate_jacobian(problem_, t, y, jacobian)) {
+    return jacobian;
+  }
+  Vec moved = y;
+  for (Eigen::Index l = 0; l < y.size(); ++l) {
+    const double shift = std::cbrt(rounding) * std::max(1.0, std::abs(y[l]));
+    moved[l] = y[l] + shift;
+    const Vec above = rhs_at(problem_, t, moved);
+    moved[l] = y[l] - shift;
+    const Vec below = rhs_at(problem_, t, moved);
+    moved[l] = y[l];
+    jacobian.col(l) = (above - below) / (2 * shift);
+  }
+  return jacobian;
+}
+
+}  // namespace fde

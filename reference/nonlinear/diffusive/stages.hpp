@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fdebench/reference/nonlinear/march/implicit_step.hpp"
+
+namespace fde {
+
+// y and f at the stages of a step, one row per stage, and their rounding noise.
+struct StageSolution {
+  Matrix y, rhs;
+  Noise noise;
+};
+
+// The equations y_i = past_i + weights_i f_i(t, y) at the stages of a Runge-Kutta step (past: the history
+// term), and 0 = f_i(t, y) in algebraic rows, where past is an initial guess.
+class StageEquations {
+ public:
+  StageEquations(const Problem& problem, Vec nodes);
+
+  // Newton's method down to rounding, with f = first_rhs at all stages as the initial guess; size: the
+  // largest |y| so far. nullopt where it does not converge.
+  [[nodiscard]] std::optional<StageSolution> solve(const Matrix& past, const std::vector<Matrix>& weights,
+                                                   double from, double length, In first_rhs, In size) const;
+
+  // Sets the rounding noise of f that neither its size nor its derivatives show.
+  void set_rhs_noise(const Vec& rhs_noise) { rhs_noise_ = rhs_noise; }
+  [[nodiscard]] const Vec& nodes() const { return nodes_; }
+
+ private:
+  // Linearises at at.y, and sets at.noise.
+  [[nodiscard]] LinearisedStep linearise(const Vec& times, const std::vector<Matrix>& weights,
+                                         StageSolution& at) const;
+  [[nodiscard]] Matrix jacobian_at(double t, const Vec& y) const;
+
+  const Problem& problem_;
+  Vec nodes_;
+  Vec forcing_;  // the largest |f| at the initial values over all times: 1 - cos t is mostly rounding near 0
+  Vec rhs_noise_ = Vec::Zero(problem_.size());
+};
+
+}  // namespace fde

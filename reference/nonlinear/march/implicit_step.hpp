@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/LU>
+#include <functional>
+#include <vector>
+
+#include "fdebench/schemes/problem/problem.hpp"
+
+namespace fde {
+
+// The equations y_i = past_i + W_i f_i(t, y) of an implicit step (past_i: the history term), and
+// 0 = f_i(t, y) in algebraic rows, linearised at some y; y_i and f_i are the values of a component at the
+// nodes. Matrices of values have one row per node and one column per component; unknowns are numbered
+// component by component.
+struct LinearisedStep {
+  LinearisedStep() = default;
+  // weights: W_i for each component, the identity for algebraic rows; of_nodes: df/dy at each node.
+  LinearisedStep(const Problem& problem, const std::vector<Matrix>& weights, std::vector<Matrix> of_nodes);
+
+  std::vector<Matrix> jacobians{};       // df/dy at each node
+  Eigen::PartialPivLU<Matrix> newton{};  // of mass - W df/dy
+  Vec mass{};                            // one number per component: 1, or 0 for algebraic rows
+
+  // The Newton correction of y for a residual.
+  [[nodiscard]] Matrix solve(const Matrix& residual) const;
+  // The sum |df/dy| y_size: the size of f if all its terms had the same sign.
+  [[nodiscard]] Matrix terms_of(const Matrix& y_size) const;
+};
+
+// The residual of the equations: next - y with next = past + W f, and f in algebraic rows.
+Matrix residual_of(const Problem& problem, const Matrix& next, const Matrix& y, const Matrix& rhs);
+
+// Largest rounding error of each component of y and f.
+struct Noise {
+  Vec values, rhs;
+};
+
+// Rounding errors of y and f after the solution of the equations: each is perturbed in its last digit, f_i
+// also in the last digits of its terms and of further_i, and the iteration matrix couples the components. The
+// result exceeds the last digit of y_i where y_i is small and depends, through other components, on an f of
+// large terms.
+//
+// integral: the contribution to y of values of f at the nodes. with_signs: multiplies sizes by random signs,
+// the same in each call; the two methods of a reference use different signs.
+Noise propagated_noise(const LinearisedStep& step, const std::function<Matrix(const Matrix& rhs)>& integral,
+                       const Matrix& y, const Matrix& rhs, In further,
+                       Matrix (*with_signs)(const Matrix& sizes));
+
+}  // namespace fde

@@ -1,0 +1,51 @@
+#include "fdebench/reference/special_functions/numbers/rational.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace fde {
+
+Rational shortest_decimal(double x) {
+  if (!std::isfinite(x)) throw std::invalid_argument(fmt::format("'{}' is not a finite decimal number", x));
+  const std::string shortest = fmt::format("{}", x);
+  const std::size_t e = shortest.find('e'), point = shortest.find('.');
+  std::string digits = shortest.substr(0, e);
+  int exponent = e == std::string::npos ? 0 : std::stoi(shortest.substr(e + 1));
+  if (point != std::string::npos) {
+    exponent -= static_cast<int>(digits.size() - point - 1);
+    digits.erase(point, 1);
+  }
+  using boost::multiprecision::mpz_int;
+  const bool negative = digits.front() == '-';
+  const std::size_t first = digits.find_first_not_of("-0");
+  if (first == std::string::npos) return {0};
+  const mpz_int mantissa(digits.substr(first));
+  const mpz_int scale = boost::multiprecision::pow(mpz_int(10), static_cast<unsigned>(std::abs(exponent)));
+  const Rational size = exponent < 0 ? Rational(mantissa, scale) : Rational(mpz_int(mantissa * scale));
+  return negative ? Rational(-size) : size;
+}
+
+template <>
+BigReal rounded<BigReal>(const Rational& x) {
+  BigReal value;
+  mpfr_set_q(value.backend().data(), x.backend().data(), MPFR_RNDN);
+  return value;
+}
+
+template <>
+long double rounded<long double>(const Rational& x) {
+  mpfr_t value;  // NOLINT(cppcoreguidelines-pro-type-member-init,modernize-avoid-c-arrays): the type of mpfr
+  mpfr_init2(value, std::numeric_limits<long double>::digits);
+  mpfr_set_q(value, x.backend().data(), MPFR_RNDN);
+  const long double result = mpfr_get_ld(value, MPFR_RNDN);
+  mpfr_clear(value);
+  return result;
+}
+
+int ceiling(const Rational& x) {
+  const auto whole = boost::multiprecision::mpz_int(numerator(x) / denominator(x));  // towards 0
+  return whole.convert_to<int>() + (x > Rational(whole) ? 1 : 0);
+}
+
+}  // namespace fde

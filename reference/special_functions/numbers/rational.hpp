@@ -1,0 +1,23 @@
+#pragma once
+
+#include <boost/multiprecision/gmp.hpp>
+
+#include "fdebench/reference/special_functions/numbers/real.hpp"
+
+namespace fde {
+
+// Exact fractions: orders and coefficients given as decimals add, multiply and cancel without rounding.
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+
+// The shortest decimal that rounds to x: 0.1 becomes 1/10. Throws std::invalid_argument unless x is finite.
+Rational shortest_decimal(double x);
+
+// x rounded to the nearest Real.
+template <class Real>
+Real rounded(const Rational& x);
+
+// The smallest integer >= x.
+int ceiling(const Rational& x);
+
+}  // namespace fde

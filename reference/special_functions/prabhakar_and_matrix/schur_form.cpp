@@ -1,0 +1,122 @@
+#include "fdebench/reference/special_functions/prabhakar_and_matrix/schur_form.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <boost/multiprecision/eigen.hpp>
+#include <stdexcept>
+
+namespace fde {
+namespace {
+
+using Long = long double;
+using WideMatrix = Eigen::Matrix<BigReal, Eigen::Dynamic, Eigen::Dynamic>;
+
+constexpr Long infinity = std::numeric_limits<Long>::infinity();
+
+bool is_real(const BigMatrix& matrix) {
+  return std::ranges::all_of(matrix.entries, [](const BigComplex& x) { return imag_part<BigReal>(x) == 0; });
+}
+
+// A + iB as the real matrix [A -B; B A], or A if B = 0.
+WideMatrix as_real(const BigMatrix& matrix) {
+  const int n = matrix.size, size = is_real(matrix) ? n : 2 * n;
+  WideMatrix real(size, size);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const auto re = real_part<BigReal>(matrix(i, j));
+      real(i, j) = re;
+      if (size == n) continue;
+      const auto im = imag_part<BigReal>(matrix(i, j));
+      real(n + i, n + j) = re;
+      real(n + i, j) = im;
+      real(i, n + j) = -im;
+    }
+  }
+  return real;
+}
+
+SchurForm::Point log_of(const BigReal& re, const BigReal& im) {
+  constexpr Long log_of_zero = -11000.0L;
+  const BigReal square = re * re + im * im;
+  if (square == 0) return log_of_zero;
+  return {BigReal(log(square) / 2).convert_to<Long>(), BigReal(atan2(im, re)).convert_to<Long>()};
+}
+
+SchurForm::Point long_point(const BigReal& re, const BigReal& im) {
+  return {re.convert_to<Long>(), im.convert_to<Long>()};
+}
+
+}  // namespace
+
+SchurForm::SchurForm(const BigMatrix& matrix) {
+  const Eigen::RealSchur<WideMatrix> schur(as_real(matrix), false);
+  if (schur.info() != Eigen::Success)
+    throw std::runtime_error("the iteration for the eigenvalues did not converge");
+  const WideMatrix& t = schur.matrixT();
+  const auto size = static_cast<int>(t.rows());
+  sizes_ = t.cwiseAbs().unaryExpr([](const BigReal& x) { return x.convert_to<Long>(); });
+  for (int i = 0; i < size;) {
+    const bool pair = i + 1 < size && t(i + 1, i) != 0;
+    if (!pair) {
+      blocks_.push_back(
+          {i, 1, {long_point(t(i, i), BigReal(0)), 0.0L}, {long_point(t(i, i), BigReal(0)), 0.0L}});
+      log_eigenvalues_.push_back(log_of(t(i, i), BigReal(0)));
+      ++i;
+      continue;
+    }
+    const BigReal mean = (t(i, i) + t(i + 1, i + 1)) / 2, half = (t(i, i) - t(i + 1, i + 1)) / 2;
+    const BigReal square = half * half + t(i, i + 1) * t(i + 1, i), root = sqrt(BigReal(abs(square)));
+    const bool real = square >= 0;
+    const BigReal first = real ? BigReal(mean + root) : mean, second = real ? BigReal(mean - root) : mean;
+    const BigReal im = real ? BigReal(0) : root;
+    blocks_.push_back({i,
+                       2,
+                       {long_point(first, im), long_point(second, -im)},
+                       {long_point(t(i, i), BigReal(0)), long_point(t(i + 1, i + 1), BigReal(0))}});
+    log_eigenvalues_.push_back(log_of(first, im));
+    log_eigenvalues_.push_back(log_of(second, -im));
+    i += 2;
+  }
+}
+
+// Entrywise bound of the resolvent of a diagonal block on the disc: for two rows
+// [z - d, b; c, z - a] / ((z - first) (z - second)). All later operations add nonnegative numbers.
+std::optional<Eigen::Matrix<Long, 2, 2>> SchurForm::block_resolvent(const Block& block, const Point& z,
+                                                                    Long radius) const {
+  constexpr Long rounding = 1e-16L;
+  Long least = 1.0L;
+  for (int k = 0; k < block.rows; ++k) {
+    const Point& eigenvalue = block.eigenvalues[static_cast<std::size_t>(k)];
+    const Long distance = std::abs(z - eigenvalue) - radius - rounding * (std::abs(z) + std::abs(eigenvalue));
+    if (!(distance > 0.0L)) return std::nullopt;
+    least *= distance;
+  }
+  Eigen::Matrix<Long, 2, 2> bound = Eigen::Matrix<Long, 2, 2>::Zero();
+  if (block.rows == 1) {
+    bound(0, 0) = 1.0L / least;
+    return bound;
+  }
+  bound << std::abs(z - block.diagonal[1]) + radius, sizes_(block.first, block.first + 1),
+      sizes_(block.first + 1, block.first), std::abs(z - block.diagonal[0]) + radius;
+  return bound / least;
+}
+
+long double SchurForm::resolvent_norm(const Point& z, long double radius) const {
+  const auto size = sizes_.rows();
+  LongMatrix inverse = LongMatrix::Zero(size, size);
+  for (std::size_t k = blocks_.size(); k-- > 0;) {
+    const Block& block = blocks_[k];
+    const auto diagonal = block_resolvent(block, z, radius);
+    if (!diagonal) return infinity;
+    const auto rows = block.rows, first = block.first, after = first + rows;
+    const LongMatrix own = diagonal->topLeftCorner(rows, rows);
+    inverse.block(first, first, rows, rows) = own;
+    const auto rest = size - after;
+    if (rest == 0) continue;
+    inverse.block(first, after, rows, rest) =
+        own * (sizes_.block(first, after, rows, rest) * inverse.block(after, after, rest, rest));
+  }
+  constexpr Long rounding = 1.0L + 1e-12L;
+  return inverse.norm() * rounding;
+}
+
+}  // namespace fde

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+
+#include "fdebench/reference/special_functions/prabhakar_and_matrix/resolvent.hpp"
+
+namespace fde {
+
+// The real Schur form T = U^T A U of a square matrix, at the current precision; for a complex A + iB, the
+// Schur form of the real matrix [A -B; B A], which has the conjugate eigenvalues as well.
+class SchurForm {
+ public:
+  using Point = std::complex<long double>;
+
+  // Throws std::runtime_error when the QR iteration does not converge.
+  explicit SchurForm(const BigMatrix& matrix);
+
+  [[nodiscard]] const std::vector<Point>& log_eigenvalues() const { return log_eigenvalues_; }
+
+  // An upper bound of the Euclidean norm of (z' - A)^-1 for |z' - z| <= radius; infinity where there is none.
+  // With lower bounds of |z' - t_ii|, a triangular solve on moduli bounds every entry of (z' - T)^-1, and U
+  // changes no norm. Valid for defective and stiff matrices as well.
+  [[nodiscard]] long double resolvent_norm(const Point& z, long double radius) const;
+
+ private:
+  using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+  struct Block {  // on the diagonal of T, of one row or two
+    int first, rows;
+    std::array<Point, 2> eigenvalues, diagonal;
+  };
+  [[nodiscard]] std::optional<Eigen::Matrix<long double, 2, 2>> block_resolvent(const Block& block,
+                                                                                const Point& z,
+                                                                                long double radius) const;
+
+  LongMatrix sizes_;  // |T|
+  std::vector<Block> blocks_;
+  std::vector<Point> log_eigenvalues_;
+};
+
+}  // namespace fde

@@ -1,0 +1,231 @@
+#include "fdebench/schemes/diagnostics/modes.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "fdebench/schemes/diagnostics/growing_mode_count.hpp"
+#include "fdebench/schemes/diagnostics/stored_path.hpp"
+#include "fdebench/schemes/problem/jacobian.hpp"
+#include "fdebench/schemes/problem/scalar_equation.hpp"
+
+namespace fde {
+namespace {
+
+using Spectrum = std::vector<ComplexValue>;
+
+constexpr Eigen::Index largest_dense = 64;  // eigenvalues of larger matrices would take longer than the run
+
+bool has_modes(const Problem& problem) {
+  return !is_two_sided(problem) && std::ranges::none_of(problem.components, algebraic);
+}
+
+// The order of all rows; nullopt: they differ.
+std::optional<double> common_order(const Problem& problem) {
+  const double order = problem.components.front().order;
+  const bool same =
+      std::ranges::all_of(problem.components, [&](const auto& row) { return row.order == order; });
+  return same ? std::optional(order) : std::nullopt;
+}
+
+// The eigenvalue of largest modulus of a large matrix, where it is real: by power iteration, with differences
+// of f in place of the matrix.
+Spectrum dominant(const Problem& problem, double t, const Vec& y) {
+  constexpr int iterations = 30;
+  constexpr double close = 0.1;  // what is left of an eigenvector's equation
+  const double shift = 0x1p-18 * std::max(1.0, y.lpNorm<Eigen::Infinity>());
+  Vec direction(y.size()), f(y.size()), moved(y.size());
+  for (Eigen::Index i = 0; i < y.size(); ++i) direction[i] = i % 2 == 0 ? 1.0 : -0.9;
+  problem.rhs(t, y, f);
+  for (int i = 1; direction.allFinite() && !direction.isZero(0.0); ++i) {
+    direction.normalize();
+    problem.rhs(t, y + shift * direction, moved);
+    const Vec image = (moved - f) / shift;
+    const double eigenvalue = direction.dot(image);
+    if (i == iterations) {
+      const bool found = (image - eigenvalue * direction).norm() < close * std::abs(eigenvalue);
+      return found ? Spectrum{eigenvalue} : Spectrum{};
+    }
+    direction = image;
+  }
+  return {};
+}
+
+// Eigenvalues of df/dy with imaginary parts that are not negative, by falling modulus.
+Spectrum spectrum(const Problem& problem, double t, const Vec& y) {
+  if (problem.size() > largest_dense) return dominant(problem, t, y);
+  const Matrix jacobian = jacobian_at(problem, t, y);
+  if (!jacobian.allFinite()) return {};
+  const Eigen::VectorXcd values = jacobian.eigenvalues();
+  Spectrum found;
+  for (const ComplexValue value : values) {
+    if (value.imag() >= 0.0) found.push_back(value);
+  }
+  std::ranges::sort(found, std::ranges::greater{}, [](const ComplexValue value) { return std::abs(value); });
+  return found;
+}
+
+// D^g y = lambda y grows for |arg lambda| < g pi/2 (Matignon 1996).
+bool grows(double order, ComplexValue rate) {
+  return rate != 0.0 && std::abs(std::arg(rate)) < 0.5 * order * std::numbers::pi;
+}
+
+// The problem with its linear part at a state in place of f. Of its equations a symbol takes the terms, and
+// the rest from this part.
+Problem frozen(const Problem& problem, double t, const Vec& y) {
+  const Matrix jacobian = jacobian_at(problem, t, y);
+  return {.components = problem.components,
+          .rhs = [=](double, In at, Out f) { f = jacobian * at; },
+          .derivatives = DenseLinearPart{jacobian},
+          .equations = problem.equations,
+          .end = problem.end};
+}
+
+// How many modes grow; nullopt where that cannot be told.
+std::optional<int> count(const Scheme& scheme, const Problem& problem, double length) {
+  constexpr Eigen::Index most_rows = 24;  // of the symbol, where a scheme splits orders
+  try {
+    if (symbol_of(scheme, problem, length)(ComplexValue{0.0, 1.0}).rows() > most_rows) return std::nullopt;
+    return count_growing_modes(scheme, problem, length);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+// Of eigenvalues whose modes of the equation do not grow, whether those of the scheme do.
+bool unstable_at(const Scheme& scheme, double order, const Spectrum& rates, double length) {
+  constexpr std::size_t looked_at = 2;  // of the largest
+  const auto unstable = [&](const ComplexValue rate) {
+    return rate != 0.0 && !grows(order, rate) &&
+           count(scheme, scalar_equation(order, rate), length).value_or(0) > 0;
+  };
+  const auto end = rates.begin() + static_cast<std::ptrdiff_t>(std::min(looked_at, rates.size()));
+  return std::any_of(rates.begin(), end, unstable);
+}
+
+// Backward Euler's sum has no growing mode but those of the equation.
+std::optional<int> modes_of_equation(const Problem& linear_problem, double length) {
+  return count(*find_scheme("grunwald_letnikov"), linear_problem, 0.01 * length);
+}
+
+bool unstable_at(const Scheme& scheme, const Problem& problem, double t, const Vec& y, double length) {
+  constexpr Eigen::Index largest = 8;
+  if (problem.size() > largest) return false;
+  const Problem linear_problem = frozen(problem, t, y);
+  const auto of_scheme = count(scheme, linear_problem, length);
+  if (!of_scheme || *of_scheme == 0) return false;
+  const auto of_equation = modes_of_equation(linear_problem, length);
+  return of_equation && *of_scheme > *of_equation;
+}
+
+// True also where that cannot be told.
+bool equation_grows(const Problem& problem, double t, const Vec& y, double length) {
+  if (problem.size() > largest_dense) return true;
+  if (const auto order = common_order(problem)) {
+    return std::ranges::any_of(spectrum(problem, t, y),
+                               [&](const ComplexValue rate) { return grows(*order, rate); });
+  }
+  return modes_of_equation(frozen(problem, t, y), length) != 0;
+}
+
+double step_at(const Grid& grid, double t) { return grid.step(std::max(1, grid.number(t))); }
+
+// What is left of an initial value, the most of all components; 1 where all are 0.
+double part_left(const SolvedRun& run, const Vec& start) {
+  const Vec sizes = late_sizes(run);
+  double left = start.isZero(0.0) ? 1.0 : 0.0;
+  for (Eigen::Index i = 0; i < start.size(); ++i) {
+    if (start[i] != 0.0) left = std::max(left, sizes[i] / std::abs(start[i]));
+  }
+  return left;
+}
+
+// The modes e^(st) of the linear part at the start, where all orders are equal.
+Spectrum oscillations(const SolvedRun& run) {
+  const auto order = has_modes(run.problem) ? common_order(run.problem) : std::nullopt;
+  Spectrum modes;
+  if (!order) return modes;
+  for (const ComplexValue rate : spectrum(run.problem, 0.0, stored_at(run.path, 0.0))) {
+    // What is not in this sector decays like a power of t.
+    if (rate != 0.0 && std::abs(std::arg(rate)) < *order * std::numbers::pi)
+      modes.push_back(std::pow(rate, 1.0 / *order));
+  }
+  return modes;
+}
+
+// Backward Euler's method damps a mode until the end by the exponential of half of this.
+double damping(const Grid& grid, ComplexValue mode) {
+  return mode.imag() * mode.imag() * step_at(grid, grid.end) * grid.end;
+}
+
+}  // namespace
+
+std::optional<std::string> unstable_modes(const SolvedRun& run) {
+  if (!has_modes(run.problem) || !run.scheme.symbol) return std::nullopt;
+  for (const double t : spread_times(run.grid)) {
+    const Vec y = stored_at(run.path, t);
+    const double length = step_at(run.grid, t);
+    const auto order = run.scheme.needs.discretises_equations ? std::nullopt : common_order(run.problem);
+    const bool unstable = order ? unstable_at(run.scheme, *order, spectrum(run.problem, t, y), length)
+                                : unstable_at(run.scheme, run.problem, t, y, length);
+    if (!unstable) continue;
+    return fmt::format(
+        "a step of {:.3g} is outside the region of stability of {} for the linear part at t = "
+        "{:.3g}",
+        length, run.scheme.id, t);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> growth_of_its_own(const SolvedRun& run) {
+  constexpr double many_times = 1e3;
+  const Problem& problem = run.problem;
+  if (!has_modes(problem)) return std::nullopt;
+  const Vec start = stored_at(run.path, 0.0);
+  Vec load = Vec::Zero(start.size()), f(start.size());
+  for (const double t : spread_times(run.grid)) {
+    problem.rhs(t, start, f);
+    load = load.cwiseMax(f.cwiseAbs());
+  }
+  double expected = taylor_part(problem, run.grid.end).lpNorm<Eigen::Infinity>();
+  for (Eigen::Index i = 0; i < load.size(); ++i) {
+    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    expected += std::pow(run.grid.end, order) / std::tgamma(order + 1.0) * load[i];
+  }
+  const double reached = late_sizes(run).head(problem.size()).maxCoeff();
+  if (!(reached > many_times * expected)) return std::nullopt;
+  for (const double t : spread_times(run.grid)) {
+    if (equation_grows(problem, t, stored_at(run.path, t), step_at(run.grid, t))) return std::nullopt;
+  }
+  return fmt::format("the run grows to {:.3g}, the linear part of the equation has no mode that grows",
+                     reached);
+}
+
+bool may_damp_oscillation(const SolvedRun& run) {
+  constexpr double slightly = 0.2;
+  return std::ranges::any_of(oscillations(run), [&](const ComplexValue mode) {
+    return mode.real() * run.grid.end > std::log(doubtful_part) && damping(run.grid, mode) > slightly;
+  });
+}
+
+std::optional<std::string> lost_oscillation(const SolvedRun& run) {
+  const double left = part_left(run, stored_at(run.path, 0.0));
+  if (!(left < doubtful_part)) return std::nullopt;
+  const Grid& grid = run.grid;
+  for (const ComplexValue mode : oscillations(run)) {
+    if (left >= doubtful_part * std::exp(mode.real() * grid.end) || damping(grid, mode) <= 1.0) continue;
+    return fmt::format(
+        "the run decays faster than an oscillation of the equation, of period {:.3g}: a step is {:.3g}",
+        2.0 * std::numbers::pi / std::abs(mode.imag()), step_at(grid, grid.end));
+  }
+  return std::nullopt;
+}
+
+}  // namespace fde

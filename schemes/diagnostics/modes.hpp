@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "fdebench/schemes/diagnostics/other_steps.hpp"
+
+namespace fde {
+
+// What the linear part of a problem, its Jacobian frozen at a few states of a run, says of that run. Nothing
+// is said of problems with algebraic rows or at both ends.
+
+// Whether the scheme has modes with this length of a step that grow where those of the equation do not, as
+// half a sentence. Where all orders are equal the eigenvalues are looked at, the largest of them; otherwise
+// the symbol of the whole matrix, beside that of backward Euler's sum with a hundredth of the step.
+std::optional<std::string> unstable_modes(const SolvedRun& run);
+
+// Whether the equation has no growing mode at these states and the run grew to a thousand times what its
+// initial values and its load make: |Taylor part| + t^g / Gamma(g+1) |f(., y(0))|.
+std::optional<std::string> growth_of_its_own(const SolvedRun& run);
+
+// Whether the equation has an oscillation, at t = 0, of which a tenth is left at the end or more, and which
+// backward Euler's method with these steps damps by a tenth or more.
+bool may_damp_oscillation(const SolvedRun& run);
+
+// Whether the equation has an oscillation, at t = 0, that leaves ten times more of the initial values than is
+// left of the run, with steps with which backward Euler's method damps it.
+std::optional<std::string> lost_oscillation(const SolvedRun& run);
+
+}  // namespace fde

@@ -1,0 +1,170 @@
+#include "fdebench/schemes/diagnostics/stability_region.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+
+namespace fde {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// The determinant 1 + linear z + square z^2 of the symbol, before its columns are scaled, at one zeta. z
+// occurs in one entry of A, so each factor A raises the degree by one.
+struct Characteristic {
+  ComplexValue linear, square;
+};
+
+class ScalarSymbol {
+ public:
+  ScalarSymbol(const Scheme& scheme, double order)
+      : implicit_(scheme.needs.implicit),
+        size_(implicit_ ? large : 1.0),
+        plus_(symbol_of(scheme, test_problem(scheme, order, size_), 1.0)),
+        minus_(symbol_of(scheme, test_problem(scheme, order, -size_), 1.0)),
+        order_(order) {}
+
+  [[nodiscard]] Characteristic at(double theta) const { return at(ComplexValue{0.0, theta}); }
+  [[nodiscard]] Characteristic at(ComplexValue log_zeta) const {
+    const ComplexValue power = difference_power(order_, log_zeta);
+    const ComplexValue plus = plus_(log_zeta).determinant() / power,
+                       minus = minus_(log_zeta).determinant() / power;
+    return {0.5 * (plus - minus) / size_, implicit_ ? 0.0 : 0.5 * (plus + minus) - 1.0};
+  }
+
+ private:
+  // Implicit rules need the linear coefficient only; with such a large z the 1 is negligible, also where the
+  // boundary is far from 0.
+  static constexpr double large = 0x1p80;
+
+  bool implicit_;
+  double size_;
+  Symbol plus_, minus_;
+  double order_;
+};
+
+std::vector<ComplexValue> roots(const Characteristic& p) {
+  if (p.square == 0.0) return {-1.0 / p.linear};
+  // The reciprocals 1/z = (-linear +- root)/2; the smaller one follows from their product, without
+  // cancellation.
+  ComplexValue root = std::sqrt(p.linear * p.linear - 4.0 * p.square);
+  if ((std::conj(p.linear) * root).real() < 0.0) root = -root;
+  const ComplexValue larger = -0.5 * (p.linear + root);
+  return {1.0 / larger, larger / p.square};
+}
+
+// A function with a zero where a root crosses the real axis: the imaginary part of the determinant gives the
+// real root x; this is the real part at x times a power of its denominator.
+double crossing(const Characteristic& p) {
+  const double a1 = p.linear.real(), a2 = p.square.real(), b1 = p.linear.imag(), b2 = p.square.imag();
+  if (p.square == 0.0) return b1;
+  return b2 * b2 - a1 * b1 * b2 + a2 * b1 * b1;
+}
+
+// The real root at a zero of `crossing`, as x = -z.
+double crossed_at(const Characteristic& p) {
+  return p.square == 0.0 ? 1.0 / p.linear.real() : p.linear.imag() / p.square.imag();
+}
+
+// Increasing angles between 0 and pi, with a ratio of 1.02 near 0 and near pi, where the crossings of orders
+// close to an integer are. Closer to the ends the imaginary part of the determinant is below rounding.
+struct Angles {
+  static constexpr double lowest = -20.0, step = 0.02;  // of the logarithm
+  int half = static_cast<int>(std::ceil((std::log(pi / 2) - lowest) / step));
+  [[nodiscard]] int count() const { return 2 * half + 1; }
+  [[nodiscard]] double at(int i) const { return i <= half ? from_end(i) : pi - from_end(2 * half - i); }
+
+ private:
+  [[nodiscard]] double from_end(int i) const {
+    return std::exp(lowest + (std::log(pi / 2) - lowest) * i / half);
+  }
+};
+
+// The roots at a real zeta that are on the negative real axis, as x = -z.
+std::vector<double> negative_roots(const Characteristic& p) {
+  std::vector<double> found;
+  for (const ComplexValue z : roots(p)) {
+    if (std::abs(z.imag()) < 1e-9 * std::abs(z) && z.real() < 0.0) found.push_back(-z.real());
+  }
+  return found;
+}
+
+// All x > 0, increasing, at which the boundary may cross the real axis at -x: at zeta = -1; at zeta = 1, for
+// a predictor-corrector where det(I + k A) = 0; and in between.
+std::vector<double> crossings(const ScalarSymbol& symbol) {
+  const Angles angles;
+  constexpr double to_one = -1e-13;  // log zeta; 1 itself is a pole
+  std::vector<double> found = negative_roots(symbol.at(pi));
+  std::ranges::copy(negative_roots(symbol.at(ComplexValue(to_one))), std::back_inserter(found));
+  double low = angles.at(0), at_low = crossing(symbol.at(low));
+  for (int i = 1; i < angles.count(); ++i) {
+    double a = low, high = angles.at(i);
+    const double at_high = crossing(symbol.at(high));
+    if (std::signbit(at_low) != std::signbit(at_high)) {
+      for (double b = high; b - a > 1e-15 * b;) {
+        const double middle = 0.5 * (a + b);
+        if (middle == a || middle == b) break;
+        (std::signbit(crossing(symbol.at(middle))) == std::signbit(at_low) ? a : b) = middle;
+      }
+      const double x = crossed_at(symbol.at(a));
+      if (x > 0.0) found.push_back(x);
+    }
+    low = high;
+    at_low = at_high;
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+bool stable_at(const Scheme& scheme, double order, double x) {
+  return stable(scheme, test_problem(scheme, order, -x), 1.0);
+}
+
+}  // namespace
+
+std::vector<ComplexValue> boundary(const Scheme& scheme, double order, double theta) {
+  return roots(ScalarSymbol(scheme, order).at(theta));
+}
+
+double real_stability_interval(const Scheme& scheme, double order) {
+  auto ends = crossings(ScalarSymbol(scheme, order));
+  // Between two crossings the number of growing modes does not change.
+  ends.push_back(std::numeric_limits<double>::infinity());
+  if (!stable_at(scheme, order, 0.5 * std::min(1.0, ends.front()))) return 0.0;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double next = std::isinf(ends[i + 1]) ? 2.0 * ends[i] : std::sqrt(ends[i] * ends[i + 1]);
+    if (!stable_at(scheme, order, next)) return ends[i];
+  }
+  return ends.back();
+}
+
+double stability_angle(const Scheme& scheme, double order) {
+  if (std::isfinite(real_stability_interval(scheme, order))) return 0.0;
+  const ScalarSymbol symbol(scheme, order);
+  const Angles angles;
+  double angle = pi - 0.5 * order * pi;  // the limit of the boundary for theta -> 0
+  for (int i = 0; i <= angles.count(); ++i) {
+    const double theta = i < angles.count() ? angles.at(i) : pi;
+    for (const ComplexValue z : roots(symbol.at(theta))) angle = std::min(angle, std::abs(std::arg(-z)));
+  }
+  return angle;
+}
+
+std::optional<Vec> stiff_limit(const Scheme& scheme, double order, int steps) {
+  // A rate so large that 1 is negligible: the result is the limit, to rounding.
+  constexpr double infinite = -1e100;
+  const Problem problem = test_problem(scheme, order, infinite, steps);
+  symbol_of(scheme, problem, 1.0);
+  if (!scheme.needs.implicit) return std::nullopt;
+  const Rows y = scheme.solve(problem, Grid{problem.end, steps}, {}).y;
+  Vec response = Vec::Constant(steps + 1, std::numeric_limits<double>::infinity());
+  // Values of the size of 1/z are 0 in the limit.
+  response.head(y.cols()) =
+      y.row(0).transpose().unaryExpr([](double r) { return std::abs(r) < 1e-50 ? 0.0 : r; });
+  return response;
+}
+
+}  // namespace fde

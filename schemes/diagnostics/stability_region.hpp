@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fdebench/schemes/diagnostics/growing_mode_count.hpp"
+
+namespace fde {
+
+// The linear stability region of a scheme at one order g: the z = lambda h^g for which the scheme has no
+// growing mode for D^g y = lambda y. The exact solution decays in the sector |arg z| > g pi/2 (Matignon
+// 1996). All functions throw std::invalid_argument as count_growing_modes does.
+
+// The root locus: the z for which the symbol has a zero at zeta = e^(i theta). Precondition: 0 < theta <= pi.
+// One z for an implicit rule, two for a predictor-corrector, each of which may be on the boundary: the
+// determinant of the symbol is a polynomial of that degree in z, for split schemes too. The values at -theta
+// are the conjugates.
+std::vector<ComplexValue> boundary(const Scheme& scheme, double order, double theta);
+
+// The length of the real stability interval: the largest x such that z = -x' is stable for all 0 < x' < x;
+// infinity when all are.
+double real_stability_interval(const Scheme& scheme, double order);
+
+// The largest angle phi, in radians, such that all z with |arg(-z)| < phi are stable: A(phi)-stability. For
+// the exact equation it is pi - g pi/2. 0 when the real interval is finite.
+double stability_angle(const Scheme& scheme, double order);
+
+// The stiff limit y_n / y_0, n = 0 ... steps, for z -> -infinity with fixed h, y'(0) = 0 for orders above 1;
+// it is 0 where an infinitely fast transient is damped completely, infinity from where y_n overflows. nullopt
+// for a predictor-corrector, which has no limit.
+std::optional<Vec> stiff_limit(const Scheme& scheme, double order, int steps);
+
+}  // namespace fde

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+
+#include "fdebench/schemes/history/symbols/generating_function.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
+
+namespace fde {
+
+// The symbol S of a scheme applied to D^(g_i) y_i = (A y)_i with a constant step size. The generating
+// functions Y(zeta) = sum_n y_n zeta^n and F of A y satisfy Y = K F + (a term of the initial values), hence S
+// F = (a term of the initial values). At a zero of det S with |zeta| < 1 some initial values make y_n grow
+// like |zeta|^(-n), times a power of n at a multiple zero. If det S has no zero in |zeta| <= 1, y_n -> 0
+// (Wiener's theorem: Lubich, IMA J. Numer. Anal. 6 (1986)). As for generating_function the argument is log
+// zeta.
+//
+// With K_w the diagonal matrix of step factor times generating function of the weights w, S is
+//   implicit rules       I - A K
+//   predict, evaluate,   I - A (K_a - k + k A K_b), a the trapezoidal and b the rectangle weights, k the
+//   correct, evaluate    step factor of a, the weight of the newest sample
+// The functions below return S with column i multiplied by (1-zeta)^g_i, which has no zero in |zeta| < 1 and
+// makes S bounded. Schemes that split orders have the symbol of the split problem.
+using Symbol = std::function<ComplexMatrix(ComplexValue log_zeta)>;
+
+// The symbol of an implicit rule with this step size. For weights of increments of y, K is 1 / ((1-zeta) W)
+// times the step factor. A scheme that splits orders passes the split problem. Preconditions:
+// linear(problem), no algebraic rows, no right derivatives.
+Symbol implicit_symbol(const Problem& problem, const WeightFamily& family, double length);
+
+// The same for a rule that is not a convolution of f with one family: kernel_of(g) is (1-zeta)^g K for order
+// g and step size 1.
+using Kernel = std::function<ComplexValue(ComplexValue log_zeta)>;
+Symbol implicit_symbol(const Problem& problem, const std::function<Kernel(double order)>& kernel_of,
+                       double length);
+
+// The symbol of the predictor-corrector rule with one correction. Preconditions as above.
+Symbol predictor_corrector_symbol(const Problem& problem, double length);
+
+}  // namespace fde

@@ -1,0 +1,26 @@
+#include "fdebench/schemes/history/weights/families/binomial_weights.hpp"
+#include "fdebench/schemes/history/weights/families/product_rules.hpp"
+#include "fdebench/schemes/history/weights/family.hpp"
+
+namespace fde {
+namespace {
+
+// From B(k+g, 1-g) = int_0^inf (e^s - 1)^(-g) e^(-k s) ds. The differences of the weights of order g are the
+// weights of order g - 1.
+double coefficient(double g, double node, double kernel) {
+  return kernel * std::pow(step_mean(node), -(g > 1.0 ? g - 1.0 : g));
+}
+
+}  // namespace
+
+constinit const WeightFamily families::grunwald_letnikov{
+    .id = "grunwald_letnikov",
+    .title = "Grunwald-Letnikov, backward Euler convolution quadrature: (-1)^k binomial(-g, k)",
+    .weight = binomial_weight,
+    .first_sample_weight = [](long double /*g*/, long double /*n*/) -> long double { return 0; },
+    .weight_at_order_one = 1.0,
+    .step_factor = [](long double /*g*/) -> long double { return 1; },
+    .coefficient = coefficient,
+    .regular_part = [](double /*g*/, ComplexValue /*mu*/) -> ComplexValue { return 1.0; }};
+
+}  // namespace fde

@@ -1,0 +1,24 @@
+#include "fdebench/schemes/history/weights/families/increment_family.hpp"
+#include "fdebench/schemes/history/weights/families/second_difference.hpp"
+
+namespace fde {
+namespace {
+
+using Real = long double;
+
+double coefficient(double g, double node, double kernel) {
+  return kernel * (std::tgamma(2 - g) * second_difference_mean(node));
+}
+
+}  // namespace
+
+constinit const WeightFamily families::l1_bend =
+    increment_family({.id = "l1_bend",
+                      .title = "what L1-2 adds to l1: a parabola in place of each line, g <= 1",
+                      .weight = [](Real g, Real k) { return second_difference_weight(g, k + 1); },
+                      .coefficient = coefficient,
+                      .ends = [](double /*before*/, double after, double length) -> EndpointValues {
+                        return {-after / length, after / length};
+                      }});
+
+}  // namespace fde

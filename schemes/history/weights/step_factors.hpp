@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "fdebench/schemes/history/weights/weights.hpp"
+
+namespace fde {
+
+// Computes the step factors kappa of several tables for varying step lengths. Gamma functions are computed
+// once, one power for each distinct order and length, and nothing where the length is unchanged.
+class StepFactors {
+ public:
+  explicit StepFactors(const std::vector<WeightTable>& tables);
+
+  // The step factors for this length, one a table. The reference is valid until the next call.
+  const Vec& at(double length);
+
+  // length^exponent with the length of the last call; cached where the exponent is an order of a table.
+  [[nodiscard]] double power(double exponent) const;
+
+ private:
+  std::vector<double> orders_;        // each once
+  std::vector<Eigen::Index> of_row_;  // for each table the index of its order
+  double length_ = 0.0;               // of the last call
+  std::vector<long double> units_;
+  Vec powers_, factors_;
+};
+
+}  // namespace fde

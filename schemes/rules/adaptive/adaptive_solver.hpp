@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "fdebench/schemes/rules/adaptive/adaptive_stepper.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
+
+namespace fde {
+
+// Creates the stepping rule of a run. `shortest` is a lower bound of all step sizes.
+using StepperFactory = std::function<std::unique_ptr<AdaptiveStepper>(Run& run, double shortest)>;
+
+// Solves a problem with adaptive step size. The right-hand side hardly changes on the first step (see
+// initial_step_size). A step ends at each time in Problem::jumps, and the rule restarts there.
+Trajectory march_adaptively(const Problem& problem, const Tolerance& accuracy, const Options& options,
+                            const StepperFactory& make);
+
+}  // namespace fde

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "fdebench/schemes/stepping/run.hpp"
+
+namespace fde {
+
+// The error of a step that has no solution.
+inline constexpr double no_solution = std::numeric_limits<double>::infinity();
+
+// D^g y on a step as polynomials of w = (t - t_(n-1)) / (t_n - t_(n-1)): one row a component, columns the
+// coefficients of 1, w, w^2. In algebraic rows the polynomials are y itself.
+using DerivativePolynomials = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+// A component that is interpolated on a step from its own values: y as a polynomial of w,
+// coefficients of 1, w, w^2, w^3. It replaces the fractional integral of D^g y where f makes the component
+// decay within the step: f is then far larger than y, and between the stages the error of the integral
+// exceeds the tolerance, though the equations of the step leave little of this error at the stages.
+struct InterpolatedRow {
+  Eigen::Index row;
+  Eigen::Vector4d powers;
+  // y at w.
+  [[nodiscard]] double at(double w) const {
+    return powers[0] + w * (powers[1] + w * (powers[2] + w * powers[3]));
+  }
+  void state(Archive& archive) { archive(row, powers); }
+};
+using InterpolatedRows = std::vector<InterpolatedRow>;
+
+// Whether a component is interpolated. error: of its fractional integral; left: what remains of this error in
+// the solution of the step equations; allowed: the limit of the error.
+inline bool needs_interpolation(double error, double left, double allowed) {
+  constexpr double small_part = 0.1;  // if more remains, the error is below 10 times the limit
+  return !(std::abs(error) <= allowed) && !(std::abs(left) > small_part * std::abs(error));
+}
+
+// A rule for steps of any size. Each step is attempted and its error is estimated; take() accepts the step,
+// or it is attempted again with another size. An attempt does not change the history.
+class AdaptiveStepper {
+ public:
+  AdaptiveStepper() = default;
+  AdaptiveStepper(const AdaptiveStepper&) = delete;
+  AdaptiveStepper& operator=(const AdaptiveStepper&) = delete;
+  virtual ~AdaptiveStepper() = default;
+
+  // Solves the step from the last accepted time to t. Returns its error estimate in units of the tolerance,
+  // or no_solution.
+  virtual double attempt(Run& run, double t) = 0;
+
+  // The error of the last attempt if f jumps on its step, counted once, as no other step makes this error.
+  // no_solution: f does not jump, or attempt() returns the error of one step anyway.
+  [[nodiscard]] virtual double error_of_jump() const { return no_solution; }
+
+  // y at the end of the last attempt, and at a time t within its step.
+  [[nodiscard]] virtual const Vec& result() const = 0;
+  virtual Vec between(double t) = 0;
+
+  // y at a time t after the last accepted one, with f extrapolated from the accepted steps.
+  virtual Vec continued(double t) = 0;
+
+  // Replaces attempt() for a step over a jump of f that is too short to change y: f is extrapolated over it.
+  virtual void extrapolate_over_jump(Run& run, double t) = 0;
+
+  // Accepts the last attempt: adds it to the history.
+  virtual void take() = 0;
+
+  // D^g y on the last accepted step, and the components that are interpolated on it.
+  [[nodiscard]] virtual DerivativePolynomials drives() const = 0;
+  [[nodiscard]] virtual const InterpolatedRows& interpolated() const = 0;
+
+  // Restarts after a jump of f at the last accepted time: f is no longer extrapolated from the steps before
+  // it.
+  virtual void restart(Run& run) = 0;
+
+  // The power of the step size with which the error estimate falls where the solution is smooth.
+  [[nodiscard]] virtual double rate() const = 0;
+
+  // Memory of the history.
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
+
+  // The method that solved sparse equations of the steps; empty: there were none.
+  [[nodiscard]] virtual std::string_view linear_solver() const = 0;
+
+  // Saves or restores the state between two steps.
+  virtual void state(Archive& archive) = 0;
+};
+
+}  // namespace fde

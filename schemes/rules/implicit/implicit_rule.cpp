@@ -1,0 +1,105 @@
+#include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
+
+#include "fdebench/schemes/history/weights/step_factors.hpp"
+#include "fdebench/schemes/problem/componentwise.hpp"
+
+namespace fde {
+namespace {
+
+// The history of all rows but the algebraic ones.
+class PastOfRows {
+ public:
+  PastOfRows(const Problem& problem, const std::vector<WeightTable>& tables, const Grid& grid,
+             const Options& options) {
+    std::vector<WeightTable> remembered;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      if (algebraic(problem.components[i])) continue;
+      rows_.push_back(static_cast<Eigen::Index>(i));
+      remembered.push_back(tables[i]);
+    }
+    buffer_.resize(static_cast<Eigen::Index>(rows_.size()));
+    history_ =
+        make_history(options.history, {remembered}, step_plan(grid), options.tolerance, options.threads);
+  }
+
+  [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
+
+  void state(Archive& archive) { archive(history_); }
+
+  // Appends a sample of all rows, taken at time t.
+  void push(double t, In sample) {
+    if (sample.size() == buffer_.size()) return history_->push(t, sample);  // no algebraic rows
+    for (Eigen::Index r = 0; r < buffer_.size(); ++r) buffer_[r] = sample[row(r)];
+    history_->push(t, buffer_);
+  }
+
+  // Sets the sums at time t of the rows with a history; the other entries are unchanged.
+  void convolve(double t, Out result) {
+    if (result.size() == buffer_.size()) return history_->convolve(t, 0, result);
+    history_->convolve(t, 0, buffer_);
+    for (Eigen::Index r = 0; r < buffer_.size(); ++r) result[row(r)] = buffer_[r];
+  }
+
+ private:
+  [[nodiscard]] Eigen::Index row(Eigen::Index r) const { return rows_[static_cast<std::size_t>(r)]; }
+
+  std::vector<Eigen::Index> rows_;
+  Vec buffer_;
+  std::unique_ptr<History> history_;
+};
+
+}  // namespace
+
+ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family) {
+  return {.tables = tables(problem, family),
+          .past =
+              [taylor = TaylorPart(problem)](double t, In convolved, In /*previous*/, In kappa, Out past) {
+                taylor.at(t, past);
+                for_each_component(past.size(), [&](Eigen::Index i) { past[i] += kappa[i] * convolved[i]; });
+              },
+          .sample = [](Run& run, double t, In y, In /*previous*/, Out sample) { sample = run.rhs(t, y); }};
+}
+
+Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,
+                          const ImplicitRule& rule) {
+  Run run(problem, options, grid.steps);
+  NewtonSolver newton(problem, options.tolerance);
+  StepFactors factors(rule.tables);
+  PastOfRows history(problem, rule.tables, grid, options);
+  run.cost().history_bytes = history.bytes();
+
+  Vec previous = run.start(), y = previous, told, sample(y.size()), past(y.size());
+  Vec convolved = Vec::Zero(y.size());
+  double t = 0.0;
+  int n = 1;
+  const State state = [&](Archive& archive) {
+    archive.count(n, 1, grid.steps);
+    archive(t, y, previous, sample, history, newton);
+    if (rule.state) rule.state(archive);
+  };
+  rule.sample(run, t, y, previous, sample);
+  for (run.resume(state); n <= grid.steps; ++n) {
+    run.offer(state);
+    history.push(t, sample);
+    const double before = t;
+    t = grid.time(n);
+    history.convolve(t, convolved);
+    const Vec& kappa = factors.at(grid.step(before, t));
+    rule.past(t, convolved, previous, kappa, past);
+    if (const Ending ending = newton.solve(run, {t, kappa, past}, y); ending != Ending::finished) {
+      run.fail(ending, t);
+      break;
+    }
+    if (rule.told) {
+      told = y;
+      rule.told(y, told);
+    }
+    if (!run.accept(t, rule.told ? told : y)) break;
+    if (n < grid.steps) rule.sample(run, t, y, previous, sample);
+    previous = y;
+  }
+  run.cost().linear_solver = newton.linear_solver();
+  return run.finish();
+}
+
+}  // namespace fde

@@ -1,0 +1,13 @@
+#include "fdebench/schemes/rules/implicit/newton_matrix.hpp"
+
+#include "fdebench/schemes/rules/implicit/dense_newton_matrix.hpp"
+#include "fdebench/schemes/rules/implicit/sparse_newton_matrix.hpp"
+
+namespace fde {
+
+std::unique_ptr<NewtonMatrix> make_newton_matrix(const Problem& problem) {
+  if (sparse(problem)) return std::make_unique<SparseNewtonMatrix>(problem);
+  return make_dense_newton_matrix(problem);
+}
+
+}  // namespace fde

@@ -1,0 +1,60 @@
+#include "fdebench/schemes/rules/implicit/step_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fdebench/schemes/problem/componentwise.hpp"
+
+namespace fde {
+namespace {
+
+// The larger one; NaN where either is NaN.
+double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
+
+}  // namespace
+
+RowScales::RowScales(const Problem& problem)
+    : mass(Vec::Ones(problem.size())), scale(problem.size()), weight(Vec::Ones(problem.size())) {
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    if (!fde::algebraic(problem.components[static_cast<std::size_t>(i)])) continue;
+    algebraic.push_back(i);
+    mass[i] = 0.0;
+  }
+}
+
+void compute_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest) {
+  for_each_component(rest.size(),
+                     [&](Eigen::Index i) { rest[i] = step.past[i] + step.kappa[i] * f[i] - y[i]; });
+  for (const auto i : rows.algebraic) rest[i] = rows.scale[i] * f[i];
+}
+
+bool holds(const StepEquations& step, In f, In y, double tolerance) {
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const double part = step.kappa[i] * f[i], terms = std::abs(step.past[i]) + std::abs(part);
+    const double rest = std::abs(step.past[i] + part - y[i]);
+    if (!(rest <= tolerance * terms && std::isfinite(terms))) return false;
+  }
+  return true;
+}
+
+double relative_norm(const RowScales& rows, In increment, In y) {
+  // For smaller numbers rounding errors are subnormal: they are relative to this value.
+  static constexpr double smallest =
+      std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
+  const auto of = [](double part, double size) { return part / std::max(size, smallest); };
+  double size = 0.0, part = 0.0;
+  for_each_component(y.size(), [&](Eigen::Index i) {
+    size = larger(size, rows.mass[i] * std::abs(y[i]));
+    part = larger(part, rows.mass[i] * std::abs(increment[i]));
+  });
+  double largest = of(part, size);
+  for (const auto i : rows.algebraic) {
+    const double weight = rows.weight[i];
+    const double relative = of(weight * std::abs(increment[i]), std::max(size, weight * std::abs(y[i])));
+    if (!(relative <= largest)) largest = relative;
+  }
+  return largest;
+}
+
+}  // namespace fde

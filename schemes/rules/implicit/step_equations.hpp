@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "fdebench/schemes/problem/archive.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
+
+namespace fde {
+
+// The equations of one step of an implicit rule: y_i = past_i + kappa_i f_i(t, y), and 0 = f_i(t, y) in
+// algebraic rows. past is the part that does not depend on y: the Taylor part and the memory term. kappa is
+// the weight of f(t, y).
+struct StepEquations {
+  double t;
+  const Vec& kappa;
+  const Vec& past;
+};
+
+// Scales of the rows of these equations in Newton's method: row i reads
+//   0 = mass_i (past_i - y_i) + scale_i f_i(t, y).
+struct RowScales {
+  explicit RowScales(const Problem& problem);
+
+  std::vector<Eigen::Index> algebraic;
+  Vec mass;    // 1, and 0 in algebraic rows
+  Vec scale;   // kappa; in algebraic rows 1 / max_j |df_i/dy_j|
+  Vec weight;  // of unknowns: 1; of algebraic rows their effect on the equations, max_k |M_ki| with M the
+               // iteration matrix
+
+  void state(Archive& archive) { archive(scale, weight); }
+};
+
+// Sets rest to the residual of the scaled equations at y. f: f(t, y).
+void compute_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest);
+
+// Whether each equation holds to the tolerance, relative to its terms past_i and kappa_i f_i. Precondition:
+// no row is algebraic.
+bool holds(const StepEquations& step, In f, In y, double tolerance);
+
+// The largest increment relative to |y|, both measured as described at NewtonSolver.
+double relative_norm(const RowScales& rows, In increment, In y);
+
+}  // namespace fde

@@ -1,0 +1,40 @@
+#include "fdebench/schemes/rules/interpolants/interpolant.hpp"
+
+#include "fdebench/schemes/rules/implicit/newton.hpp"
+#include "fdebench/schemes/rules/interpolants/off_step_problem.hpp"
+
+namespace fde {
+
+Trajectory solve_with_interpolant(Interpolant& interpolant, const Problem& problem, const Grid& grid,
+                                  const Options& options) {
+  OffStepProblem stepped(problem, interpolant.offsets());
+  Run run(stepped.problem(), options, grid.steps);
+  NewtonSolver newton(stepped.problem(), options.tolerance);
+  run.cost().history_bytes = interpolant.bytes();
+
+  Vec y = run.start(), before = y, known(y.size()), newest(y.size()), kappa(y.size()), past(y.size());
+  int n = 1;
+  const State state = [&](Archive& archive) {
+    archive.count(n, 1, grid.steps);
+    archive(y, newton, interpolant);
+  };
+  for (run.resume(state); n <= grid.steps; ++n) {
+    run.offer(state);
+    const double t = grid.time(n);
+    before = y;
+    stepped.set_step(grid.time(n - 1), before, grid.step(n));
+    interpolant.derivative(n, known, newest);
+    kappa = newest.cwiseInverse();
+    past = before - kappa.cwiseProduct(known);
+    if (const Ending ending = newton.solve(run, {t, kappa, past}, y); ending != Ending::finished) {
+      run.fail(ending, t);
+      break;
+    }
+    if (!run.accept(t, y)) break;
+    if (n < grid.steps) interpolant.push(n, y - before);
+  }
+  *run.cost().rhs_calls *= stepped.evaluations();
+  return run.finish();
+}
+
+}  // namespace fde

@@ -1,0 +1,53 @@
+#include "fdebench/schemes/rules/spectral/integrated_rows.hpp"
+
+#include <cmath>
+
+#include "fdebench/schemes/problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
+
+namespace fde {
+namespace {
+
+// D^node of sum_k initial[k] t^k / k!.
+std::vector<IntegratedRow::Power> derivative_of_start(const std::vector<double>& initial, double node) {
+  std::vector<IntegratedRow::Power> start;
+  for (std::size_t k = 0; k < initial.size(); ++k) {
+    const double power = static_cast<double>(k) - node;
+    if (power >= 0.0 && initial[k] != 0.0) start.push_back({initial[k] / std::tgamma(power + 1.0), power});
+  }
+  return start;
+}
+
+}  // namespace
+
+IntegratedRows::IntegratedRows(const Problem& problem) : rows(problem.components.size()) {
+  std::vector<bool> chained(rows.size(), false);
+  for (const auto& equation : problem.equations) {
+    const Chain chain = chain_of(problem, equation);
+    for (Eigen::Index i = 0; i < chain.size(); ++i) {
+      const auto row = static_cast<std::size_t>(chain.first() + i);
+      const double node = chain.nodes()[static_cast<std::size_t>(i)];
+      rows[row] = {drive_count(), chain.leading().order - node, derivative_of_start(chain.initial(), node)};
+      chained[row] = true;
+    }
+    drives.push_back(chain.first() + chain.size() - 1);
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (chained[i]) continue;
+    const auto& component = problem.components[i];
+    rows[i] = {drive_count(), component.order, {}};
+    if (!algebraic(component)) rows[i].start = derivative_of_start(component.initial, 0.0);
+    drives.push_back(static_cast<Eigen::Index>(i));
+  }
+}
+
+Vec IntegratedRows::start(double t) const {
+  Vec value = Vec::Zero(row_count());
+  for (Eigen::Index i = 0; i < row_count(); ++i) {
+    for (const auto& [coefficient, power] : rows[static_cast<std::size_t>(i)].start)
+      value[i] += coefficient * (power == 0.0 ? 1.0 : power == 1.0 ? t : std::pow(t, power));
+  }
+  return value;
+}
+
+}  // namespace fde

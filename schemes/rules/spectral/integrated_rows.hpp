@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "fdebench/schemes/problem/problem.hpp"
+
+namespace fde {
+
+// A row of a problem as a fractional integral of one of the unknown functions x_k of a panel,
+//   y(t) = sum of coefficient t^power + I^order x_k,
+// or x_k itself, order 0, for an algebraic row.
+struct IntegratedRow {
+  struct Power {
+    double coefficient, power;
+  };
+  Eigen::Index drive;  // k
+  double order;
+  std::vector<Power> start;
+
+  [[nodiscard]] bool algebraic() const { return order == 0.0; }
+};
+
+// All rows; drives[k] is the index of the right-hand side f_i that x_k equals. x_k is D^L u for a multi-term
+// equation, and all rows of its chain are integrals of it; otherwise x_k is D^gamma y_i. For an algebraic row
+// the equation is f_i = 0 instead.
+struct IntegratedRows {
+  explicit IntegratedRows(const Problem& problem);
+
+  std::vector<IntegratedRow> rows{};
+  std::vector<Eigen::Index> drives{};
+
+  [[nodiscard]] Eigen::Index row_count() const { return std::ssize(rows); }
+  [[nodiscard]] Eigen::Index drive_count() const { return std::ssize(drives); }
+
+  // The rows at t without the integrals: their Taylor parts.
+  [[nodiscard]] Vec start(double t) const;
+};
+
+}  // namespace fde

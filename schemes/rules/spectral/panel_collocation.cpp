@@ -1,0 +1,335 @@
+#include "fdebench/schemes/rules/spectral/panel_collocation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "fdebench/schemes/problem/switches.hpp"
+
+namespace fde {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double part = 0.5;  // of the tolerance: a margin for errors that grow or add up
+
+// A function with a singularity at the distance of one panel length has Legendre coefficients like 5.8^-l: so
+// do the x_k on the panels that grow from a start, and the integrals over distant blocks.
+Eigen::Index points_for(const Tolerance& accuracy) {
+  constexpr double decay = 1.763, spare = 4.0;  // log(3 + sqrt 8)
+  const double error = std::clamp(std::max(accuracy.relative, accuracy.absolute), 1e-16, 1e-2);
+  return static_cast<Eigen::Index>(std::ceil(-std::log(error) / decay) + spare);
+}
+
+}  // namespace
+
+PanelCollocation::PanelCollocation(const Problem& problem, const Tolerance& accuracy, const Options& options)
+    : problem_(problem),
+      solution_(std::make_shared<PanelSolution>(problem, points_for(accuracy))),
+      run_(problem, options),
+      solver_(problem, solution_->driven, solution_->past.kernels(), accuracy) {}
+
+Trajectory PanelCollocation::solve() {
+  sides_ = sides(problem_, 0.0, run_.start());
+  double start = 0.0;
+  for (const double jump : problem_.jumps) {
+    if (jump < problem_.end) solve_between(std::exchange(start, jump), jump);
+  }
+  solve_between(start, problem_.end);
+  run_.cost().history_bytes = solution_->bytes();
+  auto path = run_.finish();
+  if (!solution_->panels.empty()) path.dense = [solution = solution_](double t) { return solution->at(t); };
+  return path;
+}
+
+// Solves between two jumps, in segments that end at switches.
+void PanelCollocation::solve_between(double start, double end) {
+  const Matrix nothing = Matrix::Zero(solution_->rule.size(), solution_->driven.row_count());
+  while (phase_ != RunPhase::over && start < end) {
+    phase_ = RunPhase::on;
+    const double first = start > 0.0 ? std::nextafter(start, infinity) : 0.0;
+    const double last = end < problem_.end ? std::nextafter(end, 0.0) : infinity;
+    solution_->segments.push_back({start, end - start, first, last});
+    const Segment& segment = solution_->segments.back();
+    width_ = 1.0;
+    last_rejected_ = {0.0, 1.0, infinity};
+    last_unknowns_ = start == 0.0 ? solver_.initial_unknowns(run_) : Vec();
+    Sources before;
+    for (const auto& tree : solution_->trees) before.push_back(tree.get());
+    auto tree = visit({&segment, 0.0, 1.0}, nothing, before);
+    if (tree) solution_->trees.push_back(std::move(tree));
+    if (phase_ == RunPhase::on) return;
+    start = last_switch_time_;
+  }
+}
+
+std::unique_ptr<MemoryBlock> PanelCollocation::visit(const TimeBlock& block, const Matrix& smooth,
+                                                     const Sources& near) {
+  if (block.width <= width_) {
+    auto panel = attempt(block, smooth, near);
+    if (panel || phase_ != RunPhase::on) return panel;
+  }
+  Matrix of_half = solution_->rule.to_older_half * smooth;
+  Sources near_half;
+  for (const auto* source : near) solution_->past.sort(*source, block.older(), of_half, near_half);
+  auto older = visit(block.older(), of_half, near_half);
+  if (phase_ != RunPhase::on) {
+    if (older) solution_->trees.push_back(std::move(older));
+    return nullptr;
+  }
+  of_half = solution_->rule.to_newer_half * smooth;
+  near_half.clear();
+  for (const auto* source : near) solution_->past.sort(*source, block.newer(), of_half, near_half);
+  solution_->past.sort(*older, block.newer(), of_half, near_half);
+  auto newer = visit(block.newer(), of_half, near_half);
+  if (!newer) {
+    solution_->trees.push_back(std::move(older));
+    return nullptr;
+  }
+  return joined(block, std::move(older), std::move(newer));
+}
+
+std::unique_ptr<MemoryBlock> PanelCollocation::joined(const TimeBlock& block,
+                                                      std::unique_ptr<MemoryBlock> older,
+                                                      std::unique_ptr<MemoryBlock> newer) const {
+  const auto& rule = solution_->rule;
+  auto whole = std::make_unique<MemoryBlock>(MemoryBlock{
+      .block = block,
+      .coefficients = rule.from_older * older->coefficients + rule.from_newer * newer->coefficients,
+      .units = solution_->past.kernels().units(block.length())});
+  whole->older = std::move(older);
+  whole->newer = std::move(newer);
+  return whole;
+}
+
+std::unique_ptr<MemoryBlock> PanelCollocation::attempt(const TimeBlock& block, const Matrix& smooth,
+                                                       const Sources& near) {
+  const PanelSystem task = task_on(block, smooth, near);
+  PanelValues solved{guess_on(task), {}};
+  if (!solver_.solve(run_, task, solved) || contains_switch(block, task, solved.rows)) {
+    auto panel = lead_over_switch(block, task);
+    if (!panel && phase_ == RunPhase::on) reject_panel(block, infinity);
+    return panel;
+  }
+  const Matrix coefficients = solution_->rule.to_coefficients * solved.drives;
+  const Vec allowed = solver_.allowed(task, solved.rows);
+  const Vec effects = errors_by_degree(block, task, solved, coefficients, allowed);
+  double doubt = std::max(effects.tail(2).sum() / part, discontinuity_error(block, task, solved, allowed));
+  // The points do not resolve a mode that grows by more than this.
+  if (solver_.grows(run_, task, solved.rows, static_cast<double>(effects.size()))) doubt = infinity;
+  if (!(doubt <= 1.0) && !is_rounding_error(block, doubt)) {
+    reject_panel(block, doubt);
+    return nullptr;
+  }
+  set_next_width(block, needed_fraction(effects));
+  return take(block, task, std::move(solved));
+}
+
+std::unique_ptr<MemoryBlock> PanelCollocation::take(const TimeBlock& block, const PanelSystem& task,
+                                                    PanelValues solved) {
+  const auto& rule = solution_->rule;
+  solver_.pass(solved);
+  last_unknowns_ = solved.drives.transpose() * rule.at_end;
+  sides_ = sides(problem_, task.times[rule.size() - 1], solved.rows.transpose() * rule.at_end);
+  auto panel = std::make_unique<MemoryBlock>(MemoryBlock{.block = block,
+                                                         .coefficients = rule.to_coefficients * solved.drives,
+                                                         .units = task.units,
+                                                         .values = std::move(solved.rows)});
+  accept(*panel);
+  return panel;
+}
+
+// Whether the panel is not on one side of every switch, or, after the first panel of a segment, not on the
+// side of the panel before.
+bool PanelCollocation::contains_switch(const TimeBlock& panel, const PanelSystem& task,
+                                       const Matrix& rows) const {
+  if (problem_.switches.empty()) return false;
+  const Eigen::Index places = rows.rows();
+  const Vec at_end = rows.transpose() * solution_->rule.at_end;
+  const auto begun = panel.from > 0.0 ? sides_ : sides(problem_, task.times[0], rows.row(0).transpose());
+  if (sides(problem_, task.times[places - 1], at_end) != begun) return true;
+  for (Eigen::Index j = 0; j < places; ++j) {
+    if (sides(problem_, task.times[j], rows.row(j).transpose()) != begun) return true;
+  }
+  return false;
+}
+
+// Accepts a block as short as the accuracy with which switches are located, with the x_k extrapolated over
+// it; a new segment begins after it. nullptr: the block is longer, or ends on the same side. If the run
+// returns to the switch at once, or repeatedly almost at once, the solution slides along the switch and does
+// not exist beyond: the run ends.
+std::unique_ptr<MemoryBlock> PanelCollocation::lead_over_switch(const TimeBlock& block,
+                                                                const PanelSystem& task) {
+  constexpr double located = 1e-13, at_once = 1e-5;  // of the time
+  constexpr int most_returns = 32;
+  const double t = block.time(1.0);
+  if (problem_.switches.empty() || block.length() > located * t) return nullptr;
+  PanelValues followed{guess_on(task), {}};
+  solver_.follow(task, followed);
+  if (sides(problem_, t, followed.rows.transpose() * solution_->rule.at_end) == sides_) return nullptr;
+  returns_to_switch_ = t - last_switch_time_ <= at_once * t ? returns_to_switch_ + 1 : 0;
+  if ((block.from == 0.0 && last_switch_time_ == block.segment->start) || returns_to_switch_ > most_returns) {
+    run_.fail(Ending::sliding, t);
+    phase_ = RunPhase::over;
+    return nullptr;
+  }
+  auto panel = take(block, task, std::move(followed));
+  last_switch_time_ = t;
+  if (phase_ == RunPhase::on) phase_ = RunPhase::switched;
+  return panel;
+}
+
+PanelSystem PanelCollocation::task_on(const TimeBlock& panel, const Matrix& smooth, const Sources& near) {
+  PanelSystem task{.times = solution_->rule.places.unaryExpr([&](double place) {
+                     return std::clamp(panel.time(place), panel.segment->first, panel.segment->last);
+                   }),
+                   .units = solution_->past.kernels().units(panel.length()),
+                   .past = smooth,
+                   .size = {}};
+  for (const auto* source : near) solution_->past.add(*source, panel, task.past);
+  Matrix starts(task.past.rows(), task.past.cols());
+  for (Eigen::Index j = 0; j < starts.rows(); ++j) starts.row(j) = solution_->driven.start(task.times[j]);
+  task.size = starts.cwiseAbs().cwiseMax(task.past.cwiseAbs()).colwise().maxCoeff();
+  task.past += starts;
+  return task;
+}
+
+// Initial guess: the last values of the x_k; at the start of a segment, where these are not known, f at the
+// memory term.
+Matrix PanelCollocation::guess_on(const PanelSystem& task) {
+  Matrix guess(task.past.rows(), solution_->driven.drive_count());
+  guess.rowwise() =
+      (last_unknowns_.size() > 0 ? last_unknowns_ : solver_.unknowns_at_first_point(run_, task)).transpose();
+  return guess;
+}
+
+// The error of the rows, in units of the tolerance, that corresponds to the Legendre coefficients of each
+// degree; the largest of all rows. A coefficient of x_k counts as a constant error of x_k on the panel. Where
+// f makes a row decay quickly, the row is far smaller than its x_k, and the coefficients of the row itself
+// count.
+Vec PanelCollocation::errors_by_degree(const TimeBlock& panel, const PanelSystem& task,
+                                       const PanelValues& solved, const Matrix& of_drives,
+                                       const Vec& allowed) {
+  const auto& driven = solution_->driven;
+  Matrix effects(of_drives.rows(), driven.row_count());
+  for (Eigen::Index i = 0; i < allowed.size(); ++i) {
+    const auto drive = driven.rows[static_cast<std::size_t>(i)].drive;
+    const double unit = std::max(solver_.integral_of_one(task, i), velocity_error_unit(panel, i));
+    effects.col(i) = unit / allowed[i] * of_drives.col(drive).cwiseAbs();
+  }
+  const bool follows = panel.from > 0.0;  // after the initial transient
+  const double in_doubt = effects.rowwise().maxCoeff().tail(2).sum();
+  if (follows && in_doubt > part && !solver_.grows(run_, task, solved.rows, 1.0)) {
+    const Matrix of_rows = solution_->rule.to_coefficients * solved.rows;
+    for (Eigen::Index i = 0; i < allowed.size(); ++i)
+      effects.col(i) = effects.col(i).cwiseMin(of_rows.col(i).cwiseAbs() / allowed[i]);
+  }
+  return effects.rowwise().maxCoeff();
+}
+
+// In a row of an order above 1 an error of x_k on the first panel acts as an error of the velocity, whose
+// effect on the row is larger at the end than on the panel. The mean of the error is smaller than the last
+// coefficients, by a factor of the number of points.
+double PanelCollocation::velocity_error_unit(const TimeBlock& panel, Eigen::Index row) const {
+  const double order = solution_->driven.rows[static_cast<std::size_t>(row)].order;
+  if (panel.from > 0.0 || order <= 1.0) return 0.0;
+  const double until_end = problem_.end - panel.segment->start;
+  return panel.length() * std::pow(until_end, order - 1.0) /
+         (std::tgamma(order) * static_cast<double>(solution_->rule.size()));
+}
+
+// The error, in units of the tolerance, that a discontinuity of the x_k between the panel before and this one
+// indicates: the x_k are continuous, so this panel has another root of the equations, or f jumps before the
+// first point and x_k is wrong up to there. Where f makes rows decay quickly, the discontinuity of the rows
+// counts. The initial values of algebraic rows are not known.
+double PanelCollocation::discontinuity_error(const TimeBlock& panel, const PanelSystem& task,
+                                             const PanelValues& solved, const Vec& allowed) {
+  constexpr double least_share = 1e-3;
+  if (last_unknowns_.size() == 0) return 0.0;
+  const auto& rule = solution_->rule;
+  const Vec change = (solved.drives.transpose() * rule.at_start - last_unknowns_).cwiseAbs();
+  Vec worth = Vec::Zero(allowed.size());
+  for (Eigen::Index i = 0; i < allowed.size(); ++i) {
+    const auto& row = solution_->driven.rows[static_cast<std::size_t>(i)];
+    if (panel.from == 0.0 && row.algebraic()) continue;
+    const double share = row.algebraic()
+                             ? least_share
+                             : std::max(std::pow((1.0 + rule.places[0]) / 2.0, row.order), least_share);
+    worth[i] = share * solver_.integral_of_one(task, i) * change[row.drive] / allowed[i];
+  }
+  const double most = worth.maxCoeff();
+  if (panel.from == 0.0 || most <= 1.0) return most;
+  const Vec moved = (solved.rows.transpose() * rule.at_start - solver_.held()).cwiseAbs();
+  const double of_rows = worth.cwiseMin((moved.array() / allowed.array()).matrix()).maxCoeff();
+  return of_rows > 1.0 || solver_.grows(run_, task, solved.rows, 1.0) ? most : of_rows;
+}
+
+// The fraction of the coefficients that are needed.
+double PanelCollocation::needed_fraction(const Vec& effects) {
+  Eigen::Index needed = effects.size();
+  while (needed > 1 && effects[needed - 1] <= 1.0) --needed;
+  return static_cast<double>(needed) / static_cast<double>(effects.size());
+}
+
+// Whether the error is due to rounding: a longer panel had about the same error. The last coefficients
+// amplify rounding by up to the number of points: with constraints the x_k are derivatives of the constrained
+// rows.
+bool PanelCollocation::is_rounding_error(const TimeBlock& panel, double doubt) const {
+  constexpr double hardly_less = 0.5;
+  return panel.from > 0.0 && panel.from == last_rejected_.from &&
+         doubt > hardly_less * last_rejected_.doubt && doubt <= static_cast<double>(solution_->rule.size());
+}
+
+void PanelCollocation::reject_panel(const TimeBlock& block, double doubt) {
+  const bool first = block.from == 0.0;
+  const Attempt before = std::exchange(last_rejected_, {block.from, block.width, doubt});
+  double halvings = 1.0;
+  if (std::isfinite(doubt)) {
+    const auto points = static_cast<double>(solution_->rule.size());
+    const double rate = first ? error_rate_at_start(before) : points / 2.0;
+    halvings = std::clamp(std::floor(std::log2(doubt) / rate), 1.0, first ? 16.0 : 4.0);
+  }
+  width_ = block.width * std::exp2(-halvings);
+  const double shortest = first ? 0x1p-900 : 0x1p-48 * block.from;
+  const bool too_short = width_ <= shortest;
+  if (!too_short && !run_.out_of_budget()) return;
+  if (first && solver_.accept_unconverged_sweeps()) {  // restarts the segment
+    last_switch_time_ = block.segment->start;
+    phase_ = RunPhase::switched;
+    return;
+  }
+  phase_ = RunPhase::over;
+  const auto unsolved = std::isfinite(doubt) ? Ending::step_too_small : Ending::not_converged;
+  const auto reason = solver_.left_domain() ? Ending::singular : unsolved;
+  run_.fail(too_short ? reason : Ending::out_of_budget, block.time(1.0));
+}
+
+// The power of its width with which the error of a first panel falls, from the last two attempts.
+double PanelCollocation::error_rate_at_start(const Attempt& before) const {
+  constexpr double usual = 2.0, least = 0.05, most = 4.0;
+  if (!(last_rejected_.doubt < before.doubt) || !std::isfinite(before.doubt)) return usual;
+  return std::clamp(
+      std::log(before.doubt / last_rejected_.doubt) / std::log(before.width / last_rejected_.width), least,
+      most);
+}
+
+// Sets the largest width of the next panel: its distance from the start of the segment while panels grow from
+// there; otherwise twice the width of this one if half of the coefficients were enough.
+void PanelCollocation::set_next_width(const TimeBlock& panel, double needed_fraction) {
+  if (panel.width >= panel.from) {
+    width_ = panel.from + panel.width;
+  } else {
+    width_ = needed_fraction <= 0.55 ? 2.0 * panel.width : panel.width;
+  }
+}
+
+void PanelCollocation::accept(const MemoryBlock& panel) {
+  solution_->panels.push_back(&panel);
+  const double t = panel.block.time(1.0);
+  const auto pieces = static_cast<int>(solution_->rule.size());
+  if (!run_.accept(
+          t, solution_->at(t), [&](double between) { return solution_->at(between); }, pieces))
+    phase_ = RunPhase::over;
+}
+
+}  // namespace fde

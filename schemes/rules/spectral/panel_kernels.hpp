@@ -1,0 +1,56 @@
+#pragma once
+
+#include <compare>
+#include <map>
+#include <vector>
+
+#include "fdebench/schemes/rules/spectral/integrated_rows.hpp"
+#include "fdebench/schemes/rules/spectral/panel_rule.hpp"
+
+namespace fde {
+
+// The position of a panel relative to a later one, in widths of the later one: its own width, and the gap
+// between the two.
+struct RelativePosition {
+  double width, gap;
+  auto operator<=>(const RelativePosition&) const = default;
+};
+
+// The fractional integrals of functions on panels, as matrices that act on Legendre coefficients; for a panel
+// of width w they are in units of (w/2)^order. The matrices are cached by relative position: where all widths
+// are a power of 2 times each other, a few positions recur.
+class PanelKernels {
+ public:
+  // The rule must outlive this object.
+  PanelKernels(const PanelRule& rule, const IntegratedRows& driven);
+
+  // The distinct orders of the rows, without 0; and the index of the order of a row among them, -1 for order
+  // 0.
+  [[nodiscard]] const std::vector<double>& orders() const { return orders_; }
+  [[nodiscard]] Eigen::Index order_of(Eigen::Index row) const {
+    return order_of_[static_cast<std::size_t>(row)];
+  }
+
+  // (w/2)^order, for every order.
+  [[nodiscard]] Vec units(double width) const;
+
+  // The integrals at the points of the panel itself, from values there.
+  [[nodiscard]] const Matrix& own(Eigen::Index order) const { return own_[static_cast<std::size_t>(order)]; }
+
+  // The integrals at the points of a later panel, from Legendre coefficients, one matrix an order. The
+  // reference is valid as long as this object exists.
+  const std::vector<Matrix>& of(const RelativePosition& lie);
+  // The same, not cached.
+  [[nodiscard]] std::vector<Matrix> make(const RelativePosition& lie) const;
+
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  const PanelRule& rule_;
+  std::vector<double> orders_;
+  std::vector<Eigen::Index> order_of_;
+  std::vector<Matrix> own_;
+  std::map<RelativePosition, std::vector<Matrix>> cache_;
+};
+
+}  // namespace fde

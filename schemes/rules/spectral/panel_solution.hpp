@@ -1,0 +1,35 @@
+#pragma once
+
+#include <deque>
+
+#include "fdebench/schemes/rules/spectral/panel_tree.hpp"
+
+namespace fde {
+
+// The solution on all panels: the tree of the history, and with it dense output of the rows.
+class PanelSolution {
+ public:
+  PanelSolution(const Problem& problem, Eigen::Index points)
+      : rule(panel_rule(points)), driven(problem), past(rule, driven) {}
+  PanelSolution(const PanelSolution&) = delete;
+  PanelSolution& operator=(const PanelSolution&) = delete;
+
+  const PanelRule& rule;
+  const IntegratedRows driven;
+  MemorySum past;
+  std::deque<Segment> segments{};
+  std::vector<std::unique_ptr<MemoryBlock>>
+      trees{};                               // one a segment, or its parts if the segment ended early
+  std::vector<const MemoryBlock*> panels{};  // in the order of time
+
+  // The rows at t. Precondition: the panels cover t. On the first panel of a segment, where the rows are not
+  // smooth, they are computed from the integrals; on the others from the values at the points.
+  [[nodiscard]] Vec at(double t) const;
+
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  [[nodiscard]] Vec from_integrals(const MemoryBlock& panel, double t) const;
+};
+
+}  // namespace fde

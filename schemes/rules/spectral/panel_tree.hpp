@@ -1,0 +1,83 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "fdebench/schemes/rules/spectral/panel_kernels.hpp"
+
+namespace fde {
+
+// A time interval between two jumps of a right-hand side. Its panels grow from its start.
+struct Segment {
+  double start, length;
+  double first = 0.0;                                     // first time after the jump at its start
+  double last = std::numeric_limits<double>::infinity();  // last time before the jump at its end
+};
+
+// A part of a segment: a panel, or a block of panels. Its position is in units of the segment's length and a
+// result of halving, so it is exact.
+struct TimeBlock {
+  const Segment* segment;
+  double from, width;
+
+  [[nodiscard]] double time(double place) const {  // place in [-1, 1]
+    return segment->start + segment->length * (from + width * (1.0 + place) / 2.0);
+  }
+  // The place of a time, up to rounding: 2 (t - start) / length - 1.
+  [[nodiscard]] double place(double t) const {
+    return 2.0 * ((t - segment->start) / segment->length - from) / width - 1.0;
+  }
+  // The time since its start, exact in the first block of a segment.
+  [[nodiscard]] double since(double t) const { return (t - segment->start) - segment->length * from; }
+  [[nodiscard]] double length() const { return segment->length * width; }
+  [[nodiscard]] TimeBlock older() const { return {segment, from, width / 2.0}; }
+  [[nodiscard]] TimeBlock newer() const { return {segment, from + width / 2.0, width / 2.0}; }
+};
+
+// A node of the tree of the history: the x_k (IntegratedRows) on a block as Legendre coefficients, one column
+// a function. They are exact on a panel. On a block of panels they suffice for integrals at a distance of at
+// least its width.
+struct MemoryBlock {
+  TimeBlock block;
+  Matrix coefficients;
+  Vec units;                                      // PanelKernels::units of its length
+  Matrix values{};                                // the rows at the points of a panel
+  std::unique_ptr<MemoryBlock> older{}, newer{};  // both halves, or none: a panel
+
+  [[nodiscard]] bool panel() const { return !older; }
+};
+
+// The memory term: fractional integrals over earlier blocks at the points of a later block, by the fast
+// multipole method in one dimension. A block is integrated as a whole at a distance of at least its own
+// width. The contributions from a distance of at least the later block's width are smooth on that block, and
+// their values at its points represent them. Among N equal panels each block interacts with a few others: N
+// panels cost O(N).
+class MemorySum {
+ public:
+  MemorySum(const PanelRule& rule, const IntegratedRows& driven);
+
+  [[nodiscard]] const PanelKernels& kernels() const { return kernels_; }
+  [[nodiscard]] std::size_t bytes() const { return kernels_.bytes(); }
+
+  using Sources = std::vector<const MemoryBlock*>;
+
+  // Adds to `smooth` the contributions of a source that are smooth on the block, and to `near` the source, or
+  // its parts, with other contributions. smooth: one row a point, one column a row of the problem.
+  void sort(const MemoryBlock& source, const TimeBlock& block, Matrix& smooth, Sources& near);
+
+  // Adds to sums all contributions of a source at the points of a panel, in the same shape.
+  void add(const MemoryBlock& source, const TimeBlock& panel, Matrix& sums);
+
+  // The same at one time t after the start of the source; sums: one entry a row.
+  void add_at(const MemoryBlock& source, double t, Out sums) const;
+
+ private:
+  void add_whole(const MemoryBlock& source, const TimeBlock& block, const RelativePosition& lie,
+                 Matrix& sums);
+
+  const IntegratedRows& driven_;
+  PanelKernels kernels_;
+};
+
+}  // namespace fde

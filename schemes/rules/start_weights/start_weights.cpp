@@ -1,0 +1,104 @@
+#include "fdebench/schemes/rules/start_weights/start_weights.hpp"
+
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <numbers>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "fdebench/schemes/rules/start_weights/starting_weight_equations.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int degree = 21;  // for a function with its only singularity at n = 0: (3 + sqrt 8)^-22 = 1e-17
+
+// Chebyshev coefficients from the values at the Chebyshev points, one row a point.
+Matrix coefficients(const Matrix& values) {
+  const auto count = values.rows();
+  Matrix transform(count, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    for (Eigen::Index i = 0; i < count; ++i) {
+      transform(k, i) = (k == 0 ? 1.0 : 2.0) / static_cast<double>(count) *
+                        std::cos(static_cast<double>(k) * (static_cast<double>(i) + 0.5) * std::numbers::pi /
+                                 static_cast<double>(count));
+    }
+  }
+  return transform * values;
+}
+
+// The Chebyshev points of [1, 2].
+std::vector<double> chebyshev_points() {
+  std::vector<double> points;
+  for (int i = 0; i <= degree; ++i)
+    points.push_back(1.5 + 0.5 * std::cos((i + 0.5) * std::numbers::pi / (degree + 1)));
+  return points;
+}
+
+// The number of pieces for n up to `steps`.
+std::size_t pieces_for(int steps, Eigen::Index near) {
+  std::size_t count = 0;
+  for (auto end = static_cast<double>(near); end < steps; end *= 2.0) ++count;
+  return count;
+}
+
+using Key = std::tuple<const WeightFamily*, double, std::vector<double>>;
+
+// A cache for runs with the same orders. It is cleared when it is full, as in a search over many orders.
+template <class Value>
+class Kept {
+ public:
+  std::optional<Value> get(const Key& key) {
+    const std::lock_guard lock(mutex_);
+    const auto found = values_.find(key);
+    return found == values_.end() ? std::nullopt : std::optional(found->second);
+  }
+  void put(const Key& key, Value value) {
+    constexpr std::size_t most = 1024;  // 0.3 MB each; a sweep over all scenes needs hundreds
+    const std::lock_guard lock(mutex_);
+    if (values_.size() >= most) values_.clear();
+    values_.insert_or_assign(key, std::move(value));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<Key, Value> values_;
+};
+
+}  // namespace
+
+std::shared_ptr<const StartingWeights> start_weights(const WeightTable& table,
+                                                     const std::vector<double>& powers, int steps) {
+  static Kept<std::shared_ptr<const StartingWeights>> kept;
+  const Key key{table.family, table.order, powers};
+  const auto known = kept.get(key);
+  auto made = std::make_shared<StartingWeights>();
+  if (known) {
+    if ((*known)->pieces.size() >= pieces_for(steps, (*known)->first.rows())) return *known;
+    *made = **known;
+  } else {
+    made->moments = std::make_shared<const Moments>(table, powers, chebyshev_points());
+    made->first = made->moments->tabulated_weights();
+  }
+  while (made->pieces.size() < pieces_for(steps, made->first.rows())) {
+    auto piece = made->moments->asymptotic_weights(made->pieces.size());
+    piece.smooth = coefficients(piece.smooth);
+    if (piece.alternating.size() > 0) piece.alternating = coefficients(piece.alternating);
+    made->pieces.push_back(std::move(piece));
+  }
+  kept.put(key, made);
+  return made;
+}
+
+UsablePowers usable_powers(const WeightTable& table, const std::vector<double>& powers) {
+  static Kept<UsablePowers> kept;
+  const Key key{table.family, table.order, powers};
+  if (const auto known = kept.get(key)) return *known;
+  const auto usable = Moments::usable(table, powers, max_growth);
+  kept.put(key, usable);
+  return usable;
+}
+
+}  // namespace fde

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fdebench/schemes/history/weights/weights.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
+
+namespace fde {
+
+class Moments;
+
+// Starting weights of a fractional linear multistep method of order g: at every step n >= 1 the weights
+// W(n, j) of f_0 ... f_(s-1) that make the rule exact for the s functions f = t^p,
+//   sum_{j<s} W(n, j) j^p = e_p(n) = Gamma(p+1)/Gamma(p+g+1) n^(p+g) / kappa - sum_{j<=n} w(n-j) j^p,
+// scaled like w, so that the newest sample has weight 1. Source: Lubich 1986, section 4.
+//
+// The equations are ill-conditioned and their right-hand sides cancel, so both are computed in
+// multiprecision; W(n, j) is accurate to rounding for every n. For n <= K the sum is evaluated directly; for
+// larger n its asymptotic expansion, which is smooth in n, is stored as Chebyshev polynomials on [K 2^i, K
+// 2^(i+1)]. Derivation: docs/schemes.md.
+struct StartingWeights {
+  // Chebyshev coefficients on one interval, one column a j: W(n, j) = smooth + (-1)^n alternating; the second
+  // is empty where the rule has no alternating part.
+  struct ChebyshevPiece {
+    Matrix smooth, alternating;
+  };
+
+  Matrix first;                            // W(n, j) in row n-1, for n up to K
+  std::vector<ChebyshevPiece> pieces;      // up to the requested number of steps
+  std::shared_ptr<const Moments> moments;  // computes further pieces
+};
+
+// The starting weights for these powers of f and n up to `steps`. Preconditions: table.family->multistep is
+// set; powers[0] = 0, powers increase. The result is cached by rule, order and powers, because the
+// computation takes milliseconds. Thread-safe.
+std::shared_ptr<const StartingWeights> start_weights(const WeightTable& table,
+                                                     const std::vector<double>& powers, int steps);
+
+// count: how many of these powers, from the first on, can be used such that the starting weights amplify the
+// rounding of f_0 ... f_(s-1) by at most max_growth. growth: this amplification, the maximum over the first
+// steps of sum_j |W(n, j)| / max(1, n^(g-1)); the denominator is the size of w.
+inline constexpr double max_growth = 1e5;
+struct UsablePowers {
+  std::size_t count;
+  double growth;
+};
+UsablePowers usable_powers(const WeightTable& table, const std::vector<double>& powers);
+
+// Decimal digits in which starting weights are computed.
+inline constexpr int start_weight_digits = 70;
+
+}  // namespace fde

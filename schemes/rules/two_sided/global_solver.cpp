@@ -1,0 +1,107 @@
+#include "fdebench/schemes/rules/two_sided/global_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fdebench/schemes/problem/initial_guess.hpp"
+#include "fdebench/schemes/rules/two_sided/global_newton.hpp"
+#include "fdebench/schemes/rules/two_sided/linear_interpolation.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int search_steps = 64, starts = 64;
+constexpr double search_tolerance = 1e-8;
+
+// Whether both are the same solution, up to the tolerance of a search.
+bool alike(const GridFunction& a, const GridFunction& b) {
+  return (a.y - b.y).norm() <= 1e3 * search_tolerance * (a.y.norm() + b.y.norm());
+}
+
+// The mean of |y|^2 over time.
+double size(const Grid& grid, const Rows& y) {
+  double sum = 0.0;
+  for (int n = 1; n <= grid.steps; ++n)
+    sum += grid.step(n) / 2 * (y.col(n - 1).squaredNorm() + y.col(n).squaredNorm());
+  return sum / grid.end;
+}
+
+// The solutions on a coarse grid to which Newton's method converges from the Taylor part and from other
+// starts, the smallest first.
+std::vector<GridFunction> coarse_solutions(const GlobalEquations& equations, Run& run) {
+  NewtonIncrements increments(equations, NewtonIncrements::First::two_grid);
+  std::vector<GridFunction> found;
+  const auto add_from = [&](GridFunction start) {
+    NewtonResult end = newton(equations, increments, run, search_tolerance, std::move(start));
+    const auto known = [&](const GridFunction& solution) { return alike(solution, end.guess); };
+    if (end.converged && std::ranges::none_of(found, known)) found.push_back(std::move(end.guess));
+  };
+  add_from(equations.start());
+  for (const auto& other : initial_guesses(equations.problem(), starts)) {
+    if (run.out_of_budget()) break;
+    GridFunction start = equations.start();
+    for (int n = 0; n <= equations.grid().steps; ++n) start.y.col(n) = other.at(equations.grid().time(n));
+    add_from(std::move(start));
+  }
+  std::ranges::sort(found, {},
+                    [&](const GridFunction& solution) { return size(equations.grid(), solution.y); });
+  return found;
+}
+
+// The solutions on the whole grid to which Newton's method converges from the coarse ones; the first one
+// only, unless all are requested.
+std::vector<NewtonResult> solutions(const GlobalEquations& equations, NewtonIncrements& increments, Run& run,
+                                    const Options& options) {
+  const GlobalEquations coarse = equations.with_steps(search_steps);
+  std::vector<NewtonResult> found;
+  for (auto& solution : coarse_solutions(coarse, run)) {
+    solution.y = interpolate_linearly(coarse.grid(), solution.y, equations.grid());
+    NewtonResult end = newton(equations, increments, run, options.tolerance, std::move(solution));
+    if (end.converged) found.push_back(std::move(end));
+    if (!found.empty() && !options.all_solutions) break;
+  }
+  return found;
+}
+
+}  // namespace
+
+Trajectory solve_globally(const Problem& problem, const Grid& grid, const Options& options,
+                          const WeightFamily& family) {
+  Run run(problem, options, grid.steps);
+  const GlobalEquations equations(problem, grid, options, family);
+  NewtonIncrements increments(equations);
+  const bool all = options.all_solutions && is_two_sided(problem);
+  NewtonResult end = newton(equations, increments, run, options.tolerance, equations.start());
+  std::vector<NewtonResult> found;
+  if (all || (!end.converged && is_two_sided(problem) && !linear(problem)))
+    found = solutions(equations, increments, run, options);
+  if (!found.empty()) end = std::move(found.front());
+  const auto values = 8 * end.guess.y.size();  // guesses, residuals and increments
+  run.cost().history_bytes = equations.left().bytes() + equations.right().bytes() + increments.bytes() +
+                             sizeof(double) * static_cast<std::size_t>(values);
+  if (!end.converged) {
+    // The initial value is recorded, as in every run that fails at its first step.
+    if (is_two_sided(problem)) run.accept(0.0, run.start());
+    if (run.out_of_budget()) {
+      run.fail(Ending::out_of_budget, grid.time(1));
+    } else {
+      run.fail_without_convergence(end.residual);
+    }
+    return run.finish();
+  }
+  for (int n = is_two_sided(problem) ? 0 : 1; n <= grid.steps; ++n) {
+    if (!run.accept(grid.time(n), end.guess.y.col(n))) break;
+  }
+  Trajectory path = run.finish();
+  Options unheard = options;
+  unheard.observer = {};
+  for (std::size_t k = 1; k < found.size(); ++k) {
+    Run other(problem, unheard, grid.steps);
+    for (int n = 0; n <= grid.steps && other.accept(grid.time(n), found[k].guess.y.col(n)); ++n) continue;
+    path.others.push_back(other.finish());
+  }
+  return path;
+}
+
+}  // namespace fde

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/SparseCholesky>
+
+#include "fdebench/schemes/solvers/sparse_factors.hpp"
+
+namespace fde {
+
+// L D L^T of symmetric positive definite matrices, with a minimum degree ordering (Eigen::SimplicialLDLT).
+class CholeskyFactors final : public SparseFactors {
+ public:
+  static constexpr std::string_view id = "cholesky";
+
+  explicit CholeskyFactors(const SparseMatrix& matrix) { factors_.analyzePattern(matrix); }
+
+  // Whether the matrix is symmetric.
+  static bool fits(const SparseMatrix& matrix);
+  bool factorise(const SparseMatrix& matrix) override;
+  [[nodiscard]] int determinant_sign() override { return 1; }
+  void solve(Vec& b) const override;
+  [[nodiscard]] std::string_view name() const override { return id; }
+
+ private:
+  Eigen::SimplicialLDLT<SparseMatrix> factors_;
+  mutable Vec ordered_;
+};
+
+}  // namespace fde

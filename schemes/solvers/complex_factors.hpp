@@ -1,0 +1,34 @@
+#pragma once
+
+#include <complex>
+#include <memory>
+#include <string_view>
+
+#include "fdebench/schemes/solvers/five_point_matrix.hpp"
+
+namespace fde {
+
+// 1 - factor A for a real A, factorised by the fastest applicable method, in the same order as
+// sparse_factors: tridiagonal, fast_sine, lu. Conjugate gradients and Cholesky's factors have no complex
+// counterpart here.
+class ComplexFactors {
+ public:
+  ComplexFactors() = default;
+  ComplexFactors(const ComplexFactors&) = delete;
+  ComplexFactors& operator=(const ComplexFactors&) = delete;
+  virtual ~ComplexFactors() = default;
+
+  // Factorises 1 - factor * matrix. Precondition: the matrix has the pattern of the first one. Returns false
+  // where the method is not applicable.
+  virtual bool factorise(const SparseMatrix& matrix, std::complex<double> factor) = 0;
+
+  // Replaces b by the solution.
+  virtual void solve(ComplexVec& b) const = 0;
+
+  [[nodiscard]] virtual std::string_view name() const = 0;
+};
+
+// Factors of 1 - factor * matrix; nullptr: no method is applicable.
+std::unique_ptr<ComplexFactors> complex_factors(const SparseMatrix& matrix, std::complex<double> factor);
+
+}  // namespace fde

@@ -1,0 +1,125 @@
+#include "fdebench/schemes/solvers/fast_sine_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fde {
+namespace {
+
+constexpr Eigen::Index together = 32;  // modes whose lines and pivots are in the cache together
+
+// Values of some modes, one row a mode.
+template <class Scalar>
+using Panel = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+// Solves with Toeplitz matrices tridiag(beside, diagonal, beside), a diagonal for each row.
+template <class Scalar>
+void solve_lines(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& diagonal, Scalar beside,
+                 Panel<Scalar>& pivots, Panel<Scalar>& x) {
+  pivots.col(0) = diagonal.inverse();
+  for (Eigen::Index j = 0; j < x.cols(); ++j) {
+    if (j > 0) {
+      pivots.col(j).array() = (diagonal - beside * beside * pivots.col(j - 1).array()).inverse();
+      x.col(j) -= beside * x.col(j - 1);
+    }
+    x.col(j).array() *= pivots.col(j).array();
+  }
+  for (Eigen::Index j = x.cols() - 1; j-- > 0;)
+    x.col(j).array() -= beside * pivots.col(j).array() * x.col(j + 1).array();
+}
+
+}  // namespace
+
+// The tridiagonal matrices across the transform.
+template <class Scalar>
+struct FastSine::Lines {
+  Eigen::Array<Scalar, Eigen::Dynamic, 1> diagonals;
+  Scalar beside;
+};
+
+FastSine::FastSine(Eigen::Index n, Eigen::Index m) : n_(n), m_(m), transform_(std::min(n, m)) {}
+
+template <class Scalar>
+FastSine::Lines<Scalar> FastSine::lines(const Stencil<Scalar>& stencil) const {
+  const bool turned = n_ > m_;
+  const Scalar transformed = turned ? stencil.across : stencil.along;
+  return {stencil.diagonal + transformed * transform_.twice_cosines().array().template cast<Scalar>(),
+          turned ? stencil.along : stencil.across};
+}
+
+template <class Scalar>
+bool FastSine::serves(const Stencil<Scalar>& stencil) const {
+  const auto [diagonals, beside] = lines(stencil);
+  return std::isfinite(std::abs(beside)) && diagonals.isFinite().all() &&
+         (diagonals.abs() >= 2.0 * std::abs(beside)).all() && (diagonals.abs() > 0.0).all();
+}
+template bool FastSine::serves(const Stencil<double>&) const;
+template bool FastSine::serves(const Stencil<std::complex<double>>&) const;
+
+int FastSine::determinant_sign(const Stencil<double>& stencil) const {
+  if (std::max(n_, m_) % 2 == 0) return 1;
+  const auto of_lines = lines(stencil);
+  int sign = 1;
+  for (Eigen::Index row = 0; row < transform_.rows(); ++row) {
+    if (transform_.is_mode(row) && of_lines.diagonals[row] < 0.0) sign = -sign;
+  }
+  return sign;
+}
+
+void FastSine::forward(Vec& field, Matrix& modes) const {
+  modes.resize(transform_.rows(), std::max(n_, m_));
+  if (n_ > m_) {
+    transposed_ = field.reshaped(n_, m_).transpose().reshaped();
+    transform_.forward(transposed_.data(), modes);
+  } else {
+    transform_.forward(field.data(), modes);
+  }
+}
+
+void FastSine::backward(const Matrix& modes, Vec& field) const {
+  if (n_ > m_) {
+    transform_.backward(modes, transposed_.data());
+    field = transposed_.reshaped(m_, n_).transpose().reshaped();
+  } else {
+    transform_.backward(modes, field.data());
+  }
+}
+
+void FastSine::solve(const Stencil<double>& stencil, Vec& b) const {
+  forward(b, modes_);
+  const auto of_lines = lines(stencil);
+  Panel<double> x, pivots;
+  for (Eigen::Index row = 0; row < modes_.rows(); row += together) {
+    const Eigen::Index count = std::min(together, modes_.rows() - row);
+    x = modes_.middleRows(row, count);
+    pivots.resize(count, x.cols());
+    solve_lines<double>(of_lines.diagonals.segment(row, count), of_lines.beside, pivots, x);
+    modes_.middleRows(row, count) = x;
+  }
+  backward(modes_, b);
+}
+
+void FastSine::solve(const Stencil<std::complex<double>>& stencil, ComplexVec& b) const {
+  real_ = b.real();
+  imaginary_ = b.imag();
+  forward(real_, modes_);
+  forward(imaginary_, other_modes_);
+  const auto of_lines = lines(stencil);
+  Panel<std::complex<double>> x, pivots;
+  for (Eigen::Index row = 0; row < modes_.rows(); row += together) {
+    const Eigen::Index count = std::min(together, modes_.rows() - row);
+    x.resize(count, modes_.cols());
+    x.real() = modes_.middleRows(row, count);
+    x.imag() = other_modes_.middleRows(row, count);
+    pivots.resize(count, x.cols());
+    solve_lines<std::complex<double>>(of_lines.diagonals.segment(row, count), of_lines.beside, pivots, x);
+    modes_.middleRows(row, count) = x.real();
+    other_modes_.middleRows(row, count) = x.imag();
+  }
+  backward(modes_, real_);
+  backward(other_modes_, imaginary_);
+  b.real() = real_;
+  b.imag() = imaginary_;
+}
+
+}  // namespace fde

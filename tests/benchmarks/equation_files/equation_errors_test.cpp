@@ -1,0 +1,242 @@
+// Invalid equation files: one line with file, line and column.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "benchmarks/equation_files/equation_files_testing.hpp"
+#include "support/command_output.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct InvalidFile {
+  std::string text, place, what;
+};
+
+class WrongEquationFile : public testing::TestWithParam<InvalidFile> {};
+
+TEST_P(WrongEquationFile, IsRefusedInOneLine) {
+  const auto& [text, place, what] = GetParam();
+  const TemporaryFolder folder;
+  folder.write("f.toml", text);
+  const std::string file = folder.path() / "f.toml";
+  const auto answer = fdebench({"solve", file, "--scheme", "l1", "--steps", "4"});
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(answer.out, "");
+  EXPECT_THAT(answer.err, StartsWith("fdebench: " + file + ": " + place + ": "));
+  EXPECT_THAT(answer.err, HasSubstr(what));
+  EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1);
+}
+
+const std::string x = "[unknown.x]\norder = 0.5\nrhs = \"-x\"\ninitial = [1]\n";
+
+std::string with(const std::string& lines) { return "end = 1\n" + lines; }
+// A file with one unknown x, from its order, rhs and initial lines.
+std::string unknown(const std::string& order, const std::string& rhs, const std::string& initial) {
+  return with("[unknown.x]\n" + order + "\nrhs = " + rhs + "\ninitial = " + initial + "\n");
+}
+
+// x within `depth` pairs of brackets.
+std::string brackets(std::size_t depth) { return std::string(depth, '(') + "x" + std::string(depth, ')'); }
+
+// [a.a. ... .a]: nested tables.
+std::string deep_table() {
+  std::string text = "[";
+  for (int i = 0; i < 500'000; ++i) text += "a.";
+  return text + "a]\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Toml, WrongEquationFile,
+    testing::Values(InvalidFile{"end = = 1", "line 1, column 7", "no TOML: "},
+                    InvalidFile{"end = 1\nend = 2\n" + x, "line 2, column 7", "no TOML: "},
+                    InvalidFile{std::string("end = 1\n\0", 9) + x, "line 2, column 1", "no TOML: "},
+                    InvalidFile{"end = 1\nx = " + std::string(1'000'000, '['), "line 2, column 261",
+                                "no TOML: "},
+                    InvalidFile{deep_table(), "line 1, column 33", "a key of more than 16 parts"},
+                    InvalidFile{"end = 1e400\n" + x, "line 1, column 12", "'1e400'"},
+                    InvalidFile{"\xff\xfe", "line 1, column 1", "no TOML: "}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, WrongEquationFile,
+    testing::Values(
+        InvalidFile{"", "line 1, column 1", "the file: has no end"},
+        InvalidFile{"end = 1", "line 1, column 1", "the file: has no unknown"},
+        InvalidFile{with("  unknwon = 1\n" + x), "line 2, column 3",
+                    "unknwon: no such key of the file, did you mean 'unknown'?; there are title, end"},
+        InvalidFile{
+            with(x + "rsh = 1\n"), "line 6, column 1",
+            "rsh: no such key of unknown x, did you mean 'rhs'?; there are terms, order, rhs, initial"},
+        InvalidFile{with("__proto__ = 1\n" + x), "line 2, column 1", "__proto__: no such key"},
+        InvalidFile{with("[unknown]\n"), "line 2, column 1", "there are 0 unknowns: must be 1 to 100"},
+        InvalidFile{with("unknown = 3"), "line 2, column 11", "unknown: is a number, must be a table"},
+        InvalidFile{with("[unknown]\nx = 3"), "line 3, column 5", "unknown x: is a number, must be a table"},
+        InvalidFile{with("[unknown.x]\norder = 1\ninitial = [1]"), "line 2, column 10",
+                    "unknown x: has no rhs"},
+        InvalidFile{with("[unknown.x]\nrhs = 1\ninitial = [1]"), "line 2, column 10",
+                    "unknown x: must have either order or terms"},
+        InvalidFile{unknown("order = 1", "true", "[1]"), "line 4, column 7",
+                    "rhs: is true or false, must be a number or a formula"},
+        InvalidFile{unknown("order = 1", "1", "1"), "line 5, column 11",
+                    "initial: is a number, must be a list of numbers or formulas"},
+        InvalidFile{unknown("terms = [[1, 0.5, 2]]", "1", "[1]"), "line 3, column 10",
+                    "a term has 3 entries: must be [coefficient, order]"},
+        InvalidFile{unknown("terms = []", "1", "[1]"), "line 3, column 9", "terms: has 0 terms"},
+        InvalidFile{with("[parameters]\na = \"1\"\n" + x), "line 3, column 5",
+                    "a: is a text, must be a number"},
+        InvalidFile{with("[parameters]\na = nan\n" + x), "line 3, column 5",
+                    "a = nan: must be a finite number"},
+        InvalidFile{with("[constraint]\nf = []\n" + x), "line 3, column 5", "f: has 0 formulas"},
+        InvalidFile{with("[energy]\npower = 1\n" + x), "line 2, column 1", "energy: has no value"},
+        InvalidFile{with("[[jump]]\n" + x), "line 2, column 1", "jump: has no at"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Names, WrongEquationFile,
+    testing::Values(
+        InvalidFile{with("[unknown.t]\n"), "line 2, column 10", "unknown t: must be another name"},
+        InvalidFile{with("[unknown.D]\n"), "line 2, column 10", "unknown D: must be another name"},
+        InvalidFile{with("[unknown.sin]\n"), "line 2, column 10", "unknown sin: must be another name"},
+        InvalidFile{with("[unknown.energy]\n"), "line 2, column 10", "a column has this one"},
+        InvalidFile{with("[unknown.__proto__]\n"), "line 2, column 10",
+                    "unknown __proto__: must be letters, digits and _, at most 64, a letter first"},
+        InvalidFile{with("[unknown.\"x,y\"]\n"), "line 2, column 10", "must be letters, digits and _"},
+        InvalidFile{with("[parameters]\nx = 1\n" + x), "line 4, column 10",
+                    "unknown x: must be another name, a parameter has this one"},
+        InvalidFile{with("[parameters]\nuntil = 1\n" + x), "line 3, column 1", "parameter until"},
+        InvalidFile{with("[parameters]\npi = 3\n" + x), "line 3, column 1", "parameter pi"}));
+
+// x' = lambda with x(0) = 1 and the constraint x = a: for a != 1, lambda would not be integrable.
+std::string constrained_to(const std::string& a, const std::string& order) {
+  return with("[unknown.x]\norder = " + order +
+              "\nrhs = \"lambda\"\ninitial = [1]\n[unknown.lambda]\norder = 0\nrhs = \"x - " + a +
+              "\"\ninitial = [0]\n");
+}
+
+INSTANTIATE_TEST_SUITE_P(Constraints, WrongEquationFile,
+                         testing::Values(InvalidFile{
+                             constrained_to("0.75", "1"), "line 8, column 8",
+                             "is 0.25 at t = 0: must be 0 with these initial values"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, WrongEquationFile,
+    testing::Values(
+        InvalidFile{"end = 0\n" + x, "line 1, column 7", "end = 0: must be a number in [1e-290, 1e+290]"},
+        InvalidFile{"end = \"2*q\"\n" + x, "line 1, column 10", "q: no such name here"},
+        InvalidFile{"end = \"t\"\n" + x, "line 1, column 8", "t: no such name here"},
+        InvalidFile{"end = inf\n" + x, "line 1, column 7", "end = inf: must be a finite number"},
+        InvalidFile{unknown("order = 2.5", "1", "[1, 0, 0]"), "line 3, column 9",
+                    "order = 2.5: must be a number in [0, 2]"},
+        InvalidFile{unknown("order = -0.5", "1", "[1]"), "line 3, column 9", "order = -0.5: must be"},
+        InvalidFile{unknown("order = nan", "1", "[1]"), "line 3, column 9", "order = nan: must be"},
+        InvalidFile{unknown("order = \"1/0\"", "1", "[1]"), "line 3, column 10", "order = inf: must be"},
+        InvalidFile{unknown("order = 1.5", "1", "[1]"), "line 2, column 10",
+                    "unknown x: has 1 initial value: must have 2, as its order is 1.5"},
+        InvalidFile{unknown("order = 0.5", "1", "[1, 2]"), "line 2, column 10",
+                    "has 2 initial values: must have 1"},
+        InvalidFile{unknown("order = 0.5", "1", "[\"x\"]"), "line 5, column 13", "x: no such name here"},
+        InvalidFile{unknown("terms = [[0, 1.5], [1, 0.5]]", "1", "[1, 0]"), "line 3, column 11",
+                    "the coefficient of the highest order is 0"},
+        InvalidFile{unknown("terms = [[1, 0]]", "1", "[1]"), "line 3, column 14", "the highest order is 0"},
+        InvalidFile{with("[[jump]]\nat = -1\n" + x), "line 3, column 6",
+                    "at = -1: must be a finite number above 0"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Formulas, WrongEquationFile,
+    testing::Values(
+        InvalidFile{unknown("order = 0.5", "\"-x +\"", "[1]"), "line 4, column 12", "the formula ends"},
+        InvalidFile{unknown("order = 0.5", "'-x + yy'", "[1]"), "line 4, column 13", "yy: no such name here"},
+        InvalidFile{unknown("order = 0.5", "'-x**2'", "[1]"), "line 4, column 11",
+                    "'**': must be '^' for a power"},
+        InvalidFile{unknown("order = 0.5", "'-x*e^t'", "[1]"), "line 4, column 11", "e^x is exp(x)"},
+        InvalidFile{unknown("order = 0.5", "'D(D(x, 1), 0.5)'", "[1]"), "line 4, column 10",
+                    "D of D: must be of an unknown"},
+        InvalidFile{unknown("order = 0.5", "'" + brackets(201) + "'", "[1]"), "line 4, column 209",
+                    "brackets, signs and powers stand more than 200 deep"},
+        InvalidFile{unknown("order = 0.5", "\"\\u002dx + yy\"", "[1]"), "line 4, column 7",
+                    "byte 6 of the text: yy: no such name here"},
+        InvalidFile{unknown("order = 0.5", "\"D(x, 0.3)\"", "[1]"), "line 4, column 8",
+                    "D(x, 0.3): must be of an order of its chain, 0"},
+        InvalidFile{unknown("order = 0.5", "\"D(y, 0.3)\"", "[1]"), "line 4, column 8",
+                    "y: must be an unknown"},
+        InvalidFile{unknown("order = 0.5", "\"D(x, t)\"", "[1]"), "line 4, column 8",
+                    "D: its order must be a formula of the parameters"},
+        InvalidFile{unknown("order = 0.5", "\"gamma(x)\"", "[1]"), "line 4, column 8",
+                    "gamma: its argument must be without unknowns"},
+        InvalidFile{with(x + "[exact]\nx = \"5 + 0*t\"\n"), "line 7, column 1",
+                    "exact: x is 5 at t = 0: must be 1, its initial value"},
+        InvalidFile{with(x + "[exact]\nz = \"t\"\n"), "line 7, column 1",
+                    "exact z: no such column; there are x"},
+        InvalidFile{with(x + "[exact]\nx = \"x\"\n"), "line 7, column 6",
+                    "x: no such name here, did you mean 't'?; there are t, pi and functions"},
+        InvalidFile{with(x + "[energy]\nvalue = \"t*x\"\n"), "line 7, column 10", "t: no such name here"},
+        InvalidFile{with(x + "[constraint]\nf = [\"x - \"]\n"), "line 7, column 11", "the formula ends"}));
+
+TEST(Formulas, HaveTwoHundredBracketsAtMost) {
+  EXPECT_EQ(scene_of_text(relaxation_file("-" + brackets(199))).problem.size(), 1);
+  EXPECT_EQ(scene_of_text(relaxation_file(brackets(200))).problem.size(), 1);
+}
+
+// gamma means the parameter if no bracket follows.
+TEST(Parameters, MayBearTheNameOfAFunction) {
+  const Scene scene =
+      scene_of_text(relaxation_file("-gamma*x/gamma(2 + gamma)", "1") + "[parameters]\ngamma = 0.25\n");
+  Vec f(1);
+  scene.problem.rhs(0.0, Vec::Constant(1, 3.0), f);
+  EXPECT_DOUBLE_EQ(f[0], -0.75 / std::tgamma(2.25));
+}
+
+TEST(WrongEquationFile, IsNotPrintedAsAWhole) {
+  expect_message([] { scene_of_text(relaxation_file(std::string(19'000, 'q'))); }, " ...");
+  expect_message([] { scene_of_text("end = 1\n" + std::string(500'000, 'q') + " = 1\n"); }, " ...");
+}
+
+TEST(MissingEquationFile, IsNamed) {
+  const TemporaryFolder folder;
+  const std::string place = folder.path();
+  for (const std::string command : {"solve", "exact"}) {
+    const auto answer = fdebench({command, place + "/no.toml", command == "solve" ? "--scheme" : "--at",
+                                  command == "solve" ? "l1" : "1"});
+    EXPECT_EQ(answer.code, 2);
+  }
+  EXPECT_EQ(fdebench({"exact", place + "/no.toml", "--at", "1"}).err,
+            "fdebench: " + place + "/no.toml: cannot be read: there is no such file\n");
+  std::filesystem::create_directory(folder.path() / "folder.toml");
+  EXPECT_THAT(fdebench({"scenes", place + "/folder.toml"}).err, EndsWith("cannot be read: it is no file\n"));
+  folder.write("large.toml", std::string((1 << 20) + 1, ' '));
+  EXPECT_THAT(fdebench({"scenes", place + "/large.toml"}).err, HasSubstr("must be at most 1048576"));
+}
+
+// 1/t at t = 0, and the square root of a negative number during the run.
+TEST(EquationThatBreaksDown, IsANumericalFailure) {
+  const TemporaryFolder folder;
+  folder.write("pole.toml", relaxation_file("-x/t"));
+  folder.write("root.toml", relaxation_file("-sqrt(0.5 - t)", "1"));
+  for (const std::string file : {"pole.toml", "root.toml"}) {
+    const auto answer = fdebench({"solve", folder.path() / file, "--scheme", "adams_pc", "--steps", "16"});
+    EXPECT_EQ(answer.code, 3) << file;
+    EXPECT_THAT(answer.err, StartsWith("fdebench: adams_pc: ")) << file;
+    EXPECT_THAT(answer.err, HasSubstr("step")) << file;
+  }
+}
+
+// A multiplier like t^-0.5 is integrable, and a difference within rounding is not a jump.
+TEST(EquationFiles, BeginOnTheirConstraintsOrWhereAMultiplierTakesThem) {
+  const TemporaryFolder folder;
+  folder.write("near.toml", constrained_to("(1 - 1e-12)", "1"));
+  folder.write("jumps.toml", constrained_to("0.75", "0.5"));
+  for (const char* name : {"near.toml", "jumps.toml"}) {
+    const auto answer = fdebench({"solve", folder.path() / name, "--scheme", "l1", "--steps", "4"});
+    EXPECT_EQ(answer.code, 0) << answer.err;
+  }
+}
+
+}  // namespace
+}  // namespace fde

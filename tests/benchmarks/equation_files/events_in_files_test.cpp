@@ -1,0 +1,109 @@
+// Events of equation files: zeros that `solve` locates and that may end it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "benchmarks/equation_files/equation_files_testing.hpp"
+#include "support/command_line_result.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string falling = "solve " + example("falling.toml");
+
+// The sphere of docs/examples, with a closed form: halfway it is at 1/2, on the ground at 0.
+TEST(EventsOfAFile, ArePrintedWithTheirTimes) {
+  const auto answer = fdebench(falling + " --scheme spectral_collocation --accuracy 1e-12 --events");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_THAT(answer.out, StartsWith("event,t,x,\"D(x,1)\",\"D(x,1.5)\"\nhalfway,"));
+  EXPECT_THAT(answer.out, HasSubstr("\nground,"));
+  const Scene scene = scene_of_example("falling.toml");
+  const auto path = find_scheme("spectral_collocation")
+                        ->solve(scene.problem, Tolerance{1e-12, 1e-12}, {.events = events_of(scene)});
+  ASSERT_EQ(path.events.size(), 2U);
+  EXPECT_NEAR(scene.reference.at(path.events[0].t).value[0], 0.5, 1e-11);
+  EXPECT_NEAR(scene.reference.at(path.events[1].t).value[0], 0.0, 1e-11);
+}
+
+TEST(EventsOfAFile, EndASolveInGoodOrder) {
+  for (const auto* scheme : {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal"}) {
+    const auto answer =
+        fdebench({"solve", example("falling.toml"), "--scheme", scheme, "--accuracy", "1e-6"});
+    EXPECT_EQ(answer.code, 0);
+    EXPECT_THAT(answer.err, StartsWith("fdebench: event ground ended the run at t = "));
+    const auto last = csv_rows(answer.out).back();
+    EXPECT_NEAR(last[1], 0.0, 1e-12) << scheme;
+    EXPECT_NEAR(scene_of_example("falling.toml").reference.at(last[0]).value[0], 0.0, 1e-5) << scheme;
+  }
+}
+
+TEST(EventsOfAFile, EndASolveBeforeTimesThatAreAskedFor) {
+  const auto answer = fdebench(falling + " --scheme spectral_collocation --accuracy 1e-6 --at 0.5,1,9,10");
+  EXPECT_EQ(answer.code, 0);
+  ASSERT_EQ(csv_rows(answer.out).size(), 2U);
+  EXPECT_EQ(csv_rows(answer.out)[1][0], 1.0);
+}
+
+// The logarithm of a negative number.
+TEST(EventsOfAFile, ThatAreNeverANumberAreSaid) {
+  const TemporaryFolder folder;
+  folder.write("never.toml", relaxation_file("-x") + "[event.never]\nzero = \"log(-1 - x^2)\"\n");
+  const auto answer = fdebench({"solve", folder.path() / "never.toml", "--scheme", "spectral_collocation",
+                                "--accuracy", "1e-6", "--events"});
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_THAT(answer.err, HasSubstr("warning: event never is not a number at any time of the run"));
+}
+
+TEST(EventsOfAFile, AreNotLocatedOverAGridWhichIsSaid) {
+  const auto answer = fdebench(falling + " --scheme l1 --steps 64");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_THAT(answer.err, HasSubstr("event ground does not end this run: l1 steps over a grid"));
+  EXPECT_EQ(csv_rows(answer.out).back()[0], 10.0);
+  EXPECT_EQ(fdebench(falling + " --scheme l1 --steps 64 --strict").code, 3);
+}
+
+// An event is not part of the equation.
+TEST(EventsOfAFile, LeaveTheReferenceAsItIs) {
+  EXPECT_EQ(fdebench("exact " + example("falling.toml") + " --at 10").code, 0);
+}
+
+TEST(EventsOfAFile, ArePrintedWhereThereAreSome) {
+  const auto line = [](const std::string& words) {
+    const auto answer = fdebench(words);
+    EXPECT_EQ(answer.code, 2);
+    return answer.err;
+  };
+  EXPECT_THAT(line("solve relaxation --scheme adaptive_pc --accuracy 1e-3 --events"), HasSubstr("has none"));
+  EXPECT_THAT(line(falling + " --scheme l1 --steps 64 --events"), HasSubstr("only taken with --accuracy"));
+  EXPECT_THAT(line(falling + " --scheme adaptive_pc --accuracy 1e-3 --events --at 1"),
+              HasSubstr("not taken with --at"));
+}
+
+// Errors in an event are reported like all others: file, line and column.
+TEST(EventsOfAFile, AreRefusedInOneLine) {
+  const auto line = [](const std::string& event) {
+    const TemporaryFolder folder;
+    folder.write("f.toml", relaxation_file("-x") + "[event.low]\n" + event + "\n");
+    const std::string file = folder.path() / "f.toml";
+    const auto answer = fdebench("solve " + file + " --scheme adaptive_pc --accuracy 1e-3");
+    EXPECT_EQ(answer.code, 2) << event;
+    EXPECT_EQ(answer.out, "");
+    return answer.err.substr(std::string("fdebench: " + file).size());
+  };
+  EXPECT_THAT(line("ends = true"), StartsWith(": line 6, column 8: event low: has no zero"));
+  EXPECT_THAT(line("zero = \"y - 1\""), StartsWith(": line 7, column 9: y: no such name"));
+  EXPECT_THAT(line("zero = \"x\"\ncrossing = \"up\""), StartsWith(": line 8, column 12: crossing: must be"));
+  EXPECT_THAT(line("zero = \"x\"\ncrossing = 1"), StartsWith(": line 8, column 12: crossing"));
+  EXPECT_THAT(line("zero = \"x\"\nends = 1"), StartsWith(": line 8, column 8: ends"));
+  EXPECT_THAT(line("zero = \"x\"\nat = 1"), HasSubstr("line 8"));
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,165 @@
+// Merging the results of several machines, and splitting sweeps into shards.
+
+#include "fdebench/benchmarks/records/merge.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "fdebench/benchmarks/records/record_text.hpp"
+#include "fdebench/benchmarks/records/results_file.hpp"
+#include "fdebench/benchmarks/sweep/default_sweep.hpp"
+#include "fdebench/benchmarks/sweep/shard.hpp"
+#include "fdebench/benchmarks/sweep/trials.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+class Merges : public testing::Test {
+ protected:
+  // A file with one session on a machine and one examination for each number of steps.
+  [[nodiscard]] std::filesystem::path file_of(const std::string& name, const std::string& machine,
+                                              const std::vector<int>& steps) const {
+    Session session{};
+    session.machine = machine;
+    std::string text = line_of(session);
+    for (const int n : steps) {
+      Record row{.key = {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = n}},
+                 .steps = n,
+                 .h = 1.0 / n,
+                 .quantity = "error_end",
+                 .value = 1.0 / n};
+      text += line_of(row, false);
+      row.quantity = "ending";
+      row.unit = "t";
+      row.ending = RunOutcome{};
+      text += line_of(row, true);
+    }
+    folder_.write(name, text);
+    return folder_.path() / name;
+  }
+
+  static std::string to_text(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+  }
+
+  static std::vector<int> steps_of(const Results& results, const std::string& machine) {
+    std::vector<int> steps;
+    for (const Record& row : results.records) {
+      if (row.ending && results.sessions[row.session].machine == machine) steps.push_back(row.steps);
+    }
+    return steps;
+  }
+
+  const TemporaryFolder folder_;
+  const std::filesystem::path out_ = folder_.path() / "all.jsonl";
+};
+
+TEST_F(Merges, KeepTheSessionsOfSeveralMachinesApart) {
+  const auto merged = merge_results({file_of("a", "one", {8, 16}), file_of("b", "other", {16, 32})}, out_);
+  EXPECT_EQ(merged.sessions, 2U);
+  EXPECT_EQ(merged.rows, 8U);
+  const auto results = read_results(out_);
+  ASSERT_EQ(results.sessions.size(), 2U);
+  EXPECT_THAT(steps_of(results, "one"), testing::ElementsAre(8, 16));
+  EXPECT_THAT(steps_of(results, "other"), testing::ElementsAre(16, 32));
+}
+
+TEST_F(Merges, OfOneFileAreThatFile) {
+  const auto file = file_of("a", "one", {8, 16});
+  merge_results({file}, out_);
+  EXPECT_EQ(to_text(out_), to_text(file));
+}
+
+// Sessions that began in the same second on equal machines have equal session lines and count as one.
+TEST_F(Merges, TakeWhatStandsInSeveralFilesOnce) {
+  const auto merged = merge_results(
+      {file_of("a", "one", {8, 16}), file_of("b", "one", {16, 32}), file_of("c", "one", {8})}, out_);
+  EXPECT_EQ(merged.sessions, 1U);
+  EXPECT_EQ(merged.rows, 6U);
+  EXPECT_EQ(merged.repeated_rows, 4U);
+  const auto results = read_results(out_);
+  EXPECT_EQ(results.sessions.size(), 1U);
+  EXPECT_THAT(steps_of(results, "one"), testing::ElementsAre(8, 16, 32));
+}
+
+TEST_F(Merges, PassOverTheLastRowsOfAKilledSweep) {
+  const auto file = file_of("a", "one", {8, 16});
+  const auto whole = to_text(file);
+  folder_.write("cut", whole.substr(0, whole.size() - 20));
+  merge_results({folder_.path() / "cut", file_of("b", "other", {32})}, out_);
+  EXPECT_THAT(steps_of(read_results(out_), "one"), testing::ElementsAre(8));
+}
+
+TEST_F(Merges, WriteNoFileThatIsThereAndNoneOfWhatIsNone) {
+  const auto file = file_of("a", "one", {8});
+  const auto before = to_text(file);
+  EXPECT_THAT([&] { merge_results({file}, file); }, testing::ThrowsMessage<std::invalid_argument>(
+                                                        file.string() + ": exists, it must be a new file"));
+  EXPECT_EQ(to_text(file), before);
+  folder_.write("other", "t,y\n");
+  const auto other = folder_.path() / "other";
+  EXPECT_THAT(
+      [&] {
+        merge_results({file, other}, out_);
+      },
+      testing::ThrowsMessage<std::invalid_argument>(other.string() +
+                                                    ": line 1 is not a row of fdebench results"));
+  EXPECT_FALSE(std::filesystem::exists(out_));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 2);
+}
+
+std::multiset<std::string> labels(const std::vector<Sweep>& sweeps) {
+  std::multiset<std::string> all;
+  for (const auto& sweep : sweeps) {
+    for (const auto& scene : sweep.scenes) all.insert(scene.label() + (sweep.ladder.goal ? " climbs" : ""));
+  }
+  return all;
+}
+
+// Each run of the default sweep is in one shard, and all runs of a scene are in the same.
+TEST(Shards, AreAllOfASweepTogether) {
+  const Sweep sweep{.scenes = sweep_scenes(), .schemes = sweep_schemes(), .ladder = default_plan()};
+  auto sweeps = sweeps_of_trials(sweep, false);
+  sweeps.push_back(sweep);
+  std::multiset<std::string> together;
+  std::set<SceneSettings> scenes;
+  std::size_t count = 0;
+  for (int i = 1; i <= 3; ++i) {
+    const auto shard = shard_of(sweeps, {.number = i, .count = 3});
+    together.merge(labels(shard));
+    std::set<SceneSettings> own;
+    for (const auto& part : shard) {
+      for (const auto& scene : part.scenes) own.insert(scene.key());
+    }
+    count += own.size();
+    scenes.merge(own);
+  }
+  EXPECT_EQ(together, labels(sweeps));
+  EXPECT_EQ(count, scenes.size());
+}
+
+TEST(Shards, BeyondTheScenesAreEmpty) {
+  const Sweep sweep{.scenes = {{&scene_maker("power")}}, .schemes = sweep_schemes(), .ladder = {{8}}};
+  EXPECT_EQ(shard_of({sweep}, {.number = 1, .count = 2}).size(), 1U);
+  EXPECT_TRUE(shard_of({sweep}, {.number = 2, .count = 2}).empty());
+}
+
+TEST(Shards, AreNumberedFromOneOn) {
+  EXPECT_EQ(parse_shard("2/3").number, 2);
+  EXPECT_EQ(parse_shard("2/3").count, 3);
+  for (const auto* text : {"0/3", "4/3", "2", "/", "1/0", "a/b", "1/3/5"})
+    EXPECT_THROW(parse_shard(text), std::invalid_argument) << text;
+}
+
+}  // namespace
+}  // namespace fde

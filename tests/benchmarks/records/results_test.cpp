@@ -1,0 +1,292 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+#include "fdebench/benchmarks/records/record_text.hpp"
+#include "fdebench/benchmarks/records/results_file.hpp"
+
+namespace fde {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ResultsFiles : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string text() const {
+    std::ostringstream all;
+    all << std::ifstream(file_).rdbuf();
+    return all.str();
+  }
+  void write(const std::string& content) const { std::ofstream(file_) << content; }
+
+  static std::vector<Record> rows(const std::string& scheme, int steps) {
+    const Record row{.key = key(scheme, steps), .steps = steps, .h = 1.0 / steps};
+    Record error = row, ending = row;
+    error.quantity = "error_end";
+    error.value = 0.1 / steps;
+    ending.quantity = "ending";
+    ending.unit = "t";
+    ending.ending = RunOutcome{};
+    return {error, ending};
+  }
+
+  static RunKey key(const std::string& scheme, int steps) {
+    return {.scene = {"relaxation"}, .scheme = scheme, .setup = {.resolution = steps}};
+  }
+
+  static std::string message(const fs::path& file) {
+    try {
+      const ResultsFile opened(file);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "opened";
+  }
+
+  const fs::path folder_ = fs::temp_directory_path() / ("fdebench_results_" + std::to_string(getpid()));
+  const fs::path file_ = folder_ / "results.jsonl";
+};
+
+TEST_F(ResultsFiles, ReturnWhatWasAppended) {
+  ResultsFile(file_).append(rows("l1", 64));
+  const auto results = read_results(file_);
+  ASSERT_EQ(results.records.size(), 2U);
+  EXPECT_EQ(results.records[0].quantity, "error_end");
+  EXPECT_EQ(results.records[0].value, 0.1 / 64);
+  const ResultsFile again(file_);
+  EXPECT_EQ(again.recorded(key("l1", 64)).amount(), RecordedAmount::all_but_times);
+  EXPECT_EQ(again.recorded(key("l1", 128)).amount(), RecordedAmount::nothing);
+  EXPECT_FALSE(results.sessions.at(0).compiler.empty());
+}
+
+// Every setting is part of the key: another value of any member is another run.
+TEST_F(ResultsFiles, TellRunsApartByTheirWholeKey) {
+  ResultsFile(file_).append(rows("l1", 64));
+  const ResultsFile again(file_);
+  const auto recorded_with = [&](const auto& change) {
+    RunKey other = key("l1", 64);
+    change(other);
+    return again.recorded(other);
+  };
+  EXPECT_EQ(recorded_with([](RunKey&) {}).amount(), RecordedAmount::all_but_times);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.scene.values["gamma"] = 0.5; }).amount(),
+            RecordedAmount::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.scene.until = 1.0; }).amount(), RecordedAmount::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.scheme = "adams_pc"; }).amount(), RecordedAmount::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) {
+              k.setup.resolution = Tolerance{1e-6, 1e-9};
+            }).amount(),
+            RecordedAmount::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.grading = 2.0; }).amount(), RecordedAmount::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.history = HistoryKind::direct; }).amount(),
+            RecordedAmount::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.tolerance = 1e-8; }).amount(), RecordedAmount::nothing);
+  EXPECT_EQ(recorded_with([](RunKey& k) { k.setup.budget = 60.0; }).amount(), RecordedAmount::nothing);
+}
+
+TEST_F(ResultsFiles, KeepEveryMemberOfARun) {
+  auto some = rows("l1", 64);
+  for (auto& row : some) {
+    row.key = {.scene = {"knife_edge", {{"omega", 1.9}, {"formulation", "multiplier"}}, 5.0},
+               .scheme = "l1",
+               .setup = {Tolerance{1e-6, 1e-9}, 2.5, HistoryKind::direct, 1e-8, 60.0}};
+  }
+  some.back().ending = RunOutcome{Ending::non_finite, "at step 3, t = 0.5"};
+  ResultsFile(file_).append(some);
+  const Record read = read_results(file_).records.back();
+  EXPECT_EQ(read.key, some.back().key);
+  EXPECT_EQ(read.ending, some.back().ending);
+  EXPECT_EQ(label_of(read.key.scene), "knife_edge:formulation=multiplier,omega=1.9,until=5");
+}
+
+TEST_F(ResultsFiles, OfAnotherVersionAreRefusedAsSuch) {
+  write(R"({"session":{"commit":"c","compiler":"g","cores":4,"date":"d"}})"
+        "\n");
+  EXPECT_EQ(message(file_),
+            file_.string() + ": line 1: results of another version of fdebench, to be measured again");
+}
+
+TEST_F(ResultsFiles, AreContinuedWithANewSession) {
+  ResultsFile(file_).append(rows("l1", 64));
+  ResultsFile(file_).append(rows("l1", 128));
+  const auto results = read_results(file_);
+  EXPECT_EQ(results.sessions.size(), 2U);
+  EXPECT_EQ(results.records.back().session, 1U);
+}
+
+// Records belong to one build: with another commit runs are measured again.
+TEST_F(ResultsFiles, OfAnotherBuildDoNotCount) {
+  ResultsFile(file_).append(rows("l1", 64));
+  auto other = text();
+  const std::string commit = R"("commit":")";
+  other.insert(other.find(commit) + commit.size(), "x");
+  write(other);
+  EXPECT_EQ(ResultsFile(file_).recorded(key("l1", 64)).amount(), RecordedAmount::nothing);
+  EXPECT_EQ(read_results(file_).records.size(), 2U);
+}
+
+TEST_F(ResultsFiles, WithoutRunsAreLeftAsTheyAre) {
+  ResultsFile(file_).append(rows("l1", 64));
+  const auto before = text();
+  { const ResultsFile opened(file_); }
+  EXPECT_EQ(text(), before);
+}
+
+// A killed sweep may leave any prefix of its file: complete runs are kept, the interrupted run is measured
+// again.
+TEST_F(ResultsFiles, CutAnywhereKeepTheirWholeRuns) {
+  {
+    ResultsFile file(file_);
+    file.append(rows("l1", 64));
+    file.append(rows("l1", 128));
+  }
+  const auto whole = text();
+  for (std::size_t length = 30; length <= whole.size(); length += 7) {
+    write(whole.substr(0, length));
+    { ResultsFile(file_).append(rows("l1", 256)); }
+    const auto results = read_results(file_);
+    EXPECT_EQ(results.records.back().steps, 256) << length;
+    EXPECT_EQ(results.records.size() % 2, 0U) << length;
+  }
+}
+
+TEST_F(ResultsFiles, OfSomethingElseAreRefusedAndLeftAlone) {
+  write("scene,scheme\nrelaxation,l1\n");
+  EXPECT_EQ(message(file_), file_.string() + ": line 1 is not a row of fdebench results");
+  EXPECT_EQ(text(), "scene,scheme\nrelaxation,l1\n");
+  write("no line end");
+  EXPECT_EQ(message(file_), file_.string() + ": line 1 is not a row of fdebench results");
+  EXPECT_EQ(text(), "no line end");
+}
+
+TEST_F(ResultsFiles, BelongToOneRunAtATime) {
+  const ResultsFile first(file_);
+  EXPECT_EQ(message(file_), file_.string() + ": cannot be written: another run is writing to it");
+}
+
+// The second object waits for the lock until the first is destroyed.
+TEST_F(ResultsFiles, AreWaitedFor) {
+  std::optional<ResultsFile> first(std::in_place, file_);
+  std::jthread closes([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    first.reset();
+  });
+  EXPECT_NO_THROW(ResultsFile(file_, scenes(), std::chrono::seconds(20)));
+}
+
+TEST_F(ResultsFiles, WithImpossibleStepsAreRefused) {
+  ResultsFile(file_).append(rows("l1", 64));
+  for (const auto* steps : {"0", "-5", "64.5", "1000000000000"}) {
+    auto changed = text();
+    changed.replace(changed.find(R"("steps":64)"), 10, std::string(R"("steps":)") + steps);
+    const auto other = folder_ / "changed.jsonl";
+    std::ofstream(other) << changed;
+    EXPECT_EQ(message(other), other.string() + ": line 2: steps = " + steps +
+                                  ": must be a whole number from 1 to 2147483647");
+  }
+}
+
+// A row that no run can have is refused with its line number, also in the middle of a file; so is an
+// incomplete row.
+TEST_F(ResultsFiles, WithImpossibleRowsAreRefused) {
+  {
+    ResultsFile file(file_);
+    file.append(rows("l1", 64));
+    file.append(rows("l1", 128));
+  }
+  const auto whole = text();
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    auto other = whole;
+    const auto at = other.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    write(other.replace(at, from.size(), to));
+    return message(file_).substr(file_.string().size());
+  };
+  EXPECT_EQ(changed(R"("value":0.0015625)", R"("value":-1.0)"),
+            ": line 2: error_end = -1: must be a finite number of at least 0");
+  EXPECT_EQ(changed(R"("value":0.0015625)", R"("value":null)"),
+            ": line 2: error_end = null: must be a number");
+  EXPECT_EQ(changed(R"("value":0.0015625)", R"("value":1e999)"), ": line 2 is not a row of fdebench results");
+  EXPECT_EQ(changed("error_end", "error_and"), ": line 2: quantity error_and: no such quantity");
+  EXPECT_EQ(changed(R"("scene":"relaxation")", R"("scene":"relaxatoin")").substr(0, 56),
+            ": line 2: scene relaxatoin: no such scene, did you mean ");
+  EXPECT_EQ(changed(R"("scheme":"l1")", R"("scheme":"l3")").substr(0, 49),
+            ": line 2: scheme l3: no such scheme, did you mean");
+  EXPECT_EQ(changed(R"("settings":{})", R"("settings":{"gamma":3})"),
+            ": line 2: gamma = 3: must be a number in (0, 2]");
+  EXPECT_EQ(changed(R"("unit":"")", R"("unit":"s")"), R"(: line 2: unit = s: must be "", that of error_end)");
+  EXPECT_EQ(changed(R"("ending":"finished")", R"("ending":"done")"), ": line 3: ending done: no such ending");
+  EXPECT_EQ(changed(R"("last":true)", R"("lest":true)"),
+            ": line 4: a row of another run before the last row of the measurement above");
+  write(whole.substr(0, whole.find("error_end")) + whole.substr(whole.find('\n') + 1));
+  EXPECT_EQ(message(file_), file_.string() + ": line 2 is not a row of fdebench results");
+  write(whole.substr(whole.find('\n') + 1));
+  EXPECT_EQ(message(file_), file_.string() + ": line 1: a row before the first session");
+}
+
+TEST_F(ResultsFiles, HaveNoLineOfMoreThanAMebibyte) {
+  ResultsFile(file_).append(rows("l1", 64));
+  const auto whole = text();
+  std::ofstream(file_, std::ios::app) << std::string(std::size_t{1} << 21, ' ') << '\n';
+  EXPECT_EQ(message(file_), file_.string() + ": line 4 is longer than 1048576 bytes");
+}
+
+// The settings of an external program are unknown. Its name may be any but a scheme's.
+TEST_F(ResultsFiles, KeepTheTrajectoriesOfOtherPrograms) {
+  auto some = rows("numpy λ", 64);
+  for (auto& row : some) row.key.external = true;
+  ResultsFile(file_).append(some);
+  EXPECT_EQ(text().find("grid"), std::string::npos);
+  EXPECT_EQ(read_results(file_).records.back().key, some.back().key);
+  auto ours = text();
+  for (auto at = ours.find("numpy λ"); at != std::string::npos; at = ours.find("numpy λ"))
+    ours.replace(at, std::string("numpy λ").size(), "l1");
+  write(ours);
+  EXPECT_EQ(message(file_),
+            file_.string() + ": line 2: scheme = l1: must be another name than those of our schemes");
+}
+
+TEST_F(ResultsFiles, ThatCannotBeWrittenAreNamed) {
+  EXPECT_EQ(message(folder_ / "missing" / "r.jsonl"),
+            (folder_ / "missing" / "r.jsonl").string() + ": cannot be written: No such file or directory");
+  EXPECT_EQ(message(folder_), folder_.string() + ": cannot be read: is not a file");
+}
+
+// A limit on the file size simulates a full disk.
+TEST_F(ResultsFiles, OnAFullDiskSaySoAndKeepTheirWholeRuns) {
+  ResultsFile file(file_);
+  file.append(rows("l1", 64));
+  const auto before = text();
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit unlimited{};
+  getrlimit(RLIMIT_FSIZE, &unlimited);
+  const rlimit full{.rlim_cur = before.size() + 10, .rlim_max = unlimited.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &full);
+  std::string message;
+  try {
+    file.append(rows("l1", 128));
+  } catch (const std::system_error& error) {
+    message = error.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &unlimited);
+  EXPECT_EQ(message, file_.string() + ": cannot be written: File too large");
+  EXPECT_EQ(text(), before);
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "fdebench/benchmarks/reference_data/reference_folder.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+
+// Tables of two small scenes: one with digits, one whose parameters are not the defaults.
+inline std::vector<TableSpec> example_tables() {
+  auto tables = planned_tables(
+      {{.maker = &scene_maker("power")}, {.maker = &scene_maker("relaxation"), .values = {{"gamma", 0.2}}}});
+  std::erase_if(tables, [](const auto& table) { return !table.kind->of_scenes(); });
+  return tables;
+}
+
+inline const FolderFiles& example_files() {
+  static const auto files =
+      compute_files(example_tables(), [](std::size_t, std::size_t, const std::string&) {});
+  return files;
+}
+
+}  // namespace fde

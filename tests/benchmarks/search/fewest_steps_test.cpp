@@ -1,0 +1,79 @@
+// fewest_steps() with errors that are given functions of the number of steps.
+
+#include "fdebench/benchmarks/search/fewest_steps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace fde {
+namespace {
+
+constexpr double accuracy = 1e-6;
+
+// Makes runs whose error at the end is a given function of the steps, and counts them.
+struct Errors {
+  std::function<double(int steps)> signed_error;
+  int made = 0;
+
+  Attempt operator()(int steps) {
+    ++made;
+    const double error = signed_error(steps);
+    return {.steps = steps,
+            .error = std::abs(error),
+            .trivial = 1.0,
+            .signed_error = error,
+            .within = std::abs(error) <= accuracy};
+  }
+  // Runs with doubled numbers of steps, up to the first within the accuracy.
+  std::vector<Attempt> ladder() {
+    std::vector<Attempt> rungs{(*this)(4)};
+    while (!rungs.back().within) rungs.push_back((*this)(2 * rungs.back().steps));
+    return rungs;
+  }
+  Attempt fewest(int unit, bool scan) {
+    const auto rungs = ladder();
+    made = 0;
+    return fewest_steps(rungs, accuracy, unit, scan, [this](int steps) { return (*this)(steps); });
+  }
+};
+
+TEST(FewestSteps, OfAPowerIsFoundInAFewAttempts) {
+  for (const double rate : {0.75, 1.0, 1.5, 2.0, 4.0}) {
+    Errors errors{[=](int steps) { return 0.3 * std::pow(steps, -rate); }};
+    const double exact = std::pow(0.3 / accuracy, 1.0 / rate);
+    const auto found = errors.fewest(1, false);
+    EXPECT_TRUE(found.within) << rate;
+    EXPECT_GE(found.steps, exact) << rate;
+    EXPECT_LE(found.steps, 1.02 * exact + 1.0) << rate;
+    EXPECT_LE(errors.made, 5) << rate;
+  }
+}
+
+TEST(FewestSteps, AreAMultipleOfTheUnit) {
+  Errors errors{[](int steps) { return std::pow(steps, -1.2); }};
+  const auto found = errors.fewest(20, false);
+  EXPECT_EQ(found.steps % 20, 0);
+  EXPECT_LE(found.steps, 1.02 * 1e5 + 20.0);
+}
+
+// The error passes through 0 at 300 steps and exceeds the accuracy from there to nearly 1000 steps. Numbers
+// of steps in a ratio of 1.05 miss the zero.
+TEST(FewestSteps, AreFoundWhereTheErrorChangesItsSign) {
+  Errors errors{[](int steps) { return 1e-3 * (1.0 - 300.0 / steps) * std::pow(100.0 / steps, 3.0); }};
+  ASSERT_GT(errors.fewest(1, false).steps, 800);
+  const auto found = errors.fewest(1, true);
+  EXPECT_TRUE(found.within);
+  EXPECT_LE(found.steps, 308);
+  EXPECT_GE(found.steps, 292);
+}
+
+TEST(MoreSteps, AreAboutAHundredthMore) {
+  EXPECT_EQ(more_steps(10, 1), 12);
+  EXPECT_EQ(more_steps(35'400, 1), 35'800);
+  EXPECT_EQ(more_steps(100, 20), 120);
+}
+
+}  // namespace
+}  // namespace fde

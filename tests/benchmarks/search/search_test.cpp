@@ -1,0 +1,194 @@
+// The results of search() are compared with independent runs.
+
+#include "fdebench/benchmarks/search/search.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "benchmarks/search/search_case.hpp"
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/search/candidate_run.hpp"
+#include "fdebench/benchmarks/search/error_model.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<SearchCandidate> found_for(const Scene& scene, const SearchCase& asked) {
+  return search(scene, question_of(scene, asked), 100.0, [](const std::string&, double) {});
+}
+
+class SearchFor : public testing::TestWithParam<SearchCase> {};
+
+// The best run is within the accuracy at all its steps, and no run with clearly fewer steps on the same grids
+// is. At a fixed time an error may be small by chance, and may grow with the steps before it decreases.
+void expect_the_fewest_steps(const SearchCase& asked) {
+  const Scene scene = make_scene(parse_variant(asked.scene));
+  const auto found = found_for(scene, asked);
+  const SearchCandidate& first = found.front();
+  ASSERT_EQ(first.found, Found::within);
+  RunEvaluator examiner(scene, question_of(scene, asked));
+  const int watched = first.way.is_adaptive() ? evenly_spaced_comparisons : first.best.steps;
+  const auto again = examiner.examine(first.way, resolution_of(first.best), watched, 60.0);
+  EXPECT_TRUE(again.within);
+  EXPECT_EQ(again.error, first.best.error);
+  if (first.way.is_adaptive()) return;
+  for (double steps = 0.95 * first.best.steps; steps >= 4.0; steps /= 1.1) {
+    const auto fewer = examiner.examine(first.way, static_cast<int>(steps), 8192, 60.0);
+    EXPECT_FALSE(fewer.within) << fewer.steps << " of " << first.best.steps;
+  }
+}
+
+TEST_P(SearchFor, FindsARunWithinTheAccuracy) { expect_the_fewest_steps(GetParam()); }
+
+// No scheme with adaptive step size accepts conditions at both ends.
+TEST(SearchOverGrids, FindsTheFewestSteps) {
+  expect_the_fewest_steps({"fractional_hamilton", {Norm::maximum, Scale::mixed}, 1e-3});
+  expect_the_fewest_steps({"two_sided_constraint", {Norm::end, Scale::mixed}, 1e-4});
+}
+
+// The error model of five runs predicts the error of a run between the last two. A single error may be small
+// by chance, so the median over all schemes is compared.
+TEST_P(SearchFor, KnowsErrorsBetweenTheRunsItHasMade) {
+  const Scene scene = make_scene(parse_variant(GetParam().scene));
+  RunEvaluator examiner(scene, question_of(scene, GetParam()));
+  std::vector<double> ratios;
+  for (const Scheme& scheme : schemes()) {
+    if (refusal(scheme, scene.problem, Grid{scene.problem.end, 16})) continue;
+    const auto error = [&](int steps) { return examiner.examine({&scheme}, steps, 8192, 60.0).error; };
+    std::vector<TrialError> known;
+    for (const int steps : {16, 32, 64, 128, 256}) known.push_back({steps, error(steps)});
+    if (std::ranges::any_of(known, [](const TrialError& of) { return !std::isfinite(of.error); })) continue;
+    if (const ErrorModel model(known); !model.empty()) ratios.push_back(model.error(181).value / error(181));
+  }
+  ASSERT_GE(ratios.size(), 8U);
+  std::ranges::nth_element(ratios, ratios.begin() + std::ssize(ratios) / 2);
+  EXPECT_NEAR(ratios[ratios.size() / 2], 1.0, 0.1) << testing::PrintToString(ratios);
+}
+
+TEST(SearchOverGrids, PredictsTheErrorsThatItFindsByTheRunsBefore) {
+  const SearchCase asked{"fractional_hamilton", {Norm::maximum, Scale::mixed}, 1e-3};
+  const Scene scene = make_scene(parse_variant(asked.scene));
+  int predictions = 0;
+  for (const auto& way : found_for(scene, asked)) {
+    if (way.found != Found::within || !way.predicted) continue;
+    EXPECT_EQ(way.predicted->value, ErrorModel(errors_of(way)).error(way.best.steps).value)
+        << way.names.front();
+    ++predictions;
+  }
+  EXPECT_GT(predictions, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SearchFor,
+                         testing::Values(SearchCase{"relaxation", {Norm::maximum, Scale::mixed}, 1e-6},
+                                         SearchCase{
+                                             "relaxation:gamma=1.5", {Norm::end, Scale::relative}, 1e-9},
+                                         SearchCase{"power:p=0.83", {Norm::maximum, Scale::absolute}, 1e-3},
+                                         SearchCase{"diethelm", {Norm::end, Scale::mixed}, 1e-4},
+                                         SearchCase{"linear_system", {Norm::maximum, Scale::mixed}, 1e-3}));
+
+// Schemes with adaptive step size are tried too, with the largest tolerance that suffices.
+TEST(Search, TriesSchemesThatChooseTheirSteps) {
+  const auto found = found_for(scene_of("pendulum"), {"", {Norm::maximum, Scale::mixed}, 1e-9});
+  const auto way = std::ranges::find(found, "spectral_collocation",
+                                     [](const SearchCandidate& of) { return of.way.scheme->id; });
+  ASSERT_EQ(way->found, Found::within);
+  EXPECT_LE(way->best.error, 1e-9);
+  EXPECT_GT(way->best.asked, 1e-9);
+}
+
+// Start weights for a new order take milliseconds to compute, four steps some microseconds: the cost of the
+// first solve must not exclude the scheme.
+TEST(Search, ComparesRunsByWhatTheyCostOnceStartWeightsAreMade) {
+  const Scene scene = scene_of("relaxation", {{"gamma", 0.4321}});
+  const auto found = found_for(scene, {"", {Norm::end, Scale::mixed}, 1e-10});
+  const auto rule =
+      std::ranges::find(found, "bdf5", [](const SearchCandidate& of) { return of.way.scheme->id; });
+  EXPECT_GT(rule->once_seconds, 10.0 * rule->ladder.front().seconds);
+  EXPECT_GT(rule->ladder.size(), 1U);
+}
+
+// For a constant solution every scheme is exact, and the baseline y = y(0) does not apply.
+TEST(Search, TakesAConstantSolutionForOne) {
+  const auto found =
+      found_for(scene_of("relaxation", {{"y0", 0.0}}), {"", {Norm::maximum, Scale::mixed}, 1e-4});
+  EXPECT_EQ(found.front().found, Found::within);
+  EXPECT_EQ(found.front().best.error, 0.0);
+  EXPECT_TRUE(std::isinf(found.front().best.trivial));
+  const auto moving = found_for(scene_of("relaxation"), {"", {Norm::maximum, Scale::mixed}, 1e-4});
+  EXPECT_TRUE(std::isfinite(moving.front().best.trivial));
+}
+
+// E_{1/2}(-1e6 t^{1/2}) decreases from 1 to 1e-6 within a millionth of the interval: a comparison at t = 0
+// and 1 misses this.
+TEST(Search, SeesMotionBetweenTheTimesOfAGrid) {
+  const Scene scene = scene_of("relaxation", {{"lambda", -1e6}});
+  for (const auto& [norm, within] : {std::pair{Norm::end, true}, {Norm::maximum, false}}) {
+    RunEvaluator examiner(scene, question_of(scene, {"", {norm, Scale::mixed}, 1e-3}));
+    for (const int steps : {1, 64})
+      EXPECT_EQ(examiner.examine({find_scheme("l1")}, steps, 8192, 60.0).within, within) << steps;
+  }
+}
+
+TEST(Search, GivesOneAlgorithmAllItsNames) {
+  const Scene scene = scene_of("relaxation");
+  const auto found = found_for(scene, {"", {Norm::end, Scale::mixed}, 1e-2});
+  const auto adams = std::ranges::find_if(found, [](const SearchCandidate& of) {
+    return of.way.scheme->id == "adams_pc" && of.way.grading == 1.0;
+  });
+  EXPECT_THAT(adams->names, ElementsAre("adams_pc", "decoupled_multi_order", "commensurate_adams_pc"));
+}
+
+// y decays to 5.6e-7 immediately: the baseline y = 0 has this absolute error, and a run must have a smaller
+// one.
+TEST(Search, CreditsNoRunThatIsNoBetterThanZero) {
+  const Scene scene = scene_of("stiff_relaxation");
+  const auto found = found_for(scene, {"", {Norm::end, Scale::absolute}, 1e-3});
+  ASSERT_EQ(found.front().found, Found::within);
+  EXPECT_LT(found.front().best.error, found.front().best.trivial);
+  EXPECT_LT(found.front().best.trivial, 1e-6);
+}
+
+// No error can be verified below the bound of the reference.
+TEST(Search, RefusesAnAccuracyThatTheReferenceDoesNotHave) {
+  Scene scene = scene_of("relaxation");
+  scene.reference = {[](double) { return ReferenceValue{Vec::Ones(1), Vec::Constant(1, 1e-5)}; }};
+  expect_message(
+      [&] {
+        found_for(scene, {"", {Norm::end, Scale::absolute}, 1e-6});
+      },
+      "the reference is known up to 1.0e-05 only, which is no less than 1.0e-06");
+}
+
+TEST(Search, CountsWhatIsNotKnownOfTheReferenceAsError) {
+  const auto within = [](double bound) {
+    Scene scene = scene_of("relaxation");
+    const Reference exact = scene.reference;
+    scene.reference = {[=](double t) { return ReferenceValue{exact.at(t).value, Vec::Constant(1, bound)}; }};
+    RunEvaluator examiner(scene, {{Norm::end, Scale::absolute}, 1e-4, all_columns(scene)});
+    return examiner.examine({find_scheme("adams_pc"), 1.0}, 64, 64, 10.0);
+  };
+  const auto exactly = within(0.0);
+  EXPECT_TRUE(exactly.within);
+  EXPECT_FALSE(within(1.01 * (1e-4 - exactly.error)).within);
+  EXPECT_TRUE(within(0.99 * (1e-4 - exactly.error)).within);
+}
+
+// D^g y ~ t^g near 0, and the error of the trapezoidal rule on a uniform grid is h^(2g) at the first step and
+// h^(1+g) at the end: with the gradings 1/g and 2/(1+g) the rate is 2.
+TEST(Gradings, AreUsualOnesAndTheLeastWithTheBestRate) {
+  const Scene scene = scene_of("relaxation", {{"gamma", 0.2}});
+  const Scheme &rule = *find_scheme("product_trapezoidal"), &uniform = *find_scheme("grunwald_letnikov");
+  EXPECT_THAT(gradings_of(rule, scene, Norm::maximum), ElementsAre(1.0, 1.5, 2.0, 3.0, 5.0));
+  EXPECT_THAT(gradings_of(rule, scene, Norm::end), ElementsAre(1.0, 1.5, 2.0, 3.0, 1.75));
+  EXPECT_THAT(gradings_of(uniform, scene, Norm::maximum), ElementsAre(1.0));
+}
+
+}  // namespace
+}  // namespace fde

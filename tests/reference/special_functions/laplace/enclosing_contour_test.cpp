@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "fdebench/reference/special_functions/laplace/enclosed_transform.hpp"
+
+namespace fde {
+namespace {
+
+using Point = EnclosingContour::Point;
+
+// F(s) = product of (s - s_j)^-order_j, and its inverse Laplace transform at time 1.
+struct Case {
+  const char* name;
+  std::vector<Point> singularities;
+  std::vector<double> orders;
+  BigComplex (*exact)();
+  bool real = false;
+};
+
+std::string test_name(const testing::TestParamInfo<Case>& test) { return test.param.name; }
+
+BigComplex big(const Point& s) { return {BigReal(s.real()), BigReal(s.imag())}; }
+
+BigComplex transform(const Case& x, const EnclosingContour::Node& node) {
+  BigComplex product(1);
+  for (std::size_t j = 0; j < x.orders.size(); ++j)
+    product *= exp(BigReal(-x.orders[j]) * log(BigComplex(node.s - big(x.singularities[j]))));
+  return product;
+}
+
+EnclosingContour::Majorant majorant(const Case& x) {
+  return [x](const EnclosingContour::Disc& disc) {
+    long double sum = 0.0L;
+    for (std::size_t j = 0; j < x.orders.size(); ++j) {
+      const long double distance = std::abs(disc.centre - x.singularities[j]) - disc.radius;
+      if (distance <= 0.0L) return std::numeric_limits<long double>::infinity();
+      sum -= static_cast<long double>(x.orders[j]) * std::log(distance);
+    }
+    return sum;
+  };
+}
+
+class EnclosingContourOf : public testing::TestWithParam<Case> {};
+
+TEST_P(EnclosingContourOf, InvertsWithinItsBound) {
+  const Case& x = GetParam();
+  for (const int digits : {5, 16, 50, 150}) {
+    const EnclosingContour contour(x.singularities, digits, {.order = 3.0L});
+    const Precision precision(contour.working_digits());
+    Sum<BigReal> sum;
+    for (const auto& node : x.real ? contour.upper_nodes() : contour.nodes())
+      sum.add(BigComplex(node.weight * transform(x, node)), BigReal(100 * epsilon<BigReal>()));
+    const BigComplex value = x.real ? BigComplex(2 * real_part<BigReal>(sum.value)) : sum.value;
+    const BigReal bound = exp(BigReal(contour.log_bound(majorant(x)))),
+                  off = norm1(BigComplex(value - x.exact()));
+    const BigReal unit = exp(BigReal(contour.sigma()));
+    EXPECT_LE(off, 2 * (bound + sum.error)) << digits;
+    EXPECT_LE(bound, unit * pow(BigReal(10), 2 - digits)) << digits;
+    EXPECT_LE(sum.error, unit * pow(BigReal(10), 2 - digits)) << digits;
+  }
+}
+
+BigReal pair_on_axis(const BigReal& y) { return (1 - cos(y)) / (y * y); }
+
+INSTANTIATE_TEST_SUITE_P(
+    , EnclosingContourOf,
+    testing::Values(
+        Case{"BranchPoint", {0.0L}, {0.5}, [] { return BigComplex(1 / sqrt(pi<BigReal>())); }, true},
+        Case{"TriplePole", {2.0L}, {3.0}, [] { return BigComplex(exp(BigReal(2)) / 2); }, true},
+        // J_0(5): two branch points
+        Case{"BesselFunction",
+             {Point(0.0L, 5.0L), Point(0.0L, -5.0L)},
+             {0.5, 0.5},
+             [] {
+               BigReal value;
+               mpfr_j0(value.backend().data(), BigReal(5).backend().data(), MPFR_RNDN);
+               return BigComplex(value);
+             },
+             true},
+        Case{"FarPair",
+             {0.0L, Point(0.0L, 100.0L), Point(0.0L, -100.0L)},
+             {1.0, 1.0, 1.0},
+             [] { return BigComplex(pair_on_axis(BigReal(100))); },
+             true},
+        Case{"DoublePoleOnOneSide",
+             {0.0L, Point(-3.0L, 60.0L)},
+             {1.0, 2.0},
+             [] {
+               const BigComplex pole(-3, 60);
+               return BigComplex(BigReal(1) / (pole * pole) +
+                                 exp(pole) * (BigReal(1) / pole - BigReal(1) / (pole * pole)));
+             }},
+        // e^-1000 is negligible at all requested digits
+        Case{"LeavesOutWhatDoesNotMatter",
+             {0.0L, -1000.0L},
+             {1.0, 1.0},
+             [] { return BigComplex(BigReal(-expm1(BigReal(-1000)) / 1000)); },
+             true},
+        Case{"LargeGrowth",
+             {1e8L, 0.0L},
+             {1.0, 2.0},
+             [] {
+               const BigReal pole(1e8);
+               return BigComplex((exp(pole) - 1 - pole) / (pole * pole));
+             },
+             true}),
+    test_name);
+
+TEST(EnclosingContour, GrowsWithTheHeightOfItsSingularitiesOnly) {
+  const EnclosingContour low({0.0L}, 50), high({0.0L, Point(0.0L, 1e3L), Point(0.0L, -1e3L)}, 50);
+  EXPECT_LE(low.count(), 80);
+  EXPECT_LE(high.count(), 5000);
+  EXPECT_EQ(EnclosingContour({0.0L, Point(-1e6L, 1e6L), Point(-1e6L, -1e6L)}, 50).count(), low.count());
+}
+
+TEST(EnclosingContour, RefusesWhatIsTooFarApart) {
+  try {
+    const EnclosingContour contour({Point(0.0L, 1e12L), Point(0.0L, -1e12L)}, 16);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("2e+12 apart"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(EnclosingContour({}, 16), std::invalid_argument);
+}
+
+// A majorant that overflows or is NaN also at the centres of the discs gives no bound.
+TEST(EnclosedTransform, SaysWhereThereIsNoBound) {
+  for (const long double off : {std::numeric_limits<long double>::max(), std::nanl("")}) {
+    EnclosedTransform transform{.singularities = {0.0L}, .real = true};
+    transform.prepare = [] {
+      return [](const EnclosingContour::Node& node, std::vector<Sum<BigReal>>& sums) {
+        sums.resize(1);
+        sums.front().add(BigComplex(node.weight / node.s), epsilon<BigReal>());
+      };
+    };
+    transform.majorants = {[=](const EnclosingContour::Disc&) { return off; }};
+    const Precision precision(20);
+    try {
+      invert(transform, 2);
+      FAIL();
+    } catch (const std::runtime_error& error) {
+      const std::string text = error.what();
+      EXPECT_TRUE(text.find("no accurate value in reach") != std::string::npos ||
+                  text.find("no bound of the transform") != std::string::npos)
+          << text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fde

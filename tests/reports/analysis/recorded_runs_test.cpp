@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "fdebench/benchmarks/records/results_file.hpp"
+#include "fdebench/reports/analysis/runs.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace fde {
+namespace {
+
+class RecordedRuns : public testing::Test {
+ protected:
+  static RunKey key() { return {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = 16}}; }
+  static Record row(std::string_view quantity, double value) {
+    return {.key = key(),
+            .steps = 16,
+            .h = 1.0 / 16,
+            .quantity = std::string(quantity),
+            .value = value,
+            .unit = quantity.starts_with("time_") ? "s"
+                    : quantity == "ending"        ? "t"
+                                                  : ""};
+  }
+  static std::vector<Record> examination(const RunOutcome& how = {}, double error = 0.1) {
+    Record ending = row("ending", 1.0);
+    ending.ending = how;
+    return {row("error_end", error), ending};
+  }
+  static std::vector<Record> times() { return {row("time_minimum", 0.5), row("time_median", 0.6)}; }
+
+  [[nodiscard]] RecordedAmount recorded() const { return ResultsFile(file_).recorded(key()).amount(); }
+  [[nodiscard]] std::string text() const {
+    std::ostringstream all;
+    all << std::ifstream(file_).rdbuf();
+    return all.str();
+  }
+  void write(const std::string& content) const { std::ofstream(file_) << content; }
+
+  // Changes the commit of the file's session number `session`.
+  void change_build(int session) const {
+    const std::string commit = R"("commit":")";
+    auto changed = text();
+    std::size_t place = 0;
+    for (int i = 0; i <= session; ++i) place = changed.find(commit, place) + commit.size();
+    write(changed.insert(place, "x"));
+  }
+
+  const TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_.path() / "results.jsonl";
+};
+
+TEST_F(RecordedRuns, HaveNothingThenAllButTimesThenEverything) {
+  EXPECT_EQ(recorded(), RecordedAmount::nothing);
+  ResultsFile(file_).append(examination());
+  EXPECT_EQ(recorded(), RecordedAmount::all_but_times);
+  ResultsFile(file_).append(times());
+  EXPECT_EQ(recorded(), RecordedAmount::everything);
+}
+
+TEST_F(RecordedRuns, ThatDidNotFinishHaveNoTimes) {
+  ResultsFile(file_).append(examination({Ending::refused, "no"}));
+  EXPECT_EQ(recorded(), RecordedAmount::everything);
+}
+
+// A continued sweep examines such a run, so that the file becomes complete.
+TEST_F(RecordedRuns, WithTimesAloneAreNotRecorded) {
+  ResultsFile(file_).append(times());
+  EXPECT_EQ(recorded(), RecordedAmount::nothing);
+  ResultsFile(file_).append(examination());
+  EXPECT_EQ(recorded(), RecordedAmount::all_but_times);
+}
+
+// A killed sweep leaves a prefix of the file: the rows of complete writes are kept.
+TEST_F(RecordedRuns, OfAFileCutAnywhereAreThoseOfItsWholeWrites) {
+  {
+    ResultsFile file(file_);
+    file.append(examination());
+    file.append(times());
+  }
+  const auto whole = text();
+  const auto examined = whole.find('\n', whole.find("ending")) + 1;
+  for (std::size_t length = whole.size() % 3; length <= whole.size(); length += 3) {
+    write(whole.substr(0, length));
+    const std::size_t kept = length < examined ? 0 : length < whole.size() ? 2 : 4;
+    EXPECT_EQ(read_results(file_).records.size(), kept) << length;
+    EXPECT_EQ(recorded(), kept == 0   ? RecordedAmount::nothing
+                          : kept == 2 ? RecordedAmount::all_but_times
+                                      : RecordedAmount::everything)
+        << length;
+  }
+}
+
+TEST_F(RecordedRuns, TimesOfALaterSessionJoinTheirExamination) {
+  ResultsFile(file_).append(examination());
+  ResultsFile(file_).append(times());
+  const Runs runs = runs_of(read_results(file_));
+  ASSERT_EQ(runs.finished.size(), 1U);
+  EXPECT_EQ(runs.finished[0].values,
+            (decltype(MeasuredRun::values){{"error_end", 0.1}, {"time_minimum", 0.5}, {"time_median", 0.6}}));
+  EXPECT_EQ(runs.finished[0].session, 0U);
+}
+
+// Time and error of a run must be from the same build.
+TEST_F(RecordedRuns, TimesOfAnotherBuildDoNotJoin) {
+  ResultsFile(file_).append(examination());
+  ResultsFile(file_).append(times());
+  change_build(1);
+  const Runs runs = runs_of(read_results(file_));
+  ASSERT_EQ(runs.finished.size(), 1U);
+  EXPECT_EQ(runs.finished[0]["time_minimum"], std::nullopt);
+  EXPECT_EQ(runs.failed.size(), 0U);
+  EXPECT_EQ(recorded(), RecordedAmount::all_but_times);
+}
+
+TEST_F(RecordedRuns, ALaterExaminationReplacesTheEarlierWithItsTimes) {
+  {
+    ResultsFile file(file_);
+    file.append(examination());
+    file.append(times());
+  }
+  ResultsFile(file_).append(examination({}, 0.2));
+  const Runs runs = runs_of(read_results(file_));
+  ASSERT_EQ(runs.finished.size(), 1U);
+  EXPECT_EQ(runs.finished[0].values, (decltype(MeasuredRun::values){{"error_end", 0.2}}));
+}
+
+}  // namespace
+}  // namespace fde

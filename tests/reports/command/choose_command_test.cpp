@@ -1,0 +1,74 @@
+// fdebench choose: its statements are checked by running the recommended command.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
+#include "support/command_line_result.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Choose, MakesTheRunThatItNames) {
+  const auto choice = fdebench("choose power --set p=1.83 --error 1e-4 --json --max-time 5");
+  EXPECT_EQ(choice.code, 0) << choice.err;
+  const auto json = nlohmann::json::parse(choice.out);
+  EXPECT_LE(json["error"], 1e-4);
+  EXPECT_LE(json["seconds_low"], json["seconds"]);
+  EXPECT_GE(json["seconds_high"], json["seconds"]);
+  const std::string command = json["command"];
+  const auto again = fdebench(command.substr(command.find(' ') + 1));
+  EXPECT_EQ(again.code, 0) << again.err;
+  double worst = 0.0;
+  for (const auto& row : csv_rows(again.out)) {
+    const double exact = std::pow(row[0], 1.83);
+    worst = std::max(worst, std::abs(row[1] - exact) / (1.0 + exact));
+  }
+  // With adaptive step size the error is measured between the printed steps too.
+  EXPECT_LE(worst, (1.0 + 1e-6) * json["error"].get<double>());
+  if (json["asked"].is_null()) {
+    EXPECT_NEAR(worst / json["error"].get<double>(), 1.0, 1e-6);
+  }
+}
+
+TEST(Choose, SaysWhatWouldBeNeeded) {
+  const auto choice = fdebench("choose fractional_hamilton --error 1e-10 --max-time 2");
+  EXPECT_EQ(choice.code, 3);
+  EXPECT_EQ(choice.out, "");
+  EXPECT_THAT(choice.err, HasSubstr("would need about N = "));
+  EXPECT_EQ(std::ranges::count(choice.err, '\n'), 1);
+}
+
+// dphi has a term t^(1/2) near 0, phi has none: errors of phi are smaller.
+TEST(Choose, CountsTheColumnsThatAreNamed) {
+  const auto chosen = nlohmann::json::parse(
+      fdebench("choose pendulum --until 2 --error 1e-4 --scale absolute --columns phi --max-time 5 --json")
+          .out);
+  EXPECT_EQ(chosen["columns"], std::vector<std::string>{"phi"});
+  Scene scene = scene_of("pendulum");
+  scene.problem.end = 2.0;
+  const double asked = chosen["asked"];
+  const auto path =
+      find_scheme(chosen["scheme"].get<std::string>())
+          ->solve(scene.problem, Tolerance{asked, asked}, {.at = comparison_times(scene.problem)});
+  EXPECT_EQ(path.steps, chosen["steps"]);
+  EXPECT_TRUE(chosen["grid"].is_null());
+  const Rows errors = columns_of(scene.outputs, path) - MemoizedReference(scene).at(path.times);
+  const double largest = errors.row(0).cwiseAbs().maxCoeff();
+  EXPECT_LE(largest, 1e-4);
+  EXPECT_NEAR(chosen["error"], largest, 1e-3 * largest);
+}
+
+}  // namespace
+}  // namespace fde

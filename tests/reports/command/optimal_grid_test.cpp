@@ -1,0 +1,87 @@
+// --grid graded:auto of solve and run.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "fdebench/benchmarks/sweep/default_sweep.hpp"
+#include "fdebench/benchmarks/sweep/sweep.hpp"
+#include "support/command_line_result.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+std::string text_of_file(const std::filesystem::path& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+TEST(OptimalGrid, SolveIsThatOfTheGradingAndNamesIt) {
+  const auto chosen = fdebench("solve relaxation --scheme l1 --steps 300 --at 1 --grid graded:auto --cost");
+  const auto named = fdebench("solve relaxation --scheme l1 --steps 300 --at 1 --grid graded:3");
+  EXPECT_EQ(chosen.code, 0);
+  EXPECT_EQ(chosen.out, named.out);
+  EXPECT_NE(chosen.err.find(R"("grid":"graded:3")"), std::string::npos) << chosen.err;
+}
+
+TEST(OptimalGrid, ResultsNameTheGradingOfEachScheme) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "optimal_grid.jsonl";
+  std::filesystem::remove(file);
+  const auto answer = fdebench(
+      "run --scene relaxation --scheme l1 --scheme product_trapezoidal --scheme "
+      "grunwald_letnikov --steps 64 --repeat 1 --grid graded:auto --out " +
+      file.string());
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  const std::string rows = text_of_file(file);
+  for (const auto* grid : {R"("grid":"graded:3")", R"("grid":"graded:2")", R"("grid":"uniform")"})
+    EXPECT_NE(rows.find(grid), std::string::npos) << grid;
+  EXPECT_EQ(rows.find("refused"), std::string::npos);
+  std::filesystem::remove(file);
+}
+
+// A scheme of Sweep::graded runs on two grids if every order is fractional; on one for a multi-term chain, a
+// row of integer order, or another scheme.
+TEST(OptimalGrid, OfASweepIsBesideTheUniformOne) {
+  Sweep sweep;
+  sweep.graded = graded_schemes();
+  const auto gradings = [&](const char* scheme, const char* scene) {
+    std::vector<double> found;
+    for (const auto& setup : setups_of(sweep, *find_scheme(scheme), scene_of(scene).problem))
+      found.push_back(setup.grading);
+    return found;
+  };
+  EXPECT_EQ(gradings("l1", "relaxation"), (std::vector{1.0, 3.0}));
+  EXPECT_EQ(gradings("l1_2", "relaxation"), (std::vector{1.0, 5.0}));
+  EXPECT_EQ(gradings("l2_1_sigma", "relaxation"), (std::vector{1.0, 4.0}));
+  EXPECT_EQ(gradings("product_trapezoidal", "relaxation"), (std::vector{1.0, 2.0}));
+  EXPECT_EQ(gradings("adams_pc", "relaxation"), std::vector{1.0});
+  EXPECT_EQ(gradings("l1", "pendulum"), std::vector{1.0});
+  EXPECT_EQ(gradings("l1", "knife_edge"), std::vector{1.0});
+}
+
+TEST(OptimalGrid, BadGridsAreOneLine) {
+  for (const auto* grid :
+       {"graded:best", "graded:", "graded:0.5", "graded:101", "graded:nan", "graded:autox"}) {
+    const auto solve = fdebench(std::string("solve relaxation --scheme l1 --steps 8 --grid ") + grid);
+    EXPECT_EQ(solve.code, 2);
+    EXPECT_EQ(solve.err,
+              fmt::format("fdebench: --grid = {}: must be uniform or graded:R with R in [1, 100], or "
+                          "graded:auto on the command line\n",
+                          grid));
+  }
+  const auto beside = fdebench("run --scene relaxation --external a=b --steps 8 --grid graded:auto --out x");
+  EXPECT_EQ(beside.code, 2);
+  EXPECT_NE(beside.err.find("--grid = graded:auto: must be uniform or graded:R beside --external"),
+            std::string::npos)
+      << beside.err;
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,172 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "fdebench/reports/analysis/formulations.hpp"
+#include "fdebench/reports/page/page_data.hpp"
+#include "reports/page/page_section.hpp"
+
+namespace fde {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double end_time = 8.0;
+
+// A line of four numbers of steps whose drifts are proportional to h^rate and whose times are proportional to
+// N.
+struct Line {
+  SceneSettings scene;
+  double internal, independent, rate, seconds_a_step;
+  RunOutcome ending{};
+  int finest = 512;
+};
+
+void add_line(Results& results, const Line& line) {
+  for (int steps = 64; steps <= line.finest; steps *= 2) {
+    const double h = end_time / steps, fallen = std::pow(h, line.rate);
+    const Record row{
+        .key = {.scene = line.scene, .scheme = "l1", .setup = {.resolution = steps}}, .steps = steps, .h = h};
+    const auto add = [&](const std::string& quantity, double value) -> Record& {
+      results.records.push_back(row);
+      results.records.back().quantity = quantity;
+      results.records.back().value = value;
+      return results.records.back();
+    };
+    add("drift_internal", line.internal * fallen);
+    if (line.independent > 0.0) {
+      add("drift_independent", line.independent * fallen);
+      add("drift_independent_growth", 1.25);
+    }
+    if (line.ending == RunOutcome{}) {
+      add("error_end", 0.01 * h);
+      add("time_minimum", line.seconds_a_step * steps);
+    }
+    add("ending", end_time).ending = line.ending;
+  }
+}
+
+// The scene with these settings.
+SceneSettings with(ParameterValues values) {
+  return {.id = "fractional_constraint_2d", .values = std::move(values)};
+}
+
+Results empty_results() { return {.sessions = {Session{}}, .records = {}}; }
+
+Results three_formulations() {
+  Results results = empty_results();
+  add_line(results, {with({{"alpha", 0.3}}), 1e-16, 1e-3, 1.5, 1e-6});
+  add_line(results, {with({{"alpha", 0.3}, {"formulation", "acceleration"}}), 1e-2, 2e-2, 1.0, 1e-6});
+  add_line(results, {with({{"alpha", 0.3}, {"formulation", "multiplier"}}), 1e-16, 1e-3, 1.5, 4e-6});
+  return results;
+}
+
+nlohmann::json section_of(const Results& results) {
+  const auto data = page_data(read_runs(results));
+  for (const auto& section : data["sections"]) {
+    if (section["id"] == "drift") return section;
+  }
+  return {};
+}
+
+std::vector<std::string> column(const nlohmann::json& section, const std::string& text,
+                                const std::string& over) {
+  std::vector<std::string> cells;
+  const auto& columns = section["table"]["columns"];
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (columns[c]["text"] != text || columns[c].value("over", "") != over) continue;
+    for (const auto& group : section["table"]["groups"]) {
+      for (const auto& row : group["rows"]) cells.push_back(to_text(row[c]));
+    }
+  }
+  return cells;
+}
+
+TEST(DriftSection, SetsTheFormulationsOfASceneSideBySide) {
+  const auto section = section_of(three_formulations());
+  EXPECT_EQ(section["table"]["groups"].size(), 1U);
+  EXPECT_THAT(section["table"]["groups"][0]["title"], HasSubstr("(alpha=0.3)"));
+  EXPECT_THAT(column(section, "formulation", ""), ElementsAre("integrated", "acceleration", "multiplier"));
+  EXPECT_THAT(column(section, "largest", "independent drift"), ElementsAre("2.0e-6", "3.1e-4", "2.0e-6"));
+  EXPECT_THAT(column(section, "growth", "independent drift"), ElementsAre("1.25", "1.25", "1.25"));
+  EXPECT_THAT(column(section, "rate in h", "independent drift"), ElementsAre("1.50", "1.00", "1.50"));
+  EXPECT_THAT(column(section, "rate in h", "internal drift"), ElementsAre("", "1.00", ""));
+  EXPECT_THAT(column(section, "time", ""), ElementsAre("512 µs", "512 µs", "2.05 ms"));
+}
+
+TEST(DriftSection, SaysWhichFormulationIsBestInTheSameTime) {
+  const std::string text = section_of(three_formulations())["paragraphs"].dump();
+  // The multiplier formulation makes 128 steps in 512 µs.
+  EXPECT_THAT(text, HasSubstr("within 512 µs, the constraint is kept best by integrated with l1 (2.0e-6, "
+                              "error 1.6e-4 at N = 512); "
+                              "then multiplier with l1 (1.6e-5, error 6.3e-4 at N = 128), acceleration with "
+                              "l1 (3.1e-4, error 1.6e-4 at N = 512)"));
+  EXPECT_THAT(text, HasSubstr("to rounding (1e-12): integrated, multiplier."));
+}
+
+TEST(DriftSection, FollowsTheNumbers) {
+  Results results = empty_results();
+  add_line(results, {with({}), 1e-2, 1e-2, 1.0, 1e-6});
+  add_line(results, {with({{"formulation", "multiplier"}}), 1e-3, 1e-3, 1.0, 1e-6});
+  const std::string text = section_of(results)["paragraphs"].dump();
+  EXPECT_THAT(text, HasSubstr("kept best by multiplier"));
+  EXPECT_THAT(text, Not(HasSubstr("to rounding (1e-12)")));
+}
+
+TEST(DriftSection, ComparesAtTheFinestCommonStepCount) {
+  Results results = three_formulations();
+  add_line(results, {with({{"alpha", 0.3}, {"formulation", "stabilised"}}), 1e-3, 1e-3, 1.0, 1e-6, {}, 256});
+  EXPECT_THAT(column(section_of(results), "N", ""), ElementsAre("256", "256", "256", "256"));
+}
+
+TEST(DriftSection, TakesRunsWithoutAReference) {
+  Results results = empty_results();
+  add_line(results, {with({}), 1e-2, 0.0, 1.0, 1e-6, {Ending::no_reference, "none is known"}});
+  const auto section = section_of(results);
+  EXPECT_THAT(column(section, "largest", "internal drift"), ElementsAre("1.6e-4"));
+  EXPECT_TRUE(column(section, "time", "").empty());
+  EXPECT_TRUE(column(section, "largest", "independent drift").empty());
+}
+
+// One point per run; the best run of each formulation is solved again.
+TEST(DriftSection, DrawsDriftsOverStepAndTime) {
+  const auto drifts = section_of(three_formulations())["drifts"];
+  ASSERT_EQ(drifts.size(), 1U);
+  EXPECT_EQ(drifts[0]["points"]["drift"].size(), 12U);
+  EXPECT_EQ(drifts[0]["points"]["formulations"],
+            std::vector<std::string>({"integrated", "acceleration", "multiplier"}));
+  ASSERT_EQ(drifts[0]["courses"].size(), 3U);
+  for (const auto& course : drifts[0]["courses"]) {
+    EXPECT_EQ(course["t"].size(), course["drift"].size());
+    EXPECT_GT(course["t"].size(), 30U) << course["formulation"];
+    EXPECT_EQ(course["t"].back(), 10.0);
+    const auto drift = course["drift"].get<std::vector<double>>();
+    EXPECT_TRUE(std::ranges::is_sorted(drift)) << "largest so far";
+    EXPECT_THAT(drift.back(), testing::AllOf(testing::Gt(1e-6), testing::Lt(0.1)));
+  }
+}
+
+TEST(DriftSection, DrawsNothingOfRounding) {
+  Results results = empty_results();
+  add_line(results, {with({}), 1e-16, 0.0, 1.0, 1e-6});
+  EXPECT_FALSE(section_of(results).contains("drifts"));
+}
+
+TEST(DriftSection, IsThereOnlyWithDrift) {
+  Results results = empty_results();
+  results.records.push_back({.key = {.scene = {"pendulum"}, .scheme = "l1", .setup = {64}},
+                             .steps = 64,
+                             .quantity = "ending",
+                             .ending = RunOutcome{}});
+  EXPECT_TRUE(section_of(results).is_null());
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,315 @@
+#include "fdebench/reports/page/report.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fdebench/reports/analysis/line_rates.hpp"
+#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/page/page_data.hpp"
+#include "reports/page/page_section.hpp"
+#include "reports/synthetic_results.hpp"
+
+namespace fde {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Rates, AreThoseOfExactPowers) {
+  const auto rows = rates(runs_of(two_lines()));
+  ASSERT_EQ(rows.size(), 2);
+  EXPECT_EQ(rows[0].scheme, "adams_pc");  // in the order of the list of schemes
+  EXPECT_NEAR(rows[0].end.fit.slope, 2.0, 1e-12);
+  EXPECT_NEAR(rows[1].end.fit.slope, 1.5, 1e-12);
+  EXPECT_NEAR(rows[1].end.deviation().value(), 0.0, 1e-12);
+  EXPECT_NEAR(rows[1].maximum.deviation().value(), -1.0, 1e-12);
+  EXPECT_NEAR(rows[1].maximum.fit.correlation, 1.0, 1e-12);
+}
+
+TEST(Text, RoundsForReaders) {
+  EXPECT_EQ(error_text(1.23e-7), "1.2e-7");
+  EXPECT_EQ(error_text(9.96e-8), "1.0e-7");
+  EXPECT_EQ(error_text(0.0), "0");
+  EXPECT_EQ(time_text(3.456e-3), "3.46 ms");
+  EXPECT_EQ(time_text(1.2345e-5), "12.3 µs");
+  EXPECT_EQ(bytes_text(65536), "65.5 kB");
+  EXPECT_EQ(count_text(1234567), "1\u202f234\u202f567");
+  EXPECT_EQ(rough_count_text(34567), "35\u202f000");
+}
+
+// A folder for this test only, which does not exist yet.
+fs::path fresh_folder() {
+  auto folder = fs::path(testing::TempDir()) / "fdebench_report_test" /
+                testing::UnitTest::GetInstance()->current_test_info()->name();
+  fs::remove_all(folder);
+  return folder;
+}
+
+std::string written(const Results& results) {
+  std::ostringstream text;
+  text << std::ifstream(write_report(read_runs(results), fresh_folder())).rdbuf();
+  return text.str();
+}
+
+// The JSON data embedded in a page.
+nlohmann::json data_of(const std::string& page) {
+  const std::string open = R"(<script type="application/json" id="data">)";
+  const auto start = page.find(open) + open.size();
+  return nlohmann::json::parse(page.substr(start, page.find("</script>", start) - start));
+}
+
+std::vector<std::string> section_ids(const nlohmann::json& data) {
+  std::vector<std::string> ids;
+  for (const auto& section : data["sections"]) ids.push_back(section["id"]);
+  return ids;
+}
+
+// Runs of l1 and adams_pc on relaxation with errors gamma / N; only l1 has more than 128 steps.
+Results over_gamma(const std::vector<double>& values) {
+  Results results = empty_results();
+  for (const double gamma : values) {
+    for (const auto& [scheme, most] : {std::pair{"l1", 256}, std::pair{"adams_pc", 128}}) {
+      for (int steps = 64; steps <= most; steps *= 2) {
+        add_run(results, {"relaxation", scheme, steps}, gamma / steps, 1e-6 * steps);
+        constexpr std::ptrdiff_t rows = 3;  // per run
+        for (auto row = results.records.end() - rows; row != results.records.end(); ++row)
+          if (gamma != 0.5) row->key.scene.values = {{"gamma", gamma}};
+      }
+    }
+  }
+  return results;
+}
+
+// 1/2 is the default of gamma. N = 256 is not common to both lines.
+TEST(Report, DrawsErrorAndTimeOverAParameterOfThreeValues) {
+  const auto data = data_of(written(over_gamma({0.9, 0.1, 0.5})));
+  ASSERT_THAT(section_ids(data), testing::Contains("curve-relaxation-gamma"));
+  for (const auto& section : data["sections"]) {
+    if (section["id"] != "curve-relaxation-gamma") continue;
+    EXPECT_EQ(section["parameter"], "gamma");
+    const auto& runs = section["runs"];
+    EXPECT_EQ(runs["steps"], std::vector<int>(6, 128));
+    EXPECT_EQ(runs["time_minimum"], std::vector<double>(6, 1.28e-4));
+    EXPECT_EQ(runs["error_end"],
+              std::vector<double>({7.8125e-4, 7.8125e-4, 3.9062e-3, 3.9062e-3, 7.0313e-3, 7.0313e-3}))
+        << "to five digits";
+    EXPECT_EQ(runs["value"], std::vector<double>({0.1, 0.1, 0.5, 0.5, 0.9, 0.9}));
+    EXPECT_EQ(runs["lines"], std::vector<std::string>({"adams_pc", "l1"}));
+    EXPECT_EQ(runs["line"], std::vector<int>({0, 1, 0, 1, 0, 1}));
+  }
+  EXPECT_THAT(section_ids(data_of(written(over_gamma({0.9, 0.5})))),
+              Not(testing::Contains("curve-relaxation-gamma")));
+}
+
+TEST(Report, HoldsEverySceneSchemeSessionAndFailure) {
+  Results results = two_lines();
+  add_run(results, {"brusselator", "grunwald_letnikov", 64}, 1e-3, 1.0);
+  add_ending(results, {"diethelm", "product_trapezoidal", 64}, 0.0,
+             {Ending::refused, "takes </script> for an order"});
+  add_ending(results, {"diethelm", "l1", 64}, 1.5, {Ending::non_finite, "at step 13, t = 1.5"});
+  const auto data = data_of(written(results));
+  const std::string shown = data.dump();
+  for (const auto* text :
+       {"adams_pc", "l1", "grunwald_letnikov", "product_trapezoidal", "Fractional Brusselator",
+        "refused: takes </script> for an order", "not finite at step 13, t = 1.5", "the machine",
+        "the compiler", "-O3", "0123abc", "2025-01-02T03:04:05Z"}) {
+    EXPECT_THAT(shown, HasSubstr(text));
+  }
+  EXPECT_THAT(section_ids(data),
+              testing::ElementsAre("answer", "regions", "scene-pendulum", "scene-brusselator", "rates",
+                                   "cost", "reference", "failures", "schemes"));
+}
+
+// At the end l1 is within 1e-4 with 256 steps of 1 us, adams_pc with 128 steps of 3 us: 1.5 times as long.
+TEST(Report, MapsTheCheapestRunAndLeadsToItsScene) {
+  const auto data = data_of(written(two_lines()));
+  const auto map = section(data, "answer")["tables"]["error_end"];
+  EXPECT_TRUE(map["map"]);
+  const auto& row = map["groups"][0]["rows"][0];
+  EXPECT_EQ(row[0]["to"], "scene-pendulum");
+  const auto column = std::ranges::find(map["columns"], "≤ 1e-4", [](const auto& of) { return of["text"]; });
+  const auto& cell = row[static_cast<std::size_t>(column - map["columns"].begin())];
+  EXPECT_EQ(to_text(cell), "l1");
+  EXPECT_EQ(cell["detail"], "256 µs");
+  EXPECT_NEAR(cell["strength"].get<double>(), std::log10(1.5), 5e-3);
+  const auto said = section(data, "scene-pendulum")["tables"]["error_end"]["groups"][0]["rows"][1];
+  EXPECT_EQ(to_text(said[3]),
+            "1.5 times as quick as adams_pc: a step takes 1.00 µs where one of adams_pc takes 3.00 µs");
+}
+
+// l1 is the quickest within the accuracies that are reached; early endings and refusals are listed against a
+// scheme.
+TEST(Report, SaysOfEachSchemeWhereItWinsAndWhatSpeaksAgainstIt) {
+  Results results = two_lines();
+  add_ending(results, {"brusselator", "l1", 64}, 1.5, {Ending::non_finite, "at step 13, t = 1.5"});
+  add_ending(results, {"diethelm", "adams_pc", 64}, 0.0, {Ending::refused, "takes no such order"});
+  const auto rows =
+      section(data_of(written(results)), "answer")["verdicts"]["error_end"]["groups"][0]["rows"];
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(to_text(rows[0][0]), "l1");  // sorted by the cells won
+  EXPECT_THAT(to_text(rows[0][1]), HasSubstr("Cheapest in 2 of 2 cells: pendulum. The next takes"));
+  EXPECT_EQ(to_text(rows[0][2]), "Fails on brusselator.");
+  EXPECT_EQ(to_text(rows[1][0]), "adams_pc");
+  EXPECT_EQ(to_text(rows[1][1]),
+            "Cheapest nowhere; nearest on pendulum to 1e-4, in 1.5 times the least time.");
+  EXPECT_EQ(to_text(rows[1][2]), "Refuses diethelm (takes no such order).");
+}
+
+TEST(Report, SaysHowFarTheBestRunIsFromAnAccuracy) {
+  const auto data = data_of(written(two_lines()));
+  const auto rows = section(data, "scene-pendulum")["tables"]["error_end"]["groups"][0]["rows"];
+  EXPECT_EQ(to_text(rows[1][1]), "l1");
+  EXPECT_EQ(to_text(rows[2][1]), "none measured reaches it");
+  EXPECT_THAT(to_text(rows[2][2]), HasSubstr("adams_pc, N = 512, error 2.4e-6"));
+  EXPECT_THAT(to_text(rows[2][3]), HasSubstr("would need about N = "));
+}
+
+// The same runs with another grid, history or tolerance are other lines, with names that say so.
+TEST(Report, NamesALineByWhatTellsItsSetupFromOthers) {
+  Results results = two_lines();
+  for (const auto& row : two_lines().records) {
+    if (row.key.scheme != "l1") continue;
+    results.records.push_back(row);
+    results.records.back().key.setup.grading = 2.0;
+  }
+  const auto lines = [](const Results& of) {
+    return data_of(written(of))["lines"].get<std::vector<std::string>>();
+  };
+  EXPECT_THAT(lines(results), testing::UnorderedElementsAre("adams_pc", "l1", "l1, graded:2"));
+  EXPECT_THAT(to_text(recommend(runs_of(results), {"pendulum"}, {Norm::end, Scale::absolute}, 3e-5)),
+              HasSubstr("l1, graded:2: N = 512"));
+  EXPECT_THAT(lines(two_lines()), testing::UnorderedElementsAre("adams_pc", "l1"));
+}
+
+// Gradings that depend on the orders of the scenes give one line; its rows name the grading.
+TEST(Report, NamesALineOnceWhoseGradingDiffersFromSceneToScene) {
+  Results results = two_lines();
+  for (const auto& [scene, grading] : {std::pair{"pendulum", 2.0}, std::pair{"brusselator", 3.0}}) {
+    for (auto row : two_lines().records) {
+      if (row.key.scheme != "l1") continue;
+      row.key.scene = {scene};
+      row.key.setup.grading = grading;
+      results.records.push_back(row);
+    }
+  }
+  const auto data = data_of(written(results));
+  EXPECT_THAT(data["lines"].get<std::vector<std::string>>(),
+              testing::UnorderedElementsAre("adams_pc", "l1", "l1, graded"));
+  const auto rates = section(data, "rates").dump();
+  EXPECT_THAT(rates, HasSubstr(R"("detail":"graded:2","line":"l1, graded")"));
+  EXPECT_THAT(rates, HasSubstr(R"("detail":"graded:3","line":"l1, graded")"));
+}
+
+// With adaptive step size there is no step size h, hence no rate.
+TEST(Rates, AreOfRunsOverGridsOnly) {
+  Results results = two_lines();
+  for (auto& row : results.records) {
+    if (row.key.scheme == "l1") row.key.setup.resolution = Tolerance{.relative = row.h, .absolute = row.h};
+  }
+  const auto rows = rates(runs_of(results));
+  ASSERT_EQ(rows.size(), 1);
+  EXPECT_EQ(rows[0].scheme, "adams_pc");
+}
+
+// The reference of the pendulum is computed by two methods, which takes time.
+TEST(Report, SaysWhatAReferenceRestsOnAndTakes) {
+  const auto of = section(data_of(written(two_lines())), "reference");
+  const auto cell = of["table"]["groups"][0]["rows"][0][1];
+  EXPECT_EQ(to_text(cell), "two methods");
+  EXPECT_THAT(cell["detail"].get<std::string>(), testing::MatchesRegex("computed in [0-9.]+ m?s"));
+  EXPECT_THAT(of["paragraphs"].back().get<std::string>(),
+              testing::StartsWith("Where two methods have to agree, a reference took "));
+}
+
+// D^beta phi is phi at beta = 0 and tends to phi - phi(0).
+TEST(Report, SaysWhereASolutionIsNotTheLimitOfItsNeighbours) {
+  Results results = two_lines();
+  for (auto& row : results.records) row.key.scene.values["beta"] = 0.0;
+  const auto paragraphs = section(data_of(written(results)), "scene-pendulum:beta=0")["paragraphs"];
+  EXPECT_EQ(
+      paragraphs[1],
+      "The solution is not continuous in beta here: as beta tends to its value, D^beta phi tends to phi - "
+      "phi(0).");
+}
+
+TEST(Report, MarksRatesThatDeviate) {
+  EXPECT_THAT(data_of(written(two_lines())).dump(), HasSubstr("1.00 below theory"));
+}
+
+// In the second results adams_pc has twice the errors and a fifth of the time.
+TEST(Report, SetsTwoResultsSideBySide) {
+  Results now = empty_results();
+  add_line(now, "l1", 1.5, 1e-6);
+  add_line(now, "adams_pc", 2.0, 6e-7);
+  for (Record& row : now.records) {
+    if (row.key.scheme == "adams_pc" && row.quantity.starts_with("error_")) row.value *= 2.0;
+  }
+  const auto data = page_data(read_runs(now), read_runs(two_lines()));
+  const auto compared = section(data, "compared");
+  EXPECT_THAT(compared["paragraphs"][0].get<std::string>(),
+              HasSubstr("8 runs are in both, 0 only in the first"));
+  const auto& groups = compared["table"]["groups"];
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0]["title"], "Errors: 4");
+  const auto& row = groups[0]["rows"][0];
+  EXPECT_EQ(row[0]["to"], "scene-pendulum");
+  EXPECT_EQ(to_text(row[1]), "adams_pc");
+  EXPECT_THAT(to_text(row[4]), HasSubstr("× 2"));
+  EXPECT_TRUE(row[4]["marked"]);
+  EXPECT_EQ(groups[1]["title"], "Times: 4");
+  EXPECT_THAT(to_text(groups[1]["rows"][0][4]), testing::StartsWith("× 0.2 "));
+  EXPECT_THAT(section_ids(page_data(read_runs(now))), Not(testing::Contains("compared")));
+}
+
+TEST(Report, LeavesOutWhatHasNoData) {
+  const auto data = data_of(written(two_lines()));
+  EXPECT_THAT(section_ids(data), Not(testing::Contains("failures")));
+  EXPECT_THAT(data["sessions"].dump(), Not(HasSubstr("version")));
+  EXPECT_THAT(data.dump(), Not(HasSubstr("history")));
+  EXPECT_THAT(data.dump(), Not(HasSubstr("n/a")));
+}
+
+TEST(Report, LoadsNothingFromANetwork) {
+  const std::string page = written(two_lines());
+  EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)\s*=\s*["']?(https?:)?//)")));
+  EXPECT_FALSE(std::regex_search(page, std::regex(R"(@import|url\(\s*["']?http)")));
+  EXPECT_THAT(page, HasSubstr("vegaEmbed"));
+  EXPECT_THAT(page, HasSubstr("University of Washington Interactive Data Lab"));
+}
+
+TEST(Report, LeavesOneFileAndReplacesAnOlderOne) {
+  const fs::path folder = fresh_folder() / "new" / "folder";
+  const fs::path path = write_report(read_runs(empty_results()), folder);
+  EXPECT_EQ(path, folder / "index.html");
+  const auto before = fs::file_size(path);
+  write_report(read_runs(two_lines()), folder);
+  EXPECT_GT(fs::file_size(path), before);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+}
+
+TEST(Report, NamesThePathThatCannotBeWritten) {
+  const fs::path folder = fresh_folder(), file = folder / "a_file";
+  fs::create_directories(folder);
+  std::ofstream(file) << "x";
+  try {
+    write_report(read_runs(two_lines()), file / "below");
+    FAIL() << "a folder below a file";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr((file / "below").string()));
+  }
+}
+
+}  // namespace
+}  // namespace fde

@@ -1,0 +1,98 @@
+// Histories of many components, with any number of threads, give the same bits as each component alone.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "fdebench/schemes/history/exponential_memory.hpp"
+#include "fdebench/schemes/history/history.hpp"
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
+#include "fdebench/schemes/stepping/trajectory.hpp"
+
+namespace fde {
+namespace {
+
+constexpr int steps = 200;
+
+struct Family {
+  std::string name;
+  std::vector<WeightTable> tables;  // one a sum
+};
+
+std::vector<Family> families_of_histories() {
+  return {{"l1", {{&families::l1, 0.4}}},
+          {"adams", {{&families::rectangle, 0.5}, {&families::trapezoid, 0.5}}},
+          {"above_one", {{&families::rectangle, 1.6}, {&families::trapezoid, 1.6}}},
+          {"filtered", {{&families::bdf2, 0.7}}},
+          {"alternating", {{&families::fractional_trapezoidal, 0.3}}}};
+}
+
+double sample_of(Eigen::Index component, int n) {
+  return std::sin(0.1 * n * static_cast<double>(component % 7 + 1)) +
+         0.01 * static_cast<double>(component % 91);
+}
+
+// The memory sums of a history of the components from `first` on: one column a step, the sums stacked.
+Rows sums(const Family& family, Eigen::Index first, Eigen::Index components, int threads) {
+  WeightTables tables;
+  for (const auto& table : family.tables) tables.emplace_back(static_cast<std::size_t>(components), table);
+  const auto history = make_history(HistoryKind::exponentials, tables,
+                                    step_plan({.end = 1.0, .steps = steps}), 1e-15, threads);
+  Rows result(std::ssize(tables) * components, steps);
+  for (int n = 0; n < steps; ++n) {
+    history->push(n, Vec::NullaryExpr(components, [&](Eigen::Index i) { return sample_of(first + i, n); }));
+    for (std::size_t s = 0; s < tables.size(); ++s) {
+      history->convolve(n + 1, s,
+                        result.col(n).segment(static_cast<Eigen::Index>(s) * components, components));
+    }
+  }
+  return result;
+}
+
+class ManyComponents : public testing::TestWithParam<Family> {};
+
+TEST_P(ManyComponents, AreEachAsAlone) {
+  constexpr Eigen::Index many = 203;
+  static_assert(many > ExponentialMemory::fewest_wide && many % WideMemory::tile % lanes != 0);
+  const Rows together = sums(GetParam(), 0, many, 1);
+  for (const Eigen::Index i : {0, 7, 63, 64, 130, 202}) {
+    const Rows alone = sums(GetParam(), i, 1, 1);
+    for (Eigen::Index s = 0; s < alone.rows(); ++s) EXPECT_EQ(together.row(s * many + i), alone.row(s)) << i;
+  }
+}
+
+TEST_P(ManyComponents, HaveTheSameBitsInAnyNumberOfThreads) {
+  constexpr Eigen::Index many = 30'000;  // enough for three threads
+  const Rows one = sums(GetParam(), 0, many, 1);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(one, sums(GetParam(), 0, many, threads)) << threads;
+}
+
+INSTANTIATE_TEST_SUITE_P(, ManyComponents, testing::ValuesIn(families_of_histories()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(SharedWork, PassesOnWhatAnyThreadThrows) {
+  constexpr Eigen::Index rows = 100'000;
+  for (const Eigen::Index failing : {Eigen::Index{0}, rows - 1}) {
+    const auto work = [=](Eigen::Index first, Eigen::Index count) {
+      if (first <= failing && failing < first + count) throw std::runtime_error("no");
+    };
+    EXPECT_THROW(parallel_for_rows(2, rows, 1, work), std::runtime_error) << failing;
+  }
+}
+
+// The memory a component needs, apart from the memory that does not grow with the number of components.
+TEST(WideMemory, TakesItsStatesAndLittleElse) {
+  const auto bytes = [](std::size_t components) {
+    const WeightTables tables{std::vector<WeightTable>(components, {&families::l1, 0.5})};
+    return static_cast<double>(
+        make_history(HistoryKind::exponentials, tables, step_plan({.end = 1.0, .steps = 1000}), 1e-15)
+            ->bytes());
+  };
+  const double of_one = (bytes(20'000) - bytes(10'000)) / 10'000;
+  EXPECT_LT(of_one, 1400.0);  // a thousand samples are 8000
+}
+
+}  // namespace
+}  // namespace fde

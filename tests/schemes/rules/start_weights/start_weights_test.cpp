@@ -1,0 +1,230 @@
+// Starting weights of the multistep rules make powers exact, compared with sums in 60 digits that share only
+// the definition with the library.
+
+#include "fdebench/schemes/rules/start_weights/start_weights.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/mpfr.hpp>
+#include <cmath>
+
+#include "fdebench/schemes/rules/start_weights/start_correction.hpp"
+#include "fdebench/schemes/rules/start_weights/starting_powers.hpp"
+#include "support/testing.hpp"
+
+namespace fde {
+namespace {
+
+using Exact = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60>>;
+
+const std::vector<const WeightFamily*> rules{&families::bdf2,
+                                             &families::bdf3,
+                                             &families::bdf4,
+                                             &families::bdf5,
+                                             &families::bdf6,
+                                             &families::newton_gregory_2,
+                                             &families::newton_gregory_3,
+                                             &families::fractional_trapezoidal};
+
+std::string name_of(const testing::TestParamInfo<const WeightFamily*>& rule) {
+  return std::string(rule.param->id);
+}
+
+// (a(zeta))^exponent from its logarithmic derivative: b' a = exponent a' b.
+std::vector<Exact> series_power(const std::vector<Exact>& a, const Exact& exponent, std::size_t count) {
+  std::vector<Exact> b{pow(a[0], exponent)};
+  for (std::size_t n = 1; n < count; ++n) {
+    Exact sum = 0;
+    for (std::size_t k = 1; k < a.size() && k <= n; ++k)
+      sum += (exponent * k - Exact(n - k)) * a[k] * b[n - k];
+    b.emplace_back(sum / (a[0] * n));
+  }
+  return b;
+}
+
+std::vector<Exact> product(const std::vector<Exact>& a, const std::vector<Exact>& b, std::size_t count) {
+  std::vector<Exact> c(count, Exact(0));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size() && i + j < count; ++j) c[i + j] += a[i] * b[j];
+  }
+  return c;
+}
+
+// omega by Lubich's definitions: delta^(-g) with delta = sum_{k<=p} (1-zeta)^k / k; ((1+zeta)/(1-zeta)/2)^g;
+// the truncated series of (-ln zeta / (1-zeta))^(-g) in powers of 1-zeta, times (1-zeta)^(-g).
+std::vector<Exact> omega(const WeightFamily& rule, const Exact& g, std::size_t count) {
+  const std::vector<Exact> u{1, -1};
+  const std::string id(rule.id);
+  if (id.starts_with("bdf")) {
+    std::vector<Exact> delta{0}, power{1};
+    for (int k = 1; k <= id.back() - '0'; ++k) {
+      power = product(power, u, power.size() + 1);
+      delta.resize(power.size(), Exact(0));
+      for (std::size_t i = 0; i < power.size(); ++i) delta[i] += power[i] / k;
+    }
+    return series_power(delta, -g, count);
+  }
+  if (id == "fractional_trapezoidal")
+    return product(series_power({Exact(0.5), Exact(0.5)}, g, count), series_power(u, -g, count), count);
+  const std::vector<Exact> logarithm{1, Exact(1) / 2, Exact(1) / 3};
+  const auto in_u = series_power(logarithm, -g, id.back() == '2' ? 2 : 3);
+  std::vector<Exact> q{0}, power{1};
+  for (const Exact& factor : in_u) {
+    q.resize(power.size(), Exact(0));
+    for (std::size_t i = 0; i < power.size(); ++i) q[i] += factor * power[i];
+    power = product(power, u, power.size() + 1);
+  }
+  return product(series_power(u, -g, count), q, count);
+}
+
+class Multistep : public testing::TestWithParam<const WeightFamily*> {
+ protected:
+  static std::vector<double> orders() { return {0.2, 0.5, 0.8, 1.0, 1.3, 1.7}; }
+  static StartingPowers powers_of(double order) {
+    return starting_powers(*GetParam(),
+                           {.components = {{order, std::vector<double>(initial_count(order), 1.0)}}});
+  }
+};
+
+TEST_P(Multistep, WeightsAreTheCoefficientsOfTheirGeneratingFunction) {
+  for (const double order : orders()) {
+    const auto w = omega(*GetParam(), order, 900);
+    const Vec first = first_weights({GetParam(), order}, 899);
+    EXPECT_NEAR(step_factor({GetParam(), order}, 1.0) / static_cast<double>(w[0]), 1.0, 4e-16);
+    for (std::size_t k = 1; k < w.size(); ++k) {
+      const auto exact = static_cast<double>(w[k] / w[0]);
+      const double allowed = 1e-15 * std::max(std::abs(exact), std::pow(static_cast<double>(k), order - 1.0));
+      ASSERT_NEAR(first[static_cast<Eigen::Index>(k) - 1], exact, allowed) << order << ", k = " << k;
+      if (k < 40 || k % 17 == 0) {
+        ASSERT_NEAR(weight({GetParam(), order}, static_cast<std::int64_t>(k)), exact, allowed)
+            << order << ' ' << k;
+      }
+    }
+  }
+}
+
+// sum_{j<s} W(n, j) j^p = Gamma(p+1)/Gamma(p+g+1) n^(p+g) / omega_0 - sum_j w(n-j) j^p, up to a unit in the
+// last place of each W(n, j), for steps below and above the first step of the expansions, up to 1000.
+TEST_P(Multistep, StartWeightsMakePowersExact) {
+  for (const double order : {0.2, 0.5, 0.8, 1.0, 1.3, 1.7}) {
+    const Exact g = order;
+    const auto powers = powers_of(order).powers;
+    // Row i has f_i = 1 and the other samples 0, so its sum is W(n, i).
+    const auto count = std::ssize(powers);
+    StartingCorrection correction({powers.size(), {GetParam(), order}}, powers, 1100);
+    correction.start(Matrix::Identity(count, count));
+    const auto w = omega(*GetParam(), g, 1001);
+    double worst = 0.0;
+    for (const int n : {1, 2, 3, 7, 31, 64, 65, 97, 128, 161, 383, 385, 1000}) {
+      Vec at_n = Vec::Zero(count);
+      correction.add(n, at_n);
+      for (const double p : powers) {
+        const auto power = [&](int j) {
+          return j == 0 ? Exact(p == 0.0 ? 1 : 0) : Exact(pow(Exact(j), Exact(p)));
+        };
+        Exact rest = tgamma(Exact(p) + 1) / tgamma(Exact(p) + g + 1) * pow(Exact(n), Exact(p) + g);
+        for (int j = 0; j <= n; ++j) rest -= w[static_cast<std::size_t>(n - j)] * power(j);
+        rest /= w[0];
+        Exact size = 0;
+        for (Eigen::Index j = 0; j < at_n.size(); ++j) {
+          const Exact term = Exact(at_n[j]) * power(static_cast<int>(j));
+          rest -= term;
+          size += abs(term);
+        }
+        const auto largest = static_cast<double>(size) + at_n.cwiseAbs().maxCoeff();
+        worst = std::max(worst, static_cast<double>(abs(rest)) / largest);
+      }
+    }
+    EXPECT_LT(worst, 2e-14) << order;
+  }
+}
+
+// The values of the table in docs/schemes.md.
+TEST_P(Multistep, StartWeightsGrowNoMoreThanAllowed) {
+  for (const double order : {0.1, 0.2, 0.3, 0.5, 0.8, 1.0, 1.3, 1.7}) {
+    const auto start = powers_of(order);
+    fmt::print("{} {}: {} start weights, up to t^{:.2f}, growth {:.2g}\n", GetParam()->id, order,
+               start.powers.size(), start.powers.back(), start.growth);
+    EXPECT_LE(start.growth, max_growth);
+    EXPECT_GT(start.next, start.powers.back());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, Multistep, testing::ValuesIn(rules), name_of);
+
+// Sums of the orders 0.5 and 0.8 up to rate - 1.
+TEST(StartingPowers, AreTheSumsOfTheOrders) {
+  const Problem problem{.components = {{0.5, {1.0}}, {0.8, {1.0}}}};
+  const auto start = starting_powers(families::bdf2, problem);
+  EXPECT_EQ(start.powers, (std::vector{0.0, 0.5, 0.8, 1.0}));
+  EXPECT_DOUBLE_EQ(start.next, 1.3);
+}
+
+// D^g y = Gamma(p+1)/Gamma(p+1-g) t^(p-g) has the solution t^p, which schemes with a starting weight for p -
+// g reproduce exactly.
+TEST(StartingWeights, MakeSchemesExactForTheirPowers) {
+  for (const auto& scheme : schemes()) {
+    if (!scheme.starting_powers || scheme.needs.discretises_equations) continue;
+    for (const double g : {0.5, 1.3}) {
+      Problem problem{.components = {{g, std::vector<double>(initial_count(g), 0.0)}}};
+      for (const double r : scheme.starting_powers(problem)) {
+        const double factor = std::tgamma(r + g + 1.0) / std::tgamma(r + 1.0);
+        problem.rhs = [=](double t, In, Out f) { f[0] = factor * std::pow(t, r); };
+        for (const int steps : {20, 300}) {
+          const auto path = scheme.solve(problem, Grid{1.0, steps}, {});
+          for (int n = 1; n <= steps; ++n) {
+            EXPECT_NEAR(path.y(0, n), std::pow(n / static_cast<double>(steps), r + g), 2e-12)
+                << scheme.id << ' ' << g << ' ' << r;
+          }
+        }
+      }
+    }
+  }
+}
+
+// A sparse Jacobian, a dense one and none lead to the same first steps.
+TEST(StartingProcedure, AreTheSameWithEveryKindOfDerivatives) {
+  const Matrix a = (Matrix(2, 2) << -2.0, 1.0, 0.0, -3.0).finished();
+  Problem problem{.components = {{0.5, {1.0}}, {0.5, {0.5}}}, .rhs = [=](double, In y, Out f) { f = a * y; }};
+  const Rows differenced = solve("bdf3", problem, 40).y;
+  problem.derivatives = DenseJacobian{[=](double, In, OutMatrix jacobian) { jacobian = a; }};
+  const Rows dense = solve("bdf3", problem, 40).y;
+  problem.derivatives =
+      SparseJacobian{[=](double, In, SparseMatrix& jacobian) { jacobian = a.sparseView(); }};
+  const Rows sparse = solve("bdf3", problem, 40).y;
+  problem.derivatives = SparseLinearPart{SparseMatrix(a.sparseView())};
+  const Rows linear = solve("bdf3", problem, 40).y;
+  EXPECT_LT((differenced - dense).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT((sparse - dense).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT((linear - dense).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+// The system of the first steps has a second solution where the steps do not resolve the motion: x = -0.1,
+// y = 109. Newton's method does not converge, or converges to it and the step is rejected as too large for a
+// growing mode; rounding decides which.
+TEST(StartingProcedure, AreNotAnotherSolution) {
+  const Problem brusselator = scene_of("brusselator").problem;
+  for (const auto* scheme : {"bdf4", "bdf5", "bdf6"}) {
+    const auto coarse = solve(scheme, brusselator, 64);
+    EXPECT_TRUE(coarse.ending == Ending::not_converged || coarse.ending == Ending::step_too_large) << scheme;
+    EXPECT_EQ(coarse.failure_time, brusselator.end / 64) << scheme;
+    EXPECT_EQ(solve(scheme, brusselator, 256).ending, Ending::finished) << scheme;
+  }
+}
+
+// E_{1/2}(-1) = e erfc(1); DLMF 7.
+TEST(MultistepSchemes, RelaxationToTwelveDigits) {
+  const Problem problem{.components = {{0.5, {1.0}}}, .rhs = [](double, In y, Out f) { f = -y; }};
+  EXPECT_NEAR(solve("bdf4", problem, 512).y(0, 512), 0.42758357615580700, 1e-12);
+  EXPECT_NEAR(solve("fractional_trapezoidal", problem, 8192).y(0, 8192), 0.42758357615580700, 1e-10);
+}
+
+TEST(MultistepSchemes, NewtonGregoryOfRateTwoIsExplicitAtOrderTwo) {
+  const Problem problem{.components = {{2.0, {1.0, 0.0}}}};
+  EXPECT_EQ(refusal(*find_scheme("newton_gregory_2"), problem, Grid{1.0, 8}),
+            "is explicit at order 2, that of component 0");
+}
+
+}  // namespace
+}  // namespace fde
